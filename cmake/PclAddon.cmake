@@ -1,0 +1,83 @@
+# The add-on's few build functions: a library per module, a tool, a test, the package.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  message(STATUS "No CMAKE_BUILD_TYPE given: choosing Release")
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
+endif()
+
+set(PCL_ADDON_INCLUDE_DIR "${CMAKE_INSTALL_INCLUDEDIR}/${PROJECT_NAME}-${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+
+# Stop if the compiler flags change Eigen's alignment against the packaged PCL.
+function(pcl_addon_refuse_native_architecture)
+  if(PCL_INDOOR_ALLOW_NATIVE)
+    return()
+  endif()
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  set(flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${CMAKE_C_FLAGS}")
+  if(flags MATCHES "-(march|mcpu)=native|-mavx")
+    message(FATAL_ERROR
+      "The compiler flags contain ${CMAKE_MATCH_0}: this changes Eigen's memory alignment against the packaged PCL "
+      "and corrupts memory (double free in supervoxels and LCCP). Remove the flag, or build PCL itself with it and "
+      "configure with -DPCL_INDOOR_ALLOW_NATIVE=ON.")
+  endif()
+endfunction()
+
+# Compile options shared by all targets.
+function(pcl_addon_set_defaults target)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wno-unknown-pragmas $<$<BOOL:${PCL_INDOOR_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(OpenMP_CXX_FOUND)
+    target_link_libraries(${target} PRIVATE OpenMP::OpenMP_CXX)
+  endif()
+endfunction()
+
+# pcl_addon_add_library(module SOURCES ... PUBLIC_LINK ... PRIVATE_LINK ...)
+function(pcl_addon_add_library module)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
+  set(target ${PROJECT_NAME}_${module})
+  add_library(${target} SHARED ${ARG_SOURCES})
+  add_library(${PROJECT_NAME}::${module} ALIAS ${target})
+  pcl_addon_set_defaults(${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${module} VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${PCL_ADDON_INCLUDE_DIR}>)
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+  install(TARGETS ${target} EXPORT ${PROJECT_NAME}Targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY include/ DESTINATION ${PCL_ADDON_INCLUDE_DIR})
+endfunction()
+
+# pcl_addon_add_tool(name LINK ...): tools/name.cpp becomes pcl_name
+function(pcl_addon_add_tool name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(pcl_${name} ${name}.cpp ${ARG_SOURCES})
+  pcl_addon_set_defaults(pcl_${name})
+  target_link_libraries(pcl_${name} PRIVATE ${ARG_LINK})
+  target_link_options(pcl_${name} PRIVATE LINKER:--as-needed)
+  install(TARGETS pcl_${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+# pcl_addon_add_test(module name LINK ...): test/module/test_name.cpp becomes an executable found by CTest
+function(pcl_addon_add_test module name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  set(target test_${module}_${name})
+  add_executable(${target} ${module}/test_${name}.cpp)
+  pcl_addon_set_defaults(${target})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/test)
+  target_link_libraries(${target} PRIVATE GTest::gtest_main ${ARG_LINK})
+  target_link_options(${target} PRIVATE LINKER:--as-needed)
+  gtest_discover_tests(${target} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60)
+endfunction()
+
+# Install the CMake package: find_package(pcl_indoor COMPONENTS segmentation ...)
+function(pcl_addon_install_package)
+  set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/${PROJECT_NAME})
+  install(EXPORT ${PROJECT_NAME}Targets NAMESPACE ${PROJECT_NAME}:: DESTINATION ${destination})
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/${PROJECT_NAME}Config.cmake.in
+    ${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake INSTALL_DESTINATION ${destination})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake ${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake
+    DESTINATION ${destination})
+endfunction()
