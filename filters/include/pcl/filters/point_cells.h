@@ -1,0 +1,61 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief The occupied cells of a regular grid, sparse, with the points of each.
+ * Cells are in ascending order of their keys, hence in an order that does not depend on
+ * the order of the points; the points of a cell are in the order of the input.
+ */
+struct PointCells {
+  std::vector<std::uint64_t> keys;          ///< one per occupied cell, ascending
+  std::vector<std::uint32_t> cell_of_point; ///< one per point
+  std::vector<std::uint32_t> offsets; ///< points of cell c: points[offsets[c]] ...
+  std::vector<std::uint32_t> points;  ///< ... to points[offsets[c + 1]], exclusive
+
+  /** \brief Get the number of occupied cells. */
+  std::size_t
+  size() const
+  {
+    return keys.size();
+  }
+};
+
+/** \brief Lists of neighbours in one array: those of node i are targets[offsets[i]] to
+ * targets[offsets[i + 1]], exclusive, in ascending order; a node is not its own
+ * neighbour.
+ */
+struct Adjacency {
+  std::vector<std::uint32_t> offsets;
+  std::vector<std::uint32_t> targets;
+};
+
+/** \brief Sort points into the cells of a regular grid whose corner is their minimum.
+ * Linear in the number of points; memory is linear in the number of occupied cells.
+ * \param[in] points finite points, metres, in a local frame (a float must resolve them)
+ * \param[in] cell_size edge of a cell, metres, positive
+ * \return the occupied cells; empty for no points
+ * \throws pcl::BadArgumentException if the cell size is not positive, or so small that
+ * the extent of the points is more than two million cells
+ */
+PointCells
+groupByCell(const std::vector<Eigen::Vector3f>& points, double cell_size);
+
+/** \brief Find the up to 26 occupied cells around each cell.
+ * \param[in] keys as made by groupByCell()
+ */
+Adjacency
+cellAdjacency(const std::vector<std::uint64_t>& keys);
+
+} // namespace indoor
+} // namespace pcl

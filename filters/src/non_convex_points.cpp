@@ -1,0 +1,110 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/filters/non_convex_points.h>
+
+#include <pcl/exceptions.h>
+#include <pcl/filters/point_cells.h>
+
+#include <cmath>
+#include <limits>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace {
+
+using pcl::indoor::Adjacency;
+using pcl::indoor::NonConvexityOptions;
+using pcl::indoor::PointCells;
+
+int
+threadCount(unsigned threads)
+{
+#ifdef _OPENMP
+  return threads == 0 ? omp_get_max_threads() : static_cast<int>(threads);
+#else
+  return threads == 0 ? 1 : static_cast<int>(threads);
+#endif
+}
+
+void
+requireValid(const NonConvexityOptions& options)
+{
+  if (!(options.radius > 0) || !std::isfinite(options.radius))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The radius must be positive, not " << options.radius << " m.");
+  if (!(options.curvature_threshold >= 0 && options.curvature_threshold <= 1.0f / 3))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The curvature threshold must be in [0, 1/3], not "
+                            << options.curvature_threshold << ".");
+  if (!(options.ratio_threshold >= 0 && options.ratio_threshold <= 1))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The ratio threshold must be in [0, 1], not "
+                            << options.ratio_threshold << ".");
+}
+
+/** Call visit(point index) for all points of a cell and of the cells around it. */
+template <typename Visit>
+void
+visitAround(const PointCells& cells,
+            const Adjacency& around,
+            std::uint32_t cell,
+            const Visit& visit)
+{
+  const auto visit_cell = [&](std::uint32_t c) {
+    for (auto i = cells.offsets[c]; i < cells.offsets[c + 1]; ++i)
+      visit(cells.points[i]);
+  };
+  visit_cell(cell);
+  for (auto j = around.offsets[cell]; j < around.offsets[cell + 1]; ++j)
+    visit_cell(around.targets[j]);
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+std::vector<std::uint8_t>
+nonConvexPoints(const std::vector<Eigen::Vector3f>& points,
+                const std::vector<Eigen::Vector3f>& normals,
+                const std::vector<float>& curvatures,
+                const NonConvexityOptions& options)
+{
+  requireValid(options);
+  if (normals.size() != points.size() || curvatures.size() != points.size())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        points.size()
+                            << " points have " << normals.size() << " normals and "
+                            << curvatures.size() << " curvatures.");
+  const auto cells = groupByCell(points, options.radius);
+  const auto around = cellAdjacency(cells.keys);
+  const auto squared_radius = static_cast<float>(options.radius * options.radius);
+  const auto count = static_cast<std::ptrdiff_t>(points.size());
+  std::vector<std::uint8_t> non_convex(points.size(), 0);
+#pragma omp parallel for schedule(dynamic, 1024)                                       \
+    num_threads(threadCount(options.threads))
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    if (!(curvatures[i] > options.curvature_threshold) || !normals[i].allFinite())
+      continue;
+    std::size_t positive = 0, negative = 0;
+    visitAround(cells, around, cells.cell_of_point[i], [&](std::uint32_t j) {
+      const Eigen::Vector3f offset = points[j] - points[i];
+      if (offset.squaredNorm() > squared_radius)
+        return;
+      const float height = normals[i].dot(offset);
+      positive += height > 0;
+      negative += height < 0;
+    });
+    non_convex[i] = isNonConvex(static_cast<double>(positive),
+                                static_cast<double>(negative),
+                                options.ratio_threshold);
+  }
+  return non_convex;
+}
+
+} // namespace indoor
+} // namespace pcl
