@@ -1,0 +1,334 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "cloud_check.h"
+
+#include "options.h" // for ToolError
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace pcl::indoor::tool {
+namespace {
+
+constexpr std::size_t longest_header = 1 << 20; // bytes; a header without end is none
+
+struct Header {
+  std::vector<std::vector<std::string>> lines; ///< their words
+  std::uintmax_t body_begin = 0;               ///< bytes from the beginning of the file
+};
+
+std::vector<std::string>
+wordsOf(const std::string& line)
+{
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+    words.push_back(word);
+  return words;
+}
+
+/** Lines up to and including the one that begins with the word \a last. */
+Header
+readHeader(std::istream& stream, const std::string& last, const std::string& path)
+{
+  Header header;
+  for (std::string line; std::getline(stream, line);) {
+    header.body_begin += line.size() + 1;
+    if (header.body_begin > longest_header)
+      break;
+    auto words = wordsOf(line);
+    if (words.empty() || words[0][0] == '#')
+      continue;
+    header.lines.push_back(std::move(words));
+    if (header.lines.back()[0] == last)
+      return header;
+  }
+  throw ToolError(path + ": the file ends within its header (no line " + last + ")");
+}
+
+std::uint64_t
+countIn(const std::string& word, const std::string& what, const std::string& path)
+{
+  std::uint64_t value = 0;
+  const char* const end = word.data() + word.size();
+  const auto read = std::from_chars(word.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end || value > 0x7fffffffu)
+    throw ToolError(path + ": " + what + " '" + word +
+                    "' in the header is not a usable number");
+  return value;
+}
+
+[[noreturn]] void
+throwTruncated(const std::string& path,
+               std::uint64_t promised,
+               std::uint64_t found,
+               const std::string& unit)
+{
+  throw ToolError(path + ": the file is truncated, its header promises " +
+                  std::to_string(promised) + " " + unit + ", it has " +
+                  std::to_string(found));
+}
+
+bool
+isNumber(std::string_view word)
+{
+  if (!word.empty() && (word.front() == '+' || word.front() == '-'))
+    word.remove_prefix(1);
+  double value = 0.0;
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
+  // too small or too large for a double still is a number: the reader rounds it
+  return !word.empty() && read.ec != std::errc::invalid_argument &&
+         read.ptr == word.data() + word.size();
+}
+
+/** Every line of an ASCII body must hold \a columns numbers; at least \a promised lines
+ * (0 columns: any number). */
+void
+checkAsciiBody(std::istream& stream,
+               std::uint64_t promised,
+               std::uint64_t columns,
+               const std::string& path)
+{
+  std::uint64_t rows = 0;
+  for (std::string line; rows < promised && std::getline(stream, line);) {
+    const std::string_view text = line;
+    std::uint64_t words = 0;
+    for (std::size_t begin = text.find_first_not_of(" \t\r"); begin != text.npos;) {
+      const std::size_t end = std::min(text.find_first_of(" \t\r", begin), text.size());
+      const auto word = text.substr(begin, end - begin);
+      if (!isNumber(word))
+        throw ToolError(path + ": '" + std::string(word.substr(0, 20)) + "' in point " +
+                        std::to_string(rows) + " is not a number");
+      ++words;
+      begin = text.find_first_not_of(" \t\r", end);
+    }
+    if (words == 0)
+      continue;
+    if (columns != 0 && words != columns)
+      throw ToolError(path + ": point " + std::to_string(rows) + " has " +
+                      std::to_string(words) + " values, the header promises " +
+                      std::to_string(columns));
+    ++rows;
+  }
+  if (rows < promised)
+    throwTruncated(path, promised, rows, "points");
+}
+
+// ---- PCD
+
+struct PcdHeader {
+  std::vector<std::uint64_t> sizes, counts;
+  std::size_t fields = 0;
+  std::uint64_t width = 0, height = 1, points = 0;
+  bool has_points = false;
+  std::string data;
+
+  std::uint64_t
+  valuesPerPoint() const
+  {
+    std::uint64_t sum = 0;
+    for (const auto count : counts)
+      sum += count;
+    return sum;
+  }
+
+  std::uint64_t
+  bytesPerPoint() const
+  {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      sum += sizes[i] * counts[i];
+    return sum;
+  }
+};
+
+PcdHeader
+parsePcdHeader(const Header& header, const std::string& path)
+{
+  PcdHeader pcd;
+  const auto numbers = [&path](const std::vector<std::string>& words) {
+    std::vector<std::uint64_t> values;
+    for (std::size_t i = 1; i < words.size(); ++i)
+      values.push_back(countIn(words[i], words[0], path));
+    return values;
+  };
+  for (const auto& words : header.lines) {
+    if (words.size() < 2)
+      throw ToolError(path + ": the header's line " + words[0] + " has no value");
+    if (words[0] == "FIELDS" || words[0] == "COLUMNS")
+      pcd.fields = words.size() - 1;
+    else if (words[0] == "SIZE")
+      pcd.sizes = numbers(words);
+    else if (words[0] == "COUNT")
+      pcd.counts = numbers(words);
+    else if (words[0] == "WIDTH")
+      pcd.width = countIn(words[1], words[0], path);
+    else if (words[0] == "HEIGHT")
+      pcd.height = countIn(words[1], words[0], path);
+    else if (words[0] == "POINTS") {
+      pcd.points = countIn(words[1], words[0], path);
+      pcd.has_points = true;
+    }
+    else if (words[0] == "DATA")
+      pcd.data = words[1];
+  }
+  if (pcd.counts.empty())
+    pcd.counts.assign(pcd.fields, 1);
+  if (!pcd.has_points)
+    pcd.points = pcd.width * pcd.height;
+  return pcd;
+}
+
+void
+checkPcd(std::istream& stream, std::uintmax_t file_size, const std::string& path)
+{
+  const auto header = readHeader(stream, "DATA", path);
+  const auto pcd = parsePcdHeader(header, path);
+  if (pcd.fields == 0 || pcd.sizes.size() != pcd.fields ||
+      pcd.counts.size() != pcd.fields)
+    throw ToolError(path + ": FIELDS, SIZE and COUNT of the header differ in number");
+  if (pcd.width != 0 && pcd.width * pcd.height != pcd.points)
+    throw ToolError(path + ": WIDTH times HEIGHT in the header is not POINTS");
+  if (pcd.points == 0)
+    throw ToolError(path + ": the cloud is empty (0 points)");
+  for (std::size_t i = 0; i < pcd.fields; ++i) {
+    const auto size = pcd.sizes[i];
+    if ((size != 1 && size != 2 && size != 4 && size != 8) || pcd.counts[i] == 0 ||
+        pcd.counts[i] > 1000000)
+      throw ToolError(path + ": SIZE or COUNT of field " + std::to_string(i + 1) +
+                      " in the header is not usable");
+  }
+  const std::uint64_t body = file_size - std::min(header.body_begin, file_size);
+  const std::uint64_t bytes = pcd.points * pcd.bytesPerPoint();
+  if (pcd.data == "ascii") {
+    checkAsciiBody(stream, pcd.points, pcd.valuesPerPoint(), path);
+  }
+  else if (pcd.data == "binary") {
+    if (body < bytes)
+      throwTruncated(path, bytes, body, "bytes of points");
+  }
+  else if (pcd.data == "binary_compressed") {
+    std::uint32_t sizes[2] = {0, 0}; // compressed, uncompressed
+    if (!stream.read(reinterpret_cast<char*>(sizes), sizeof(sizes)))
+      throwTruncated(path, sizeof(sizes), body, "bytes of points");
+    if (body < sizeof(sizes) + sizes[0])
+      throwTruncated(path, sizeof(sizes) + sizes[0], body, "bytes of points");
+    if (sizes[1] != bytes)
+      throw ToolError(path + ": the compressed points are " + std::to_string(sizes[1]) +
+                      " bytes, the header promises " + std::to_string(bytes));
+  }
+  else {
+    throw ToolError(path + ": unknown kind of DATA '" + pcd.data + "' in the header");
+  }
+}
+
+// ---- PLY
+
+std::uint64_t
+plyTypeSize(const std::string& type, const std::string& path)
+{
+  if (type == "char" || type == "uchar" || type == "int8" || type == "uint8")
+    return 1;
+  if (type == "short" || type == "ushort" || type == "int16" || type == "uint16")
+    return 2;
+  if (type == "int" || type == "uint" || type == "int32" || type == "uint32" ||
+      type == "float" || type == "float32")
+    return 4;
+  if (type == "double" || type == "float64")
+    return 8;
+  throw ToolError(path + ": unknown property type '" + type + "' in the header");
+}
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::uint64_t properties = 0;
+  std::uint64_t bytes = 0; ///< of one, without its lists
+  bool has_list = false;
+};
+
+void
+checkPly(std::istream& stream, std::uintmax_t file_size, const std::string& path)
+{
+  const auto header = readHeader(stream, "end_header", path);
+  std::vector<PlyElement> elements;
+  std::string format;
+  for (const auto& words : header.lines) {
+    if (words[0] == "format" && words.size() >= 2)
+      format = words[1];
+    else if (words[0] == "element" && words.size() == 3)
+      elements.push_back({words[1], countIn(words[2], "element", path), 0, 0, false});
+    else if (words[0] == "property" && words.size() >= 3 && !elements.empty()) {
+      auto& element = elements.back();
+      ++element.properties;
+      if (words[1] == "list")
+        element.has_list = true;
+      else
+        element.bytes += plyTypeSize(words[1], path);
+    }
+  }
+  std::uint64_t bytes = 0;
+  bool found = false;
+  bool only_vertices_so_far = true;
+  for (const auto& element : elements) {
+    bytes += element.count * element.bytes;
+    if (element.name == "vertex") {
+      found = true;
+      if (element.count == 0)
+        throw ToolError(path + ": the cloud is empty (0 points)");
+      if (format == "ascii" && only_vertices_so_far)
+        checkAsciiBody(
+            stream, element.count, element.has_list ? 0 : element.properties, path);
+    }
+    only_vertices_so_far = false;
+  }
+  if (!found)
+    throw ToolError(path + ": the file has no points (no element vertex)");
+  const std::uint64_t body = file_size - std::min(header.body_begin, file_size);
+  if (format.rfind("binary", 0) == 0 && body < bytes)
+    throwTruncated(path, bytes, body, "bytes");
+}
+
+} // namespace
+
+CloudFormat
+checkCloudFile(const std::string& path)
+{
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+    throw ToolError(path + ": no such file");
+  if (!std::filesystem::is_regular_file(path, error))
+    throw ToolError(path + ": not a file");
+  const auto file_size = std::filesystem::file_size(path, error);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream || error)
+    throw ToolError(path + ": the file cannot be read");
+  std::string first_line;
+  char letter = 0;
+  while (first_line.size() < 64 && stream.get(letter) && letter != '\n')
+    first_line += letter;
+  stream.clear();
+  stream.seekg(0);
+  const auto words = wordsOf(first_line);
+  const std::string first = words.empty() ? "" : words[0];
+  if (first == "ply") {
+    checkPly(stream, file_size, path);
+    return CloudFormat::PLY;
+  }
+  if (first[0] == '#' || first == "VERSION" || first == "FIELDS" ||
+      first == "COLUMNS") {
+    checkPcd(stream, file_size, path);
+    return CloudFormat::PCD;
+  }
+  throw ToolError(path + ": neither a PCD nor a PLY file");
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,23 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <string>
+
+namespace pcl::indoor::tool {
+
+enum class CloudFormat { PCD, PLY };
+
+/** \brief Compare a cloud file's header with what follows it.
+ *
+ * PCL's readers trust the header: they read past the end of a short file or allocate
+ * what a wrong number asks for. \throws ToolError if the file cannot be read, is
+ * neither PCD nor PLY, has a header that contradicts itself, no points, or fewer bytes
+ * or lines than its header promises
+ */
+CloudFormat
+checkCloudFile(const std::string& path);
+
+} // namespace pcl::indoor::tool

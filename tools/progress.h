@@ -1,0 +1,51 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief Says on a terminal what a tool is doing, in PCL's form "> Loading room.pcd
+ * [done, 12 ms : 34 points]".
+ *
+ * Silent where stdout is not a terminal and after -quiet. Not for use from several
+ * threads at once.
+ */
+class Progress {
+public:
+  explicit Progress(bool quiet = false);
+
+  /** \brief Begin a step. */
+  void
+  start(const std::string& what);
+
+  /** \brief Show how far the step is; cheap to call often. */
+  void
+  update(std::size_t done, std::size_t all);
+
+  /** \brief End the step with what came out of it, for example "34 points". */
+  void
+  done(const std::string& result = "");
+
+  /** \brief A line of its own, for example where the results lie. */
+  void
+  note(const std::string& text);
+
+  bool
+  isShown() const
+  {
+    return shown_;
+  }
+
+private:
+  bool shown_;
+  int percent_ = -1;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+} // namespace pcl::indoor::tool
