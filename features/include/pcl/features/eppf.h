@@ -1,0 +1,258 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/features/eppf_histogram.h>
+#include <pcl/features/eppf_signature.h>
+#include <pcl/features/feature.h>
+
+namespace pcl {
+
+/** \brief Estimates the enhanced point pair feature (EPPF) histogram of an object.
+ *
+ * Draws pairs of oriented points and counts their distance, surface angle, normal angle
+ * and the occupancy of the line between them in one four-dimensional histogram: a
+ * global descriptor, one output point whatever the number of input points, that stays
+ * the same when the object is turned.
+ *
+ * Only points and normals of the indices are read; one that is not finite is skipped,
+ * and a normal of another length than 1 is brought to it. A search surface or search
+ * method plays no part. Cost: linear in pairs, about 60 ns each. \note The paper: D.
+ * Bobkov, S. Chen, R. Jian, M. Z. Iqbal, E. Steinbach, "Noise-resistant deep learning
+ * for object classification in three-dimensional point clouds using a point pair
+ * descriptor", IEEE Robotics and Automation Letters 3 (2018). Deviations from it are
+ * listed in docs/descriptors.md.
+ * \ingroup features
+ */
+template <typename PointInT, typename PointNT, typename PointOutT = EPPFSignature1200>
+class EPPFEstimation : public FeatureFromNormals<PointInT, PointNT, PointOutT> {
+public:
+  using Ptr = shared_ptr<EPPFEstimation<PointInT, PointNT, PointOutT>>;
+  using ConstPtr = shared_ptr<const EPPFEstimation<PointInT, PointNT, PointOutT>>;
+  using PointCloudOut = typename Feature<PointInT, PointOutT>::PointCloudOut;
+
+  /** \brief 1,200 bins for EPPFSignature1200, 540 for EPPFSignature540. */
+  EPPFEstimation();
+
+  /** \brief Set all parameters at once; those of the setters below among them. */
+  void
+  setOptions(const indoor::EPPFOptions& options)
+  {
+    options_ = options;
+  }
+
+  /** \brief Get all parameters. */
+  const indoor::EPPFOptions&
+  getOptions() const
+  {
+    return options_;
+  }
+
+  /** \brief Set how many point pairs are drawn.
+   * More pairs lower the noise of a bin as 1 / sqrt(pair_count); time grows linearly.
+   * \param[in] pair_count number of pairs, at least 1 (default 20000)
+   */
+  void
+  setPairCount(std::size_t pair_count)
+  {
+    options_.pair_count = pair_count;
+  }
+
+  /** \brief Get how many point pairs are drawn. */
+  std::size_t
+  getPairCount() const
+  {
+    return options_.pair_count;
+  }
+
+  /** \brief Set the number of bins of each feature.
+   * \param[in] bins their product is the size of PointOutT (default 20 x 4 x 5 x 3, for
+   * the short signature 15 x 3 x 4 x 3)
+   */
+  void
+  setBins(const indoor::EPPFBins& bins)
+  {
+    options_.bins = bins;
+  }
+
+  /** \brief Get the number of bins of each feature. */
+  const indoor::EPPFBins&
+  getBins() const
+  {
+    return options_.bins;
+  }
+
+  /** \brief Set the length that the distance bins spread over.
+   * With the size of the largest object of a set, descriptors tell sizes apart; with
+   * each object's own size, they tell shapes apart. Longer distances fall into the last
+   * bin. \param[in] scale metres; 0: the object's own largest extent (default 0)
+   */
+  void
+  setScale(double scale)
+  {
+    options_.scale = scale;
+  }
+
+  /** \brief Get the length that the distance bins spread over; 0: the object's own. */
+  double
+  getScale() const
+  {
+    return options_.scale;
+  }
+
+  /** \brief Set the seed of the pairs; the same seed gives the same bits (default
+   * 5489). */
+  void
+  setSeed(std::uint32_t seed)
+  {
+    options_.seed = seed;
+  }
+
+  /** \brief Get the seed of the pairs. */
+  std::uint32_t
+  getSeed() const
+  {
+    return options_.seed;
+  }
+
+  /** \brief Set the number of threads, 0 meaning all (default 1); no result depends on
+   * it. */
+  void
+  setNumberOfThreads(unsigned int number_of_threads)
+  {
+    options_.number_of_threads = number_of_threads;
+  }
+
+  /** \brief Get the number of threads. */
+  unsigned int
+  getNumberOfThreads() const
+  {
+    return options_.number_of_threads;
+  }
+
+  /** \brief Set the constant of the bin weights, c of Eq. (5.11).
+   * \param[in] constant above 1; larger gives pairs that lie close more weight
+   * (default 1.2)
+   */
+  void
+  setWeightingConstant(double constant)
+  {
+    options_.weighting_constant = constant;
+  }
+
+  /** \brief Get the constant of the bin weights. */
+  double
+  getWeightingConstant() const
+  {
+    return options_.weighting_constant;
+  }
+
+  /** \brief Set how the two surface angles become one feature (default Maximum). */
+  void
+  setSurfaceAngleRule(indoor::SurfaceAngleRule rule)
+  {
+    options_.surface_angle_rule = rule;
+  }
+
+  /** \brief Get how the two surface angles become one feature. */
+  indoor::SurfaceAngleRule
+  getSurfaceAngleRule() const
+  {
+    return options_.surface_angle_rule;
+  }
+
+  /** \brief Set whether the sign of a normal means something.
+   * If so, surface angles are spread over -pi/2 ... pi/2 as in the thesis, else their
+   * magnitude over 0 ... pi/2 (default false).
+   */
+  void
+  setOrientedNormals(bool oriented)
+  {
+    options_.oriented_normals = oriented;
+  }
+
+  /** \brief Get whether the sign of a normal means something. */
+  bool
+  getOrientedNormals() const
+  {
+    return options_.oriented_normals;
+  }
+
+  /** \brief Set how pairs are chosen (default Uniform). */
+  void
+  setPairSampling(indoor::PairSampling sampling)
+  {
+    options_.sampling = sampling;
+  }
+
+  /** \brief Get how pairs are chosen. */
+  indoor::PairSampling
+  getPairSampling() const
+  {
+    return options_.sampling;
+  }
+
+  /** \brief Switch features on and off; one that is off falls into its first bin
+   * always. */
+  void
+  setFeatures(const indoor::EPPFFeatures& features)
+  {
+    options_.features = features;
+  }
+
+  /** \brief Get which features are on. */
+  const indoor::EPPFFeatures&
+  getFeatures() const
+  {
+    return options_.features;
+  }
+
+  /** \brief Set the voxels per edge of the occupancy grid.
+   * \param[in] grid_size 2 ... 64 (default 64); for sparse clouds take fewer
+   */
+  void
+  setGridSize(int grid_size)
+  {
+    options_.grid_size = grid_size;
+  }
+
+  /** \brief Get the voxels per edge of the occupancy grid. */
+  int
+  getGridSize() const
+  {
+    return options_.grid_size;
+  }
+
+  /** \brief Compute the descriptor of all points in the indices.
+   * Shadows Feature::compute(), which would first allocate one output point per input
+   * point. \param[out] output one descriptor; all NaN if no two usable points differ in
+   * position; empty after an error
+   */
+  void
+  compute(PointCloudOut& output);
+
+protected:
+  using Feature<PointInT, PointOutT>::input_;
+  using Feature<PointInT, PointOutT>::indices_;
+  using Feature<PointInT, PointOutT>::k_;
+  using Feature<PointInT, PointOutT>::feature_name_;
+  using FeatureFromNormals<PointInT, PointNT, PointOutT>::normals_;
+
+  /** \brief Check input, normals and parameters. */
+  bool
+  initCompute() override;
+
+private:
+  void
+  computeFeature(PointCloudOut& output) override;
+
+  indoor::EPPFOptions options_;
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/features/impl/eppf.hpp>
+#endif

@@ -1,0 +1,46 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/features/oriented_point.h>
+#include <pcl/point_cloud.h>
+#include <pcl/types.h>
+
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief The usable points of a cloud: finite, with a finite normal that is not zero.
+ *
+ * Positions are relative to the first usable point, so that large coordinates lose
+ * nothing more in what is computed from them.
+ */
+template <typename PointT, typename PointNT>
+std::vector<OrientedPoint>
+orientedPoints(const PointCloud<PointT>& cloud,
+               const PointCloud<PointNT>& normals,
+               const Indices& indices)
+{
+  std::vector<OrientedPoint> points;
+  points.reserve(indices.size());
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (const auto index : indices) {
+    const Eigen::Vector3d position =
+        cloud[index].getVector3fMap().template cast<double>();
+    const Eigen::Vector3f normal = normals[index].getNormalVector3fMap();
+    const float length = normal.norm();
+    if (!position.allFinite() || !std::isfinite(length) || !(length > 0.0f))
+      continue;
+    if (points.empty())
+      origin = position;
+    points.push_back({(position - origin).cast<float>(), normal / length});
+  }
+  return points;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,55 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/filters/point_cells.h> // for Adjacency
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Turn normals towards a viewpoint (Eq. (2.6)).
+ * \param[in,out] normals one per position
+ */
+void
+orientTowards(const Eigen::Vector3f& viewpoint,
+              const std::vector<Eigen::Vector3f>& positions,
+              std::vector<Eigen::Vector3f>& normals);
+
+struct FreeSpaceOptions {
+  double cell_size = 0.06;    ///< resolution at which sight is blocked, metres (> 0)
+  unsigned viewpoints = 12;   ///< how many places in the free space look around (>= 1)
+  unsigned sample_stride = 3; ///< sight is tested for every n-th position (>= 1)
+  unsigned threads = 0;       ///< 0 = automatic; the result does not depend on it
+};
+
+/** \brief Find places in the free space between the surfaces, far from them and from
+ * each other: where a scanner may have stood. Free is a place that surfaces enclose
+ * from at least five of the six axis directions; if there is none, the middle of the
+ * bounding box is returned. \param[in] positions metres, local frame; outliers are cut
+ * off \return at least one place, unless there are no positions
+ */
+std::vector<Eigen::Vector3f>
+findViewpoints(const std::vector<Eigen::Vector3f>& positions,
+               const FreeSpaceOptions& options);
+
+/** \brief Turn normals towards the free space that the surfaces were seen from, where
+ * the poses of the sensor are not known. Places found by findViewpoints() vote for the
+ * side from which they see a position; votes spread over smooth surfaces (Eq. (2.7)),
+ * so that a surface is turned as a whole. Cost is linear in the number of positions
+ * times viewpoints. \param[in] positions metres, local frame \param[in] neighbors which
+ * positions lie side by side \param[in,out] normals one per position
+ */
+void
+orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,
+                       const Adjacency& neighbors,
+                       const FreeSpaceOptions& options,
+                       std::vector<Eigen::Vector3f>& normals);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,32 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief A point of a surface and the surface's normal there (a "surflet"). */
+struct OrientedPoint {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero(); ///< metres, local frame
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();   ///< unit length
+};
+
+/** \brief Largest distance found between two points: the size of an object however it
+ * is turned.
+ *
+ * Walks from the point farthest from the centroid to the point farthest from that one,
+ * and on while the distance grows, a few times through the points in all. At least 1 /
+ * sqrt(3) of the true diameter, and for most shapes the diameter itself. \return
+ * metres; 0 for no point, one point, or points all in one place
+ */
+float
+objectExtent(const std::vector<OrientedPoint>& points);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,82 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Which cells of the box around some positions hold any, for tests of sight. */
+class FreeSpaceGrid {
+public:
+  /** \param[in] positions at least one; outliers are cut off
+   * \param[in] cell_size metres; enlarged if the grid would become too large
+   */
+  FreeSpaceGrid(const std::vector<Eigen::Vector3f>& positions, double cell_size);
+
+  /** \brief In how many of the six axis directions each cell has an occupied one. */
+  std::vector<std::uint8_t>
+  enclosedDirections() const;
+
+  /** \brief City-block distance of each cell to the nearest occupied one, in cells. */
+  std::vector<std::uint16_t>
+  clearances() const;
+
+  /** \brief Tell whether no occupied cell lies between two places, but for those right
+   * at the second. */
+  bool
+  sees(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
+
+  Eigen::Vector3i
+  cellOf(const Eigen::Vector3d& position) const
+  {
+    return ((position - origin_) / cell_size_).array().floor().matrix().cast<int>();
+  }
+
+  bool
+  contains(const Eigen::Vector3i& cell) const
+  {
+    return (cell.array() >= 0).all() && (cell.array() < shape_.array()).all();
+  }
+
+  std::size_t
+  index(const Eigen::Vector3i& cell) const
+  {
+    return (static_cast<std::size_t>(cell.x()) * shape_.y() + cell.y()) * shape_.z() +
+           cell.z();
+  }
+
+  Eigen::Vector3f
+  center(const Eigen::Vector3i& cell) const
+  {
+    const Eigen::Vector3d middle = cell.cast<double>().array() + 0.5;
+    return (origin_ + cell_size_ * middle).cast<float>();
+  }
+
+  const Eigen::Vector3i&
+  shape() const
+  {
+    return shape_;
+  }
+
+  double
+  cellSize() const
+  {
+    return cell_size_;
+  }
+
+private:
+  Eigen::Vector3d origin_;
+  double cell_size_ = 0;
+  Eigen::Vector3i shape_;
+  std::vector<std::uint8_t> occupied_;
+};
+
+} // namespace indoor
+} // namespace pcl

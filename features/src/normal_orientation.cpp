@@ -1,0 +1,217 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/features/normal_orientation.h>
+
+#include "free_space_grid.h"
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace {
+
+using pcl::indoor::Adjacency;
+using pcl::indoor::FreeSpaceGrid;
+using pcl::indoor::FreeSpaceOptions;
+
+constexpr int spreading_rounds = 4;
+constexpr float smooth_cosine =
+    0.8f; // normals of one surface differ by less than 37 deg
+
+int
+threadCount(unsigned threads)
+{
+#ifdef _OPENMP
+  return threads == 0 ? omp_get_max_threads() : static_cast<int>(threads);
+#else
+  return threads == 0 ? 1 : static_cast<int>(threads);
+#endif
+}
+
+void
+requireValid(const FreeSpaceOptions& options)
+{
+  if (!(options.cell_size > 0) || !std::isfinite(options.cell_size))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The cell size must be positive, not " << options.cell_size
+                                                               << " m.");
+  if (options.viewpoints < 1 || options.sample_stride < 1)
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "Free space needs at least one viewpoint and stride, not "
+                            << options.viewpoints << " and " << options.sample_stride
+                            << ".");
+}
+
+/** Free places on a coarse raster, with their clearance in metres. */
+struct Candidate {
+  Eigen::Vector3f place;
+  float clearance;
+};
+
+std::vector<Candidate>
+freeCandidates(const FreeSpaceGrid& grid)
+{
+  const auto directions = grid.enclosedDirections();
+  const auto clearances = grid.clearances();
+  const Eigen::Vector3i shape = grid.shape();
+  const int raster = std::max(1, shape.maxCoeff() / 40);
+  std::vector<Candidate> candidates;
+  Eigen::Vector3i cell;
+  for (cell.x() = raster / 2; cell.x() < shape.x(); cell.x() += raster)
+    for (cell.y() = raster / 2; cell.y() < shape.y(); cell.y() += raster)
+      for (cell.z() = raster / 2; cell.z() < shape.z(); cell.z() += raster) {
+        const auto i = grid.index(cell);
+        if (directions[i] >= 5 && clearances[i] > 2)
+          candidates.push_back(
+              {grid.center(cell), static_cast<float>(clearances[i] * grid.cellSize())});
+      }
+  return candidates;
+}
+
+/** Votes of the viewpoints on the sides of the normals; positive: keep the normal. */
+std::vector<float>
+collectVotes(const std::vector<Eigen::Vector3f>& positions,
+             const std::vector<Eigen::Vector3f>& normals,
+             const std::vector<Eigen::Vector3f>& viewpoints,
+             const FreeSpaceGrid& grid,
+             const FreeSpaceOptions& options)
+{
+  std::vector<float> votes(positions.size(), 0.0f);
+  const auto count = static_cast<std::ptrdiff_t>(positions.size());
+  const auto stride = static_cast<std::ptrdiff_t>(options.sample_stride);
+#pragma omp parallel for schedule(dynamic, 256)                                        \
+    num_threads(threadCount(options.threads))
+  for (std::ptrdiff_t i = 0; i < count; i += stride)
+    for (const auto& viewpoint : viewpoints) {
+      const float cosine = (viewpoint - positions[i]).normalized().dot(normals[i]);
+      if (std::abs(cosine) > 0.1f && grid.sees(viewpoint, positions[i]))
+        votes[i] += cosine;
+    }
+  return votes;
+}
+
+/** Let each position hear its neighbours on the same smooth surface. */
+std::vector<float>
+spreadVotes(const std::vector<Eigen::Vector3f>& normals,
+            const Adjacency& neighbors,
+            const std::vector<float>& votes,
+            unsigned threads)
+{
+  std::vector<float> sums(votes.size());
+  const auto count = static_cast<std::ptrdiff_t>(votes.size());
+#pragma omp parallel for num_threads(threadCount(threads))
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    float sum = votes[i];
+    for (auto j = neighbors.offsets[i]; j < neighbors.offsets[i + 1]; ++j) {
+      const auto other = neighbors.targets[j];
+      const float cosine = normals[i].dot(normals[other]);
+      if (std::abs(cosine) > smooth_cosine)
+        sum += cosine * votes[other];
+    }
+    sums[i] = sum;
+  }
+  return sums;
+}
+
+/** Positions without vote follow a decided neighbour, outwards from the decided ones.
+ */
+void
+followNeighbors(const Adjacency& neighbors,
+                std::vector<float>& votes,
+                std::vector<Eigen::Vector3f>& normals)
+{
+  std::vector<std::uint32_t> queue;
+  for (std::uint32_t i = 0; i < votes.size(); ++i)
+    if (votes[i] != 0)
+      queue.push_back(i);
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    const auto i = queue[head];
+    for (auto j = neighbors.offsets[i]; j < neighbors.offsets[i + 1]; ++j) {
+      const auto other = neighbors.targets[j];
+      if (votes[other] != 0)
+        continue;
+      votes[other] = 1;
+      if (normals[i].dot(normals[other]) < 0)
+        normals[other] *= -1;
+      queue.push_back(other);
+    }
+  }
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+void
+orientTowards(const Eigen::Vector3f& viewpoint,
+              const std::vector<Eigen::Vector3f>& positions,
+              std::vector<Eigen::Vector3f>& normals)
+{
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (normals[i].dot(viewpoint - positions[i]) < 0)
+      normals[i] *= -1;
+}
+
+std::vector<Eigen::Vector3f>
+findViewpoints(const std::vector<Eigen::Vector3f>& positions,
+               const FreeSpaceOptions& options)
+{
+  requireValid(options);
+  if (positions.empty())
+    return {};
+  const FreeSpaceGrid grid(positions, options.cell_size);
+  auto candidates = freeCandidates(grid);
+  if (candidates.empty())
+    return {grid.center(grid.shape() / 2)};
+  std::vector<Eigen::Vector3f> viewpoints;
+  while (viewpoints.size() < options.viewpoints) {
+    const auto best = std::max_element(
+        candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+          return a.clearance < b.clearance;
+        });
+    if (!(best->clearance > 0))
+      break;
+    viewpoints.push_back(best->place);
+    // A place counts for no more than its distance to the places that were taken.
+    for (auto& candidate : candidates)
+      candidate.clearance = std::min(
+          candidate.clearance, 0.5f * (candidate.place - viewpoints.back()).norm());
+  }
+  return viewpoints;
+}
+
+void
+orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,
+                       const Adjacency& neighbors,
+                       const FreeSpaceOptions& options,
+                       std::vector<Eigen::Vector3f>& normals)
+{
+  requireValid(options);
+  if (normals.size() != positions.size() ||
+      neighbors.offsets.size() != positions.size() + 1)
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        positions.size()
+                            << " positions have " << normals.size() << " normals.");
+  if (positions.empty())
+    return;
+  const FreeSpaceGrid grid(positions, options.cell_size);
+  const auto viewpoints = findViewpoints(positions, options);
+  auto votes = collectVotes(positions, normals, viewpoints, grid, options);
+  for (int round = 0; round < spreading_rounds; ++round)
+    votes = spreadVotes(normals, neighbors, votes, options.threads);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (votes[i] < 0)
+      normals[i] *= -1;
+  followNeighbors(neighbors, votes, normals);
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,51 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/features/oriented_point.h>
+
+#include <cmath>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+/** \brief The point of the set farthest from a place, and its squared distance. */
+std::pair<Eigen::Vector3f, float>
+farthestFrom(const Eigen::Vector3f& place, const std::vector<OrientedPoint>& points)
+{
+  std::pair<Eigen::Vector3f, float> farthest{place, 0.0f};
+  for (const auto& point : points) {
+    const float distance = (point.position - place).squaredNorm();
+    if (distance > farthest.second)
+      farthest = {point.position, distance};
+  }
+  return farthest;
+}
+
+} // namespace
+
+float
+objectExtent(const std::vector<OrientedPoint>& points)
+{
+  if (points.empty())
+    return 0.0f;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& point : points)
+    sum += point.position.cast<double>();
+  const Eigen::Vector3d centroid = sum / static_cast<double>(points.size());
+  auto end = farthestFrom(centroid.cast<float>(), points).first;
+  float extent = 0.0f;
+  for (int sweep = 0; sweep < 8; ++sweep) {
+    const auto [other_end, distance] = farthestFrom(end, points);
+    if (!(distance > extent))
+      break;
+    extent = distance;
+    end = other_end;
+  }
+  return std::sqrt(extent);
+}
+
+} // namespace indoor
+} // namespace pcl
