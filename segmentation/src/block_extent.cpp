@@ -1,0 +1,269 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "block_extent.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+using Block = Eigen::Vector3i;
+
+/** \brief Packs a block's place into 64 bits; blocks differ if their keys do as long as
+ * they lie within a million blocks of the origin (clamped beyond).
+ */
+std::uint64_t
+keyOf(const Block& block)
+{
+  constexpr int half = 1 << 20;
+  const auto part = [](int v) {
+    return static_cast<std::uint64_t>(std::clamp(v, -half, half - 1) + half);
+  };
+  return part(block.x()) << 42 | part(block.y()) << 21 | part(block.z());
+}
+
+Block
+blockOf(std::uint64_t key)
+{
+  constexpr int half = 1 << 20;
+  const auto part = [&](int shift) {
+    return static_cast<int>(key >> shift & 0x1fffff) - half;
+  };
+  return {part(42), part(21), part(0)};
+}
+
+/** \brief Counts per key, in an open hash table that grows. */
+class BlockCounts {
+public:
+  BlockCounts()
+  : slots_(1 << 12)
+  {}
+
+  std::uint32_t&
+  operator[](std::uint64_t key)
+  {
+    Slot& slot = slots_[find(key)];
+    if (slot.key == key)
+      return slot.count;
+    if (2 * (used_ + 1) > slots_.size()) {
+      grow();
+      return (*this)[key];
+    }
+    ++used_;
+    slot.key = key;
+    return slot.count;
+  }
+
+  /** \brief All blocks and their counts in ascending order of the keys. */
+  std::vector<std::pair<std::uint64_t, std::uint32_t>>
+  sorted() const
+  {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> blocks;
+    blocks.reserve(used_);
+    for (const Slot& slot : slots_)
+      if (slot.key != empty)
+        blocks.emplace_back(slot.key, slot.count);
+    std::sort(blocks.begin(), blocks.end());
+    return blocks;
+  }
+
+private:
+  static constexpr std::uint64_t empty = ~std::uint64_t{0};
+
+  struct Slot {
+    std::uint64_t key = empty;
+    std::uint32_t count = 0;
+  };
+
+  std::size_t
+  find(std::uint64_t key) const
+  {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t place = (key * 0x9e3779b97f4a7c15u >> 32) & mask;
+    while (slots_[place].key != key && slots_[place].key != empty)
+      place = (place + 1) & mask;
+    return place;
+  }
+
+  void
+  grow()
+  {
+    std::vector<Slot> old(2 * slots_.size());
+    old.swap(slots_);
+    for (const Slot& slot : old)
+      if (slot.key != empty)
+        slots_[find(slot.key)] = slot;
+  }
+
+  std::vector<Slot> slots_;
+  std::size_t used_ = 0;
+};
+
+using SortedBlocks = std::vector<std::pair<std::uint64_t, std::uint32_t>>;
+
+SortedBlocks
+countBlocks(const std::vector<Eigen::Vector3f>& points,
+            const Turn& turn,
+            const BlockExtentOptions& options)
+{
+  const auto count = static_cast<std::ptrdiff_t>(points.size());
+  const double scale = 1.0 / options.block_size;
+  constexpr double limit = 1e9; // keeps the cast defined
+  BlockCounts all;
+#pragma omp parallel num_threads(options.threads)
+  {
+    BlockCounts own;
+    std::uint64_t last_key = ~std::uint64_t{0};
+    std::uint32_t run = 0;
+#pragma omp for schedule(static) nowait
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+      const Eigen::Vector3d scaled =
+          (turn(points[i]) * scale).cwiseMax(-limit).cwiseMin(limit);
+      Block block = scaled.cast<int>();
+      for (int axis = 0; axis < 3; ++axis)
+        block[axis] -= scaled[axis] < block[axis];
+      const std::uint64_t key = keyOf(block);
+      if (key == last_key) { // neighbours in a scan mostly share a block
+        ++run;
+        continue;
+      }
+      if (run > 0)
+        own[last_key] += run;
+      last_key = key;
+      run = 1;
+    }
+    if (run > 0)
+      own[last_key] += run;
+#pragma omp critical
+    for (const auto& [key, points_in_block] : own.sorted())
+      all[key] += points_in_block;
+  }
+  return all.sorted();
+}
+
+void
+dropSparse(SortedBlocks& blocks, double min_density)
+{
+  std::vector<std::uint32_t> counts;
+  counts.reserve(blocks.size());
+  for (const auto& block : blocks)
+    counts.push_back(block.second);
+  const auto middle = counts.begin() + counts.size() / 2;
+  std::nth_element(counts.begin(), middle, counts.end());
+  const double least = min_density * *middle;
+  const auto sparse = [&](const auto& block) { return block.second < least; };
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), sparse), blocks.end());
+}
+
+/** \brief A connected part of the cloud. */
+struct Part {
+  std::uint64_t points = 0;
+  double blocks = 0.0;
+  Eigen::Array3d low;
+  Eigen::Array3d high; // upper corner of the last block
+};
+
+void
+addBlock(Part& part, const Block& block, std::uint32_t points)
+{
+  const Eigen::Array3d low = block.cast<double>().array();
+  part.low = part.points == 0 ? low : part.low.min(low).eval();
+  part.high = part.points == 0 ? low + 1.0 : part.high.max(low + 1.0).eval();
+  part.points += points;
+  part.blocks += 1.0;
+}
+
+/** \brief The parts that are connected over faces, edges and corners of blocks. */
+std::vector<Part>
+connectedParts(const SortedBlocks& blocks)
+{
+  const auto indexOf = [&](std::uint64_t key) {
+    const auto place = std::lower_bound(
+        blocks.begin(), blocks.end(), std::make_pair(key, std::uint32_t{0}));
+    return place != blocks.end() && place->first == key ? place - blocks.begin() : -1;
+  };
+  std::vector<char> seen(blocks.size(), 0);
+  std::vector<std::size_t> stack;
+  std::vector<Part> parts;
+  for (std::size_t start = 0; start < blocks.size(); ++start) {
+    if (seen[start])
+      continue;
+    Part part;
+    seen[start] = 1;
+    stack.assign(1, start);
+    while (!stack.empty()) {
+      const std::size_t current = stack.back();
+      stack.pop_back();
+      const Block block = blockOf(blocks[current].first);
+      addBlock(part, block, blocks[current].second);
+      for (int n = 0; n < 27; ++n) {
+        const Block step(n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
+        const std::ptrdiff_t other = indexOf(keyOf(block + step));
+        if (other < 0 || seen[other])
+          continue;
+        seen[other] = 1;
+        stack.push_back(other);
+      }
+    }
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+/** \brief Take parts into the box, largest first, while they are worth the space. */
+Part
+mergeWorthwhile(std::vector<Part> parts, double max_growth)
+{
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    return a.points > b.points;
+  });
+  Part kept = parts.front();
+  parts.erase(parts.begin());
+  bool changed = true;
+  while (changed) { // a part that was too far may be near now
+    changed = false;
+    for (auto part = parts.begin(); part != parts.end();) {
+      const Eigen::Array3d low = kept.low.min(part->low);
+      const Eigen::Array3d high = kept.high.max(part->high);
+      const double growth = (high - low).prod() - (kept.high - kept.low).prod();
+      if (growth > max_growth * part->blocks) {
+        ++part;
+        continue;
+      }
+      kept.low = low;
+      kept.high = high;
+      part = parts.erase(part);
+      changed = true;
+    }
+  }
+  return kept;
+}
+
+} // namespace
+
+Box
+blockExtent(const std::vector<Eigen::Vector3f>& points,
+            const Turn& turn,
+            const BlockExtentOptions& options)
+{
+  SortedBlocks blocks = countBlocks(points, turn, options);
+  dropSparse(blocks, options.min_density);
+  const Part kept = mergeWorthwhile(connectedParts(blocks), options.max_growth);
+  // The noise of a surface on the border of a block lies in a block too sparse to
+  // count.
+  constexpr double noise = 0.5;
+  Box box;
+  box.low = (kept.low - noise).matrix() * options.block_size;
+  box.high = (kept.high + noise).matrix() * options.block_size;
+  return box;
+}
+
+} // namespace indoor
+} // namespace pcl
