@@ -167,5 +167,14 @@ cellAdjacency(const std::vector<std::uint64_t>& keys)
   return adjacency;
 }
 
+Eigen::Vector3i
+cellIndex(std::uint64_t key)
+{
+  constexpr std::uint64_t mask = (1ull << axis_bits) - 1;
+  return Eigen::Vector3i(static_cast<int>((key >> (2 * axis_bits)) & mask) - 1,
+                         static_cast<int>((key >> axis_bits) & mask) - 1,
+                         static_cast<int>(key & mask) - 1);
+}
+
 } // namespace indoor
 } // namespace pcl

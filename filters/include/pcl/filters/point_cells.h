@@ -57,5 +57,9 @@ groupByCell(const std::vector<Eigen::Vector3f>& points, double cell_size);
 Adjacency
 cellAdjacency(const std::vector<std::uint64_t>& keys);
 
+/** \brief Get the index of a cell along x, y and z from its key; the smallest is 0. */
+Eigen::Vector3i
+cellIndex(std::uint64_t key);
+
 } // namespace indoor
 } // namespace pcl

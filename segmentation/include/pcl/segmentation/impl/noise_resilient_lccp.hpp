@@ -1,0 +1,340 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/noise_resilient_lccp.h>
+
+#include <pcl/common/point_tests.h> // for isFinite
+
+namespace pcl {
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setInputNormals(const PointCloudN::ConstPtr& normals)
+{
+  normals_ = normals;
+}
+
+template <typename PointT>
+typename NoiseResilientLCCP<PointT>::PointCloudN::ConstPtr
+NoiseResilientLCCP<PointT>::getInputNormals() const
+{
+  return normals_;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setVoxelResolution(double value)
+{
+  options_.voxel_size = value;
+}
+
+template <typename PointT>
+double
+NoiseResilientLCCP<PointT>::getVoxelResolution() const
+{
+  return options_.voxel_size;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setSeedResolution(double value)
+{
+  options_.seed_size = value;
+}
+
+template <typename PointT>
+double
+NoiseResilientLCCP<PointT>::getSeedResolution() const
+{
+  return options_.seed_size;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setCurvatureThreshold(float value)
+{
+  options_.curvature_threshold = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getCurvatureThreshold() const
+{
+  return options_.curvature_threshold;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setRatioThreshold(float value)
+{
+  options_.ratio_threshold = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getRatioThreshold() const
+{
+  return options_.ratio_threshold;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setPartition(Partition partition)
+{
+  options_.partition = partition;
+}
+
+template <typename PointT>
+typename NoiseResilientLCCP<PointT>::Partition
+NoiseResilientLCCP<PointT>::getPartition() const
+{
+  return options_.partition;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setGraphScale(float value)
+{
+  options_.graph.scale = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getGraphScale() const
+{
+  return options_.graph.scale;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setMinSegmentSize(std::uint32_t value)
+{
+  options_.graph.min_segment_size = value;
+}
+
+template <typename PointT>
+std::uint32_t
+NoiseResilientLCCP<PointT>::getMinSegmentSize() const
+{
+  return options_.graph.min_segment_size;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setConcavityToleranceThreshold(float value)
+{
+  options_.concavity_tolerance_degrees = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getConcavityToleranceThreshold() const
+{
+  return options_.concavity_tolerance_degrees;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setOptions(const indoor::ObjectSegmentationOptions& options)
+{
+  options_ = options;
+}
+
+template <typename PointT>
+const indoor::ObjectSegmentationOptions&
+NoiseResilientLCCP<PointT>::getOptions() const
+{
+  return options_;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setViewPoint(double x, double y, double z)
+{
+  viewpoint_.assign(1, Eigen::Vector3d(x, y, z));
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setUseSingleCameraTransform(bool use)
+{
+  camera_ = use ? Camera::Single : Camera::Any;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setNumberOfThreads(unsigned threads)
+{
+  options_.threads = threads;
+}
+
+template <typename PointT>
+bool
+NoiseResilientLCCP<PointT>::initCompute()
+{
+  const char* where = "[pcl::NoiseResilientLCCP::initCompute]";
+  if (!PCLBase<PointT>::initCompute()) {
+    PCL_ERROR("%s No input cloud was set.\n", where);
+    return false;
+  }
+  for (const auto index : *indices_)
+    if (index < 0 || static_cast<std::size_t>(index) >= input_->size()) {
+      PCL_ERROR("%s Index %d is outside of the cloud.\n", where, index);
+      return false;
+    }
+  if (normals_ && normals_->size() != input_->size()) {
+    PCL_ERROR("%s The input has %zu points, but %zu normals.\n",
+              where,
+              static_cast<std::size_t>(input_->size()),
+              static_cast<std::size_t>(normals_->size()));
+    return false;
+  }
+  const auto problem = indoor::findInvalidOption(options_);
+  if (!problem.empty()) {
+    PCL_ERROR("%s %s\n", where, problem.c_str());
+    return false;
+  }
+  return true;
+}
+
+template <typename PointT>
+indoor::ObjectSegmentationInput
+NoiseResilientLCCP<PointT>::localInput()
+{
+  indoor::ObjectSegmentationInput local;
+  const bool organised = input_->height > 1;
+  local.single_camera =
+      camera_ == Camera::Single || (camera_ == Camera::Automatic && organised);
+  Eigen::Vector3d sensor =
+      input_->sensor_origin_.template head<3>().template cast<double>();
+  if (!viewpoint_.empty())
+    sensor = viewpoint_.front();
+  // Double differences to the first point: nothing is lost in large coordinates.
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (const auto index : *indices_) {
+    const PointT& point = (*input_)[index];
+    if (!isFinite(point))
+      continue;
+    const Eigen::Vector3d position = point.getVector3fMap().template cast<double>();
+    if (finite_.empty())
+      origin = position;
+    finite_.push_back(index);
+    local.points.push_back((position - origin).template cast<float>());
+    if (normals_)
+      local.normals.push_back((*normals_)[index].getNormalVector3fMap());
+  }
+  if (local.single_camera || !viewpoint_.empty())
+    local.viewpoint.assign(1, (sensor - origin).cast<float>());
+  return local;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
+{
+  labels.clear();
+  finite_.clear();
+  result_ = indoor::ObjectSegmentation();
+  input_size_ = 0;
+  if (!initCompute())
+    return;
+  input_size_ = input_->size();
+  try {
+    result_ = indoor::segmentObjects(localInput(), options_);
+  } catch (const PCLException& error) { // voxels too small for the extent of the cloud
+    PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n", error.what());
+    finite_.clear();
+    this->deinitCompute();
+    return;
+  }
+  labels.assign(input_size_, 0);
+  std::vector<std::uint32_t> name_of_segment(result_.segment_count, 0);
+  std::vector<std::uint32_t> segment_of_point(input_size_, indoor::Supervoxels::none);
+  for (std::size_t i = 0; i < finite_.size(); ++i)
+    segment_of_point[finite_[i]] =
+        result_.segment_of_voxel[result_.voxels.cells.cell_of_point[i]];
+  std::uint32_t names = 0;
+  for (std::size_t i = 0; i < input_size_; ++i) {
+    if (segment_of_point[i] == indoor::Supervoxels::none)
+      continue;
+    auto& name = name_of_segment[segment_of_point[i]];
+    if (name == 0)
+      name = ++names;
+    labels[i] = name;
+  }
+  this->deinitCompute();
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::segment(PointCloud<PointXYZL>& output)
+{
+  output.clear();
+  std::vector<std::uint32_t> labels;
+  segment(labels);
+  if (labels.empty())
+    return;
+  output.header = input_->header;
+  output.sensor_origin_ = input_->sensor_origin_;
+  output.sensor_orientation_ = input_->sensor_orientation_;
+  output.is_dense = input_->is_dense;
+  output.resize(labels.size());
+  output.width = input_->width;
+  output.height = input_->height;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    output[i].getVector3fMap() = (*input_)[i].getVector3fMap();
+    output[i].label = labels[i];
+  }
+}
+
+template <typename PointT>
+Indices
+NoiseResilientLCCP<PointT>::getRemovedIndices() const
+{
+  Indices removed;
+  for (std::size_t i = 0; i < finite_.size(); ++i)
+    if (result_.removed[result_.voxels.cells.cell_of_point[i]])
+      removed.push_back(finite_[i]);
+  return removed;
+}
+
+template <typename PointT>
+std::vector<std::uint32_t>
+NoiseResilientLCCP<PointT>::getSupervoxelLabels() const
+{
+  std::vector<std::uint32_t> labels(input_size_, 0);
+  for (std::size_t i = 0; i < finite_.size(); ++i) {
+    const auto label =
+        result_.supervoxels.label_of_voxel[result_.voxels.cells.cell_of_point[i]];
+    if (label != indoor::Supervoxels::none)
+      labels[finite_[i]] = label + 1;
+  }
+  return labels;
+}
+
+template <typename PointT>
+std::multimap<std::uint32_t, std::uint32_t>
+NoiseResilientLCCP<PointT>::getSupervoxelAdjacency() const
+{
+  std::multimap<std::uint32_t, std::uint32_t> adjacency;
+  for (const auto& edge : result_.edges) {
+    adjacency.emplace(edge.source + 1, edge.target + 1);
+    adjacency.emplace(edge.target + 1, edge.source + 1);
+  }
+  return adjacency;
+}
+
+template <typename PointT>
+const indoor::ObjectSegmentation&
+NoiseResilientLCCP<PointT>::getResult() const
+{
+  return result_;
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_NoiseResilientLCCP(T)                                          \
+  template class PCL_EXPORTS pcl::NoiseResilientLCCP<T>;

@@ -1,0 +1,204 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/pcl_base.h>
+#include <pcl/point_types.h>
+#include <pcl/segmentation/object_segmentation.h>
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Segments a scanned room into objects, in spite of noise and double surfaces.
+ *
+ * Points of concave and of noisy regions are taken out first, since patches there would
+ * connect what does not belong together; the remaining surface is divided into
+ * supervoxels, whose graph is cut where edges are concave or long; then the points that
+ * were taken out are given to the segments they continue.
+ *
+ * Every finite point of the indices gets a segment. Coordinates may be large (UTM).
+ * Cost is linear in the number of points. Results depend neither on the number of
+ * threads nor, but for rounding and the names of labels, on the order of the points.
+ * \note The method: D. Bobkov et al., "Noise-resistant Unsupervised Object Segmentation
+ * in Multi-view Indoor Point Clouds", VISAPP 2017; here Sec. 4.2. Deviations are listed
+ * in docs/objects.md.
+ * \ingroup segmentation
+ */
+template <typename PointT>
+class NoiseResilientLCCP : public PCLBase<PointT> {
+public:
+  using Ptr = shared_ptr<NoiseResilientLCCP<PointT>>;
+  using ConstPtr = shared_ptr<const NoiseResilientLCCP<PointT>>;
+  using Partition = indoor::Partition;
+  using PointCloudN = PointCloud<Normal>;
+
+  /** \brief Set normals, one per point of the input, that point to the side the surface
+   * was seen from. Without them (default, or null) normals are estimated, and turned to
+   * the viewpoint, if one is set, to the sensor of an organised cloud, or else to the
+   * free space between the surfaces.
+   */
+  void
+  setInputNormals(const PointCloudN::ConstPtr& normals);
+
+  /** \brief Get the normals that were set. */
+  PointCloudN::ConstPtr
+  getInputNormals() const;
+
+  /** \brief Set the edge of a voxel, R_voxel.
+   * \param[in] resolution metres, positive (default 0.03). Lower shows smaller objects
+   * and needs denser points.
+   */
+  void
+  setVoxelResolution(double resolution);
+
+  double
+  getVoxelResolution() const;
+
+  /** \brief Set the distance of supervoxels, R_seed.
+   * \param[in] resolution metres, at least the voxel resolution (default 0.12); about
+   * half of the smallest object
+   */
+  void
+  setSeedResolution(double resolution);
+
+  double
+  getSeedResolution() const;
+
+  /** \brief Set the curvature above which points may be taken out, theta_t.
+   * \param[in] threshold surface variation, 0 to 1/3 (default 0.03; 0.02 for Kinect).
+   * Lower takes out more.
+   */
+  void
+  setCurvatureThreshold(float threshold);
+
+  float
+  getCurvatureThreshold() const;
+
+  /** \brief Set the ratio of neighbours in front of and behind the tangent plane from
+   * which points are taken out, alpha_t.
+   * \param[in] threshold 0 to 1 (default 0.2). Lower takes out more.
+   */
+  void
+  setRatioThreshold(float threshold);
+
+  float
+  getRatioThreshold() const;
+
+  /** \brief Set how supervoxels are joined (default Partition::Graph). */
+  void
+  setPartition(Partition partition);
+
+  Partition
+  getPartition() const;
+
+  /** \brief Set k of the graph segmentation.
+   * \param[in] scale not negative (default 3). Higher gives larger segments.
+   */
+  void
+  setGraphScale(float scale);
+
+  float
+  getGraphScale() const;
+
+  /** \brief Set C, the smallest segment.
+   * \param[in] size supervoxels (default 3); 1 for no minimum
+   */
+  void
+  setMinSegmentSize(std::uint32_t size);
+
+  std::uint32_t
+  getMinSegmentSize() const;
+
+  /** \brief Set up to which difference of normals concave edges count as convex.
+   * \param[in] degrees 0 to 180 (default 10), as in LCCPSegmentation
+   */
+  void
+  setConcavityToleranceThreshold(float degrees);
+
+  float
+  getConcavityToleranceThreshold() const;
+
+  /** \brief Set all parameters at once, also those without a setter of their own. */
+  void
+  setOptions(const indoor::ObjectSegmentationOptions& options);
+
+  /** \brief Get all parameters. */
+  const indoor::ObjectSegmentationOptions&
+  getOptions() const;
+
+  /** \brief Set where the sensor stood, in the frame of the cloud. */
+  void
+  setViewPoint(double x, double y, double z);
+
+  /** \brief Use voxels that grow with the distance from a single camera looking along
+   * z. \param[in] use default: for organised clouds with more than one row
+   */
+  void
+  setUseSingleCameraTransform(bool use);
+
+  /** \brief Set the number of threads; 0 (default) for as many as OpenMP offers. */
+  void
+  setNumberOfThreads(unsigned threads = 0);
+
+  /** \brief Segment the cloud.
+   * \param[out] labels one per point of the input, 1 to the number of segments in the
+   * order of their first points; 0 for points that are not finite or not in the
+   * indices; empty after an error
+   */
+  void
+  segment(std::vector<std::uint32_t>& labels);
+
+  /** \brief Segment the cloud.
+   * \param[out] output the input's coordinates with labels as above, organised as it is
+   */
+  void
+  segment(PointCloud<PointXYZL>& output);
+
+  /** \brief Get the points that the last segment() took out and recovered. */
+  Indices
+  getRemovedIndices() const;
+
+  /** \brief Get the supervoxel of each point of the last segment(), from 1; 0 for
+   * points without (taken out, not finite or not in the indices). */
+  std::vector<std::uint32_t>
+  getSupervoxelLabels() const;
+
+  /** \brief Get the pairs of touching supervoxels of the last segment(), both ways, as
+   * SupervoxelClustering gives them. */
+  std::multimap<std::uint32_t, std::uint32_t>
+  getSupervoxelAdjacency() const;
+
+  /** \brief Get all intermediate results of the last segment(), in a local frame. */
+  const indoor::ObjectSegmentation&
+  getResult() const;
+
+protected:
+  using PCLBase<PointT>::indices_;
+  using PCLBase<PointT>::input_;
+
+private:
+  bool
+  initCompute();
+
+  indoor::ObjectSegmentationInput
+  localInput();
+
+  PointCloudN::ConstPtr normals_;
+  indoor::ObjectSegmentationOptions options_;
+  std::vector<Eigen::Vector3d> viewpoint_; // none or one
+  enum class Camera { Automatic, Single, Any } camera_ = Camera::Automatic;
+  Indices finite_; // the points that were segmented
+  std::size_t input_size_ = 0;
+  indoor::ObjectSegmentation result_;
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/segmentation/impl/noise_resilient_lccp.hpp>
+#endif

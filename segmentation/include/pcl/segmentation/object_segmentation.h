@@ -1,0 +1,87 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/graph_segmentation.h>
+#include <pcl/segmentation/point_recovery.h>
+#include <pcl/segmentation/surface_graph.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief How supervoxels are joined into segments. */
+enum class Partition {
+  Graph, ///< Felzenszwalb-Huttenlocher on the weights of Eq. (4.3)
+  Lccp   ///< all convex edges, as LCCP does ("Proposed + LCCP" of Table 4.1)
+};
+
+/** \brief Parameters of the noise-resilient object segmentation (Sec. 4.2). */
+struct ObjectSegmentationOptions {
+  double voxel_size = 0.03;          ///< R_voxel, metres (> 0)
+  double seed_size = 0.12;           ///< R_seed, metres (>= voxel_size)
+  unsigned normal_rings = 1;         ///< reach of normals and curvature, voxels (>= 1)
+  float curvature_threshold = 0.03f; ///< theta_t (0 to 1/3)
+  float ratio_threshold = 0.2f;      ///< alpha_t (0 to 1)
+  float spatial_weight = 0.2f;       ///< w_s of Eq. (4.4) (>= 0)
+  float normal_weight = 0.5f;        ///< w_n of Eq. (4.4) (>= 0)
+  float concavity_weight = 0.25f;    ///< a of Eq. (4.3) (0 to 1)
+  float concavity_tolerance_degrees = 10.0f; ///< of LCCP's criterion (0 to 180)
+  bool use_sanity_check = false;             ///< of LCCP
+  bool use_smoothness_check = false;         ///< of LCCP
+  float smoothness_threshold = 0.1f;         ///< of LCCP, voxels (>= 0)
+  Partition partition = Partition::Graph;
+  GraphSegmentationOptions graph; ///< k and C, for Partition::Graph
+  unsigned common_neighbors = 0;  ///< k of extended convexity, for Partition::Lccp
+  unsigned lccp_min_segment = 3;  ///< n_filter, for Partition::Lccp
+  RecoveryOptions recovery;
+  unsigned threads = 0; ///< 0 = automatic; the result does not depend on it
+};
+
+/** \brief What the segmentation works on, points in a local frame. */
+struct ObjectSegmentationInput {
+  std::vector<Eigen::Vector3f> points; ///< finite, metres
+  /** one per point, oriented; empty to estimate and orient them */
+  std::vector<Eigen::Vector3f> normals;
+  /** one sensor position; empty to orient towards the free space */
+  std::vector<Eigen::Vector3f> viewpoint;
+  /** one camera at the viewpoint: voxels grow with the distance along z */
+  bool single_camera = false;
+};
+
+/** \brief Segments and what led to them. */
+struct ObjectSegmentation {
+  SurfaceVoxels voxels;
+  std::vector<std::uint8_t> removed; ///< per voxel: non-convex, taken out and recovered
+  Supervoxels supervoxels;           ///< of the voxels that were not removed
+  std::vector<SurfaceEdge> edges;    ///< between supervoxels
+  std::vector<std::uint32_t> segment_of_voxel; ///< 0 ... segment_count - 1
+  std::uint32_t segment_count = 0;
+};
+
+/** \brief Segment a scanned scene into objects or their parts (Sec. 4.2).
+ * Takes out the voxels of concave and noisy regions, joins supervoxels of the others,
+ * and gives the voxels that were taken out to the segments they continue. Works on
+ * voxels throughout, so its cost is linear in the number of points and small.
+ * Every point gets a segment: that of voxels.cells.cell_of_point.
+ * \throws pcl::BadArgumentException if an option is out of range or sizes differ
+ */
+ObjectSegmentation
+segmentObjects(const ObjectSegmentationInput& input,
+               const ObjectSegmentationOptions& options);
+
+/** \brief Find what is wrong with the options.
+ * \return one sentence with parameter, value and unit; empty if nothing is
+ */
+std::string
+findInvalidOption(const ObjectSegmentationOptions& options);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,50 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/supervoxel_growing.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+struct RecoveryOptions {
+  unsigned iterations = 20; ///< S, rounds before all that can be is assigned (>= 1)
+  /** P_r: share of the candidates that is accepted in a round, best first (0 to 1];
+   * lower follows the surface more closely and takes more rounds */
+  double accepted_share = 0.8;
+};
+
+/** \brief Spread labels to the places without one, along the surface (Sec. 4.2.3,
+ * Algorithm 1).
+ * In each round every place without label that touches labelled ones proposes the label
+ * of the nearest by Eq. (4.4); the best share of the proposals is accepted. All are in
+ * the last round and after it, until nothing changes. Places that touch no labelled
+ * place keep none. \param[in] positions one per place \param[in] normals one per place
+ * \param[in] neighbors which places touch
+ * \param[in,out] labels one per place, Supervoxels::none for places without
+ * \throws pcl::BadArgumentException if an option is out of range or sizes differ
+ */
+void
+recoverLabels(const std::vector<Eigen::Vector3f>& positions,
+              const std::vector<Eigen::Vector3f>& normals,
+              const Adjacency& neighbors,
+              const SurfaceDistance& distance,
+              const RecoveryOptions& options,
+              std::vector<std::uint32_t>& labels);
+
+/** \brief Give each connected group of places without label a new label of its own.
+ * \param[in] first_label the label of the first group
+ * \return the label after the last one used
+ */
+std::uint32_t
+labelRemainder(const Adjacency& neighbors,
+               std::uint32_t first_label,
+               std::vector<std::uint32_t>& labels);
+
+} // namespace indoor
+} // namespace pcl

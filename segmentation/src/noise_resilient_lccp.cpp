@@ -1,0 +1,13 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/impl/noise_resilient_lccp.hpp>
+#ifndef PCL_NO_PRECOMPILE
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/point_types.h>
+PCL_INSTANTIATE(
+    NoiseResilientLCCP,
+    (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZL)(pcl::PointXYZRGB)(
+        pcl::PointXYZRGBA)(pcl::PointXYZRGBL)(pcl::PointNormal)(pcl::PointXYZRGBNormal))
+#endif

@@ -1,0 +1,221 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/object_segmentation.h>
+
+#include <pcl/exceptions.h>
+#include <pcl/features/normal_orientation.h>
+#include <pcl/filters/non_convex_points.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace {
+
+using pcl::indoor::ObjectSegmentation;
+using pcl::indoor::ObjectSegmentationInput;
+using pcl::indoor::ObjectSegmentationOptions;
+using pcl::indoor::SurfaceVoxels;
+
+/** The single-camera transform of LCCP: voxels that grow with the distance. */
+std::vector<Eigen::Vector3f>
+singleCameraGrid(const ObjectSegmentationInput& input)
+{
+  std::vector<Eigen::Vector3f> grid_points;
+  grid_points.reserve(input.points.size());
+  for (const auto& point : input.points) {
+    const Eigen::Vector3f ray = point - input.viewpoint.front();
+    const float depth = std::max(ray.z(), 1e-3f);
+    grid_points.emplace_back(ray.x() / depth, ray.y() / depth, std::log(depth));
+  }
+  return grid_points;
+}
+
+void
+findNormals(const ObjectSegmentationInput& input,
+            const ObjectSegmentationOptions& options,
+            SurfaceVoxels& voxels)
+{
+  pcl::indoor::estimateNormals(
+      input.points, voxels, options.normal_rings, options.threads);
+  if (!input.normals.empty()) {
+    pcl::indoor::averageNormals(input.normals, voxels);
+    return;
+  }
+  if (!input.viewpoint.empty()) {
+    pcl::indoor::orientTowards(
+        input.viewpoint.front(), voxels.centroids, voxels.normals);
+    return;
+  }
+  pcl::indoor::FreeSpaceOptions free_space;
+  free_space.cell_size = 2 * options.voxel_size;
+  free_space.threads = options.threads;
+  pcl::indoor::orientTowardsFreeSpace(
+      voxels.centroids, voxels.neighbors, free_space, voxels.normals);
+}
+
+/** Eq. (4.2) for voxels: the points of the voxels around are counted. */
+std::vector<std::uint8_t>
+findNonConvexVoxels(const SurfaceVoxels& voxels,
+                    const ObjectSegmentationOptions& options)
+{
+  std::vector<std::uint8_t> removed(voxels.size(), 0);
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    if (!(voxels.curvatures[v] > options.curvature_threshold))
+      continue;
+    double positive = 0, negative = 0;
+    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
+         ++j) {
+      const auto other = voxels.neighbors.targets[j];
+      const float height =
+          voxels.normals[v].dot(voxels.centroids[other] - voxels.centroids[v]);
+      const auto points = voxels.cells.offsets[other + 1] - voxels.cells.offsets[other];
+      (height > 0 ? positive : negative) += points;
+    }
+    removed[v] = pcl::indoor::isNonConvex(positive, negative, options.ratio_threshold);
+  }
+  return removed;
+}
+
+std::vector<std::uint32_t>
+joinSupervoxels(const ObjectSegmentation& result,
+                const ObjectSegmentationOptions& options,
+                const pcl::indoor::SurfaceDistance& distance)
+{
+  const auto count = result.supervoxels.size();
+  if (options.partition == pcl::indoor::Partition::Lccp)
+    return pcl::indoor::convexSegments(
+        count, result.edges, options.common_neighbors, options.lccp_min_segment);
+  return pcl::indoor::segmentGraph(
+      count,
+      pcl::indoor::weighEdges(
+          result.supervoxels, result.edges, distance, options.concavity_weight),
+      options.graph);
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+std::string
+findInvalidOption(const ObjectSegmentationOptions& options)
+{
+  std::ostringstream problem;
+  const auto require =
+      [&](bool holds, const char* what, double value, const char* unit = "") {
+        if (!holds && problem.str().empty())
+          problem << "The " << what << ", not " << value << unit << '.';
+      };
+  const auto not_negative = [](double value) {
+    return value >= 0 && std::isfinite(value);
+  };
+  require(options.voxel_size > 0 && std::isfinite(options.voxel_size),
+          "voxel resolution must be positive",
+          options.voxel_size,
+          " m");
+  require(options.seed_size >= options.voxel_size && std::isfinite(options.seed_size),
+          "seed resolution must be at least the voxel resolution",
+          options.seed_size,
+          " m");
+  require(options.normal_rings >= 1,
+          "number of normal rings must be at least 1",
+          options.normal_rings);
+  require(options.curvature_threshold >= 0 && options.curvature_threshold <= 1.0f / 3,
+          "curvature threshold must be in [0, 1/3]",
+          options.curvature_threshold);
+  require(options.ratio_threshold >= 0 && options.ratio_threshold <= 1,
+          "ratio threshold must be in [0, 1]",
+          options.ratio_threshold);
+  require(not_negative(options.spatial_weight),
+          "spatial importance must not be negative",
+          options.spatial_weight);
+  require(not_negative(options.normal_weight),
+          "normal importance must not be negative",
+          options.normal_weight);
+  require(options.concavity_weight >= 0 && options.concavity_weight <= 1,
+          "concavity weight must be in [0, 1]",
+          options.concavity_weight);
+  require(options.concavity_tolerance_degrees >= 0 &&
+              options.concavity_tolerance_degrees <= 180,
+          "concavity tolerance must be in [0, 180]",
+          options.concavity_tolerance_degrees,
+          " degrees");
+  require(not_negative(options.smoothness_threshold),
+          "smoothness threshold must not be negative",
+          options.smoothness_threshold,
+          " voxels");
+  require(not_negative(options.graph.scale),
+          "graph scale must not be negative",
+          options.graph.scale);
+  require(options.recovery.iterations >= 1,
+          "number of recovery iterations must be at least 1",
+          options.recovery.iterations);
+  require(options.recovery.accepted_share > 0 && options.recovery.accepted_share <= 1,
+          "accepted share must be in (0, 1]",
+          options.recovery.accepted_share);
+  return problem.str();
+}
+
+ObjectSegmentation
+segmentObjects(const ObjectSegmentationInput& input,
+               const ObjectSegmentationOptions& options)
+{
+  const auto problem = findInvalidOption(options);
+  if (!problem.empty())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException, problem);
+  if (!input.normals.empty() && input.normals.size() != input.points.size())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        input.points.size()
+                            << " points have " << input.normals.size() << " normals.");
+  if (input.single_camera && input.viewpoint.empty())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "A single camera needs a viewpoint.");
+  SurfaceDistance distance;
+  distance.seed_size = options.seed_size;
+  distance.spatial_weight = options.spatial_weight;
+  distance.normal_weight = options.normal_weight;
+  ConvexityOptions convexity;
+  convexity.concavity_tolerance_degrees = options.concavity_tolerance_degrees;
+  convexity.use_sanity_check = options.use_sanity_check;
+  convexity.use_smoothness_check = options.use_smoothness_check;
+  convexity.smoothness_threshold = options.smoothness_threshold;
+  convexity.voxel_size = options.voxel_size;
+  convexity.seed_size = options.seed_size;
+
+  ObjectSegmentation result;
+  result.voxels = surfaceVoxels(input.points,
+                                input.single_camera ? singleCameraGrid(input)
+                                                    : std::vector<Eigen::Vector3f>(),
+                                options.voxel_size);
+  findNormals(input, options, result.voxels);
+  result.removed = findNonConvexVoxels(result.voxels, options);
+  result.supervoxels = growSupervoxels(result.voxels,
+                                       result.removed,
+                                       options.seed_size / options.voxel_size,
+                                       distance,
+                                       options.threads);
+  result.edges = surfaceEdges(result.voxels, result.supervoxels, convexity);
+  const auto segment_of_supervoxel = joinSupervoxels(result, options, distance);
+  result.segment_of_voxel.assign(result.voxels.size(), Supervoxels::none);
+  for (std::size_t v = 0; v < result.voxels.size(); ++v)
+    if (!result.removed[v]) {
+      const auto segment = segment_of_supervoxel[result.supervoxels.label_of_voxel[v]];
+      result.segment_of_voxel[v] = segment;
+      result.segment_count = std::max(result.segment_count, segment + 1);
+    }
+  recoverLabels(result.voxels.centroids,
+                result.voxels.normals,
+                result.voxels.neighbors,
+                distance,
+                options.recovery,
+                result.segment_of_voxel);
+  result.segment_count = labelRemainder(
+      result.voxels.neighbors, result.segment_count, result.segment_of_voxel);
+  return result;
+}
+
+} // namespace indoor
+} // namespace pcl

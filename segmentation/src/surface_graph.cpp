@@ -1,0 +1,228 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/surface_graph.h>
+
+#include <pcl/segmentation/disjoint_sets.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using pcl::indoor::Adjacency;
+using pcl::indoor::DisjointSets;
+using pcl::indoor::SurfaceEdge;
+
+constexpr float degrees = 180.0f / static_cast<float>(M_PI);
+
+float
+angleDegrees(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
+{
+  const float norms = a.norm() * b.norm();
+  if (!(norms > 0))
+    return 0;
+  return std::acos(std::max(-1.0f, std::min(1.0f, a.dot(b) / norms))) * degrees;
+}
+
+/** A step is larger than two planes with these normals explain. */
+bool
+isStep(const Eigen::Vector3f& towards_1,
+       const Eigen::Vector3f& normal_1,
+       const Eigen::Vector3f& normal_2,
+       const pcl::indoor::ConvexityOptions& options)
+{
+  const float bend = normal_1.cross(normal_2).norm();
+  const float height =
+      std::min(std::abs(towards_1.dot(normal_1)), std::abs(towards_1.dot(normal_2)));
+  return height >
+         bend * static_cast<float>(options.seed_size) +
+             options.smoothness_threshold * static_cast<float>(options.voxel_size);
+}
+
+/** The edges' other ends, per node, in ascending order. */
+Adjacency
+neighborsOf(std::size_t node_count, const std::vector<SurfaceEdge>& edges)
+{
+  Adjacency adjacency;
+  adjacency.offsets.assign(node_count + 1, 0);
+  for (const auto& edge : edges) {
+    ++adjacency.offsets[edge.source + 1];
+    ++adjacency.offsets[edge.target + 1];
+  }
+  for (std::size_t i = 0; i < node_count; ++i)
+    adjacency.offsets[i + 1] += adjacency.offsets[i];
+  adjacency.targets.resize(2 * edges.size());
+  auto next = adjacency.offsets;
+  for (const auto& edge : edges)
+    adjacency.targets[next[edge.target]++] = edge.source;
+  for (const auto& edge : edges)
+    adjacency.targets[next[edge.source]++] = edge.target;
+  for (std::size_t i = 0; i < node_count; ++i)
+    std::sort(adjacency.targets.begin() + adjacency.offsets[i],
+              adjacency.targets.begin() + adjacency.offsets[i + 1]);
+  return adjacency;
+}
+
+std::size_t
+countCommon(const Adjacency& adjacency, std::uint32_t a, std::uint32_t b)
+{
+  auto i = adjacency.offsets[a], j = adjacency.offsets[b];
+  std::size_t common = 0;
+  while (i < adjacency.offsets[a + 1] && j < adjacency.offsets[b + 1]) {
+    const auto x = adjacency.targets[i], y = adjacency.targets[j];
+    common += x == y;
+    i += x <= y;
+    j += y <= x;
+  }
+  return common;
+}
+
+/** Add each small segment to its largest neighbour, smallest segments first. */
+void
+absorbSmallSegments(DisjointSets& segments,
+                    std::size_t node_count,
+                    const std::vector<SurfaceEdge>& edges,
+                    unsigned min_segment_size)
+{
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<std::uint32_t> target(node_count, pcl::indoor::Supervoxels::none);
+    const auto propose = [&](std::uint32_t small, std::uint32_t other) {
+      if (segments.size(small) > min_segment_size)
+        return;
+      auto& best = target[small];
+      if (best == pcl::indoor::Supervoxels::none ||
+          segments.size(other) > segments.size(best) ||
+          (segments.size(other) == segments.size(best) && other < best))
+        best = other;
+    };
+    for (const auto& edge : edges) {
+      const auto a = segments.find(edge.source), b = segments.find(edge.target);
+      if (a == b)
+        continue;
+      propose(a, b);
+      propose(b, a);
+    }
+    for (std::uint32_t i = 0; i < node_count; ++i) {
+      if (target[i] == pcl::indoor::Supervoxels::none || segments.find(i) != i)
+        continue;
+      const auto into = segments.find(target[i]);
+      if (into == i || segments.size(i) > min_segment_size)
+        continue;
+      segments.merge(i, into);
+      changed = true;
+    }
+  }
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+bool
+isConvexEdge(const Eigen::Vector3f& position_1,
+             const Eigen::Vector3f& normal_1,
+             const Eigen::Vector3f& position_2,
+             const Eigen::Vector3f& normal_2,
+             const ConvexityOptions& options)
+{
+  const Eigen::Vector3f towards_1 = position_1 - position_2;
+  const float normal_angle = angleDegrees(normal_1, normal_2);
+  if (options.use_smoothness_check && isStep(towards_1, normal_1, normal_2, options))
+    return false;
+  if (options.use_sanity_check) {
+    const float angle = angleDegrees(normal_1.cross(normal_2), towards_1);
+    const float threshold = 60 / (1 + std::exp(-0.25f * (normal_angle - 25)));
+    if (std::min(angle, 180 - angle) < threshold)
+      return false;
+  }
+  // Equal to comparing the angles between the connection and the two normals.
+  return towards_1.dot(normal_1) >= towards_1.dot(normal_2) ||
+         normal_angle < options.concavity_tolerance_degrees;
+}
+
+std::vector<SurfaceEdge>
+surfaceEdges(const SurfaceVoxels& voxels,
+             const Supervoxels& supervoxels,
+             const ConvexityOptions& options)
+{
+  const auto& label = supervoxels.label_of_voxel;
+  std::vector<std::uint64_t> pairs;
+  for (std::size_t v = 0; v < label.size(); ++v) {
+    if (label[v] == Supervoxels::none)
+      continue;
+    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
+         ++j) {
+      const auto other = label[voxels.neighbors.targets[j]];
+      if (other != Supervoxels::none && label[v] < other) {
+        const auto pair = (static_cast<std::uint64_t>(label[v]) << 32) | other;
+        if (pairs.empty() || pairs.back() != pair)
+          pairs.push_back(pair);
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<SurfaceEdge> edges;
+  edges.reserve(pairs.size());
+  for (const auto pair : pairs) {
+    SurfaceEdge edge;
+    edge.source = static_cast<std::uint32_t>(pair >> 32);
+    edge.target = static_cast<std::uint32_t>(pair);
+    edge.convex = isConvexEdge(supervoxels.centroids[edge.source],
+                               supervoxels.normals[edge.source],
+                               supervoxels.centroids[edge.target],
+                               supervoxels.normals[edge.target],
+                               options);
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
+std::vector<WeightedEdge>
+weighEdges(const Supervoxels& supervoxels,
+           const std::vector<SurfaceEdge>& edges,
+           const SurfaceDistance& distance,
+           float concavity_weight)
+{
+  std::vector<WeightedEdge> weighted;
+  weighted.reserve(edges.size());
+  for (const auto& edge : edges) {
+    const float d = distance(supervoxels.centroids[edge.source],
+                             supervoxels.normals[edge.source],
+                             supervoxels.centroids[edge.target],
+                             supervoxels.normals[edge.target]);
+    weighted.push_back(
+        {edge.source, edge.target, edge.convex ? concavity_weight * d * d : d});
+  }
+  return weighted;
+}
+
+std::vector<std::uint32_t>
+convexSegments(std::size_t node_count,
+               const std::vector<SurfaceEdge>& edges,
+               unsigned common_neighbors,
+               unsigned min_segment_size)
+{
+  std::vector<SurfaceEdge> convex;
+  for (const auto& edge : edges)
+    if (edge.convex)
+      convex.push_back(edge);
+  const auto around = neighborsOf(node_count, convex);
+  DisjointSets segments(node_count);
+  for (const auto& edge : convex)
+    if (countCommon(around, edge.source, edge.target) >= common_neighbors)
+      segments.merge(segments.find(edge.source), segments.find(edge.target));
+  if (min_segment_size > 0)
+    absorbSmallSegments(segments, node_count, edges, min_segment_size);
+  return segments.labels();
+}
+
+} // namespace indoor
+} // namespace pcl
