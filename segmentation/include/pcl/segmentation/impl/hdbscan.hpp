@@ -1,0 +1,170 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/segmentation/hdbscan.h>
+#include <pcl/segmentation/thread_count.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace pcl {
+namespace indoor {
+namespace hdbscan_detail {
+
+/** Throws if an option is out of its range. */
+void
+requireValid(const HDBSCANOptions& options);
+
+/** Throws: a distance was negative or NaN. */
+[[noreturn]] void
+throwBadDistance();
+
+inline std::size_t
+minSamples(const HDBSCANOptions& options)
+{
+  return options.min_samples > 0 ? options.min_samples : options.min_cluster_size;
+}
+
+/** The distance to the k-th nearest point, the point itself being the first. If there
+ * are fewer points, to the farthest.
+ */
+template <typename Distance>
+std::vector<double>
+coreDistances(std::size_t count, const Distance& distance, std::size_t k, int threads)
+{
+  std::vector<double> core(count, 0.0);
+  const std::size_t others = count == 0 ? 0 : std::min(k, count) - 1;
+  if (others == 0)
+    return core;
+  std::atomic<bool> bad(false); // an exception must not leave a parallel region
+#pragma omp parallel num_threads(threads)
+  {
+    std::vector<double> nearest; // a heap with the farthest on top
+#pragma omp for schedule(dynamic, 64)
+    for (std::ptrdiff_t row = 0; row < static_cast<std::ptrdiff_t>(count); ++row) {
+      const auto i = static_cast<std::size_t>(row);
+      nearest.clear();
+      for (std::size_t j = 0; j < count; ++j) {
+        if (j == i)
+          continue;
+        const double d = distance(i, j);
+        if (!(d >= 0.0))
+          bad = true;
+        if (nearest.size() < others) {
+          nearest.push_back(d);
+          std::push_heap(nearest.begin(), nearest.end());
+        }
+        else if (d < nearest.front()) {
+          std::pop_heap(nearest.begin(), nearest.end());
+          nearest.back() = d;
+          std::push_heap(nearest.begin(), nearest.end());
+        }
+      }
+      core[i] = nearest.front();
+    }
+  }
+  if (bad)
+    throwBadDistance();
+  return core;
+}
+
+/** A point outside of the tree and its shortest edge into it. */
+struct Reachable {
+  std::uint32_t point;
+  std::uint32_t from;
+  double distance;
+};
+
+inline bool
+nearer(const Reachable& a, const Reachable& b)
+{
+  return a.distance < b.distance || (a.distance == b.distance && a.point < b.point);
+}
+
+/** Prim's algorithm on the mutual reachability, without storing a distance twice. */
+template <typename Distance>
+std::vector<HDBSCANEdge>
+spanningTree(const std::vector<double>& core, const Distance& distance, int threads)
+{
+  const std::size_t count = core.size();
+  std::vector<HDBSCANEdge> tree;
+  if (count < 2)
+    return tree;
+  tree.reserve(count - 1);
+  std::vector<Reachable> outside(count - 1);
+  for (std::size_t i = 1; i < count; ++i)
+    outside[i - 1] = {
+        static_cast<std::uint32_t>(i), 0, std::numeric_limits<double>::infinity()};
+  const Reachable nobody{std::numeric_limits<std::uint32_t>::max(),
+                         0,
+                         std::numeric_limits<double>::infinity()};
+  std::uint32_t current = 0;
+  bool bad = false;
+  while (!outside.empty()) {
+    const auto size = static_cast<std::ptrdiff_t>(outside.size());
+    const int team = size < 2048 ? 1 : threads;
+    Reachable chosen = nobody;
+    std::ptrdiff_t place = 0; // of the chosen
+#pragma omp parallel num_threads(team) if (team > 1)
+    {
+      std::ptrdiff_t nearest = 0;
+      Reachable best = nobody;
+      bool invalid = false;
+#pragma omp for schedule(static) nowait
+      for (std::ptrdiff_t k = 0; k < size; ++k) {
+        Reachable& other = outside[static_cast<std::size_t>(k)];
+        // mutual reachability never falls below the core distances
+        const double least = std::max(core[current], core[other.point]);
+        if (least < other.distance) {
+          const double d = distance(current, other.point);
+          invalid |= !(d >= 0.0);
+          const double reach = std::max(d, least);
+          if (reach < other.distance) {
+            other.distance = reach;
+            other.from = current;
+          }
+        }
+        if (nearer(other, best)) {
+          best = other;
+          nearest = k;
+        }
+      }
+#pragma omp critical(pcl_indoor_hdbscan_nearest)
+      {
+        bad |= invalid;
+        if (nearer(best, chosen)) {
+          chosen = best;
+          place = nearest;
+        }
+      }
+    }
+    if (bad)
+      throwBadDistance();
+    tree.push_back({chosen.from, chosen.point, chosen.distance});
+    current = chosen.point;
+    outside[static_cast<std::size_t>(place)] = outside.back();
+    outside.pop_back();
+  }
+  return tree;
+}
+
+} // namespace hdbscan_detail
+
+template <typename Distance>
+HDBSCANResult
+hdbscan(std::size_t count, const Distance& distance, const HDBSCANOptions& options)
+{
+  hdbscan_detail::requireValid(options);
+  const int threads = threadCount(options.threads);
+  const std::vector<double> core = hdbscan_detail::coreDistances(
+      count, distance, hdbscan_detail::minSamples(options), threads);
+  return hdbscanFromSpanningForest(
+      count, hdbscan_detail::spanningTree(core, distance, threads), options);
+}
+
+} // namespace indoor
+} // namespace pcl
