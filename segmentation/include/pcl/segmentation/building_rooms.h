@@ -1,0 +1,58 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/segmentation/occupancy_grid.h>
+#include <pcl/segmentation/room_map.h>
+#include <pcl/segmentation/wall_sides.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief All parameters of the way from a building's points to its rooms. */
+struct BuildingRoomsOptions {
+  double voxel_size = 0.1; ///< side of a voxel and of a map pixel, metres (> 0)
+  RoomMapOptions map;
+  WallSideOptions walls;
+  int threads = 0; ///< 0 = automatic; the result does not depend on it
+};
+
+/** \brief One room of a building. */
+struct Room {
+  std::uint32_t label = 0;     ///< 1 ... n
+  std::uint32_t storey = 0;    ///< 0 = the lowest
+  std::size_t point_count = 0; ///< points with this label
+  double area = 0.0;           ///< floor area inside the walls, m^2
+  double height = 0.0;         ///< mean height from floor to ceiling, metres
+  Eigen::Vector3d lower;       ///< lower corner of the box around the points, metres
+  Eigen::Vector3d upper;       ///< upper corner of it, metres
+  Eigen::Vector3d centroid;    ///< of the points, metres
+};
+
+/** \brief The rooms of a building and every step on the way to them. */
+struct BuildingRooms {
+  OccupancyGrid occupancy;
+  std::vector<RoomMap> storeys;            ///< from below; labels are 1 ... n in each
+  std::vector<std::uint32_t> first_label;  ///< per storey: what is added to its labels
+  std::vector<std::uint32_t> point_labels; ///< room per point, 0 = none
+  std::vector<Room> rooms;                 ///< in the order of their labels
+};
+
+/** \brief Find the rooms of a building.
+ * \param[in] points finite points near the origin, z up, metres
+ * \throws pcl::BadArgumentException if an option is out of range
+ */
+BuildingRooms
+segmentBuilding(const std::vector<Eigen::Vector3f>& points,
+                const BuildingRoomsOptions& options = {});
+
+} // namespace indoor
+} // namespace pcl

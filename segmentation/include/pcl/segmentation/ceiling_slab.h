@@ -1,0 +1,61 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/segmentation/voxel_grid.h>
+
+#include <cstdint>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Where the walls of a storey are looked for: in a slab right below the
+ * ceiling.
+ *
+ * Furniture seldom reaches the ceiling; walls and the lintels over doorways do. So the
+ * slab shows the rooms closed, where a map of the whole height shows them cluttered and
+ * joined by their doors.
+ */
+struct CeilingSlabOptions {
+  double window =
+      1.0;            ///< side of the square in which the ceiling is looked for, metres
+  double step = 0.6;  ///< how far a column's own top may lie below the highest top in
+                      ///< the window and still be its ceiling, metres
+  double gap = 0.15;  ///< distance from the ceiling to the slab, metres
+  double depth = 0.5; ///< height of the slab, metres
+};
+
+/** \brief The z range of a storey in a grid: voxels begin ... end - 1. */
+struct VerticalRange {
+  int begin = 0;
+  int end = 0;
+};
+
+/** \brief The layer of the ceiling over every map pixel.
+ * A column with an occupied voxel close to the highest one of its surroundings has its
+ * ceiling there (so slopes are followed); over other columns, where the ceiling was not
+ * seen, the highest one of the surroundings is taken.
+ * \param[in] occupancy non-zero = occupied
+ * \param[in] storey the layers that count
+ * \return the layer, or -1 where the surroundings hold no occupied voxel
+ */
+PixelMap<int>
+ceilingLayers(const VoxelGrid<std::uint8_t>& occupancy,
+              const VerticalRange& storey,
+              const CeilingSlabOptions& options);
+
+/** \brief The columns that have an occupied voxel in the slab below their ceiling.
+ * \param[in] ceiling as ceilingLayers() gives it; pixels without ceiling are not
+ * blocked \return 1 = blocked, 0 = free
+ */
+PixelMap<std::uint8_t>
+blockedBelowCeiling(const VoxelGrid<std::uint8_t>& occupancy,
+                    const VerticalRange& storey,
+                    const PixelMap<int>& ceiling,
+                    const CeilingSlabOptions& options);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,61 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/segmentation/ceiling_slab.h>
+#include <pcl/segmentation/voxel_grid.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief The border between two adjacent regions of a room map, seen as a wall. */
+struct RegionBorder {
+  std::int32_t a = 0;       ///< the smaller label
+  std::int32_t b = 0;       ///< the larger label
+  double border_area = 0.0; ///< length of the border times the height there, m^2
+  double open_area = 0.0;   ///< the part of it through which one region sees the other
+  double open_width = 0.0;  ///< metres of the border that a person can pass
+  double x = 0.0;           ///< middle of the opening, grid frame, pixels
+  double y = 0.0;           ///< middle of the opening, grid frame, pixels
+};
+
+/** \brief Find the borders between regions and how far they are open.
+ *
+ * A piece of border is open at a height if no voxel is occupied there between the free
+ * space of the one region and that of the other: hollow walls are closed.
+ * \param[in] labels a label for every pixel of the regions and of the walls between
+ * them, 0 = none
+ * \param[in] free_labels the same labels on the free pixels alone
+ * \param[in] ceiling as ceilingLayers() gives it
+ * \return one entry per pair of regions that touch, in the order of (a, b)
+ */
+std::vector<RegionBorder>
+regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
+              const VerticalRange& storey,
+              const PixelMap<int>& ceiling,
+              const PixelMap<std::int32_t>& labels,
+              const PixelMap<std::int32_t>& free_labels);
+
+/** \brief Join regions whose border is mostly open, the most open one first.
+ *
+ * A room ends where the passage to the next space is small compared with the spaces
+ * themselves (Sec. 3.1): at a door, not below a beam.
+ * \param[in] region_count labels are 1 ... region_count
+ * \param[in] open_share two regions are joined if more than this share of their border
+ * is open, 0 ... 1
+ * \return the new label of each old one (index 0 stays 0); labels are those of the
+ * smallest member
+ */
+std::vector<std::int32_t>
+mergeOpenRegions(std::vector<RegionBorder> borders,
+                 std::int32_t region_count,
+                 double open_share);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,52 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/segmentation/ceiling_slab.h>
+#include <pcl/segmentation/region_borders.h>
+#include <pcl/segmentation/voxel_grid.h>
+#include <pcl/segmentation/wall_sides.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief How a storey's map is divided into rooms. */
+struct RoomMapOptions {
+  CeilingSlabOptions slab;
+  double persistence = 0.7; ///< see persistentBasins()
+  double open_share = 0.7;  ///< see mergeOpenRegions()
+  double min_width = 0.6;   ///< narrower spaces are no rooms, metres
+  double min_area = 1.0;    ///< smaller spaces are no rooms, m^2
+  double reach = 0.6; ///< how far a room's label is carried into its walls, metres
+};
+
+/** \brief The map of one storey and every step on the way to it. */
+struct RoomMap {
+  VerticalRange storey;
+  PixelMap<int> ceiling;              ///< layer of the ceiling, -1 = none
+  PixelMap<std::uint8_t> blocked;     ///< 1 = wall or lintel below the ceiling
+  PixelMap<float> field;              ///< distance to the next wall, metres; 0 = wall
+  PixelMap<std::int32_t> free_labels; ///< room of each free pixel, 1 ... n; 0 = none
+  PixelMap<std::int32_t> labels;      ///< the same, carried into the walls
+  std::vector<RegionBorder> borders;  ///< between the rooms
+  std::int32_t room_count = 0;
+};
+
+/** \brief Divide a storey into rooms on its map.
+ * \param[in] occupancy non-zero = occupied
+ * \param[in] inside 1 = the column belongs to the building's interior
+ */
+RoomMap
+segmentRoomMap(const VoxelGrid<std::uint8_t>& occupancy,
+               const VerticalRange& storey,
+               const PixelMap<std::uint8_t>& inside,
+               const RoomMapOptions& options);
+
+} // namespace indoor
+} // namespace pcl

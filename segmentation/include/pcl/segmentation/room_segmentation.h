@@ -1,0 +1,199 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/segmentation/building_rooms.h>
+
+#include <pcl/pcl_base.h>
+#include <pcl/PointIndices.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Segments the points of a building, or of a part of it, into rooms.
+ *
+ * Walls, and the lintels over doorways, reach the ceiling, furniture seldom does: in a
+ * slab right below the ceiling the rooms lie closed and empty. Neither sensor poses,
+ * nor normals, nor walls at right angles are needed; z must point up.
+ *
+ * Time and memory are linear in the points and in the voxels of the space they occupy.
+ * \note D. Bobkov, Semantic Understanding of 3D Point Clouds of Indoor Environments,
+ * Technical University of Munich, 2019, chapter 3; D. Bobkov, M. Kiechle, S.
+ * Hilsenbeck, E. Steinbach, Room Segmentation in 3D Point Clouds Using Anisotropic
+ * Potential Fields, ICME 2017. Deviations are listed in docs/rooms.md. \ingroup
+ * segmentation
+ */
+template <typename PointT>
+class RoomSegmentation : public PCLBase<PointT> {
+public:
+  using Ptr = shared_ptr<RoomSegmentation<PointT>>;
+  using ConstPtr = shared_ptr<const RoomSegmentation<PointT>>;
+  using PointCloud = typename PCLBase<PointT>::PointCloud;
+
+  /** \brief Set the side of a voxel, which is also that of a map pixel.
+   * Smaller voxels separate rooms by thinner walls; sparse clouds need larger ones.
+   * \param[in] voxel_size metres, greater than 0 (default 0.1)
+   */
+  void
+  setVoxelSize(double voxel_size)
+  {
+    options_.voxel_size = voxel_size;
+  }
+
+  double
+  getVoxelSize() const
+  {
+    return options_.voxel_size;
+  }
+
+  /** \brief Set the area below which a space is no room.
+   * \param[in] area m^2, at least 0 (default 1)
+   */
+  void
+  setMinRoomArea(double area)
+  {
+    options_.map.min_area = area;
+  }
+
+  double
+  getMinRoomArea() const
+  {
+    return options_.map.min_area;
+  }
+
+  /** \brief Set the width below which a space is no room.
+   * \param[in] width metres, at least 0 (default 0.6)
+   */
+  void
+  setMinRoomWidth(double width)
+  {
+    options_.map.min_width = width;
+  }
+
+  double
+  getMinRoomWidth() const
+  {
+    return options_.map.min_width;
+  }
+
+  /** \brief Set how narrow the passage between two spaces must be to part them.
+   * \param[in] persistence width of the passage over the width of the narrower space,
+   * 0 ... 1; larger gives more rooms (default 0.7)
+   */
+  void
+  setPersistence(double persistence)
+  {
+    options_.map.persistence = persistence;
+  }
+
+  double
+  getPersistence() const
+  {
+    return options_.map.persistence;
+  }
+
+  /** \brief Set how open the border between two spaces must be to join them.
+   * \param[in] share open area over area of the border, 0 ... 1; larger gives more
+   * rooms (default 0.7)
+   */
+  void
+  setOpenShare(double share)
+  {
+    options_.map.open_share = share;
+  }
+
+  double
+  getOpenShare() const
+  {
+    return options_.map.open_share;
+  }
+
+  /** \brief Set the number of threads; the result does not depend on it.
+   * \param[in] threads 0 = as many as the machine offers (default 0)
+   */
+  void
+  setNumberOfThreads(int threads)
+  {
+    options_.threads = threads;
+  }
+
+  int
+  getNumberOfThreads() const
+  {
+    return options_.threads;
+  }
+
+  /** \brief All parameters in one struct, also those without a setter. */
+  const indoor::BuildingRoomsOptions&
+  getOptions() const
+  {
+    return options_;
+  }
+
+  void
+  setOptions(const indoor::BuildingRoomsOptions& options)
+  {
+    options_ = options;
+  }
+
+  /** \brief Find the rooms.
+   * \param[out] labels room of each point of the input cloud, in its order: 1 ... n; 0
+   * for points in no room, not finite, or not in the indices; empty after an error
+   */
+  void
+  segment(std::vector<std::uint32_t>& labels);
+
+  /** \brief Find the rooms.
+   * \param[out] rooms the points of each room, as indices into the input cloud; empty
+   * after an error
+   */
+  void
+  segment(std::vector<PointIndices>& rooms);
+
+  /** \brief The rooms of the last run, in the order of their labels; positions in the
+   * frame of the input cloud. */
+  const std::vector<indoor::Room>&
+  getRooms() const
+  {
+    return building_.rooms;
+  }
+
+  /** \brief Every intermediate result of the last run: the grid and the map of each
+   * storey. Its points are the usable ones of the input, moved by -getOrigin(). */
+  const indoor::BuildingRooms&
+  getBuilding() const
+  {
+    return building_;
+  }
+
+  /** \brief Where the frame of getBuilding() lies in the input cloud, metres. */
+  const Eigen::Vector3d&
+  getOrigin() const
+  {
+    return origin_;
+  }
+
+protected:
+  using PCLBase<PointT>::input_;
+  using PCLBase<PointT>::indices_;
+
+  /** \brief Check input and parameters; shadows the base's, which accepts anything. */
+  bool
+  initCompute();
+
+private:
+  indoor::BuildingRoomsOptions options_;
+  indoor::BuildingRooms building_;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/segmentation/impl/room_segmentation.hpp>
+#endif

@@ -1,0 +1,157 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/nearest_sites.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** Columns with something in them, and the gaps between those (closing by a disc). */
+PixelMap<std::uint8_t>
+coveredColumns(const VoxelGrid<std::uint8_t>& occupancy,
+               const VerticalRange& storey,
+               double radius)
+{
+  const GridShape& shape = occupancy.shape;
+  PixelMap<std::uint8_t> covered{shape.nx, shape.ny, {}};
+  covered.values.assign(covered.size(), 0);
+  for (std::size_t i = 0; i < covered.size(); ++i) {
+    const auto* column = &occupancy.values[i * shape.nz];
+    covered.values[i] = std::any_of(
+        column + storey.begin, column + storey.end, [](auto value) { return value; });
+  }
+  const double reach = radius * radius / (occupancy.voxel_size * occupancy.voxel_size);
+  const NearestSites to_covered = nearestSites(covered);
+  PixelMap<std::uint8_t> far = covered;
+  for (std::size_t i = 0; i < far.size(); ++i)
+    far.values[i] = to_covered.squared_distance.values[i] > reach;
+  const NearestSites to_far = nearestSites(far);
+  for (std::size_t i = 0; i < far.size(); ++i)
+    covered.values[i] = to_far.squared_distance.values[i] > reach;
+  return covered;
+}
+
+/** Label the points of one storey: by the map, and at walls by the side they are on. */
+void
+labelPoints(const std::vector<Eigen::Vector3f>& points,
+            const OccupancyGrid& occupancy,
+            const RoomMap& map,
+            const BuildingRoomsOptions& options,
+            std::uint32_t first_label,
+            std::vector<std::uint32_t>& point_labels)
+{
+  const VoxelGrid<std::uint8_t>& grid = occupancy.grid;
+  const int nz = grid.shape.nz;
+  const int gap = static_cast<int>(options.map.slab.gap / grid.voxel_size + 0.5) + 1;
+  const int depth =
+      gap + static_cast<int>(options.map.slab.depth / grid.voxel_size + 0.5);
+  std::vector<std::uint32_t> index;
+  std::vector<Eigen::Vector2f> position;
+  std::vector<std::uint8_t> is_wall;
+  std::vector<std::int32_t> label;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::int32_t cell = occupancy.cells[i];
+    if (cell < 0 || cell % nz < map.storey.begin || cell % nz >= map.storey.end)
+      continue;
+    const std::size_t pixel = cell / nz;
+    const int below = map.ceiling.values[pixel] - cell % nz;
+    const Eigen::Vector3d local =
+        occupancy.toGrid(points[i].cast<double>()) - grid.origin;
+    index.push_back(static_cast<std::uint32_t>(i));
+    position.push_back(local.head<2>().cast<float>());
+    is_wall.push_back(below >= gap && below < depth);
+    label.push_back(map.labels.values[pixel]);
+  }
+  assignWallSides(position,
+                  is_wall,
+                  grid.voxel_size,
+                  map.labels,
+                  map.free_labels,
+                  options.walls,
+                  label);
+  for (std::size_t k = 0; k < index.size(); ++k)
+    point_labels[index[k]] =
+        label[k] > 0 ? first_label + static_cast<std::uint32_t>(label[k]) : 0;
+}
+
+std::vector<Room>
+describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Room> rooms;
+  for (std::size_t s = 0; s < building.storeys.size(); ++s) {
+    const RoomMap& map = building.storeys[s];
+    const double size = building.occupancy.grid.voxel_size;
+    for (std::int32_t r = 1; r <= map.room_count; ++r) {
+      Room room;
+      room.label = building.first_label[s] + static_cast<std::uint32_t>(r);
+      room.storey = static_cast<std::uint32_t>(s);
+      room.lower.setConstant(infinity);
+      room.upper.setConstant(-infinity);
+      room.centroid.setZero();
+      rooms.push_back(room);
+    }
+    for (std::size_t i = 0; i < map.free_labels.size(); ++i)
+      if (map.free_labels.values[i] > 0) {
+        Room& room = rooms[building.first_label[s] + map.free_labels.values[i] - 1];
+        room.area += size * size;
+        room.height += size * size * size * (map.ceiling.values[i] - map.storey.begin);
+      }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (building.point_labels[i] > 0) {
+      Room& room = rooms[building.point_labels[i] - 1];
+      const Eigen::Vector3d point = points[i].cast<double>();
+      ++room.point_count;
+      room.lower = room.lower.cwiseMin(point);
+      room.upper = room.upper.cwiseMax(point);
+      room.centroid += point;
+    }
+  for (Room& room : rooms) {
+    room.height = room.area > 0 ? room.height / room.area : 0.0;
+    room.centroid /= std::max<double>(1.0, room.point_count);
+  }
+  return rooms;
+}
+
+} // namespace
+
+BuildingRooms
+segmentBuilding(const std::vector<Eigen::Vector3f>& points,
+                const BuildingRoomsOptions& options)
+{
+  BuildingRooms building;
+  OccupancyGridOptions grid_options;
+  grid_options.voxel_size = options.voxel_size;
+  grid_options.threads = options.threads;
+  building.occupancy = occupancyGrid(points, grid_options);
+  building.point_labels.assign(points.size(), 0);
+
+  const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  std::uint32_t label_count = 0;
+  for (const VerticalRange& storey : std::vector<VerticalRange>{{0, grid.shape.nz}}) {
+    const auto inside = coveredColumns(grid, storey, 0.5);
+    building.storeys.push_back(segmentRoomMap(grid, storey, inside, options.map));
+    building.first_label.push_back(label_count);
+    labelPoints(points,
+                building.occupancy,
+                building.storeys.back(),
+                options,
+                label_count,
+                building.point_labels);
+    label_count += static_cast<std::uint32_t>(building.storeys.back().room_count);
+  }
+  building.rooms = describeRooms(points, building);
+  return building;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,189 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/wall_sides.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** Points in the order of their pixels. */
+struct PixelPoints {
+  std::vector<std::uint32_t> first; // per pixel, and one past the end
+  std::vector<std::uint32_t> index; // into the points
+
+  PixelPoints(const std::vector<std::int32_t>& pixel_of,
+              const std::vector<std::uint8_t>* chosen,
+              std::size_t pixel_count)
+  : first(pixel_count + 1, 0)
+  {
+    const auto counts = [&](std::size_t i) {
+      return pixel_of[i] >= 0 && (!chosen || (*chosen)[i]);
+    };
+    for (std::size_t i = 0; i < pixel_of.size(); ++i)
+      if (counts(i))
+        ++first[pixel_of[i] + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    index.resize(first.back());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::size_t i = 0; i < pixel_of.size(); ++i)
+      if (counts(i))
+        index[next[pixel_of[i]]++] = static_cast<std::uint32_t>(i);
+  }
+};
+
+/** A vertical plane between the two faces of a wall, seen from above. */
+struct WallLine {
+  Eigen::Vector2d normal;
+  Eigen::Vector2d middle;
+
+  double
+  side(const Eigen::Vector2d& point) const
+  {
+    return normal.dot(point - middle);
+  }
+};
+
+std::optional<WallLine>
+fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& options)
+{
+  if (points.size() < options.min_points)
+    return std::nullopt;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const auto& point : points)
+    mean += point;
+  mean /= static_cast<double>(points.size());
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  for (const auto& point : points)
+    covariance += (point - mean) * (point - mean).transpose();
+  covariance /= static_cast<double>(points.size());
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+  eigen.computeDirect(covariance);
+  // Two faces at a distance d have a standard deviation of d / 2 across the wall.
+  const double across = std::sqrt(std::max(0.0, eigen.eigenvalues()[0]));
+  const double along = std::sqrt(std::max(0.0, eigen.eigenvalues()[1]));
+  if (across > 0.5 * options.max_thickness || across > 0.7 * along)
+    return std::nullopt;
+
+  const Eigen::Vector2d normal = eigen.eigenvectors().col(0);
+  double middle = 0.0;
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    double sum[2] = {0.0, 0.0};
+    std::size_t count[2] = {0, 0};
+    for (const auto& point : points) {
+      const double t = normal.dot(point - mean);
+      sum[t > middle] += t;
+      ++count[t > middle];
+    }
+    if (count[0] == 0 || count[1] == 0)
+      break;
+    middle = 0.5 * (sum[0] / count[0] + sum[1] / count[1]);
+  }
+  return WallLine{normal, mean + middle * normal};
+}
+
+/** The nearest room on a ray from a wall. */
+std::int32_t
+roomBeside(const PixelMap<std::int32_t>& free_labels,
+           const Eigen::Vector2d& from,
+           const Eigen::Vector2d& direction,
+           double reach)
+{
+  for (double t = 0.5; t <= reach; t += 0.5) {
+    const Eigen::Vector2d at = from + t * direction;
+    const int x = static_cast<int>(std::floor(at.x()));
+    const int y = static_cast<int>(std::floor(at.y()));
+    if (free_labels.contains(x, y) && free_labels.at(x, y) != 0)
+      return free_labels.at(x, y);
+  }
+  return 0;
+}
+
+/** Whether rooms meet, or a room ends, within a pixel's window. */
+bool
+nearBorder(const PixelMap<std::int32_t>& labels, int x, int y, int radius)
+{
+  const std::int32_t own = labels.at(x, y);
+  for (int u = std::max(0, x - radius); u <= std::min(labels.nx - 1, x + radius); ++u)
+    for (int v = std::max(0, y - radius); v <= std::min(labels.ny - 1, y + radius); ++v)
+      if (labels.at(u, v) != own)
+        return true;
+  return false;
+}
+
+} // namespace
+
+void
+assignWallSides(const std::vector<Eigen::Vector2f>& points,
+                const std::vector<std::uint8_t>& is_wall,
+                double pixel_size,
+                const PixelMap<std::int32_t>& labels,
+                const PixelMap<std::int32_t>& free_labels,
+                const WallSideOptions& options,
+                std::vector<std::int32_t>& point_labels)
+{
+  const auto scaled = [&](std::size_t i) {
+    return Eigen::Vector2d(points[i].cast<double>() / pixel_size);
+  };
+  std::vector<std::int32_t> pixel_of(points.size(), -1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d p = scaled(i);
+    const int x = static_cast<int>(std::floor(p.x()));
+    const int y = static_cast<int>(std::floor(p.y()));
+    if (labels.contains(x, y))
+      pixel_of[i] = static_cast<std::int32_t>(labels.index(x, y));
+  }
+  const PixelPoints all(pixel_of, nullptr, labels.size());
+  const PixelPoints wall(pixel_of, &is_wall, labels.size());
+  const int radius =
+      std::max(1, static_cast<int>(std::lround(0.5 * options.window / pixel_size)));
+  const double reach = options.reach / pixel_size;
+  WallSideOptions in_pixels = options;
+  in_pixels.max_thickness /= pixel_size;
+
+#pragma omp parallel for schedule(dynamic, 8)
+  for (int x = 0; x < labels.nx; ++x) {
+    std::vector<Eigen::Vector2d> window;
+    for (int y = 0; y < labels.ny; ++y) {
+      const std::size_t pixel = labels.index(x, y);
+      if (all.first[pixel] == all.first[pixel + 1] || !nearBorder(labels, x, y, radius))
+        continue;
+      window.clear();
+      for (int u = std::max(0, x - radius); u <= std::min(labels.nx - 1, x + radius);
+           ++u)
+        for (int v = std::max(0, y - radius); v <= std::min(labels.ny - 1, y + radius);
+             ++v)
+          for (std::uint32_t k = wall.first[labels.index(u, v)];
+               k < wall.first[labels.index(u, v) + 1];
+               ++k)
+            window.push_back(scaled(wall.index[k]));
+      const auto line = fitWall(window, in_pixels);
+      if (!line)
+        continue;
+      const Eigen::Vector2d center(x + 0.5, y + 0.5);
+      const Eigen::Vector2d foot = center - line->side(center) * line->normal;
+      const std::int32_t above = roomBeside(free_labels, foot, line->normal, reach);
+      const std::int32_t below = roomBeside(free_labels, foot, -line->normal, reach);
+      if (above == below)
+        continue;
+      for (std::uint32_t k = all.first[pixel]; k < all.first[pixel + 1]; ++k) {
+        const std::uint32_t i = all.index[k];
+        const std::int32_t room = line->side(scaled(i)) > 0 ? above : below;
+        point_labels[i] = room != 0 ? room : (above != 0 ? above : below);
+      }
+    }
+  }
+}
+
+} // namespace indoor
+} // namespace pcl
