@@ -6,12 +6,9 @@
 #include <pcl/segmentation/occupancy_grid.h>
 
 #include "block_extent.h"
+#include "thread_count.h"
 
 #include <pcl/exceptions.h>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -46,20 +43,6 @@ requireValid(const OccupancyGridOptions& options)
                         "0 ... 1, not "
                             << options.max_growth << " and " << options.min_density
                             << ".");
-  if (options.threads < 0)
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The number of threads must not be negative, not "
-                            << options.threads << ".");
-}
-
-int
-threadCount(int threads)
-{
-#ifdef _OPENMP
-  return threads > 0 ? threads : omp_get_max_threads();
-#else
-  return threads > 0 ? 1 : 1;
-#endif
 }
 
 /** \brief A box around the points that lie inside of another one. */
@@ -169,12 +152,12 @@ occupancyGrid(const std::vector<Eigen::Vector3f>& points,
               const OccupancyGridOptions& options)
 {
   requireValid(options);
+  const int threads = threadCount(options.threads);
   OccupancyGrid result;
   result.yaw = options.yaw;
   result.grid.voxel_size = options.voxel_size;
   if (points.empty())
     return result;
-  const int threads = threadCount(options.threads);
   const Turn turn(options.yaw);
   const BlockExtentOptions extent{
       options.block_size, options.max_growth, options.min_density, threads};
