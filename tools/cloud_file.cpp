@@ -191,7 +191,7 @@ folderOf(const std::string& path)
 } // namespace
 
 CloudFile
-loadCloud(const std::string& path)
+loadCloud(const std::string& path, std::size_t least_points)
 {
   CloudFile file;
   file.path = path;
@@ -207,6 +207,10 @@ loadCloud(const std::string& path)
   if (file.finite_count == 0)
     throw ToolError(path + ": none of its " + std::to_string(file.points->size()) +
                     " points is finite");
+  if (file.finite_count < least_points)
+    throw ToolError(path + ": " + std::to_string(file.finite_count) +
+                    " finite points are too few, " + std::to_string(least_points) +
+                    " are needed");
   file.has_normals = isRealField(file.cloud, "normal_x") &&
                      isRealField(file.cloud, "normal_y") &&
                      isRealField(file.cloud, "normal_z");

@@ -42,10 +42,10 @@ struct CloudFile {
  *
  * Prints nothing.
  * \throws ToolError if the file is missing, is no cloud, is shorter than its header
- * says, lacks float x, y, z, or holds no finite point
+ * says, lacks float x, y, z, or holds fewer than \a least_points finite points
  */
 CloudFile
-loadCloud(const std::string& path);
+loadCloud(const std::string& path, std::size_t least_points = 2);
 
 /** \brief The normals of a cloud with \a has_normals, in its order; curvature 0 where
  * the file has none. */
