@@ -1,0 +1,57 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief A simple polygon without holes; the last vertex is joined to the first. */
+using Polygon = std::vector<Eigen::Vector2d>;
+
+/** \brief Area in square metres, positive if the vertices run counter-clockwise. */
+double
+signedArea(const Polygon& polygon);
+
+/** \brief True if the point lies inside; on the boundary either answer may come. */
+bool
+contains(const Polygon& polygon, const Eigen::Vector2d& point);
+
+/** \brief Distance of a point to the segment from \a a to \a b. */
+double
+distanceToSegment(const Eigen::Vector2d& point,
+                  const Eigen::Vector2d& a,
+                  const Eigen::Vector2d& b);
+
+/** \brief Distance of a point to the boundary. */
+double
+distanceToBoundary(const Polygon& polygon, const Eigen::Vector2d& point);
+
+/** \brief True if two edges that are not neighbours meet, or an edge has no length. */
+bool
+crossesItself(const Polygon& polygon);
+
+/** \brief True if the insides of two simple polygons share more than their boundary. */
+bool
+overlap(const Polygon& a, const Polygon& b);
+
+/** \brief Move every edge of a counter-clockwise polygon inwards by \a distance.
+ * Edge i of the result is parallel to edge i of the input.
+ */
+Polygon
+inset(const Polygon& polygon, double distance);
+
+/** \brief Cut a simple counter-clockwise polygon into triangles by clipping ears.
+ * \return vertex numbers, counter-clockwise; polygon.size() - 2 triangles
+ */
+std::vector<std::array<int, 3>>
+triangulate(const Polygon& polygon);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,26 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/simulation/building.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Say in JSON what the numbers in a scan mean.
+ *
+ * Keys: categories (the name of each number), rooms (number, name, storey, polygon,
+ * floor, area), objects (number, room, category, parts, position, size, rotation in
+ * degrees) and trajectory (the positions of the sensor). docs/simulation.md has them
+ * all.
+ */
+std::string
+describeScene(const Building& building, const std::vector<Eigen::Vector3d>& trajectory);
+
+} // namespace indoor
+} // namespace pcl

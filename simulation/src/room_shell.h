@@ -1,0 +1,30 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "wall_holes.h"
+
+namespace pcl {
+namespace indoor {
+
+/** \brief A flat piece of a room's shell. */
+struct ShellPiece {
+  Triangle triangle; ///< its normal points into the room
+  enum class Face { Floor, Wall, Ceiling } face;
+};
+
+/** \brief Floor, ceiling and walls of a room, with its holes left out. */
+std::vector<ShellPiece>
+roomShell(const RoomInfo& room, const std::vector<WallHole>& holes);
+
+/** \brief The inner faces of a hole on one side of the middle of the wall.
+ * \param[in] opening the opening
+ * \param[in] y where the wall ends, in the opening's frame; its sign says which side
+ */
+std::vector<ShellPiece>
+reveal(const PlacedOpening& opening, double y);
+
+} // namespace indoor
+} // namespace pcl

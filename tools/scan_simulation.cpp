@@ -1,0 +1,167 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "cloud_file.h"
+#include "options.h"
+
+#include <pcl/conversions.h>
+#include <pcl/simulation/building.h>
+#include <pcl/simulation/range_sensor.h>
+#include <pcl/simulation/scene_description.h>
+#include <pcl/simulation/trajectory.h>
+
+#include <filesystem>
+#include <string>
+
+namespace {
+
+using namespace pcl::indoor::tool;
+
+struct Options {
+  std::string plan_file, output_file, json_file;
+  pcl::indoor::TrajectoryOptions trajectory;
+  pcl::indoor::RangeSensorOptions sensor;
+  double leaf_size = 0.03;
+};
+
+OptionParser
+makeParser(Options& options)
+{
+  const Range share = Range::between(0.0, 1.0);
+  auto& sensor = options.sensor;
+  OptionParser parser(
+      "pcl_scan_simulation",
+      "Builds the rooms and furniture of a plan file and scans them with "
+      "a moving range sensor; every point gets the fields room, object, "
+      "part and category.");
+  parser.positional("plan.json", options.plan_file, "plan of the building")
+      .positional("output.pcd", options.output_file, "the scan")
+      .number("-rays_per_pose",
+              sensor.rays_per_pose,
+              "rays sent from each position",
+              "",
+              Range::atLeast(1))
+      .number("-spacing",
+              options.trajectory.spacing,
+              "distance between positions",
+              "m",
+              Range::positive())
+      .number("-height",
+              options.trajectory.sensor_height,
+              "height of the sensor above the floor",
+              "m",
+              Range::positive())
+      .number("-min_range",
+              sensor.min_range,
+              "nearest surface that gives an echo",
+              "m",
+              Range::atLeast(0.0))
+      .number("-max_range",
+              sensor.max_range,
+              "farthest surface that gives an echo",
+              "m",
+              Range::positive())
+      .number("-noise",
+              sensor.noise,
+              "standard deviation of a range",
+              "m",
+              Range::atLeast(0.0))
+      .number("-drift",
+              sensor.drift,
+              "standard deviation of the error of a position",
+              "m",
+              Range::atLeast(0.0))
+      .number("-dropout",
+              sensor.dropout,
+              "share of echoes lost at right angles; more are at grazing ones",
+              "",
+              share)
+      .number(
+          "-glass", sensor.glass_ghost, "share of rays that glass mirrors", "", share)
+      .number("-glass_echo",
+              sensor.glass_echo,
+              "share of rays that glass returns",
+              "",
+              share)
+      .number("-leaf",
+              options.leaf_size,
+              "keep one point per cube of this edge, 0 = all",
+              "m",
+              Range::atLeast(0.0))
+      .number("-seed", sensor.seed, "the same seed gives the same scan")
+      .number("-threads", sensor.threads, "0 = automatic", "", Range::atLeast(0))
+      .text("-json", options.json_file, "file for the names of rooms and objects");
+  return parser;
+}
+
+pcl::PCLPointCloud2
+toCloud(const pcl::indoor::SimulatedScan& scan)
+{
+  pcl::PointCloud<pcl::indoor::PointXYZScene> points;
+  points.resize(scan.points.size());
+  std::copy(scan.points.begin(), scan.points.end(), points.begin());
+  pcl::PCLPointCloud2 cloud;
+  pcl::toPCLPointCloud2(points, cloud);
+  return cloud;
+}
+
+void
+requireUsable(const Options& options)
+{
+  if (options.sensor.max_range <= options.sensor.min_range)
+    throw ToolError("-max_range must be above -min_range (" +
+                    std::to_string(options.sensor.min_range) + " m), not " +
+                    std::to_string(options.sensor.max_range) + " m");
+  if (options.sensor.glass_ghost + options.sensor.glass_echo > 1.0)
+    throw ToolError("-glass and -glass_echo together must be at most 1");
+  if (options.leaf_size > 0 && options.leaf_size < 0.001)
+    throw ToolError("-leaf must be 0 or at least 0.001 m, not " +
+                    std::to_string(options.leaf_size) + " m");
+  requireWritable(options.output_file);
+  if (!options.json_file.empty())
+    requireWritable(options.json_file);
+}
+
+void
+simulate(Options& options, Progress& progress)
+{
+  requireUsable(options);
+  progress.start("Building " + options.plan_file);
+  const auto plan = pcl::indoor::readPlan(options.plan_file);
+  const auto building = pcl::indoor::buildBuilding(plan, options.plan_file);
+  progress.done(std::to_string(building.rooms.size()) + " rooms, " +
+                std::to_string(building.objects.size()) + " objects, " +
+                std::to_string(building.triangles.size()) + " triangles");
+
+  const auto trajectory =
+      plan.trajectory.empty()
+          ? pcl::indoor::planTrajectory(building, options.trajectory)
+          : plan.trajectory;
+  progress.start("Scanning from " + std::to_string(trajectory.size()) + " positions");
+  options.sensor.progress = [&](std::size_t done, std::size_t all) {
+    progress.update(done, all);
+  };
+  auto scan = pcl::indoor::scanBuilding(building, trajectory, options.sensor);
+  progress.done(std::to_string(scan.ray_count) + " rays, " +
+                std::to_string(scan.points.size()) + " points");
+
+  progress.start("Saving " + options.output_file);
+  pcl::indoor::thinScan(scan, options.leaf_size);
+  if (scan.points.empty())
+    throw ToolError(options.plan_file + ": no ray found a surface");
+  saveCloud(options.output_file, toCloud(scan));
+  if (!options.json_file.empty())
+    saveText(options.json_file, pcl::indoor::describeScene(building, trajectory));
+  progress.done(std::to_string(scan.points.size()) + " points");
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Options options;
+  return makeParser(options).run(
+      argc, argv, [&](Progress& progress) { simulate(options, progress); });
+}
