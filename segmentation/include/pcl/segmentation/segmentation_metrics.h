@@ -1,0 +1,101 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Labels of a segmentation, one per point; 0 = no segment. */
+using SegmentLabels = std::vector<std::uint32_t>;
+
+/** \brief How many points have a pair of labels in two segmentations. */
+struct Overlap {
+  std::uint32_t truth = 0;
+  std::uint32_t predicted = 0;
+  std::size_t count = 0;
+};
+
+/** \brief Count the points of each pair of labels.
+ * Points whose true label is 0 are left out, as in all metrics here; those whose
+ * predicted label is 0 are counted.
+ * \return pairs that occur, in ascending order of (truth, predicted)
+ * \throws pcl::BadArgumentException if the numbers of labels differ
+ */
+std::vector<Overlap>
+countOverlaps(const SegmentLabels& truth, const SegmentLabels& predicted);
+
+/** \brief Share of the pairs of points on which two segmentations agree (Rand index,
+ * Sec. 2.1.8.1). Here, points predicted 0 count as one segment.
+ * \return 0 to 1; 1 for less than two points
+ */
+double
+randIndex(const std::vector<Overlap>& overlaps);
+
+/** \brief Rand index corrected for chance (Hubert and Arabie, 1985).
+ * \return 1 if equal, about 0 for random labels; 1 if both are trivial in the same way
+ */
+double
+adjustedRandIndex(const std::vector<Overlap>& overlaps);
+
+/** \brief Over- and undersegmentation of Richtsfeld et al. (Eq. (2.23), (2.24)). */
+struct SegmentationErrors {
+  double over = 0;  ///< share of points outside of their segment's best prediction
+  double under = 0; ///< foreign points in best predictions, per point; may exceed 1
+};
+
+/** \brief Compare each true segment with the predicted segment that holds most of it.
+ * With M_i points in the true segment, P_i in its predicted one and PT_i in both, the
+ * errors are those of Eq. (4.5) and (4.6). Points predicted 0 are never right. Of equal
+ * overlaps the smaller predicted segment is taken, then the smaller label.
+ * \return zeros if no point has a true label
+ */
+SegmentationErrors
+richtsfeldErrors(const std::vector<Overlap>& overlaps);
+
+/** \brief Mean over points of the best intersection over union of their true segment
+ * (Eq. (2.25), (2.26), which is printed without the number of points).
+ * \return 0 to 1; 1 if no point has a true label
+ */
+double
+weightedOverlap(const std::vector<Overlap>& overlaps);
+
+/** \brief Merge fine true segments to the scale of the prediction (Algorithm 2).
+ * Fine segments become one if most of their points have the same prediction, and they
+ * belong to the same coarse segment.
+ * \param[in] fine labels of parts; 0 is left out
+ * \param[in] coarse labels of objects; a part belongs to that of most of its points
+ * \return one label per point: the smallest fine label of the merged segment, or 0
+ * \throws pcl::BadArgumentException if the numbers of labels differ
+ */
+SegmentLabels
+mergeFineSegments(const SegmentLabels& fine,
+                  const SegmentLabels& coarse,
+                  const SegmentLabels& predicted);
+
+/** \brief Multi-scale over- and undersegmentation (Sec. 4.3.1.2, Eq. (4.5), (4.6)). */
+SegmentationErrors
+multiScaleErrors(const SegmentLabels& fine,
+                 const SegmentLabels& coarse,
+                 const SegmentLabels& predicted);
+
+/** \brief How well whole segments, for example rooms, were found. */
+struct DetectionScore {
+  std::size_t true_count = 0;
+  std::size_t predicted_count = 0;
+  std::size_t right_count = 0; ///< true segments with intersection over union >= 0.5
+  double mean_iou = 0; ///< over the true segments, each prediction used once at most
+};
+
+/** \brief Match true and predicted segments one to one, best overlap first. */
+DetectionScore
+scoreDetections(const std::vector<Overlap>& overlaps);
+
+} // namespace indoor
+} // namespace pcl

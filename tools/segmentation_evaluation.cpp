@@ -1,0 +1,110 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "cloud_file.h"
+#include "options.h"
+
+#include <pcl/segmentation/segmentation_metrics.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::tool;
+
+namespace {
+
+nlohmann::json
+evaluate(const SegmentLabels& truth, const SegmentLabels& predicted)
+{
+  const auto overlaps = countOverlaps(truth, predicted);
+  const auto errors = richtsfeldErrors(overlaps);
+  const auto detections = scoreDetections(overlaps);
+  std::size_t points = 0, unlabelled = 0;
+  for (const auto& overlap : overlaps) {
+    points += overlap.count;
+    unlabelled += overlap.predicted == 0 ? overlap.count : 0;
+  }
+  return {{"points", points},
+          {"points_without_prediction", unlabelled},
+          {"true_segments", detections.true_count},
+          {"predicted_segments", detections.predicted_count},
+          {"rand_index", randIndex(overlaps)},
+          {"adjusted_rand_index", adjustedRandIndex(overlaps)},
+          {"oversegmentation", errors.over},
+          {"undersegmentation", errors.under},
+          {"weighted_overlap", weightedOverlap(overlaps)},
+          {"right_segments", detections.right_count},
+          {"wrong_segments", detections.true_count - detections.right_count},
+          {"mean_iou", detections.mean_iou}};
+}
+
+SegmentLabels
+loadLabels(const std::string& path, const std::string& field, std::size_t count)
+{
+  const CloudFile file = loadCloud(path);
+  auto labels = readLabels(file, field);
+  if (count != 0 && labels.size() != count)
+    throw ToolError(path + ": has " + std::to_string(labels.size()) +
+                    " points, but the truth has " + std::to_string(count));
+  return labels;
+}
+
+void
+print(const nlohmann::json& result)
+{
+  for (const auto& entry : result.items())
+    std::printf("%-26s %s\n", entry.key().c_str(), entry.value().dump().c_str());
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  std::string truth_path, predicted_path, truth_field = "label",
+                                          predicted_field = "object";
+  std::string coarse_field, coarse_path, json_path;
+  OptionParser parser("pcl_segmentation_evaluation",
+                      "Compare a segmentation with the truth, point by point. Points "
+                      "whose true label is 0 are left out.");
+  parser.positional("truth.pcd", truth_path, "PCD or PLY file with the true labels")
+      .positional("predicted.pcd",
+                  predicted_path,
+                  "PCD or PLY file with the same points in the same order")
+      .text(
+          "-truth_field", truth_field, "field of the truth; parts, with coarse labels")
+      .text("-predicted_field", predicted_field, "field of the prediction, 0 = none")
+      .text("-coarse_field",
+            coarse_field,
+            "field with the objects of the parts, for the multi-scale errors")
+      .text("-coarse",
+            coarse_path,
+            "file that holds the coarse field, if it is not truth.pcd")
+      .text("-json", json_path, "file to write the result to");
+  return parser.run(argc, argv, [&](Progress& progress) {
+    if (!json_path.empty())
+      requireWritable(json_path);
+    progress.start("Loading " + truth_path);
+    const auto truth = loadLabels(truth_path, truth_field, 0);
+    progress.done(std::to_string(truth.size()) + " points");
+    progress.start("Loading " + predicted_path);
+    const auto predicted = loadLabels(predicted_path, predicted_field, truth.size());
+    progress.done();
+    auto result = evaluate(truth, predicted);
+    if (!coarse_field.empty() || !coarse_path.empty()) {
+      const auto coarse = loadLabels(coarse_path.empty() ? truth_path : coarse_path,
+                                     coarse_field.empty() ? truth_field : coarse_field,
+                                     truth.size());
+      const auto errors = multiScaleErrors(truth, coarse, predicted);
+      result["multi_scale_oversegmentation"] = errors.over;
+      result["multi_scale_undersegmentation"] = errors.under;
+    }
+    print(result);
+    if (!json_path.empty())
+      saveText(json_path, result.dump(2) + "\n");
+  });
+}
