@@ -65,7 +65,8 @@ public:
               const EPPFOptions& options)
   : options_(options)
   , sampler_(points, options.sampling, options.seed)
-  , grid_(points, options.grid_size)
+  , grid_(points,
+          options.grid_size > 0 ? options.grid_size : automaticGridSize(points.size()))
   {
     const double scale = options.scale > 0.0 ? options.scale : extent;
     bins_per_metre_ = static_cast<float>(options.bins.distance / scale);
@@ -315,6 +316,13 @@ weighted(const std::vector<std::uint32_t>& counts, const EPPFOptions& options)
 
 } // namespace
 
+int
+automaticGridSize(std::size_t point_count)
+{
+  const double edge = std::sqrt(static_cast<double>(point_count) / 2.0);
+  return static_cast<int>(std::lround(std::clamp(edge, 8.0, 64.0)));
+}
+
 std::string
 whatIsWrong(const EPPFOptions& options)
 {
@@ -339,8 +347,9 @@ whatIsWrong(const EPPFOptions& options)
            !std::isfinite(options.weighting_constant))
     problem << "The weighting constant must be above 1, not "
             << options.weighting_constant;
-  else if (options.grid_size < 2 || options.grid_size > 64)
-    problem << "The grid size must be in 2 ... 64 voxels, not " << options.grid_size;
+  else if (options.grid_size != 0 && (options.grid_size < 2 || options.grid_size > 64))
+    problem << "The grid size must be 0 (automatic) or in 2 ... 64 voxels, not "
+            << options.grid_size;
   return problem.str();
 }
 

@@ -210,7 +210,8 @@ public:
   }
 
   /** \brief Set the voxels per edge of the occupancy grid.
-   * \param[in] grid_size 2 ... 64 (default 64); for sparse clouds take fewer
+   * \param[in] grid_size 2 ... 64, or 0: as fine as the points are dense, see
+   * indoor::automaticGridSize() (default 0)
    */
   void
   setGridSize(int grid_size)

@@ -62,8 +62,8 @@ struct EPPFOptions {
   SurfaceAngleRule surface_angle_rule = SurfaceAngleRule::Maximum;
   bool oriented_normals = false; ///< whether the sign of a normal means something
   PairSampling sampling = PairSampling::Uniform;
-  int grid_size = 64;     ///< voxels per edge of the occupancy grid, 2 to 64
-  double smoothing = 0.0; ///< share of a bin that goes to its neighbours, 0 to 0.5
+  int grid_size =
+      0; ///< voxels per edge of the occupancy grid, 2 to 64; 0: see automaticGridSize()
 };
 
 /** \brief The enhanced point pair feature (EPPF) histogram of an object, Sec. 5.2.
@@ -78,6 +78,16 @@ struct EPPFOptions {
  */
 std::vector<float>
 eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& options);
+
+/** \brief Voxels per edge for a number of points: sqrt(point_count / 2), within 8
+ * ... 64.
+ *
+ * The surface of an object crosses about 2 * N^2 voxels of a grid of N^3. With this N
+ * there is about one point for each of them: in a finer grid the surface has holes that
+ * the occupancy takes for free space, and in a coarser one it is blurred.
+ */
+int
+automaticGridSize(std::size_t point_count);
 
 /** \brief Say what is wrong with options: "" if nothing, else parameter, value and
  * range. */

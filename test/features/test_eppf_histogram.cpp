@@ -1,0 +1,332 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/exceptions.h>
+#include <pcl/features/eppf_histogram.h>
+#include <pcl/features/line_occupancy.h>
+
+#include <Eigen/Geometry>
+
+#include <gtest/gtest.h>
+
+#include "features/oriented_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+int
+binOf(double place, int count)
+{
+  return std::clamp(static_cast<int>(std::floor(place * count)), 0, count - 1);
+}
+
+double
+combined(double one, double two, SurfaceAngleRule rule)
+{
+  switch (rule) {
+  case SurfaceAngleRule::Maximum:
+    return std::max(one, two);
+  case SurfaceAngleRule::Minimum:
+    return std::min(one, two);
+  case SurfaceAngleRule::Mean:
+    return (one + two) / 2;
+  default:
+    return one;
+  }
+}
+
+/** \brief The thesis's formulas pair by pair, with real angles and no shortcut. */
+std::vector<double>
+slowHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& options)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const auto& bins = options.bins;
+  const int grid_size =
+      options.grid_size > 0 ? options.grid_size : automaticGridSize(points.size());
+  const LineOccupancy grid(points, grid_size);
+  const PairSampler sampler(points, options.sampling, options.seed);
+  const double scale = options.scale > 0.0 ? options.scale : objectExtent(points);
+  std::vector<double> histogram(bins.size());
+  for (std::size_t k = 0; k < options.pair_count; ++k) {
+    const auto [first, second] = sampler.pair(k);
+    const Eigen::Vector3d one = points[first].position.cast<double>();
+    const Eigen::Vector3d two = points[second].position.cast<double>();
+    const Eigen::Vector3d d = (two - one).normalized();
+    const Eigen::Vector3d n1 = points[first].normal.cast<double>();
+    const Eigen::Vector3d n2 = points[second].normal.cast<double>();
+    double beta1 = std::acos(std::clamp(n1.dot(d), -1.0, 1.0)) - pi / 2;
+    double beta2 = std::acos(std::clamp(n2.dot(d), -1.0, 1.0)) - pi / 2;
+    const double lowest = options.oriented_normals ? -pi / 2 : 0.0;
+    if (!options.oriented_normals) {
+      beta1 = std::abs(beta1);
+      beta2 = std::abs(beta2);
+    }
+    const auto angle_place = [&](double beta) {
+      return (beta - lowest) / (pi / 2 - lowest);
+    };
+    const double f3 = std::acos(std::clamp(std::abs(n1.dot(n2)), 0.0, 1.0));
+    const auto line = grid.countBetween(grid.cell(points[first].position),
+                                        grid.cell(points[second].position));
+    const bool both =
+        options.surface_angle_rule == SurfaceAngleRule::BothInsteadOfOccupancy;
+    const auto& on = options.features;
+    const int i1 = on.distance ? binOf((two - one).norm() / scale, bins.distance) : 0;
+    const int i2 =
+        on.surface_angle
+            ? binOf(angle_place(combined(beta1, beta2, options.surface_angle_rule)),
+                    bins.surface_angle)
+            : 0;
+    const int i3 = on.normal_angle ? binOf(f3 / (pi / 2), bins.normal_angle) : 0;
+    const double f4 = static_cast<double>(line.occupied) / line.total + 1e-9;
+    const int i4 =
+        on.occupancy ? binOf(both ? angle_place(beta2) : f4, bins.occupancy) : 0;
+    const double weight = options.weighting
+                              ? std::log(static_cast<double>(i1) / bins.distance +
+                                         options.weighting_constant)
+                              : 1.0;
+    histogram[((i1 * bins.surface_angle + i2) * bins.normal_angle + i3) *
+                  bins.occupancy +
+              i4] += weight;
+  }
+  const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
+  for (auto& value : histogram)
+    value /= sum;
+  return histogram;
+}
+
+template <typename A, typename B>
+double
+difference(const std::vector<A>& a, const std::vector<B>& b)
+{
+  double sum = 0.0;
+  for (std::size_t bin = 0; bin < a.size(); ++bin)
+    sum += std::abs(static_cast<double>(a[bin]) - static_cast<double>(b[bin]));
+  return sum;
+}
+
+// A value within rounding of a border may fall on either side of it: of 20,000 pairs
+// with features in single precision (relative error 1e-7) a handful at most, each 1 /
+// 20,000 of the sum on two sides and up to 0.79 / 0.18 of it by the weights.
+constexpr double rounding = 10 * 2 * 4.4 / 20000;
+
+TEST(EPPFHistogram, EqualsTheFormulasForEveryRule)
+{
+  const auto points = randomSurflets(500, 1);
+  for (const auto rule : {SurfaceAngleRule::Maximum,
+                          SurfaceAngleRule::Minimum,
+                          SurfaceAngleRule::Mean,
+                          SurfaceAngleRule::RandomOne,
+                          SurfaceAngleRule::BothInsteadOfOccupancy})
+    for (const bool oriented : {false, true}) {
+      EPPFOptions options;
+      options.surface_angle_rule = rule;
+      options.oriented_normals = oriented;
+      EXPECT_LT(
+          difference(eppfHistogram(points, options), slowHistogram(points, options)),
+          rounding)
+          << "rule " << static_cast<int>(rule) << ", oriented " << oriented;
+    }
+}
+
+TEST(EPPFHistogram, EqualsTheFormulasForOtherOptions)
+{
+  const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 700, 2);
+  EPPFOptions options;
+  options.sampling = PairSampling::Stratified;
+  options.bins = {7, 3, 6, 5};
+  options.scale = 0.8;
+  options.weighting_constant = 2.0;
+  options.grid_size = 17;
+  options.pair_count = 3333;
+  EXPECT_LT(difference(eppfHistogram(points, options), slowHistogram(points, options)),
+            rounding * 6);
+  options.weighting = false;
+  EXPECT_LT(difference(eppfHistogram(points, options), slowHistogram(points, options)),
+            rounding * 6);
+}
+
+TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
+{
+  const auto points = randomSurflets(300, 3);
+  for (int off = 0; off < 4; ++off) {
+    EPPFOptions options;
+    options.features = {off != 0, off != 1, off != 2, off != 3};
+    const auto histogram = eppfHistogram(points, options);
+    EXPECT_LT(difference(histogram, slowHistogram(points, options)), rounding);
+    const std::size_t counts[] = {20, 4, 5, 3};
+    const std::size_t strides[] = {60, 15, 3, 1};
+    for (std::size_t bin = 0; bin < histogram.size(); ++bin)
+      EXPECT_TRUE(histogram[bin] == 0.0f || (bin / strides[off]) % counts[off] == 0);
+  }
+}
+
+TEST(EPPFHistogram, SumIsOneAndSeedsDiffer)
+{
+  const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 2000, 4);
+  EPPFOptions options;
+  const auto histogram = eppfHistogram(points, options);
+  EXPECT_EQ(histogram.size(), 1200u);
+  // 1,200 roundings to single precision of values that add up to 1.
+  EXPECT_NEAR(std::accumulate(histogram.begin(), histogram.end(), 0.0), 1.0, 1e-6);
+  EXPECT_EQ(histogram, eppfHistogram(points, options));
+  options.seed = 77;
+  EXPECT_NE(histogram, eppfHistogram(points, options));
+}
+
+TEST(EPPFHistogram, ThreadsChangeNoBit)
+{
+  const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 2000, 5);
+  EPPFOptions options;
+  const auto histogram = eppfHistogram(points, options);
+  for (const unsigned int threads : {2u, 3u, 8u, 0u}) {
+    options.number_of_threads = threads;
+    EXPECT_EQ(histogram, eppfHistogram(points, options)) << threads << " threads";
+  }
+}
+
+/** \brief Mean of the L1 distance between two histograms of n independent pairs each.
+ *
+ * Each of two counts of a bin of probability p is binomial; their difference over n has
+ * the variance 2 p (1 - p) / n and, for its magnitude, at most the square root of it as
+ * its mean (Jensen). The weights of Eq. (5.11) differ by at most their ratio.
+ */
+double
+samplingBound(const std::vector<float>& histogram, double pair_count)
+{
+  double sum = 0.0;
+  for (const double p : histogram)
+    sum += std::sqrt(2.0 * p * (1.0 - p) / pair_count);
+  return sum;
+}
+
+TEST(EPPFHistogram, OrderOfThePointsChangesOnlySampling)
+{
+  auto points = boxSurface({1.0f, 0.6f, 0.3f}, 2000, 6);
+  EPPFOptions options;
+  options.weighting = false;
+  options.sampling = PairSampling::Uniform;
+  const auto histogram = eppfHistogram(points, options);
+  std::mt19937 rng(6);
+  for (std::size_t k = points.size() - 1; k > 0; --k)
+    std::swap(points[k], points[rng() % (k + 1)]);
+  const double distance = difference(histogram, eppfHistogram(points, options));
+  EXPECT_GT(distance, 0.0);
+  EXPECT_LT(distance, samplingBound(histogram, 20000));
+  options.sampling = PairSampling::Stratified;
+  const auto stratified = eppfHistogram(points, options);
+  std::reverse(points.begin(), points.end());
+  EXPECT_EQ(stratified, eppfHistogram(points, options));
+}
+
+TEST(EPPFHistogram, TurningChangesOnlyRoundingBesidesOccupancy)
+{
+  const auto points = randomSurflets(1000, 7);
+  const Eigen::Matrix3f turn =
+      Eigen::AngleAxisf(1.1f, Eigen::Vector3f(1.0f, 2.0f, 3.0f).normalized())
+          .toRotationMatrix();
+  auto turned = points;
+  for (auto& point : turned) {
+    point.position = turn * point.position + Eigen::Vector3f(3.0f, -2.0f, 1.0f);
+    point.normal = turn * point.normal;
+  }
+  EPPFOptions options;
+  options.sampling = PairSampling::Uniform; // draws the same pairs of both
+  options.features.occupancy = false;
+  // Positions of size 4 are rounded to 2.4e-7, features by about as much: the pairs
+  // within that of a border are again a handful.
+  EXPECT_LT(difference(eppfHistogram(points, options), eppfHistogram(turned, options)),
+            rounding);
+}
+
+TEST(EPPFHistogram, ScaleFreeWithTheObjectsOwnExtent)
+{
+  auto points = randomSurflets(1000, 8);
+  const auto histogram = eppfHistogram(points, {});
+  for (auto& point : points)
+    point.position *= 4.0f; // a power of two: no rounding at all
+  EXPECT_EQ(histogram, eppfHistogram(points, {}));
+  EPPFOptions options;
+  options.scale = 10.0;
+  EXPECT_GT(difference(histogram, eppfHistogram(points, options)), 0.5);
+}
+
+TEST(EPPFHistogram, DegenerateObjectsGiveADefinedResult)
+{
+  for (const std::size_t count : {0u, 1u}) {
+    const auto histogram = eppfHistogram(std::vector<OrientedPoint>(count), {});
+    ASSERT_EQ(histogram.size(), 1200u);
+    for (const float value : histogram)
+      EXPECT_TRUE(std::isnan(value));
+  }
+  std::vector<OrientedPoint> same(5);
+  for (auto& point : same)
+    point = {{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 1.0f}};
+  EXPECT_TRUE(std::isnan(eppfHistogram(same, {}).front()));
+  // Two points: one distance, the longest; both normals along it; all in one bin.
+  std::vector<OrientedPoint> two = {same[0], same[1]};
+  two[1].position.z() = 4.0f;
+  const auto histogram = eppfHistogram(two, {});
+  EXPECT_FLOAT_EQ(*std::max_element(histogram.begin(), histogram.end()), 1.0f);
+  // A flat object: surface angles and normal angles all 0.
+  auto flat = boxSurface({1.0f, 1.0f, 0.0f}, 500, 9);
+  for (auto& point : flat)
+    point.normal = {0.0f, 0.0f, 1.0f};
+  const auto plane = eppfHistogram(flat, {});
+  EXPECT_NEAR(std::accumulate(plane.begin(), plane.end(), 0.0), 1.0, 1e-6);
+  for (std::size_t bin = 0; bin < plane.size(); ++bin)
+    EXPECT_TRUE(plane[bin] == 0.0f || bin % 60 < 3);
+}
+
+TEST(EPPFHistogram, OnePairOfManyInOnePlaceIsFound)
+{
+  // Pairs of the 999 points in one place have no direction and are left out. One pair
+  // in 500 is left; with a single pair drawn there may be none: NaN then, never 0 / 0
+  // bins.
+  std::vector<OrientedPoint> points(1000);
+  for (auto& point : points)
+    point.normal = {0.0f, 0.0f, 1.0f};
+  points.back().position = {1.0f, 0.0f, 0.0f};
+  const auto histogram = eppfHistogram(points, {});
+  EXPECT_NEAR(std::accumulate(histogram.begin(), histogram.end(), 0.0), 1.0, 1e-6);
+  EPPFOptions options;
+  options.pair_count = 1;
+  for (options.seed = 0; options.seed < 20; ++options.seed) {
+    const auto few = eppfHistogram(points, options);
+    const double sum = std::accumulate(few.begin(), few.end(), 0.0);
+    EXPECT_TRUE(std::isnan(sum) || std::abs(sum - 1.0) < 1e-6);
+  }
+}
+
+TEST(EPPFHistogram, RefusesEveryParameterOutOfRange)
+{
+  const auto points = randomSurflets(10, 10);
+  const auto refuses = [&](auto change) {
+    EPPFOptions options;
+    change(options);
+    EXPECT_THROW(eppfHistogram(points, options), BadArgumentException);
+    EXPECT_FALSE(whatIsWrong(options).empty());
+  };
+  refuses([](auto& o) { o.bins.distance = 0; });
+  refuses([](auto& o) { o.bins.surface_angle = -1; });
+  refuses([](auto& o) { o.bins.normal_angle = 65; });
+  refuses([](auto& o) { o.bins.occupancy = 0; });
+  refuses([](auto& o) { o.pair_count = 0; });
+  refuses([](auto& o) { o.scale = -1.0; });
+  refuses([](auto& o) { o.scale = std::nan(""); });
+  refuses([](auto& o) { o.weighting_constant = 1.0; });
+  refuses([](auto& o) { o.weighting_constant = std::nan(""); });
+  refuses([](auto& o) { o.grid_size = 1; });
+  refuses([](auto& o) { o.grid_size = 65; });
+  EXPECT_TRUE(whatIsWrong({}).empty());
+}
+
+} // namespace
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,108 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "eppf_options.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+namespace pcl::indoor::tool {
+namespace {
+
+const std::vector<std::string> rule_names = {
+    "maximum", "minimum", "mean", "random", "both"};
+const std::vector<std::string> sampling_names = {"uniform", "stratified"};
+const std::vector<std::string> feature_names = {
+    "none", "distance", "surface_angle", "normal_angle", "occupancy"};
+
+std::size_t
+indexOf(const std::string& name, const std::vector<std::string>& names)
+{
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
+                                  names.begin());
+}
+
+EPPFBins
+readBins(const std::string& text)
+{
+  EPPFBins bins;
+  std::istringstream stream(text);
+  char comma[3] = {};
+  stream >> bins.distance >> comma[0] >> bins.surface_angle >> comma[1] >>
+      bins.normal_angle >> comma[2] >> bins.occupancy;
+  const bool separated = std::all_of(comma, comma + 3, [](char c) { return c == ','; });
+  if (!stream || !separated || stream.peek() != std::istringstream::traits_type::eof())
+    throw ToolError("-bins: '" + text + "' is not four numbers as in 20,4,5,3");
+  return bins;
+}
+
+std::string
+binsText(const EPPFBins& bins)
+{
+  std::ostringstream text;
+  text << bins.distance << ',' << bins.surface_angle << ',' << bins.normal_angle << ','
+       << bins.occupancy;
+  return text.str();
+}
+
+} // namespace
+
+void
+EPPFCommandLine::addTo(OptionParser& parser)
+{
+  surface_angle_ = rule_names[static_cast<std::size_t>(options_.surface_angle_rule)];
+  sampling_ = sampling_names[static_cast<std::size_t>(options_.sampling)];
+  without_ = feature_names.front();
+  bins_ = binsText(options_.bins);
+  parser
+      .number("-pairs",
+              options_.pair_count,
+              "point pairs drawn per object",
+              "",
+              Range::between(1, 4294967295.0))
+      .number("-scale",
+              options_.scale,
+              "length the distance bins spread over; 0: each object's own extent",
+              "m",
+              Range::atLeast(0))
+      .number("-seed", options_.seed, "the same seed draws the same pairs")
+      .number("-threads", options_.number_of_threads, "threads; 0: all of the machine")
+      .text("-bins", bins_, "bins of distance, surface angle, normal angle, occupancy")
+      .flag("-short", short_form_, "the short form of 15 x 3 x 4 x 3 = 540 bins")
+      .number("-grid_size",
+              options_.grid_size,
+              "edge of the occupancy grid, 2 to 64; 0: from the number of points",
+              "voxels",
+              Range::between(0, 64))
+      .number("-weighting_constant",
+              options_.weighting_constant,
+              "larger gives near pairs more weight",
+              "",
+              {1.0, std::numeric_limits<double>::infinity(), true})
+      .text("-surface_angle", surface_angle_, "how two angles become one", rule_names)
+      .text("-sampling", sampling_, "how pairs are chosen", sampling_names)
+      .text("-without", without_, "a feature to leave out", feature_names)
+      .flag("-oriented_normals",
+            options_.oriented_normals,
+            "tell the two sides of a surface apart");
+}
+
+EPPFOptions
+EPPFCommandLine::options() const
+{
+  auto options = options_;
+  options.bins = short_form_ ? EPPFBins{15, 3, 4, 3} : readBins(bins_);
+  options.surface_angle_rule =
+      static_cast<SurfaceAngleRule>(indexOf(surface_angle_, rule_names));
+  options.sampling = static_cast<PairSampling>(indexOf(sampling_, sampling_names));
+  const auto without = indexOf(without_, feature_names);
+  options.features = {without != 1, without != 2, without != 3, without != 4};
+  const auto problem = whatIsWrong(options);
+  if (!problem.empty())
+    throw ToolError(problem);
+  return options;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,78 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "object_files.h"
+
+#include "cloud_file.h"
+
+#include <pcl/common/io.h>
+#include <pcl/features/normal_3d.h>
+#include <pcl/search/kdtree.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+namespace pcl::indoor::tool {
+
+std::vector<std::string>
+findClouds(const std::string& folder)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw ToolError(folder + ": no such folder");
+  std::vector<std::string> paths;
+  for (fs::recursive_directory_iterator entry(folder, error), end; entry != end;
+       entry.increment(error)) {
+    if (error)
+      break;
+    const auto extension = entry->path().extension();
+    if (entry->is_regular_file() && (extension == ".pcd" || extension == ".ply"))
+      paths.push_back(fs::relative(entry->path(), folder).string());
+  }
+  if (error)
+    throw ToolError(folder + ": cannot be read: " + error.message());
+  if (paths.empty())
+    throw ToolError(folder + ": no .pcd or .ply file in this folder");
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+void
+estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
+{
+  auto points = pcl::make_shared<PointCloud<PointXYZ>>();
+  copyPointCloud(cloud, *points);
+  // A cloud in rows would be searched by its rows, which miss neighbours.
+  points->width = static_cast<std::uint32_t>(points->size());
+  points->height = 1;
+  NormalEstimation<PointXYZ, Normal> estimation;
+  estimation.setInputCloud(points);
+  estimation.setKSearch(neighbor_count);
+  PointCloud<Normal> normals;
+  estimation.compute(normals);
+  for (std::size_t k = 0; k < cloud.size(); ++k)
+    cloud[k].getNormalVector3fMap() = normals[k].getNormalVector3fMap();
+}
+
+PointCloud<PointNormal>::Ptr
+loadObject(const std::string& path, int neighbor_count)
+{
+  const auto file = loadCloud(path);
+  auto object = pcl::make_shared<PointCloud<PointNormal>>();
+  copyPointCloud(*file.points, *object);
+  object->is_dense = file.finite_count == object->size();
+  file.points->is_dense = object->is_dense;
+  if (file.has_normals) {
+    const auto normals = readNormals(file);
+    for (std::size_t k = 0; k < object->size(); ++k)
+      (*object)[k].getNormalVector3fMap() = (*normals)[k].getNormalVector3fMap();
+  }
+  else
+    estimateNormals(*object, neighbor_count);
+  return object;
+}
+
+} // namespace pcl::indoor::tool

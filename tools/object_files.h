@@ -1,0 +1,37 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "options.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief All .pcd and .ply files of a folder and the folders in it, sorted by path.
+ * \return paths relative to the folder
+ * \throws ToolError if it is no folder or holds none
+ */
+std::vector<std::string>
+findClouds(const std::string& folder);
+
+/** \brief Estimate the normals of the finite points from their neighbours' plane.
+ *
+ * Their signs mean nothing. The others' normals are NaN.
+ */
+void
+estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count);
+
+/** \brief Read the points and normals of an object; estimate normals if the file has
+ * none. \throws ToolError as loadCloud()
+ */
+PointCloud<PointNormal>::Ptr
+loadObject(const std::string& path, int neighbor_count);
+
+} // namespace pcl::indoor::tool
