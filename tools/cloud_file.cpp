@@ -310,6 +310,29 @@ requireWritable(const std::string& path)
 }
 
 void
+requireFolder(const std::string& folder)
+{
+  std::error_code error;
+  auto nearest = std::filesystem::absolute(folder, error);
+  while (!std::filesystem::exists(nearest, error) && nearest.has_relative_path())
+    nearest = nearest.parent_path();
+  if (!std::filesystem::is_directory(nearest, error))
+    throw ToolError(folder + ": cannot be used as a folder, " + nearest.string() +
+                    " is none");
+  if (access(nearest.c_str(), W_OK | X_OK) != 0)
+    throw ToolError(folder + ": cannot be written, " + std::strerror(errno));
+}
+
+void
+makeFolder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw ToolError(folder + ": cannot be made, " + error.message());
+}
+
+void
 saveAtomically(const std::string& path,
                const std::function<bool(const std::string& temporary)>& write)
 {

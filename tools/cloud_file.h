@@ -77,6 +77,16 @@ appendField(PCLPointCloud2& cloud,
 void
 requireWritable(const std::string& path);
 
+/** \brief Find out, before the long work, that a folder cannot be used or made for
+ * results. \throws ToolError naming it and the reason
+ */
+void
+requireFolder(const std::string& folder);
+
+/** \brief Make a folder, and those above it, unless it is there. */
+void
+makeFolder(const std::string& folder);
+
 /** \brief Write all fields, binary compressed: first beside the file, then renamed, so
  * none is left half-written. \throws ToolError if it cannot be written; then nothing is
  * left behind and an older file is unchanged

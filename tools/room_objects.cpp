@@ -1,0 +1,137 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "room_objects.h"
+
+#include "options.h" // for AlreadyReported
+
+#include <pcl/common/io.h>          // for copyPointCloud
+#include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/segmentation/noise_resilient_lccp.h>
+
+#include <algorithm>
+#include <exception>
+#include <numeric>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace pcl::indoor::tool {
+namespace {
+
+/** The object of each point of one room, from 1. */
+std::vector<std::uint32_t>
+segmentOneRoom(const PointCloud<PointXYZ>& points,
+               const PointCloud<Normal>::ConstPtr& normals,
+               const Indices& room,
+               const ObjectSegmentationOptions& options)
+{
+  auto room_points = pcl::make_shared<PointCloud<PointXYZ>>();
+  copyPointCloud(points, room, *room_points);
+  NoiseResilientLCCP<PointXYZ> segmentation;
+  segmentation.setOptions(options);
+  segmentation.setInputCloud(room_points);
+  if (normals) {
+    auto room_normals = pcl::make_shared<PointCloud<Normal>>();
+    copyPointCloud(*normals, room, *room_normals);
+    segmentation.setInputNormals(room_normals);
+  }
+  std::vector<std::uint32_t> objects;
+  segmentation.segment(objects);
+  if (objects.empty())
+    throw AlreadyReported();
+  return objects;
+}
+
+std::vector<Indices>
+pointsOfRooms(const PointCloud<PointXYZ>& points,
+              const std::vector<std::uint32_t>& room_of_point)
+{
+  std::vector<Indices> rooms;
+  for (std::size_t i = 0; i < room_of_point.size(); ++i) {
+    const std::size_t room = room_of_point[i];
+    if (room == 0 || !isFinite(points[i]))
+      continue;
+    if (rooms.size() < room)
+      rooms.resize(room);
+    rooms[room - 1].push_back(static_cast<index_t>(i));
+  }
+  return rooms;
+}
+
+/** Large rooms first, so that no thread is left with one at the end. */
+std::vector<std::size_t>
+orderOfWork(const std::vector<Indices>& rooms)
+{
+  std::vector<std::size_t> order(rooms.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&rooms](std::size_t a, std::size_t b) {
+    return rooms[a].size() > rooms[b].size();
+  });
+  return order;
+}
+
+int
+roomsAtATime(int threads)
+{
+#ifdef _OPENMP
+  return threads > 0 ? threads : omp_get_max_threads();
+#else
+  static_cast<void>(threads);
+  return 1;
+#endif
+}
+
+} // namespace
+
+std::vector<std::uint32_t>
+segmentRoomObjects(const PointCloud<PointXYZ>& points,
+                   const PointCloud<Normal>::ConstPtr& normals,
+                   const std::vector<std::uint32_t>& room_of_point,
+                   const ObjectSegmentationOptions& options,
+                   int threads,
+                   const std::function<void(std::size_t done, std::size_t all)>& report)
+{
+  const auto rooms = pointsOfRooms(points, room_of_point);
+  const auto order = orderOfWork(rooms);
+  std::size_t all = 0;
+  for (const auto& room : rooms)
+    all += room.size();
+  auto room_options = options;
+  room_options.threads = 1; // the threads are busy with the rooms
+  std::vector<std::vector<std::uint32_t>> objects(rooms.size());
+  std::size_t done = 0;
+  std::exception_ptr error;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(roomsAtATime(threads))
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto room = order[i];
+    try {
+      if (!rooms[room].empty())
+        objects[room] = segmentOneRoom(points, normals, rooms[room], room_options);
+    } catch (...) {
+#pragma omp critical
+      error = std::current_exception();
+    }
+#pragma omp critical
+    report(done += rooms[room].size(), all);
+  }
+  if (error)
+    std::rethrow_exception(error);
+
+  std::vector<std::uint32_t> object_of_point(points.size(), 0);
+  std::uint32_t first = 0;
+  for (std::size_t room = 0; room < rooms.size(); ++room) {
+    std::uint32_t highest = 0;
+    for (std::size_t i = 0; i < objects[room].size(); ++i) {
+      highest = std::max(highest, objects[room][i]);
+      if (objects[room][i] > 0)
+        object_of_point[rooms[room][i]] = first + objects[room][i];
+    }
+    first += highest;
+  }
+  return object_of_point;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,34 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/segmentation/object_segmentation.h>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief Segment the points of each room into objects, several rooms at a time.
+ * \param[in] normals one per point, or null to have them estimated
+ * \param[in] room_of_point 0 = none
+ * \param[in] threads rooms at a time, 0 = automatic; the result does not depend on it
+ * \param[in] report is told how many of all points are done, from one thread at a time
+ * \return the object of each point: 1 ... n, in the order of the rooms; 0 = none
+ * \throws AlreadyReported if the segmentation of a room has printed why it failed
+ */
+std::vector<std::uint32_t>
+segmentRoomObjects(
+    const PointCloud<PointXYZ>& points,
+    const PointCloud<Normal>::ConstPtr& normals,
+    const std::vector<std::uint32_t>& room_of_point,
+    const ObjectSegmentationOptions& options,
+    int threads,
+    const std::function<void(std::size_t done, std::size_t all)>& report);
+
+} // namespace pcl::indoor::tool

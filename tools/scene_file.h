@@ -1,0 +1,49 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "cloud_file.h"
+
+#include <pcl/segmentation/building_rooms.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief An object of a scene, in the frame of CloudFile::points. */
+struct SceneObject {
+  std::uint32_t room = 0;
+  std::size_t point_count = 0;
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< corner of the box, metres
+  Eigen::Vector3d upper = Eigen::Vector3d::Zero();
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+};
+
+/** \brief What was found in a scan; positions in the frame of CloudFile::points. */
+struct Scene {
+  std::vector<std::uint32_t> room_of_point;   ///< 0 = none
+  std::vector<std::uint32_t> object_of_point; ///< 0 = none
+  std::vector<Room> rooms;                    ///< in the order of their labels
+  std::vector<SceneObject> objects;           ///< object i + 1 is the i-th
+  BuildingRooms building;
+};
+
+/** \brief Box, centre and number of points of each object. */
+std::vector<SceneObject>
+measureObjects(const PointCloud<PointXYZ>& points,
+               const std::vector<std::uint32_t>& room_of_point,
+               const std::vector<std::uint32_t>& object_of_point);
+
+/** \brief The JSON text of a scene; positions in the frame of the file, metres.
+ * \param[in] parameters the values that were used, for the record
+ */
+std::string
+sceneText(const Scene& scene, const CloudFile& file, const std::string& parameters);
+
+} // namespace pcl::indoor::tool
