@@ -22,7 +22,7 @@ struct Options {
   std::string plan_file, output_file, json_file;
   pcl::indoor::TrajectoryOptions trajectory;
   pcl::indoor::RangeSensorOptions sensor;
-  double leaf_size = 0.03;
+  double leaf_size = 0.04;
 };
 
 OptionParser
