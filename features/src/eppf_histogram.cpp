@@ -5,26 +5,21 @@
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_histogram.h>
 #include <pcl/features/line_occupancy.h>
+#include <pcl/features/pair_counting.h>
 #include <pcl/features/pair_sampling.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <sstream>
 #include <utility>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace pcl {
 namespace indoor {
 
 namespace {
 
-constexpr std::size_t block_size = 1024; // pairs that are worked on together
 constexpr double half_pi = 1.5707963267948966;
 
 /** \brief What the inner loop reads of a point: half a cache line. */
@@ -36,13 +31,14 @@ struct Surflet {
 
 /** \brief The features of a block of pairs, before they are put into bins. */
 struct PairBlock {
-  std::array<float, block_size> distance;
-  std::array<float, block_size> first_sine; // sine of the first surface angle, -beta_1
-  std::array<float, block_size>
-      second_sine;                      // sine of the second surface angle, -beta_2
-  std::array<float, block_size> cosine; // of the angle between the normals
-  std::array<std::uint8_t, block_size> occupancy_bin;
-  std::array<std::uint32_t, block_size> bin;
+  std::array<float, pair_block_size> distance;
+  std::array<float, pair_block_size>
+      first_sine; // sine of the first surface angle, -beta_1
+  std::array<float, pair_block_size>
+      second_sine; // sine of the second surface angle, -beta_2
+  std::array<float, pair_block_size> cosine; // of the angle between the normals
+  std::array<std::uint8_t, pair_block_size> occupancy_bin;
+  std::array<std::uint32_t, pair_block_size> bin;
   std::size_t size = 0;
 };
 
@@ -88,10 +84,12 @@ public:
 
   /** \brief Count the pairs of one block. */
   void
-  count(std::size_t first_pair, std::vector<std::uint32_t>& counts) const
+  count(std::size_t first_pair,
+        std::size_t last_pair,
+        std::vector<std::uint32_t>& counts) const
   {
     PairBlock block;
-    measure(first_pair, block);
+    measure(first_pair, last_pair, block);
     combineAngles(block);
     std::fill_n(block.bin.begin(), block.size, 0u);
     addDistanceBins(block);
@@ -105,10 +103,8 @@ public:
 private:
   /** \brief Eq. (5.2), (5.4), (5.5), (5.7) and (5.8) for the pairs of a block. */
   void
-  measure(std::size_t first_pair, PairBlock& block) const
+  measure(std::size_t first_pair, std::size_t last_pair, PairBlock& block) const
   {
-    const std::size_t last_pair =
-        std::min(first_pair + block_size, options_.pair_count);
     const bool walks =
         options_.features.occupancy &&
         options_.surface_angle_rule != SurfaceAngleRule::BothInsteadOfOccupancy;
@@ -201,7 +197,7 @@ private:
 
   /** \brief Add stride for each border a value reaches. */
   static void
-  addBorders(const std::array<float, block_size>& values,
+  addBorders(const std::array<float, pair_block_size>& values,
              const std::vector<float>& borders,
              std::uint32_t stride,
              PairBlock& block)
@@ -260,38 +256,6 @@ private:
   std::array<std::uint8_t, 64 * 64> occupancy_bins_{};
   float bins_per_metre_ = 0.0f;
 };
-
-/** \brief Number of threads to use for a number asked for, 0 meaning all. */
-int
-threadCount(unsigned int wanted)
-{
-#ifdef _OPENMP
-  return wanted == 0 ? omp_get_max_threads() : static_cast<int>(wanted);
-#else
-  return 1 + 0 * static_cast<int>(wanted);
-#endif
-}
-
-/** \brief Counts of all pairs; sums of integers are the same in any order. */
-std::vector<std::uint32_t>
-countPairs(const PairCounter& counter, const EPPFOptions& options)
-{
-  std::vector<std::uint32_t> counts(options.bins.size());
-  const auto block_count =
-      static_cast<std::int64_t>((options.pair_count + block_size - 1) / block_size);
-  const int threads = threadCount(options.number_of_threads);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-  {
-    std::vector<std::uint32_t> own(counts.size());
-#pragma omp for schedule(dynamic, 1) nowait
-    for (std::int64_t block = 0; block < block_count; ++block)
-      counter.count(static_cast<std::size_t>(block) * block_size, own);
-#pragma omp critical(pcl_indoor_eppf_counts)
-    std::transform(
-        own.begin(), own.end(), counts.begin(), counts.begin(), std::plus<>());
-  }
-  return counts;
-}
 
 /** \brief Eq. (5.11), and the sum brought to 1. */
 std::vector<float>
@@ -364,7 +328,13 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
     return std::vector<float>(options.bins.size(),
                               std::numeric_limits<float>::quiet_NaN());
   const PairCounter counter(points, extent, options);
-  const auto counts = countPairs(counter, options);
+  const auto counts =
+      countPairs(options.pair_count,
+                 options.bins.size(),
+                 options.number_of_threads,
+                 [&counter](std::size_t first, std::size_t last, auto& own) {
+                   counter.count(first, last, own);
+                 });
   return weighted(counts, options);
 }
 

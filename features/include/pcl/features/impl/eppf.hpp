@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <type_traits>
 
 namespace pcl {
@@ -45,36 +46,18 @@ EPPFEstimation<PointInT, PointNT, PointOutT>::initCompute()
     PCL_ERROR("[pcl::EPPFEstimation::initCompute] No input cloud was given.\n");
     return false;
   }
-  const auto reject = [this](const char* format, auto... values) {
-    PCL_ERROR(format, values...);
+  auto problem = indoor::whatIsWrong(*input_, normals_.get(), *indices_);
+  if (problem.empty())
+    problem = indoor::whatIsWrong(options_);
+  const auto size = static_cast<std::size_t>(PointOutT::descriptorSize());
+  if (problem.empty() && options_.bins.size() != size)
+    problem = std::to_string(options_.bins.size()) + " bins do not fit an output of " +
+              std::to_string(size);
+  if (!problem.empty()) {
+    PCL_ERROR("[pcl::EPPFEstimation::initCompute] %s.\n", problem.c_str());
     this->deinitCompute();
     return false;
-  };
-  if (input_->empty() || indices_->empty())
-    return reject("[pcl::EPPFEstimation::initCompute] The input cloud is empty.\n");
-  if (!normals_)
-    return reject("[pcl::EPPFEstimation::initCompute] No normals were given.\n");
-  if (normals_->size() != input_->size())
-    return reject(
-        "[pcl::EPPFEstimation::initCompute] %zu normals do not fit %zu points.\n",
-        static_cast<std::size_t>(normals_->size()),
-        static_cast<std::size_t>(input_->size()));
-  const auto outside =
-      std::find_if(indices_->begin(), indices_->end(), [this](index_t index) {
-        return index < 0 || static_cast<std::size_t>(index) >= input_->size();
-      });
-  if (outside != indices_->end())
-    return reject(
-        "[pcl::EPPFEstimation::initCompute] Index %ld is outside the cloud.\n",
-        static_cast<long>(*outside));
-  if (options_.bins.size() != static_cast<std::size_t>(PointOutT::descriptorSize()))
-    return reject(
-        "[pcl::EPPFEstimation::initCompute] %zu bins do not fit the output of %d.\n",
-        options_.bins.size(),
-        PointOutT::descriptorSize());
-  const auto problem = indoor::whatIsWrong(options_);
-  if (!problem.empty())
-    return reject("[pcl::EPPFEstimation::initCompute] %s.\n", problem.c_str());
+  }
   return true;
 }
 

@@ -9,10 +9,32 @@
 #include <pcl/types.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
+
+/** \brief Say what is wrong with the input of a descriptor: "" if nothing. */
+template <typename PointT, typename PointNT>
+std::string
+whatIsWrong(const PointCloud<PointT>& cloud,
+            const PointCloud<PointNT>* normals,
+            const Indices& indices)
+{
+  if (cloud.empty() || indices.empty())
+    return "The input cloud is empty";
+  if (normals == nullptr)
+    return "No normals were given";
+  if (normals->size() != cloud.size())
+    return std::to_string(normals->size()) + " normals do not fit " +
+           std::to_string(cloud.size()) + " points";
+  for (const auto index : indices)
+    if (index < 0 || static_cast<std::size_t>(index) >= cloud.size())
+      return "Index " + std::to_string(index) + " is outside the cloud of " +
+             std::to_string(cloud.size()) + " points";
+  return "";
+}
 
 /** \brief The usable points of a cloud: finite, with a finite normal that is not zero.
  *
