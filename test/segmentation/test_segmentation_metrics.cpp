@@ -1,0 +1,137 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/exceptions.h>
+#include <pcl/segmentation/segmentation_metrics.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace pcl::indoor;
+
+namespace {
+
+SegmentLabels
+randomLabels(std::size_t count, unsigned highest, std::mt19937& rng)
+{
+  SegmentLabels labels;
+  for (std::size_t i = 0; i < count; ++i)
+    labels.push_back(static_cast<std::uint32_t>(rng() % (highest + 1)));
+  return labels;
+}
+
+} // namespace
+
+TEST(SegmentationMetrics, MultiScaleErrorsOfTheWorkedExample)
+{
+  // Fig. 4.7, Eq. (4.7) and (4.8): ten points; the merged segments have 5, 1, 2 and 2
+  // points and the predicted ones 6, 2 and 2.
+  const SegmentLabels fine{1, 1, 1, 2, 2, 3, 4, 4, 5, 5};
+  const SegmentLabels coarse{1, 1, 1, 1, 1, 2, 2, 2, 2, 2};
+  const SegmentLabels predicted{7, 7, 7, 7, 7, 7, 8, 8, 9, 9};
+  EXPECT_EQ(mergeFineSegments(fine, coarse, predicted),
+            (SegmentLabels{1, 1, 1, 1, 1, 3, 4, 4, 5, 5}));
+  const auto errors = multiScaleErrors(fine, coarse, predicted);
+  EXPECT_DOUBLE_EQ(errors.over, 0);
+  EXPECT_DOUBLE_EQ(errors.under, 0.6);
+}
+
+TEST(SegmentationMetrics, RandIndexAgreesWithCountingAllPairs)
+{
+  std::mt19937 rng(1);
+  for (int trial = 0; trial < 30; ++trial) {
+    const auto truth = randomLabels(40, 4, rng), predicted = randomLabels(40, 5, rng);
+    double agree = 0, all = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      for (std::size_t j = i + 1; j < truth.size(); ++j) {
+        if (truth[i] == 0 || truth[j] == 0)
+          continue;
+        agree += (truth[i] == truth[j]) == (predicted[i] == predicted[j]);
+        ++all;
+      }
+    EXPECT_NEAR(randIndex(countOverlaps(truth, predicted)), agree / all, 1e-12);
+  }
+}
+
+TEST(SegmentationMetrics, AdjustedRandIndexHasItsFixedPoints)
+{
+  std::mt19937 rng(2);
+  const auto truth = randomLabels(5000, 6, rng);
+  auto names = truth;
+  for (auto& name : names)
+    name = 100 - name;
+  EXPECT_DOUBLE_EQ(adjustedRandIndex(countOverlaps(truth, names)), 1);
+  const auto random = randomLabels(5000, 6, rng);
+  // The standard deviation is about 1 / number of points.
+  EXPECT_NEAR(adjustedRandIndex(countOverlaps(truth, random)), 0, 0.01);
+  // By hand: of 10 pairs 3 are joined in the truth, 4 in the prediction, 1 in both.
+  const double expected = 3.0 * 4 / 10, largest = (3.0 + 4) / 2;
+  EXPECT_NEAR(adjustedRandIndex(countOverlaps({1, 1, 1, 2, 3}, {1, 1, 2, 2, 2})),
+              (1 - expected) / (largest - expected),
+              1e-12);
+}
+
+TEST(SegmentationMetrics, ErrorsOfSplitAndOfMergedSegments)
+{
+  const auto split = richtsfeldErrors(countOverlaps({1, 1, 1, 1}, {1, 1, 1, 2}));
+  EXPECT_DOUBLE_EQ(split.over, 0.25);
+  EXPECT_DOUBLE_EQ(split.under, 0);
+  const auto merged = richtsfeldErrors(countOverlaps({1, 1, 1, 2}, {5, 5, 5, 5}));
+  EXPECT_DOUBLE_EQ(merged.over, 0);
+  EXPECT_DOUBLE_EQ(merged.under, (1 + 3) / 4.0);
+}
+
+TEST(SegmentationMetrics, PointsWithoutTruthAreLeftOutAndWithoutPredictionAreWrong)
+{
+  const auto errors =
+      richtsfeldErrors(countOverlaps({0, 0, 0, 1, 1, 2}, {4, 4, 4, 4, 0, 0}));
+  EXPECT_NEAR(errors.over, 2.0 / 3, 1e-12);
+  EXPECT_DOUBLE_EQ(errors.under, 0);
+}
+
+TEST(SegmentationMetrics, WeightedOverlapByHand)
+{
+  // Segment 1: 3 of 4 points, union 4; segment 2: 2 of 2, union 3 with the stray point.
+  EXPECT_DOUBLE_EQ(
+      weightedOverlap(countOverlaps({1, 1, 1, 1, 2, 2}, {1, 1, 1, 2, 2, 2})),
+      (4 * 0.75 + 2 * (2.0 / 3)) / 6);
+}
+
+TEST(SegmentationMetrics, DetectionsByHand)
+{
+  const SegmentLabels truth{1, 1, 1, 1, 2, 2, 3, 3, 0};
+  const SegmentLabels predicted{1, 1, 1, 2, 2, 2, 2, 0, 9};
+  const auto score = scoreDetections(countOverlaps(truth, predicted));
+  EXPECT_EQ(score.true_count, 3u);
+  EXPECT_EQ(score.predicted_count, 2u);
+  EXPECT_EQ(score.right_count, 2u); // 3/4, 2/4
+  EXPECT_DOUBLE_EQ(score.mean_iou, (0.75 + 0.5 + 0) / 3);
+}
+
+TEST(SegmentationMetrics, EmptyIsPerfectAndSizesMustAgree)
+{
+  const auto overlaps = countOverlaps({}, {});
+  EXPECT_EQ(randIndex(overlaps), 1);
+  EXPECT_EQ(adjustedRandIndex(overlaps), 1);
+  EXPECT_EQ(richtsfeldErrors(overlaps).over, 0);
+  EXPECT_EQ(weightedOverlap(overlaps), 1);
+  EXPECT_EQ(scoreDetections(overlaps).mean_iou, 0);
+  EXPECT_THROW(countOverlaps({1}, {}), pcl::BadArgumentException);
+  EXPECT_THROW(mergeFineSegments({1}, {}, {1}), pcl::BadArgumentException);
+}
+
+TEST(SegmentationMetrics, CoarseEqualToFineGivesTheSingleScaleErrors)
+{
+  std::mt19937 rng(3);
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto truth = randomLabels(60, 5, rng), predicted = randomLabels(60, 7, rng);
+    const auto single = richtsfeldErrors(countOverlaps(truth, predicted));
+    const auto multi = multiScaleErrors(truth, truth, predicted);
+    EXPECT_DOUBLE_EQ(single.over, multi.over);
+    EXPECT_DOUBLE_EQ(single.under, multi.under);
+  }
+}
