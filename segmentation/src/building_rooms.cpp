@@ -50,9 +50,6 @@ labelPoints(const std::vector<Eigen::Vector3f>& points,
 {
   const VoxelGrid<std::uint8_t>& grid = occupancy.grid;
   const int nz = grid.shape.nz;
-  const int gap = static_cast<int>(options.map.slab.gap / grid.voxel_size + 0.5) + 1;
-  const int depth =
-      gap + static_cast<int>(options.map.slab.depth / grid.voxel_size + 0.5);
   std::vector<std::uint32_t> index;
   std::vector<Eigen::Vector2f> position;
   std::vector<std::uint8_t> is_wall;
@@ -67,7 +64,7 @@ labelPoints(const std::vector<Eigen::Vector3f>& points,
         occupancy.toGrid(points[i].cast<double>()) - grid.origin;
     index.push_back(static_cast<std::uint32_t>(i));
     position.push_back(local.head<2>().cast<float>());
-    is_wall.push_back(below >= gap && below < depth);
+    is_wall.push_back(below >= map.slab.first && below <= map.slab.last);
     label.push_back(map.labels.values[pixel]);
   }
   assignWallSides(position,

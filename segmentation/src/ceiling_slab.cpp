@@ -75,30 +75,80 @@ ceilingLayers(const VoxelGrid<std::uint8_t>& occupancy,
   return ceiling;
 }
 
-PixelMap<std::uint8_t>
-blockedBelowCeiling(const VoxelGrid<std::uint8_t>& occupancy,
-                    const VerticalRange& storey,
-                    const PixelMap<int>& ceiling,
-                    const CeilingSlabOptions& options)
+SlabLayers
+slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
+           const VerticalRange& storey,
+           const PixelMap<int>& ceiling,
+           const CeilingSlabOptions& options)
 {
-  const GridShape& shape = occupancy.shape;
-  const int gap =
-      static_cast<int>(std::lround(options.gap / occupancy.voxel_size + 0.5));
-  const int depth =
-      std::max(1, static_cast<int>(std::lround(options.depth / occupancy.voxel_size)));
-  PixelMap<std::uint8_t> blocked{shape.nx, shape.ny, {}};
+  const auto layers = [&](double length) {
+    return static_cast<int>(std::lround(length / occupancy.voxel_size + 0.01));
+  };
+  const int least = std::max(2, layers(options.gap));
+  const int greatest = std::max(least, layers(options.max_gap));
+  const int depth = std::max(1, layers(options.depth));
+  std::vector<std::size_t> occupied(greatest + depth + 1, 0);
+  for (std::size_t i = 0; i < ceiling.size(); ++i) {
+    const auto* column = &occupancy.values[i * occupancy.shape.nz];
+    const int top = ceiling.values[i];
+    for (int below = 0; below <= greatest + depth && top - below >= storey.begin;
+         ++below)
+      occupied[below] += column[top - below] != 0;
+  }
+  const std::size_t walls = *std::min_element(occupied.begin() + least, occupied.end());
+  int first = least;
+  while (first < greatest && occupied[first] > 1.15 * walls)
+    ++first;
+  return {first, first + depth - 1};
+}
+
+PixelMap<std::uint8_t>
+blockedColumns(const VoxelGrid<std::uint8_t>& occupancy,
+               const VerticalRange& storey,
+               const PixelMap<int>& ceiling,
+               const SlabLayers& slab)
+{
+  PixelMap<std::uint8_t> blocked{ceiling.nx, ceiling.ny, {}};
   blocked.values.assign(blocked.size(), 0);
-  for (int x = 0; x < shape.nx; ++x)
-    for (int y = 0; y < shape.ny; ++y) {
-      const int top = ceiling.at(x, y) - gap;
-      const std::uint8_t* column = &occupancy.values[shape.index(x, y, 0)];
-      for (int z = std::max(storey.begin, top - depth + 1); z <= top; ++z)
-        if (column[z]) {
-          blocked.at(x, y) = 1;
-          break;
-        }
-    }
+  for (std::size_t i = 0; i < ceiling.size(); ++i) {
+    const auto* column = &occupancy.values[i * occupancy.shape.nz];
+    const int top = ceiling.values[i] - slab.first;
+    const int bottom = std::max(storey.begin, ceiling.values[i] - slab.last);
+    for (int z = bottom; z <= top && !blocked.values[i]; ++z)
+      blocked.values[i] = column[z] != 0;
+  }
   return blocked;
+}
+
+void
+removeSpecks(PixelMap<std::uint8_t>& blocked, int min_extent)
+{
+  PixelMap<std::uint8_t> seen = blocked; // 1 = blocked and not visited yet
+  std::vector<std::size_t> part;
+  for (std::size_t start = 0; start < blocked.size(); ++start) {
+    if (!seen.values[start])
+      continue;
+    part.assign(1, start);
+    seen.values[start] = 0;
+    int lowest_x = blocked.nx, highest_x = -1, lowest_y = blocked.ny, highest_y = -1;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const int x = static_cast<int>(part[k] / blocked.ny);
+      const int y = static_cast<int>(part[k] % blocked.ny);
+      lowest_x = std::min(lowest_x, x);
+      highest_x = std::max(highest_x, x);
+      lowest_y = std::min(lowest_y, y);
+      highest_y = std::max(highest_y, y);
+      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, blocked.nx - 1); ++u)
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, blocked.ny - 1); ++v)
+          if (seen.at(u, v)) {
+            seen.at(u, v) = 0;
+            part.push_back(blocked.index(u, v));
+          }
+    }
+    if (highest_x - lowest_x + 1 < min_extent && highest_y - lowest_y + 1 < min_extent)
+      for (const std::size_t pixel : part)
+        blocked.values[pixel] = 0;
+  }
 }
 
 } // namespace indoor

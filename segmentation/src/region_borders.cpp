@@ -120,16 +120,18 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
 
 std::vector<std::int32_t>
 mergeOpenRegions(std::vector<RegionBorder> borders,
-                 std::int32_t region_count,
+                 std::vector<double> section,
                  double open_share)
 {
-  std::vector<std::int32_t> label(region_count + 1);
-  for (std::int32_t i = 0; i <= region_count; ++i)
-    label[i] = i;
+  std::vector<std::int32_t> label(section.size());
+  for (std::size_t i = 0; i < label.size(); ++i)
+    label[i] = static_cast<std::int32_t>(i);
   while (true) {
     // The borders of joined regions add up, so shares are looked at anew after a join.
-    const auto share = [](const RegionBorder& border) {
-      return border.border_area > 0 ? border.open_area / border.border_area : 0.0;
+    const auto share = [&](const RegionBorder& border) {
+      return border.open_area /
+             std::max(border.border_area,
+                      std::min(section[border.a], section[border.b]));
     };
     const auto widest = std::max_element(
         borders.begin(), borders.end(), [&](const auto& first, const auto& second) {
@@ -137,7 +139,8 @@ mergeOpenRegions(std::vector<RegionBorder> borders,
         });
     if (widest == borders.end() || !(share(*widest) > open_share))
       return label;
-    const auto [kept, gone] = std::minmax(widest->a, widest->b);
+    const std::int32_t kept = widest->a, gone = widest->b;
+    section[kept] = std::max(section[kept], section[gone]);
     for (auto& each : label)
       if (each == gone)
         each = kept;

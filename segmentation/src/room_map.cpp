@@ -34,26 +34,57 @@ freeDistance(const PixelMap<std::uint8_t>& blocked,
   return field;
 }
 
-/** Remove labels of regions that are too narrow or too small for a room. */
+/** Basins of the free pixels that a disc of the smallest room width can cover: gaps,
+ * also those between the two faces of a wall, neither are rooms nor join them. */
+PixelMap<std::int32_t>
+basinsOfWidth(const PixelMap<float>& field,
+              double pixel_size,
+              const RoomMapOptions& options)
+{
+  const double radius = 0.5 * options.min_width;
+  PixelMap<float> centers = field;
+  for (auto& distance : centers.values)
+    if (distance < radius)
+      distance = 0.0f;
+  PixelMap<std::int32_t> labels =
+      persistentBasins(centers, static_cast<float>(options.persistence));
+  growLabels(labels, radius / pixel_size);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (!(field.values[i] > 0))
+      labels.values[i] = 0;
+  return labels;
+}
+
+/** Remove labels of regions that are too small for a room. */
 void
 dropSmallRegions(PixelMap<std::int32_t>& labels,
-                 const PixelMap<float>& field,
                  double pixel_size,
                  const RoomMapOptions& options)
 {
   const std::int32_t count =
       *std::max_element(labels.values.begin(), labels.values.end());
   std::vector<std::size_t> area(count + 1, 0);
-  std::vector<float> half_width(count + 1, 0.0f);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const std::int32_t label = labels.values[i];
+  for (const auto label : labels.values)
     ++area[label];
-    half_width[label] = std::max(half_width[label], field.values[i]);
-  }
   for (auto& label : labels.values)
-    if (label != 0 && (area[label] * pixel_size * pixel_size < options.min_area ||
-                       2.0f * half_width[label] < options.min_width))
+    if (area[label] * pixel_size * pixel_size < options.min_area)
       label = 0;
+}
+
+/** Per label: the widest section through the region, twice its half width times its
+ * height, m^2. */
+std::vector<double>
+sectionAreas(const RoomMap& map, double pixel_size)
+{
+  const std::int32_t count =
+      *std::max_element(map.labels.values.begin(), map.labels.values.end());
+  std::vector<double> section(count + 1, 0.0);
+  for (std::size_t i = 0; i < map.labels.size(); ++i) {
+    const double height = pixel_size * (map.ceiling.values[i] - map.storey.begin);
+    double& widest = section[map.free_labels.values[i]];
+    widest = std::max(widest, 2.0 * map.field.values[i] * height);
+  }
+  return section;
 }
 
 /** New numbers 1 ... n for merged labels, in the order of their first pixel. */
@@ -82,19 +113,20 @@ segmentRoomMap(const VoxelGrid<std::uint8_t>& occupancy,
   RoomMap map;
   map.storey = storey;
   map.ceiling = ceilingLayers(occupancy, storey, options.slab);
-  map.blocked = blockedBelowCeiling(occupancy, storey, map.ceiling, options.slab);
+  map.slab = slabLayers(occupancy, storey, map.ceiling, options.slab);
+  map.blocked = blockedColumns(occupancy, storey, map.ceiling, map.slab);
+  removeSpecks(map.blocked,
+               static_cast<int>(std::lround(options.slab.min_wall / size)));
   map.field = freeDistance(map.blocked, inside, size);
-  map.free_labels =
-      persistentBasins(map.field, static_cast<float>(options.persistence));
-  dropSmallRegions(map.free_labels, map.field, size, options);
+  map.free_labels = basinsOfWidth(map.field, size, options);
+  dropSmallRegions(map.free_labels, size, options);
 
   map.labels = map.free_labels;
   growLabels(map.labels, options.reach / size);
-  const std::int32_t basins =
-      *std::max_element(map.labels.values.begin(), map.labels.values.end());
-  const auto borders =
-      regionBorders(occupancy, storey, map.ceiling, map.labels, map.free_labels);
-  const auto merged = mergeOpenRegions(borders, basins, options.open_share);
+  const auto merged = mergeOpenRegions(
+      regionBorders(occupancy, storey, map.ceiling, map.labels, map.free_labels),
+      sectionAreas(map, size),
+      options.open_share);
   const auto number = numbersOf(map.labels, merged);
   for (auto& label : map.free_labels.values)
     label = number[label];

@@ -21,11 +21,13 @@ namespace indoor {
  */
 struct CeilingSlabOptions {
   double window =
-      1.0;            ///< side of the square in which the ceiling is looked for, metres
-  double step = 0.6;  ///< how far a column's own top may lie below the highest top in
-                      ///< the window and still be its ceiling, metres
-  double gap = 0.15;  ///< distance from the ceiling to the slab, metres
-  double depth = 0.5; ///< height of the slab, metres
+      1.0;           ///< side of the square in which the ceiling is looked for, metres
+  double step = 0.6; ///< how far a column's own top may lie below the highest top in
+                     ///< the window and still be its ceiling, metres
+  double gap = 0.15; ///< least distance from the ceiling to the slab, metres
+  double max_gap = 0.6;  ///< greatest distance, where noise blurs the ceiling, metres
+  double min_wall = 0.5; ///< shorter things in the slab are no walls, metres
+  double depth = 0.3;    ///< height of the slab, metres
 };
 
 /** \brief The z range of a storey in a grid: voxels begin ... end - 1. */
@@ -47,15 +49,42 @@ ceilingLayers(const VoxelGrid<std::uint8_t>& occupancy,
               const VerticalRange& storey,
               const CeilingSlabOptions& options);
 
+/** \brief The layers below a column's ceiling that make the slab: first ... last. */
+struct SlabLayers {
+  int first = 0;
+  int last = 0;
+};
+
+/** \brief Put the slab below the ceiling as noise, slope and lamps leave it.
+ * Counts how many columns are occupied so many layers below their ceiling: at the
+ * ceiling nearly all, farther down only those of the walls. The slab begins where this
+ * share has come down.
+ * \param[in] ceiling as ceilingLayers() gives it
+ */
+SlabLayers
+slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
+           const VerticalRange& storey,
+           const PixelMap<int>& ceiling,
+           const CeilingSlabOptions& options);
+
 /** \brief The columns that have an occupied voxel in the slab below their ceiling.
  * \param[in] ceiling as ceilingLayers() gives it; pixels without ceiling are not
- * blocked \return 1 = blocked, 0 = free
+ * blocked \param[in] slab as slabLayers() gives it \return 1 = blocked, 0 = free
  */
 PixelMap<std::uint8_t>
-blockedBelowCeiling(const VoxelGrid<std::uint8_t>& occupancy,
-                    const VerticalRange& storey,
-                    const PixelMap<int>& ceiling,
-                    const CeilingSlabOptions& options);
+blockedColumns(const VoxelGrid<std::uint8_t>& occupancy,
+               const VerticalRange& storey,
+               const PixelMap<int>& ceiling,
+               const SlabLayers& slab);
+
+/** \brief Free the connected parts (8 neighbours) that are too small for a wall: noise,
+ * lamps, pillars.
+ * \param[in,out] blocked 1 = blocked, 0 = free
+ * \param[in] min_extent parts whose box is smaller than this along x and y are freed,
+ * pixels
+ */
+void
+removeSpecks(PixelMap<std::uint8_t>& blocked, int min_extent);
 
 } // namespace indoor
 } // namespace pcl

@@ -42,19 +42,20 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
               const PixelMap<std::int32_t>& labels,
               const PixelMap<std::int32_t>& free_labels);
 
-/** \brief Join regions whose border is mostly open, the most open one first.
+/** \brief Join regions between which the passage is wide, the widest first.
  *
  * A room ends where the passage to the next space is small compared with the spaces
  * themselves (Sec. 3.1): at a door, not below a beam.
- * \param[in] region_count labels are 1 ... region_count
- * \param[in] open_share two regions are joined if more than this share of their border
- * is open, 0 ... 1
- * \return the new label of each old one (index 0 stays 0); labels are those of the
- * smallest member
+ * \param[in] borders as regionBorders() gives them
+ * \param[in] section per label (index 0 unused): area of the widest vertical section
+ * through the region, m^2 (> 0)
+ * \param[in] open_share two regions are joined if the open area between them is more
+ * than this share of the smaller one's section
+ * \return the new label of each old one, that of the smallest member; 0 stays 0
  */
 std::vector<std::int32_t>
 mergeOpenRegions(std::vector<RegionBorder> borders,
-                 std::int32_t region_count,
+                 std::vector<double> section,
                  double open_share);
 
 } // namespace indoor

@@ -21,8 +21,8 @@ struct RoomMapOptions {
   CeilingSlabOptions slab;
   double persistence = 0.7; ///< see persistentBasins()
   double open_share = 0.7;  ///< see mergeOpenRegions()
-  double min_width = 0.6;   ///< narrower spaces are no rooms, metres
-  double min_area = 1.0;    ///< smaller spaces are no rooms, m^2
+  double min_width = 0.5;   ///< narrower spaces are no rooms, metres
+  double min_area = 0.5;    ///< smaller spaces are no rooms, m^2
   double reach = 0.6; ///< how far a room's label is carried into its walls, metres
 };
 
@@ -30,6 +30,7 @@ struct RoomMapOptions {
 struct RoomMap {
   VerticalRange storey;
   PixelMap<int> ceiling;              ///< layer of the ceiling, -1 = none
+  SlabLayers slab;                    ///< where the walls were looked for
   PixelMap<std::uint8_t> blocked;     ///< 1 = wall or lintel below the ceiling
   PixelMap<float> field;              ///< distance to the next wall, metres; 0 = wall
   PixelMap<std::int32_t> free_labels; ///< room of each free pixel, 1 ... n; 0 = none

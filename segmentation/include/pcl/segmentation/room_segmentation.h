@@ -52,7 +52,7 @@ public:
   }
 
   /** \brief Set the area below which a space is no room.
-   * \param[in] area m^2, at least 0 (default 1)
+   * \param[in] area m^2, at least 0 (default 0.5)
    */
   void
   setMinRoomArea(double area)
@@ -67,7 +67,7 @@ public:
   }
 
   /** \brief Set the width below which a space is no room.
-   * \param[in] width metres, at least 0 (default 0.6)
+   * \param[in] width metres, at least 0 (default 0.5)
    */
   void
   setMinRoomWidth(double width)
