@@ -29,6 +29,19 @@ categoryNames()
   return names;
 }
 
+// Walls thicker than the room turn its edges around.
+bool
+vanishes(const Polygon& outline, const Polygon& inner)
+{
+  constexpr double smallest = 0.25; // square metres
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const std::size_t next = (i + 1) % outline.size();
+    if ((outline[next] - outline[i]).dot(inner[next] - inner[i]) <= 0)
+      return true;
+  }
+  return crossesItself(inner) || signedArea(inner) < smallest;
+}
+
 std::vector<RoomInfo>
 makeRooms(const Plan& plan, const std::string& source)
 {
@@ -42,7 +55,7 @@ makeRooms(const Plan& plan, const std::string& source)
       info.polygon = inset(room.polygon, plan.wall_thickness / 2);
       info.floor = plan.storeys[s].elevation;
       info.ceiling = room.ceiling;
-      if (crossesItself(info.polygon) || !(signedArea(info.polygon) > 0.25))
+      if (vanishes(room.polygon, info.polygon))
         throw PlanError(source + ": rooms: room '" + room.name +
                         "' vanishes between its walls (wall_thickness)");
       rooms.push_back(info);

@@ -65,7 +65,7 @@ PartMaker::prism(const std::string& name,
   const Eigen::Vector3d foot(center.x(), center.y(), z0),
       head(center.x(), center.y(), z1);
   const auto rim = [&](int i, double radius, double z) {
-    const double angle = 2 * M_PI * i / sides;
+    const double angle = 2 * M_PI * (i % sides) / sides;
     return Eigen::Vector3d(center.x() + radius * std::cos(angle),
                            center.y() + radius * std::sin(angle),
                            z);

@@ -42,6 +42,28 @@ properlyCross(const Eigen::Vector2d& a,
          std::min(a_side, b_side) < -tolerance && std::max(a_side, b_side) > tolerance;
 }
 
+// Of two counter-clockwise triangles: cut the first along each edge of the second.
+double
+commonArea(Polygon piece, const Polygon& cutter)
+{
+  for (std::size_t e = 0; e < cutter.size() && !piece.empty(); ++e) {
+    const auto& a = cutter[e];
+    const auto& b = cutter[(e + 1) % cutter.size()];
+    Polygon kept;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const auto& p = piece[i];
+      const auto& q = piece[(i + 1) % piece.size()];
+      const double p_side = turn(a, b, p), q_side = turn(a, b, q);
+      if (p_side >= 0)
+        kept.push_back(p);
+      if ((p_side > 0 && q_side < 0) || (p_side < 0 && q_side > 0))
+        kept.push_back(p + (q - p) * (p_side / (p_side - q_side)));
+    }
+    piece = kept;
+  }
+  return piece.empty() ? 0.0 : signedArea(piece);
+}
+
 bool
 insideTriangle(const Eigen::Vector2d& p,
                const Eigen::Vector2d& a,
@@ -146,20 +168,12 @@ crossesItself(const Polygon& polygon)
 bool
 overlap(const Polygon& a, const Polygon& b)
 {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j)
-      if (properlyCross(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()]))
-        return true;
-  constexpr double touching = 1e-6; // metres
-  const auto reachesInto = [](const Polygon& inner, const Polygon& outer) {
-    for (const auto& t : triangulate(inner)) {
-      const Eigen::Vector2d middle = (inner[t[0]] + inner[t[1]] + inner[t[2]]) / 3;
-      if (contains(outer, middle) && distanceToBoundary(outer, middle) > touching)
-        return true;
-    }
-    return false;
-  };
-  return reachesInto(a, b) || reachesInto(b, a);
+  constexpr double smallest = 1e-6; // square metres: rounding along a common wall
+  double common = 0;
+  for (const auto& s : triangulate(a))
+    for (const auto& t : triangulate(b))
+      common += commonArea({a[s[0]], a[s[1]], a[s[2]]}, {b[t[0]], b[t[1]], b[t[2]]});
+  return common > smallest;
 }
 
 Polygon

@@ -269,10 +269,8 @@ RayTracer::trace(const Eigen::Vector3f& origin,
       const auto& t = triangles_[i];
       const float distance = intersectPacked(
           origin.data(), direction.data(), t.corner, t.edge_b, t.edge_c);
-      if (distance >= min_distance &&
-          (distance < hit.distance ||
-           (distance == hit.distance &&
-            (hit.triangle < 0 || t.number < hit.triangle)))) {
+      const bool tie = distance == hit.distance && t.number < hit.triangle;
+      if (distance >= min_distance && (distance < hit.distance || tie)) {
         hit.distance = distance;
         hit.triangle = t.number;
       }

@@ -1,0 +1,166 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/simulation/building.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+namespace {
+
+using namespace pcl::indoor;
+
+const std::string good = R"({
+  "name": "two rooms", "wall_thickness": 0.2, "seed": 4,
+  "storeys": [{
+    "name": "ground", "elevation": 0, "ceiling_height": 2.6,
+    "rooms": [
+      {"name": "left", "polygon": [[0, 0], [4, 0], [4, 3], [0, 3]]},
+      {"name": "right", "polygon": [[4, 3], [4, 0], [7, 0], [7, 3]],
+       "ceiling": {"height": 2.4, "at": [4, 0], "slope": [0.2, 0]}}
+    ],
+    "doors": [{"at": [4, 1.5], "width": 0.9, "angle": 90, "into": "right"}],
+    "windows": [{"at": [2, 0], "width": 1.5, "height": 1.2, "sill": 0.9}],
+    "passages": [],
+    "furniture": [{"class": "chair", "at": [1, 1], "rotation": 30}]
+  }]
+})";
+
+std::string
+with(const std::string& before, const std::string& after)
+{
+  std::string text = good;
+  const auto at = text.find(before);
+  EXPECT_NE(at, std::string::npos) << before;
+  return text.replace(at, before.size(), after);
+}
+
+// What is wrong with the plan, or nothing.
+std::string
+errorOf(const std::string& text)
+{
+  try {
+    buildBuilding(parsePlan(text, "house.json"), "house.json");
+    return "";
+  } catch (const PlanError& error) {
+    return error.what();
+  }
+}
+
+struct Case {
+  const char *before, *after; // replacement in the good plan
+  const char* mention;        // that the message must contain
+};
+
+TEST(Plan, ReadsEveryValue)
+{
+  const auto plan = parsePlan(good, "house.json");
+  EXPECT_EQ(plan.name, "two rooms");
+  EXPECT_EQ(plan.seed, 4u);
+  ASSERT_EQ(plan.storeys.size(), 1u);
+  const auto& storey = plan.storeys[0];
+  ASSERT_EQ(storey.rooms.size(), 2u);
+  EXPECT_DOUBLE_EQ(storey.rooms[0].ceiling.heightAt({3, 3}), 2.6);
+  EXPECT_DOUBLE_EQ(storey.rooms[1].ceiling.heightAt({6, 3}), 2.8);
+  // The second polygon is given counter-clockwise as well, from another corner.
+  EXPECT_EQ(storey.rooms[1].polygon[0], Eigen::Vector2d(4, 3));
+  ASSERT_EQ(storey.openings.size(), 2u);
+  EXPECT_EQ(storey.openings[0].kind, OpeningKind::Door);
+  EXPECT_NEAR(storey.openings[0].leaf_angle, M_PI / 2, 1e-12);
+  EXPECT_EQ(storey.openings[0].height, OpeningPlan().height);
+  EXPECT_EQ(storey.openings[1].kind, OpeningKind::Window);
+  ASSERT_EQ(storey.furniture.size(), 1u);
+  EXPECT_NEAR(storey.furniture[0].rotation, M_PI / 6, 1e-12);
+  EXPECT_FALSE(storey.furniture[0].size);
+  EXPECT_EQ(errorOf(good), "");
+}
+
+TEST(Plan, TurnsClockwisePolygonsAround)
+{
+  const auto plan = parsePlan(
+      with("[[0, 0], [4, 0], [4, 3], [0, 3]]", "[[0, 3], [4, 3], [4, 0], [0, 0]]"), "");
+  EXPECT_GT(signedArea(plan.storeys[0].rooms[0].polygon), 0.0);
+}
+
+TEST(Plan, RefusesWhatCannotBeRead)
+{
+  const Case cases[] = {
+      {"\"seed\": 4,", "\"seed\": 4,,", "line 2"},
+      {"\"seed\": 4", "\"sede\": 4", "sede"},
+      {"\"seed\": 4", "\"seed\": -4", "seed"},
+      {"\"wall_thickness\": 0.2", "\"wall_thickness\": -0.2", "wall_thickness"},
+      {"\"wall_thickness\": 0.2, ", "", "wall_thickness"},
+      {"\"wall_thickness\": 0.2", "\"wall_thickness\": \"0.2\"", "wall_thickness"},
+      {"\"elevation\": 0", "\"elevation\": 1e300", "storeys[0].elevation"},
+      {"\"ceiling_height\": 2.6", "\"ceiling_height\": 0.5", "storeys[0].rooms[0]"},
+      {"[7, 0], [7, 3]]", "[7]]", "storeys[0].rooms[1].polygon[2]"},
+      {"[[0, 0], [4, 0], [4, 3], [0, 3]]", "[[0, 0], [4, 0]]", "at least 3"},
+      {"[[0, 0], [4, 0], [4, 3], [0, 3]]",
+       "[[0, 0], [4, 3], [4, 0], [0, 3]]",
+       "crosses"},
+      {"\"angle\": 90", "\"angle\": 190", "storeys[0].doors[0].angle"},
+      {"\"width\": 0.9", "\"width\": 0", "storeys[0].doors[0].width"},
+      {"\"sill\": 0.9", "\"sill\": -0.9", "storeys[0].windows[0].sill"},
+      {", \"sill\": 0.9", "", "sill"},
+      {"\"chair\"", "\"throne\"", "throne"},
+      {"\"rotation\": 30", "\"size\": [1, 1]", "storeys[0].furniture[0].size"},
+      {"\"rotation\": 30", "\"size\": [1, 1, -1]", "storeys[0].furniture[0].size"},
+      {"\"slope\": [0.2, 0]", "\"slope\": [-0.3, 0]", "storeys[0].rooms[1].ceiling"},
+      {"\"name\": \"right\"", "\"name\": \"left\"", "left"},
+  };
+  for (const auto& c : cases) {
+    const auto message = errorOf(with(c.before, c.after));
+    EXPECT_EQ(message.rfind("house.json: ", 0), 0u) << c.after << ": " << message;
+    EXPECT_NE(message.find(c.mention), std::string::npos) << c.after << ": " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+}
+
+TEST(Plan, RefusesWhatContradictsItself)
+{
+  const Case cases[] = {
+      {"\"at\": [4, 1.5]", "\"at\": [3.5, 1.5]", "lies in no wall"},
+      {"\"at\": [4, 1.5]", "\"at\": [4, 0.4]", "wider than its wall"},
+      {"\"width\": 0.9, \"angle\"", "\"width\": 3, \"angle\"", "wider than its wall"},
+      {"\"angle\": 90", "\"height\": 3.0", "ceiling"},
+      {"\"into\": \"right\"", "\"into\": \"cellar\"", "cellar"},
+      {"\"at\": [2, 0]", "\"at\": [0.5, 0]", "wider than its wall"},
+      {"\"passages\": []",
+       "\"passages\": [{\"at\": [4, 1.9], \"width\": 0.6}]",
+       "overlaps another opening"},
+      {"[[4, 3], [4, 0], [7, 0], [7, 3]]",
+       "[[3.5, 3], [3.5, 0], [7, 0], [7, 3]]",
+       "overlap"},
+      {"[[4, 3], [4, 0], [7, 0], [7, 3]]", "[[4, 3], [4, 0], [4.3, 1]]", "vanishes"},
+      {"\"at\": [1, 1]", "\"at\": [9, 1]", "stands in no room"},
+      {"\"at\": [1, 1]", "\"at\": [0.2, 1]", "reaches through a wall"},
+      {"\"rotation\": 30", "\"elevation\": -0.5", "below the floor"},
+      {"\"rotation\": 30", "\"elevation\": 2.5", "higher than its room"},
+  };
+  for (const auto& c : cases) {
+    const auto message = errorOf(with(c.before, c.after));
+    EXPECT_EQ(message.rfind("house.json: ", 0), 0u) << c.after << ": " << message;
+    EXPECT_NE(message.find(c.mention), std::string::npos) << message;
+  }
+}
+
+TEST(Plan, RefusesDocumentsOfAnotherKind)
+{
+  for (const char* text : {"", "[]", "3", "{}", "null", "{\"name\": 3}"})
+    EXPECT_NE(errorOf(text), "") << text;
+}
+
+TEST(Plan, NamesAFileThatIsMissing)
+{
+  try {
+    readPlan("no/such/plan.json");
+    FAIL() << "a missing file was read";
+  } catch (const PlanError& error) {
+    EXPECT_STREQ(error.what(), "no/such/plan.json: cannot be read");
+  }
+}
+
+} // namespace
