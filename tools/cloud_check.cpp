@@ -126,6 +126,7 @@ checkAsciiBody(std::istream& stream,
 
 struct PcdHeader {
   std::vector<std::uint64_t> sizes, counts;
+  std::vector<std::string> types;
   std::size_t fields = 0;
   std::uint64_t width = 0, height = 1, points = 0;
   bool has_points = false;
@@ -167,6 +168,8 @@ parsePcdHeader(const Header& header, const std::string& path)
       pcd.fields = words.size() - 1;
     else if (words[0] == "SIZE")
       pcd.sizes = numbers(words);
+    else if (words[0] == "TYPE")
+      pcd.types.assign(words.begin() + 1, words.end());
     else if (words[0] == "COUNT")
       pcd.counts = numbers(words);
     else if (words[0] == "WIDTH")
@@ -187,25 +190,39 @@ parsePcdHeader(const Header& header, const std::string& path)
   return pcd;
 }
 
-void
-checkPcd(std::istream& stream, std::uintmax_t file_size, const std::string& path)
+/** A field's number of bytes must be one that numbers of its type can have. */
+bool
+isUsable(const std::string& type, std::uint64_t size, std::uint64_t count)
 {
-  const auto header = readHeader(stream, "DATA", path);
-  const auto pcd = parsePcdHeader(header, path);
+  const bool real = type == "F" && (size == 4 || size == 8);
+  const bool whole = (type == "I" || type == "U") &&
+                     (size == 1 || size == 2 || size == 4 || size == 8);
+  return (real || whole) && count > 0 && count <= 1000000;
+}
+
+void
+requireUsable(const PcdHeader& pcd, const std::string& path)
+{
   if (pcd.fields == 0 || pcd.sizes.size() != pcd.fields ||
-      pcd.counts.size() != pcd.fields)
-    throw ToolError(path + ": FIELDS, SIZE and COUNT of the header differ in number");
+      pcd.types.size() != pcd.fields || pcd.counts.size() != pcd.fields)
+    throw ToolError(path +
+                    ": FIELDS, SIZE, TYPE and COUNT of the header differ in number");
+  for (std::size_t i = 0; i < pcd.fields; ++i)
+    if (!isUsable(pcd.types[i], pcd.sizes[i], pcd.counts[i]))
+      throw ToolError(path + ": SIZE, TYPE or COUNT of field " + std::to_string(i + 1) +
+                      " in the header is not usable");
   if (pcd.width != 0 && pcd.width * pcd.height != pcd.points)
     throw ToolError(path + ": WIDTH times HEIGHT in the header is not POINTS");
   if (pcd.points == 0)
     throw ToolError(path + ": the cloud is empty (0 points)");
-  for (std::size_t i = 0; i < pcd.fields; ++i) {
-    const auto size = pcd.sizes[i];
-    if ((size != 1 && size != 2 && size != 4 && size != 8) || pcd.counts[i] == 0 ||
-        pcd.counts[i] > 1000000)
-      throw ToolError(path + ": SIZE or COUNT of field " + std::to_string(i + 1) +
-                      " in the header is not usable");
-  }
+}
+
+std::uint64_t
+checkPcd(std::istream& stream, std::uintmax_t file_size, const std::string& path)
+{
+  const auto header = readHeader(stream, "DATA", path);
+  const auto pcd = parsePcdHeader(header, path);
+  requireUsable(pcd, path);
   const std::uint64_t body = file_size - std::min(header.body_begin, file_size);
   const std::uint64_t bytes = pcd.points * pcd.bytesPerPoint();
   if (pcd.data == "ascii") {
@@ -228,6 +245,7 @@ checkPcd(std::istream& stream, std::uintmax_t file_size, const std::string& path
   else {
     throw ToolError(path + ": unknown kind of DATA '" + pcd.data + "' in the header");
   }
+  return bytes;
 }
 
 // ---- PLY
@@ -299,7 +317,7 @@ checkPly(std::istream& stream, std::uintmax_t file_size, const std::string& path
 
 } // namespace
 
-CloudFormat
+CheckedCloud
 checkCloudFile(const std::string& path)
 {
   std::error_code error;
@@ -321,12 +339,11 @@ checkCloudFile(const std::string& path)
   const std::string first = words.empty() ? "" : words[0];
   if (first == "ply") {
     checkPly(stream, file_size, path);
-    return CloudFormat::PLY;
+    return {CloudFormat::PLY, 0};
   }
   if (first[0] == '#' || first == "VERSION" || first == "FIELDS" ||
       first == "COLUMNS") {
-    checkPcd(stream, file_size, path);
-    return CloudFormat::PCD;
+    return {CloudFormat::PCD, checkPcd(stream, file_size, path)};
   }
   throw ToolError(path + ": neither a PCD nor a PLY file");
 }

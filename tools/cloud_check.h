@@ -4,11 +4,17 @@
  */
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace pcl::indoor::tool {
 
 enum class CloudFormat { PCD, PLY };
+
+struct CheckedCloud {
+  CloudFormat format = CloudFormat::PCD;
+  std::uint64_t bytes = 0; ///< of all points of a PCD in memory
+};
 
 /** \brief Compare a cloud file's header with what follows it.
  *
@@ -17,7 +23,7 @@ enum class CloudFormat { PCD, PLY };
  * neither PCD nor PLY, has a header that contradicts itself, no points, or fewer bytes
  * or lines than its header promises
  */
-CloudFormat
+CheckedCloud
 checkCloudFile(const std::string& path);
 
 } // namespace pcl::indoor::tool

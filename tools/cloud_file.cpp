@@ -12,14 +12,10 @@
 #include <pcl/io/ply_io.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
-#include <unistd.h> // for access, getpid
 
 namespace pcl::indoor::tool {
 namespace {
@@ -109,15 +105,36 @@ readReals(const PCLPointCloud2& cloud, const std::string& name)
   return values;
 }
 
+/** PCL's reader walks over the body by what it made of the header: nothing may be amiss
+ * there. */
+bool
+isReadAsChecked(const CloudFile& file, std::uint64_t checked_bytes)
+{
+  CloudFile trial;
+  int version = 0;
+  int data_type = 0;
+  unsigned int data_begin = 0;
+  return PCDReader().readHeader(file.path,
+                                trial.cloud,
+                                trial.origin,
+                                trial.orientation,
+                                version,
+                                data_type,
+                                data_begin) == 0 &&
+         trial.cloud.data.size() == checked_bytes;
+}
+
 void
 readFile(CloudFile& file)
 {
-  const auto format = checkCloudFile(file.path);
+  const auto checked = checkCloudFile(file.path);
   const SilentPcl silence;
   int result = 0;
   try {
     int version = 0;
-    if (format == CloudFormat::PCD)
+    if (checked.format == CloudFormat::PCD && !isReadAsChecked(file, checked.bytes))
+      result = -1;
+    else if (checked.format == CloudFormat::PCD)
       result = PCDReader().read(
           file.path, file.cloud, file.origin, file.orientation, version);
     else
@@ -179,13 +196,6 @@ fillPoints(CloudFile& file)
   }
   points->is_dense = file.finite_count == points->size();
   file.points = points;
-}
-
-std::string
-folderOf(const std::string& path)
-{
-  const auto folder = std::filesystem::path(path).parent_path().string();
-  return folder.empty() ? "." : folder;
 }
 
 } // namespace
@@ -297,66 +307,6 @@ appendField(PCLPointCloud2& cloud,
 }
 
 void
-requireWritable(const std::string& path)
-{
-  std::error_code error;
-  const auto folder = folderOf(path);
-  if (!std::filesystem::is_directory(folder, error))
-    throw ToolError(path + ": cannot be written, there is no folder " + folder);
-  if (std::filesystem::is_directory(path, error))
-    throw ToolError(path + ": cannot be written, it is a folder");
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
-    throw ToolError(path + ": cannot be written, " + std::strerror(errno));
-}
-
-void
-requireFolder(const std::string& folder)
-{
-  std::error_code error;
-  auto nearest = std::filesystem::absolute(folder, error);
-  while (!std::filesystem::exists(nearest, error) && nearest.has_relative_path())
-    nearest = nearest.parent_path();
-  if (!std::filesystem::is_directory(nearest, error))
-    throw ToolError(folder + ": cannot be used as a folder, " + nearest.string() +
-                    " is none");
-  if (access(nearest.c_str(), W_OK | X_OK) != 0)
-    throw ToolError(folder + ": cannot be written, " + std::strerror(errno));
-}
-
-void
-makeFolder(const std::string& folder)
-{
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw ToolError(folder + ": cannot be made, " + error.message());
-}
-
-void
-saveAtomically(const std::string& path,
-               const std::function<bool(const std::string& temporary)>& write)
-{
-  requireWritable(path);
-  const auto temporary = path + ".part" + std::to_string(getpid());
-  std::error_code error;
-  bool good = false;
-  try {
-    good = write(temporary);
-  } catch (...) {
-    std::filesystem::remove(temporary, error);
-    throw;
-  }
-  if (good)
-    std::filesystem::rename(temporary, path, error);
-  if (!good || error) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw ToolError(path + ": cannot be written" +
-                    (error ? ", " + error.message() : std::string()));
-  }
-}
-
-void
 saveCloud(const std::string& path,
           const PCLPointCloud2& cloud,
           const Eigen::Vector4f& origin,
@@ -370,17 +320,6 @@ saveCloud(const std::string& path,
     } catch (const IOException&) {
       return false;
     }
-  });
-}
-
-void
-saveText(const std::string& path, const std::string& text)
-{
-  saveAtomically(path, [&text](const std::string& temporary) {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << text;
-    stream.close();
-    return stream.good();
   });
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "options.h" // for ToolError
+#include "output_file.h"
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/point_cloud.h>
@@ -14,7 +15,6 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -71,22 +71,6 @@ appendField(PCLPointCloud2& cloud,
             const std::string& name,
             const std::vector<std::uint32_t>& values);
 
-/** \brief Find out, before the long work, that a file cannot be written there.
- * \throws ToolError naming the folder that is missing or not writable
- */
-void
-requireWritable(const std::string& path);
-
-/** \brief Find out, before the long work, that a folder cannot be used or made for
- * results. \throws ToolError naming it and the reason
- */
-void
-requireFolder(const std::string& folder);
-
-/** \brief Make a folder, and those above it, unless it is there. */
-void
-makeFolder(const std::string& folder);
-
 /** \brief Write all fields, binary compressed: first beside the file, then renamed, so
  * none is left half-written. \throws ToolError if it cannot be written; then nothing is
  * left behind and an older file is unchanged
@@ -96,17 +80,5 @@ saveCloud(const std::string& path,
           const PCLPointCloud2& cloud,
           const Eigen::Vector4f& origin = Eigen::Vector4f::Zero(),
           const Eigen::Quaternionf& orientation = Eigen::Quaternionf::Identity());
-
-/** \brief Write a text file in the same way. */
-void
-saveText(const std::string& path, const std::string& text);
-
-/** \brief The way of both: \a write makes the file of the name it is given, which then
- * takes the place of \a path. \throws ToolError if write returns false or the file
- * cannot be put in place
- */
-void
-saveAtomically(const std::string& path,
-               const std::function<bool(const std::string& temporary)>& write);
 
 } // namespace pcl::indoor::tool

@@ -4,11 +4,14 @@
  */
 #include "cloud_file.h"
 #include "options.h"
+#include "point_spacing.h"
 #include "room_objects.h"
 #include "room_picture.h"
 #include "scene_file.h"
 
 #include <pcl/segmentation/room_segmentation.h>
+
+#include <algorithm>
 
 using namespace pcl::indoor::tool;
 
@@ -19,6 +22,8 @@ struct Options {
   std::string partition = "graph";
   pcl::indoor::BuildingRoomsOptions rooms;
   pcl::indoor::ObjectSegmentationOptions objects;
+  double voxel_resolution = 0.0,
+         seed_resolution = 0.0; ///< of the objects, 0 = automatic
   int threads = 0;
   bool ignore_normals = false;
 };
@@ -44,15 +49,15 @@ makeParser(Options& options)
               "m^2",
               Range::atLeast(0))
       .number("-voxel_resolution",
-              options.objects.voxel_size,
-              "edge of a voxel of the objects",
+              options.voxel_resolution,
+              "edge of a voxel of the objects, 0 = automatic",
               "m",
-              Range::positive())
+              Range::atLeast(0))
       .number("-seed_resolution",
-              options.objects.seed_size,
-              "distance of supervoxels, at least -voxel_resolution",
+              options.seed_resolution,
+              "distance of supervoxels, at least -voxel_resolution, 0 = automatic",
               "m",
-              Range::positive())
+              Range::atLeast(0))
       .text("-partition",
             options.partition,
             "how supervoxels are joined",
@@ -68,14 +73,24 @@ makeParser(Options& options)
   return parser;
 }
 
+/** Choose what was left to the tool: a voxel wider than the gaps between points, or
+ * surfaces fall apart. */
 void
-check(const Options& options)
+chooseResolution(Options& options, const CloudFile& file)
 {
-  if (options.objects.seed_size < options.objects.voxel_size)
-    throw ToolError("-seed_resolution: '" + std::to_string(options.objects.seed_size) +
+  auto& objects = options.objects;
+  const double seeds_per_voxel = objects.seed_size / objects.voxel_size;
+  if (options.voxel_resolution == 0.0)
+    options.voxel_resolution =
+        std::max(objects.voxel_size, 1.5 * pointSpacing(*file.points));
+  if (options.seed_resolution == 0.0)
+    options.seed_resolution = seeds_per_voxel * options.voxel_resolution;
+  if (options.seed_resolution < options.voxel_resolution)
+    throw ToolError("-seed_resolution: '" + std::to_string(options.seed_resolution) +
                     "' is less than -voxel_resolution, " +
-                    std::to_string(options.objects.voxel_size));
-  requireFolder(options.folder);
+                    std::to_string(options.voxel_resolution));
+  objects.voxel_size = options.voxel_resolution;
+  objects.seed_size = options.seed_resolution;
 }
 
 void
@@ -118,10 +133,11 @@ main(int argc, char** argv)
   Options options;
   auto parser = makeParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {
-    check(options);
+    requireFolder(options.folder);
     progress.start("Loading " + options.input);
     CloudFile file = loadCloud(options.input);
     progress.done(std::to_string(file.points->size()) + " points");
+    chooseResolution(options, file);
 
     Scene scene;
     segment(options, file, scene, progress);

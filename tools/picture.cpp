@@ -4,7 +4,7 @@
  */
 #include "picture.h"
 
-#include "cloud_file.h" // for saveAtomically
+#include "output_file.h"
 
 #include <png.h>
 

@@ -1,0 +1,267 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "cloud_file.h"
+
+#include <pcl/conversions.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <random>
+
+using namespace pcl::indoor::tool;
+
+namespace {
+
+/** A folder of its own for each test, gone afterwards. */
+class CloudFiles : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("pcl_indoor_" + std::string(test->name()) +
+               std::to_string(std::random_device()()));
+    std::filesystem::create_directories(folder_);
+  }
+
+  void
+  TearDown() override
+  {
+    std::filesystem::remove_all(folder_);
+  }
+
+  std::string
+  path(const std::string& name) const
+  {
+    return (folder_ / name).string();
+  }
+
+  std::string
+  write(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+
+  std::size_t
+  fileCount() const
+  {
+    return static_cast<std::size_t>(
+        std::distance(std::filesystem::directory_iterator(folder_), {}));
+  }
+
+private:
+  std::filesystem::path folder_;
+};
+
+pcl::PointCloud<pcl::PointXYZINormal>
+organisedCloud()
+{
+  pcl::PointCloud<pcl::PointXYZINormal> cloud(6, 4);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    cloud[i].getVector3fMap() = Eigen::Vector3f(0.1f * i, 0.2f * i, -0.3f * i);
+    cloud[i].getNormalVector3fMap() = Eigen::Vector3f::UnitY();
+    cloud[i].intensity = 100.0f + i;
+    cloud[i].curvature = 0.01f;
+  }
+  cloud[5].x = std::numeric_limits<float>::quiet_NaN();
+  cloud.is_dense = false;
+  cloud.sensor_origin_ = Eigen::Vector4f(1, 2, 3, 0);
+  cloud.sensor_orientation_ = Eigen::Quaternionf(0.5f, 0.5f, 0.5f, 0.5f);
+  return cloud;
+}
+
+std::string
+utmPcd()
+{
+  return "VERSION .7\nFIELDS x y z label\nSIZE 8 8 8 1\nTYPE F F F U\nCOUNT 1 1 1 1\n"
+         "WIDTH 3\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\nDATA ascii\n"
+         "691234.1234 5334567.0005 512.25 1\n691235.1236 5334568.0015 513.25 2\n"
+         "691236.5 nan 511 255\n";
+}
+
+} // namespace
+
+TEST_F(CloudFiles, EveryEncodingGivesTheSameCloud)
+{
+  const auto cloud = organisedCloud();
+  pcl::PCDWriter writer;
+  writer.writeASCII(path("ascii.pcd"), cloud);
+  writer.writeBinary(path("binary.pcd"), cloud);
+  writer.writeBinaryCompressed(path("compressed.pcd"), cloud);
+  for (const char* name : {"ascii.pcd", "binary.pcd", "compressed.pcd"}) {
+    SCOPED_TRACE(name);
+    const auto file = loadCloud(path(name));
+    EXPECT_EQ(file.points->width, 6u);
+    EXPECT_EQ(file.points->height, 4u);
+    EXPECT_EQ(file.finite_count, 23u);
+    EXPECT_FALSE(file.points->is_dense);
+    EXPECT_TRUE(std::isnan((*file.points)[5].x) && std::isnan((*file.points)[5].z));
+    EXPECT_FLOAT_EQ((*file.points)[7].z, -2.1f);
+    EXPECT_EQ(file.origin.head<3>(), Eigen::Vector3f(1, 2, 3));
+    EXPECT_TRUE(hasField(file.cloud, "intensity"));
+    ASSERT_TRUE(file.has_normals);
+    const auto normals = readNormals(file);
+    EXPECT_EQ((*normals)[3].normal_y, 1.0f);
+    EXPECT_EQ((*normals)[3].curvature, 0.01f);
+  }
+}
+
+TEST_F(CloudFiles, PlyIsReadWithItsDoubles)
+{
+  const auto file = loadCloud(write(
+      "cloud.ply",
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\n"
+      "property double y\nproperty double z\nproperty float scalar_Intensity\n"
+      "end_header\n691234.1234 5334567.0005 1 0.5\n691234.1235 5334567.0006 2 0.6\n"));
+  EXPECT_EQ(file.finite_count, 2u);
+  EXPECT_TRUE(hasField(file.cloud, "scalar_Intensity"));
+  EXPECT_NEAR((*file.points)[1].x - (*file.points)[0].x, 1e-4, 1e-6); // float near 0
+}
+
+TEST_F(CloudFiles, LargeCoordinatesKeepTheirMillimetresAndTheirBytes)
+{
+  auto file = loadCloud(write("utm.pcd", utmPcd()));
+  const auto bytes = file.cloud.data;
+  EXPECT_EQ(file.finite_count, 2u);
+  const Eigen::Vector3d difference =
+      ((*file.points)[1].getVector3fMap() - (*file.points)[0].getVector3fMap())
+          .cast<double>();
+  // floats of about 1 m resolve 0.06 micrometres
+  EXPECT_LT((difference - Eigen::Vector3d(1.0002, 1.001, 1.0)).norm(), 1e-6);
+  EXPECT_NEAR((*file.points)[0].x + file.offset.x(), 691234.1234, 1e-6);
+  EXPECT_EQ(file.offset.z(), 0.0); // a small coordinate stays as it is
+
+  appendField(file.cloud, "room", {4, 5, 0});
+  saveCloud(path("out.pcd"), file.cloud, file.origin, file.orientation);
+  const auto again = loadCloud(path("out.pcd"));
+  ASSERT_EQ(again.cloud.point_step, 29u);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_TRUE(
+        std::equal(&bytes[25 * i], &bytes[25 * i] + 25, &again.cloud.data[29 * i]));
+  EXPECT_EQ(readLabels(again, "room"), (std::vector<std::uint32_t>{4, 5, 0}));
+  EXPECT_EQ(readLabels(again, "label"), (std::vector<std::uint32_t>{1, 2, 255}));
+}
+
+TEST_F(CloudFiles, AnAppendedFieldReplacesItsNamesakeOfAnyType)
+{
+  pcl::io::savePCDFileBinary(path("in.pcd"), organisedCloud());
+  auto file = loadCloud(path("in.pcd"));
+  std::vector<std::uint32_t> values(24);
+  for (std::uint32_t i = 0; i < 24; ++i)
+    values[i] = i * 200000000u % 4000000001u;
+  appendField(file.cloud, "intensity", values);
+  appendField(file.cloud, "object", values);
+  values[3] = 12;
+  appendField(file.cloud, "object", values);
+  saveCloud(path("out.pcd"), file.cloud, file.origin, file.orientation);
+  const auto again = loadCloud(path("out.pcd"));
+  EXPECT_EQ(readLabels(again, "object"), values);
+  EXPECT_EQ(again.cloud.fields.size(), file.cloud.fields.size());
+  EXPECT_EQ(again.points->width, 6u);
+  EXPECT_TRUE(again.orientation.isApprox(organisedCloud().sensor_orientation_));
+  pcl::PointCloud<pcl::PointNormal> points;
+  pcl::fromPCLPointCloud2(again.cloud, points);
+  EXPECT_FLOAT_EQ(points[7].z, -2.1f);
+  EXPECT_FLOAT_EQ(points[7].normal_y, 1.0f);
+  EXPECT_THROW(appendField(file.cloud, "object", {1, 2}), ToolError);
+}
+
+TEST_F(CloudFiles, LabelsMustBeWholeNumbers)
+{
+  pcl::io::savePCDFileBinary(path("in.pcd"), organisedCloud());
+  const auto file = loadCloud(path("in.pcd"));
+  EXPECT_EQ(readLabels(file, "intensity")[3], 103u); // floats, but whole
+  EXPECT_THROW(readLabels(file, "curvature"), ToolError);
+  EXPECT_THROW(readLabels(file, "x"), ToolError);
+  EXPECT_THROW(readLabels(file, "label"), ToolError);
+}
+
+TEST_F(CloudFiles, AFailedWriteLeavesTheOldFileAndNothingElse)
+{
+  const auto old = write("out.pcd", "old");
+  EXPECT_THROW(saveAtomically(old,
+                              [](const std::string& temporary) {
+                                std::ofstream(temporary) << "half";
+                                return false;
+                              }),
+               ToolError);
+  EXPECT_THROW(saveAtomically(old,
+                              [](const std::string& temporary) -> bool {
+                                std::ofstream(temporary) << "half";
+                                throw std::runtime_error("interrupted");
+                              }),
+               std::runtime_error);
+  EXPECT_EQ(fileCount(), 1u);
+  EXPECT_EQ(std::filesystem::file_size(old), 3u);
+  saveText(old, "newer");
+  EXPECT_EQ(std::filesystem::file_size(old), 5u);
+  EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(CloudFiles, PlacesThatCannotBeWrittenAreRefused)
+{
+  const auto file = write("file", "text");
+  EXPECT_THROW(requireWritable(path("missing/out.pcd")), ToolError);
+  EXPECT_THROW(requireWritable(file + "/out.pcd"), ToolError);
+  EXPECT_THROW(requireWritable(path(".")), ToolError);
+  EXPECT_NO_THROW(requireWritable(path("out.pcd")));
+  EXPECT_NO_THROW(requireWritable(file));
+  EXPECT_THROW(requireFolder(file), ToolError);
+  EXPECT_THROW(requireFolder(file + "/deeper"), ToolError);
+  EXPECT_NO_THROW(requireFolder(path("a/b/c")));
+  EXPECT_EQ(fileCount(), 1u); // asking makes nothing
+  makeFolder(path("a/b/c"));
+  EXPECT_TRUE(std::filesystem::is_directory(path("a/b/c")));
+  EXPECT_THROW(makeFolder(file + "/deeper"), ToolError);
+}
+
+TEST_F(CloudFiles, NumbersInAHeaderCannotAskForEverything)
+{
+  const auto with = [](const std::string& size,
+                       const std::string& count,
+                       const std::string& points) {
+    return "VERSION .7\nFIELDS x y z\nSIZE " + size + "\nTYPE F F F\nCOUNT " + count +
+           "\nWIDTH " + points + "\nHEIGHT 1\nPOINTS " + points + "\nDATA binary\n";
+  };
+  for (const auto& text : {with("4 4 4", "1 1 1", "2000000000"),
+                           with("4 4 4", "1 1 1", "-3"),
+                           with("4 4 4", "1 1 1", "99999999999999999999"),
+                           with("4 4 4", "1 1 2000000000", "3"),
+                           with("4 4 3", "1 1 1", "3"),
+                           with("4 4", "1 1 1", "3"),
+                           with("4 4 4", "1 1", "3"),
+                           with("4 4 4", "1 0 1", "3")})
+    EXPECT_THROW(loadCloud(write("bad.pcd", text)), ToolError) << text;
+}
+
+// Whatever a file's first bytes are changed to, the reader answers with a cloud or an
+// error.
+TEST_F(CloudFiles, DamagedHeadersNeverCrash)
+{
+  std::mt19937 rng(42);
+  pcl::io::savePCDFileBinary(path("in.pcd"), organisedCloud());
+  std::ifstream stream(path("in.pcd"), std::ios::binary);
+  const std::string good(std::istreambuf_iterator<char>(stream), {});
+  std::size_t refused = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    auto text = trial % 2 == 0 ? utmPcd() : good;
+    for (int change = 0; change < 3; ++change)
+      text[rng() % 200] = "0123456789 \n-.FUIxyz"[rng() % 20];
+    try {
+      loadCloud(write("bad.pcd", text));
+    } catch (const ToolError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 100u);
+}
