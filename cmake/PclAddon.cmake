@@ -1,6 +1,7 @@
 # The add-on's few build functions: a library per module, a tool, a test, the package.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+include(CheckCXXSourceCompiles)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   message(STATUS "No CMAKE_BUILD_TYPE given: choosing Release")
@@ -16,11 +17,21 @@ function(pcl_addon_refuse_native_architecture)
   endif()
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
   set(flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${CMAKE_C_FLAGS}")
-  if(flags MATCHES "-(march|mcpu)=native|-mavx")
+  set(problem "")
+  if(flags MATCHES "-m(arch|cpu)=native|-mavx[^ ]*")
+    set(problem "contain ${CMAKE_MATCH_0}")
+  else() # -march=haswell and its like
+    unset(PCL_INDOOR_FLAGS_WITHOUT_AVX CACHE)
+    check_cxx_source_compiles("#ifdef __AVX__\n#error\n#endif\nint main() {}" PCL_INDOOR_FLAGS_WITHOUT_AVX)
+    if(NOT PCL_INDOOR_FLAGS_WITHOUT_AVX)
+      set(problem "turn on AVX")
+    endif()
+  endif()
+  if(problem)
     message(FATAL_ERROR
-      "The compiler flags contain ${CMAKE_MATCH_0}: this changes Eigen's memory alignment against the packaged PCL "
-      "and corrupts memory (double free in supervoxels and LCCP). Remove the flag, or build PCL itself with it and "
-      "configure with -DPCL_INDOOR_ALLOW_NATIVE=ON.")
+      "The compiler flags ${problem}: this changes Eigen's memory alignment against the packaged PCL and corrupts "
+      "memory (double free in supervoxels and LCCP). Remove the flag, or build PCL itself with it and configure "
+      "with -DPCL_INDOOR_ALLOW_NATIVE=ON.")
   endif()
 endfunction()
 
@@ -41,7 +52,7 @@ function(pcl_addon_add_library module)
   add_library(${PROJECT_NAME}::${module} ALIAS ${target})
   pcl_addon_set_defaults(${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${module} VERSION ${PROJECT_VERSION}
-    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN")
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${PCL_ADDON_INCLUDE_DIR}>)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC_LINK} PRIVATE ${ARG_PRIVATE_LINK})
@@ -56,6 +67,7 @@ function(pcl_addon_add_tool name)
   pcl_addon_set_defaults(pcl_${name})
   target_link_libraries(pcl_${name} PRIVATE ${ARG_LINK})
   target_link_options(pcl_${name} PRIVATE LINKER:--as-needed)
+  set_target_properties(pcl_${name} PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   install(TARGETS pcl_${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
