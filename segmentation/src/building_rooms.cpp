@@ -4,7 +4,6 @@
  */
 
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/nearest_sites.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,31 +12,6 @@
 namespace pcl {
 namespace indoor {
 namespace {
-
-/** Columns with something in them, and the gaps between those (closing by a disc). */
-PixelMap<std::uint8_t>
-coveredColumns(const VoxelGrid<std::uint8_t>& occupancy,
-               const VerticalRange& storey,
-               double radius)
-{
-  const GridShape& shape = occupancy.shape;
-  PixelMap<std::uint8_t> covered{shape.nx, shape.ny, {}};
-  covered.values.assign(covered.size(), 0);
-  for (std::size_t i = 0; i < covered.size(); ++i) {
-    const auto* column = &occupancy.values[i * shape.nz];
-    covered.values[i] = std::any_of(
-        column + storey.begin, column + storey.end, [](auto value) { return value; });
-  }
-  const double reach = radius * radius / (occupancy.voxel_size * occupancy.voxel_size);
-  const NearestSites to_covered = nearestSites(covered);
-  PixelMap<std::uint8_t> far = covered;
-  for (std::size_t i = 0; i < far.size(); ++i)
-    far.values[i] = to_covered.squared_distance.values[i] > reach;
-  const NearestSites to_far = nearestSites(far);
-  for (std::size_t i = 0; i < far.size(); ++i)
-    covered.values[i] = to_far.squared_distance.values[i] > reach;
-  return covered;
-}
 
 /** Label the points of one storey: by the map, and at walls by the side they are on. */
 void
@@ -133,9 +107,11 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
   building.point_labels.assign(points.size(), 0);
 
   const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  building.interior = interiorSpace(points, building.occupancy, options.interior);
   std::uint32_t label_count = 0;
   for (const VerticalRange& storey : std::vector<VerticalRange>{{0, grid.shape.nz}}) {
-    const auto inside = coveredColumns(grid, storey, 0.5);
+    const auto inside =
+        interiorColumns(building.interior, storey, grid.shape.nx, grid.shape.ny);
     building.storeys.push_back(segmentRoomMap(grid, storey, inside, options.map));
     building.first_label.push_back(label_count);
     labelPoints(points,

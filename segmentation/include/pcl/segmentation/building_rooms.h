@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/segmentation/interior_space.h>
 #include <pcl/segmentation/occupancy_grid.h>
 #include <pcl/segmentation/room_map.h>
 #include <pcl/segmentation/wall_sides.h>
@@ -20,6 +21,7 @@ namespace indoor {
 /** \brief All parameters of the way from a building's points to its rooms. */
 struct BuildingRoomsOptions {
   double voxel_size = 0.1; ///< side of a voxel and of a map pixel, metres (> 0)
+  InteriorSpaceOptions interior;
   RoomMapOptions map;
   WallSideOptions walls;
   int threads = 0; ///< 0 = automatic; the result does not depend on it
@@ -40,6 +42,7 @@ struct Room {
 /** \brief The rooms of a building and every step on the way to them. */
 struct BuildingRooms {
   OccupancyGrid occupancy;
+  InteriorSpace interior;
   std::vector<RoomMap> storeys;            ///< from below; labels are 1 ... n in each
   std::vector<std::uint32_t> first_label;  ///< per storey: what is added to its labels
   std::vector<std::uint32_t> point_labels; ///< room per point, 0 = none

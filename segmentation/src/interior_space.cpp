@@ -1,0 +1,111 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/dominant_directions.h>
+#include <pcl/segmentation/grid_cut.h>
+#include <pcl/segmentation/interior_space.h>
+#include <pcl/segmentation/vertical_cleanup.h>
+#include <pcl/segmentation/voxel_normals.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+constexpr double gain_unit = 0.01; // of the energy, Eq. (3.2)
+
+VoxelGrid<std::uint8_t>
+coarser(const VoxelGrid<std::uint8_t>& fine, int factor)
+{
+  const auto groups = [&](int count) { return (count + factor - 1) / factor; };
+  VoxelGrid<std::uint8_t> coarse;
+  coarse.origin = fine.origin;
+  coarse.voxel_size = fine.voxel_size * factor;
+  coarse.shape = {groups(fine.shape.nx), groups(fine.shape.ny), groups(fine.shape.nz)};
+  coarse.values.assign(coarse.shape.size(), 0);
+  for (int x = 0; x < fine.shape.nx; ++x)
+    for (int y = 0; y < fine.shape.ny; ++y) {
+      const auto* from = &fine.values[fine.shape.index(x, y, 0)];
+      auto* to = &coarse.values[coarse.shape.index(x / factor, y / factor, 0)];
+      for (int z = 0; z < fine.shape.nz; ++z)
+        to[z / factor] |= from[z];
+    }
+  return coarse;
+}
+
+std::vector<Eigen::Vector2d>
+wallDirections(const std::vector<Eigen::Vector3f>& points,
+               const OccupancyGrid& building,
+               const InteriorSpaceOptions& options)
+{
+  VoxelNormalsOptions sampling;
+  sampling.threads = options.threads;
+  const WeightedNormals sample = voxelNormals(points, building, sampling);
+  std::vector<Eigen::Vector2d> directions;
+  for (const auto& found :
+       horizontalDirections(manhattanFrames(sample.normals, sample.weights))) {
+    const bool few = directions.size() < 2; // Eq. (3.1) has two
+    if (directions.size() < options.max_directions &&
+        (few || found.support >= options.min_direction_support)) {
+      const Eigen::Vector3d in_cloud(found.direction.x(), found.direction.y(), 0.0);
+      directions.push_back(building.toGrid(in_cloud).head<2>());
+    }
+  }
+  return directions;
+}
+
+} // namespace
+
+InteriorSpace
+interiorSpace(const std::vector<Eigen::Vector3f>& points,
+              const OccupancyGrid& building,
+              const InteriorSpaceOptions& options)
+{
+  InteriorSpace space;
+  space.factor = std::max(
+      1, static_cast<int>(std::lround(options.voxel_size / building.grid.voxel_size)));
+  space.directions = wallDirections(points, building, options);
+  space.occupancy = coarser(building.grid, space.factor);
+  cleanUpVertically(space.occupancy, 1, options.threads);
+
+  const int count = static_cast<int>(space.directions.size());
+  const auto bits = enclosure(space.occupancy, space.directions, options.threads);
+  const auto gain =
+      interiorGain(space.occupancy, bits, count, options.weights, gain_unit);
+  space.inside = space.occupancy;
+  space.inside.values =
+      cutGrid(space.occupancy.shape,
+              gain,
+              static_cast<int>(std::lround(options.smoothness / gain_unit)))
+          .inside;
+  return space;
+}
+
+PixelMap<std::uint8_t>
+interiorColumns(const InteriorSpace& space, const VerticalRange& storey, int nx, int ny)
+{
+  const GridShape& shape = space.inside.shape;
+  const int begin = storey.begin / space.factor;
+  const int end = std::min(shape.nz, (storey.end - 1) / space.factor + 1);
+  PixelMap<std::uint8_t> columns{nx, ny, {}};
+  columns.values.resize(columns.size());
+  for (int x = 0; x < nx; ++x)
+    for (int y = 0; y < ny; ++y) {
+      const std::size_t column = shape.index(x / space.factor, y / space.factor, 0);
+      int interior = 0, exterior = 0;
+      for (int z = begin; z < end; ++z) {
+        interior += space.inside.values[column + z] != 0;
+        exterior +=
+            !space.inside.values[column + z] && !space.occupancy.values[column + z];
+      }
+      columns.at(x, y) = interior >= exterior;
+    }
+  return columns;
+}
+
+} // namespace indoor
+} // namespace pcl
