@@ -53,8 +53,10 @@ estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
   estimation.setKSearch(neighbor_count);
   PointCloud<Normal> normals;
   estimation.compute(normals);
-  for (std::size_t k = 0; k < cloud.size(); ++k)
+  for (std::size_t k = 0; k < cloud.size(); ++k) {
     cloud[k].getNormalVector3fMap() = normals[k].getNormalVector3fMap();
+    cloud[k].curvature = normals[k].curvature;
+  }
 }
 
 PointCloud<PointNormal>::Ptr

@@ -1,0 +1,257 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "cloud_file.h"
+#include "eppf_options.h"
+#include "options.h"
+#include "retrieval_report.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <sstream>
+
+namespace {
+
+using namespace pcl::indoor; // a tool of the cores
+using namespace pcl::indoor::tool;
+
+struct Settings {
+  std::string folder;
+  std::string descriptors = "all";
+  std::string distances = "kl,l1";
+  std::string noise = "0";
+  std::string ablation = "none";
+  std::string json;
+  std::string confusion;
+  std::string confusion_picture;
+  std::string plot;
+  ExperimentSettings experiment;
+  EPPFCommandLine eppf;
+};
+
+std::vector<std::string>
+splitAtCommas(const std::string& text)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');)
+    parts.push_back(part);
+  return parts;
+}
+
+std::vector<HistogramDistance>
+readDistances(const std::string& text)
+{
+  const HistogramDistance all[] = {HistogramDistance::SymmetricKullbackLeibler,
+                                   HistogramDistance::L1,
+                                   HistogramDistance::L2,
+                                   HistogramDistance::ChiSquared};
+  std::vector<HistogramDistance> distances;
+  for (const auto& name : splitAtCommas(text)) {
+    const auto found = std::find_if(std::begin(all), std::end(all), [&](auto distance) {
+      return distanceName(distance) == name;
+    });
+    if (found == std::end(all))
+      throw ToolError("-distances: '" + name + "' is none of kl, l1, l2, chi2");
+    distances.push_back(*found);
+  }
+  if (distances.empty())
+    throw ToolError("-distances: none given");
+  return distances;
+}
+
+std::vector<double>
+readNoise(const std::string& text)
+{
+  std::vector<double> levels;
+  for (const auto& part : splitAtCommas(text)) {
+    double level = 0.0;
+    const auto* const end = part.data() + part.size();
+    const auto result = std::from_chars(part.data(), end, level);
+    if (result.ec != std::errc() || result.ptr != end || !(level >= 0 && level <= 100))
+      throw ToolError("-noise: '" + part + "' is not a number from 0 to 100");
+    levels.push_back(level);
+  }
+  if (levels.empty())
+    throw ToolError("-noise: none given");
+  return levels;
+}
+
+/** \brief The variants of EPPF of Fig. 5.11 to 5.13, and of its other choices. */
+std::vector<RetrievalDescriptor>
+ablation(const std::string& what, const EPPFOptions& options)
+{
+  std::vector<RetrievalDescriptor> variants = {eppfDescriptor("eppf", options)};
+  const auto add = [&](const std::string& name, auto change) {
+    auto changed = options;
+    change(changed);
+    variants.push_back(eppfDescriptor(name, changed));
+  };
+  if (what == "features") {
+    add("without f1", [](auto& o) { o.features.distance = false; });
+    add("without f2", [](auto& o) { o.features.surface_angle = false; });
+    add("without f3", [](auto& o) { o.features.normal_angle = false; });
+    add("without f4", [](auto& o) { o.features.occupancy = false; });
+  }
+  else if (what == "surface_angle") {
+    add("minimum", [](auto& o) { o.surface_angle_rule = SurfaceAngleRule::Minimum; });
+    add("mean", [](auto& o) { o.surface_angle_rule = SurfaceAngleRule::Mean; });
+    add("random", [](auto& o) { o.surface_angle_rule = SurfaceAngleRule::RandomOne; });
+    add("both, not f4", [](auto& o) {
+      o.surface_angle_rule = SurfaceAngleRule::BothInsteadOfOccupancy;
+    });
+    add("signed maximum", [](auto& o) { o.oriented_normals = true; });
+  }
+  else if (what == "scale")
+    for (const double scale : {0.5, 0.7, 1.0, 1.2, 1.4, 1.7, 2.0}) {
+      std::ostringstream name;
+      name << "scale " << scale << " m";
+      add(name.str(), [scale](auto& o) { o.scale = scale; });
+    }
+  else if (what == "grid")
+    for (const int size : {8, 16, 24, 32, 48, 64})
+      add("grid " + std::to_string(size), [size](auto& o) { o.grid_size = size; });
+  else if (what == "sampling")
+    for (const std::size_t count : {2000u, 5000u, 10000u, 20000u, 50000u}) {
+      add("uniform " + std::to_string(count), [count](auto& o) {
+        o.sampling = PairSampling::Uniform;
+        o.pair_count = count;
+      });
+      add("stratified " + std::to_string(count), [count](auto& o) {
+        o.sampling = PairSampling::Stratified;
+        o.pair_count = count;
+      });
+    }
+  return variants;
+}
+
+std::vector<RetrievalDescriptor>
+chosenDescriptors(const Settings& settings)
+{
+  const auto options = settings.eppf.options();
+  if (settings.ablation != "none")
+    return ablation(settings.ablation, options);
+  auto short_options = options;
+  short_options.bins = {15, 3, 4, 3};
+  std::vector<RetrievalDescriptor> known = {
+      eppfDescriptor("eppf", options),
+      eppfDescriptor("eppf_thesis", thesisOptions()),
+      eppfDescriptor("eppf_short", short_options),
+      surfletPairDescriptor(5),
+      surfletPairDescriptor(6)};
+  for (auto& peer : peerDescriptors())
+    known.push_back(std::move(peer));
+  if (settings.descriptors == "all")
+    return known;
+  std::vector<RetrievalDescriptor> chosen;
+  for (const auto& name : splitAtCommas(settings.descriptors)) {
+    const auto found = std::find_if(
+        known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
+    if (found == known.end()) {
+      std::string names = "all";
+      for (const auto& one : known)
+        names += ", " + one.name;
+      throw ToolError("-descriptors: '" + name + "' is none of " + names);
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+void
+writeReports(const std::vector<RetrievalLevel>& levels,
+             const LabelledObjects& objects,
+             const Settings& settings)
+{
+  const auto& first = levels.front().results.front();
+  if (!settings.json.empty())
+    saveText(settings.json, resultJson(levels, objects, settings.experiment));
+  if (!settings.confusion.empty())
+    saveText(settings.confusion, confusionText(first.confusion, objects.class_names));
+  if (!settings.confusion_picture.empty())
+    savePng(settings.confusion_picture,
+            confusionPicture(first.confusion, objects.class_names));
+  if (!settings.plot.empty())
+    savePng(settings.plot,
+            levels.size() > 1 ? noisePicture(levels)
+                              : barPicture(levels.front().results));
+}
+
+void
+run(const Settings& settings, Progress& progress)
+{
+  const auto descriptors = chosenDescriptors(settings);
+  const auto noise_levels = readNoise(settings.noise);
+  auto experiment = settings.experiment;
+  experiment.distances = readDistances(settings.distances);
+  for (const auto& path :
+       {settings.json, settings.confusion, settings.confusion_picture, settings.plot})
+    if (!path.empty())
+      requireWritable(path);
+  const auto objects =
+      loadLabelledObjects(settings.folder, experiment.neighbor_count, progress);
+  std::vector<RetrievalLevel> levels;
+  for (const double noise : noise_levels) {
+    experiment.disturbance.noise_percent = noise;
+    levels.push_back({noise, runRetrieval(objects, descriptors, experiment, progress)});
+    std::printf("%zu objects, %zu classes, noise %g %%, hidden %g %%\n%s",
+                objects.clouds.size(),
+                objects.class_names.size(),
+                noise,
+                experiment.disturbance.hidden_percent,
+                resultTable(levels.back().results).c_str());
+    std::fflush(stdout);
+  }
+  writeReports(levels, objects, settings);
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Settings settings;
+  OptionParser parser("pcl_eppf_retrieval",
+                      "Compare descriptors by leave-one-out retrieval of the objects "
+                      "DIR/CLASS/OBJECT.pcd.");
+  auto& experiment = settings.experiment;
+  parser
+      .positional("DIR", settings.folder, "a folder per class with the objects' clouds")
+      .text("-descriptors",
+            settings.descriptors,
+            "all, or some of eppf,eppf_thesis,eppf_short,wahl,wahl_6,esf,vfh,our_cvfh,"
+            "gasd")
+      .text("-distances", settings.distances, "some of kl,l1,l2,chi2")
+      .number("-repeats",
+              experiment.repeat_count,
+              "repeats with other seeds",
+              "",
+              Range::between(1, 1000))
+      .text("-noise", settings.noise, "deviations of noise, % of an object's extent")
+      .number("-hidden",
+              experiment.disturbance.hidden_percent,
+              "share of each object that a single view hides",
+              "%",
+              Range::between(0, 95))
+      .flag("-clean_gallery",
+            experiment.clean_gallery,
+            "compare noisy or hidden objects with untouched ones")
+      .text("-ablation",
+            settings.ablation,
+            "compare variants of EPPF instead",
+            {"none", "features", "surface_angle", "scale", "grid", "sampling"})
+      .number("-normal_neighbors",
+              experiment.neighbor_count,
+              "neighbours of a normal that has to be estimated",
+              "points",
+              Range::atLeast(3))
+      .text("-json", settings.json, "write all numbers to this file")
+      .text(
+          "-confusion", settings.confusion, "write the first confusion matrix as text")
+      .text("-confusion_picture", settings.confusion_picture, "and as PNG")
+      .text("-plot", settings.plot, "write a PNG: accuracy over noise, or bars of F1");
+  settings.eppf.addTo(parser);
+  return parser.run(argc, argv, [&](Progress& progress) { run(settings, progress); });
+}
