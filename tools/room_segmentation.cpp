@@ -20,6 +20,7 @@ main(int argc, char** argv)
   double min_width = segmentation.getMinRoomWidth();
   double persistence = segmentation.getPersistence();
   double open_share = segmentation.getOpenShare();
+  std::string method = "slab";
   int threads = segmentation.getNumberOfThreads();
 
   OptionParser parser("pcl_room_segmentation",
@@ -40,6 +41,11 @@ main(int argc, char** argv)
               "most open border between rooms, as share of its area",
               "",
               Range::between(0, 1))
+      .text("-method",
+            method,
+            "slab: walls below the ceiling; field: potential field and HDBSCAN, as in "
+            "the thesis",
+            {"slab", "field"})
       .number("-threads", threads, "threads, 0 = automatic", "", Range::atLeast(0));
   return parser.run(argc, argv, [&](Progress& progress) {
     requireWritable(output);
@@ -53,6 +59,8 @@ main(int argc, char** argv)
     segmentation.setMinRoomWidth(min_width);
     segmentation.setPersistence(persistence);
     segmentation.setOpenShare(open_share);
+    segmentation.setMethod(method == "slab" ? pcl::indoor::RoomMethod::CeilingSlab
+                                            : pcl::indoor::RoomMethod::PotentialField);
     segmentation.setNumberOfThreads(threads);
     segmentation.setInputCloud(file.points);
     std::vector<std::uint32_t> rooms;

@@ -97,8 +97,11 @@ describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& b
 
 BuildingRooms
 segmentBuilding(const std::vector<Eigen::Vector3f>& points,
-                const BuildingRoomsOptions& options)
+                BuildingRoomsOptions options)
 {
+  options.interior.threads = options.threads;
+  options.map.field_rooms.threads = options.threads;
+  options.walls.threads = options.threads;
   BuildingRooms building;
   OccupancyGridOptions grid_options;
   grid_options.voxel_size = options.voxel_size;
@@ -110,9 +113,8 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
   building.interior = interiorSpace(points, building.occupancy, options.interior);
   std::uint32_t label_count = 0;
   for (const VerticalRange& storey : std::vector<VerticalRange>{{0, grid.shape.nz}}) {
-    const auto inside =
-        interiorColumns(building.interior, storey, grid.shape.nx, grid.shape.ny);
-    building.storeys.push_back(segmentRoomMap(grid, storey, inside, options.map));
+    building.storeys.push_back(
+        segmentRoomMap(grid, building.interior, storey, options.map));
     building.first_label.push_back(label_count);
     labelPoints(points,
                 building.occupancy,

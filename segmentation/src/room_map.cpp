@@ -10,11 +10,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /** Distance of each free pixel inside to the next blocked or outside one, metres. */
 PixelMap<float>
@@ -101,15 +104,28 @@ numbersOf(const PixelMap<std::int32_t>& labels, const std::vector<std::int32_t>&
   return number;
 }
 
+/** The rooms of the thesis's method on the pixels of the map. */
+PixelMap<std::int32_t>
+fieldRoomsOnMap(const FieldRooms& rooms, int factor, const PixelMap<float>& field)
+{
+  PixelMap<std::int32_t> labels{field.nx, field.ny, {}};
+  labels.values.resize(labels.size());
+  for (int x = 0; x < field.nx; ++x)
+    for (int y = 0; y < field.ny; ++y)
+      labels.at(x, y) = rooms.labels.at(x / factor, y / factor) + 1;
+  return labels;
+}
+
 } // namespace
 
 RoomMap
 segmentRoomMap(const VoxelGrid<std::uint8_t>& occupancy,
+               const InteriorSpace& interior,
                const VerticalRange& storey,
-               const PixelMap<std::uint8_t>& inside,
                const RoomMapOptions& options)
 {
   const double size = occupancy.voxel_size;
+  const GridShape& shape = occupancy.shape;
   RoomMap map;
   map.storey = storey;
   map.ceiling = ceilingLayers(occupancy, storey, options.slab);
@@ -117,16 +133,25 @@ segmentRoomMap(const VoxelGrid<std::uint8_t>& occupancy,
   map.blocked = blockedColumns(occupancy, storey, map.ceiling, map.slab);
   removeSpecks(map.blocked,
                static_cast<int>(std::lround(options.slab.min_wall / size)));
-  map.field = freeDistance(map.blocked, inside, size);
-  map.free_labels = basinsOfWidth(map.field, size, options);
-  dropSmallRegions(map.free_labels, size, options);
+  map.field = freeDistance(
+      map.blocked, interiorColumns(interior, storey, shape.nx, shape.ny), size);
+  if (options.method == RoomMethod::CeilingSlab) {
+    map.free_labels = basinsOfWidth(map.field, size, options);
+    dropSmallRegions(map.free_labels, size, options);
+  }
+  else {
+    const VerticalRange coarse{storey.begin / interior.factor,
+                               (storey.end - 1) / interior.factor + 1};
+    map.field_rooms = segmentFieldMap(interior, coarse, options.field_rooms);
+    map.free_labels = fieldRoomsOnMap(map.field_rooms, interior.factor, map.field);
+  }
 
   map.labels = map.free_labels;
   growLabels(map.labels, options.reach / size);
   const auto merged = mergeOpenRegions(
       regionBorders(occupancy, storey, map.ceiling, map.labels, map.free_labels),
       sectionAreas(map, size),
-      options.open_share);
+      options.method == RoomMethod::CeilingSlab ? options.open_share : infinity);
   const auto number = numbersOf(map.labels, merged);
   for (auto& label : map.free_labels.values)
     label = number[label];

@@ -5,6 +5,8 @@
 
 #include <pcl/segmentation/wall_sides.h>
 
+#include "thread_count.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -151,7 +153,8 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
   WallSideOptions in_pixels = options;
   in_pixels.max_thickness /= pixel_size;
 
-#pragma omp parallel for schedule(dynamic, 8)
+  const int threads = threadCount(options.threads);
+#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
   for (int x = 0; x < labels.nx; ++x) {
     std::vector<Eigen::Vector2d> window;
     for (int y = 0; y < labels.ny; ++y) {

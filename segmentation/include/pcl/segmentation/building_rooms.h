@@ -24,7 +24,7 @@ struct BuildingRoomsOptions {
   InteriorSpaceOptions interior;
   RoomMapOptions map;
   WallSideOptions walls;
-  int threads = 0; ///< 0 = automatic; the result does not depend on it
+  int threads = 0; ///< of all stages, 0 = automatic; the result does not depend on it
 };
 
 /** \brief One room of a building. */
@@ -55,7 +55,7 @@ struct BuildingRooms {
  */
 BuildingRooms
 segmentBuilding(const std::vector<Eigen::Vector3f>& points,
-                const BuildingRoomsOptions& options = {});
+                BuildingRoomsOptions options = {});
 
 } // namespace indoor
 } // namespace pcl

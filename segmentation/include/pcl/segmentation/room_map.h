@@ -6,6 +6,8 @@
 #pragma once
 
 #include <pcl/segmentation/ceiling_slab.h>
+#include <pcl/segmentation/field_rooms.h>
+#include <pcl/segmentation/interior_space.h>
 #include <pcl/segmentation/region_borders.h>
 #include <pcl/segmentation/voxel_grid.h>
 #include <pcl/segmentation/wall_sides.h>
@@ -16,8 +18,16 @@
 namespace pcl {
 namespace indoor {
 
+/** \brief How the rooms of a storey are told apart. */
+enum class RoomMethod {
+  CeilingSlab, ///< in a slab below the ceiling, where walls and lintels close the rooms
+  PotentialField ///< by the potential field and HDBSCAN: the thesis's own, Sec. 3.2.3
+};
+
 /** \brief How a storey's map is divided into rooms. */
 struct RoomMapOptions {
+  RoomMethod method = RoomMethod::CeilingSlab;
+  FieldRoomsOptions field_rooms; ///< of RoomMethod::PotentialField
   CeilingSlabOptions slab;
   double persistence = 0.7; ///< see persistentBasins()
   double open_share = 0.7;  ///< see mergeOpenRegions()
@@ -36,17 +46,19 @@ struct RoomMap {
   PixelMap<std::int32_t> free_labels; ///< room of each free pixel, 1 ... n; 0 = none
   PixelMap<std::int32_t> labels;      ///< the same, carried into the walls
   std::vector<RegionBorder> borders;  ///< between the rooms
+  FieldRooms field_rooms;             ///< filled by RoomMethod::PotentialField
   std::int32_t room_count = 0;
 };
 
 /** \brief Divide a storey into rooms on its map.
  * \param[in] occupancy non-zero = occupied
- * \param[in] inside 1 = the column belongs to the building's interior
+ * \param[in] interior of the same building
+ * \param[in] storey layers of the occupancy
  */
 RoomMap
 segmentRoomMap(const VoxelGrid<std::uint8_t>& occupancy,
+               const InteriorSpace& interior,
                const VerticalRange& storey,
-               const PixelMap<std::uint8_t>& inside,
                const RoomMapOptions& options);
 
 } // namespace indoor

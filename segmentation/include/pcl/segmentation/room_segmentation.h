@@ -113,6 +113,21 @@ public:
     return options_.map.open_share;
   }
 
+  /** \brief Set how rooms are told apart.
+   * \param[in] method (default CeilingSlab)
+   */
+  void
+  setMethod(indoor::RoomMethod method)
+  {
+    options_.map.method = method;
+  }
+
+  indoor::RoomMethod
+  getMethod() const
+  {
+    return options_.map.method;
+  }
+
   /** \brief Set the number of threads; the result does not depend on it.
    * \param[in] threads 0 = as many as the machine offers (default 0)
    */

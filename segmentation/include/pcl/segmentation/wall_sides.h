@@ -21,6 +21,7 @@ struct WallSideOptions {
   double max_thickness = 0.3; ///< thicker things are not taken for one wall, metres
   double reach = 0.5; ///< how far from the wall its rooms are looked for, metres
   std::size_t min_points = 8; ///< fewer points make no wall
+  int threads = 0;            ///< 0 = automatic; the result does not depend on it
 };
 
 /** \brief Give each point at a wall the room that sees it.

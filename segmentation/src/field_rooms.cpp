@@ -1,0 +1,141 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/field_rooms.h>
+#include <pcl/segmentation/map_labels.h>
+#include <pcl/segmentation/map_random_walker.h>
+#include <pcl/segmentation/potential_field.h>
+#include <pcl/segmentation/visibility.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** A grid without the layers outside of a storey. */
+VoxelGrid<std::uint8_t>
+layersOf(const VoxelGrid<std::uint8_t>& grid, const VerticalRange& storey)
+{
+  VoxelGrid<std::uint8_t> part;
+  part.voxel_size = grid.voxel_size;
+  part.origin = grid.origin + Eigen::Vector3d(0, 0, storey.begin * grid.voxel_size);
+  part.shape = {grid.shape.nx, grid.shape.ny, storey.end - storey.begin};
+  part.values.reserve(part.shape.size());
+  for (int x = 0; x < grid.shape.nx; ++x)
+    for (int y = 0; y < grid.shape.ny; ++y) {
+      const auto column = grid.values.begin() + grid.shape.index(x, y, 0);
+      part.values.insert(part.values.end(), column + storey.begin, column + storey.end);
+    }
+  return part;
+}
+
+VisibilityVectors
+visibilityOf(const VoxelGrid<std::uint8_t>& occupancy,
+             const PixelMap<int>& highest_free,
+             const std::vector<std::size_t>& pixels,
+             const FieldRoomsOptions& options)
+{
+  const int spacing = std::max(
+      1,
+      static_cast<int>(std::lround(options.landmark_spacing / occupancy.voxel_size)));
+  std::vector<Eigen::Vector3i> voxels;
+  for (const std::size_t pixel : pixels)
+    voxels.emplace_back(static_cast<int>(pixel / highest_free.ny),
+                        static_cast<int>(pixel % highest_free.ny),
+                        highest_free.values[pixel]);
+  return visibilityVectors(
+      occupancy, voxels, spreadLandmarks(highest_free, spacing), options.threads);
+}
+
+std::size_t
+pixelCount(double area, double pixel_size, std::size_t least)
+{
+  return std::max(
+      least, static_cast<std::size_t>(std::lround(area / pixel_size / pixel_size)));
+}
+
+/** HDBSCAN of the pixels with a field (Eq. 3.3 to 3.5). */
+PixelMap<int>
+cluster(const VoxelGrid<std::uint8_t>& occupancy,
+        const FieldRooms& rooms,
+        const FieldRoomsOptions& options)
+{
+  const PixelMap<float>& field = rooms.field;
+  PixelMap<int> clusters{field.nx, field.ny, std::vector<int>(field.size(), -1)};
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 0; i < field.size(); ++i)
+    if (field.values[i] > 0 && rooms.highest_free.values[i] >= 0)
+      pixels.push_back(i);
+  HDBSCANOptions clustering;
+  clustering.min_cluster_size =
+      pixelCount(options.min_cluster_area, occupancy.voxel_size, 2);
+  clustering.min_samples = pixelCount(options.sample_area, occupancy.voxel_size, 1);
+  clustering.threads = options.threads;
+  if (pixels.size() < clustering.min_cluster_size)
+    return clusters;
+  const MapDistance distance(
+      field.nx,
+      field.ny,
+      pixels,
+      FieldConnectivity(field, rooms.thresholds),
+      visibilityOf(occupancy, rooms.highest_free, pixels, options),
+      options.distance);
+  const HDBSCANResult result = clusterMap(distance, clustering);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    clusters.values[pixels[i]] = result.labels[i];
+  return clusters;
+}
+
+/** The remaining pixels: local peaks, then the random walker (Sec. 3.2.3). */
+PixelMap<int>
+labelTheRest(const FieldRooms& rooms,
+             double pixel_size,
+             const FieldRoomsOptions& options)
+{
+  PixelMap<float> intensity = rooms.field;
+  PixelMap<std::uint8_t> mask{intensity.nx, intensity.ny, {}};
+  mask.values.resize(mask.size());
+  const float highest =
+      *std::max_element(intensity.values.begin(), intensity.values.end());
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    mask.values[i] = intensity.values[i] > 0;
+    intensity.values[i] /= std::max(highest, 1.0f);
+  }
+  const float lowest_peak = rooms.thresholds.empty() ? 0.0f : rooms.thresholds.front();
+  const PixelMap<int> seeds =
+      labelPeaks(rooms.clusters,
+                 rooms.field,
+                 lowest_peak,
+                 pixelCount(options.min_cluster_area, pixel_size, 1));
+  MapRandomWalkerOptions walker;
+  walker.beta = options.beta;
+  walker.threads = options.threads;
+  return mapRandomWalker(intensity, seeds, mask, walker);
+}
+
+} // namespace
+
+FieldRooms
+segmentFieldMap(const InteriorSpace& space,
+                const VerticalRange& storey,
+                const FieldRoomsOptions& options)
+{
+  const auto occupancy = layersOf(space.occupancy, storey);
+  const auto interior = layersOf(space.inside, storey);
+  FieldRooms rooms;
+  rooms.potential = potentialField(occupancy, options.threads); // Sec. 3.2.2
+  rooms.field = fieldMap(rooms.potential, interior);
+  rooms.highest_free = highestFreeVoxel(interior);
+  rooms.thresholds = histogramPeaks(rooms.field.values, options.peaks);
+  rooms.clusters = cluster(occupancy, rooms, options); // Sec. 3.2.3
+  rooms.labels = labelTheRest(rooms, occupancy.voxel_size, options);
+  return rooms;
+}
+
+} // namespace indoor
+} // namespace pcl
