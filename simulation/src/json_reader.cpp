@@ -50,13 +50,12 @@ JsonReader::values() const
 double
 JsonReader::number() const
 {
-  constexpr double largest =
-      1e4; // metres or degrees: float coordinates stay exact to 1 mm
+  constexpr double largest = 1e3; // metres or degrees: a float resolves 0.06 mm there
   if (!value_.is_number())
     fail("must be a number, not " + value_.dump());
   const double number = value_.get<double>();
   if (!(std::abs(number) <= largest))
-    fail("must lie within -10000 and 10000, not " + value_.dump());
+    fail("must lie within -1000 and 1000, not " + value_.dump());
   return number;
 }
 

@@ -221,22 +221,28 @@ void
 thinScan(SimulatedScan& scan, double leaf_size)
 {
   constexpr double smallest = 0.001; // metres: the grid's 21 bits per axis span 2 km
-  if (leaf_size == 0)
-    return;
-  if (!(leaf_size >= smallest))
+  if (leaf_size != 0 && !(leaf_size >= smallest))
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "the leaf size must be 0 or at least 0.001 m, not " << leaf_size
                                                                             << " m");
+  if (leaf_size == 0 || scan.points.empty())
+    return;
   std::unordered_set<std::uint64_t> taken;
   taken.reserve(scan.points.size() / 2);
-  const auto cell = [&](float coordinate) {
-    const auto index = static_cast<std::int64_t>(std::floor(coordinate / leaf_size));
-    return static_cast<std::uint64_t>(index + (1 << 20)) & 0x1FFFFFu;
+  const auto indexOf = [&](float coordinate) {
+    return static_cast<std::int64_t>(std::floor(coordinate / leaf_size));
+  };
+  const PointXYZScene first = scan.points.front();
+  const auto cell = [&](float coordinate, float reference) {
+    const auto offset = indexOf(coordinate) - indexOf(reference) + (1 << 20);
+    return static_cast<std::uint64_t>(offset) & 0x1FFFFFu;
   };
   std::size_t kept = 0;
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     const auto& p = scan.points[i];
-    if (!taken.insert(cell(p.x) << 42 | cell(p.y) << 21 | cell(p.z)).second)
+    const auto key =
+        cell(p.x, first.x) << 42 | cell(p.y, first.y) << 21 | cell(p.z, first.z);
+    if (!taken.insert(key).second)
       continue;
     scan.points[kept] = scan.points[i];
     scan.poses[kept++] = scan.poses[i];

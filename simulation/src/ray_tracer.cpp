@@ -194,8 +194,12 @@ RayTracer::RayTracer(const std::vector<Triangle>& triangles)
     Primitive p{Eigen::AlignedBox3f(t.a), Eigen::Vector3f::Zero(), static_cast<int>(i)};
     p.box.extend(t.b).extend(t.c);
     p.center = p.box.center();
-    p.box.min().array() -= 1e-5f; // rounding in the box test must not lose a hit
-    p.box.max().array() += 1e-5f;
+    // Rounding in the box test must not lose a hit.
+    const float margin =
+        1e-5f +
+        4e-7f * p.box.min().cwiseAbs().cwiseMax(p.box.max().cwiseAbs()).maxCoeff();
+    p.box.min().array() -= margin;
+    p.box.max().array() += margin;
     primitives.push_back(p);
   }
   std::vector<std::pair<int, Builder::Range>> open; // node to fill, its triangles
