@@ -83,7 +83,7 @@ drawMap(const Section& section, int scale, const std::function<Color(int, int)>&
 void
 drawNumbers(Picture& picture,
             const RoomMap& map,
-            std::uint32_t first_label,
+            const std::vector<std::uint32_t>& room_of,
             const Section& section,
             int scale)
 {
@@ -102,7 +102,7 @@ drawNumbers(Picture& picture,
     if (places[room].field >= 0.0f)
       picture.drawLabel((places[room].x - section.begin_x) * scale + scale / 2,
                         (section.end_y - 1 - places[room].y) * scale + scale / 2,
-                        std::to_string(first_label + room),
+                        std::to_string(room_of[room]),
                         2);
 }
 
@@ -159,15 +159,14 @@ drawRooms(const BuildingRooms& building)
   std::vector<Picture> storeys;
   for (std::size_t i = 0; i < building.storeys.size(); ++i) {
     const auto& map = building.storeys[i];
-    const auto first_label = building.first_label[i];
+    const auto& room_of = building.room_of[i];
     storeys.push_back(drawMap(section, scale, [&](int x, int y) {
       if (map.blocked.at(x, y) != 0)
         return wall;
       const auto label = map.labels.at(x, y);
-      return label > 0 ? labelColor(first_label + static_cast<std::uint32_t>(label))
-                       : paper;
+      return label > 0 ? labelColor(room_of[static_cast<std::size_t>(label)]) : paper;
     }));
-    drawNumbers(storeys.back(), map, first_label, section, scale);
+    drawNumbers(storeys.back(), map, room_of, section, scale);
   }
   return stack(storeys, pixelsPerMetre(building, scale));
 }

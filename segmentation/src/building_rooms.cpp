@@ -4,6 +4,7 @@
  */
 
 #include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/storey_links.h>
 
 #include <algorithm>
 #include <limits>
@@ -19,7 +20,7 @@ labelPoints(const std::vector<Eigen::Vector3f>& points,
             const OccupancyGrid& occupancy,
             const RoomMap& map,
             const BuildingRoomsOptions& options,
-            std::uint32_t first_label,
+            const std::vector<std::uint32_t>& room_of,
             std::vector<std::uint32_t>& point_labels)
 {
   const VoxelGrid<std::uint8_t>& grid = occupancy.grid;
@@ -49,33 +50,35 @@ labelPoints(const std::vector<Eigen::Vector3f>& points,
                   options.walls,
                   label);
   for (std::size_t k = 0; k < index.size(); ++k)
-    point_labels[index[k]] =
-        label[k] > 0 ? first_label + static_cast<std::uint32_t>(label[k]) : 0;
+    point_labels[index[k]] = room_of[label[k]];
 }
 
 std::vector<Room>
 describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double size = building.occupancy.grid.voxel_size;
   std::vector<Room> rooms;
   for (std::size_t s = 0; s < building.storeys.size(); ++s) {
     const RoomMap& map = building.storeys[s];
-    const double size = building.occupancy.grid.voxel_size;
-    for (std::int32_t r = 1; r <= map.room_count; ++r) {
-      Room room;
-      room.label = building.first_label[s] + static_cast<std::uint32_t>(r);
-      room.storey = static_cast<std::uint32_t>(s);
-      room.lower.setConstant(infinity);
-      room.upper.setConstant(-infinity);
-      room.centroid.setZero();
-      rooms.push_back(room);
-    }
-    for (std::size_t i = 0; i < map.free_labels.size(); ++i)
-      if (map.free_labels.values[i] > 0) {
-        Room& room = rooms[building.first_label[s] + map.free_labels.values[i] - 1];
-        room.area += size * size;
-        room.height += size * size * size * (map.ceiling.values[i] - map.storey.begin);
+    for (const std::uint32_t label : building.room_of[s])
+      if (label > rooms.size()) {
+        Room room;
+        room.label = label;
+        room.storey = static_cast<std::uint32_t>(s);
+        room.lower.setConstant(infinity);
+        room.upper.setConstant(-infinity);
+        room.centroid.setZero();
+        rooms.push_back(room);
       }
+    for (std::size_t i = 0; i < map.free_labels.size(); ++i) {
+      if (map.free_labels.values[i] <= 0)
+        continue;
+      Room& room = rooms[building.room_of[s][map.free_labels.values[i]] - 1];
+      room.volume += size * size * size * (map.ceiling.values[i] - map.storey.begin);
+      if (room.storey == s) // an upper part of a hall adds no floor
+        room.area += size * size;
+    }
   }
   for (std::size_t i = 0; i < points.size(); ++i)
     if (building.point_labels[i] > 0) {
@@ -87,7 +90,7 @@ describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& b
       room.centroid += point;
     }
   for (Room& room : rooms) {
-    room.height = room.area > 0 ? room.height / room.area : 0.0;
+    room.height = room.area > 0 ? room.volume / room.area : 0.0;
     room.centroid /= std::max<double>(1.0, room.point_count);
   }
   return rooms;
@@ -111,19 +114,17 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
 
   const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
   building.interior = interiorSpace(points, building.occupancy, options.interior);
-  std::uint32_t label_count = 0;
-  for (const VerticalRange& storey : std::vector<VerticalRange>{{0, grid.shape.nz}}) {
+  for (const VerticalRange& storey : std::vector<VerticalRange>{{0, grid.shape.nz}})
     building.storeys.push_back(
         segmentRoomMap(grid, building.interior, storey, options.map));
-    building.first_label.push_back(label_count);
+  building.room_of = numberRooms(grid, building.storeys);
+  for (std::size_t s = 0; s < building.storeys.size(); ++s)
     labelPoints(points,
                 building.occupancy,
-                building.storeys.back(),
+                building.storeys[s],
                 options,
-                label_count,
+                building.room_of[s],
                 building.point_labels);
-    label_count += static_cast<std::uint32_t>(building.storeys.back().room_count);
-  }
   building.rooms = describeRooms(points, building);
   return building;
 }

@@ -30,10 +30,11 @@ struct BuildingRoomsOptions {
 /** \brief One room of a building. */
 struct Room {
   std::uint32_t label = 0;     ///< 1 ... n
-  std::uint32_t storey = 0;    ///< 0 = the lowest
+  std::uint32_t storey = 0;    ///< the lowest it reaches into; 0 = the lowest of all
   std::size_t point_count = 0; ///< points with this label
   double area = 0.0;           ///< floor area inside the walls, m^2
-  double height = 0.0;         ///< mean height from floor to ceiling, metres
+  double volume = 0.0;         ///< from the storey's floor to the ceiling, m^3
+  double height = 0.0;         ///< volume over area, metres
   Eigen::Vector3d lower;       ///< lower corner of the box around the points, metres
   Eigen::Vector3d upper;       ///< upper corner of it, metres
   Eigen::Vector3d centroid;    ///< of the points, metres
@@ -43,10 +44,10 @@ struct Room {
 struct BuildingRooms {
   OccupancyGrid occupancy;
   InteriorSpace interior;
-  std::vector<RoomMap> storeys;            ///< from below; labels are 1 ... n in each
-  std::vector<std::uint32_t> first_label;  ///< per storey: what is added to its labels
-  std::vector<std::uint32_t> point_labels; ///< room per point, 0 = none
-  std::vector<Room> rooms;                 ///< in the order of their labels
+  std::vector<RoomMap> storeys; ///< from below; each has its own labels 1 ... n
+  std::vector<std::vector<std::uint32_t>> room_of; ///< per storey and label: the room
+  std::vector<std::uint32_t> point_labels;         ///< room per point, 0 = none
+  std::vector<Room> rooms;                         ///< in the order of their labels
 };
 
 /** \brief Find the rooms of a building.
