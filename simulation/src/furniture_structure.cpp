@@ -150,12 +150,16 @@ makeWindow(double width, double height, double depth)
   }
   make.join(pieces, "frame");
   FurnitureModel model = make.take();
-  const auto at = [&](double px, double pz) {
-    return Eigen::Vector3f(static_cast<float>(px), 0.0f, static_cast<float>(pz));
-  };
   FurniturePart pane{"glass", {}, true};
-  pane.triangles.push_back({at(-x, 0), at(x, 0), at(x, height)});
-  pane.triangles.push_back({at(-x, 0), at(x, height), at(-x, height)});
+  for (const float side : {1.0f, -1.0f}) { // double glazing: a pane for each room
+    const auto at = [&](double px, double pz) {
+      constexpr float half_gap = 0.004f;
+      return Eigen::Vector3f(
+          static_cast<float>(side * px), side * half_gap, static_cast<float>(pz));
+    };
+    pane.triangles.push_back({at(x, 0), at(-x, 0), at(-x, height)});
+    pane.triangles.push_back({at(x, 0), at(-x, height), at(x, height)});
+  }
   model.parts.push_back(pane);
   return model;
 }

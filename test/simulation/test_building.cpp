@@ -115,6 +115,35 @@ TEST(Building, ShellsFaceTheirRoom)
   }
 }
 
+TEST(Building, BothSidesOfAClosedDoorAndOfGlassBelongToTheirRooms)
+{
+  const auto building = buildBuilding(parsePlan(R"({"name": "", "wall_thickness": 0.2,
+    "storeys": [{"name": "", "elevation": 0, "ceiling_height": 2.5, "rooms": [
+      {"name": "left", "polygon": [[0, 0], [4, 0], [4, 6], [0, 6]]},
+      {"name": "right", "polygon": [[4, 0], [9, 0], [9, 6], [4, 6]]}],
+     "doors": [{"at": [4, 1], "width": 0.9}],
+     "windows": [{"at": [4, 4], "width": 2, "height": 1.5, "sill": 0.6}]}]})",
+                                                "glass"));
+  std::map<std::string, int> seen;
+  for (std::size_t i = 0; i < building.triangles.size(); ++i) {
+    const auto& labels = building.surfaces[i].labels;
+    const auto& t = building.triangles[i];
+    const float middle = (t.a.x() + t.b.x() + t.c.x()) / 3;
+    // What lies in the middle of the wall, or reaches through it, may belong to either.
+    if (std::abs(middle - 4.0f) < 0.001f)
+      continue;
+    EXPECT_EQ(labels.room, middle < 4.0f ? 1u : 2u)
+        << building.categories[labels.category] << " at x = " << middle;
+    ++seen[building.categories[labels.category] + std::to_string(labels.room)];
+    if (building.surfaces[i].kind == SurfaceKind::InteriorGlass) {
+      EXPECT_GT((t.b - t.a).cross(t.c - t.a).x() * (middle - 4.0f), 0.0f); // outwards
+      ++seen["glass" + std::to_string(labels.room)];
+    }
+  }
+  for (const char* key : {"door1", "door2", "window1", "window2", "glass1", "glass2"})
+    EXPECT_GT(seen[key], 0) << key;
+}
+
 // The footprint, a centimetre smaller all around so that neighbours may touch.
 Polygon
 footprint(const ObjectInfo& object)

@@ -221,10 +221,10 @@ TEST(RangeSensor, GlassMirrorsSomeRaysAndReturnsSome)
   const double deviation = 5 * std::sqrt(lost * 0.25); // five standard deviations
   EXPECT_NEAR(countOf(scan, window) - frame, 0.2 * lost, deviation);
   EXPECT_NEAR(countOf(scan, ghost), 0.3 * lost, deviation);
-  // The pane stands at y = -0.1: what is mirrored there lies in the mirrored room.
+  // The pane stands at y = -0.096: what is mirrored there lies in the mirrored room.
   for (const auto& p : scan.points)
     if (p.category == ghost) {
-      EXPECT_LT(p.y, -0.1f + 1e-4f);
+      EXPECT_LT(p.y, -0.096f + 1e-4f);
       EXPECT_GT(p.y, -3.2f - 1e-3f); // the far wall at y = 3, mirrored
       EXPECT_EQ(p.room, 0u);
       EXPECT_EQ(p.object, 0u);
