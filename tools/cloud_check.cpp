@@ -4,6 +4,7 @@
  */
 #include "cloud_check.h"
 
+#include "file_header.h"
 #include "options.h" // for ToolError
 
 #include <algorithm>
@@ -11,71 +12,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
 namespace pcl::indoor::tool {
 namespace {
-
-constexpr std::size_t longest_header = 1 << 20; // bytes; a header without end is none
-
-struct Header {
-  std::vector<std::vector<std::string>> lines; ///< their words
-  std::uintmax_t body_begin = 0;               ///< bytes from the beginning of the file
-};
-
-std::vector<std::string>
-wordsOf(const std::string& line)
-{
-  std::istringstream stream(line);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;)
-    words.push_back(word);
-  return words;
-}
-
-/** Lines up to and including the one that begins with the word \a last. */
-Header
-readHeader(std::istream& stream, const std::string& last, const std::string& path)
-{
-  Header header;
-  for (std::string line; std::getline(stream, line);) {
-    header.body_begin += line.size() + 1;
-    if (header.body_begin > longest_header)
-      break;
-    auto words = wordsOf(line);
-    if (words.empty() || words[0][0] == '#')
-      continue;
-    header.lines.push_back(std::move(words));
-    if (header.lines.back()[0] == last)
-      return header;
-  }
-  throw ToolError(path + ": the file ends within its header (no line " + last + ")");
-}
-
-std::uint64_t
-countIn(const std::string& word, const std::string& what, const std::string& path)
-{
-  std::uint64_t value = 0;
-  const char* const end = word.data() + word.size();
-  const auto read = std::from_chars(word.data(), end, value);
-  if (read.ec != std::errc() || read.ptr != end || value > 0x7fffffffu)
-    throw ToolError(path + ": " + what + " '" + word +
-                    "' in the header is not a usable number");
-  return value;
-}
-
-[[noreturn]] void
-throwTruncated(const std::string& path,
-               std::uint64_t promised,
-               std::uint64_t found,
-               const std::string& unit)
-{
-  throw ToolError(path + ": the file is truncated, its header promises " +
-                  std::to_string(promised) + " " + unit + ", it has " +
-                  std::to_string(found));
-}
 
 bool
 isNumber(std::string_view word)
@@ -89,8 +30,8 @@ isNumber(std::string_view word)
          read.ptr == word.data() + word.size();
 }
 
-/** Every line of an ASCII body must hold \a columns numbers; at least \a promised lines
- * (0 columns: any number). */
+/** Every line of an ASCII body must hold \a columns numbers; at least \a promised
+ * lines. */
 void
 checkAsciiBody(std::istream& stream,
                std::uint64_t promised,
@@ -112,7 +53,7 @@ checkAsciiBody(std::istream& stream,
     }
     if (words == 0)
       continue;
-    if (columns != 0 && words != columns)
+    if (words != columns)
       throw ToolError(path + ": point " + std::to_string(rows) + " has " +
                       std::to_string(words) + " values, the header promises " +
                       std::to_string(columns));
@@ -121,8 +62,6 @@ checkAsciiBody(std::istream& stream,
   if (rows < promised)
     throwTruncated(path, promised, rows, "points");
 }
-
-// ---- PCD
 
 struct PcdHeader {
   std::vector<std::uint64_t> sizes, counts;
@@ -152,13 +91,13 @@ struct PcdHeader {
 };
 
 PcdHeader
-parsePcdHeader(const Header& header, const std::string& path)
+parsePcdHeader(const FileHeader& header, const std::string& path)
 {
   PcdHeader pcd;
   const auto numbers = [&path](const std::vector<std::string>& words) {
     std::vector<std::uint64_t> values;
     for (std::size_t i = 1; i < words.size(); ++i)
-      values.push_back(countIn(words[i], words[0], path));
+      values.push_back(headerCount(words[i], words[0], path));
     return values;
   };
   for (const auto& words : header.lines) {
@@ -173,11 +112,11 @@ parsePcdHeader(const Header& header, const std::string& path)
     else if (words[0] == "COUNT")
       pcd.counts = numbers(words);
     else if (words[0] == "WIDTH")
-      pcd.width = countIn(words[1], words[0], path);
+      pcd.width = headerCount(words[1], words[0], path);
     else if (words[0] == "HEIGHT")
-      pcd.height = countIn(words[1], words[0], path);
+      pcd.height = headerCount(words[1], words[0], path);
     else if (words[0] == "POINTS") {
-      pcd.points = countIn(words[1], words[0], path);
+      pcd.points = headerCount(words[1], words[0], path);
       pcd.has_points = true;
     }
     else if (words[0] == "DATA")
@@ -220,7 +159,7 @@ requireUsable(const PcdHeader& pcd, const std::string& path)
 std::uint64_t
 checkPcd(std::istream& stream, std::uintmax_t file_size, const std::string& path)
 {
-  const auto header = readHeader(stream, "DATA", path);
+  const auto header = readFileHeader(stream, "DATA", path);
   const auto pcd = parsePcdHeader(header, path);
   requireUsable(pcd, path);
   const std::uint64_t body = file_size - std::min(header.body_begin, file_size);
@@ -248,73 +187,6 @@ checkPcd(std::istream& stream, std::uintmax_t file_size, const std::string& path
   return bytes;
 }
 
-// ---- PLY
-
-std::uint64_t
-plyTypeSize(const std::string& type, const std::string& path)
-{
-  if (type == "char" || type == "uchar" || type == "int8" || type == "uint8")
-    return 1;
-  if (type == "short" || type == "ushort" || type == "int16" || type == "uint16")
-    return 2;
-  if (type == "int" || type == "uint" || type == "int32" || type == "uint32" ||
-      type == "float" || type == "float32")
-    return 4;
-  if (type == "double" || type == "float64")
-    return 8;
-  throw ToolError(path + ": unknown property type '" + type + "' in the header");
-}
-
-struct PlyElement {
-  std::string name;
-  std::uint64_t count = 0;
-  std::uint64_t properties = 0;
-  std::uint64_t bytes = 0; ///< of one, without its lists
-  bool has_list = false;
-};
-
-void
-checkPly(std::istream& stream, std::uintmax_t file_size, const std::string& path)
-{
-  const auto header = readHeader(stream, "end_header", path);
-  std::vector<PlyElement> elements;
-  std::string format;
-  for (const auto& words : header.lines) {
-    if (words[0] == "format" && words.size() >= 2)
-      format = words[1];
-    else if (words[0] == "element" && words.size() == 3)
-      elements.push_back({words[1], countIn(words[2], "element", path), 0, 0, false});
-    else if (words[0] == "property" && words.size() >= 3 && !elements.empty()) {
-      auto& element = elements.back();
-      ++element.properties;
-      if (words[1] == "list")
-        element.has_list = true;
-      else
-        element.bytes += plyTypeSize(words[1], path);
-    }
-  }
-  std::uint64_t bytes = 0;
-  bool found = false;
-  bool only_vertices_so_far = true;
-  for (const auto& element : elements) {
-    bytes += element.count * element.bytes;
-    if (element.name == "vertex") {
-      found = true;
-      if (element.count == 0)
-        throw ToolError(path + ": the cloud is empty (0 points)");
-      if (format == "ascii" && only_vertices_so_far)
-        checkAsciiBody(
-            stream, element.count, element.has_list ? 0 : element.properties, path);
-    }
-    only_vertices_so_far = false;
-  }
-  if (!found)
-    throw ToolError(path + ": the file has no points (no element vertex)");
-  const std::uint64_t body = file_size - std::min(header.body_begin, file_size);
-  if (format.rfind("binary", 0) == 0 && body < bytes)
-    throwTruncated(path, bytes, body, "bytes");
-}
-
 } // namespace
 
 CheckedCloud
@@ -337,10 +209,8 @@ checkCloudFile(const std::string& path)
   stream.seekg(0);
   const auto words = wordsOf(first_line);
   const std::string first = words.empty() ? "" : words[0];
-  if (first == "ply") {
-    checkPly(stream, file_size, path);
+  if (first == "ply")
     return {CloudFormat::PLY, 0};
-  }
   if (first[0] == '#' || first == "VERSION" || first == "FIELDS" ||
       first == "COLUMNS") {
     return {CloudFormat::PCD, checkPcd(stream, file_size, path)};

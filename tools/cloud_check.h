@@ -16,9 +16,10 @@ struct CheckedCloud {
   std::uint64_t bytes = 0; ///< of all points of a PCD in memory
 };
 
-/** \brief Compare a cloud file's header with what follows it.
+/** \brief Find out what a cloud file is and, for a PCD, compare its header with what
+ * follows it.
  *
- * PCL's readers trust the header: they read past the end of a short file or allocate
+ * PCL's reader trusts the header: it reads past the end of a short file or allocate
  * what a wrong number asks for. \throws ToolError if the file cannot be read, is
  * neither PCD nor PLY, has a header that contradicts itself, no points, or fewer bytes
  * or lines than its header promises

@@ -5,11 +5,11 @@
 #include "cloud_file.h"
 
 #include "cloud_check.h"
+#include "ply_file.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
 #include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
-#include <pcl/io/ply_io.h>
 
 #include <algorithm>
 #include <cmath>
@@ -138,8 +138,9 @@ readFile(CloudFile& file)
       result = PCDReader().read(
           file.path, file.cloud, file.origin, file.orientation, version);
     else
-      result = PLYReader().read(
-          file.path, file.cloud, file.origin, file.orientation, version);
+      readPly(file.path, file.cloud, file.origin, file.orientation);
+  } catch (const ToolError&) {
+    throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {

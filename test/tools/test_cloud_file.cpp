@@ -128,6 +128,50 @@ TEST_F(CloudFiles, PlyIsReadWithItsDoubles)
   EXPECT_NEAR((*file.points)[1].x - (*file.points)[0].x, 1e-4, 1e-6); // float near 0
 }
 
+TEST_F(CloudFiles, PlyOfPclsWriterIsReadInEveryEncoding)
+{
+  auto cloud = organisedCloud();
+  pcl::PLYWriter writer;
+  writer.write(path("ascii.ply"), cloud, false, true);
+  writer.write(path("binary.ply"), cloud, true, true);
+  for (const char* name : {"ascii.ply", "binary.ply"}) {
+    SCOPED_TRACE(name);
+    const auto file = loadCloud(path(name));
+    ASSERT_EQ(file.points->size(), 24u);
+    EXPECT_EQ(file.finite_count, 23u);
+    EXPECT_FLOAT_EQ((*file.points)[7].z, -2.1f);
+    ASSERT_TRUE(file.has_normals);
+    EXPECT_EQ((*readNormals(file))[3].normal_y, 1.0f);
+    EXPECT_EQ(file.origin.head<3>(), Eigen::Vector3f(1, 2, 3));
+    EXPECT_TRUE(file.orientation.isApprox(cloud.sensor_orientation_, 1e-3f));
+  }
+}
+
+TEST_F(CloudFiles, PlyListsOtherElementsAndBigEndianAreUnderstood)
+{
+  std::string text = "ply\nformat binary_big_endian 1.0\nelement tag 1\n"
+                     "property list uchar ushort numbers\nelement vertex 2\n"
+                     "property uchar red\nproperty float x\nproperty float y\n"
+                     "property list uchar uchar names\nproperty float z\n"
+                     "property uchar green\nproperty uchar blue\nend_header\n";
+  const std::string one("\x3f\x80\0\0", 4), two("\x40\0\0\0", 4);
+  text += std::string("\x02\0\x01\0\x02", 5);
+  text += "\x01" + one + two +
+          "\x03"
+          "abc" +
+          one + "\x02\x03";
+  text += "\x04" + two + one + std::string("\0", 1) + two + "\x05\x06";
+  const auto file = loadCloud(write("cloud.ply", text));
+  ASSERT_EQ(file.points->size(), 2u);
+  EXPECT_EQ((*file.points)[0].getVector3fMap(), Eigen::Vector3f(1, 2, 1));
+  EXPECT_EQ((*file.points)[1].getVector3fMap(), Eigen::Vector3f(2, 1, 2));
+  pcl::PointCloud<pcl::PointXYZRGB> colored;
+  pcl::fromPCLPointCloud2(file.cloud, colored);
+  EXPECT_EQ(colored[0].getRGBVector3i(), Eigen::Vector3i(1, 2, 3));
+  EXPECT_EQ(colored[1].getRGBVector3i(), Eigen::Vector3i(4, 5, 6));
+  EXPECT_THROW(loadCloud(write("cut.ply", text.substr(0, text.size() - 1))), ToolError);
+}
+
 TEST_F(CloudFiles, LargeCoordinatesKeepTheirMillimetresAndTheirBytes)
 {
   auto file = loadCloud(write("utm.pcd", utmPcd()));
@@ -253,8 +297,12 @@ TEST_F(CloudFiles, DamagedHeadersNeverCrash)
   std::ifstream stream(path("in.pcd"), std::ios::binary);
   const std::string good(std::istreambuf_iterator<char>(stream), {});
   std::size_t refused = 0;
-  for (int trial = 0; trial < 400; ++trial) {
-    auto text = trial % 2 == 0 ? utmPcd() : good;
+  pcl::PLYWriter().write(path("in.ply"), organisedCloud(), true, true);
+  std::ifstream ply_stream(path("in.ply"), std::ios::binary);
+  const std::string good_ply(std::istreambuf_iterator<char>(ply_stream), {});
+  const std::string texts[] = {utmPcd(), good, good_ply};
+  for (int trial = 0; trial < 600; ++trial) {
+    auto text = texts[trial % 3];
     for (int change = 0; change < 3; ++change)
       text[rng() % 200] = "0123456789 \n-.FUIxyz"[rng() % 20];
     try {

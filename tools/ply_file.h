@@ -1,0 +1,31 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief Read the points of a PLY file (ascii, little or big endian) with all their
+ * properties.
+ *
+ * Properties get the names that PCL gives them: nx, ny, nz become normal_x, ...; red,
+ * green, blue of 8 bits become rgb. Lists are left out. PCL's own reader is not used
+ * because it stops the program at a damaged file. \param[out] origin, orientation the
+ * pose of the element "camera", if there is one \throws ToolError if the file is no
+ * PLY, has no points, or fewer than its header promises
+ */
+void
+readPly(const std::string& path,
+        PCLPointCloud2& cloud,
+        Eigen::Vector4f& origin,
+        Eigen::Quaternionf& orientation);
+
+} // namespace pcl::indoor::tool
