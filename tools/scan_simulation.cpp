@@ -25,33 +25,16 @@ struct Options {
   double leaf_size = 0.04;
 };
 
-OptionParser
-makeParser(Options& options)
+void
+addSensorOptions(OptionParser& parser, pcl::indoor::RangeSensorOptions& sensor)
 {
   const Range share = Range::between(0.0, 1.0);
-  auto& sensor = options.sensor;
-  OptionParser parser(
-      "pcl_scan_simulation",
-      "Builds the rooms and furniture of a plan file and scans them with "
-      "a moving range sensor; every point gets the fields room, object, "
-      "part and category.");
-  parser.positional("plan.json", options.plan_file, "plan of the building")
-      .positional("output.pcd", options.output_file, "the scan")
+  parser
       .number("-rays_per_pose",
               sensor.rays_per_pose,
               "rays sent from each position",
               "",
               Range::atLeast(1))
-      .number("-spacing",
-              options.trajectory.spacing,
-              "distance between positions",
-              "m",
-              Range::positive())
-      .number("-height",
-              options.trajectory.sensor_height,
-              "height of the sensor above the floor",
-              "m",
-              Range::positive())
       .number("-min_range",
               sensor.min_range,
               "nearest surface that gives an echo",
@@ -84,14 +67,37 @@ makeParser(Options& options)
               "share of rays that glass returns",
               "",
               share)
+      .number("-seed", sensor.seed, "the same seed gives the same scan")
+      .number("-threads", sensor.threads, "0 = automatic", "", Range::atLeast(0));
+}
+
+OptionParser
+makeParser(Options& options)
+{
+  OptionParser parser(
+      "pcl_scan_simulation",
+      "Builds the rooms and furniture of a plan file and scans them with "
+      "a moving range sensor; every point gets the fields room, object, "
+      "part and category.");
+  parser.positional("plan.json", options.plan_file, "plan of the building")
+      .positional("output.pcd", options.output_file, "the scan")
+      .number("-spacing",
+              options.trajectory.spacing,
+              "distance between positions",
+              "m",
+              Range::positive())
+      .number("-height",
+              options.trajectory.sensor_height,
+              "height of the sensor above the floor",
+              "m",
+              Range::positive())
       .number("-leaf",
               options.leaf_size,
               "keep one point per cube of this edge, 0 = all",
               "m",
               Range::atLeast(0.0))
-      .number("-seed", sensor.seed, "the same seed gives the same scan")
-      .number("-threads", sensor.threads, "0 = automatic", "", Range::atLeast(0))
       .text("-json", options.json_file, "file for the names of rooms and objects");
+  addSensorOptions(parser, options.sensor);
   return parser;
 }
 

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int leaf_size = 4;
 constexpr int bin_count = 16;
+constexpr int most_uneven_levels = 40; // below, ranges are halved: bounds the depth
 constexpr float no_hit = std::numeric_limits<float>::infinity();
 
 struct Primitive {
@@ -33,6 +34,47 @@ halfArea(const Eigen::AlignedBox3f& box)
     return 0.0f;
   const Eigen::Vector3f d = box.sizes();
   return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();
+}
+
+// A ray, made ready for testing boxes.
+struct BoxRay {
+  float origin[3], inverse[3];
+  bool backwards[3];
+};
+
+BoxRay
+makeBoxRay(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction)
+{
+  constexpr float tiny = 1e-20f; // in place of 0, whose inverse would give NaN
+  BoxRay ray;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float d = direction[axis];
+    ray.origin[axis] = origin[axis];
+    ray.inverse[axis] = 1.0f / (std::abs(d) > tiny ? d : std::copysign(tiny, d));
+    ray.backwards[axis] = std::signbit(d);
+  }
+  return ray;
+}
+
+// Cut the ray's intervals [entry, exit] down to what lies in each of the boxes.
+template <int width>
+void
+clip(const BoxRay& ray,
+     const float (&lower)[3][width],
+     const float (&upper)[3][width],
+     float (&entry)[width],
+     float (&exit)[width])
+{
+  for (int axis = 0; axis < 3; ++axis) {
+    const float* near = ray.backwards[axis] ? upper[axis] : lower[axis];
+    const float* far = ray.backwards[axis] ? lower[axis] : upper[axis];
+    for (int i = 0; i < width; ++i) {
+      const float t_near = (near[i] - ray.origin[axis]) * ray.inverse[axis];
+      const float t_far = (far[i] - ray.origin[axis]) * ray.inverse[axis];
+      entry[i] = t_near > entry[i] ? t_near : entry[i];
+      exit[i] = t_far < exit[i] ? t_far : exit[i];
+    }
+  }
 }
 
 float
@@ -77,8 +119,13 @@ intersectPacked(const float* origin,
 // Split [begin, end) where the surface area heuristic is lowest, at least in the
 // middle.
 std::size_t
-split(std::vector<Primitive>& primitives, std::size_t begin, std::size_t end)
+split(std::vector<Primitive>& primitives,
+      std::size_t begin,
+      std::size_t end,
+      bool in_the_middle)
 {
+  if (in_the_middle)
+    return begin + (end - begin) / 2;
   Eigen::AlignedBox3f centers;
   for (auto i = begin; i < end; ++i)
     centers.extend(primitives[i].center);
@@ -147,7 +194,7 @@ struct RayTracer::Builder {
 
   // Split the range into at most four, always the one with the largest surface.
   static std::vector<Range>
-  children(std::vector<Primitive>& primitives, Range range)
+  children(std::vector<Primitive>& primitives, Range range, int level)
   {
     std::vector<Range> ranges{range};
     while (ranges.size() < width) {
@@ -164,7 +211,8 @@ struct RayTracer::Builder {
       if (widest < 0)
         break;
       const Range old = ranges[widest];
-      const std::size_t middle = split(primitives, old.first, old.second);
+      const std::size_t middle =
+          split(primitives, old.first, old.second, level > most_uneven_levels);
       ranges[widest].second = middle;
       ranges.emplace_back(middle, old.second);
     }
@@ -202,16 +250,20 @@ RayTracer::RayTracer(const std::vector<Triangle>& triangles)
     p.box.max().array() += margin;
     primitives.push_back(p);
   }
-  std::vector<std::pair<int, Builder::Range>> open; // node to fill, its triangles
+  struct Task {
+    int node, level;
+    Builder::Range range;
+  };
+  std::vector<Task> open; // nodes to fill, with their triangles
   if (!primitives.empty()) {
     nodes_.push_back(Builder::emptyNode());
-    open.push_back({0, {0, primitives.size()}});
+    open.push_back({0, 0, {0, primitives.size()}});
   }
   while (!open.empty()) {
-    const auto [number, range] = open.back();
+    const auto [number, level, range] = open.back();
     open.pop_back();
     int slot = 0;
-    for (const auto& child : Builder::children(primitives, range)) {
+    for (const auto& child : Builder::children(primitives, range, level)) {
       const auto box = boxOf(primitives, child.first, child.second);
       for (int axis = 0; axis < 3; ++axis) {
         nodes_[number].lower[axis][slot] = box.min()[axis];
@@ -223,7 +275,7 @@ RayTracer::RayTracer(const std::vector<Triangle>& triangles)
       nodes_[number].child[slot] = static_cast<int>(leaf ? child.first : nodes_.size());
       ++slot;
       if (!leaf) {
-        open.push_back({static_cast<int>(nodes_.size()), child});
+        open.push_back({static_cast<int>(nodes_.size()), level + 1, child});
         nodes_.push_back(Builder::emptyNode());
       }
     }
@@ -255,13 +307,7 @@ RayTracer::trace(const Eigen::Vector3f& origin,
   hit.distance = max_distance;
   if (nodes_.empty())
     return RayHit();
-  float inverse[3];
-  bool backwards[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    const float d = direction[axis];
-    inverse[axis] = 1.0f / (std::abs(d) > 1e-20f ? d : std::copysign(1e-20f, d));
-    backwards[axis] = std::signbit(inverse[axis]);
-  }
+  const BoxRay ray = makeBoxRay(origin, direction);
   Visit stack[256]; // at most three wait per level of a tree
   int waiting = 0;
   stack[waiting++] = {min_distance, 0, 0};
@@ -287,16 +333,7 @@ RayTracer::trace(const Eigen::Vector3f& origin,
       entry[i] = min_distance;
       exit[i] = hit.distance;
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      const float* near = backwards[axis] ? node.upper[axis] : node.lower[axis];
-      const float* far = backwards[axis] ? node.lower[axis] : node.upper[axis];
-      for (int i = 0; i < width; ++i) {
-        const float t_near = (near[i] - origin[axis]) * inverse[axis];
-        const float t_far = (far[i] - origin[axis]) * inverse[axis];
-        entry[i] = t_near > entry[i] ? t_near : entry[i];
-        exit[i] = t_far < exit[i] ? t_far : exit[i];
-      }
-    }
+    clip(ray, node.lower, node.upper, entry, exit);
     const int first = waiting;
     for (int i = 0; i < width; ++i) {
       if (!(entry[i] <= exit[i]))
