@@ -103,7 +103,7 @@ drawNumbers(Picture& picture,
       picture.drawLabel((places[room].x - section.begin_x) * scale + scale / 2,
                         (section.end_y - 1 - places[room].y) * scale + scale / 2,
                         std::to_string(room_of[room]),
-                        2);
+                        3);
 }
 
 void
@@ -113,9 +113,9 @@ drawScaleBar(Picture& picture, double pixels_per_metre)
   while (metres * pixels_per_metre < 60.0 && metres < 1000)
     metres *= metres % 2 == 1 ? 5 : 2; // 1, 5, 10, 20, 40, ...
   const int length = static_cast<int>(std::lround(metres * pixels_per_metre));
-  const int y = picture.height() - 14;
-  picture.fillRectangle(10, y + 4, length, 3, ink);
-  picture.drawText(16 + length, y, std::to_string(metres) + " M", ink, 1);
+  const int y = picture.height() - 18;
+  picture.fillRectangle(10, y + 5, length, 4, ink);
+  picture.drawText(16 + length, y, std::to_string(metres) + " M", ink, 2);
 }
 
 /** One picture of the pictures of all storeys, the highest on top, with a scale below.
@@ -126,7 +126,7 @@ stack(const std::vector<Picture>& storeys, double pixels_per_metre)
   const bool named = storeys.size() > 1;
   const int caption = named ? 24 : 0;
   int width = 160;
-  int height = 20;
+  int height = 24;
   for (const auto& storey : storeys) {
     width = std::max(width, storey.width());
     height += storey.height() + caption;

@@ -92,6 +92,7 @@ sceneText(const Scene& scene, const CloudFile& file, const std::string& paramete
     addPlace(json, room, file.offset);
     json["area"] = rounded(room.area);
     json["height"] = rounded(room.height);
+    json["volume"] = rounded(room.volume);
     json["objects"] = objects_of_room[i];
     rooms.push_back(std::move(json));
   }
