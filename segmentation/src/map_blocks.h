@@ -30,12 +30,15 @@ public:
   , begin_(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) + 1, 0)
   , points_(distance.size())
   , max_level_(begin_.size() - 1, 0.0f)
+  , view_(max_level_.size())
   {
     const auto& own = distance.connectivity().ownLevels();
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const std::size_t b = blockOf(i);
       ++begin_[b + 1];
       max_level_[b] = std::max(max_level_[b], own[distance.pixels()[i]]);
+      if (distance.visibility().count > 0)
+        view_[b].add(distance.visibility(), i);
     }
     for (std::size_t b = 0; b + 1 < begin_.size(); ++b)
       begin_[b + 1] += begin_[b];
@@ -56,6 +59,13 @@ public:
     return static_cast<std::size_t>(distance_.x(i) / kBlock) *
                static_cast<std::size_t>(ny_) +
            static_cast<std::size_t>(distance_.y(i) / kBlock);
+  }
+
+  /** What the points of a block see. */
+  const VisibilityGroup&
+  view(std::size_t block) const
+  {
+    return view_[block];
   }
 
   float
@@ -115,6 +125,7 @@ private:
   std::vector<std::uint32_t> begin_;
   std::vector<std::uint32_t> points_;
   std::vector<float> max_level_;
+  std::vector<VisibilityGroup> view_;
 };
 
 } // namespace indoor

@@ -254,11 +254,20 @@ private:
       if (block_component_[block] == component_[i] || block_core_[block] >= bestOf(i) ||
           tooFar(gap))
         return;
+      const double near = field_part + distance_.euclideanPart(gap) +
+                          distance_.leastVisibilityPart(i, blocks_.view(block));
+      if (near * kSafe >= bestOf(i))
+        return;
       blocks_.forEachPoint(block, [&](std::size_t j) {
         if (component_[j] == component_[i] || core_[j] >= bestOf(i))
           return;
-        const double known = std::max({distance_.reachable(i, j), core_[i], core_[j]});
-        if (known < bestOf(i))
+        // each lies in another component than the other; cheap parts first
+        double least = std::max(field_part, foreign_part_[j]) +
+                       distance_.euclideanPart(distance_.pixelsBetween(i, j));
+        if (least * kSafe >= bestOf(i))
+          return;
+        least += distance_.visibilityPart(i, j);
+        if (least * kSafe < bestOf(i))
           offer(i, j, reach(i, j));
       });
     });

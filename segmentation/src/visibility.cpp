@@ -34,17 +34,6 @@ crossings(int extent, std::int64_t product, std::ptrdiff_t stride)
   return {half, 2 * half, extent > 0 ? stride : -stride};
 }
 
-#if defined(__GNUC__) && defined(__x86_64__)
-__attribute__((target("popcnt"))) std::size_t
-differingBitsFast(const std::uint64_t* a, const std::uint64_t* b, std::size_t words)
-{
-  std::size_t count = 0;
-  for (std::size_t w = 0; w < words; ++w)
-    count += static_cast<std::size_t>(__builtin_popcountll(a[w] ^ b[w]));
-  return count;
-}
-#endif
-
 std::size_t
 bitCount(std::uint64_t word)
 {
@@ -54,31 +43,53 @@ bitCount(std::uint64_t word)
   return (word * 0x0101010101010101u) >> 56;
 }
 
+/** Bits of a that b lacks, and bits of b's part `c` that a lacks; with b = c those that
+ * differ.
+ */
+using BitCounter = std::size_t (*)(const std::uint64_t* a,
+                                   const std::uint64_t* b,
+                                   const std::uint64_t* c,
+                                   std::size_t words);
+
 std::size_t
-differingBitsPortable(const std::uint64_t* a, const std::uint64_t* b, std::size_t words)
+missingBitsPortable(const std::uint64_t* a,
+                    const std::uint64_t* b,
+                    const std::uint64_t* c,
+                    std::size_t words)
 {
   std::size_t count = 0;
   for (std::size_t w = 0; w < words; ++w)
-    count += bitCount(a[w] ^ b[w]);
+    count += bitCount((a[w] & ~b[w]) | (c[w] & ~a[w]));
   return count;
 }
 
-using DifferingBits = std::size_t (*)(const std::uint64_t*,
-                                      const std::uint64_t*,
-                                      std::size_t);
+#if defined(__GNUC__) && defined(__x86_64__)
+__attribute__((target("popcnt"))) std::size_t
+missingBitsFast(const std::uint64_t* a,
+                const std::uint64_t* b,
+                const std::uint64_t* c,
+                std::size_t words)
+{
+  std::size_t count = 0;
+  for (std::size_t w = 0; w < words; ++w)
+    count +=
+        static_cast<std::size_t>(__builtin_popcountll((a[w] & ~b[w]) | (c[w] & ~a[w])));
+  return count;
+}
+#endif
 
-DifferingBits
-fastestDifferingBits()
+BitCounter
+fastestCounter()
 {
 #if defined(__GNUC__) && defined(__x86_64__)
   __builtin_cpu_init(); // may run before the constructors of the runtime
   if (__builtin_cpu_supports("popcnt"))
-    return differingBitsFast;
+    return missingBitsFast;
 #endif
-  return differingBitsPortable;
+  return missingBitsPortable;
 }
 
-const DifferingBits differingBits = fastestDifferingBits();
+const BitCounter missingBits = fastestCounter();
 
 void
 requireInside(const GridShape& shape, const std::vector<Eigen::Vector3i>& voxels)
@@ -157,9 +168,40 @@ visibilityDistance(const VisibilityVectors& vectors, std::size_t i, std::size_t 
       static_cast<std::size_t>(vectors.visible[i]) + vectors.visible[j];
   if (sum == 0)
     return 0.0;
-  const std::size_t differing = differingBits(vectors.bits.data() + i * vectors.words,
-                                              vectors.bits.data() + j * vectors.words,
-                                              vectors.words);
+  const std::uint64_t* other = vectors.bits.data() + j * vectors.words;
+  const std::size_t differing =
+      missingBits(vectors.bits.data() + i * vectors.words, other, other, vectors.words);
+  return static_cast<double>(differing) / static_cast<double>(sum);
+}
+
+void
+VisibilityGroup::add(const VisibilityVectors& vectors, std::size_t i)
+{
+  const std::uint64_t* bits = vectors.bits.data() + i * vectors.words;
+  if (any.empty()) {
+    all.assign(bits, bits + vectors.words);
+    any = all;
+  }
+  for (std::size_t w = 0; w < vectors.words; ++w) {
+    all[w] &= bits[w];
+    any[w] |= bits[w];
+  }
+  most_visible = std::max(most_visible, vectors.visible[i]);
+}
+
+double
+leastVisibilityDistance(const VisibilityVectors& vectors,
+                        std::size_t i,
+                        const VisibilityGroup& group)
+{
+  const std::size_t sum =
+      static_cast<std::size_t>(vectors.visible[i]) + group.most_visible;
+  if (sum == 0)
+    return 0.0;
+  const std::size_t differing = missingBits(vectors.bits.data() + i * vectors.words,
+                                            group.any.data(),
+                                            group.all.data(),
+                                            vectors.words);
   return static_cast<double>(differing) / static_cast<double>(sum);
 }
 

@@ -71,7 +71,7 @@ TEST(ClusterMap, EqualsTheDenseComputation)
   std::mt19937 rng(1);
   int clusters = 0;
   for (int trial = 0; trial < 150; ++trial) {
-    const Map map(1 + rng() % 40, 1 + rng() % 40, trial % 2, rng);
+    const Map map(1 + rng() % 30, 1 + rng() % 30, trial % 2, rng);
     std::vector<float> thresholds;
     if (trial % 3 == 0) // many ties
       thresholds = {1.0f, 4.0f, 9.0f};

@@ -146,6 +146,29 @@ TEST(VisibilityDistance, CountsPositionsThatDiffer)
   EXPECT_EQ(pcl::indoor::visibilityDistance(blind, 0, 1), 0.0);
 }
 
+TEST(VisibilityDistance, IsBoundedByTheGroup)
+{
+  std::mt19937 rng(5);
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto grid = randomGrid(20, 20, 3, 5 + rng() % 40, rng);
+    std::vector<Vector3i> voxels;
+    for (int i = 0; i < 70; ++i)
+      voxels.push_back(randomVoxel(grid, rng));
+    const auto vectors = pcl::indoor::visibilityVectors(grid, voxels, voxels);
+    pcl::indoor::VisibilityGroup group, single;
+    for (std::size_t j = 0; j < 5; ++j)
+      group.add(vectors, j);
+    single.add(vectors, 0);
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+      for (std::size_t j = 0; j < 5; ++j)
+        EXPECT_LE(pcl::indoor::leastVisibilityDistance(vectors, i, group),
+                  pcl::indoor::visibilityDistance(vectors, i, j));
+      EXPECT_EQ(pcl::indoor::leastVisibilityDistance(vectors, i, single),
+                pcl::indoor::visibilityDistance(vectors, i, 0));
+    }
+  }
+}
+
 TEST(VisibilityDistance, SeparatesRooms)
 {
   // two rooms with a wall between them and a door at y = 4

@@ -69,9 +69,16 @@ public:
   double
   reachable(std::size_t i, std::size_t j) const
   {
-    const double dx = x_[i] - x_[j], dy = y_[i] - y_[j];
-    return euclideanPart(std::sqrt(dx * dx + dy * dy)) +
+    return euclideanPart(pixelsBetween(i, j)) +
            fieldPart(connectivity_.level(pixels_[i], pixels_[j]));
+  }
+
+  /** \brief The Euclidean distance, pixels. */
+  double
+  pixelsBetween(std::size_t i, std::size_t j) const
+  {
+    const double dx = x_[i] - x_[j], dy = y_[i] - y_[j];
+    return std::sqrt(dx * dx + dy * dy);
   }
 
   /** \brief The weighted part of the visibility. */
@@ -81,6 +88,15 @@ public:
     return visibility_.count == 0
                ? 0.0
                : visibility_weight_ * visibilityDistance(visibility_, i, j);
+  }
+
+  /** \brief The least that visibilityPart() can be for i and one of the group. */
+  double
+  leastVisibilityPart(std::size_t i, const VisibilityGroup& group) const
+  {
+    return visibility_.count == 0
+               ? 0.0
+               : visibility_weight_ * leastVisibilityDistance(visibility_, i, group);
   }
 
   /** \brief The weighted part of a Euclidean distance in pixels. */
@@ -118,6 +134,11 @@ public:
   connectivity() const
   {
     return connectivity_;
+  }
+  const VisibilityVectors&
+  visibility() const
+  {
+    return visibility_;
   }
   int
   mapWidth() const

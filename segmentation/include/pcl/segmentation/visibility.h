@@ -67,6 +67,25 @@ visibilityVectors(const VoxelGrid<std::uint8_t>& occupancy,
 double
 visibilityDistance(const VisibilityVectors& vectors, std::size_t i, std::size_t j);
 
+/** \brief What a group of voxels has in common, to bound distances to all of them. */
+struct VisibilityGroup {
+  std::vector<std::uint64_t> all; ///< landmarks that every one of them sees
+  std::vector<std::uint64_t> any; ///< landmarks that at least one of them sees
+  std::uint32_t most_visible = 0; ///< the largest number that one of them sees
+
+  /** \brief Add the i-th voxel of the vectors. */
+  void
+  add(const VisibilityVectors& vectors, std::size_t i);
+};
+
+/** \brief A distance that visibilityDistance() of i and a voxel of the group reaches at
+ * least.
+ */
+double
+leastVisibilityDistance(const VisibilityVectors& vectors,
+                        std::size_t i,
+                        const VisibilityGroup& group);
+
 /** \brief Landmarks for visibilityVectors(): at most one per square of the map.
  * \param[in] heights the z index in each column, -1 = none, as highestFreeVoxel()
  * gives it
