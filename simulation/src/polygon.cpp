@@ -4,10 +4,8 @@
  */
 #include <pcl/simulation/polygon.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace pcl {

@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include <pcl/memory.h> // for PCL_MAKE_ALIGNED_OPERATOR_NEW
 #include <pcl/register_point_struct.h>
+#include <pcl/type_traits.h> // for the names of field types
 
 #include <cstdint>
 
