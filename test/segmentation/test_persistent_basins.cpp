@@ -45,7 +45,24 @@ labelsAround(const PixelMap<std::int32_t>& labels, std::size_t pixel)
   return around;
 }
 
-/** The flooding word by word; joining basins repaints all their pixels. */
+/** The label of the highest pixel around one that has a label. */
+std::int32_t
+labelUphill(const PixelMap<float>& field,
+            const PixelMap<std::int32_t>& labels,
+            std::size_t pixel)
+{
+  const int x = static_cast<int>(pixel) / labels.ny;
+  const int y = static_cast<int>(pixel) % labels.ny;
+  std::pair<float, std::int32_t> uphill{0.0f, 0};
+  for (int u = x - 1; u <= x + 1; ++u)
+    for (int v = y - 1; v <= y + 1; ++v)
+      if (labels.contains(u, v) && labels.at(u, v) != 0)
+        uphill = std::max(uphill, {field.at(u, v), labels.at(u, v)});
+  return uphill.second;
+}
+
+/** The flooding word by word, for values that are all different: a pixel belongs to the
+ * basin uphill of it; joining basins repaints all their pixels. */
 Labels
 floodedSlowly(const PixelMap<float>& field, float persistence)
 {
@@ -67,7 +84,7 @@ floodedSlowly(const PixelMap<float>& field, float persistence)
       continue;
     }
     const std::int32_t highest = *around.begin();
-    labels.values[pixel] = highest;
+    labels.values[pixel] = labelUphill(field, labels, pixel);
     for (const auto other : around)
       if (level >= persistence * maximum[other])
         std::replace(labels.values.begin(), labels.values.end(), other, highest);
