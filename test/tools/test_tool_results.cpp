@@ -1,0 +1,246 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+// Runs the installed-like tools, found by PCL_INDOOR_TOOLS, on good input and looks at
+// what they write.
+#include "cloud_file.h"
+#include "support/synthetic_scenes.h"
+
+#include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/io/pcd_io.h>
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <set>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::tool;
+
+namespace {
+
+std::string
+bytesOf(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/** A folder of its own for each test, gone afterwards. */
+class ToolResults : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    std::string name =
+        (std::filesystem::temp_directory_path() / "pcl_indoor_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+
+  void
+  TearDown() override
+  {
+    std::filesystem::remove_all(folder_);
+  }
+
+  std::string
+  path(const std::string& name) const
+  {
+    return (folder_ / name).string();
+  }
+
+  /** Runs a tool; it must succeed and print nothing where no terminal is. */
+  void
+  run(const std::string& tool, const std::string& arguments) const
+  {
+    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
+                                arguments + " > " + path("said") + " 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command << "\n"
+                                               << bytesOf(path("said"));
+    EXPECT_EQ(bytesOf(path("said")), "") << command;
+  }
+
+  std::filesystem::path folder_;
+};
+
+/** Two rooms with a door, a table and a cabinet; an intensity per point, and some
+ * points without a place. */
+pcl::PointCloud<pcl::PointXYZI>
+scanOfTwoRooms()
+{
+  const auto scene = test::twoRooms();
+  pcl::PointCloud<pcl::PointXYZI> cloud;
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    pcl::PointXYZI point;
+    point.getVector3fMap() = scene.points[i];
+    point.intensity = static_cast<float>(i % 1000);
+    if (i % 100 == 7)
+      point.y = std::numeric_limits<float>::quiet_NaN();
+    cloud.push_back(point);
+  }
+  cloud.is_dense = false;
+  cloud.sensor_origin_ = Eigen::Vector4f(1, 1, 1.5f, 0);
+  return cloud;
+}
+
+void
+expectEveryFinitePointHas(const CloudFile& file, const std::string& field)
+{
+  const auto labels = readLabels(file, field);
+  std::size_t without = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (pcl::isFinite((*file.points)[i]))
+      without += labels[i] == 0;
+    else
+      EXPECT_EQ(labels[i], 0u) << field << " of point " << i;
+  }
+  EXPECT_EQ(without, 0u) << field;
+}
+
+} // namespace
+
+TEST_F(ToolResults, RoomSegmentationAddsTheRoomAndKeepsTheRest)
+{
+  pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
+  run("pcl_room_segmentation", path("in.pcd") + " " + path("out.pcd"));
+  const auto in = loadCloud(path("in.pcd"));
+  const auto out = loadCloud(path("out.pcd"));
+  expectEveryFinitePointHas(out, "room");
+  EXPECT_EQ(readLabels(out, "intensity"), readLabels(in, "intensity"));
+  EXPECT_EQ(out.origin, in.origin);
+  const auto rooms = readLabels(out, "room");
+  EXPECT_EQ(*std::max_element(rooms.begin(), rooms.end()), 2u);
+}
+
+TEST_F(ToolResults, NoiseResilientLccpAddsTheObjectAndKeepsTheRest)
+{
+  pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
+  for (const char* partition : {"graph", "lccp"}) {
+    run("pcl_noise_resilient_lccp",
+        path("in.pcd") + " " + path("out.pcd") +
+            " -voxel_resolution 0.06 -seed_resolution 0.24 -partition " + partition);
+    const auto out = loadCloud(path("out.pcd"));
+    expectEveryFinitePointHas(out, "object");
+    EXPECT_EQ(readLabels(out, "intensity"),
+              readLabels(loadCloud(path("in.pcd")), "intensity"));
+  }
+}
+
+TEST_F(ToolResults, PipelineNumbersObjectsThroughTheRooms)
+{
+  pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
+  run("pcl_indoor_pipeline", path("in.pcd") + " " + path("a/b"));
+  const auto out = loadCloud(path("a/b/cloud.pcd"));
+  expectEveryFinitePointHas(out, "room");
+  expectEveryFinitePointHas(out, "object");
+  EXPECT_TRUE(hasField(out.cloud, "intensity"));
+
+  const auto rooms = readLabels(out, "room");
+  const auto objects = readLabels(out, "object");
+  std::map<std::uint32_t, std::set<std::uint32_t>> rooms_of_object;
+  for (std::size_t i = 0; i < rooms.size(); ++i)
+    if (objects[i] > 0)
+      rooms_of_object[objects[i]].insert(rooms[i]);
+  ASSERT_GT(rooms_of_object.size(), 10u); // two times six sides, a table, a cabinet
+  std::uint32_t number = 0, room = 0;
+  for (const auto& [object, its_rooms] : rooms_of_object) {
+    EXPECT_EQ(object, ++number);
+    ASSERT_EQ(its_rooms.size(), 1u) << "object " << object << " lies in several rooms";
+    EXPECT_GE(*its_rooms.begin(), room);
+    room = *its_rooms.begin();
+  }
+  EXPECT_EQ(room, 2u);
+}
+
+TEST_F(ToolResults, PipelineDescribesTheSceneThatItWrites)
+{
+  pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
+  run("pcl_indoor_pipeline", path("in.pcd") + " " + path("out"));
+  const auto out = loadCloud(path("out/cloud.pcd"));
+  const auto objects = readLabels(out, "object");
+  const auto scene = nlohmann::json::parse(bytesOf(path("out/scene.json")));
+  EXPECT_EQ(scene["points"], out.points->size());
+  EXPECT_EQ(scene["finite_points"], out.finite_count);
+  ASSERT_EQ(scene["rooms"].size(), 2u);
+  std::multiset<double> areas;
+  std::size_t listed = 0;
+  for (const auto& room : scene["rooms"]) {
+    areas.insert(room["area"].get<double>());
+    EXPECT_NEAR(room["height"].get<double>(), 2.5, 0.3); // three voxels
+    listed += room["objects"].size();
+  }
+  EXPECT_NEAR(*areas.begin(), 9.0, 1.5); // a voxel on every side
+  EXPECT_NEAR(*areas.rbegin(), 12.0, 1.5);
+  EXPECT_EQ(listed, scene["objects"].size());
+  for (const auto& object : scene["objects"]) {
+    const auto id = object["object"].get<std::uint32_t>();
+    EXPECT_EQ(object["points"], std::count(objects.begin(), objects.end(), id));
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_LE(object["box"]["lower"][axis], object["centroid"][axis]);
+      EXPECT_LE(object["centroid"][axis], object["box"]["upper"][axis]);
+    }
+  }
+  for (const char* picture : {"out/rooms.png", "out/potential_field.png"})
+    EXPECT_EQ(bytesOf(path(picture)).substr(1, 3), "PNG");
+}
+
+TEST_F(ToolResults, PipelineGivesTheSameForAnyNumberOfThreadsAndReplacesOldResults)
+{
+  pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
+  run("pcl_indoor_pipeline", path("in.pcd") + " " + path("one") + " -threads 1");
+  std::filesystem::create_directories(path("three"));
+  std::ofstream(path("three/cloud.pcd")) << "old";
+  run("pcl_indoor_pipeline", path("in.pcd") + " " + path("three") + " -threads 3");
+  for (const char* name : {"cloud.pcd", "rooms.png", "potential_field.png"})
+    EXPECT_EQ(bytesOf(path("one/") + name), bytesOf(path("three/") + name)) << name;
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("three")), {}), 4);
+}
+
+TEST_F(ToolResults, PipelineKeepsLargeCoordinatesAndTheirLabels)
+{
+  const auto cloud = scanOfTwoRooms();
+  const Eigen::Vector3d shift(691000.0, 5334000.0, 512.0);
+  const auto write = [&](const std::string& name, const Eigen::Vector3d& offset) {
+    std::ofstream stream(path(name));
+    stream << "ply\nformat ascii 1.0\nelement vertex " << cloud.size()
+           << "\nproperty double x\nproperty double y\nproperty double z\nend_header\n";
+    stream.precision(17);
+    for (const auto& point : cloud) {
+      const Eigen::Vector3d place = point.getVector3fMap().cast<double>() + offset;
+      stream << place.x() << " " << place.y() << " " << place.z() << "\n";
+    }
+  };
+  write("near.ply", Eigen::Vector3d::Zero());
+  write("far.ply", shift);
+  run("pcl_indoor_pipeline", path("near.ply") + " " + path("near"));
+  run("pcl_indoor_pipeline", path("far.ply") + " " + path("far"));
+  const auto near = loadCloud(path("near/cloud.pcd"));
+  const auto far = loadCloud(path("far/cloud.pcd"));
+  EXPECT_EQ(readLabels(near, "room"), readLabels(far, "room"));
+  EXPECT_GT(far.offset.x(), 600000.0);
+  const auto scene = nlohmann::json::parse(bytesOf(path("far/scene.json")));
+  EXPECT_NEAR(scene["rooms"][0]["box"]["lower"][0].get<double>(), shift.x(), 8.0);
+}
+
+TEST_F(ToolResults, PipelineKeepsTheArrangementOfOrganisedClouds)
+{
+  auto cloud = scanOfTwoRooms();
+  cloud.resize(cloud.size() / 100 * 100);
+  cloud.width = 100;
+  cloud.height = static_cast<std::uint32_t>(cloud.size() / 100);
+  pcl::io::savePCDFileBinaryCompressed(path("in.pcd"), cloud);
+  run("pcl_indoor_pipeline", path("in.pcd") + " " + path("out"));
+  const auto out = loadCloud(path("out/cloud.pcd"));
+  EXPECT_EQ(out.cloud.width, 100u);
+  EXPECT_EQ(out.cloud.height, cloud.height);
+  expectEveryFinitePointHas(out, "object");
+}
