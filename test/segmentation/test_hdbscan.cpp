@@ -235,6 +235,21 @@ TEST(HDBSCAN, FindsTwoClumpsAndAnOutlier)
   EXPECT_NEAR(result.clusters[1].birth_distance, 4.7, 1e-9);
 }
 
+TEST(HDBSCAN, OfEquallyStableClustersTheLargerOneWins)
+{
+  // two clumps: within them 1/2, between them 1; 6 points leave the whole at density 1,
+  // 2 x 3 points leave the clumps at density 2, born at 1
+  const auto distance = [](std::size_t i, std::size_t j) {
+    return i / 3 == j / 3 ? 0.5 : 1.0;
+  };
+  HDBSCANOptions options;
+  options.min_cluster_size = 3;
+  EXPECT_EQ(hdbscan(6, distance, options).labels, (std::vector<int>{0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(hdbscan(6, distance, options).stabilities, (std::vector<double>{3.0, 3.0}));
+  options.allow_single_cluster = true;
+  EXPECT_EQ(hdbscan(6, distance, options).labels, std::vector<int>(6, 0));
+}
+
 TEST(HDBSCAN, HandlesLittleInput)
 {
   const auto zero = [](std::size_t, std::size_t) { return 0.0; };
