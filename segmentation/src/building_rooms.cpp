@@ -4,7 +4,7 @@
  */
 
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/storey_links.h>
+#include <pcl/segmentation/storey_space.h>
 
 #include <algorithm>
 #include <limits>
@@ -14,10 +14,31 @@ namespace pcl {
 namespace indoor {
 namespace {
 
+/** The storey of each point; points outside the grid have none that matters. */
+std::vector<std::uint8_t>
+storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
+                const BuildingRooms& building)
+{
+  const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  std::vector<std::uint8_t> storey_of(points.size(), 0);
+  if (building.levels.borders.empty())
+    return storey_of;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (building.occupancy.cells[i] < 0)
+      continue;
+    const std::int32_t pixel = building.occupancy.cells[i] / grid.shape.nz;
+    storey_of[i] = static_cast<std::uint8_t>(building.levels.storeyAt(
+        pixel / grid.shape.ny, pixel % grid.shape.ny, points[i].z()));
+  }
+  return storey_of;
+}
+
 /** Label the points of one storey: by the map, and at walls by the side they are on. */
 void
 labelPoints(const std::vector<Eigen::Vector3f>& points,
             const OccupancyGrid& occupancy,
+            const std::vector<std::uint8_t>& storey_of,
+            std::uint8_t storey,
             const RoomMap& map,
             const BuildingRoomsOptions& options,
             const std::vector<std::uint32_t>& room_of,
@@ -31,10 +52,10 @@ labelPoints(const std::vector<Eigen::Vector3f>& points,
   std::vector<std::int32_t> label;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::int32_t cell = occupancy.cells[i];
-    if (cell < 0 || cell % nz < map.storey.begin || cell % nz >= map.storey.end)
+    if (cell < 0 || storey_of[i] != storey)
       continue;
     const std::size_t pixel = cell / nz;
-    const int below = map.ceiling.values[pixel] - cell % nz;
+    const int below = map.ceiling.values[pixel] + map.first_layer - cell % nz;
     const Eigen::Vector3d local =
         occupancy.toGrid(points[i].cast<double>()) - grid.origin;
     index.push_back(static_cast<std::uint32_t>(i));
@@ -75,9 +96,8 @@ describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& b
       if (map.free_labels.values[i] <= 0)
         continue;
       Room& room = rooms[building.room_of[s][map.free_labels.values[i]] - 1];
-      room.volume += size * size * size * (map.ceiling.values[i] - map.storey.begin);
-      if (room.storey == s) // an upper part of a hall adds no floor
-        room.area += size * size;
+      room.volume += size * size * size * (map.ceiling.values[i] - map.range.begin);
+      room.area += size * size;
     }
   }
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -114,13 +134,21 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
 
   const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
   building.interior = interiorSpace(points, building.occupancy, options.interior);
-  for (const VerticalRange& storey : std::vector<VerticalRange>{{0, grid.shape.nz}})
-    building.storeys.push_back(
-        segmentRoomMap(grid, building.interior, storey, options.map));
-  building.room_of = numberRooms(grid, building.storeys);
+  building.levels = findStoreys(grid, options.storeys);
+  refineBorders(points, building.occupancy, building.levels);
+  std::uint32_t room_count = 0;
+  for (const auto& space : storeySpaces(grid, building.interior, building.levels)) {
+    building.storeys.push_back(segmentRoomMap(space, options.map));
+    auto& room_of = building.room_of.emplace_back();
+    for (std::int32_t label = 0; label <= building.storeys.back().room_count; ++label)
+      room_of.push_back(label == 0 ? 0 : ++room_count);
+  }
+  const auto storey_of = storeysOfPoints(points, building);
   for (std::size_t s = 0; s < building.storeys.size(); ++s)
     labelPoints(points,
                 building.occupancy,
+                storey_of,
+                static_cast<std::uint8_t>(s),
                 building.storeys[s],
                 options,
                 building.room_of[s],

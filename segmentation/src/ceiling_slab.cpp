@@ -52,6 +52,20 @@ slidingMaximum(int* values, int count, std::size_t stride, int radius)
     values[i * stride] = std::max(backward[i], forward[i + block - 1]);
 }
 
+/** The share of the columns of a window whose top is about as high as the middle one's.
+ */
+double
+shareOfLevel(const PixelMap<int>& top, int x, int y, int radius)
+{
+  int same = 0, all = 0;
+  for (int u = std::max(0, x - radius); u <= std::min(top.nx - 1, x + radius); ++u)
+    for (int v = std::max(0, y - radius); v <= std::min(top.ny - 1, y + radius); ++v) {
+      ++all;
+      same += std::abs(top.at(u, v) - top.at(x, y)) <= 1;
+    }
+  return static_cast<double>(same) / all;
+}
+
 } // namespace
 
 PixelMap<int>
@@ -68,10 +82,24 @@ ceilingLayers(const VoxelGrid<std::uint8_t>& occupancy,
   for (int y = 0; y < top.ny; ++y)
     slidingMaximum(&ceiling.values[top.index(0, y)], top.nx, top.ny, radius);
 
-  const int step = static_cast<int>(std::lround(options.step / occupancy.voxel_size));
-  for (std::size_t i = 0; i < top.size(); ++i)
-    if (top.values[i] >= 0 && top.values[i] >= ceiling.values[i] - step)
-      ceiling.values[i] = top.values[i];
+  const auto layers = [&](double length) {
+    return static_cast<int>(std::lround(length / occupancy.voxel_size));
+  };
+  const int step = layers(options.step);
+  const int headroom = storey.begin + layers(options.min_height);
+  for (int x = 0; x < top.nx; ++x)
+    for (int y = 0; y < top.ny; ++y) {
+      const int own = top.at(x, y);
+      int& layer = ceiling.at(x, y);
+      if (own < 0 || own == layer)
+        continue;
+      if (own >= layer - step ||
+          (own >= headroom && shareOfLevel(top, x, y, radius) > options.level_share))
+        layer = own;
+    }
+  for (auto& layer : ceiling.values)
+    if (layer >= 0 && layer < headroom)
+      layer = storey.end - 1; // nothing above was seen
   return ceiling;
 }
 

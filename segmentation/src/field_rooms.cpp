@@ -17,23 +17,6 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-/** A grid without the layers outside of a storey. */
-VoxelGrid<std::uint8_t>
-layersOf(const VoxelGrid<std::uint8_t>& grid, const VerticalRange& storey)
-{
-  VoxelGrid<std::uint8_t> part;
-  part.voxel_size = grid.voxel_size;
-  part.origin = grid.origin + Eigen::Vector3d(0, 0, storey.begin * grid.voxel_size);
-  part.shape = {grid.shape.nx, grid.shape.ny, storey.end - storey.begin};
-  part.values.reserve(part.shape.size());
-  for (int x = 0; x < grid.shape.nx; ++x)
-    for (int y = 0; y < grid.shape.ny; ++y) {
-      const auto column = grid.values.begin() + grid.shape.index(x, y, 0);
-      part.values.insert(part.values.end(), column + storey.begin, column + storey.end);
-    }
-  return part;
-}
-
 VisibilityVectors
 visibilityOf(const VoxelGrid<std::uint8_t>& occupancy,
              const PixelMap<int>& highest_free,
@@ -121,12 +104,10 @@ labelTheRest(const FieldRooms& rooms,
 } // namespace
 
 FieldRooms
-segmentFieldMap(const InteriorSpace& space,
-                const VerticalRange& storey,
-                const FieldRoomsOptions& options)
+segmentFieldMap(const InteriorSpace& space, const FieldRoomsOptions& options)
 {
-  const auto occupancy = layersOf(space.occupancy, storey);
-  const auto interior = layersOf(space.inside, storey);
+  const auto& occupancy = space.occupancy;
+  const auto& interior = space.inside;
   FieldRooms rooms;
   rooms.potential = potentialField(occupancy, options.threads); // Sec. 3.2.2
   rooms.field = fieldMap(rooms.potential, interior);

@@ -85,27 +85,5 @@ interiorSpace(const std::vector<Eigen::Vector3f>& points,
   return space;
 }
 
-PixelMap<std::uint8_t>
-interiorColumns(const InteriorSpace& space, const VerticalRange& storey, int nx, int ny)
-{
-  const GridShape& shape = space.inside.shape;
-  const int begin = storey.begin / space.factor;
-  const int end = std::min(shape.nz, (storey.end - 1) / space.factor + 1);
-  PixelMap<std::uint8_t> columns{nx, ny, {}};
-  columns.values.resize(columns.size());
-  for (int x = 0; x < nx; ++x)
-    for (int y = 0; y < ny; ++y) {
-      const std::size_t column = shape.index(x / space.factor, y / space.factor, 0);
-      int interior = 0, exterior = 0;
-      for (int z = begin; z < end; ++z) {
-        interior += space.inside.values[column + z] != 0;
-        exterior +=
-            !space.inside.values[column + z] && !space.occupancy.values[column + z];
-      }
-      columns.at(x, y) = interior >= exterior;
-    }
-  return columns;
-}
-
 } // namespace indoor
 } // namespace pcl

@@ -48,7 +48,7 @@ public:
       peak_.push_back(level);
       return;
     }
-    basin_of_[pixel] = neighbours_.front();
+    basin_of_[pixel] = steepest_;
     for (const std::int32_t other : neighbours_)
       if (level >= persistence * peak_[other])
         parent_[other] = neighbours_.front();
@@ -74,11 +74,18 @@ private:
   {
     const int x = pixel / field_.ny, y = pixel % field_.ny;
     neighbours_.clear();
+    float highest = 0.0f;
     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, field_.nx - 1); ++u)
       for (int v = std::max(y - 1, 0); v <= std::min(y + 1, field_.ny - 1); ++v) {
         const std::int32_t basin = basinOf(field_.index(u, v));
-        if (basin >= 0)
-          neighbours_.push_back(basin);
+        if (basin < 0)
+          continue;
+        neighbours_.push_back(basin);
+        const float value = field_.at(u, v);
+        if (value > highest || (value == highest && basin < steepest_)) {
+          highest = value;
+          steepest_ = basin;
+        }
       }
     std::sort(neighbours_.begin(), neighbours_.end());
     neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()),
@@ -90,6 +97,7 @@ private:
   std::vector<std::int32_t> parent_;   // per basin
   std::vector<float> peak_;            // per basin
   std::vector<std::int32_t> neighbours_;
+  std::int32_t steepest_ = -1; // the basin of the highest neighbour
 };
 
 } // namespace

@@ -19,6 +19,31 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/** The columns that hold no more exterior free voxels than interior ones between the
+ * floor and the ceiling. */
+PixelMap<std::uint8_t>
+insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
+{
+  const InteriorSpace& interior = space.interior;
+  const int factor = interior.factor;
+  const int offset = space.first_layer % factor; // the coarse layers may begin below
+  PixelMap<std::uint8_t> inside{ceiling.nx, ceiling.ny, {}};
+  inside.values.assign(inside.size(), 0);
+  for (int x = 0; x < inside.nx; ++x)
+    for (int y = 0; y < inside.ny; ++y) {
+      const int end =
+          std::min((ceiling.at(x, y) + offset) / factor, interior.inside.shape.nz);
+      int surplus = 0;
+      for (int z = (space.range.begin + offset) / factor; z < end; ++z)
+        if (interior.inside.at(x / factor, y / factor, z))
+          ++surplus;
+        else if (!interior.occupancy.at(x / factor, y / factor, z))
+          --surplus;
+      inside.at(x, y) = ceiling.at(x, y) >= 0 && surplus >= 0;
+    }
+  return inside;
+}
+
 /** Distance of each free pixel inside to the next blocked or outside one, metres. */
 PixelMap<float>
 freeDistance(const PixelMap<std::uint8_t>& blocked,
@@ -83,7 +108,7 @@ sectionAreas(const RoomMap& map, double pixel_size)
       *std::max_element(map.labels.values.begin(), map.labels.values.end());
   std::vector<double> section(count + 1, 0.0);
   for (std::size_t i = 0; i < map.labels.size(); ++i) {
-    const double height = pixel_size * (map.ceiling.values[i] - map.storey.begin);
+    const double height = pixel_size * (map.ceiling.values[i] - map.range.begin);
     double& widest = section[map.free_labels.values[i]];
     widest = std::max(widest, 2.0 * map.field.values[i] * height);
   }
@@ -119,37 +144,33 @@ fieldRoomsOnMap(const FieldRooms& rooms, int factor, const PixelMap<float>& fiel
 } // namespace
 
 RoomMap
-segmentRoomMap(const VoxelGrid<std::uint8_t>& occupancy,
-               const InteriorSpace& interior,
-               const VerticalRange& storey,
-               const RoomMapOptions& options)
+segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
 {
+  const VoxelGrid<std::uint8_t>& occupancy = space.occupancy;
   const double size = occupancy.voxel_size;
-  const GridShape& shape = occupancy.shape;
   RoomMap map;
-  map.storey = storey;
-  map.ceiling = ceilingLayers(occupancy, storey, options.slab);
-  map.slab = slabLayers(occupancy, storey, map.ceiling, options.slab);
-  map.blocked = blockedColumns(occupancy, storey, map.ceiling, map.slab);
+  map.first_layer = space.first_layer;
+  map.range = space.range;
+  map.ceiling = ceilingLayers(occupancy, map.range, options.slab);
+  map.slab = slabLayers(occupancy, map.range, map.ceiling, options.slab);
+  map.blocked = blockedColumns(occupancy, map.range, map.ceiling, map.slab);
   removeSpecks(map.blocked,
                static_cast<int>(std::lround(options.slab.min_wall / size)));
-  map.field = freeDistance(
-      map.blocked, interiorColumns(interior, storey, shape.nx, shape.ny), size);
+  map.field = freeDistance(map.blocked, insideColumns(space, map.ceiling), size);
   if (options.method == RoomMethod::CeilingSlab) {
     map.free_labels = basinsOfWidth(map.field, size, options);
     dropSmallRegions(map.free_labels, size, options);
   }
   else {
-    const VerticalRange coarse{storey.begin / interior.factor,
-                               (storey.end - 1) / interior.factor + 1};
-    map.field_rooms = segmentFieldMap(interior, coarse, options.field_rooms);
-    map.free_labels = fieldRoomsOnMap(map.field_rooms, interior.factor, map.field);
+    map.field_rooms = segmentFieldMap(space.interior, options.field_rooms);
+    map.free_labels =
+        fieldRoomsOnMap(map.field_rooms, space.interior.factor, map.field);
   }
 
   map.labels = map.free_labels;
   growLabels(map.labels, options.reach / size);
   const auto merged = mergeOpenRegions(
-      regionBorders(occupancy, storey, map.ceiling, map.labels, map.free_labels),
+      regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
       sectionAreas(map, size),
       options.method == RoomMethod::CeilingSlab ? options.open_share : infinity);
   const auto number = numbersOf(map.labels, merged);
@@ -159,7 +180,7 @@ segmentRoomMap(const VoxelGrid<std::uint8_t>& occupancy,
     label = number[label];
   map.room_count = *std::max_element(number.begin(), number.end());
   map.borders =
-      regionBorders(occupancy, storey, map.ceiling, map.labels, map.free_labels);
+      regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels);
   return map;
 }
 

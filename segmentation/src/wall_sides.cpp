@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -44,10 +45,12 @@ struct PixelPoints {
   }
 };
 
-/** A vertical plane between the two faces of a wall, seen from above. */
+/** A vertical plane between the two faces of a wall, or in its only one, seen from
+ * above. */
 struct WallLine {
   Eigen::Vector2d normal;
   Eigen::Vector2d middle;
+  bool has_two_faces;
 
   double
   side(const Eigen::Vector2d& point) const
@@ -79,6 +82,7 @@ fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& optio
 
   const Eigen::Vector2d normal = eigen.eigenvectors().col(0);
   double middle = 0.0;
+  double apart = 0.0;
   for (int iteration = 0; iteration < 4; ++iteration) {
     double sum[2] = {0.0, 0.0};
     std::size_t count[2] = {0, 0};
@@ -89,13 +93,25 @@ fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& optio
     }
     if (count[0] == 0 || count[1] == 0)
       break;
-    middle = 0.5 * (sum[0] / count[0] + sum[1] / count[1]);
+    const double faces[2] = {sum[0] / count[0], sum[1] / count[1]};
+    middle = 0.5 * (faces[0] + faces[1]);
+    apart = faces[1] - faces[0];
   }
-  return WallLine{normal, mean + middle * normal};
+  // Splitting the noise of one face puts the two means 2.7 standard deviations within
+  // each half apart; those of two faces lie farther apart.
+  const double within =
+      std::sqrt(std::max(0.0, across * across - 0.25 * apart * apart));
+  return WallLine{normal, mean + middle * normal, apart > 3.0 * within};
 }
 
+/** A room beside a wall, and how far its free space is. */
+struct RoomBeside {
+  std::int32_t label = 0; // 0 = none within reach
+  double distance = std::numeric_limits<double>::infinity();
+};
+
 /** The nearest room on a ray from a wall. */
-std::int32_t
+RoomBeside
 roomBeside(const PixelMap<std::int32_t>& free_labels,
            const Eigen::Vector2d& from,
            const Eigen::Vector2d& direction,
@@ -106,9 +122,9 @@ roomBeside(const PixelMap<std::int32_t>& free_labels,
     const int x = static_cast<int>(std::floor(at.x()));
     const int y = static_cast<int>(std::floor(at.y()));
     if (free_labels.contains(x, y) && free_labels.at(x, y) != 0)
-      return free_labels.at(x, y);
+      return {free_labels.at(x, y), t};
   }
-  return 0;
+  return {};
 }
 
 /** Whether rooms meet, or a room ends, within a pixel's window. */
@@ -175,14 +191,20 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
         continue;
       const Eigen::Vector2d center(x + 0.5, y + 0.5);
       const Eigen::Vector2d foot = center - line->side(center) * line->normal;
-      const std::int32_t above = roomBeside(free_labels, foot, line->normal, reach);
-      const std::int32_t below = roomBeside(free_labels, foot, -line->normal, reach);
-      if (above == below)
+      RoomBeside above = roomBeside(free_labels, foot, line->normal, reach);
+      RoomBeside below = roomBeside(free_labels, foot, -line->normal, reach);
+      if (above.label == below.label)
         continue;
+      // A wall without a room behind it, and one face of a thick wall, have one room.
+      const bool nearer_only =
+          !line->has_two_faces && std::abs(above.distance - below.distance) > 1.5;
+      if (below.label == 0 || (nearer_only && above.distance < below.distance))
+        below.label = above.label;
+      else if (above.label == 0 || nearer_only)
+        above.label = below.label;
       for (std::uint32_t k = all.first[pixel]; k < all.first[pixel + 1]; ++k) {
         const std::uint32_t i = all.index[k];
-        const std::int32_t room = line->side(scaled(i)) > 0 ? above : below;
-        point_labels[i] = room != 0 ? room : (above != 0 ? above : below);
+        point_labels[i] = line->side(scaled(i)) > 0 ? above.label : below.label;
       }
     }
   }

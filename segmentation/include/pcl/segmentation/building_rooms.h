@@ -8,6 +8,7 @@
 #include <pcl/segmentation/interior_space.h>
 #include <pcl/segmentation/occupancy_grid.h>
 #include <pcl/segmentation/room_map.h>
+#include <pcl/segmentation/storeys.h>
 #include <pcl/segmentation/wall_sides.h>
 
 #include <Eigen/Core>
@@ -22,6 +23,7 @@ namespace indoor {
 struct BuildingRoomsOptions {
   double voxel_size = 0.1; ///< side of a voxel and of a map pixel, metres (> 0)
   InteriorSpaceOptions interior;
+  StoreyOptions storeys;
   RoomMapOptions map;
   WallSideOptions walls;
   int threads = 0; ///< of all stages, 0 = automatic; the result does not depend on it
@@ -30,7 +32,7 @@ struct BuildingRoomsOptions {
 /** \brief One room of a building. */
 struct Room {
   std::uint32_t label = 0;     ///< 1 ... n
-  std::uint32_t storey = 0;    ///< the lowest it reaches into; 0 = the lowest of all
+  std::uint32_t storey = 0;    ///< that of its floor; 0 = the lowest
   std::size_t point_count = 0; ///< points with this label
   double area = 0.0;           ///< floor area inside the walls, m^2
   double volume = 0.0;         ///< from the storey's floor to the ceiling, m^3
@@ -44,6 +46,7 @@ struct Room {
 struct BuildingRooms {
   OccupancyGrid occupancy;
   InteriorSpace interior;
+  Storeys levels;               ///< heights of the storeys
   std::vector<RoomMap> storeys; ///< from below; each has its own labels 1 ... n
   std::vector<std::vector<std::uint32_t>> room_of; ///< per storey and label: the room
   std::vector<std::uint32_t> point_labels;         ///< room per point, 0 = none

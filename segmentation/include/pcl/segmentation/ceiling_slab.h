@@ -24,10 +24,13 @@ struct CeilingSlabOptions {
       1.0;           ///< side of the square in which the ceiling is looked for, metres
   double step = 0.6; ///< how far a column's own top may lie below the highest top in
                      ///< the window and still be its ceiling, metres
-  double gap = 0.15; ///< least distance from the ceiling to the slab, metres
-  double max_gap = 0.6;  ///< greatest distance, where noise blurs the ceiling, metres
-  double min_wall = 0.5; ///< shorter things in the slab are no walls, metres
-  double depth = 0.3;    ///< height of the slab, metres
+  double level_share =
+      0.3;                 ///< or share of the columns there that are as high as itself
+  double min_height = 1.8; ///< a ceiling is at least so high above the floor, metres
+  double gap = 0.15;       ///< least distance from the ceiling to the slab, metres
+  double max_gap = 0.6;    ///< greatest distance, where noise blurs the ceiling, metres
+  double min_wall = 0.5;   ///< shorter things in the slab are no walls, metres
+  double depth = 0.3;      ///< height of the slab, metres
 };
 
 /** \brief The z range of a storey in a grid: voxels begin ... end - 1. */
@@ -38,8 +41,10 @@ struct VerticalRange {
 
 /** \brief The layer of the ceiling over every map pixel.
  * A column with an occupied voxel close to the highest one of its surroundings has its
- * ceiling there (so slopes are followed); over other columns, where the ceiling was not
- * seen, the highest one of the surroundings is taken.
+ * ceiling there (so slopes are followed), and so has one whose own top makes a level
+ * with many others (a low ceiling beside a high one). Over other columns, where the
+ * ceiling was not seen, the highest one of the surroundings is taken; where none was
+ * seen at all, the storey's highest layer.
  * \param[in] occupancy non-zero = occupied
  * \param[in] storey the layers that count
  * \return the layer, or -1 where the surroundings hold no occupied voxel

@@ -5,7 +5,6 @@
 
 #pragma once
 
-#include <pcl/segmentation/ceiling_slab.h> // for VerticalRange
 #include <pcl/segmentation/field_connectivity.h>
 #include <pcl/segmentation/hdbscan.h>
 #include <pcl/segmentation/interior_space.h>
@@ -42,12 +41,10 @@ struct FieldRooms {
 
 /** \brief Divide a storey into rooms as the thesis does: potential field, field map,
  * visibility, HDBSCAN of the combined distance, local peaks, random walker.
- * \param[in] storey layers of the space's own, coarser voxels
+ * \param[in] space of this storey alone
  */
 FieldRooms
-segmentFieldMap(const InteriorSpace& space,
-                const VerticalRange& storey,
-                const FieldRoomsOptions& options = {});
+segmentFieldMap(const InteriorSpace& space, const FieldRoomsOptions& options = {});
 
 } // namespace indoor
 } // namespace pcl

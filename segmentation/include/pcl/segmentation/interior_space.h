@@ -5,7 +5,6 @@
 
 #pragma once
 
-#include <pcl/segmentation/ceiling_slab.h> // for VerticalRange
 #include <pcl/segmentation/enclosure.h>
 #include <pcl/segmentation/occupancy_grid.h>
 #include <pcl/segmentation/voxel_grid.h>
@@ -45,18 +44,6 @@ InteriorSpace
 interiorSpace(const std::vector<Eigen::Vector3f>& points,
               const OccupancyGrid& building,
               const InteriorSpaceOptions& options = {});
-
-/** \brief The pixels of a storey that are not outside the building: in their column,
- * interior free voxels are not fewer than exterior ones.
- * \param[in] storey layers of the fine grid
- * \param[in] nx size of the map along x, pixels of the fine grid
- * \param[in] ny size of the map along y
- */
-PixelMap<std::uint8_t>
-interiorColumns(const InteriorSpace& space,
-                const VerticalRange& storey,
-                int nx,
-                int ny);
 
 } // namespace indoor
 } // namespace pcl

@@ -7,8 +7,8 @@
 
 #include <pcl/segmentation/ceiling_slab.h>
 #include <pcl/segmentation/field_rooms.h>
-#include <pcl/segmentation/interior_space.h>
 #include <pcl/segmentation/region_borders.h>
+#include <pcl/segmentation/storey_space.h>
 #include <pcl/segmentation/voxel_grid.h>
 #include <pcl/segmentation/wall_sides.h>
 
@@ -38,7 +38,8 @@ struct RoomMapOptions {
 
 /** \brief The map of one storey and every step on the way to it. */
 struct RoomMap {
-  VerticalRange storey;
+  int first_layer = 0;                ///< layer of the building's grid that is layer 0
+  VerticalRange range;                ///< layers from floor to ceiling
   PixelMap<int> ceiling;              ///< layer of the ceiling, -1 = none
   SlabLayers slab;                    ///< where the walls were looked for
   PixelMap<std::uint8_t> blocked;     ///< 1 = wall or lintel below the ceiling
@@ -50,16 +51,9 @@ struct RoomMap {
   std::int32_t room_count = 0;
 };
 
-/** \brief Divide a storey into rooms on its map.
- * \param[in] occupancy non-zero = occupied
- * \param[in] interior of the same building
- * \param[in] storey layers of the occupancy
- */
+/** \brief Divide a storey into rooms on its map. */
 RoomMap
-segmentRoomMap(const VoxelGrid<std::uint8_t>& occupancy,
-               const InteriorSpace& interior,
-               const VerticalRange& storey,
-               const RoomMapOptions& options);
+segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options);
 
 } // namespace indoor
 } // namespace pcl

@@ -98,8 +98,9 @@ public:
   }
 
   /** \brief Set how open the border between two spaces must be to join them.
-   * \param[in] share open area over area of the border, 0 ... 1; larger gives more
-   * rooms (default 0.7)
+   * \param[in] share area of the opening over that of the border or of the smaller
+   * space's widest section, whichever is larger, 0 ... 1; larger gives more rooms
+   * (default 0.7)
    */
   void
   setOpenShare(double share)

@@ -7,6 +7,7 @@
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/console/print.h>
+#include <pcl/exceptions.h>
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/segmentation/room_segmentation.h>
 
@@ -41,7 +42,7 @@ RoomSegmentation<PointT>::initCompute()
     return false;
   }
   const indoor::RoomMapOptions& map = options_.map;
-  if (!(options_.voxel_size > 0))
+  if (!(options_.voxel_size > 0 && std::isfinite(options_.voxel_size)))
     return refuse("The voxel size must be positive", options_.voxel_size, " m");
   if (!(map.min_area >= 0))
     return refuse("The smallest room area must not be negative", map.min_area, " m^2");
@@ -92,7 +93,13 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
   for (const auto index : usable)
     points.push_back((position(index) - origin_).template cast<float>());
 
-  building_ = indoor::segmentBuilding(points, options_);
+  try {
+    building_ = indoor::segmentBuilding(points, options_);
+  } catch (const BadArgumentException& error) { // such as far too many voxels
+    PCL_ERROR("[pcl::RoomSegmentation::segment] %s\n", error.what());
+    this->deinitCompute();
+    return;
+  }
   for (auto& room : building_.rooms) {
     room.lower += origin_;
     room.upper += origin_;
