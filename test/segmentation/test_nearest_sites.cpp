@@ -91,13 +91,20 @@ TEST(NearestSites, EmptyMapsAndMapsWithoutSites)
 
 TEST(NearestSites, LongLinesKeepTheirPrecision)
 {
-  // 40,000 pixels squared need 31 bits: no float on the way would be exact.
-  PixelMap<std::uint8_t> sites{40000, 2, {}};
+  // 40,000 pixels squared need 31 bits: a float on the way would not be exact.
+  PixelMap<std::uint8_t> sites{40000, 3, {}};
+  sites.values.assign(sites.size(), 0);
+  for (const int x : {0, 39960, 39971, 39978, 39985, 39990, 39994})
+    sites.at(x, x % 3) = 1;
+  const auto nearest = nearestSites(sites);
+  for (const int x : {20000, 39955, 39966, 39975, 39982, 39988, 39992, 39999})
+    for (int y = 0; y < 3; ++y)
+      EXPECT_EQ(nearest.squared_distance.at(x, y),
+                nearestBruteForce(sites, sites.index(x, y)))
+          << x;
   sites.values.assign(sites.size(), 0);
   sites.at(0, 0) = 1;
-  const auto nearest = nearestSites(sites);
-  EXPECT_EQ(nearest.squared_distance.at(39999, 1), 39999 * 39999 + 1);
-  EXPECT_EQ(nearest.squared_distance.at(39999, 0), 39999 * 39999);
+  EXPECT_EQ(nearestSites(sites).squared_distance.at(39999, 1), 39999 * 39999 + 1);
 }
 
 TEST(GrowLabels, ReachesNearPixelsOnlyAndKeepsLabels)

@@ -228,6 +228,10 @@ TEST(MergeOpenRegions, ASmallSpaceBecomesPartOfTheLargeOne)
   const std::vector<RegionBorder> borders{border(1, 2, 2.5, 2.5),
                                           border(2, 3, 2.5, 2.0)};
   EXPECT_EQ(mergeOpenRegions(borders, {0, 10, 2.5, 8}, 0.7), (Labels{0, 1, 1, 3}));
+  // the same with the niche numbered first
+  EXPECT_EQ(mergeOpenRegions(
+                {border(1, 2, 2.5, 2.5), border(1, 3, 2.5, 2.0)}, {0, 2.5, 10, 8}, 0.7),
+            (Labels{0, 1, 1, 3}));
 }
 
 TEST(MergeOpenRegions, TheOrderOfBordersDoesNotMatter)

@@ -112,6 +112,20 @@ TEST(WallSides, BothFacesOfAThinWallGetTheirRooms)
   EXPECT_LT(wall.rightShare(wall.mapLabels()), 0.9);
 }
 
+TEST(WallSides, AFaceWithFewPointsGetsItsRoomToo)
+{
+  Wall wall(0.3, 0.08, 0.015);
+  for (std::size_t i = wall.points.size(); i > 0; --i) // keep a tenth of one face
+    if (wall.truth[i - 1] == 2 && i % 20 != 0) {
+      wall.points.erase(wall.points.begin() + i - 1);
+      wall.truth.erase(wall.truth.begin() + i - 1);
+      wall.is_wall.erase(wall.is_wall.begin() + i - 1);
+    }
+  EXPECT_LT(wall.points.size(), 2300u);
+  EXPECT_GT(wall.points.size(), 2100u);
+  EXPECT_GT(wall.rightShare(wall.assigned()), 0.99); // windows may hold one face only
+}
+
 TEST(WallSides, FacesThatNoiseNearlyJoins)
 {
   const Wall wall(0.3, 0.08, 0.045); // noise reaches 5 mm into the other half
