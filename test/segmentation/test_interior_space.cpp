@@ -107,26 +107,6 @@ TEST_P(InteriorSpaceOfATurnedBuilding, FindsTheDirectionsOfTheWalls)
   EXPECT_NEAR(built.space.directions[0].dot(built.space.directions[1]), 0.0, 0.02);
 }
 
-TEST_P(InteriorSpaceOfATurnedBuilding, ColumnsOfTheRoomsAreInterior)
-{
-  const double yaw = GetParam() * M_PI / 180;
-  const auto built = build(yaw);
-  const auto& grid = built.building.grid;
-  const auto columns =
-      interiorColumns(built.space, {0, grid.shape.nz}, grid.shape.nx, grid.shape.ny);
-  ASSERT_EQ(columns.values.size(), columns.size());
-  const Eigen::AngleAxisd back(-yaw, Eigen::Vector3d::UnitZ());
-  for (int x = 0; x < grid.shape.nx; ++x)
-    for (int y = 0; y < grid.shape.ny; ++y) {
-      Eigen::Vector3d center = back * built.building.toCloud(grid.center(x, y, 0));
-      center.z() = 1.25;
-      const double distance = distanceToWings(center);
-      if (std::abs(distance) > 0.3) { // beyond the coarse voxels at the walls
-        ASSERT_EQ(columns.at(x, y) != 0, distance < 0) << center.transpose();
-      }
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(Yaw,
                          InteriorSpaceOfATurnedBuilding,
                          testing::Values(0.0, 17.0, 30.0, 45.0));
@@ -147,20 +127,6 @@ TEST(InteriorSpace, CoarseVoxelsKeepTheirPlace)
   EXPECT_EQ(coarse.shape.nx, (grid.shape.nx + 1) / 2);
   EXPECT_EQ(coarse.shape.ny, (grid.shape.ny + 1) / 2);
   EXPECT_EQ(coarse.shape.nz, (grid.shape.nz + 1) / 2);
-}
-
-TEST(InteriorSpace, ColumnsWithAsManyInteriorAsExteriorVoxelsAreInterior)
-{
-  InteriorSpace space;
-  space.factor = 2;
-  space.occupancy.shape = space.inside.shape = {1, 2, 4};
-  space.occupancy.values = {1, 0, 0, 1, 1, 0, 0, 0};
-  space.inside.values = {0, 1, 0, 0, 0, 1, 0, 0};
-  const auto columns = interiorColumns(space, {0, 8}, 2, 3);
-  EXPECT_EQ(columns.values, (std::vector<std::uint8_t>{1, 1, 0, 1, 1, 0}));
-  // of the second column, layers 0 ... 3 alone hold no exterior voxel
-  EXPECT_EQ(interiorColumns(space, {0, 4}, 2, 3).values,
-            std::vector<std::uint8_t>(6, 1));
 }
 
 TEST(InteriorSpace, AFloorAloneHasNoInterior)
