@@ -14,6 +14,7 @@ trap 'rm -rf "$folder"' EXIT
 "$cmake" --install "$build" --prefix "$folder/prefix" > "$folder/install.log"
 mkdir "$folder/source"
 cp "$here/CMakeLists.txt" "$here/consumer.cpp" "$folder/source"
+"$here/gather_readme.sh" "$here/../../README.md" "$folder/source/readme.cpp"
 
 configure() {
   "$cmake" -S "$folder/source" -B "$1" -Wno-dev -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$folder/prefix" > "$1.log" 2>&1
@@ -23,7 +24,7 @@ configure "$folder/build" || { cat "$folder/build.log"; exit 1; }
 "$cmake" --build "$folder/build"
 "$folder/build/consumer"
 
-sed -i 's/COMPONENTS segmentation/COMPONENTS no_such_module/' "$folder/source/CMakeLists.txt"
+sed -i 's/COMPONENTS segmentation features/COMPONENTS no_such_module/' "$folder/source/CMakeLists.txt"
 if configure "$folder/unknown"; then
   echo "An unknown component is found"
   exit 1
