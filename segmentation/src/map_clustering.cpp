@@ -4,7 +4,6 @@
  */
 
 #include <pcl/segmentation/map_clustering.h>
-#include <pcl/segmentation/thread_count.h>
 
 #include <pcl/exceptions.h>
 

@@ -6,7 +6,7 @@
 #include "map_blocks.h"
 
 #include <pcl/segmentation/map_clustering.h>
-#include <pcl/segmentation/thread_count.h>
+#include <pcl/segmentation/useful_threads.h>
 
 #include <algorithm>
 #include <limits>
@@ -63,7 +63,7 @@ mapCoreDistances(const MapDistance& distance, std::size_t min_samples, int threa
     return core;
   const MapBlocks blocks(distance);
   const auto& own = distance.connectivity().ownLevels();
-#pragma omp parallel num_threads(threadCount(threads))
+#pragma omp parallel num_threads(usefulThreads(threads, count, 1000))
   {
     Nearest nearest(others);
 #pragma omp for schedule(dynamic, 256)

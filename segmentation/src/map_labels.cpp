@@ -4,7 +4,7 @@
  */
 
 #include <pcl/segmentation/map_labels.h>
-#include <pcl/segmentation/thread_count.h>
+#include <pcl/segmentation/useful_threads.h>
 
 #include <pcl/exceptions.h>
 
@@ -177,7 +177,7 @@ labelVoxels(const VoxelGrid<std::uint8_t>& occupancy,
     const std::size_t i = shape.index(x, y, z);
     return interior.values[i] && !occupancy.values[i] ? labels.at(x, y) : -1;
   };
-#pragma omp parallel num_threads(threadCount(options.threads))
+#pragma omp parallel num_threads(usefulThreads(options.threads, shape.size(), 20000))
   {
     Ballot ballot;
     const auto labelOf = [&](int x, int y, int z) {

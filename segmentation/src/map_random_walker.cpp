@@ -4,7 +4,7 @@
  */
 
 #include <pcl/segmentation/map_random_walker.h>
-#include <pcl/segmentation/thread_count.h>
+#include <pcl/segmentation/useful_threads.h>
 
 #include <pcl/exceptions.h>
 
@@ -50,7 +50,8 @@ public:
         result.values[i] = labels_.values[i];
     const std::vector<Region> regions = findRegions();
     const auto count = static_cast<std::ptrdiff_t>(regions.size());
-#pragma omp parallel for num_threads(threadCount(options_.threads)) schedule(dynamic)
+#pragma omp parallel for num_threads(                                                  \
+    usefulThreads(options_.threads, values_.size(), 2000)) schedule(dynamic)
     for (std::ptrdiff_t r = 0; r < count; ++r) {
       const Region& region = regions[static_cast<std::size_t>(r)];
       if (region.labels.size() == 1)

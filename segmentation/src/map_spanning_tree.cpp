@@ -7,7 +7,7 @@
 
 #include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/map_clustering.h>
-#include <pcl/segmentation/thread_count.h>
+#include <pcl/segmentation/useful_threads.h>
 
 #include <algorithm>
 #include <atomic>
@@ -310,7 +310,10 @@ mapSpanningTree(const MapDistance& distance,
                 const std::vector<double>& core_distances,
                 int threads)
 {
-  return SpanningTreeBuilder(distance, core_distances, threadCount(threads)).build();
+  return SpanningTreeBuilder(distance,
+                             core_distances,
+                             usefulThreads(threads, core_distances.size(), 1000))
+      .build();
 }
 
 } // namespace indoor

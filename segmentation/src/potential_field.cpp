@@ -4,7 +4,7 @@
  */
 
 #include <pcl/segmentation/potential_field.h>
-#include <pcl/segmentation/thread_count.h>
+#include <pcl/segmentation/useful_threads.h>
 
 #include <pcl/exceptions.h>
 
@@ -138,7 +138,7 @@ squaredDistanceMap(const PixelMap<std::uint8_t>& obstacles, int threads)
                  [](std::uint8_t o) { return o ? 0u : kNoObstacle; });
   const auto nx = static_cast<std::size_t>(map.nx);
   const auto ny = static_cast<std::size_t>(map.ny);
-  const int count = threadCount(threads);
+  const int count = usefulThreads(threads, nx * ny, 2000);
   transformAlong(map.values, nx, ny, 1, 1, map.ny, count);
   transformAlong(map.values, 1, 0, ny, ny, map.nx, count);
   return map;
@@ -155,7 +155,7 @@ potentialField(const VoxelGrid<std::uint8_t>& occupancy, int threads)
   const auto nx = static_cast<std::size_t>(field.shape.nx);
   const auto ny = static_cast<std::size_t>(field.shape.ny);
   const auto nz = static_cast<std::size_t>(field.shape.nz);
-  const int count = threadCount(threads);
+  const int count = usefulThreads(threads, nx * ny, 2000);
   // Upwards only: the half-space of Sec. 3.2.2 limits z alone, so x and y stay
   // separable.
   const auto columns = static_cast<std::ptrdiff_t>(nx * ny);

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/thread_count.h>
+#include <pcl/segmentation/useful_threads.h>
 #include <pcl/segmentation/visibility.h>
 
 #include <pcl/exceptions.h>
@@ -149,7 +149,8 @@ visibilityVectors(const VoxelGrid<std::uint8_t>& occupancy,
   vectors.bits.assign(vectors.count * vectors.words, 0);
   vectors.visible.assign(vectors.count, 0);
   const auto count = static_cast<std::ptrdiff_t>(voxels.size());
-#pragma omp parallel for num_threads(threadCount(threads)) schedule(dynamic, 64)
+#pragma omp parallel for num_threads(usefulThreads(threads, voxels.size(), 100))       \
+    schedule(dynamic, 64)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     const auto row = static_cast<std::size_t>(i);
     for (std::size_t l = 0; l < landmarks.size(); ++l)

@@ -212,6 +212,17 @@ TEST(HDBSCAN, DoesNotDependOnThreads)
   EXPECT_EQ(one.labels, eight.labels);
   EXPECT_EQ(one.probabilities, eight.probabilities);
   EXPECT_EQ(one.stabilities, eight.stabilities);
+  // the spanning tree alone, in shares so small that the threads really share it
+  const std::size_t few = 400;
+  const auto core = pcl::indoor::hdbscan_detail::coreDistances(few, distance, 4, 3);
+  const auto alone = pcl::indoor::hdbscan_detail::spanningTree(core, distance, 1);
+  const auto shared = pcl::indoor::hdbscan_detail::spanningTree(core, distance, 3, 50);
+  ASSERT_EQ(alone.size(), shared.size());
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    EXPECT_EQ(alone[k].source, shared[k].source);
+    EXPECT_EQ(alone[k].target, shared[k].target);
+    EXPECT_EQ(alone[k].distance, shared[k].distance);
+  }
 }
 
 TEST(HDBSCAN, FindsTwoClumpsAndAnOutlier)

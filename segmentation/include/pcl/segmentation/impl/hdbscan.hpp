@@ -6,7 +6,7 @@
 #pragma once
 
 #include <pcl/segmentation/hdbscan.h>
-#include <pcl/segmentation/thread_count.h>
+#include <pcl/segmentation/useful_threads.h>
 
 #include <algorithm>
 #include <atomic>
@@ -41,7 +41,7 @@ coreDistances(std::size_t count, const Distance& distance, std::size_t k, int th
   if (others == 0)
     return core;
   std::atomic<bool> bad(false); // an exception must not leave a parallel region
-#pragma omp parallel num_threads(threads)
+#pragma omp parallel num_threads(usefulThreads(threads, count, 256))
   {
     std::vector<double> nearest; // a heap with the farthest on top
 #pragma omp for schedule(dynamic, 64)
@@ -85,10 +85,15 @@ nearer(const Reachable& a, const Reachable& b)
   return a.distance < b.distance || (a.distance == b.distance && a.point < b.point);
 }
 
-/** Prim's algorithm on the mutual reachability, without storing a distance twice. */
+/** Prim's algorithm on the mutual reachability; stores no distances but the shortest.
+ * \param[in] share points that keep one thread busy between two barriers
+ */
 template <typename Distance>
 std::vector<HDBSCANEdge>
-spanningTree(const std::vector<double>& core, const Distance& distance, int threads)
+spanningTree(const std::vector<double>& core,
+             const Distance& distance,
+             int threads,
+             std::size_t share = 8192)
 {
   const std::size_t count = core.size();
   std::vector<HDBSCANEdge> tree;
@@ -106,7 +111,7 @@ spanningTree(const std::vector<double>& core, const Distance& distance, int thre
   bool bad = false;
   while (!outside.empty()) {
     const auto size = static_cast<std::ptrdiff_t>(outside.size());
-    const int team = size < 2048 ? 1 : threads;
+    const int team = usefulThreads(threads, outside.size(), share);
     Reachable chosen = nobody;
     std::ptrdiff_t place = 0; // of the chosen
 #pragma omp parallel num_threads(team) if (team > 1)
@@ -159,11 +164,10 @@ HDBSCANResult
 hdbscan(std::size_t count, const Distance& distance, const HDBSCANOptions& options)
 {
   hdbscan_detail::requireValid(options);
-  const int threads = threadCount(options.threads);
   const std::vector<double> core = hdbscan_detail::coreDistances(
-      count, distance, hdbscan_detail::minSamples(options), threads);
+      count, distance, hdbscan_detail::minSamples(options), options.threads);
   return hdbscanFromSpanningForest(
-      count, hdbscan_detail::spanningTree(core, distance, threads), options);
+      count, hdbscan_detail::spanningTree(core, distance, options.threads), options);
 }
 
 } // namespace indoor
