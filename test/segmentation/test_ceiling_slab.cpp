@@ -86,26 +86,59 @@ isWall(int x, int y)
 TEST(CeilingLayers, EqualsBruteForce)
 {
   std::mt19937 rng(1);
-  for (int trial = 0; trial < 100; ++trial) {
+  for (int trial = 0; trial < 200; ++trial) {
     const Grid grid = randomGrid(rng);
     const VerticalRange storey = randomRange(grid, rng);
     CeilingSlabOptions options;
-    const int radius = rng() % 5, step = rng() % 8;
+    const int radius = rng() % 5, step = rng() % 8, headroom = rng() % 10;
     options.window = 0.2 * radius;
     options.step = 0.1 * step;
+    options.min_height = 0.1 * headroom;
+    options.level_share = 0.11 * static_cast<double>(rng() % 10);
     const auto ceiling = ceilingLayers(grid, storey, options);
     for (int x = 0; x < grid.shape.nx; ++x)
       for (int y = 0; y < grid.shape.ny; ++y) {
-        int around = -1;
+        const int own = highest(grid, storey, x, y);
+        int expected = -1, all = 0, level = 0;
         for (int u = x - radius; u <= x + radius; ++u)
           for (int v = y - radius; v <= y + radius; ++v)
-            if (grid.shape.contains(u, v, 0))
-              around = std::max(around, highest(grid, storey, u, v));
-        const int own = highest(grid, storey, x, y);
-        ASSERT_EQ(ceiling.at(x, y), own >= 0 && own >= around - step ? own : around)
-            << "trial " << trial;
+            if (grid.shape.contains(u, v, 0)) {
+              expected = std::max(expected, highest(grid, storey, u, v));
+              level += std::abs(highest(grid, storey, u, v) - own) <= 1;
+              ++all;
+            }
+        const bool is_level = own >= storey.begin + headroom &&
+                              level > options.level_share * static_cast<double>(all);
+        if (own >= 0 && (own >= expected - step || is_level))
+          expected = own;
+        if (expected >= 0 && expected < storey.begin + headroom)
+          expected = storey.end - 1;
+        ASSERT_EQ(ceiling.at(x, y), expected) << "trial " << trial;
       }
   }
+}
+
+TEST(CeilingLayers, ALowCeilingBesideAHighOne)
+{
+  Grid grid = boxRoom();
+  fill(grid, 20, 39, 0, 29, 19, 19); // 0.7 m lower: more than a step
+  for (int x = 21; x < 40; ++x)      // nothing is seen above it
+    for (int y = 0; y < 30; ++y)
+      for (int z = 20; z <= 26; ++z)
+        grid.at(x, y, z) = 0;
+  const auto ceiling = ceilingLayers(grid, {0, 30}, {});
+  for (int x = 0; x < 40; ++x)
+    for (int y = 0; y < 30; ++y)
+      ASSERT_EQ(ceiling.at(x, y), x <= 20 ? 26 : 19) << x << " " << y;
+}
+
+TEST(CeilingLayers, WithoutCeilingTheStoreyEndsIt)
+{
+  Grid grid = emptyGrid(20, 20, 30);
+  fill(grid, 0, 19, 0, 19, 1, 1);
+  fill(grid, 5, 9, 5, 9, 2, 9); // furniture is no ceiling
+  for (const int layer : ceilingLayers(grid, {0, 27}, {}).values)
+    ASSERT_EQ(layer, 26);
 }
 
 TEST(CeilingLayers, FlatCeilingWithHolesAndFurniture)
@@ -123,7 +156,9 @@ TEST(CeilingLayers, UnseenFarFromAnythingIsNoCeiling)
 {
   Grid grid = emptyGrid(40, 1, 10);
   grid.at(0, 0, 7) = 1;
-  const auto ceiling = ceilingLayers(grid, {0, 10}, {});
+  CeilingSlabOptions options;
+  options.min_height = 0.5;
+  const auto ceiling = ceilingLayers(grid, {0, 10}, options);
   for (int x = 0; x < 40; ++x) // the window reaches 5 voxels
     EXPECT_EQ(ceiling.at(x, 0), x <= 5 ? 7 : -1) << x;
 }
@@ -135,7 +170,7 @@ TEST(CeilingLayers, FollowsASlopeAndNoise)
   PixelMap<int> top{40, 30, {}};
   for (int x = 0; x < 40; ++x)
     for (int y = 0; y < 30; ++y) {
-      const int z = 15 + x / 2 + static_cast<int>(rng() % 3); // 27 degrees
+      const int z = 20 + x / 2 + static_cast<int>(rng() % 3); // 27 degrees
       fill(grid, x, x, y, y, 0, 0);
       grid.at(x, y, z) = 1;
       top.values.push_back(z);
