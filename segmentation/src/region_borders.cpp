@@ -93,6 +93,7 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
     border.border_area += size * size * height;
     border.open_area += size * size * open;
     if (open * size >= passage_height) {
+      border.opening_area += size * size * height;
       border.open_width += size;
       border.x += static_cast<double>(p / ny);
       border.y += static_cast<double>(p % ny);
@@ -121,7 +122,7 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
 std::vector<std::int32_t>
 mergeOpenRegions(std::vector<RegionBorder> borders,
                  std::vector<double> section,
-                 double open_share)
+                 const MergeOptions& options)
 {
   std::vector<std::int32_t> label(section.size());
   for (std::size_t i = 0; i < label.size(); ++i)
@@ -129,15 +130,19 @@ mergeOpenRegions(std::vector<RegionBorder> borders,
   while (true) {
     // The borders of joined regions add up, so shares are looked at anew after a join.
     const auto share = [&](const RegionBorder& border) {
-      return border.open_area /
-             std::max(border.border_area,
-                      std::min(section[border.a], section[border.b]));
+      const bool below_lintel =
+          border.open_area < options.open_height * border.opening_area;
+      return below_lintel
+                 ? 0.0
+                 : border.open_area /
+                       std::max(border.border_area,
+                                std::min(section[border.a], section[border.b]));
     };
     const auto widest = std::max_element(
         borders.begin(), borders.end(), [&](const auto& first, const auto& second) {
           return share(first) < share(second);
         });
-    if (widest == borders.end() || !(share(*widest) > open_share))
+    if (widest == borders.end() || !(share(*widest) > options.open_share))
       return label;
     const std::int32_t kept = widest->a, gone = widest->b;
     section[kept] = std::max(section[kept], section[gone]);
@@ -161,6 +166,7 @@ mergeOpenRegions(std::vector<RegionBorder> borders,
       sum.b = border.b;
       sum.open_width = width;
       sum.border_area += border.border_area;
+      sum.opening_area += border.opening_area;
       sum.open_area += border.open_area;
     }
     borders.clear();

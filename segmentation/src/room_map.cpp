@@ -17,8 +17,6 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /** The columns that hold no more exterior free voxels than interior ones between the
  * floor and the ceiling. */
 PixelMap<std::uint8_t>
@@ -169,10 +167,13 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
 
   map.labels = map.free_labels;
   growLabels(map.labels, options.reach / size);
+  MergeOptions merging = options.merging;
+  if (options.method == RoomMethod::PotentialField)
+    merging.open_share = std::numeric_limits<double>::infinity(); // HDBSCAN decides
   const auto merged = mergeOpenRegions(
       regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
       sectionAreas(map, size),
-      options.method == RoomMethod::CeilingSlab ? options.open_share : infinity);
+      merging);
   const auto number = numbersOf(map.labels, merged);
   for (auto& label : map.free_labels.values)
     label = number[label];

@@ -20,9 +20,11 @@ struct RegionBorder {
   std::int32_t b = 0;       ///< the larger label
   double border_area = 0.0; ///< length of the border times the height there, m^2
   double open_area = 0.0;   ///< the part of it through which one region sees the other
-  double open_width = 0.0;  ///< metres of the border that a person can pass
-  double x = 0.0;           ///< middle of the opening, grid frame, pixels
-  double y = 0.0;           ///< middle of the opening, grid frame, pixels
+  double opening_area =
+      0.0;                 ///< area from floor to ceiling where a person can pass, m^2
+  double open_width = 0.0; ///< metres of the border that a person can pass
+  double x = 0.0;          ///< middle of the opening, grid frame, pixels
+  double y = 0.0;          ///< middle of the opening, grid frame, pixels
 };
 
 /** \brief Find the borders between regions and how far they are open.
@@ -42,21 +44,29 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
               const PixelMap<std::int32_t>& labels,
               const PixelMap<std::int32_t>& free_labels);
 
-/** \brief Join regions between which the passage is wide, the widest first.
+/** \brief Which regions are one room. */
+struct MergeOptions {
+  double open_share = 0.55; ///< the open area is more than this share of the border and
+                            ///< of the smaller region's section, 0 ... 1; larger gives
+                            ///< more rooms
+  double open_height = 0.8; ///< the opening reaches over at least this share of the
+                            ///< height: beams may be above it, lintels not, 0 ... 1;
+                            ///< larger gives more rooms
+};
+
+/** \brief Join regions between which the passage is wide and high, the widest first.
  *
  * A room ends where the passage to the next space is small compared with the spaces
  * themselves (Sec. 3.1): at a door, not below a beam.
  * \param[in] borders as regionBorders() gives them
  * \param[in] section per label (index 0 unused): area of the widest vertical section
  * through the region, m^2 (> 0)
- * \param[in] open_share two regions are joined if the open area between them is more
- * than this share of the smaller one's section
  * \return the new label of each old one, that of the smallest member; 0 stays 0
  */
 std::vector<std::int32_t>
 mergeOpenRegions(std::vector<RegionBorder> borders,
                  std::vector<double> section,
-                 double open_share);
+                 const MergeOptions& options = {});
 
 } // namespace indoor
 } // namespace pcl

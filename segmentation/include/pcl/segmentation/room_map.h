@@ -30,7 +30,7 @@ struct RoomMapOptions {
   FieldRoomsOptions field_rooms; ///< of RoomMethod::PotentialField
   CeilingSlabOptions slab;
   double persistence = 0.7; ///< see persistentBasins()
-  double open_share = 0.7;  ///< see mergeOpenRegions()
+  MergeOptions merging;     ///< see mergeOpenRegions()
   double min_width = 0.5;   ///< narrower spaces are no rooms, metres
   double min_area = 0.5;    ///< smaller spaces are no rooms, m^2
   double reach = 0.6; ///< how far a room's label is carried into its walls, metres

@@ -100,18 +100,18 @@ public:
   /** \brief Set how open the border between two spaces must be to join them.
    * \param[in] share area of the opening over that of the border or of the smaller
    * space's widest section, whichever is larger, 0 ... 1; larger gives more rooms
-   * (default 0.7)
+   * (default 0.55)
    */
   void
   setOpenShare(double share)
   {
-    options_.map.open_share = share;
+    options_.map.merging.open_share = share;
   }
 
   double
   getOpenShare() const
   {
-    return options_.map.open_share;
+    return options_.map.merging.open_share;
   }
 
   /** \brief Set how rooms are told apart.

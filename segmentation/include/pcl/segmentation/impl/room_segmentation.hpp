@@ -50,8 +50,8 @@ RoomSegmentation<PointT>::initCompute()
     return refuse("The smallest room width must not be negative", map.min_width, " m");
   if (!(map.persistence >= 0 && map.persistence <= 1))
     return refuse("The persistence must lie in 0 ... 1", map.persistence, "");
-  if (!(map.open_share >= 0 && map.open_share <= 1))
-    return refuse("The open share must lie in 0 ... 1", map.open_share, "");
+  if (!(map.merging.open_share >= 0 && map.merging.open_share <= 1))
+    return refuse("The open share must lie in 0 ... 1", map.merging.open_share, "");
   if (options_.threads < 0)
     return refuse("The number of threads must not be negative", options_.threads, "");
   return true;
