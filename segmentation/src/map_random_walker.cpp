@@ -48,12 +48,7 @@ public:
     for (std::size_t i = 0; i < result.size(); ++i)
       if (mask_.values[i] && labels_.values[i] >= 0)
         result.values[i] = labels_.values[i];
-    const std::vector<Region> regions = findRegions();
-    const auto count = static_cast<std::ptrdiff_t>(regions.size());
-#pragma omp parallel for num_threads(                                                  \
-    usefulThreads(options_.threads, values_.size(), 2000)) schedule(dynamic)
-    for (std::ptrdiff_t r = 0; r < count; ++r) {
-      const Region& region = regions[static_cast<std::size_t>(r)];
+    for (const Region& region : findRegions()) {
       if (region.labels.size() == 1)
         for (const std::size_t pixel : region.pixels)
           result.values[pixel] = region.labels.front();
@@ -145,20 +140,41 @@ private:
     Eigen::SparseMatrix<double> laplacian(size, size);
     laplacian.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(laplacian);
+    takeMostProbable(region, solver, towards_seeds, result);
+  }
+
+  /** Solves for a few labels at a time, in parallel, and keeps the best of each pixel.
+   */
+  void
+  takeMostProbable(const Region& region,
+                   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>& solver,
+                   const std::vector<Eigen::Triplet<double>>& towards_seeds,
+                   PixelMap<int>& result) const
+  {
+    constexpr Eigen::Index kBatch = 8;
+    const auto size = static_cast<Eigen::Index>(region.pixels.size());
+    const auto labels = static_cast<Eigen::Index>(region.labels.size());
     Eigen::VectorXd best = Eigen::VectorXd::Constant(size, -1.0);
-    Eigen::VectorXd side(size);
-    for (std::size_t l = 0; l < region.labels.size(); ++l) {
-      side.setZero();
+    Eigen::MatrixXd probability(size, std::min(kBatch, labels));
+    for (Eigen::Index first = 0; first < labels; first += kBatch) {
+      const Eigen::Index count = std::min(kBatch, labels - first);
+      probability.setZero();
       for (const auto& entry : towards_seeds)
-        if (entry.col() == static_cast<Eigen::Index>(l))
-          side[entry.row()] += entry.value();
-      const Eigen::VectorXd probability = solver.solve(side);
+        if (entry.col() >= first && entry.col() < first + count)
+          probability(entry.row(), entry.col() - first) += entry.value();
+#pragma omp parallel for num_threads(                                                  \
+    usefulThreads(options_.threads, region.pixels.size(), 5000)) schedule(dynamic)
+      for (Eigen::Index l = 0; l < count; ++l) {
+        const Eigen::VectorXd side = probability.col(l);
+        probability.col(l) = solver.solve(side);
+      }
       for (Eigen::Index row = 0; row < size; ++row)
-        if (probability[row] > best[row] + kTie) {
-          best[row] = probability[row];
-          result.values[region.pixels[static_cast<std::size_t>(row)]] =
-              region.labels[l];
-        }
+        for (Eigen::Index l = 0; l < count; ++l)
+          if (probability(row, l) > best[row] + kTie) {
+            best[row] = probability(row, l);
+            result.values[region.pixels[static_cast<std::size_t>(row)]] =
+                region.labels[static_cast<std::size_t>(first + l)];
+          }
     }
   }
 

@@ -177,17 +177,20 @@ TEST(MapRandomWalker, StopsAtAStepOfTheValues)
 
 TEST(MapRandomWalker, SurvivesWeightsThatVanish)
 {
-  PixelMap<float> values{40, 40, {}};
-  PixelMap<int> labels{40, 40, std::vector<int>(1600, -1)};
-  for (std::size_t i = 0; i < 1600; ++i)
+  constexpr std::size_t kPixels = 120 * 120; // enough to be worth two threads
+  PixelMap<float> values{120, 120, {}};
+  PixelMap<int> labels{120, 120, std::vector<int>(kPixels, -1)};
+  for (std::size_t i = 0; i < kPixels; ++i)
     values.values.push_back(static_cast<float>((i * 7919) % 1000));
   labels.values[0] = 0;
-  labels.values[1599] = 1;
-  const PixelMap<std::uint8_t> mask{40, 40, std::vector<std::uint8_t>(1600, 1)};
-  const auto one = pcl::indoor::mapRandomWalker(values, labels, mask, {});
-  for (const int label : one.values)
-    EXPECT_TRUE(label == 0 || label == 1);
+  labels.values[kPixels - 1] = 1;
+  labels.values[kPixels / 2] = 2;
+  const PixelMap<std::uint8_t> mask{120, 120, std::vector<std::uint8_t>(kPixels, 1)};
   MapRandomWalkerOptions threads;
+  threads.threads = 1;
+  const auto one = pcl::indoor::mapRandomWalker(values, labels, mask, threads);
+  for (const int label : one.values)
+    EXPECT_TRUE(label >= 0 && label <= 2);
   threads.threads = 8;
   EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, threads).values,
             one.values);
