@@ -16,27 +16,45 @@ namespace {
 
 using Block = Eigen::Vector3i;
 
-/** \brief Packs a block's place into 64 bits; blocks differ if their keys do as long as
- * they lie within a million blocks of the origin (clamped beyond).
- */
+constexpr int key_bits = 21;
+constexpr int half = 1 << (key_bits - 1); // blocks to either side of the origin
+
+std::uint64_t
+packed(std::uint64_t x, std::uint64_t y, std::uint64_t z)
+{
+  return x << 2 * key_bits | y << key_bits | z;
+}
+
+/** \brief The key of a block; what is more than a million blocks away is clamped. */
 std::uint64_t
 keyOf(const Block& block)
 {
-  constexpr int half = 1 << 20;
   const auto part = [](int v) {
     return static_cast<std::uint64_t>(std::clamp(v, -half, half - 1) + half);
   };
-  return part(block.x()) << 42 | part(block.y()) << 21 | part(block.z());
+  return packed(part(block.x()), part(block.y()), part(block.z()));
+}
+
+/** \brief The key of the block around a point. */
+std::uint64_t
+keyOf(const Eigen::Vector3f& point, double scale)
+{
+  // Not negative after the shift, so that the cast is the floor.
+  const auto part = [&](float v) {
+    const double shifted = scale * v + half;
+    return static_cast<std::uint64_t>(
+        std::min(std::max(shifted, 0.0), 2.0 * half - 1.0));
+  };
+  return packed(part(point.x()), part(point.y()), part(point.z()));
 }
 
 Block
 blockOf(std::uint64_t key)
 {
-  constexpr int half = 1 << 20;
   const auto part = [&](int shift) {
-    return static_cast<int>(key >> shift & 0x1fffff) - half;
+    return static_cast<int>(key >> shift & (2 * half - 1)) - half;
   };
-  return {part(42), part(21), part(0)};
+  return {part(2 * key_bits), part(key_bits), part(0)};
 }
 
 /** \brief Counts per key, in an open hash table that grows. */
@@ -59,6 +77,14 @@ public:
     ++used_;
     slot.key = key;
     return slot.count;
+  }
+
+  /** \brief The count of a block, or null if it has none. */
+  const std::uint32_t*
+  lookUp(std::uint64_t key) const
+  {
+    const Slot& slot = slots_[find(key)];
+    return slot.key == key ? &slot.count : nullptr;
   }
 
   /** \brief All blocks and their counts in ascending order of the keys. */
@@ -110,12 +136,10 @@ using SortedBlocks = std::vector<std::pair<std::uint64_t, std::uint32_t>>;
 
 SortedBlocks
 countBlocks(const std::vector<Eigen::Vector3f>& points,
-            const Turn& turn,
             const BlockExtentOptions& options)
 {
   const auto count = static_cast<std::ptrdiff_t>(points.size());
   const double scale = 1.0 / options.block_size;
-  constexpr double limit = 1e9; // keeps the cast defined
   BlockCounts all;
 #pragma omp parallel num_threads(options.threads)
   {
@@ -124,12 +148,7 @@ countBlocks(const std::vector<Eigen::Vector3f>& points,
     std::uint32_t run = 0;
 #pragma omp for schedule(static) nowait
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-      const Eigen::Vector3d scaled =
-          (turn(points[i]) * scale).cwiseMax(-limit).cwiseMin(limit);
-      Block block = scaled.cast<int>();
-      for (int axis = 0; axis < 3; ++axis)
-        block[axis] -= scaled[axis] < block[axis];
-      const std::uint64_t key = keyOf(block);
+      const std::uint64_t key = keyOf(points[i], scale);
       if (key == last_key) { // neighbours in a scan mostly share a block
         ++run;
         continue;
@@ -184,11 +203,9 @@ addBlock(Part& part, const Block& block, std::uint32_t points)
 std::vector<Part>
 connectedParts(const SortedBlocks& blocks)
 {
-  const auto indexOf = [&](std::uint64_t key) {
-    const auto place = std::lower_bound(
-        blocks.begin(), blocks.end(), std::make_pair(key, std::uint32_t{0}));
-    return place != blocks.end() && place->first == key ? place - blocks.begin() : -1;
-  };
+  BlockCounts numbers;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    numbers[blocks[b].first] = static_cast<std::uint32_t>(b);
   std::vector<char> seen(blocks.size(), 0);
   std::vector<std::size_t> stack;
   std::vector<Part> parts;
@@ -205,11 +222,11 @@ connectedParts(const SortedBlocks& blocks)
       addBlock(part, block, blocks[current].second);
       for (int n = 0; n < 27; ++n) {
         const Block step(n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
-        const std::ptrdiff_t other = indexOf(keyOf(block + step));
-        if (other < 0 || seen[other])
+        const std::uint32_t* other = numbers.lookUp(keyOf(block + step));
+        if (!other || seen[*other])
           continue;
-        seen[other] = 1;
-        stack.push_back(other);
+        seen[*other] = 1;
+        stack.push_back(*other);
       }
     }
     parts.push_back(part);
@@ -250,10 +267,9 @@ mergeWorthwhile(std::vector<Part> parts, double max_growth)
 
 Box
 blockExtent(const std::vector<Eigen::Vector3f>& points,
-            const Turn& turn,
             const BlockExtentOptions& options)
 {
-  SortedBlocks blocks = countBlocks(points, turn, options);
+  SortedBlocks blocks = countBlocks(points, options);
   dropSparse(blocks, options.min_density);
   const Part kept = mergeWorthwhile(connectedParts(blocks), options.max_growth);
   // The noise of a surface on the border of a block lies in a block too sparse to

@@ -7,34 +7,11 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <limits>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
-
-/** \brief Turns points by -yaw about z: into a frame whose x axis points along yaw. */
-class Turn {
-public:
-  explicit Turn(double yaw)
-  : cosine_(std::cos(yaw))
-  , sine_(std::sin(yaw))
-  {}
-
-  template <typename Vector>
-  Eigen::Vector3d
-  operator()(const Vector& point) const
-  {
-    const double x = point.x();
-    const double y = point.y();
-    return {cosine_ * x + sine_ * y, cosine_ * y - sine_ * x, point.z()};
-  }
-
-private:
-  double cosine_;
-  double sine_;
-};
 
 /** \brief An axis-aligned box that holds its borders. */
 struct Box {
@@ -56,8 +33,9 @@ struct Box {
     high = high.cwiseMax(point);
   }
 
+  template <typename Vector>
   bool
-  contains(const Eigen::Vector3d& p) const
+  contains(const Vector& p) const
   {
     return p.x() >= low.x() && p.x() <= high.x() && p.y() >= low.y() &&
            p.y() <= high.y() && p.z() >= low.z() && p.z() <= high.z();
@@ -76,7 +54,6 @@ struct BlockExtentOptions {
  */
 Box
 blockExtent(const std::vector<Eigen::Vector3f>& points,
-            const Turn& turn,
             const BlockExtentOptions& options);
 
 } // namespace indoor

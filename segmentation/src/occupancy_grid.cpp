@@ -19,6 +19,28 @@ namespace indoor {
 
 namespace {
 
+/** \brief Turns points by -yaw about z: into a frame whose x axis points along yaw. */
+class Turn {
+public:
+  explicit Turn(double yaw)
+  : cosine_(std::cos(yaw))
+  , sine_(std::sin(yaw))
+  {}
+
+  template <typename Vector>
+  Eigen::Vector3d
+  operator()(const Vector& point) const
+  {
+    const double x = point.x();
+    const double y = point.y();
+    return {cosine_ * x + sine_ * y, cosine_ * y - sine_ * x, point.z()};
+  }
+
+private:
+  double cosine_;
+  double sine_;
+};
+
 void
 requireValid(const OccupancyGridOptions& options)
 {
@@ -45,7 +67,8 @@ requireValid(const OccupancyGridOptions& options)
                             << ".");
 }
 
-/** \brief A box around the points that lie inside of another one. */
+/** \brief The box, in the turned frame, of the points in a box of the frame as it is.
+ */
 Box
 tightBox(const std::vector<Eigen::Vector3f>& points,
          const Turn& turn,
@@ -59,9 +82,8 @@ tightBox(const std::vector<Eigen::Vector3f>& points,
     Box own;
 #pragma omp for schedule(static) nowait
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-      const Eigen::Vector3d p = turn(points[i]);
-      if (outer.contains(p))
-        own.add(p);
+      if (outer.contains(points[i]))
+        own.add(turn(points[i]));
     }
 #pragma omp critical
     {
@@ -161,7 +183,7 @@ occupancyGrid(const std::vector<Eigen::Vector3f>& points,
   const Turn turn(options.yaw);
   const BlockExtentOptions extent{
       options.block_size, options.max_growth, options.min_density, threads};
-  const Box box = tightBox(points, turn, blockExtent(points, turn, extent), threads);
+  const Box box = tightBox(points, turn, blockExtent(points, extent), threads);
   result.grid = gridAround(box, options);
   fill(points, turn, box, threads, result);
   return result;

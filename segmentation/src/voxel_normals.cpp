@@ -28,9 +28,9 @@ requireValid(const std::vector<Eigen::Vector3f>& points,
                         "The grid was made of " << grid.cells.size()
                                                 << " points, not of " << points.size()
                                                 << ".");
-  if (options.keep_one_in < 1 || options.min_points < 3)
+  if (options.keep_one_in < 0 || options.min_points < 3)
     PCL_THROW_EXCEPTION(BadArgumentException,
-                        "keep_one_in must be at least 1 and min_points at least 3, not "
+                        "keep_one_in must be at least 0 and min_points at least 3, not "
                             << options.keep_one_in << " and " << options.min_points
                             << ".");
   if (!(options.min_flatness >= 0.0) || !(options.min_flatness <= 1.0))
@@ -128,7 +128,7 @@ scatterAround(const Eigen::Vector3i& place,
   const Eigen::Vector3f centre =
       moments[occupied.number[shape.index(place.x(), place.y(), place.z())]].centre;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
   count = 0.0;
   for (int step = 0; step < 27; ++step) {
     const int x = place.x() + step / 9 - 1;
@@ -141,13 +141,18 @@ scatterAround(const Eigen::Vector3i& place,
     const Moments& m = moments[n];
     const Eigen::Vector3d to = (m.centre - centre).cast<double>();
     const Eigen::Vector3d s = m.sum.cast<double>();
-    Eigen::Matrix3d own;
-    own << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
-    squares +=
-        own + s * to.transpose() + to * s.transpose() + m.count * to * to.transpose();
-    sum += s + m.count * to;
+    const Eigen::Vector3d t = s + m.count * to; // the sum as seen from the middle
+    xx += m.xx + s.x() * to.x() + to.x() * t.x();
+    xy += m.xy + s.x() * to.y() + to.x() * t.y();
+    xz += m.xz + s.x() * to.z() + to.x() * t.z();
+    yy += m.yy + s.y() * to.y() + to.y() * t.y();
+    yz += m.yz + s.y() * to.z() + to.y() * t.z();
+    zz += m.zz + s.z() * to.z() + to.z() * t.z();
+    sum += t;
     count += m.count;
   }
+  Eigen::Matrix3d squares;
+  squares << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   return squares / count - sum * sum.transpose() / (count * count);
 }
 
@@ -174,12 +179,16 @@ voxelNormals(const std::vector<Eigen::Vector3f>& points,
   const OccupiedVoxels occupied = listOccupied(grid.grid);
   const std::vector<Moments> moments = sumUp(points, grid, occupied, threads);
   const auto count = static_cast<std::ptrdiff_t>(moments.size());
+  constexpr int enough = 10000;
+  const int keep_one_in = options.keep_one_in > 0
+                              ? options.keep_one_in
+                              : std::max(1, static_cast<int>(count / enough));
   std::vector<Eigen::Vector3d> normals(moments.size());
   std::vector<double> weights(moments.size(), 0.0);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::ptrdiff_t n = 0; n < count; ++n) {
     const Eigen::Vector3i place = placeOf(shape, occupied.voxel[n]);
-    if (!isChosen(place, options.keep_one_in))
+    if (!isChosen(place, keep_one_in))
       continue;
     double inside = 0.0;
     const Eigen::Matrix3d scatter =

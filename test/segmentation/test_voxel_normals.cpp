@@ -176,7 +176,7 @@ TEST(VoxelNormals, RefusesBadArguments)
   const OccupancyGrid grid = occupancyGrid(points);
   EXPECT_THROW(voxelNormals({}, grid), pcl::BadArgumentException);
   VoxelNormalsOptions options;
-  options.keep_one_in = 0;
+  options.keep_one_in = -1;
   EXPECT_THROW(voxelNormals(points, grid, options), pcl::BadArgumentException);
   options = {};
   options.min_points = 2;

@@ -16,7 +16,9 @@ namespace pcl {
 namespace indoor {
 
 struct VoxelNormalsOptions {
-  int keep_one_in = 4;       ///< a normal for about every n-th occupied voxel (>= 1)
+  int keep_one_in =
+      0; ///< a normal for about every n-th occupied voxel (>= 0; 0 = so that
+         ///< some 10,000 voxels are looked at: enough for directions)
   int min_points = 6;        ///< fewest points of a neighbourhood (>= 3)
   double min_flatness = 0.3; ///< least (l2 - l1) / l3 of a neighbourhood's scatter
                              ///< with eigenvalues l1 <= l2 <= l3 (0 ... 1)
