@@ -67,8 +67,18 @@ border(std::int32_t a, std::int32_t b, double area, double open)
   result.a = a;
   result.b = b;
   result.border_area = area;
-  result.open_area = open;
+  result.open_area = result.opening_area = open; // from floor to ceiling
   return result;
+}
+
+Labels
+merged(const std::vector<RegionBorder>& borders,
+       const std::vector<double>& section,
+       double open_share)
+{
+  MergeOptions options;
+  options.open_share = open_share;
+  return mergeOpenRegions(borders, section, options);
 }
 
 } // namespace
@@ -84,6 +94,7 @@ TEST(RegionBorders, ADoorInAWallInClosedForm)
     EXPECT_EQ(borders[0].b, 2);
     EXPECT_NEAR(borders[0].border_area, 3.0 * 2.5, 1e-9);
     EXPECT_NEAR(borders[0].open_area, 0.9 * 2.0, 1e-9);
+    EXPECT_NEAR(borders[0].opening_area, 0.9 * 2.5, 1e-9);
     EXPECT_NEAR(borders[0].open_width, 0.9, 1e-9);
     EXPECT_NEAR(borders[0].x, 30.5, 0.5); // a border lies between two pixels
     EXPECT_NEAR(borders[0].y, 14.0, 0.5);
@@ -142,6 +153,7 @@ TEST(RegionBorders, LowOpeningsLetNobodyPass)
   const auto borders = spaces.borders();
   ASSERT_EQ(borders.size(), 1u);
   EXPECT_NEAR(borders[0].open_area, 0.5 * 1.5 + 0.5 * 1.4, 1e-9);
+  EXPECT_EQ(borders[0].opening_area, 0.0);
   EXPECT_EQ(borders[0].open_width, 0.0);
 }
 
@@ -195,17 +207,44 @@ TEST(MergeOpenRegions, AtTheThreshold)
 {
   const std::vector<RegionBorder> borders{border(1, 2, 4.0, 3.0)};
   // 3 m^2 of the smaller section, 6 m^2
-  EXPECT_EQ(mergeOpenRegions(borders, {0, 6, 9}, 0.49), (Labels{0, 1, 1}));
-  EXPECT_EQ(mergeOpenRegions(borders, {0, 6, 9}, 0.50), (Labels{0, 1, 2}));
-  EXPECT_EQ(mergeOpenRegions(borders, {0, 9, 6}, 0.49), (Labels{0, 1, 1}));
-  EXPECT_EQ(mergeOpenRegions(borders, {0, 9, 6}, 0.51), (Labels{0, 1, 2}));
+  EXPECT_EQ(merged(borders, {0, 6, 9}, 0.49), (Labels{0, 1, 1}));
+  EXPECT_EQ(merged(borders, {0, 6, 9}, 0.50), (Labels{0, 1, 2}));
+  EXPECT_EQ(merged(borders, {0, 9, 6}, 0.49), (Labels{0, 1, 1}));
+  EXPECT_EQ(merged(borders, {0, 9, 6}, 0.51), (Labels{0, 1, 2}));
+}
+
+TEST(MergeOpenRegions, NotBelowALintel)
+{
+  RegionBorder wide = border(1, 2, 10.0, 7.0); // 70 % of the border is open ...
+  wide.opening_area = 10.0;                    // ... all of it below a lintel
+  MergeOptions options;
+  options.open_share = 0.5;
+  options.open_height = 0.71;
+  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, options), (Labels{0, 1, 2}));
+  options.open_height = 0.69; // as below a beam
+  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, options), (Labels{0, 1, 1}));
+}
+
+TEST(MergeOpenRegions, HeightsOfOpeningsAddUp)
+{
+  // The lintel between 1 and 3 counts for the space that 1 and 2 make.
+  RegionBorder low = border(1, 3, 5.0, 2.0);
+  low.opening_area = 5.0;
+  const std::vector<RegionBorder> borders{
+      border(1, 2, 5.0, 5.0), low, border(2, 3, 5.5, 5.0)};
+  MergeOptions options;
+  options.open_share = 0.6;
+  options.open_height = 0.75; // 7 of 10 m^2 after 1 and 2 are joined
+  EXPECT_EQ(mergeOpenRegions(borders, {0, 9, 5, 9}, options), (Labels{0, 1, 1, 3}));
+  options.open_height = 0.65;
+  EXPECT_EQ(mergeOpenRegions(borders, {0, 9, 5, 9}, options), (Labels{0, 1, 1, 1}));
 }
 
 TEST(MergeOpenRegions, NothingToMerge)
 {
-  EXPECT_EQ(mergeOpenRegions({}, {}, 0.5), Labels{});
-  EXPECT_EQ(mergeOpenRegions({}, {0, 1, 1}, 0.5), (Labels{0, 1, 2}));
-  EXPECT_EQ(mergeOpenRegions({border(1, 2, 4, 0)}, {0, 1, 1}, 0.0), (Labels{0, 1, 2}));
+  EXPECT_EQ(merged({}, {}, 0.5), Labels{});
+  EXPECT_EQ(merged({}, {0, 1, 1}, 0.5), (Labels{0, 1, 2}));
+  EXPECT_EQ(merged({border(1, 2, 4, 0)}, {0, 1, 1}, 0.0), (Labels{0, 1, 2}));
 }
 
 TEST(MergeOpenRegions, BordersOfJoinedRegionsAddUp)
@@ -214,11 +253,9 @@ TEST(MergeOpenRegions, BordersOfJoinedRegionsAddUp)
   const std::vector<RegionBorder> borders{
       border(1, 2, 5.0, 5.0), border(1, 3, 2.0, 2.0), border(2, 3, 2.0, 2.0)};
   const std::vector<double> section{0, 5, 5, 5};
-  EXPECT_EQ(mergeOpenRegions(borders, section, 0.6), (Labels{0, 1, 1, 1}));
-  EXPECT_EQ(mergeOpenRegions({borders[1], borders[2]}, section, 0.6),
-            (Labels{0, 1, 2, 3}));
-  EXPECT_EQ(mergeOpenRegions({borders[0], borders[1]}, section, 0.6),
-            (Labels{0, 1, 1, 3}));
+  EXPECT_EQ(merged(borders, section, 0.6), (Labels{0, 1, 1, 1}));
+  EXPECT_EQ(merged({borders[1], borders[2]}, section, 0.6), (Labels{0, 1, 2, 3}));
+  EXPECT_EQ(merged({borders[0], borders[1]}, section, 0.6), (Labels{0, 1, 1, 3}));
 }
 
 TEST(MergeOpenRegions, ASmallSpaceBecomesPartOfTheLargeOne)
@@ -227,11 +264,11 @@ TEST(MergeOpenRegions, ASmallSpaceBecomesPartOfTheLargeOne)
   // The door is large for the niche, but small for the hall and the room.
   const std::vector<RegionBorder> borders{border(1, 2, 2.5, 2.5),
                                           border(2, 3, 2.5, 2.0)};
-  EXPECT_EQ(mergeOpenRegions(borders, {0, 10, 2.5, 8}, 0.7), (Labels{0, 1, 1, 3}));
+  EXPECT_EQ(merged(borders, {0, 10, 2.5, 8}, 0.7), (Labels{0, 1, 1, 3}));
   // the same with the niche numbered first
-  EXPECT_EQ(mergeOpenRegions(
-                {border(1, 2, 2.5, 2.5), border(1, 3, 2.5, 2.0)}, {0, 2.5, 10, 8}, 0.7),
-            (Labels{0, 1, 1, 3}));
+  EXPECT_EQ(
+      merged({border(1, 2, 2.5, 2.5), border(1, 3, 2.5, 2.0)}, {0, 2.5, 10, 8}, 0.7),
+      (Labels{0, 1, 1, 3}));
 }
 
 TEST(MergeOpenRegions, TheOrderOfBordersDoesNotMatter)
@@ -249,13 +286,13 @@ TEST(MergeOpenRegions, TheOrderOfBordersDoesNotMatter)
     std::vector<double> section{0.0};
     for (int a = 1; a <= count; ++a)
       section.push_back(1.0 + 0.001 * static_cast<double>(rng() % 5000));
-    const auto merged = mergeOpenRegions(borders, section, 0.5);
+    const auto first = merged(borders, section, 0.5);
     for (std::size_t i = borders.size(); i > 1; --i)
       std::swap(borders[i - 1], borders[rng() % i]);
-    EXPECT_EQ(mergeOpenRegions(borders, section, 0.5), merged) << "trial " << trial;
-    for (std::size_t i = 0; i < merged.size(); ++i) {
-      ASSERT_LE(merged[i], static_cast<std::int32_t>(i)); // the smallest member's
-      ASSERT_EQ(merged[merged[i]], merged[i]);
+    EXPECT_EQ(merged(borders, section, 0.5), first) << "trial " << trial;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      ASSERT_LE(first[i], static_cast<std::int32_t>(i)); // the smallest member's
+      ASSERT_EQ(first[first[i]], first[i]);
     }
   }
 }
