@@ -132,6 +132,50 @@ private:
   std::size_t used_ = 0;
 };
 
+/** \brief Counts of the blocks seen last, one place for each block of a building of
+ * usual size: no search in the table for most points.
+ */
+class RecentCounts {
+public:
+  explicit RecentCounts(BlockCounts& table)
+  : table_(table)
+  , slots_(1 << 15)
+  {}
+
+  void
+  add(std::uint64_t key)
+  {
+    // 64 x 64 x 8 blocks by the last bits of the coordinates
+    const std::uint64_t place =
+        (key >> 2 * key_bits & 63) << 9 | (key >> key_bits & 63) << 3 | (key & 7);
+    Slot& slot = slots_[place];
+    if (slot.key != key) {
+      if (slot.count > 0)
+        table_[slot.key] += slot.count;
+      slot.key = key;
+      slot.count = 0;
+    }
+    ++slot.count;
+  }
+
+  void
+  flush()
+  {
+    for (const Slot& slot : slots_)
+      if (slot.count > 0)
+        table_[slot.key] += slot.count;
+  }
+
+private:
+  struct Slot {
+    std::uint64_t key = 0;
+    std::uint32_t count = 0;
+  };
+
+  BlockCounts& table_;
+  std::vector<Slot> slots_;
+};
+
 using SortedBlocks = std::vector<std::pair<std::uint64_t, std::uint32_t>>;
 
 SortedBlocks
@@ -144,22 +188,11 @@ countBlocks(const std::vector<Eigen::Vector3f>& points,
 #pragma omp parallel num_threads(options.threads)
   {
     BlockCounts own;
-    std::uint64_t last_key = ~std::uint64_t{0};
-    std::uint32_t run = 0;
+    RecentCounts recent(own);
 #pragma omp for schedule(static) nowait
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-      const std::uint64_t key = keyOf(points[i], scale);
-      if (key == last_key) { // neighbours in a scan mostly share a block
-        ++run;
-        continue;
-      }
-      if (run > 0)
-        own[last_key] += run;
-      last_key = key;
-      run = 1;
-    }
-    if (run > 0)
-      own[last_key] += run;
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+      recent.add(keyOf(points[i], scale));
+    recent.flush();
 #pragma omp critical
     for (const auto& [key, points_in_block] : own.sorted())
       all[key] += points_in_block;
