@@ -227,7 +227,7 @@ TEST(RoomSegmentation, DefaultsAreAsDocumented)
   EXPECT_EQ(segmentation.getMinRoomArea(), 0.5);
   EXPECT_EQ(segmentation.getMinRoomWidth(), 0.5);
   EXPECT_EQ(segmentation.getPersistence(), 0.7);
-  EXPECT_EQ(segmentation.getOpenShare(), 0.7);
+  EXPECT_EQ(segmentation.getOpenShare(), 0.55);
   EXPECT_EQ(segmentation.getNumberOfThreads(), 0);
 }
 
@@ -252,7 +252,7 @@ TEST(RoomSegmentation, SettersAndOptionsAreTheSameParameters)
 
 TEST(RoomSegmentation, TheParametersHaveAnEffect)
 {
-  const auto cloud = cloudOf(twoRooms().points);
+  auto cloud = cloudOf(twoRooms().points);
   const auto count = [&](const std::function<void(Segmentation&)>& set) {
     Segmentation segmentation;
     segmentation.setInputCloud(cloud);
@@ -265,6 +265,14 @@ TEST(RoomSegmentation, TheParametersHaveAnEffect)
   EXPECT_EQ(count([](auto& s) { s.setMinRoomArea(10.0); }), 1u); // 9 m^2 are too few
   EXPECT_EQ(count([](auto& s) { s.setMinRoomArea(20.0); }), 0u);
   EXPECT_EQ(count([](auto& s) { s.setMinRoomWidth(4.0); }), 0u);
+  EXPECT_EQ(count([](auto& s) { s.setPersistence(0.0); }), 2u); // a lintel parts them
+  // a passage as high as the rooms
+  const auto open =
+      rooms({{{0, 0, 0}, {4, 3, 2.5f}, 1}, {{4.1f, 0, 0}, {7.1f, 3, 2.5f}, 2}},
+            {doorway(3.95f, 4.15f, 1.0f, 2.2f, 2.6f)});
+  cloud = cloudOf(open.points);
+  EXPECT_EQ(count([](auto&) {}), 2u);
+  EXPECT_EQ(count([](auto& s) { s.setPersistence(0.0); }), 1u);
   EXPECT_EQ(count([](auto& s) { s.setOpenShare(0.05); }), 1u);
 }
 
