@@ -20,9 +20,10 @@ struct CheckedCloud {
  * follows it.
  *
  * PCL's reader trusts the header: it reads past the end of a short file or allocate
- * what a wrong number asks for. \throws ToolError if the file cannot be read, is
- * neither PCD nor PLY, has a header that contradicts itself, no points, or fewer bytes
- * or lines than its header promises
+ * what a wrong number asks for.
+ * \throws ToolError if the file cannot be read, is neither PCD nor PLY, has a header
+ * that contradicts itself, no points, or fewer bytes or lines than its header
+ * promises
  */
 CheckedCloud
 checkCloudFile(const std::string& path);

@@ -72,8 +72,9 @@ appendField(PCLPointCloud2& cloud,
             const std::vector<std::uint32_t>& values);
 
 /** \brief Write all fields, binary compressed: first beside the file, then renamed, so
- * none is left half-written. \throws ToolError if it cannot be written; then nothing is
- * left behind and an older file is unchanged
+ * none is left half-written.
+ * \throws ToolError if it cannot be written; then nothing is left behind and an older
+ * file is unchanged
  */
 void
 saveCloud(const std::string& path,

@@ -20,7 +20,8 @@ struct FileHeader {
 std::vector<std::string>
 wordsOf(const std::string& line);
 
-/** \brief Read the lines up to and including the one that begins with the word \a last.
+/** \brief Read the lines up to and including the one that begins with the word \a
+ * last.
  * \throws ToolError if there is none
  */
 FileHeader

@@ -92,8 +92,8 @@ public:
   /** \brief A number: float, double, int, std::uint32_t or std::uint64_t.
    * \param[in] name with its dash, for example "-voxel_size"
    * \param[in,out] variable its default beforehand, its value afterwards; it must
-   * outlive the parser \param[in] unit for example "m" or "points"; empty where there
-   * is none
+   * outlive the parser
+   * \param[in] unit for example "m" or "points"; empty where there is none
    */
   template <typename T>
   OptionParser&
@@ -117,8 +117,9 @@ public:
 
   /** \brief Read the command line; if it is good, run the body.
    * \param[in] body the tool's work; it says why it stops by throwing ToolError,
-   * pcl::PCLException or AlreadyReported \return what main() returns: EXIT_SUCCESS
-   * after -h and after the body's end, EXIT_FAILURE after any error
+   * pcl::PCLException or AlreadyReported
+   * \return what main() returns: EXIT_SUCCESS after -h and after the body's end,
+   * EXIT_FAILURE after any error
    */
   int
   run(int argc, const char* const* argv, const std::function<void(Progress&)>& body);

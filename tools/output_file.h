@@ -16,7 +16,8 @@ void
 requireWritable(const std::string& path);
 
 /** \brief Find out, before the long work, that a folder cannot be used or made for
- * results. \throws ToolError naming it and the reason
+ * results.
+ * \throws ToolError naming it and the reason
  */
 void
 requireFolder(const std::string& folder);
@@ -26,14 +27,15 @@ void
 makeFolder(const std::string& folder);
 
 /** \brief Write a text file: first beside its place, then renamed, so none is left
- * half-written. \throws ToolError if it cannot be written
+ * half-written.
+ * \throws ToolError if it cannot be written
  */
 void
 saveText(const std::string& path, const std::string& text);
 
 /** \brief The way of both: \a write makes the file of the name it is given, which then
- * takes the place of \a path. \throws ToolError if write returns false or the file
- * cannot be put in place
+ * takes the place of \a path.
+ * \throws ToolError if write returns false or the file cannot be put in place
  */
 void
 saveAtomically(const std::string& path,

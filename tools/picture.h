@@ -54,7 +54,8 @@ public:
   fillRectangle(int x, int y, int width, int height, Color color);
 
   /** \brief Write digits, letters (as capitals) and .,:-+/()% of 5 x 7 dots from the
-   * upper left corner (x, y). \param[in] scale pixels per dot
+   * upper left corner (x, y).
+   * \param[in] scale pixels per dot
    */
   void
   drawText(int x, int y, const std::string& text, Color color, int scale = 1);

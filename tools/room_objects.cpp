@@ -45,19 +45,18 @@ segmentOneRoom(const PointCloud<PointXYZ>& points,
   return objects;
 }
 
+/** The finite points of room 1, room 2 and so on; last, of those in no room. */
 std::vector<Indices>
 pointsOfRooms(const PointCloud<PointXYZ>& points,
               const std::vector<std::uint32_t>& room_of_point)
 {
-  std::vector<Indices> rooms;
-  for (std::size_t i = 0; i < room_of_point.size(); ++i) {
-    const std::size_t room = room_of_point[i];
-    if (room == 0 || !isFinite(points[i]))
-      continue;
-    if (rooms.size() < room)
-      rooms.resize(room);
-    rooms[room - 1].push_back(static_cast<index_t>(i));
-  }
+  const std::size_t room_count =
+      *std::max_element(room_of_point.begin(), room_of_point.end());
+  std::vector<Indices> rooms(room_count + 1);
+  for (std::size_t i = 0; i < room_of_point.size(); ++i)
+    if (isFinite(points[i]))
+      rooms[(room_of_point[i] + room_count) % (room_count + 1)].push_back(
+          static_cast<index_t>(i));
   return rooms;
 }
 

@@ -14,12 +14,15 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief Segment the points of each room into objects, several rooms at a time.
+/** \brief Segment the points of each room, and those in no room, into objects; several
+ * rooms at a time.
  * \param[in] normals one per point, or null to have them estimated
- * \param[in] room_of_point 0 = none
+ * \param[in] room_of_point one per point, not empty; 0 = none
  * \param[in] threads rooms at a time, 0 = automatic; the result does not depend on it
- * \param[in] report is told how many of all points are done, from one thread at a time
- * \return the object of each point: 1 ... n, in the order of the rooms; 0 = none
+ * \param[in] report is told how many of all points are done, from one thread at a
+ * time
+ * \return the object of each point: 1 ... n, in the order of the rooms, then those in
+ * no room; 0 = not finite
  * \throws AlreadyReported if the segmentation of a room has printed why it failed
  */
 std::vector<std::uint32_t>
