@@ -9,34 +9,73 @@
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
 #include <algorithm>
+#include <sstream>
 
 using namespace pcl::indoor::tool;
+using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::Partition;
 
-int
-main(int argc, char** argv)
-{
-  std::string input, output, partition = "graph", camera = "auto";
-  bool ignore_normals = false;
-  pcl::indoor::ObjectSegmentationOptions options;
+namespace {
 
-  OptionParser parser("pcl_noise_resilient_lccp",
-                      "Segment the scan of a room into objects with "
-                      "pcl::NoiseResilientLCCP; adds the field object.");
-  parser.positional("input", input, "PCD or PLY file, metres")
-      .positional(
-          "output.pcd", output, "the input with the field object, 0 = not finite")
+/** What the command line sets; 0 in lengths and angles stands for the preset's value.
+ */
+struct Settings {
+  std::string input, output;
+  std::string preset = "auto", partition = "graph", camera = "auto";
+  double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
+  bool ignore_normals = false;
+  ObjectSegmentationOptions others;
+};
+
+/** For example "edge of a voxel; 0 = 0.03 for rooms, 0.005 for a single view". */
+std::string
+withPresets(const std::string& meaning, double room, double single_view)
+{
+  std::ostringstream text;
+  text << meaning << "; 0 = " << room << " for rooms, " << single_view
+       << " for a single view";
+  return text.str();
+}
+
+void
+addLengths(OptionParser& parser, Settings& settings)
+{
+  const ObjectSegmentationOptions room, view = pcl::indoor::singleViewOptions();
+  parser
+      .text(
+          "-preset",
+          settings.preset,
+          "defaults for what was scanned; auto: single_view if the input is organised",
+          {"auto", "room", "single_view"})
       .number("-voxel_resolution",
-              options.voxel_size,
-              "edge of a voxel",
+              settings.voxel_resolution,
+              withPresets("edge of a voxel", room.voxel_size, view.voxel_size),
               "m",
-              Range::positive())
+              Range::atLeast(0))
       .number("-seed_resolution",
-              options.seed_size,
-              "distance of supervoxels, at least -voxel_resolution",
+              settings.seed_resolution,
+              withPresets("distance of supervoxels", room.seed_size, view.seed_size),
               "m",
-              Range::positive())
-      .text("-partition", partition, "how supervoxels are joined", {"graph", "lccp"})
+              Range::atLeast(0))
+      .number("-bend_threshold",
+              settings.bend_threshold,
+              withPresets("mean concave bend that parts objects",
+                          room.bend_threshold_degrees,
+                          view.bend_threshold_degrees),
+              "degrees",
+              Range::between(0, 180));
+}
+
+void
+addOthers(OptionParser& parser, Settings& settings)
+{
+  auto& options = settings.others;
+  parser
+      .text("-partition",
+            settings.partition,
+            "how supervoxels are joined: by whole borders, by the thesis's graph "
+            "segmentation, or over all convex edges",
+            {"graph", "felzenszwalb", "lccp"})
       .number("-curvature_threshold",
               options.curvature_threshold,
               "curvature above which points are taken out if not convex",
@@ -47,48 +86,88 @@ main(int argc, char** argv)
               "ratio of points in front of and behind the surface that is not convex",
               "",
               Range::between(0, 1))
-      .number("-graph_scale",
-              options.graph.scale,
-              "higher gives larger segments",
-              "",
-              Range::atLeast(0))
       .number("-min_segment",
-              options.graph.min_segment_size,
+              options.min_segment_size,
               "smallest segment",
               "supervoxels",
               Range::atLeast(1))
+      .number("-graph_scale",
+              options.graph_scale,
+              "for -partition felzenszwalb; higher gives larger segments",
+              "",
+              Range::atLeast(0))
       .number("-concavity_tolerance",
               options.concavity_tolerance_degrees,
-              "bend up to which concave edges count as convex",
+              "for -partition felzenszwalb and lccp: bend up to which concave edges "
+              "count as convex",
               "degrees",
               Range::between(0, 180))
       .text("-camera",
-            camera,
-            "voxels grow with the distance from one camera; auto: if the input is "
-            "organised",
+            settings.camera,
+            "voxels grow with the distance from one camera along z; auto: if the input "
+            "is organised",
             {"auto", "single", "none"})
-      .flag(
-          "-ignore_normals", ignore_normals, "estimate normals although there are some")
+      .flag("-ignore_normals",
+            settings.ignore_normals,
+            "estimate normals although the input has some")
       .number("-threads", options.threads, "threads, 0 = automatic");
+}
+
+ObjectSegmentationOptions
+chosenOptions(const Settings& settings, bool organised)
+{
+  const bool single_view =
+      settings.preset == "single_view" || (settings.preset == "auto" && organised);
+  const auto preset =
+      single_view ? pcl::indoor::singleViewOptions() : ObjectSegmentationOptions();
+  auto options = settings.others;
+  const auto either = [](double given, double other) {
+    return given > 0 ? given : other;
+  };
+  options.voxel_size = either(settings.voxel_resolution, preset.voxel_size);
+  options.seed_size =
+      either(settings.seed_resolution,
+             settings.voxel_resolution > 0 ? 4 * options.voxel_size : preset.seed_size);
+  options.bend_threshold_degrees = static_cast<float>(
+      either(settings.bend_threshold, preset.bend_threshold_degrees));
+  options.bend = preset.bend;
+  options.partition = settings.partition == "lccp" ? Partition::Lccp
+                      : settings.partition == "graph"
+                          ? Partition::Graph
+                          : Partition::FelzenszwalbHuttenlocher;
+  return options;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Settings settings;
+  OptionParser parser("pcl_noise_resilient_lccp",
+                      "Segment the scan of a room into objects with "
+                      "pcl::NoiseResilientLCCP; adds the field object.");
+  parser.positional("input", settings.input, "PCD or PLY file, metres")
+      .positional("output.pcd",
+                  settings.output,
+                  "the input with the field object, 0 = not finite");
+  addLengths(parser, settings);
+  addOthers(parser, settings);
   return parser.run(argc, argv, [&](Progress& progress) {
-    if (!(options.seed_size >= options.voxel_size))
-      throw ToolError("-seed_resolution must be at least -voxel_resolution, not " +
-                      std::to_string(options.seed_size));
-    requireWritable(output);
-    progress.start("Loading " + input);
-    CloudFile file = loadCloud(input);
+    requireWritable(settings.output);
+    progress.start("Loading " + settings.input);
+    CloudFile file = loadCloud(settings.input);
     progress.done(std::to_string(file.points->size()) + " points");
 
     progress.start("Segmenting objects");
-    options.partition = partition == "lccp" ? Partition::Lccp : Partition::Graph;
     pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
-    segmentation.setOptions(options);
-    if (camera != "auto")
-      segmentation.setUseSingleCameraTransform(camera == "single");
+    segmentation.setOptions(chosenOptions(settings, file.points->height > 1));
+    if (settings.camera != "auto")
+      segmentation.setUseSingleCameraTransform(settings.camera == "single");
     file.points->sensor_origin_.head<3>() =
         (file.origin.head<3>().cast<double>() - file.offset).cast<float>();
     segmentation.setInputCloud(file.points);
-    if (file.has_normals && !ignore_normals)
+    if (file.has_normals && !settings.ignore_normals)
       segmentation.setInputNormals(readNormals(file));
     std::vector<std::uint32_t> objects;
     segmentation.segment(objects);
@@ -97,9 +176,9 @@ main(int argc, char** argv)
     const auto count = *std::max_element(objects.begin(), objects.end());
     progress.done(std::to_string(count) + " objects");
 
-    progress.start("Saving " + output);
+    progress.start("Saving " + settings.output);
     appendField(file.cloud, "object", objects);
-    saveCloud(output, file.cloud, file.origin, file.orientation);
+    saveCloud(settings.output, file.cloud, file.origin, file.orientation);
     progress.done();
   });
 }

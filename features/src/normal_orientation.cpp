@@ -22,6 +22,7 @@ using pcl::indoor::FreeSpaceGrid;
 using pcl::indoor::FreeSpaceOptions;
 
 constexpr int spreading_rounds = 4;
+constexpr float clearance_share = 0.4f; // of the largest: no viewpoints under tables
 constexpr float smooth_cosine =
     0.8f; // normals of one surface differ by less than 37 deg
 
@@ -171,12 +172,21 @@ findViewpoints(const std::vector<Eigen::Vector3f>& positions,
   auto candidates = freeCandidates(grid);
   if (candidates.empty())
     return {grid.center(grid.shape() / 2)};
+  const auto nearer = [](const auto& a, const auto& b) {
+    return a.clearance < b.clearance;
+  };
+  const float widest =
+      std::max_element(candidates.begin(), candidates.end(), nearer)->clearance;
+  candidates.erase(std::remove_if(candidates.begin(),
+                                  candidates.end(),
+                                  [&](const auto& candidate) {
+                                    return candidate.clearance <
+                                           clearance_share * widest;
+                                  }),
+                   candidates.end());
   std::vector<Eigen::Vector3f> viewpoints;
   while (viewpoints.size() < options.viewpoints) {
-    const auto best = std::max_element(
-        candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-          return a.clearance < b.clearance;
-        });
+    const auto best = std::max_element(candidates.begin(), candidates.end(), nearer);
     if (!(best->clearance > 0))
       break;
     viewpoints.push_back(best->place);

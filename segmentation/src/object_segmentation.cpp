@@ -8,6 +8,7 @@
 #include <pcl/features/normal_orientation.h>
 #include <pcl/filters/non_convex_points.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -17,6 +18,7 @@ namespace {
 using pcl::indoor::ObjectSegmentation;
 using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
+using pcl::indoor::Supervoxels;
 using pcl::indoor::SurfaceVoxels;
 
 /** The single-camera transform of LCCP: voxels that grow with the distance. */
@@ -61,6 +63,7 @@ std::vector<std::uint8_t>
 findNonConvexVoxels(const SurfaceVoxels& voxels,
                     const ObjectSegmentationOptions& options)
 {
+  const double on_plane = options.plane_tolerance * options.voxel_size;
   std::vector<std::uint8_t> removed(voxels.size(), 0);
   for (std::size_t v = 0; v < voxels.size(); ++v) {
     if (!(voxels.curvatures[v] > options.curvature_threshold))
@@ -72,7 +75,8 @@ findNonConvexVoxels(const SurfaceVoxels& voxels,
       const float height =
           voxels.normals[v].dot(voxels.centroids[other] - voxels.centroids[v]);
       const auto points = voxels.cells.offsets[other + 1] - voxels.cells.offsets[other];
-      (height > 0 ? positive : negative) += points;
+      if (std::abs(height) > on_plane)
+        (height > 0 ? positive : negative) += points;
     }
     removed[v] = pcl::indoor::isNonConvex(positive, negative, options.ratio_threshold);
   }
@@ -84,15 +88,57 @@ joinSupervoxels(const ObjectSegmentation& result,
                 const ObjectSegmentationOptions& options,
                 const pcl::indoor::SurfaceDistance& distance)
 {
+  using pcl::indoor::Partition;
   const auto count = result.supervoxels.size();
-  if (options.partition == pcl::indoor::Partition::Lccp)
+  if (options.partition == Partition::Lccp)
     return pcl::indoor::convexSegments(
         count, result.edges, options.common_neighbors, options.lccp_min_segment);
-  return pcl::indoor::segmentGraph(
+  if (options.partition == Partition::FelzenszwalbHuttenlocher)
+    return pcl::indoor::segmentGraph(
+        count,
+        pcl::indoor::weighEdges(
+            result.supervoxels, result.edges, distance, options.concavity_weight),
+        {options.graph_scale, options.min_segment_size});
+  return pcl::indoor::clusterByBorders(
       count,
-      pcl::indoor::weighEdges(
-          result.supervoxels, result.edges, distance, options.concavity_weight),
-      options.graph);
+      pcl::indoor::bendBorders(result.supervoxels, result.edges, options.bend),
+      {options.bend_threshold_degrees, options.min_segment_size});
+}
+
+/** Segments of voxels; too small ones, islands among removed voxels, are left open. */
+void
+takeOverSegments(const std::vector<std::uint32_t>& segment_of_supervoxel,
+                 std::uint32_t min_segment_size,
+                 ObjectSegmentation& result)
+{
+  std::vector<std::uint32_t> size(segment_of_supervoxel.size(), 0);
+  for (const auto segment : segment_of_supervoxel)
+    ++size[segment];
+  result.segment_of_voxel.assign(result.voxels.size(), Supervoxels::none);
+  for (std::size_t v = 0; v < result.voxels.size(); ++v) {
+    const auto supervoxel = result.supervoxels.label_of_voxel[v];
+    if (supervoxel == Supervoxels::none)
+      continue;
+    const auto segment = segment_of_supervoxel[supervoxel];
+    if (size[segment] >= min_segment_size)
+      result.segment_of_voxel[v] = segment;
+  }
+}
+
+/** Number the segments from 0 in the order of their first voxels. */
+void
+numberSegments(ObjectSegmentation& result)
+{
+  const auto highest =
+      std::max_element(result.segment_of_voxel.begin(), result.segment_of_voxel.end());
+  std::vector<std::uint32_t> number(
+      highest == result.segment_of_voxel.end() ? 0 : *highest + 1, Supervoxels::none);
+  result.segment_count = 0;
+  for (auto& segment : result.segment_of_voxel) {
+    if (number[segment] == Supervoxels::none)
+      number[segment] = result.segment_count++;
+    segment = number[segment];
+  }
 }
 
 } // namespace
@@ -129,6 +175,10 @@ findInvalidOption(const ObjectSegmentationOptions& options)
   require(options.ratio_threshold >= 0 && options.ratio_threshold <= 1,
           "ratio threshold must be in [0, 1]",
           options.ratio_threshold);
+  require(not_negative(options.plane_tolerance),
+          "tolerance of the tangent plane must not be negative",
+          options.plane_tolerance,
+          " voxels");
   require(not_negative(options.spatial_weight),
           "spatial importance must not be negative",
           options.spatial_weight);
@@ -147,9 +197,27 @@ findInvalidOption(const ObjectSegmentationOptions& options)
           "smoothness threshold must not be negative",
           options.smoothness_threshold,
           " voxels");
-  require(not_negative(options.graph.scale),
+  require(not_negative(options.graph_scale),
           "graph scale must not be negative",
-          options.graph.scale);
+          options.graph_scale);
+  require(options.bend_threshold_degrees >= -180 &&
+              options.bend_threshold_degrees <= 180,
+          "bend threshold must be in [-180, 180]",
+          options.bend_threshold_degrees,
+          " degrees");
+  require(options.bend.convex_limit_degrees >= 0 &&
+              options.bend.convex_limit_degrees <= 180,
+          "limit of convex bends must be in [0, 180]",
+          options.bend.convex_limit_degrees,
+          " degrees");
+  require(options.bend.concave_limit_degrees >= 0 &&
+              options.bend.concave_limit_degrees <= 180,
+          "limit of concave bends must be in [0, 180]",
+          options.bend.concave_limit_degrees,
+          " degrees");
+  require(options.bend.singular_share >= 0 && options.bend.singular_share <= 1,
+          "singular share must be in [0, 1]",
+          options.bend.singular_share);
   require(options.recovery.iterations >= 1,
           "number of recovery iterations must be at least 1",
           options.recovery.iterations);
@@ -157,6 +225,16 @@ findInvalidOption(const ObjectSegmentationOptions& options)
           "accepted share must be in (0, 1]",
           options.recovery.accepted_share);
   return problem.str();
+}
+
+ObjectSegmentationOptions
+singleViewOptions()
+{
+  ObjectSegmentationOptions options;
+  options.voxel_size = 0.005;
+  options.seed_size = 0.02;
+  options.bend_threshold_degrees = 20;
+  return options;
 }
 
 ObjectSegmentation
@@ -199,21 +277,17 @@ segmentObjects(const ObjectSegmentationInput& input,
                                        options.threads);
   result.edges = surfaceEdges(result.voxels, result.supervoxels, convexity);
   const auto segment_of_supervoxel = joinSupervoxels(result, options, distance);
-  result.segment_of_voxel.assign(result.voxels.size(), Supervoxels::none);
-  for (std::size_t v = 0; v < result.voxels.size(); ++v)
-    if (!result.removed[v]) {
-      const auto segment = segment_of_supervoxel[result.supervoxels.label_of_voxel[v]];
-      result.segment_of_voxel[v] = segment;
-      result.segment_count = std::max(result.segment_count, segment + 1);
-    }
+  takeOverSegments(segment_of_supervoxel, options.min_segment_size, result);
   recoverLabels(result.voxels.centroids,
                 result.voxels.normals,
                 result.voxels.neighbors,
                 distance,
                 options.recovery,
                 result.segment_of_voxel);
-  result.segment_count = labelRemainder(
-      result.voxels.neighbors, result.segment_count, result.segment_of_voxel);
+  labelRemainder(result.voxels.neighbors,
+                 static_cast<std::uint32_t>(result.supervoxels.size()),
+                 result.segment_of_voxel);
+  numberSegments(result);
   return result;
 }
 

@@ -44,6 +44,19 @@ isStep(const Eigen::Vector3f& towards_1,
              options.smoothness_threshold * static_cast<float>(options.voxel_size);
 }
 
+/** LCCP's sanity criterion: the patches' planes meet beside, not between them, so that
+ * convex and concave are not defined. */
+bool
+isSingular(const Eigen::Vector3f& towards_1,
+           const Eigen::Vector3f& normal_1,
+           const Eigen::Vector3f& normal_2,
+           float normal_angle)
+{
+  const float angle = angleDegrees(normal_1.cross(normal_2), towards_1);
+  const float threshold = 60 / (1 + std::exp(-0.25f * (normal_angle - 25)));
+  return std::min(angle, 180 - angle) < threshold;
+}
+
 /** The edges' other ends, per node, in ascending order. */
 Adjacency
 neighborsOf(std::size_t node_count, const std::vector<SurfaceEdge>& edges)
@@ -136,15 +149,49 @@ isConvexEdge(const Eigen::Vector3f& position_1,
   const float normal_angle = angleDegrees(normal_1, normal_2);
   if (options.use_smoothness_check && isStep(towards_1, normal_1, normal_2, options))
     return false;
-  if (options.use_sanity_check) {
-    const float angle = angleDegrees(normal_1.cross(normal_2), towards_1);
-    const float threshold = 60 / (1 + std::exp(-0.25f * (normal_angle - 25)));
-    if (std::min(angle, 180 - angle) < threshold)
-      return false;
-  }
+  if (options.use_sanity_check &&
+      isSingular(towards_1, normal_1, normal_2, normal_angle))
+    return false;
   // Equal to comparing the angles between the connection and the two normals.
   return towards_1.dot(normal_1) >= towards_1.dot(normal_2) ||
          normal_angle < options.concavity_tolerance_degrees;
+}
+
+float
+bendDegrees(const Eigen::Vector3f& position_1,
+            const Eigen::Vector3f& normal_1,
+            const Eigen::Vector3f& position_2,
+            const Eigen::Vector3f& normal_2,
+            const BendOptions& options)
+{
+  const Eigen::Vector3f towards_1 = position_1 - position_2;
+  const float angle = angleDegrees(normal_1, normal_2);
+  const float concave = std::min(angle, options.concave_limit_degrees);
+  const bool is_convex = towards_1.dot(normal_1) >= towards_1.dot(normal_2);
+  const float bend =
+      is_convex ? -std::min(angle, options.convex_limit_degrees) : concave;
+  if (isSingular(towards_1, normal_1, normal_2, angle))
+    return std::max(bend, options.singular_share * concave);
+  return bend;
+}
+
+std::vector<Border>
+bendBorders(const Supervoxels& supervoxels,
+            const std::vector<SurfaceEdge>& edges,
+            const BendOptions& options)
+{
+  std::vector<Border> borders;
+  borders.reserve(edges.size());
+  for (const auto& edge : edges) {
+    const float bend = bendDegrees(supervoxels.centroids[edge.source],
+                                   supervoxels.normals[edge.source],
+                                   supervoxels.centroids[edge.target],
+                                   supervoxels.normals[edge.target],
+                                   options);
+    borders.push_back(
+        {edge.source, edge.target, bend, static_cast<double>(edge.contacts)});
+  }
+  return borders;
 }
 
 std::vector<SurfaceEdge>
@@ -162,19 +209,21 @@ surfaceEdges(const SurfaceVoxels& voxels,
       const auto other = label[voxels.neighbors.targets[j]];
       if (other != Supervoxels::none && label[v] < other) {
         const auto pair = (static_cast<std::uint64_t>(label[v]) << 32) | other;
-        if (pairs.empty() || pairs.back() != pair)
-          pairs.push_back(pair);
+        pairs.push_back(pair);
       }
     }
   }
   std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   std::vector<SurfaceEdge> edges;
-  edges.reserve(pairs.size());
-  for (const auto pair : pairs) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (i > 0 && pairs[i] == pairs[i - 1]) {
+      ++edges.back().contacts;
+      continue;
+    }
     SurfaceEdge edge;
-    edge.source = static_cast<std::uint32_t>(pair >> 32);
-    edge.target = static_cast<std::uint32_t>(pair);
+    edge.source = static_cast<std::uint32_t>(pairs[i] >> 32);
+    edge.target = static_cast<std::uint32_t>(pairs[i]);
+    edge.contacts = 1;
     edge.convex = isConvexEdge(supervoxels.centroids[edge.source],
                                supervoxels.normals[edge.source],
                                supervoxels.centroids[edge.target],

@@ -49,6 +49,20 @@ struct LabelledPoints {
       }
   }
 
+  template <typename Predicate>
+  void
+  removeIf(const Predicate& predicate)
+  {
+    LabelledPoints kept;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!predicate(points[i])) {
+        kept.points.push_back(points[i]);
+        kept.normals.push_back(normals[i]);
+        kept.objects.push_back(objects[i]);
+      }
+    *this = std::move(kept);
+  }
+
   /** The top and the four sides of a box. */
   void
   addBox(const Eigen::Vector3f& low,
@@ -78,6 +92,12 @@ floorWithTwoBoxes(float noise = 0.003f, float spacing = 0.015f)
   LabelledPoints scene;
   scene.addRectangle(
       {0, 0, 0}, {4, 0, 0}, {0, 2.5f, 0}, {0, 0, 1}, 1, spacing, noise, rng);
+  // No scanner sees the floor under the boxes.
+  const auto covered = [](const Eigen::Vector3f& p) {
+    return (p.x() > 0.5f && p.x() < 1.3f && p.y() > 0.8f && p.y() < 1.5f) ||
+           (p.x() > 2.5f && p.x() < 3.2f && p.y() > 0.6f && p.y() < 1.6f);
+  };
+  scene.removeIf(covered);
   scene.addBox({0.5f, 0.8f, 0}, {0.8f, 0.7f, 0.6f}, 2, spacing, noise, rng);
   scene.addBox({2.5f, 0.6f, 0}, {0.7f, 1.0f, 0.5f}, 3, spacing, noise, rng);
   return scene;

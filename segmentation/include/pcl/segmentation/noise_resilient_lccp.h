@@ -56,6 +56,7 @@ public:
   void
   setVoxelResolution(double resolution);
 
+  /** \brief Get the voxel resolution. */
   double
   getVoxelResolution() const;
 
@@ -66,6 +67,7 @@ public:
   void
   setSeedResolution(double resolution);
 
+  /** \brief Get the seed resolution. */
   double
   getSeedResolution() const;
 
@@ -76,6 +78,7 @@ public:
   void
   setCurvatureThreshold(float threshold);
 
+  /** \brief Get the curvature threshold. */
   float
   getCurvatureThreshold() const;
 
@@ -86,6 +89,7 @@ public:
   void
   setRatioThreshold(float threshold);
 
+  /** \brief Get the ratio threshold. */
   float
   getRatioThreshold() const;
 
@@ -93,33 +97,49 @@ public:
   void
   setPartition(Partition partition);
 
+  /** \brief Get the partition. */
   Partition
   getPartition() const;
 
-  /** \brief Set k of the graph segmentation.
+  /** \brief Set the mean concave bend of a border that parts two segments, for
+   * Partition::Graph.
+   * \param[in] degrees -180 to 180 (default 23). Higher gives larger segments.
+   */
+  void
+  setBendThreshold(float degrees);
+
+  /** \brief Get the bend threshold. */
+  float
+  getBendThreshold() const;
+
+  /** \brief Set k of Partition::FelzenszwalbHuttenlocher.
    * \param[in] scale not negative (default 3). Higher gives larger segments.
    */
   void
   setGraphScale(float scale);
 
+  /** \brief Get the graph scale. */
   float
   getGraphScale() const;
 
   /** \brief Set C, the smallest segment.
-   * \param[in] size supervoxels (default 3); 1 for no minimum
+   * \param[in] size supervoxels (default 6); 1 for no minimum
    */
   void
   setMinSegmentSize(std::uint32_t size);
 
+  /** \brief Get the min segment size. */
   std::uint32_t
   getMinSegmentSize() const;
 
-  /** \brief Set up to which difference of normals concave edges count as convex.
-   * \param[in] degrees 0 to 180 (default 10), as in LCCPSegmentation
+  /** \brief Set up to which difference of normals concave edges count as convex, for
+   * the two partitions other than Partition::Graph. \param[in] degrees 0 to 180
+   * (default 10), as in LCCPSegmentation
    */
   void
   setConcavityToleranceThreshold(float degrees);
 
+  /** \brief Get the concavity tolerance threshold. */
   float
   getConcavityToleranceThreshold() const;
 

@@ -19,8 +19,9 @@ namespace indoor {
 
 /** \brief How supervoxels are joined into segments. */
 enum class Partition {
-  Graph, ///< Felzenszwalb-Huttenlocher on the weights of Eq. (4.3)
-  Lccp   ///< all convex edges, as LCCP does ("Proposed + LCCP" of Table 4.1)
+  Graph, ///< by the mean bend of whole borders, see clusterByBorders()
+  FelzenszwalbHuttenlocher, ///< on the weights of Eq. (4.3), as the thesis does
+  Lccp ///< over all convex edges, as LCCP does ("Proposed + LCCP" of Table 4.1)
 };
 
 /** \brief Parameters of the noise-resilient object segmentation (Sec. 4.2). */
@@ -30,17 +31,25 @@ struct ObjectSegmentationOptions {
   unsigned normal_rings = 1;         ///< reach of normals and curvature, voxels (>= 1)
   float curvature_threshold = 0.03f; ///< theta_t (0 to 1/3)
   float ratio_threshold = 0.2f;      ///< alpha_t (0 to 1)
-  float spatial_weight = 0.2f;       ///< w_s of Eq. (4.4) (>= 0)
-  float normal_weight = 0.5f;        ///< w_n of Eq. (4.4) (>= 0)
-  float concavity_weight = 0.25f;    ///< a of Eq. (4.3) (0 to 1)
+  /** neighbours nearer to the tangent plane count for neither half-space; voxels (>= 0)
+   */
+  float plane_tolerance = 0.3f;
+  float spatial_weight = 0.2f;               ///< w_s of Eq. (4.4) (>= 0)
+  float normal_weight = 0.5f;                ///< w_n of Eq. (4.4) (>= 0)
+  float concavity_weight = 0.25f;            ///< a of Eq. (4.3) (0 to 1)
   float concavity_tolerance_degrees = 10.0f; ///< of LCCP's criterion (0 to 180)
   bool use_sanity_check = false;             ///< of LCCP
   bool use_smoothness_check = false;         ///< of LCCP
   float smoothness_threshold = 0.1f;         ///< of LCCP, voxels (>= 0)
   Partition partition = Partition::Graph;
-  GraphSegmentationOptions graph; ///< k and C, for Partition::Graph
-  unsigned common_neighbors = 0;  ///< k of extended convexity, for Partition::Lccp
-  unsigned lccp_min_segment = 3;  ///< n_filter, for Partition::Lccp
+  float bend_threshold_degrees = 23; ///< for Partition::Graph (-180 to 180)
+  BendOptions bend;                  ///< for Partition::Graph
+  float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
+  /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
+   * supervoxels */
+  std::uint32_t min_segment_size = 6;
+  unsigned common_neighbors = 0; ///< k of extended convexity, for Partition::Lccp
+  unsigned lccp_min_segment = 3; ///< n_filter, for Partition::Lccp
   RecoveryOptions recovery;
   unsigned threads = 0; ///< 0 = automatic; the result does not depend on it
 };
@@ -55,6 +64,12 @@ struct ObjectSegmentationInput {
   /** one camera at the viewpoint: voxels grow with the distance along z */
   bool single_camera = false;
 };
+
+/** \brief Options for a single view of a table with small objects, as from a Kinect at
+ * about one metre: voxel and seed size are those at 1 m and grow with the distance.
+ */
+ObjectSegmentationOptions
+singleViewOptions();
 
 /** \brief Segments and what led to them. */
 struct ObjectSegmentation {

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/segmentation/border_clustering.h>
 #include <pcl/segmentation/graph_segmentation.h>
 #include <pcl/segmentation/supervoxel_growing.h>
 
@@ -38,11 +39,32 @@ isConvexEdge(const Eigen::Vector3f& position_1,
              const Eigen::Vector3f& normal_2,
              const ConvexityOptions& options);
 
+/** \brief How the bend between two patches counts against joining them. */
+struct BendOptions {
+  float convex_limit_degrees = 20;  ///< convex bends count no more than this (0 to 180)
+  float concave_limit_degrees = 60; ///< nor concave ones more than this (0 to 180)
+  /** share of the bend that counts as concave where patches touch in one place only, so
+   * that LCCP's criterion is not defined (0 to 1) */
+  float singular_share = 0.5f;
+};
+
+/** \brief Measure the bend between two patches, positive for concave.
+ * Zero where the surface is flat; noise of the normals averages out over a border.
+ * \return degrees, from -convex_limit_degrees to concave_limit_degrees
+ */
+float
+bendDegrees(const Eigen::Vector3f& position_1,
+            const Eigen::Vector3f& normal_1,
+            const Eigen::Vector3f& position_2,
+            const Eigen::Vector3f& normal_2,
+            const BendOptions& options);
+
 /** \brief Two patches that touch. */
 struct SurfaceEdge {
   std::uint32_t source = 0; ///< the smaller label
   std::uint32_t target = 0;
   bool convex = false;
+  std::uint32_t contacts = 0; ///< pairs of voxels that touch
 };
 
 /** \brief List the pairs of supervoxels with touching voxels, in ascending order. */
@@ -59,6 +81,12 @@ weighEdges(const Supervoxels& supervoxels,
            const std::vector<SurfaceEdge>& edges,
            const SurfaceDistance& distance,
            float concavity_weight);
+
+/** \brief Measure the bend over each edge; the number of contacts is its length. */
+std::vector<Border>
+bendBorders(const Supervoxels& supervoxels,
+            const std::vector<SurfaceEdge>& edges,
+            const BendOptions& options);
 
 /** \brief Join patches over convex edges: the partition of LCCP.
  * \param[in] node_count number of patches

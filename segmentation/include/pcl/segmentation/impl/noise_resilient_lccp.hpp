@@ -96,30 +96,44 @@ NoiseResilientLCCP<PointT>::getPartition() const
 
 template <typename PointT>
 void
+NoiseResilientLCCP<PointT>::setBendThreshold(float value)
+{
+  options_.bend_threshold_degrees = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getBendThreshold() const
+{
+  return options_.bend_threshold_degrees;
+}
+
+template <typename PointT>
+void
 NoiseResilientLCCP<PointT>::setGraphScale(float value)
 {
-  options_.graph.scale = value;
+  options_.graph_scale = value;
 }
 
 template <typename PointT>
 float
 NoiseResilientLCCP<PointT>::getGraphScale() const
 {
-  return options_.graph.scale;
+  return options_.graph_scale;
 }
 
 template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setMinSegmentSize(std::uint32_t value)
 {
-  options_.graph.min_segment_size = value;
+  options_.min_segment_size = value;
 }
 
 template <typename PointT>
 std::uint32_t
 NoiseResilientLCCP<PointT>::getMinSegmentSize() const
 {
-  return options_.graph.min_segment_size;
+  return options_.min_segment_size;
 }
 
 template <typename PointT>
