@@ -1,0 +1,229 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "cloud_file.h"
+#include "options.h"
+#include "upstream_lccp.h"
+
+#include <pcl/segmentation/noise_resilient_lccp.h>
+#include <pcl/segmentation/segmentation_metrics.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <set>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::tool;
+
+namespace {
+
+using Labels = std::vector<std::uint32_t>;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+/** A way to segment a cloud, and its results so far. */
+struct Method {
+  std::string name;
+  std::function<Labels(const Cloud::Ptr&)> segment;
+  std::vector<nlohmann::json> scenes;
+};
+
+struct Settings {
+  std::vector<std::string> inputs;
+  std::string preset = "auto", truth_field = "label", coarse_field, json_path;
+  unsigned threads = 1;
+};
+
+Labels
+segmentOurs(const Cloud::Ptr& cloud,
+            ObjectSegmentationOptions options,
+            const Settings& settings,
+            Partition partition)
+{
+  options.partition = partition;
+  options.threads = settings.threads;
+  pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
+  segmentation.setOptions(options);
+  segmentation.setInputCloud(cloud);
+  Labels labels;
+  segmentation.segment(labels);
+  if (labels.empty())
+    throw AlreadyReported();
+  return labels;
+}
+
+/** Upstream at its example's defaults and tuned, ours by LCCP's partition, and ours. */
+std::vector<Method>
+methodsFor(bool single_view, const Settings& settings)
+{
+  const auto ours = single_view ? singleViewOptions() : ObjectSegmentationOptions();
+  UpstreamOptions plain, tuned;
+  tuned.voxel_resolution = ours.voxel_size;
+  tuned.seed_resolution = ours.seed_size;
+  tuned.use_sanity_check = tuned.use_smoothness_check = true;
+  tuned.min_segment_size = 3;
+  if (single_view) {
+    plain.voxel_resolution = 0.0075;
+    plain.seed_resolution = 0.03;
+    plain.k_factor = 1;
+    plain.normal_radius = tuned.normal_radius = 0;
+    plain.single_camera = tuned.single_camera = true;
+  }
+  plain.threads = tuned.threads = settings.threads;
+  const auto upstream = [](const UpstreamOptions& options) {
+    return
+        [options](const Cloud::Ptr& cloud) { return segmentUpstream(*cloud, options); };
+  };
+  const auto own = [ours, settings](Partition partition) {
+    return [ours, settings, partition](const Cloud::Ptr& cloud) {
+      return segmentOurs(cloud, ours, settings, partition);
+    };
+  };
+  return {{"LCCP, example's defaults", upstream(plain), {}},
+          {"LCCP, tuned", upstream(tuned), {}},
+          {"ours + LCCP", own(Partition::Lccp), {}},
+          {"ours + Felzenszwalb", own(Partition::FelzenszwalbHuttenlocher), {}},
+          {"ours", own(Partition::Graph), {}}};
+}
+
+nlohmann::json
+evaluate(const Labels& truth,
+         const Labels& coarse,
+         const Labels& labels,
+         double seconds)
+{
+  const auto overlaps = countOverlaps(truth, labels);
+  const auto errors = coarse.empty() ? richtsfeldErrors(overlaps)
+                                     : multiScaleErrors(truth, coarse, labels);
+  std::set<std::uint32_t> segments(labels.begin(), labels.end());
+  segments.erase(0);
+  std::size_t unlabelled = 0;
+  for (const auto& overlap : overlaps)
+    unlabelled += overlap.predicted == 0 ? overlap.count : 0;
+  return {{"oversegmentation", errors.over},
+          {"undersegmentation", errors.under},
+          {"weighted_overlap", weightedOverlap(overlaps)},
+          {"segments", segments.size()},
+          {"points_without_segment", unlabelled},
+          {"seconds", seconds}};
+}
+
+double
+mean(const std::vector<nlohmann::json>& scenes, const char* key)
+{
+  double sum = 0;
+  for (const auto& scene : scenes)
+    sum += scene.at(key).get<double>();
+  return sum / static_cast<double>(scenes.size());
+}
+
+void
+printTable(const std::vector<Method>& methods)
+{
+  std::printf("%-26s %8s %8s %8s %9s %9s\n",
+              "method",
+              "OS [%]",
+              "US [%]",
+              "WO [%]",
+              "segments",
+              "time [s]");
+  for (const auto& method : methods)
+    std::printf("%-26s %8.2f %8.2f %8.2f %9.0f %9.3f\n",
+                method.name.c_str(),
+                100 * mean(method.scenes, "oversegmentation"),
+                100 * mean(method.scenes, "undersegmentation"),
+                100 * mean(method.scenes, "weighted_overlap"),
+                mean(method.scenes, "segments"),
+                mean(method.scenes, "seconds"));
+}
+
+void
+saveResults(const std::string& path,
+            const std::vector<std::string>& inputs,
+            const std::vector<Method>& methods)
+{
+  nlohmann::json result;
+  for (const auto& method : methods) {
+    auto& entry = result[method.name];
+    for (const auto& field : method.scenes.front().items())
+      entry["mean"][field.key()] = mean(method.scenes, field.key().c_str());
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      entry["scenes"][inputs[i]] = method.scenes[i];
+  }
+  saveText(path, result.dump(2) + "\n");
+}
+
+bool
+isSingleView(const Settings& settings, const CloudFile& file)
+{
+  return settings.preset == "single_view" ||
+         (settings.preset == "auto" && file.points->height > 1);
+}
+
+void
+compare(const Settings& settings, Progress& progress)
+{
+  std::vector<Method> methods;
+  bool single_view = false;
+  for (const auto& input : settings.inputs) {
+    const CloudFile file = loadCloud(input);
+    const auto truth = readLabels(file, settings.truth_field);
+    const auto coarse = settings.coarse_field.empty()
+                            ? Labels()
+                            : readLabels(file, settings.coarse_field);
+    if (methods.empty()) {
+      single_view = isSingleView(settings, file);
+      methods = methodsFor(single_view, settings);
+    }
+    else if (single_view != isSingleView(settings, file))
+      throw ToolError(input + ": single views and rooms cannot be in one table");
+    for (auto& method : methods) {
+      progress.start(method.name + ", " + input);
+      const auto begin = std::chrono::steady_clock::now();
+      const auto labels = method.segment(file.points);
+      const std::chrono::duration<double> time =
+          std::chrono::steady_clock::now() - begin;
+      method.scenes.push_back(evaluate(truth, coarse, labels, time.count()));
+      progress.done();
+    }
+  }
+  printTable(methods);
+  if (!settings.json_path.empty())
+    saveResults(settings.json_path, settings.inputs, methods);
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Settings settings;
+  OptionParser parser(
+      "pcl_lccp_comparison",
+      "Compare upstream's LCCPSegmentation with NoiseResilientLCCP on labelled scans: "
+      "over- and undersegmentation, weighted overlap, time, as means over the scans. "
+      "Points whose true label is 0 are segmented, but not scored.");
+  parser
+      .positionals(
+          "room.pcd", settings.inputs, "PCD or PLY files with the true labels, metres")
+      .text("-preset",
+            settings.preset,
+            "what was scanned; auto: single_view if the first input is organised",
+            {"auto", "room", "single_view"})
+      .text("-truth_field", settings.truth_field, "field of the truth; 0 = not scored")
+      .text("-coarse_field",
+            settings.coarse_field,
+            "field with the objects that the truth's parts belong to: the multi-scale "
+            "errors are given")
+      .text("-json", settings.json_path, "file to write all results to")
+      .number("-threads", settings.threads, "threads of all methods, 0 = automatic");
+  return parser.run(argc, argv, [&](Progress& progress) {
+    if (!settings.json_path.empty())
+      requireWritable(settings.json_path);
+    compare(settings, progress);
+  });
+}
