@@ -12,7 +12,8 @@ namespace pcl::indoor::tool {
 namespace {
 
 const std::vector<std::string> rule_names = {
-    "maximum", "minimum", "mean", "random", "both"};
+    "joint", "maximum", "minimum", "mean", "random", "both"};
+const std::vector<std::string> side_names = {"outward", "given", "ignored"};
 const std::vector<std::string> sampling_names = {"uniform", "stratified"};
 const std::vector<std::string> feature_names = {
     "none", "distance", "surface_angle", "normal_angle", "occupancy"};
@@ -54,6 +55,7 @@ EPPFCommandLine::addTo(OptionParser& parser)
 {
   surface_angle_ = rule_names[static_cast<std::size_t>(options_.surface_angle_rule)];
   sampling_ = sampling_names[static_cast<std::size_t>(options_.sampling)];
+  normals_ = side_names[static_cast<std::size_t>(options_.normal_sides)];
   without_ = feature_names.front();
   bins_ = binsText(options_.bins);
   parser
@@ -70,7 +72,7 @@ EPPFCommandLine::addTo(OptionParser& parser)
       .number("-seed", options_.seed, "the same seed draws the same pairs")
       .number("-threads", options_.number_of_threads, "threads; 0: all of the machine")
       .text("-bins", bins_, "bins of distance, surface angle, normal angle, occupancy")
-      .flag("-short", short_form_, "the short form of 15 x 3 x 4 x 3 = 540 bins")
+      .flag("-short", short_form_, "the short form of 540 bins")
       .number("-grid_size",
               options_.grid_size,
               "edge of the occupancy grid, 2 to 64; 0: from the number of points",
@@ -84,19 +86,32 @@ EPPFCommandLine::addTo(OptionParser& parser)
       .text("-surface_angle", surface_angle_, "how two angles become one", rule_names)
       .text("-sampling", sampling_, "how pairs are chosen", sampling_names)
       .text("-without", without_, "a feature to leave out", feature_names)
-      .flag("-oriented_normals",
-            options_.oriented_normals,
-            "tell the two sides of a surface apart");
+      .text("-normals", normals_, "the side of a surface they point to", side_names)
+      .flag("-thesis",
+            thesis_,
+            "the setting of the thesis for all but pairs, scale, seed");
 }
 
 EPPFOptions
 EPPFCommandLine::options() const
 {
   auto options = options_;
-  options.bins = short_form_ ? EPPFBins{15, 3, 4, 3} : readBins(bins_);
   options.surface_angle_rule =
       static_cast<SurfaceAngleRule>(indexOf(surface_angle_, rule_names));
+  options.normal_sides = static_cast<NormalSides>(indexOf(normals_, side_names));
   options.sampling = static_cast<PairSampling>(indexOf(sampling_, sampling_names));
+  options.bins = readBins(bins_);
+  if (thesis_) {
+    const auto thesis = thesisEPPFOptions();
+    options.surface_angle_rule = thesis.surface_angle_rule;
+    options.normal_sides = thesis.normal_sides;
+    options.sampling = thesis.sampling;
+    options.bins = thesis.bins;
+    options.grid_size = thesis.grid_size;
+    options.weighting_constant = thesis.weighting_constant;
+  }
+  if (short_form_)
+    options.bins = shortEPPFBins(options.surface_angle_rule);
   const auto without = indexOf(without_, feature_names);
   options.features = {without != 1, without != 2, without != 3, without != 4};
   const auto problem = whatIsWrong(options);

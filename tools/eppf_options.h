@@ -35,7 +35,9 @@ public:
 private:
   EPPFOptions options_;
   bool short_form_ = false;
+  bool thesis_ = false;
   std::string surface_angle_;
+  std::string normals_;
   std::string sampling_;
   std::string without_;
   std::string bins_;

@@ -96,13 +96,20 @@ ablation(const std::string& what, const EPPFOptions& options)
     add("without f4", [](auto& o) { o.features.occupancy = false; });
   }
   else if (what == "surface_angle") {
-    add("minimum", [](auto& o) { o.surface_angle_rule = SurfaceAngleRule::Minimum; });
-    add("mean", [](auto& o) { o.surface_angle_rule = SurfaceAngleRule::Mean; });
-    add("random", [](auto& o) { o.surface_angle_rule = SurfaceAngleRule::RandomOne; });
-    add("both, not f4", [](auto& o) {
-      o.surface_angle_rule = SurfaceAngleRule::BothInsteadOfOccupancy;
-    });
-    add("signed maximum", [](auto& o) { o.oriented_normals = true; });
+    const auto use = [](auto& o, SurfaceAngleRule rule) {
+      o.surface_angle_rule = rule; // 15 x 4 x 5 x 4 bins, as fine in both angles
+      o.bins = {15, 4, 5, 4};
+    };
+    add("maximum", [=](auto& o) { use(o, SurfaceAngleRule::Maximum); });
+    add("minimum", [=](auto& o) { use(o, SurfaceAngleRule::Minimum); });
+    add("mean", [=](auto& o) { use(o, SurfaceAngleRule::Mean); });
+    add("random", [=](auto& o) { use(o, SurfaceAngleRule::RandomOne); });
+    add("both, not f4",
+        [=](auto& o) { use(o, SurfaceAngleRule::BothInsteadOfOccupancy); });
+  }
+  else if (what == "normals") {
+    add("given", [](auto& o) { o.normal_sides = NormalSides::Given; });
+    add("ignored", [](auto& o) { o.normal_sides = NormalSides::Ignored; });
   }
   else if (what == "scale")
     for (const double scale : {0.5, 0.7, 1.0, 1.2, 1.4, 1.7, 2.0}) {
@@ -134,10 +141,10 @@ chosenDescriptors(const Settings& settings)
   if (settings.ablation != "none")
     return ablation(settings.ablation, options);
   auto short_options = options;
-  short_options.bins = {15, 3, 4, 3};
+  short_options.bins = shortEPPFBins(options.surface_angle_rule);
   std::vector<RetrievalDescriptor> known = {
       eppfDescriptor("eppf", options),
-      eppfDescriptor("eppf_thesis", thesisOptions()),
+      eppfDescriptor("eppf_thesis", thesisEPPFOptions()),
       eppfDescriptor("eppf_short", short_options),
       surfletPairDescriptor(5),
       surfletPairDescriptor(6)};
@@ -238,10 +245,11 @@ main(int argc, char** argv)
       .flag("-clean_gallery",
             experiment.clean_gallery,
             "compare noisy or hidden objects with untouched ones")
-      .text("-ablation",
-            settings.ablation,
-            "compare variants of EPPF instead",
-            {"none", "features", "surface_angle", "scale", "grid", "sampling"})
+      .text(
+          "-ablation",
+          settings.ablation,
+          "compare variants of EPPF instead",
+          {"none", "features", "surface_angle", "normals", "scale", "grid", "sampling"})
       .number("-normal_neighbors",
               experiment.neighbor_count,
               "neighbours of a normal that has to be estimated",

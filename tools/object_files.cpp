@@ -6,6 +6,7 @@
 
 #include "cloud_file.h"
 
+#include <pcl/common/centroid.h>
 #include <pcl/common/io.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
@@ -51,6 +52,9 @@ estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
   NormalEstimation<PointXYZ, Normal> estimation;
   estimation.setInputCloud(points);
   estimation.setKSearch(neighbor_count);
+  Eigen::Vector4f centroid;
+  compute3DCentroid(*points, centroid); // of the finite ones
+  estimation.setViewPoint(centroid.x(), centroid.y(), centroid.z());
   PointCloud<Normal> normals;
   estimation.compute(normals);
   for (std::size_t k = 0; k < cloud.size(); ++k) {

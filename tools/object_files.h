@@ -23,7 +23,8 @@ findClouds(const std::string& folder);
 
 /** \brief Estimate the normals of the finite points from their neighbours' plane.
  *
- * Their signs mean nothing. The others' normals are NaN.
+ * They point towards the centroid: towards the file's origin, as by default, they would
+ * tell where in its file an object lies. The others' normals are NaN.
  */
 void
 estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count);

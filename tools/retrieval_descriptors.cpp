@@ -132,19 +132,7 @@ eppfDescriptor(const std::string& name, const EPPFOptions& options)
     return eppfHistogram(orientedPoints(*object.surface, *object.surface, indices),
                          seeded);
   };
-  return {name, true, describe};
-}
-
-EPPFOptions
-thesisOptions()
-{
-  EPPFOptions options;
-  options.oriented_normals = true;
-  options.grid_size = 64;
-  options.sampling = PairSampling::Uniform;
-  options.surface_angle_rule = SurfaceAngleRule::Maximum;
-  options.bins = {20, 4, 5, 3};
-  return options;
+  return {name, true, false, describe};
 }
 
 RetrievalDescriptor
@@ -160,17 +148,19 @@ surfletPairDescriptor(int bin_count)
     return surfletPairHistogram(
         orientedPoints(*object.surface, *object.surface, indices), options);
   };
-  return {
-      bin_count == 5 ? "wahl" : "wahl_" + std::to_string(bin_count), true, describe};
+  return {bin_count == 5 ? "wahl" : "wahl_" + std::to_string(bin_count),
+          true,
+          false,
+          describe};
 }
 
 std::vector<RetrievalDescriptor>
 peerDescriptors()
 {
-  return {{"esf", true, describeByESF},
-          {"vfh", false, describeByVFH},
-          {"our_cvfh", false, describeByOURCVFH},
-          {"gasd", false, describeByGASD}};
+  return {{"esf", true, false, describeByESF},
+          {"vfh", false, false, describeByVFH},
+          {"our_cvfh", false, true, describeByOURCVFH},
+          {"gasd", false, false, describeByGASD}};
 }
 
 } // namespace pcl::indoor::tool

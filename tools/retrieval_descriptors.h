@@ -30,7 +30,8 @@ makeRetrievalObject(const PointCloud<PointNormal>& surface, int neighbor_count);
 /** \brief A descriptor to compare. */
 struct RetrievalDescriptor {
   std::string name;
-  bool is_random = true; ///< whether another seed gives another result
+  bool is_random = true;  ///< whether another seed gives another result
+  bool may_abort = false; ///< whether describing may end the process
   /** \brief The histogram of an object; NaN or empty if there is none. */
   std::function<std::vector<float>(const RetrievalObject&, std::uint32_t seed)>
       describe;
@@ -39,11 +40,6 @@ struct RetrievalDescriptor {
 /** \brief EPPF with given options. */
 RetrievalDescriptor
 eppfDescriptor(const std::string& name, const EPPFOptions& options);
-
-/** \brief The setting of the thesis: signed surface angles, 64 voxels, uniform pairs.
- */
-EPPFOptions
-thesisOptions();
 
 /** \brief Wahl's surflet pairs with 5 or 6 bins per feature. */
 RetrievalDescriptor

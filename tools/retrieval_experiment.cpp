@@ -4,6 +4,7 @@
  */
 #include "retrieval_experiment.h"
 
+#include "isolated_description.h"
 #include "object_files.h"
 
 #include <pcl/ml/retrieval.h>
@@ -47,12 +48,18 @@ describeAll(const std::vector<RetrievalObject>& objects,
             const RetrievalDescriptor& descriptor,
             std::uint32_t seed)
 {
+  const auto describe = [&](std::size_t k) {
+    return descriptor.describe(objects[k], seed);
+  };
   Histograms histograms;
+  if (descriptor.may_abort)
+    histograms = describeIsolated(objects.size(), describe);
+  else
+    for (std::size_t k = 0; k < objects.size(); ++k)
+      histograms.push_back(describe(k));
   std::size_t bin_count = 1;
-  for (const auto& object : objects) {
-    histograms.push_back(descriptor.describe(object, seed));
-    bin_count = std::max(bin_count, histograms.back().size());
-  }
+  for (const auto& histogram : histograms)
+    bin_count = std::max(bin_count, histogram.size());
   for (auto& histogram : histograms)
     histogram.resize(bin_count, std::numeric_limits<float>::quiet_NaN());
   return histograms;
@@ -72,12 +79,96 @@ normalize(Histograms& histograms)
   }
 }
 
-/** \brief Scores of every repeat of one descriptor with one distance. */
+/** \brief What all repeats of one descriptor gave with one distance. */
 struct Series {
   std::vector<double> total_accuracy, mean_accuracy, mean_recall, f1;
   double distance_seconds = 0.0;
-  ConfusionMatrix confusion;
+  ConfusionMatrix confusion; // of the first repeat
 };
+
+/** \brief What all repeats of one descriptor gave. */
+struct DescriptorSeries {
+  std::vector<double> milliseconds;
+  std::size_t bin_count = 0;
+  std::vector<Series> of_distance;
+};
+
+/** \brief Retrieve each query in the gallery and add the scores to the series. */
+void
+retrieve(const Histograms& queries,
+         const Histograms& gallery,
+         const LabelledObjects& objects,
+         const ExperimentSettings& settings,
+         std::vector<Series>& series)
+{
+  series.resize(settings.distances.size());
+  for (std::size_t k = 0; k < settings.distances.size(); ++k) {
+    auto& own = series[k];
+    const auto begin = std::chrono::steady_clock::now();
+    const auto table = histogramDistances(
+        queries, gallery, settings.distances[k], settings.number_of_threads);
+    own.distance_seconds = secondsSince(begin);
+    auto confusion = confusionMatrix(objects.labels,
+                                     leaveOneOutLabels(table, objects.labels),
+                                     objects.class_names.size());
+    const auto scores = classificationScores(confusion);
+    own.total_accuracy.push_back(scores.total_accuracy);
+    own.mean_accuracy.push_back(scores.mean_accuracy);
+    own.mean_recall.push_back(scores.mean_recall);
+    own.f1.push_back(scores.f1);
+    if (own.f1.size() == 1)
+      own.confusion = std::move(confusion);
+  }
+}
+
+/** \brief Describe and retrieve once. */
+void
+runRepeat(const std::vector<RetrievalObject>& queries,
+          const std::vector<RetrievalObject>& clean,
+          const RetrievalDescriptor& descriptor,
+          std::uint32_t seed,
+          const LabelledObjects& objects,
+          const ExperimentSettings& settings,
+          DescriptorSeries& series)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  auto histograms = describeAll(queries, descriptor, seed);
+  series.milliseconds.push_back(1000.0 * secondsSince(begin) /
+                                static_cast<double>(queries.size()));
+  series.bin_count = histograms.front().size();
+  normalize(histograms);
+  if (settings.clean_gallery) {
+    auto gallery = describeAll(clean, descriptor, seed);
+    normalize(gallery);
+    retrieve(histograms, gallery, objects, settings, series.of_distance);
+  }
+  else
+    retrieve(histograms, histograms, objects, settings, series.of_distance);
+}
+
+std::vector<RetrievalResult>
+summarize(const std::vector<DescriptorSeries>& series,
+          const std::vector<RetrievalDescriptor>& descriptors,
+          const ExperimentSettings& settings)
+{
+  std::vector<RetrievalResult> results;
+  for (std::size_t d = 0; d < descriptors.size(); ++d)
+    for (std::size_t k = 0; k < settings.distances.size(); ++k) {
+      const auto& own = series[d].of_distance[k];
+      results.push_back({descriptors[d].name,
+                         settings.distances[k],
+                         series[d].bin_count,
+                         own.f1.size(),
+                         spreadOf(own.total_accuracy),
+                         spreadOf(own.mean_accuracy),
+                         spreadOf(own.mean_recall),
+                         spreadOf(own.f1),
+                         spreadOf(series[d].milliseconds),
+                         own.distance_seconds,
+                         own.confusion});
+    }
+  return results;
+}
 
 } // namespace
 
@@ -114,72 +205,27 @@ runRetrieval(const LabelledObjects& objects,
   const bool is_disturbed = settings.disturbance.noise_percent > 0.0 ||
                             settings.disturbance.hidden_percent > 0.0;
   const auto clean = disturbedObjects(objects, settings, true, 0);
-  std::vector<std::vector<Series>> series(descriptors.size());
-  std::vector<std::vector<double>> milliseconds(descriptors.size());
-  std::vector<std::size_t> bin_counts(descriptors.size());
+  std::vector<DescriptorSeries> series(descriptors.size());
   progress.start("Describing and retrieving");
   const auto repeats = static_cast<std::uint32_t>(settings.repeat_count);
   for (std::uint32_t repeat = 0; repeat < repeats; ++repeat) {
     const auto disturbed = is_disturbed
                                ? disturbedObjects(objects, settings, false, repeat)
                                : std::vector<RetrievalObject>();
-    const auto& queries = is_disturbed ? disturbed : clean;
     for (std::size_t d = 0; d < descriptors.size(); ++d) {
       progress.update(repeat * descriptors.size() + d, repeats * descriptors.size());
-      if (repeat > 0 && !is_disturbed && !descriptors[d].is_random)
-        continue;
-      const auto begin = std::chrono::steady_clock::now();
-      auto histograms = describeAll(queries, descriptors[d], settings.seed + repeat);
-      milliseconds[d].push_back(1000.0 * secondsSince(begin) /
-                                static_cast<double>(queries.size()));
-      bin_counts[d] = histograms.front().size();
-      normalize(histograms);
-      Histograms gallery;
-      if (settings.clean_gallery) {
-        gallery = describeAll(clean, descriptors[d], settings.seed + repeat);
-        normalize(gallery);
-      }
-      series[d].resize(settings.distances.size());
-      for (std::size_t k = 0; k < settings.distances.size(); ++k) {
-        const auto start = std::chrono::steady_clock::now();
-        const auto table =
-            histogramDistances(histograms,
-                               settings.clean_gallery ? gallery : histograms,
-                               settings.distances[k],
-                               settings.number_of_threads);
-        auto& own = series[d][k];
-        own.distance_seconds = secondsSince(start);
-        const auto confusion = confusionMatrix(objects.labels,
-                                               leaveOneOutLabels(table, objects.labels),
-                                               objects.class_names.size());
-        const auto scores = classificationScores(confusion);
-        own.total_accuracy.push_back(scores.total_accuracy);
-        own.mean_accuracy.push_back(scores.mean_accuracy);
-        own.mean_recall.push_back(scores.mean_recall);
-        own.f1.push_back(scores.f1);
-        if (repeat == 0)
-          own.confusion = confusion;
-      }
+      if (repeat == 0 || is_disturbed || descriptors[d].is_random)
+        runRepeat(is_disturbed ? disturbed : clean,
+                  clean,
+                  descriptors[d],
+                  settings.seed + repeat,
+                  objects,
+                  settings,
+                  series[d]);
     }
   }
-  std::vector<RetrievalResult> results;
-  for (std::size_t d = 0; d < descriptors.size(); ++d)
-    for (std::size_t k = 0; k < settings.distances.size(); ++k) {
-      const auto& own = series[d][k];
-      results.push_back({descriptors[d].name,
-                         settings.distances[k],
-                         bin_counts[d],
-                         own.f1.size(),
-                         spreadOf(own.total_accuracy),
-                         spreadOf(own.mean_accuracy),
-                         spreadOf(own.mean_recall),
-                         spreadOf(own.f1),
-                         spreadOf(milliseconds[d]),
-                         own.distance_seconds,
-                         own.confusion});
-    }
   progress.done(std::to_string(repeats) + " repeats");
-  return results;
+  return summarize(series, descriptors, settings);
 }
 
 std::string

@@ -12,8 +12,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <utility>
 
 namespace pcl {
 namespace indoor {
@@ -42,15 +40,41 @@ struct PairBlock {
   std::size_t size = 0;
 };
 
-/** \brief Inner borders of count equal bins over angles from first to last, as sines.
- */
+/** \brief Inner borders of count equal bins of an angle from lowest to pi / 2, as
+ * sines. */
 std::vector<float>
-sineBorders(double first, double last, int count)
+sineBorders(double lowest, int count)
 {
   std::vector<float> borders;
   for (int k = 1; k < count; ++k)
-    borders.push_back(static_cast<float>(std::sin(first + (last - first) * k / count)));
+    borders.push_back(
+        static_cast<float>(std::sin(lowest + (half_pi - lowest) * k / count)));
   return borders;
+}
+
+/** \brief Inner borders of count equal bins of a sine from lowest to 1. */
+std::vector<float>
+evenBorders(double lowest, int count)
+{
+  std::vector<float> borders;
+  for (int k = 1; k < count; ++k)
+    borders.push_back(static_cast<float>(lowest + (1.0 - lowest) * k / count));
+  return borders;
+}
+
+/** \brief The points with normals that point away from their centroid. */
+std::vector<OrientedPoint>
+turnedOutward(std::vector<OrientedPoint> points)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& point : points)
+    sum += point.position.cast<double>();
+  const Eigen::Vector3f centroid =
+      (sum / static_cast<double>(points.size())).cast<float>();
+  for (auto& point : points)
+    if (point.normal.dot(point.position - centroid) < 0.0f)
+      point.normal = -point.normal;
+  return points;
 }
 
 /** \brief Everything that is the same for all pairs of an object. */
@@ -66,19 +90,26 @@ public:
   {
     const double scale = options.scale > 0.0 ? options.scale : extent;
     bins_per_metre_ = static_cast<float>(options.bins.distance / scale);
-    const double lowest = options.oriented_normals ? -half_pi : 0.0;
     const auto& bins = options.bins;
-    surface_borders_ = sineBorders(lowest, half_pi, bins.surface_angle);
-    second_borders_ = sineBorders(lowest, half_pi, bins.occupancy);
-    // |n1.n2| falls with the angle: cos(a) = sin(pi/2 - a), so the last bin comes
-    // first.
-    normal_borders_ = sineBorders(0.0, half_pi, bins.normal_angle);
+    const bool has_sides = options.normal_sides != NormalSides::Ignored;
+    const double lowest = has_sides ? -half_pi : 0.0;
+    if (options.surface_angle_rule == SurfaceAngleRule::Joint)
+      surface_borders_ = evenBorders(has_sides ? -1.0 : 0.0, jointLevels(bins));
+    else
+      surface_borders_ = sineBorders(lowest, bins.surface_angle);
+    second_borders_ = sineBorders(lowest, bins.occupancy);
+    const double largest_angle =
+        options.normal_sides == NormalSides::Outward ? 2 * half_pi : half_pi;
+    for (int k = 1; k < bins.normal_angle; ++k)
+      normal_borders_.push_back(
+          static_cast<float>(std::cos(largest_angle * k / bins.normal_angle)));
     for (int total = 1; total <= 64; ++total)
       for (int occupied = 1; occupied <= total; ++occupied) // the ends are occupied
         occupancy_bins_[64 * (total - 1) + occupied - 1] = static_cast<std::uint8_t>(
             std::min(bins.occupancy * occupied / total, bins.occupancy - 1));
     surflets_.reserve(points.size());
-    for (const auto& point : points)
+    for (const auto& point :
+         options.normal_sides == NormalSides::Outward ? turnedOutward(points) : points)
       surflets_.push_back({point.position, point.normal, grid_.cell(point.position)});
   }
 
@@ -139,16 +170,18 @@ private:
   void
   combineAngles(PairBlock& block) const
   {
-    // beta = acos(n.d) - pi/2 = -asin(n.d)
-    if (!options_.oriented_normals)
+    // beta = acos(n.d) - pi/2 = -asin(n.d), Eq. (5.4) and (5.5)
+    const auto sides = options_.normal_sides;
+    const float second_sign = sides == NormalSides::Outward ? 1.0f : -1.0f;
+    if (sides == NormalSides::Ignored)
       for (std::size_t k = 0; k < block.size; ++k) {
         block.first_sine[k] = std::abs(block.first_sine[k]);
         block.second_sine[k] = std::abs(block.second_sine[k]);
       }
-    else
+    else // outward ones are measured towards the other point, each of them
       for (std::size_t k = 0; k < block.size; ++k) {
         block.first_sine[k] = -block.first_sine[k];
-        block.second_sine[k] = -block.second_sine[k];
+        block.second_sine[k] *= second_sign;
       }
     auto& one = block.first_sine;
     const auto& two = block.second_sine;
@@ -165,6 +198,7 @@ private:
       for (std::size_t k = 0; k < block.size; ++k)
         one[k] = meanSine(one[k], two[k]);
       break;
+    case SurfaceAngleRule::Joint:     // each is put into a level of its own
     case SurfaceAngleRule::RandomOne: // which point comes first is random already
     case SurfaceAngleRule::BothInsteadOfOccupancy:
       break;
@@ -210,28 +244,38 @@ private:
   void
   addSurfaceBins(PairBlock& block) const
   {
-    const auto bins = options_.bins;
-    if (options_.features.surface_angle)
-      addBorders(block.first_sine,
-                 surface_borders_,
-                 static_cast<std::uint32_t>(bins.normal_angle * bins.occupancy),
-                 block);
+    const auto& bins = options_.bins;
+    const auto stride = static_cast<std::uint32_t>(bins.normal_angle * bins.occupancy);
+    if (!options_.features.surface_angle)
+      return;
+    if (options_.surface_angle_rule != SurfaceAngleRule::Joint) {
+      addBorders(block.first_sine, surface_borders_, stride, block);
+      return;
+    }
+    for (std::size_t k = 0; k < block.size; ++k) {
+      std::uint32_t one = 0;
+      std::uint32_t two = 0;
+      for (const float border : surface_borders_) {
+        one += block.first_sine[k] >= border ? 1u : 0u;
+        two += block.second_sine[k] >= border ? 1u : 0u;
+      }
+      const auto higher = std::max(one, two);
+      block.bin[k] += stride * (higher * (higher + 1) / 2 + std::min(one, two));
+    }
   }
 
   void
   addNormalBins(PairBlock& block) const
   {
-    const auto bins = options_.bins;
-    const auto stride = static_cast<std::uint32_t>(bins.occupancy);
+    const auto stride = static_cast<std::uint32_t>(options_.bins.occupancy);
     if (!options_.features.normal_angle)
       return;
-    for (std::size_t k = 0; k < block.size; ++k)
-      block.cosine[k] = std::abs(block.cosine[k]);
-    for (std::size_t k = 0; k < block.size; ++k)
-      block.bin[k] += stride * static_cast<std::uint32_t>(bins.normal_angle - 1);
+    if (options_.normal_sides != NormalSides::Outward)
+      for (std::size_t k = 0; k < block.size; ++k)
+        block.cosine[k] = std::abs(block.cosine[k]); // Eq. (5.7)
     for (const float border : normal_borders_)
       for (std::size_t k = 0; k < block.size; ++k)
-        block.bin[k] -= block.cosine[k] > border ? stride : 0u;
+        block.bin[k] += block.cosine[k] <= border ? stride : 0u;
   }
 
   void
@@ -279,43 +323,6 @@ weighted(const std::vector<std::uint32_t>& counts, const EPPFOptions& options)
 }
 
 } // namespace
-
-int
-automaticGridSize(std::size_t point_count)
-{
-  const double edge = std::sqrt(static_cast<double>(point_count) / 2.0);
-  return static_cast<int>(std::lround(std::clamp(edge, 8.0, 64.0)));
-}
-
-std::string
-whatIsWrong(const EPPFOptions& options)
-{
-  std::ostringstream problem;
-  const auto& bins = options.bins;
-  const std::pair<const char*, int> counts[] = {{"distance", bins.distance},
-                                                {"surface angle", bins.surface_angle},
-                                                {"normal angle", bins.normal_angle},
-                                                {"occupancy", bins.occupancy}};
-  for (const auto& [name, count] : counts)
-    if (count < 1 || count > 64) {
-      problem << "The number of " << name << " bins must be in 1 ... 64, not " << count;
-      return problem.str();
-    }
-  if (options.pair_count < 1 || options.pair_count > 0xFFFFFFFFu)
-    problem << "The number of pairs must be in 1 ... 2^32 - 1, not "
-            << options.pair_count;
-  else if (!(options.scale >= 0.0) || !std::isfinite(options.scale))
-    problem << "The scale must be 0 (automatic) or a positive length, not "
-            << options.scale << " m";
-  else if (!(options.weighting_constant > 1.0) ||
-           !std::isfinite(options.weighting_constant))
-    problem << "The weighting constant must be above 1, not "
-            << options.weighting_constant;
-  else if (options.grid_size != 0 && (options.grid_size < 2 || options.grid_size > 64))
-    problem << "The grid size must be 0 (automatic) or in 2 ... 64 voxels, not "
-            << options.grid_size;
-  return problem.str();
-}
 
 std::vector<float>
 eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& options)

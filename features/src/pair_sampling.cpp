@@ -44,8 +44,14 @@ spaceFillingOrder(const std::vector<OrientedPoint>& points)
   }
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return codes[a] < codes[b];
+  // Points of one cell of the curve by their coordinates: no order of the input counts.
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (codes[a] != codes[b])
+      return codes[a] < codes[b];
+    const auto& one = points[a].position;
+    const auto& two = points[b].position;
+    return std::lexicographical_compare(
+        one.data(), one.data() + 3, two.data(), two.data() + 3);
   });
   return order;
 }

@@ -42,11 +42,48 @@ combined(double one, double two, SurfaceAngleRule rule)
   }
 }
 
+constexpr double pi = 3.14159265358979323846;
+
+/** \brief The bin of f2 from both surface angles. */
+int
+surfaceBin(double beta1, double beta2, const EPPFOptions& options)
+{
+  const double lowest = options.normal_sides == NormalSides::Ignored ? 0.0 : -1.0;
+  if (options.surface_angle_rule != SurfaceAngleRule::Joint) {
+    const double beta = combined(beta1, beta2, options.surface_angle_rule);
+    return binOf((beta - lowest * pi / 2) / (pi / 2 - lowest * pi / 2),
+                 options.bins.surface_angle);
+  }
+  const int levels = jointLevels(options.bins);
+  const int one = binOf((std::sin(beta1) - lowest) / (1.0 - lowest), levels);
+  const int two = binOf((std::sin(beta2) - lowest) / (1.0 - lowest), levels);
+  int bin = 0; // counted out: (0, 0), (1, 0), (1, 1), (2, 0) ...
+  for (int high = 0; high <= std::max(one, two); ++high)
+    for (int low = 0; low <= high; ++low, ++bin)
+      if (high == std::max(one, two) && low == std::min(one, two))
+        return bin;
+  return -1;
+}
+
+/** \brief The points with normals away from their centroid. */
+std::vector<OrientedPoint>
+outward(std::vector<OrientedPoint> points)
+{
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  for (const auto& point : points)
+    centroid += point.position.cast<double>() / static_cast<double>(points.size());
+  for (auto& point : points)
+    if (point.normal.cast<double>().dot(point.position.cast<double>() - centroid) < 0.0)
+      point.normal = -point.normal;
+  return points;
+}
+
 /** \brief The thesis's formulas pair by pair, with real angles and no shortcut. */
 std::vector<double>
-slowHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& options)
+slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& options)
 {
-  constexpr double pi = 3.14159265358979323846;
+  const auto points =
+      options.normal_sides == NormalSides::Outward ? outward(given) : given;
   const auto& bins = options.bins;
   const int grid_size =
       options.grid_size > 0 ? options.grid_size : automaticGridSize(points.size());
@@ -61,29 +98,32 @@ slowHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
     const Eigen::Vector3d d = (two - one).normalized();
     const Eigen::Vector3d n1 = points[first].normal.cast<double>();
     const Eigen::Vector3d n2 = points[second].normal.cast<double>();
+    const auto sides = options.normal_sides;
+    const bool has_sides = sides != NormalSides::Ignored;
     double beta1 = std::acos(std::clamp(n1.dot(d), -1.0, 1.0)) - pi / 2;
     double beta2 = std::acos(std::clamp(n2.dot(d), -1.0, 1.0)) - pi / 2;
-    const double lowest = options.oriented_normals ? -pi / 2 : 0.0;
-    if (!options.oriented_normals) {
+    if (sides == NormalSides::Outward)
+      beta2 = -beta2; // towards the first point
+    const double lowest = has_sides ? -pi / 2 : 0.0;
+    if (!has_sides) {
       beta1 = std::abs(beta1);
       beta2 = std::abs(beta2);
     }
     const auto angle_place = [&](double beta) {
       return (beta - lowest) / (pi / 2 - lowest);
     };
-    const double f3 = std::acos(std::clamp(std::abs(n1.dot(n2)), 0.0, 1.0));
+    const double cosine =
+        sides == NormalSides::Outward ? n1.dot(n2) : std::abs(n1.dot(n2));
+    const double f3 = std::acos(std::clamp(cosine, -1.0, 1.0)) /
+                      (sides == NormalSides::Outward ? pi : pi / 2);
     const auto line = grid.countBetween(grid.cell(points[first].position),
                                         grid.cell(points[second].position));
     const bool both =
         options.surface_angle_rule == SurfaceAngleRule::BothInsteadOfOccupancy;
     const auto& on = options.features;
     const int i1 = on.distance ? binOf((two - one).norm() / scale, bins.distance) : 0;
-    const int i2 =
-        on.surface_angle
-            ? binOf(angle_place(combined(beta1, beta2, options.surface_angle_rule)),
-                    bins.surface_angle)
-            : 0;
-    const int i3 = on.normal_angle ? binOf(f3 / (pi / 2), bins.normal_angle) : 0;
+    const int i2 = on.surface_angle ? surfaceBin(beta1, beta2, options) : 0;
+    const int i3 = on.normal_angle ? binOf(f3, bins.normal_angle) : 0;
     const double f4 = static_cast<double>(line.occupied) / line.total + 1e-9;
     const int i4 =
         on.occupancy ? binOf(both ? angle_place(beta2) : f4, bins.occupancy) : 0;
@@ -119,28 +159,55 @@ constexpr double rounding = 10 * 2 * 4.4 / 20000;
 TEST(EPPFHistogram, EqualsTheFormulasForEveryRule)
 {
   const auto points = randomSurflets(500, 1);
-  for (const auto rule : {SurfaceAngleRule::Maximum,
+  for (const auto rule : {SurfaceAngleRule::Joint,
+                          SurfaceAngleRule::Maximum,
                           SurfaceAngleRule::Minimum,
                           SurfaceAngleRule::Mean,
                           SurfaceAngleRule::RandomOne,
                           SurfaceAngleRule::BothInsteadOfOccupancy})
-    for (const bool oriented : {false, true}) {
+    for (const auto sides :
+         {NormalSides::Outward, NormalSides::Given, NormalSides::Ignored}) {
       EPPFOptions options;
       options.surface_angle_rule = rule;
-      options.oriented_normals = oriented;
+      options.normal_sides = sides;
       EXPECT_LT(
           difference(eppfHistogram(points, options), slowHistogram(points, options)),
           rounding)
-          << "rule " << static_cast<int>(rule) << ", oriented " << oriented;
+          << "rule " << static_cast<int>(rule) << ", sides " << static_cast<int>(sides);
     }
+}
+
+TEST(EPPFHistogram, EqualsTheThesis)
+{
+  const auto points = randomSurflets(500, 21);
+  const auto options = thesisEPPFOptions();
+  EXPECT_EQ(options.bins.size(), 1200u);
+  EXPECT_LT(difference(eppfHistogram(points, options), slowHistogram(points, options)),
+            rounding);
+}
+
+TEST(EPPFHistogram, SidesOfNormalsDoNotMatterUnlessGiven)
+{
+  const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 1000, 22);
+  auto turned = points;
+  for (std::size_t k = 0; k < turned.size(); k += 3)
+    turned[k].normal = -turned[k].normal;
+  EPPFOptions options;
+  for (const auto sides : {NormalSides::Outward, NormalSides::Ignored}) {
+    options.normal_sides = sides;
+    EXPECT_EQ(eppfHistogram(points, options), eppfHistogram(turned, options));
+  }
+  options.normal_sides = NormalSides::Given;
+  EXPECT_GT(difference(eppfHistogram(points, options), eppfHistogram(turned, options)),
+            0.1);
 }
 
 TEST(EPPFHistogram, EqualsTheFormulasForOtherOptions)
 {
   const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 700, 2);
   EPPFOptions options;
-  options.sampling = PairSampling::Stratified;
-  options.bins = {7, 3, 6, 5};
+  options.surface_angle_rule = SurfaceAngleRule::Maximum;
+  options.bins = {7, 4, 6, 5};
   options.scale = 0.8;
   options.weighting_constant = 2.0;
   options.grid_size = 17;
@@ -160,8 +227,8 @@ TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
     options.features = {off != 0, off != 1, off != 2, off != 3};
     const auto histogram = eppfHistogram(points, options);
     EXPECT_LT(difference(histogram, slowHistogram(points, options)), rounding);
-    const std::size_t counts[] = {20, 4, 5, 3};
-    const std::size_t strides[] = {60, 15, 3, 1};
+    const std::size_t counts[] = {8, 15, 5, 2};
+    const std::size_t strides[] = {150, 10, 2, 1};
     for (std::size_t bin = 0; bin < histogram.size(); ++bin)
       EXPECT_TRUE(histogram[bin] == 0.0f || (bin / strides[off]) % counts[off] == 0);
   }
@@ -245,6 +312,28 @@ TEST(EPPFHistogram, TurningChangesOnlyRoundingBesidesOccupancy)
             rounding);
 }
 
+TEST(EPPFHistogram, TurningChangesOnlySamplingOfStratifiedPairs)
+{
+  // The space-filling order turns with the axes, so that other pairs are drawn; the
+  // bound of independent draws holds for both.
+  const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 2000, 23);
+  const Eigen::Matrix3f turn =
+      Eigen::AngleAxisf(0.6f, Eigen::Vector3f(1.0f, 2.0f, 3.0f).normalized())
+          .toRotationMatrix();
+  auto turned = points;
+  for (auto& point : turned) {
+    point.position = turn * point.position;
+    point.normal = turn * point.normal;
+  }
+  EPPFOptions options;
+  options.features.occupancy = false; // its grid turns with the axes, too
+  options.weighting = false;
+  const auto histogram = eppfHistogram(points, options);
+  const double distance = difference(histogram, eppfHistogram(turned, options));
+  EXPECT_GT(distance, 0.0);
+  EXPECT_LT(distance, samplingBound(histogram, 20000));
+}
+
 TEST(EPPFHistogram, ScaleFreeWithTheObjectsOwnExtent)
 {
   auto points = randomSurflets(1000, 8);
@@ -278,10 +367,10 @@ TEST(EPPFHistogram, DegenerateObjectsGiveADefinedResult)
   auto flat = boxSurface({1.0f, 1.0f, 0.0f}, 500, 9);
   for (auto& point : flat)
     point.normal = {0.0f, 0.0f, 1.0f};
-  const auto plane = eppfHistogram(flat, {});
+  const auto plane = eppfHistogram(flat, thesisEPPFOptions());
   EXPECT_NEAR(std::accumulate(plane.begin(), plane.end(), 0.0), 1.0, 1e-6);
   for (std::size_t bin = 0; bin < plane.size(); ++bin)
-    EXPECT_TRUE(plane[bin] == 0.0f || bin % 60 < 3);
+    EXPECT_TRUE(plane[bin] == 0.0f || bin % 15 < 3); // f3 = 0
 }
 
 TEST(EPPFHistogram, OnePairOfManyInOnePlaceIsFound)
@@ -313,6 +402,7 @@ TEST(EPPFHistogram, RefusesEveryParameterOutOfRange)
     EXPECT_THROW(eppfHistogram(points, options), BadArgumentException);
     EXPECT_FALSE(whatIsWrong(options).empty());
   };
+  refuses([](auto& o) { o.bins.surface_angle = 4; }); // not L (L + 1) / 2
   refuses([](auto& o) { o.bins.distance = 0; });
   refuses([](auto& o) { o.bins.surface_angle = -1; });
   refuses([](auto& o) { o.bins.normal_angle = 65; });

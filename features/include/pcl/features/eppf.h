@@ -33,17 +33,14 @@ public:
   using ConstPtr = shared_ptr<const EPPFEstimation<PointInT, PointNT, PointOutT>>;
   using PointCloudOut = typename Feature<PointInT, PointOutT>::PointCloudOut;
 
-  /** \brief 1,200 bins for EPPFSignature1200, 540 for EPPFSignature540. */
   EPPFEstimation();
 
-  /** \brief Set all parameters at once; those of the setters below among them. */
+  /** \brief Set, or get, all parameters at once. */
   void
   setOptions(const indoor::EPPFOptions& options)
   {
     options_ = options;
   }
-
-  /** \brief Get all parameters. */
   const indoor::EPPFOptions&
   getOptions() const
   {
@@ -68,8 +65,8 @@ public:
   }
 
   /** \brief Set the number of bins of each feature.
-   * \param[in] bins their product is the size of PointOutT (default 20 x 4 x 5 x 3, for
-   * the short signature 15 x 3 x 4 x 3)
+   * \param[in] bins their product is the size of PointOutT (default 8 x 15 x 5 x 2,
+   * for the short signature 9 x 6 x 5 x 2)
    */
   void
   setBins(const indoor::EPPFBins& bins)
@@ -102,30 +99,26 @@ public:
     return options_.scale;
   }
 
-  /** \brief Set the seed of the pairs; the same seed gives the same bits (default
-   * 5489). */
+  /** \brief Set or get the seed of the pairs; the same seed gives the same bits
+   * (default 5489). */
   void
   setSeed(std::uint32_t seed)
   {
     options_.seed = seed;
   }
-
-  /** \brief Get the seed of the pairs. */
   std::uint32_t
   getSeed() const
   {
     return options_.seed;
   }
 
-  /** \brief Set the number of threads, 0 meaning all (default 1); no result depends on
-   * it. */
+  /** \brief Set or get the number of threads, 0 meaning all (default 1); no result
+   * depends on it. */
   void
   setNumberOfThreads(unsigned int number_of_threads)
   {
     options_.number_of_threads = number_of_threads;
   }
-
-  /** \brief Get the number of threads. */
   unsigned int
   getNumberOfThreads() const
   {
@@ -149,7 +142,7 @@ public:
     return options_.weighting_constant;
   }
 
-  /** \brief Set how the two surface angles become one feature (default Maximum). */
+  /** \brief Set how the two surface angles become one feature (default Joint). */
   void
   setSurfaceAngleRule(indoor::SurfaceAngleRule rule)
   {
@@ -163,24 +156,21 @@ public:
     return options_.surface_angle_rule;
   }
 
-  /** \brief Set whether the sign of a normal means something.
-   * If so, surface angles are spread over -pi/2 ... pi/2 as in the thesis, else their
-   * magnitude over 0 ... pi/2 (default false).
-   */
+  /** \brief Set which side of a surface normals point to (default Outward). */
   void
-  setOrientedNormals(bool oriented)
+  setNormalSides(indoor::NormalSides sides)
   {
-    options_.oriented_normals = oriented;
+    options_.normal_sides = sides;
   }
 
-  /** \brief Get whether the sign of a normal means something. */
-  bool
-  getOrientedNormals() const
+  /** \brief Get which side of a surface normals point to. */
+  indoor::NormalSides
+  getNormalSides() const
   {
-    return options_.oriented_normals;
+    return options_.normal_sides;
   }
 
-  /** \brief Set how pairs are chosen (default Uniform). */
+  /** \brief Set how pairs are chosen (default Stratified). */
   void
   setPairSampling(indoor::PairSampling sampling)
   {

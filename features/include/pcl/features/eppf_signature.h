@@ -13,9 +13,10 @@ namespace pcl {
 
 /** \brief The enhanced point pair feature (EPPF) histogram of an object, 1,200 bins.
  *
- * The bins are those of EPPFEstimation: by default 20 of the distance, 4 of the surface
- * angle, 5 of the normal angle and 3 of the occupancy, the last one fastest. They add
- * up to 1; all are NaN if the object had no usable pair of points. \ingroup features
+ * The bins are those of EPPFEstimation: by default 8 of the distance, 15 of the
+ * surface angles, 5 of the normal angle and 2 of the occupancy, the last one fastest.
+ * They add up to 1; all are NaN if the object had no usable pair of points. \ingroup
+ * features
  */
 struct EPPFSignature1200 {
   float histogram[1200] = {};
@@ -27,7 +28,7 @@ struct EPPFSignature1200 {
   }
 };
 
-/** \brief The short EPPF histogram: 15 x 3 x 4 x 3 = 540 bins.
+/** \brief The short EPPF histogram: 9 x 6 x 5 x 2 = 540 bins.
  * \ingroup features
  */
 struct EPPFSignature540 {

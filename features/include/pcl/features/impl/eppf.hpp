@@ -21,7 +21,7 @@ EPPFEstimation<PointInT, PointNT, PointOutT>::EPPFEstimation()
   feature_name_ = "EPPFEstimation";
   k_ = 1; // the base wants neighbours, although there are none
   if (std::is_same<PointOutT, EPPFSignature540>::value)
-    options_.bins = {15, 3, 4, 3};
+    options_.bins = indoor::shortEPPFBins(options_.surface_angle_rule);
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>

@@ -1,0 +1,112 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/features/pair_sampling.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief How the two surface angles of a pair become one feature, Sec. 5.2.1
+ * and 5.3.2. */
+enum class SurfaceAngleRule {
+  Joint,     ///< both, the larger and the smaller one, in n = L (L + 1) / 2 bins
+  Maximum,   ///< the larger one, Eq. (5.6)
+  Minimum,   ///< the smaller one
+  Mean,      ///< their mean
+  RandomOne, ///< one of the two, drawn at random
+  BothInsteadOfOccupancy ///< the first here, the second in place of f4, Eq. (5.13)
+};
+
+/** \brief Which side of a surface a normal points to. */
+enum class NormalSides {
+  Outward, ///< turned away from the centroid of the object, whatever was given
+  Given,   ///< as given, with the formulas of the thesis
+  Ignored  ///< unknown: only the magnitudes of the cosines count
+};
+
+/** \brief Number of bins of each feature.
+ *
+ * Points of one plane have surface angles of 0, those of two walls of a room a normal
+ * angle of pi / 2: where sides of normals count, an odd number of levels keeps these in
+ * the middle of a bin, where rounding and noise do not matter.
+ */
+struct EPPFBins {
+  int distance = 8;       ///< of f1, N_f1 of the thesis
+  int surface_angle = 15; ///< of f2, N_f2; for Joint 1, 3, 6, 10, 15, ...
+  int normal_angle = 5;   ///< of f3, N_f3
+  int occupancy = 2;      ///< of f4, N_f4
+
+  std::size_t
+  size() const
+  {
+    return static_cast<std::size_t>(distance) * surface_angle * normal_angle *
+           occupancy;
+  }
+};
+
+/** \brief A switch per feature; one that is off falls into the first bin always. */
+struct EPPFFeatures {
+  bool distance = true;
+  bool surface_angle = true;
+  bool normal_angle = true;
+  bool occupancy = true;
+};
+
+/** \brief Parameters of eppfHistogram(). */
+struct EPPFOptions {
+  EPPFBins bins;                  ///< each at least 1
+  EPPFFeatures features;          ///< which features are used
+  std::size_t pair_count = 20000; ///< pairs drawn, at least 1
+  double scale = 0.0;         ///< metres that f1 spreads over; 0: the object's extent
+  std::uint32_t seed = 5489u; ///< same seed, same pairs
+  unsigned int number_of_threads = 1; ///< 0: as many as the machine has
+  double weighting_constant = 1.2;    ///< c of Eq. (5.11), above 1
+  bool weighting = true;              ///< whether Eq. (5.11) is applied at all
+  SurfaceAngleRule surface_angle_rule = SurfaceAngleRule::Joint;
+  NormalSides normal_sides = NormalSides::Outward;
+  PairSampling sampling = PairSampling::Stratified;
+  int grid_size = 0; ///< voxels per edge, 2 to 64; 0: see automaticGridSize()
+};
+
+/** \brief The setting of the thesis: 20 x 4 x 5 x 3 bins, the larger of the two surface
+ * angles, normals as given, 64 voxels, pairs drawn uniformly.
+ */
+EPPFOptions
+thesisEPPFOptions();
+
+/** \brief The short form of an option set: 540 bins.
+ *
+ * 9 x 6 x 5 x 2 for the joint rule, the thesis's 15 x 3 x 4 x 3 for the others.
+ */
+EPPFBins
+shortEPPFBins(SurfaceAngleRule rule);
+
+/** \brief Voxels per edge for a number of points: sqrt(point_count / 8), within 8
+ * ... 64.
+ *
+ * The surface of an object crosses about 2 * N^2 voxels of a grid of N^3. With this N
+ * there are about four points for each of them: in a finer grid the surface has holes,
+ * which the occupancy takes for free space.
+ */
+int
+automaticGridSize(std::size_t point_count);
+
+/** \brief Levels L of the joint rule's L (L + 1) / 2 bins; 0 if they are not that many.
+ */
+int
+jointLevels(const EPPFBins& bins);
+
+/** \brief Say what is wrong with options: "" if nothing, else parameter, value and
+ * range. */
+std::string
+whatIsWrong(const EPPFOptions& options);
+
+} // namespace indoor
+} // namespace pcl

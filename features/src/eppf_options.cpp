@@ -1,0 +1,88 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/features/eppf_options.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace pcl {
+namespace indoor {
+
+EPPFOptions
+thesisEPPFOptions()
+{
+  EPPFOptions options;
+  options.bins = {20, 4, 5, 3};
+  options.surface_angle_rule = SurfaceAngleRule::Maximum;
+  options.normal_sides = NormalSides::Given;
+  options.sampling = PairSampling::Uniform;
+  options.grid_size = 64;
+  return options;
+}
+
+EPPFBins
+shortEPPFBins(SurfaceAngleRule rule)
+{
+  if (rule == SurfaceAngleRule::Joint)
+    return {9, 6, 5, 2};
+  return {15, 3, 4, 3};
+}
+
+int
+automaticGridSize(std::size_t point_count)
+{
+  const double edge = std::sqrt(static_cast<double>(point_count) / 8.0);
+  return static_cast<int>(std::lround(std::clamp(edge, 8.0, 64.0)));
+}
+
+std::string
+whatIsWrong(const EPPFOptions& options)
+{
+  std::ostringstream problem;
+  const auto& bins = options.bins;
+  const std::pair<const char*, int> counts[] = {{"distance", bins.distance},
+                                                {"surface angle", bins.surface_angle},
+                                                {"normal angle", bins.normal_angle},
+                                                {"occupancy", bins.occupancy}};
+  for (const auto& [name, count] : counts)
+    if (count < 1 || count > 64) {
+      problem << "The number of " << name << " bins must be in 1 ... 64, not " << count;
+      return problem.str();
+    }
+  if (options.pair_count < 1 || options.pair_count > 0xFFFFFFFFu)
+    problem << "The number of pairs must be in 1 ... 2^32 - 1, not "
+            << options.pair_count;
+  else if (!(options.scale >= 0.0) || !std::isfinite(options.scale))
+    problem << "The scale must be 0 (automatic) or a positive length, not "
+            << options.scale << " m";
+  else if (!(options.weighting_constant > 1.0) ||
+           !std::isfinite(options.weighting_constant))
+    problem << "The weighting constant must be above 1, not "
+            << options.weighting_constant;
+  else if (options.surface_angle_rule == SurfaceAngleRule::Joint &&
+           jointLevels(bins) == 0)
+    problem
+        << "The number of surface angle bins must be one of 1, 3, 6, 10, 15, ... for "
+           "the joint rule, not "
+        << bins.surface_angle;
+  else if (options.grid_size != 0 && (options.grid_size < 2 || options.grid_size > 64))
+    problem << "The grid size must be 0 (automatic) or in 2 ... 64 voxels, not "
+            << options.grid_size;
+  return problem.str();
+}
+
+int
+jointLevels(const EPPFBins& bins)
+{
+  for (int levels = 1; levels * (levels + 1) / 2 <= bins.surface_angle; ++levels)
+    if (levels * (levels + 1) / 2 == bins.surface_angle)
+      return levels;
+  return 0;
+}
+
+} // namespace indoor
+} // namespace pcl
