@@ -87,6 +87,8 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
     if (a == b || a == 0 || b == 0)
       return;
     const std::int32_t from = nearest.site.values[p], to = nearest.site.values[q];
+    if (from < 0 || to < 0)
+      return; // nothing is free anywhere
     const int ny = labels.ny;
     const auto [height, open] = section.measure(from / ny, from % ny, to / ny, to % ny);
     RegionBorder& border = borders[std::minmax(a, b)];
