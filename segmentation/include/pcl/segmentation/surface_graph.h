@@ -45,7 +45,7 @@ struct BendOptions {
   float concave_limit_degrees = 60; ///< nor concave ones more than this (0 to 180)
   /** share of the bend that counts as concave where patches touch in one place only, so
    * that LCCP's criterion is not defined (0 to 1) */
-  float singular_share = 0.5f;
+  float singular_share = 0.4f;
 };
 
 /** \brief Measure the bend between two patches, positive for concave.
