@@ -5,6 +5,7 @@
 #include <pcl/features/pair_sampling.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <numeric>
 
@@ -23,6 +24,29 @@ spreadBits(std::uint32_t value)
   return (value | (value << 2)) & 0x09249249u;
 }
 
+/** \brief A point and its place on the curve. */
+struct Coded {
+  std::uint32_t code; // 30 bits
+  std::uint32_t index;
+};
+
+/** \brief Sort by code, in three passes of ten bits: a comparing sort takes as long as
+ * 2,000 pairs. */
+void
+sortByCode(std::vector<Coded>& order)
+{
+  std::vector<Coded> sorted(order.size());
+  for (unsigned int shift = 0; shift < 30; shift += 10) {
+    std::array<std::uint32_t, 1025> starts{};
+    for (const auto& one : order)
+      ++starts[((one.code >> shift) & 1023u) + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    for (const auto& one : order)
+      sorted[starts[(one.code >> shift) & 1023u]++] = one;
+    order.swap(sorted);
+  }
+}
+
 /** \brief Indices of the points along a Z curve (Morton order) through their cube. */
 std::vector<std::uint32_t>
 spaceFillingOrder(const std::vector<OrientedPoint>& points)
@@ -34,26 +58,34 @@ spaceFillingOrder(const std::vector<OrientedPoint>& points)
     upper = upper.max(point.position.array());
   }
   const float edge = std::max((upper - lower).maxCoeff(), 1e-30f);
-  std::vector<std::uint32_t> codes;
-  codes.reserve(points.size());
+  std::vector<Coded> order;
+  order.reserve(points.size());
   for (const auto& point : points) {
     const Eigen::Array3f place = (point.position.array() - lower) * (1023.0f / edge);
-    codes.push_back(spreadBits(static_cast<std::uint32_t>(place[0])) << 2 |
-                    spreadBits(static_cast<std::uint32_t>(place[1])) << 1 |
-                    spreadBits(static_cast<std::uint32_t>(place[2])));
+    const auto code = spreadBits(static_cast<std::uint32_t>(place[0])) << 2 |
+                      spreadBits(static_cast<std::uint32_t>(place[1])) << 1 |
+                      spreadBits(static_cast<std::uint32_t>(place[2]));
+    order.push_back({code, static_cast<std::uint32_t>(order.size())});
   }
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0u);
+  sortByCode(order);
   // Points of one cell of the curve by their coordinates: no order of the input counts.
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    if (codes[a] != codes[b])
-      return codes[a] < codes[b];
-    const auto& one = points[a].position;
-    const auto& two = points[b].position;
-    return std::lexicographical_compare(
-        one.data(), one.data() + 3, two.data(), two.data() + 3);
-  });
-  return order;
+  for (auto first = order.begin(); first != order.end();) {
+    const auto last = std::find_if(
+        first, order.end(), [&](const Coded& one) { return one.code != first->code; });
+    if (last - first > 1)
+      std::sort(first, last, [&](const Coded& a, const Coded& b) {
+        const auto& one = points[a.index].position;
+        const auto& two = points[b.index].position;
+        return std::lexicographical_compare(
+            one.data(), one.data() + 3, two.data(), two.data() + 3);
+      });
+    first = last;
+  }
+  std::vector<std::uint32_t> indices;
+  indices.reserve(order.size());
+  for (const auto& one : order)
+    indices.push_back(one.index);
+  return indices;
 }
 
 } // namespace
