@@ -51,6 +51,7 @@ struct WallLine {
   Eigen::Vector2d normal;
   Eigen::Vector2d middle;
   bool has_two_faces;
+  double half_thickness;
 
   double
   side(const Eigen::Vector2d& point) const
@@ -62,8 +63,6 @@ struct WallLine {
 std::optional<WallLine>
 fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& options)
 {
-  if (points.size() < options.min_points)
-    return std::nullopt;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (const auto& point : points)
     mean += point;
@@ -101,7 +100,7 @@ fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& optio
   // standard deviations within each half apart; those of two faces lie farther apart.
   const double within =
       std::sqrt(std::max(0.0, across * across - 0.25 * apart * apart));
-  return WallLine{normal, mean + middle * normal, apart > 4.0 * within};
+  return WallLine{normal, mean + middle * normal, apart > 4.0 * within, 0.5 * apart};
 }
 
 /** A room beside a wall, and how far its free space is. */
@@ -216,6 +215,8 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
                k < wall.first[labels.index(u, v) + 1];
                ++k)
             window.push_back(scaled(wall.index[k]));
+      if (window.size() < options.min_points)
+        continue;
       const auto line = fitWall(window, in_pixels);
       if (!line) { // a corner
         for (std::uint32_t k = all.first[pixel]; k < all.first[pixel + 1]; ++k) {
@@ -239,7 +240,11 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
         above.label = below.label;
       for (std::uint32_t k = all.first[pixel]; k < all.first[pixel + 1]; ++k) {
         const std::uint32_t i = all.index[k];
-        point_labels[i] = line->side(scaled(i)) > 0 ? above.label : below.label;
+        const double side = line->side(scaled(i));
+        if (std::abs(side) > line->half_thickness + 1.0) // another wall's
+          point_labels[i] = nearestRoom(free_labels, scaled(i), reach, point_labels[i]);
+        else
+          point_labels[i] = side > 0 ? above.label : below.label;
       }
     }
   }

@@ -49,7 +49,7 @@ struct MergeOptions {
   double open_share = 0.55; ///< the open area is more than this share of the border and
                             ///< of the smaller region's section, 0 ... 1; larger gives
                             ///< more rooms
-  double open_height = 0.8; ///< the opening reaches over at least this share of the
+  double open_height = 0.9; ///< the opening reaches over at least this share of the
                             ///< height: beams may be above it, lintels not, 0 ... 1;
                             ///< larger gives more rooms
 };
