@@ -49,7 +49,8 @@ addLengths(OptionParser& parser, Settings& settings)
           {"auto", "room", "single_view"})
       .number("-voxel_resolution",
               settings.voxel_resolution,
-              withPresets("edge of a voxel", room.voxel_size, view.voxel_size),
+              withPresets("edge of a voxel", room.voxel_size, view.voxel_size) +
+                  ", the former raised for sparse scans",
               "m",
               Range::atLeast(0))
       .number("-seed_resolution",
@@ -131,6 +132,7 @@ chosenOptions(const Settings& settings, bool organised)
   options.bend_threshold_degrees = static_cast<float>(
       either(settings.bend_threshold, preset.bend_threshold_degrees));
   options.bend = preset.bend;
+  options.adapt_to_resolution = !(settings.voxel_resolution > 0);
   options.partition = settings.partition == "lccp" ? Partition::Lccp
                       : settings.partition == "graph"
                           ? Partition::Graph

@@ -7,6 +7,7 @@
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_orientation.h>
 #include <pcl/filters/non_convex_points.h>
+#include <pcl/filters/point_resolution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -239,9 +240,9 @@ singleViewOptions()
 
 ObjectSegmentation
 segmentObjects(const ObjectSegmentationInput& input,
-               const ObjectSegmentationOptions& options)
+               const ObjectSegmentationOptions& given_options)
 {
-  const auto problem = findInvalidOption(options);
+  const auto problem = findInvalidOption(given_options);
   if (!problem.empty())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException, problem);
   if (!input.normals.empty() && input.normals.size() != input.points.size())
@@ -251,6 +252,11 @@ segmentObjects(const ObjectSegmentationInput& input,
   if (input.single_camera && input.viewpoint.empty())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "A single camera needs a viewpoint.");
+  auto options = given_options;
+  if (options.adapt_to_resolution && !input.single_camera) {
+    options.voxel_size = raisedToResolution(input.points, options.voxel_size);
+    options.seed_size *= options.voxel_size / given_options.voxel_size;
+  }
   SurfaceDistance distance;
   distance.seed_size = options.seed_size;
   distance.spatial_weight = options.spatial_weight;
@@ -264,6 +270,7 @@ segmentObjects(const ObjectSegmentationInput& input,
   convexity.seed_size = options.seed_size;
 
   ObjectSegmentation result;
+  result.voxel_size = options.voxel_size;
   result.voxels = surfaceVoxels(input.points,
                                 input.single_camera ? singleCameraGrid(input)
                                                     : std::vector<Eigen::Vector3f>(),

@@ -256,6 +256,23 @@ TEST(NoiseResilientLCCP, IsAccurateFarFromTheOrigin)
   EXPECT_EQ(scoreDetections(countOverlaps(scene.objects, labels)).right_count, 3u);
 }
 
+TEST(NoiseResilientLCCP, RaisesItsVoxelsForSparseClouds)
+{
+  const auto scene = floorWithTwoBoxes(0.002f, 0.05f);
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  segmentation.setInputNormals(normalsOf(scene));
+  Labels labels;
+  segmentation.segment(labels);
+  EXPECT_NEAR(segmentation.getResult().voxel_size, 0.125, 0.02); // 2.5 spacings
+  EXPECT_EQ(scoreDetections(countOverlaps(scene.objects, labels)).right_count, 3u);
+  auto options = segmentation.getOptions();
+  options.adapt_to_resolution = false;
+  segmentation.setOptions(options);
+  segmentation.segment(labels);
+  EXPECT_LT(scoreDetections(countOverlaps(scene.objects, labels)).right_count, 3u);
+}
+
 TEST(NoiseResilientLCCP, OrganisedCloudsAreSeenFromTheirSensor)
 {
   // A wall at 2 m and a box in front of it, as a camera along z sees them.

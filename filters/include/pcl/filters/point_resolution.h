@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/filters/point_cells.h>
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -17,6 +19,22 @@ namespace indoor {
  */
 double
 meanResolution(const std::vector<Eigen::Vector3f>& points);
+
+/** \brief Median distance of points to their nearest other points, from about two
+ * thousand of them: a resolution that outliers do not change, without a search tree.
+ * \param[in] points finite points, metres, local frame
+ * \param[in] cells the points in cells of any size
+ * \return metres; infinity if most points have no other in their cell and those around
+ */
+double
+medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& cells);
+
+/** \brief Raise a voxel size to 2.5 times the resolution of the points, the factor of
+ * Eq. (2.9), so that the voxels of a sparse surface touch.
+ * \return metres, at least the voxel size
+ */
+double
+raisedToResolution(const std::vector<Eigen::Vector3f>& points, double voxel_size);
 
 } // namespace indoor
 } // namespace pcl

@@ -51,7 +51,8 @@ public:
 
   /** \brief Set the edge of a voxel, R_voxel.
    * \param[in] resolution metres, positive (default 0.03). Lower shows smaller objects
-   * and needs denser points.
+   * and needs denser points: unless adapt_to_resolution is off in the options, both
+   * resolutions are raised until voxels of a sparse surface touch.
    */
   void
   setVoxelResolution(double resolution);

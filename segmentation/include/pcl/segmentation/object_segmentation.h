@@ -26,8 +26,11 @@ enum class Partition {
 
 /** \brief Parameters of the noise-resilient object segmentation (Sec. 4.2). */
 struct ObjectSegmentationOptions {
-  double voxel_size = 0.03;          ///< R_voxel, metres (> 0)
-  double seed_size = 0.12;           ///< R_seed, metres (>= voxel_size)
+  double voxel_size = 0.03; ///< R_voxel, metres (> 0)
+  double seed_size = 0.12;  ///< R_seed, metres (>= voxel_size)
+  /** raise both sizes in proportion where points are too sparse for the voxel size, see
+   * raisedToResolution(); never for a single camera */
+  bool adapt_to_resolution = true;
   unsigned normal_rings = 1;         ///< reach of normals and curvature, voxels (>= 1)
   float curvature_threshold = 0.03f; ///< theta_t (0 to 1/3)
   float ratio_threshold = 0.2f;      ///< alpha_t (0 to 1)
@@ -73,6 +76,7 @@ singleViewOptions();
 
 /** \brief Segments and what led to them. */
 struct ObjectSegmentation {
+  double voxel_size = 0; ///< that was used, metres
   SurfaceVoxels voxels;
   std::vector<std::uint8_t> removed; ///< per voxel: non-convex, taken out and recovered
   Supervoxels supervoxels;           ///< of the voxels that were not removed
