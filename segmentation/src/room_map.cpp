@@ -17,8 +17,48 @@ namespace pcl {
 namespace indoor {
 namespace {
 
+/** Columns with something in them, and the gaps between those (closing by a disc). */
+PixelMap<std::uint8_t>
+coveredColumns(const VoxelGrid<std::uint8_t>& occupancy, double radius)
+{
+  const int nz = occupancy.shape.nz;
+  PixelMap<std::uint8_t> covered{occupancy.shape.nx, occupancy.shape.ny, {}};
+  covered.values.resize(covered.size());
+  for (std::size_t i = 0; i < covered.size(); ++i) {
+    const auto column = occupancy.values.begin() + i * nz;
+    covered.values[i] =
+        std::any_of(column, column + nz, [](auto value) { return value != 0; });
+  }
+  const double reach = std::pow(radius / occupancy.voxel_size, 2);
+  const auto beyond = [&](const PixelMap<std::uint8_t>& map) {
+    PixelMap<std::uint8_t> far = map;
+    const auto squared = squaredDistanceMap(map);
+    for (std::size_t i = 0; i < far.size(); ++i)
+      far.values[i] = squared.values[i] > reach;
+    return far;
+  };
+  return beyond(beyond(covered));
+}
+
+/** Whether most of the columns with something in them are inside. */
+bool
+coversMost(const PixelMap<std::uint8_t>& inside, const VoxelGrid<std::uint8_t>& grid)
+{
+  const int nz = grid.shape.nz;
+  std::size_t covered = 0, both = 0;
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    const auto column = grid.values.begin() + i * nz;
+    if (std::any_of(column, column + nz, [](auto value) { return value != 0; })) {
+      ++covered;
+      both += inside.values[i] != 0;
+    }
+  }
+  return 2 * both >= covered;
+}
+
 /** The columns that hold no more exterior free voxels than interior ones between the
- * floor and the ceiling. */
+ * floor and the ceiling. A scan in which these are few (such as one room whose floor
+ * and ceiling were cut away) gives no evidence of enclosure: then all its columns. */
 PixelMap<std::uint8_t>
 insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
 {
@@ -39,6 +79,8 @@ insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
           --surplus;
       inside.at(x, y) = ceiling.at(x, y) >= 0 && surplus >= 0;
     }
+  if (!coversMost(inside, space.occupancy))
+    return coveredColumns(space.occupancy, 0.5);
   return inside;
 }
 
