@@ -4,12 +4,12 @@
  */
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_histogram.h>
-#include <pcl/features/line_occupancy.h>
 
 #include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
 
+#include "features/eppf_oracle.h"
 #include "features/oriented_shapes.h"
 
 #include <algorithm>
@@ -20,126 +20,6 @@
 namespace pcl {
 namespace indoor {
 namespace {
-
-int
-binOf(double place, int count)
-{
-  return std::clamp(static_cast<int>(std::floor(place * count)), 0, count - 1);
-}
-
-double
-combined(double one, double two, SurfaceAngleRule rule)
-{
-  switch (rule) {
-  case SurfaceAngleRule::Maximum:
-    return std::max(one, two);
-  case SurfaceAngleRule::Minimum:
-    return std::min(one, two);
-  case SurfaceAngleRule::Mean:
-    return (one + two) / 2;
-  default:
-    return one;
-  }
-}
-
-constexpr double pi = 3.14159265358979323846;
-
-/** \brief The bin of f2 from both surface angles. */
-int
-surfaceBin(double beta1, double beta2, const EPPFOptions& options)
-{
-  const double lowest = options.normal_sides == NormalSides::Ignored ? 0.0 : -1.0;
-  if (options.surface_angle_rule != SurfaceAngleRule::Joint) {
-    const double beta = combined(beta1, beta2, options.surface_angle_rule);
-    return binOf((beta - lowest * pi / 2) / (pi / 2 - lowest * pi / 2),
-                 options.bins.surface_angle);
-  }
-  const int levels = jointLevels(options.bins);
-  const int one = binOf((std::sin(beta1) - lowest) / (1.0 - lowest), levels);
-  const int two = binOf((std::sin(beta2) - lowest) / (1.0 - lowest), levels);
-  int bin = 0; // counted out: (0, 0), (1, 0), (1, 1), (2, 0) ...
-  for (int high = 0; high <= std::max(one, two); ++high)
-    for (int low = 0; low <= high; ++low, ++bin)
-      if (high == std::max(one, two) && low == std::min(one, two))
-        return bin;
-  return -1;
-}
-
-/** \brief The points with normals away from their centroid. */
-std::vector<OrientedPoint>
-outward(std::vector<OrientedPoint> points)
-{
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  for (const auto& point : points)
-    centroid += point.position.cast<double>() / static_cast<double>(points.size());
-  for (auto& point : points)
-    if (point.normal.cast<double>().dot(point.position.cast<double>() - centroid) < 0.0)
-      point.normal = -point.normal;
-  return points;
-}
-
-/** \brief The thesis's formulas pair by pair, with real angles and no shortcut. */
-std::vector<double>
-slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& options)
-{
-  const auto points =
-      options.normal_sides == NormalSides::Outward ? outward(given) : given;
-  const auto& bins = options.bins;
-  const int grid_size =
-      options.grid_size > 0 ? options.grid_size : automaticGridSize(points.size());
-  const LineOccupancy grid(points, grid_size);
-  const PairSampler sampler(points, options.sampling, options.seed);
-  const double scale = options.scale > 0.0 ? options.scale : objectExtent(points);
-  std::vector<double> histogram(bins.size());
-  for (std::size_t k = 0; k < options.pair_count; ++k) {
-    const auto [first, second] = sampler.pair(k);
-    const Eigen::Vector3d one = points[first].position.cast<double>();
-    const Eigen::Vector3d two = points[second].position.cast<double>();
-    const Eigen::Vector3d d = (two - one).normalized();
-    const Eigen::Vector3d n1 = points[first].normal.cast<double>();
-    const Eigen::Vector3d n2 = points[second].normal.cast<double>();
-    const auto sides = options.normal_sides;
-    const bool has_sides = sides != NormalSides::Ignored;
-    double beta1 = std::acos(std::clamp(n1.dot(d), -1.0, 1.0)) - pi / 2;
-    double beta2 = std::acos(std::clamp(n2.dot(d), -1.0, 1.0)) - pi / 2;
-    if (sides == NormalSides::Outward)
-      beta2 = -beta2; // towards the first point
-    const double lowest = has_sides ? -pi / 2 : 0.0;
-    if (!has_sides) {
-      beta1 = std::abs(beta1);
-      beta2 = std::abs(beta2);
-    }
-    const auto angle_place = [&](double beta) {
-      return (beta - lowest) / (pi / 2 - lowest);
-    };
-    const double cosine =
-        sides == NormalSides::Outward ? n1.dot(n2) : std::abs(n1.dot(n2));
-    const double f3 = std::acos(std::clamp(cosine, -1.0, 1.0)) /
-                      (sides == NormalSides::Outward ? pi : pi / 2);
-    const auto line = grid.countBetween(grid.cell(points[first].position),
-                                        grid.cell(points[second].position));
-    const bool both =
-        options.surface_angle_rule == SurfaceAngleRule::BothInsteadOfOccupancy;
-    const auto& on = options.features;
-    const int i1 = on.distance ? binOf((two - one).norm() / scale, bins.distance) : 0;
-    const int i2 = on.surface_angle ? surfaceBin(beta1, beta2, options) : 0;
-    const int i3 = on.normal_angle ? binOf(f3, bins.normal_angle) : 0;
-    const double f4 = static_cast<double>(line.occupied) / line.total + 1e-9;
-    const int i4 =
-        on.occupancy ? binOf(both ? angle_place(beta2) : f4, bins.occupancy) : 0;
-    const double weight = options.weighting
-                              ? std::log(static_cast<double>(i1) / bins.distance +
-                                         options.weighting_constant)
-                              : 1.0;
-    histogram[((i1 * bins.surface_angle + i2) * bins.normal_angle + i3) *
-                  bins.occupancy +
-              i4] += weight;
-  }
-  const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
-  for (auto& value : histogram)
-    value /= sum;
-  return histogram;
-}
 
 template <typename A, typename B>
 double

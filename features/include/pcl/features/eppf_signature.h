@@ -15,8 +15,8 @@ namespace pcl {
  *
  * The bins are those of EPPFEstimation: by default 8 of the distance, 15 of the
  * surface angles, 5 of the normal angle and 2 of the occupancy, the last one fastest.
- * They add up to 1; all are NaN if the object had no usable pair of points. \ingroup
- * features
+ * They add up to 1; all are NaN if the object had no usable pair of points.
+ * \ingroup features
  */
 struct EPPFSignature1200 {
   float histogram[1200] = {};
