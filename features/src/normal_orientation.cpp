@@ -50,11 +50,21 @@ requireValid(const FreeSpaceOptions& options)
                             << ".");
 }
 
+/** A room of this size, m^3, gets the number of viewpoints in the options. */
+constexpr double room_volume = 60;
+constexpr double most_viewpoints = 2000;
+
 /** Free places on a coarse raster, with their clearance in metres. */
 struct Candidate {
   Eigen::Vector3f place;
   float clearance;
 };
+
+int
+rasterStep(const FreeSpaceGrid& grid)
+{
+  return std::max(1, grid.shape().maxCoeff() / 40);
+}
 
 std::vector<Candidate>
 freeCandidates(const FreeSpaceGrid& grid)
@@ -62,7 +72,7 @@ freeCandidates(const FreeSpaceGrid& grid)
   const auto directions = grid.enclosedDirections();
   const auto clearances = grid.clearances();
   const Eigen::Vector3i shape = grid.shape();
-  const int raster = std::max(1, shape.maxCoeff() / 40);
+  const int raster = rasterStep(grid);
   std::vector<Candidate> candidates;
   Eigen::Vector3i cell;
   for (cell.x() = raster / 2; cell.x() < shape.x(); cell.x() += raster)
@@ -76,6 +86,36 @@ freeCandidates(const FreeSpaceGrid& grid)
   return candidates;
 }
 
+std::size_t
+viewpointCount(const FreeSpaceGrid& grid,
+               std::size_t candidate_count,
+               const FreeSpaceOptions& options)
+{
+  const double edge = grid.cellSize() * rasterStep(grid);
+  const double volume = edge * edge * edge * static_cast<double>(candidate_count);
+  const double count = options.viewpoints * std::max(1.0, volume / room_volume);
+  return static_cast<std::size_t>(
+      std::max<double>(options.viewpoints, std::min(count, most_viewpoints)));
+}
+
+/** The viewpoints nearest to a position; ties by number. */
+void
+chooseNearest(const std::vector<Eigen::Vector3f>& viewpoints,
+              const Eigen::Vector3f& position,
+              std::size_t count,
+              std::vector<std::pair<float, std::uint32_t>>& nearest)
+{
+  nearest.clear();
+  for (std::uint32_t i = 0; i < viewpoints.size(); ++i)
+    nearest.emplace_back((viewpoints[i] - position).squaredNorm(), i);
+  if (nearest.size() <= count)
+    return;
+  std::nth_element(nearest.begin(),
+                   nearest.begin() + static_cast<std::ptrdiff_t>(count),
+                   nearest.end());
+  nearest.resize(count);
+}
+
 /** Votes of the viewpoints on the sides of the normals; positive: keep the normal. */
 std::vector<float>
 collectVotes(const std::vector<Eigen::Vector3f>& positions,
@@ -87,14 +127,21 @@ collectVotes(const std::vector<Eigen::Vector3f>& positions,
   std::vector<float> votes(positions.size(), 0.0f);
   const auto count = static_cast<std::ptrdiff_t>(positions.size());
   const auto stride = static_cast<std::ptrdiff_t>(options.sample_stride);
-#pragma omp parallel for schedule(dynamic, 256)                                        \
-    num_threads(threadCount(options.threads))
-  for (std::ptrdiff_t i = 0; i < count; i += stride)
-    for (const auto& viewpoint : viewpoints) {
-      const float cosine = (viewpoint - positions[i]).normalized().dot(normals[i]);
-      if (std::abs(cosine) > 0.1f && grid.sees(viewpoint, positions[i]))
-        votes[i] += cosine;
+#pragma omp parallel num_threads(threadCount(options.threads))
+  {
+    std::vector<std::pair<float, std::uint32_t>> nearest;
+#pragma omp for schedule(dynamic, 256)
+    for (std::ptrdiff_t i = 0; i < count; i += stride) {
+      chooseNearest(viewpoints, positions[i], options.viewpoints, nearest);
+      std::sort(nearest.begin(), nearest.end()); // a fixed order of the sum
+      for (const auto& entry : nearest) {
+        const auto& viewpoint = viewpoints[entry.second];
+        const float cosine = (viewpoint - positions[i]).normalized().dot(normals[i]);
+        if (std::abs(cosine) > 0.1f && grid.sees(viewpoint, positions[i]))
+          votes[i] += cosine;
+      }
     }
+  }
   return votes;
 }
 
@@ -185,7 +232,8 @@ findViewpoints(const std::vector<Eigen::Vector3f>& positions,
                                   }),
                    candidates.end());
   std::vector<Eigen::Vector3f> viewpoints;
-  while (viewpoints.size() < options.viewpoints) {
+  const auto count = viewpointCount(grid, candidates.size(), options);
+  while (viewpoints.size() < count) {
     const auto best = std::max_element(candidates.begin(), candidates.end(), nearer);
     if (!(best->clearance > 0))
       break;

@@ -22,8 +22,10 @@ orientTowards(const Eigen::Vector3f& viewpoint,
               std::vector<Eigen::Vector3f>& normals);
 
 struct FreeSpaceOptions {
-  double cell_size = 0.06;    ///< resolution at which sight is blocked, metres (> 0)
-  unsigned viewpoints = 12;   ///< how many places in the free space look around (>= 1)
+  double cell_size = 0.06; ///< resolution at which sight is blocked, metres (> 0)
+  /** how many places in the free space look at a surface, the nearest ones (>= 1);
+   * there are as many for every 60 cubic metres */
+  unsigned viewpoints = 12;
   unsigned sample_stride = 3; ///< sight is tested for every n-th position (>= 1)
   unsigned threads = 0;       ///< 0 = automatic; the result does not depend on it
 };
