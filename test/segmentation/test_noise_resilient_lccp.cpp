@@ -3,82 +3,14 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/object_scene.h"
-
-#include <pcl/segmentation/noise_resilient_lccp.h>
-#include <pcl/segmentation/segmentation_metrics.h>
+#include "segmentation/segmented_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 using namespace pcl::indoor;
-using pcl::indoor::test::floorWithTwoBoxes;
-using Labels = std::vector<std::uint32_t>;
-
-namespace {
-
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Segmentation = pcl::NoiseResilientLCCP<pcl::PointXYZ>;
-
-Cloud::Ptr
-cloudOf(const std::vector<Eigen::Vector3f>& points)
-{
-  Cloud::Ptr cloud(new Cloud);
-  for (const auto& point : points)
-    cloud->emplace_back(point.x(), point.y(), point.z());
-  return cloud;
-}
-
-Labels
-segmented(const Cloud::ConstPtr& cloud)
-{
-  Segmentation segmentation;
-  segmentation.setInputCloud(cloud);
-  segmentation.setViewPoint(2, 1, 3);
-  Labels labels;
-  segmentation.segment(labels);
-  return labels;
-}
-
-pcl::PointCloud<pcl::Normal>::Ptr
-normalsOf(const test::LabelledPoints& scene)
-{
-  const pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
-  for (const auto& normal : scene.normals)
-    normals->emplace_back(normal.x(), normal.y(), normal.z());
-  return normals;
-}
-
-/** A closed room around the boxes, each wall an object of its own. */
-test::LabelledPoints
-roomWithTwoBoxes()
-{
-  auto scene = floorWithTwoBoxes();
-  std::mt19937 rng(8);
-  const Eigen::Vector3f x(4, 0, 0), y(0, 2.5f, 0), z(0, 0, 2.4f);
-  const auto add = [&](const Eigen::Vector3f& corner,
-                       const Eigen::Vector3f& u,
-                       const Eigen::Vector3f& v,
-                       const Eigen::Vector3f& normal,
-                       std::uint32_t object) {
-    scene.addRectangle(corner, u, v, normal, object, 0.015f, 0.003f, rng);
-  };
-  add(z, x, y, {0, 0, -1}, 4);
-  add({0, 0, 0}, x, z, {0, 1, 0}, 5);
-  add(y, x, z, {0, -1, 0}, 6);
-  add({0, 0, 0}, y, z, {1, 0, 0}, 7);
-  add(x, y, z, {-1, 0, 0}, 8);
-  return scene;
-}
-
-double
-agreement(const Labels& truth, const Labels& labels)
-{
-  return adjustedRandIndex(countOverlaps(truth, labels));
-}
-
-} // namespace
+using namespace pcl::indoor::test;
 
 TEST(NoiseResilientLCCP, FindsTwoBoxesOnTheFloor)
 {
@@ -147,7 +79,7 @@ TEST(NoiseResilientLCCP, LabelsCountFromOneInTheOrderOfThePoints)
   const auto scene = floorWithTwoBoxes();
   const auto labels = segmented(cloudOf(scene.points));
   ASSERT_EQ(labels.size(), scene.points.size());
-  EXPECT_EQ(labels, test::renamed(labels));
+  EXPECT_EQ(labels, renamed(labels));
   EXPECT_EQ(std::count(labels.begin(), labels.end(), 0u), 0);
 }
 
@@ -298,144 +230,4 @@ TEST(NoiseResilientLCCP, OrganisedCloudsAreSeenFromTheirSensor)
   for (const auto& point : output)
     labels.push_back(point.label);
   EXPECT_EQ(agreement(truth, labels), 1);
-}
-
-TEST(NoiseResilientLCCP, SmallInputs)
-{
-  std::vector<Eigen::Vector3f> points;
-  for (int i = 0; i < 3; ++i) { // one point, then equal points
-    points.emplace_back(1, 2, 3);
-    EXPECT_EQ(segmented(cloudOf(points)), Labels(points.size(), 1));
-  }
-  const Cloud::Ptr nothing(new Cloud);
-  nothing->emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f);
-  EXPECT_EQ(segmented(nothing), Labels{0});
-  EXPECT_TRUE(segmented(Cloud::Ptr(new Cloud)).empty());
-}
-
-TEST(NoiseResilientLCCP, IntermediateResultsFitTogether)
-{
-  const auto scene = floorWithTwoBoxes();
-  Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setViewPoint(2, 1, 3);
-  Labels labels;
-  segmentation.segment(labels);
-  const auto removed = segmentation.getRemovedIndices();
-  const auto supervoxels = segmentation.getSupervoxelLabels();
-  EXPECT_GT(removed.size(), 100u);
-  EXPECT_LT(removed.size(), labels.size() / 4);
-  std::size_t without = 0;
-  for (const auto label : supervoxels)
-    without += label == 0;
-  EXPECT_EQ(without, removed.size());
-  for (const auto index : removed)
-    EXPECT_EQ(supervoxels[index], 0u);
-  const auto adjacency = segmentation.getSupervoxelAdjacency();
-  EXPECT_GT(adjacency.size(), 1000u);
-  for (const auto& pair : adjacency) {
-    const auto range = adjacency.equal_range(pair.second);
-    EXPECT_TRUE(std::any_of(range.first, range.second, [&](const auto& other) {
-      return other.second == pair.first;
-    }));
-  }
-}
-
-TEST(NoiseResilientLCCP, GivesNothingForWrongUse)
-{
-  Segmentation segmentation;
-  Labels labels{1, 2, 3};
-  segmentation.segment(labels);
-  EXPECT_TRUE(labels.empty()) << "no cloud";
-  const auto cloud = cloudOf({{0, 0, 0}, {1, 0, 0}});
-  segmentation.setInputCloud(cloud);
-  const auto expectRejected = [&](const char* what) {
-    labels.assign(3, 1);
-    segmentation.segment(labels);
-    EXPECT_TRUE(labels.empty()) << what;
-    segmentation.setOptions({});
-  };
-  segmentation.setVoxelResolution(0);
-  expectRejected("voxel resolution");
-  segmentation.setVoxelResolution(1e-9);
-  expectRejected("voxels too small for the cloud");
-  segmentation.setSeedResolution(0.01);
-  expectRejected("seed resolution");
-  segmentation.setCurvatureThreshold(0.4f);
-  expectRejected("curvature");
-  segmentation.setRatioThreshold(std::nanf(""));
-  expectRejected("ratio");
-  segmentation.setGraphScale(-1);
-  expectRejected("scale");
-  segmentation.setBendThreshold(200);
-  expectRejected("bend");
-  segmentation.setConcavityToleranceThreshold(181);
-  expectRejected("tolerance");
-  ObjectSegmentationOptions options;
-  options.recovery.accepted_share = 0;
-  segmentation.setOptions(options);
-  expectRejected("share");
-  options = {};
-  options.spatial_weight = -1;
-  segmentation.setOptions(options);
-  expectRejected("spatial weight");
-  options = {};
-  options.normal_weight = -1;
-  segmentation.setOptions(options);
-  expectRejected("normal weight");
-  options = {};
-  options.concavity_weight = 2;
-  segmentation.setOptions(options);
-  expectRejected("concavity weight");
-  options = {};
-  options.normal_rings = 0;
-  segmentation.setOptions(options);
-  expectRejected("rings");
-  segmentation.setInputNormals(
-      pcl::PointCloud<pcl::Normal>::Ptr(new pcl::PointCloud<pcl::Normal>));
-  expectRejected("normals");
-  segmentation.setInputNormals({});
-  segmentation.setIndices(pcl::IndicesPtr(new pcl::Indices{2}));
-  expectRejected("index");
-  segmentation.setIndices(pcl::IndicesPtr(new pcl::Indices{0, 1}));
-  segmentation.segment(labels);
-  EXPECT_EQ(labels.size(), 2u) << "usable again";
-}
-
-TEST(NoiseResilientLCCP, DefaultsAreAsDocumented)
-{
-  const Segmentation segmentation;
-  EXPECT_DOUBLE_EQ(segmentation.getVoxelResolution(), 0.03);
-  EXPECT_DOUBLE_EQ(segmentation.getSeedResolution(), 0.12);
-  EXPECT_FLOAT_EQ(segmentation.getCurvatureThreshold(), 0.03f);
-  EXPECT_FLOAT_EQ(segmentation.getRatioThreshold(), 0.2f);
-  EXPECT_FLOAT_EQ(segmentation.getGraphScale(), 3);
-  EXPECT_FLOAT_EQ(segmentation.getBendThreshold(), 23);
-  EXPECT_EQ(segmentation.getMinSegmentSize(), 6u);
-  EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
-  EXPECT_EQ(segmentation.getPartition(), Segmentation::Partition::Graph);
-  EXPECT_FALSE(segmentation.getInputNormals());
-}
-
-template <typename PointT>
-class NoiseResilientLCCPOf : public testing::Test {};
-using PointTypes = testing::
-    Types<pcl::PointXYZ, pcl::PointXYZRGB, pcl::PointXYZRGBA, pcl::PointNormal>;
-TYPED_TEST_SUITE(NoiseResilientLCCPOf, PointTypes);
-
-TYPED_TEST(NoiseResilientLCCPOf, GivesTheSameForAllPointTypes)
-{
-  const auto scene = floorWithTwoBoxes();
-  const typename pcl::PointCloud<TypeParam>::Ptr cloud(new pcl::PointCloud<TypeParam>);
-  for (const auto& place : scene.points) {
-    TypeParam point;
-    point.getVector3fMap() = place;
-    cloud->push_back(point);
-  }
-  pcl::NoiseResilientLCCP<TypeParam> segmentation;
-  segmentation.setInputCloud(cloud);
-  segmentation.setViewPoint(2, 1, 3);
-  Labels labels;
-  segmentation.segment(labels);
-  EXPECT_EQ(labels, segmented(cloudOf(scene.points)));
 }

@@ -1,0 +1,80 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include "support/object_scene.h"
+
+#include <pcl/segmentation/noise_resilient_lccp.h>
+#include <pcl/segmentation/segmentation_metrics.h>
+
+namespace pcl {
+namespace indoor {
+namespace test {
+
+using Labels = std::vector<std::uint32_t>;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Segmentation = pcl::NoiseResilientLCCP<pcl::PointXYZ>;
+
+inline Cloud::Ptr
+cloudOf(const std::vector<Eigen::Vector3f>& points)
+{
+  Cloud::Ptr cloud(new Cloud);
+  for (const auto& point : points)
+    cloud->emplace_back(point.x(), point.y(), point.z());
+  return cloud;
+}
+
+inline Labels
+segmented(const Cloud::ConstPtr& cloud)
+{
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloud);
+  segmentation.setViewPoint(2, 1, 3);
+  Labels labels;
+  segmentation.segment(labels);
+  return labels;
+}
+
+inline pcl::PointCloud<pcl::Normal>::Ptr
+normalsOf(const LabelledPoints& scene)
+{
+  const pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
+  for (const auto& normal : scene.normals)
+    normals->emplace_back(normal.x(), normal.y(), normal.z());
+  return normals;
+}
+
+/** A closed room around the boxes, each wall an object of its own. */
+inline LabelledPoints
+roomWithTwoBoxes()
+{
+  auto scene = floorWithTwoBoxes();
+  std::mt19937 rng(8);
+  const Eigen::Vector3f x(4, 0, 0), y(0, 2.5f, 0), z(0, 0, 2.4f);
+  const auto add = [&](const Eigen::Vector3f& corner,
+                       const Eigen::Vector3f& u,
+                       const Eigen::Vector3f& v,
+                       const Eigen::Vector3f& normal,
+                       std::uint32_t object) {
+    scene.addRectangle(corner, u, v, normal, object, 0.015f, 0.003f, rng);
+  };
+  add(z, x, y, {0, 0, -1}, 4);
+  add({0, 0, 0}, x, z, {0, 1, 0}, 5);
+  add(y, x, z, {0, -1, 0}, 6);
+  add({0, 0, 0}, y, z, {1, 0, 0}, 7);
+  add(x, y, z, {-1, 0, 0}, 8);
+  return scene;
+}
+
+inline double
+agreement(const Labels& truth, const Labels& labels)
+{
+  return adjustedRandIndex(countOverlaps(truth, labels));
+}
+
+} // namespace test
+} // namespace indoor
+} // namespace pcl
