@@ -63,7 +63,9 @@ struct Candidate {
 int
 rasterStep(const FreeSpaceGrid& grid)
 {
-  return std::max(1, grid.shape().maxCoeff() / 40);
+  constexpr double most_candidates = 64000;
+  const double cells = grid.shape().cast<double>().prod();
+  return std::max(1, static_cast<int>(std::ceil(std::cbrt(cells / most_candidates))));
 }
 
 std::vector<Candidate>
@@ -219,6 +221,7 @@ findViewpoints(const std::vector<Eigen::Vector3f>& positions,
   auto candidates = freeCandidates(grid);
   if (candidates.empty())
     return {grid.center(grid.shape() / 2)};
+  const auto count = viewpointCount(grid, candidates.size(), options);
   const auto nearer = [](const auto& a, const auto& b) {
     return a.clearance < b.clearance;
   };
@@ -232,7 +235,6 @@ findViewpoints(const std::vector<Eigen::Vector3f>& positions,
                                   }),
                    candidates.end());
   std::vector<Eigen::Vector3f> viewpoints;
-  const auto count = viewpointCount(grid, candidates.size(), options);
   while (viewpoints.size() < count) {
     const auto best = std::max_element(candidates.begin(), candidates.end(), nearer);
     if (!(best->clearance > 0))
