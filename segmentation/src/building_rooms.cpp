@@ -4,6 +4,7 @@
  */
 
 #include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/potential_field.h>
 #include <pcl/segmentation/storey_space.h>
 
 #include <algorithm>
@@ -33,6 +34,26 @@ storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
   return storey_of;
 }
 
+/** Pixels beside one with another label. */
+PixelMap<std::uint8_t>
+borderPixels(const PixelMap<std::int32_t>& labels)
+{
+  PixelMap<std::uint8_t> border{labels.nx, labels.ny, {}};
+  border.values.assign(border.size(), 0);
+  const auto compare = [&](std::size_t a, std::size_t b) {
+    if (labels.values[a] != labels.values[b])
+      border.values[a] = border.values[b] = 1;
+  };
+  for (int x = 0; x < labels.nx; ++x)
+    for (int y = 0; y < labels.ny; ++y) {
+      if (x + 1 < labels.nx)
+        compare(labels.index(x, y), labels.index(x + 1, y));
+      if (y + 1 < labels.ny)
+        compare(labels.index(x, y), labels.index(x, y + 1));
+    }
+  return border;
+}
+
 /** Label the points of one storey: by the map, and at walls by the side they are on. */
 void
 labelPoints(const std::vector<Eigen::Vector3f>& points,
@@ -46,6 +67,10 @@ labelPoints(const std::vector<Eigen::Vector3f>& points,
 {
   const VoxelGrid<std::uint8_t>& grid = occupancy.grid;
   const int nz = grid.shape.nz;
+  // Only near borders are there sides to choose, and walls to fit in the slab around.
+  const auto to_border = squaredDistanceMap(borderPixels(map.labels), options.threads);
+  const double radius = 0.5 * options.walls.window / grid.voxel_size + 2.0;
+  const double reach = 2.0 * radius * radius; // to the corner of the window, squared
   std::vector<std::uint32_t> index;
   std::vector<Eigen::Vector2f> position;
   std::vector<std::uint8_t> is_wall;
@@ -56,11 +81,16 @@ labelPoints(const std::vector<Eigen::Vector3f>& points,
       continue;
     const std::size_t pixel = cell / nz;
     const int below = map.ceiling.values[pixel] + map.first_layer - cell % nz;
+    const bool in_slab = below >= map.slab.first && below <= map.slab.last;
+    if (to_border.values[pixel] > (in_slab ? 4 * reach : reach)) {
+      point_labels[i] = room_of[map.labels.values[pixel]];
+      continue;
+    }
     const Eigen::Vector3d local =
         occupancy.toGrid(points[i].cast<double>()) - grid.origin;
     index.push_back(static_cast<std::uint32_t>(i));
     position.push_back(local.head<2>().cast<float>());
-    is_wall.push_back(below >= map.slab.first && below <= map.slab.last);
+    is_wall.push_back(in_slab);
     label.push_back(map.labels.values[pixel]);
   }
   assignWallSides(position,

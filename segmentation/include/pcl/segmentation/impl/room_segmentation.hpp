@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 
@@ -79,8 +80,17 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
   const auto position = [&](index_t index) {
     return (*input_)[index].getVector3fMap().template cast<double>().eval();
   };
-  for (int axis = 0; axis < 3; ++axis) { // the median: outliers do not move it
-    std::vector<float> values;
+  Eigen::Vector3f lowest = Eigen::Vector3f::Constant(std::numeric_limits<float>::max());
+  Eigen::Vector3f highest = -lowest;
+  for (const auto index : usable) {
+    lowest = lowest.cwiseMin((*input_)[index].getVector3fMap());
+    highest = highest.cwiseMax((*input_)[index].getVector3fMap());
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    origin_[axis] = std::floor(lowest[axis]);
+    if (highest[axis] - lowest[axis] < 4096.0f) // metres
+      continue;
+    std::vector<float> values; // the median: points astray by kilometres do not move it
     values.reserve(usable.size());
     for (const auto index : usable)
       values.push_back((*input_)[index].data[axis]);
