@@ -37,6 +37,35 @@ coarser(const VoxelGrid<std::uint8_t>& fine, int factor)
   return coarse;
 }
 
+/** The points of some square tiles of the map, so many that enough are left: directions
+ * need no more. Which tiles are taken depends on their place alone. */
+OccupancyGrid
+someTiles(const std::vector<Eigen::Vector3f>& points,
+          const OccupancyGrid& building,
+          std::vector<Eigen::Vector3f>& chosen)
+{
+  constexpr std::size_t enough = 500000; // points
+  constexpr int tile = 16;               // pixels along x and y
+  const unsigned one_in =
+      static_cast<unsigned>(std::max<std::size_t>(1, points.size() / enough));
+  OccupancyGrid part;
+  part.grid = building.grid;
+  part.yaw = building.yaw;
+  const GridShape& shape = building.grid.shape;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::int32_t cell = building.cells[i];
+    if (cell < 0)
+      continue;
+    const unsigned x = static_cast<unsigned>(cell / shape.nz / shape.ny / tile);
+    const unsigned y = static_cast<unsigned>(cell / shape.nz % shape.ny / tile);
+    if ((x * 73856093u ^ y * 19349663u) / 16 % one_in != 0)
+      continue;
+    chosen.push_back(points[i]);
+    part.cells.push_back(cell);
+  }
+  return part;
+}
+
 std::vector<Eigen::Vector2d>
 wallDirections(const std::vector<Eigen::Vector3f>& points,
                const OccupancyGrid& building,
@@ -44,7 +73,9 @@ wallDirections(const std::vector<Eigen::Vector3f>& points,
 {
   VoxelNormalsOptions sampling;
   sampling.threads = options.threads;
-  const WeightedNormals sample = voxelNormals(points, building, sampling);
+  std::vector<Eigen::Vector3f> chosen;
+  const OccupancyGrid part = someTiles(points, building, chosen);
+  const WeightedNormals sample = voxelNormals(chosen, part, sampling);
   std::vector<Eigen::Vector2d> directions;
   for (const auto& found :
        horizontalDirections(manhattanFrames(sample.normals, sample.weights))) {
