@@ -64,24 +64,23 @@ private:
   std::vector<std::uint8_t> closed_;
 };
 
-} // namespace
-
-std::vector<RegionBorder>
-regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
-              const VerticalRange& storey,
-              const PixelMap<int>& ceiling,
-              const PixelMap<std::int32_t>& labels,
-              const PixelMap<std::int32_t>& free_labels)
+/** Call piece(p, q, layers, open layers) for each side between a pixel p and the next
+ * one, q, along x or y if they are of different regions. */
+template <typename Piece>
+void
+walkBorders(const VoxelGrid<std::uint8_t>& occupancy,
+            const VerticalRange& storey,
+            const PixelMap<int>& ceiling,
+            const PixelMap<std::int32_t>& labels,
+            const PixelMap<std::int32_t>& free_labels,
+            const Piece& piece)
 {
   PixelMap<std::uint8_t> sites{labels.nx, labels.ny, {}};
   sites.values.resize(sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
     sites.values[i] = free_labels.values[i] != 0;
   const NearestSites nearest = nearestSites(sites);
-
-  const double size = occupancy.voxel_size;
   BorderSection section(occupancy, storey, ceiling);
-  std::map<RegionPair, RegionBorder> borders;
   const auto look = [&](std::size_t p, std::size_t q) {
     const std::int32_t a = labels.values[p], b = labels.values[q];
     if (a == b || a == 0 || b == 0)
@@ -91,7 +90,90 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
       return; // nothing is free anywhere
     const int ny = labels.ny;
     const auto [height, open] = section.measure(from / ny, from % ny, to / ny, to % ny);
-    RegionBorder& border = borders[std::minmax(a, b)];
+    piece(p, q, height, open);
+  };
+  for (int x = 0; x < labels.nx; ++x)
+    for (int y = 0; y < labels.ny; ++y) {
+      if (x + 1 < labels.nx)
+        look(labels.index(x, y), labels.index(x + 1, y));
+      if (y + 1 < labels.ny)
+        look(labels.index(x, y), labels.index(x, y + 1));
+    }
+}
+
+/** A piece of border that a person can pass: one side of a pixel. */
+struct OpenPiece {
+  double x = 0.0, y = 0.0; ///< its middle, pixels
+  bool across_x = false;   ///< one passes it along x
+  int open = 0;            ///< open layers
+};
+
+/** The pieces of one opening as one. */
+RegionOpening
+joinPieces(const std::vector<OpenPiece>& pieces, double size)
+{
+  RegionOpening opening;
+  double across_x = 0.0, open = 0.0;
+  for (const OpenPiece& piece : pieces) {
+    opening.x += piece.x;
+    opening.y += piece.y;
+    across_x += piece.across_x;
+    open += piece.open;
+  }
+  const double count = static_cast<double>(pieces.size());
+  opening.x /= count;
+  opening.y /= count;
+  // a border that is no line of the grid goes in stairs; this is the way past them
+  opening.width = size * std::hypot(across_x, count - across_x);
+  opening.area = opening.width * size * open / count;
+  return opening;
+}
+
+/** Put pieces together whose middles are at most two pixels apart: a lone point in a
+ * doorway does not divide it. */
+std::vector<std::vector<OpenPiece>>
+connectedPieces(const std::vector<OpenPiece>& pieces)
+{
+  const auto place = [](double x, double y) { // half pixels
+    return std::make_pair(std::lround(2 * x), std::lround(2 * y));
+  };
+  std::map<std::pair<long, long>, int> piece_at;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    piece_at[place(pieces[i].x, pieces[i].y)] = static_cast<int>(i);
+  DisjointSets sets(static_cast<int>(pieces.size()));
+  for (const auto& [here, piece] : piece_at)
+    for (long dx = -4; dx <= 4; ++dx)
+      for (long dy = -4; dy <= 4; ++dy) {
+        const auto other = piece_at.find({here.first + dx, here.second + dy});
+        if (other != piece_at.end() && dx * dx + dy * dy <= 16)
+          sets.merge(sets.find(piece), sets.find(other->second));
+      }
+  std::map<int, std::size_t> group_of;
+  std::vector<std::vector<OpenPiece>> groups;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto root = sets.find(static_cast<int>(i));
+    const auto group = group_of.emplace(root, groups.size()).first->second;
+    if (group == groups.size())
+      groups.emplace_back();
+    groups[group].push_back(pieces[i]);
+  }
+  return groups;
+}
+
+} // namespace
+
+std::vector<RegionBorder>
+regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
+              const VerticalRange& storey,
+              const PixelMap<int>& ceiling,
+              const PixelMap<std::int32_t>& labels,
+              const PixelMap<std::int32_t>& free_labels)
+{
+  const double size = occupancy.voxel_size;
+  const int ny = labels.ny;
+  std::map<RegionPair, RegionBorder> borders;
+  const auto add = [&](std::size_t p, std::size_t q, int height, int open) {
+    RegionBorder& border = borders[std::minmax(labels.values[p], labels.values[q])];
     border.border_area += size * size * height;
     border.open_area += size * size * open;
     if (open * size >= passage_height) {
@@ -101,13 +183,7 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
       border.y += static_cast<double>(p % ny);
     }
   };
-  for (int x = 0; x < labels.nx; ++x)
-    for (int y = 0; y < labels.ny; ++y) {
-      if (x + 1 < labels.nx)
-        look(labels.index(x, y), labels.index(x + 1, y));
-      if (y + 1 < labels.ny)
-        look(labels.index(x, y), labels.index(x, y + 1));
-    }
+  walkBorders(occupancy, storey, ceiling, labels, free_labels, add);
 
   std::vector<RegionBorder> result;
   for (auto& [pair, border] : borders) {
@@ -119,6 +195,40 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
     result.push_back(border);
   }
   return result;
+}
+
+std::vector<RegionOpening>
+regionOpenings(const VoxelGrid<std::uint8_t>& occupancy,
+               const VerticalRange& storey,
+               const PixelMap<int>& ceiling,
+               const PixelMap<std::int32_t>& labels,
+               const PixelMap<std::int32_t>& free_labels,
+               double min_width)
+{
+  const double size = occupancy.voxel_size;
+  const auto ny = static_cast<std::size_t>(labels.ny);
+  std::map<RegionPair, std::vector<OpenPiece>> pieces;
+  const auto add = [&](std::size_t p, std::size_t q, int, int open) {
+    if (open * size < passage_height)
+      return;
+    OpenPiece piece;
+    piece.x = 0.5 * static_cast<double>(p / ny + q / ny) + 0.5;
+    piece.y = 0.5 * static_cast<double>(p % ny + q % ny) + 0.5;
+    piece.across_x = p / ny != q / ny;
+    piece.open = open;
+    pieces[std::minmax(labels.values[p], labels.values[q])].push_back(piece);
+  };
+  walkBorders(occupancy, storey, ceiling, labels, free_labels, add);
+
+  std::vector<RegionOpening> openings;
+  for (const auto& [pair, of_pair] : pieces)
+    for (const auto& group : connectedPieces(of_pair)) {
+      RegionOpening opening = joinPieces(group, size);
+      std::tie(opening.a, opening.b) = pair;
+      if (opening.width > min_width - 1e-9)
+        openings.push_back(opening);
+    }
+  return openings;
 }
 
 std::vector<std::int32_t>

@@ -53,6 +53,12 @@ struct TwoSpaces {
           occupancy.at(x, y, z) = value;
   }
 
+  std::vector<RegionOpening>
+  openings() const
+  {
+    return regionOpenings(occupancy, {0, 30}, ceiling, labels, free_labels);
+  }
+
   std::vector<RegionBorder>
   borders() const
   {
@@ -99,6 +105,50 @@ TEST(RegionBorders, ADoorInAWallInClosedForm)
     EXPECT_NEAR(borders[0].x, 30.5, 0.5); // a border lies between two pixels
     EXPECT_NEAR(borders[0].y, 14.0, 0.5);
   }
+}
+
+TEST(RegionOpenings, TwoDoorsAndAGapInClosedForm)
+{
+  TwoSpaces spaces({29, 30, 31});
+  spaces.set(29, 31, 3, 10, 1, 20, 0);  // 0.8 m wide, 2 m high
+  spaces.set(29, 31, 15, 24, 1, 21, 0); // 1 m wide, 2.1 m high
+  spaces.set(29, 31, 27, 28, 1, 20, 0); // 0.2 m: nobody passes
+  const auto openings = spaces.openings();
+  ASSERT_EQ(openings.size(), 2u);
+  for (const auto& opening : openings) {
+    EXPECT_EQ(opening.a, 1);
+    EXPECT_EQ(opening.b, 2);
+    EXPECT_NEAR(opening.x, 31.0, 1e-9); // labels change between pixels 30 and 31
+  }
+  EXPECT_NEAR(openings[0].y, 7.0, 1e-9);
+  EXPECT_NEAR(openings[0].width, 0.8, 1e-9);
+  EXPECT_NEAR(openings[0].area, 1.6, 1e-9);
+  EXPECT_NEAR(openings[1].y, 20.0, 1e-9);
+  EXPECT_NEAR(openings[1].width, 1.0, 1e-9);
+  EXPECT_NEAR(openings[1].area, 2.1, 1e-9);
+}
+
+TEST(RegionOpenings, AWindowIsNone)
+{
+  TwoSpaces spaces({30});
+  spaces.set(30, 30, 10, 18, 10, 22, 0);
+  EXPECT_TRUE(spaces.openings().empty());
+}
+
+TEST(RegionOpenings, AnObliqueBorderIsAsWideAsItIsLong)
+{
+  TwoSpaces spaces({30}, 40, 40);
+  spaces.set(0, 39, 0, 39, floor_layer + 1, ceiling_layer - 1, 0); // no wall
+  for (int x = 0; x < 40; ++x)
+    for (int y = 0; y < 40; ++y)
+      spaces.labels.at(x, y) = spaces.free_labels.at(x, y) = 3 * x > 4 * y ? 2 : 1;
+  const auto openings = spaces.openings();
+  ASSERT_EQ(openings.size(), 1u);
+  // from a corner to (40, 30); half a pixel at each end
+  EXPECT_NEAR(openings[0].width, 5.0, 0.1);
+  EXPECT_NEAR(openings[0].area, 5.0 * 2.5, 0.25);
+  EXPECT_NEAR(openings[0].x, 20.0, 1.0);
+  EXPECT_NEAR(openings[0].y, 15.0, 1.0);
 }
 
 TEST(RegionBorders, AlongTheOtherAxisItIsTheSame)

@@ -44,6 +44,32 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
               const PixelMap<std::int32_t>& labels,
               const PixelMap<std::int32_t>& free_labels);
 
+/** \brief A place where a person can pass from one region to another. */
+struct RegionOpening {
+  std::int32_t a = 0; ///< the smaller label
+  std::int32_t b = 0; ///< the larger label
+  double x = 0.0;     ///< its middle, grid frame, pixels; pixel 0 covers 0 ... 1
+  double y = 0.0;     ///< its middle, grid frame, pixels
+  double width = 0.0; ///< metres
+  double area = 0.0;  ///< of what is open, m^2
+};
+
+/** \brief Find the openings in the borders between regions.
+ *
+ * Parameters as for regionBorders(). Pieces of border that a person can pass and that
+ * are at most two pixels apart are one opening: two doors between the same two regions
+ * are two.
+ * \param[in] min_width narrower gaps are left out, metres
+ * \return in the order of (a, b), then of their first pixel
+ */
+std::vector<RegionOpening>
+regionOpenings(const VoxelGrid<std::uint8_t>& occupancy,
+               const VerticalRange& storey,
+               const PixelMap<int>& ceiling,
+               const PixelMap<std::int32_t>& labels,
+               const PixelMap<std::int32_t>& free_labels,
+               double min_width = 0.3);
+
 /** \brief Which regions are one room. */
 struct MergeOptions {
   double open_share = 0.55; ///< the open area is more than this share of the border and
