@@ -160,13 +160,13 @@ fill(const std::vector<Eigen::Vector3f>& points,
 Eigen::Vector3d
 OccupancyGrid::toGrid(const Eigen::Vector3d& point) const
 {
-  return Turn(yaw)(point);
+  return yaw == 0.0 ? point : Turn(yaw)(point);
 }
 
 Eigen::Vector3d
 OccupancyGrid::toCloud(const Eigen::Vector3d& point) const
 {
-  return Turn(-yaw)(point);
+  return yaw == 0.0 ? point : Turn(-yaw)(point);
 }
 
 OccupancyGrid

@@ -80,13 +80,16 @@ fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& optio
     return std::nullopt;
 
   const Eigen::Vector2d normal = eigen.eigenvectors().col(0);
+  std::vector<double> offsets; // from the mean, along the normal
+  offsets.reserve(points.size());
+  for (const auto& point : points)
+    offsets.push_back(normal.dot(point - mean));
   double middle = 0.0;
   double apart = 0.0;
   for (int iteration = 0; iteration < 4; ++iteration) {
     double sum[2] = {0.0, 0.0};
     std::size_t count[2] = {0, 0};
-    for (const auto& point : points) {
-      const double t = normal.dot(point - mean);
+    for (const double t : offsets) {
       sum[t > middle] += t;
       ++count[t > middle];
     }
@@ -156,14 +159,14 @@ nearestRoom(const PixelMap<std::int32_t>& free_labels,
   return room;
 }
 
-/** Whether rooms meet, or a room ends, within a pixel's window. */
+/** Whether the label of another room than the pixel's lies in its window. */
 bool
-nearBorder(const PixelMap<std::int32_t>& labels, int x, int y, int radius)
+nearOtherRoom(const PixelMap<std::int32_t>& labels, int x, int y, int radius)
 {
   const std::int32_t own = labels.at(x, y);
   for (int u = std::max(0, x - radius); u <= std::min(labels.nx - 1, x + radius); ++u)
     for (int v = std::max(0, y - radius); v <= std::min(labels.ny - 1, y + radius); ++v)
-      if (labels.at(u, v) != own)
+      if (labels.at(u, v) != own && labels.at(u, v) != 0)
         return true;
   return false;
 }
@@ -204,7 +207,8 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
     std::vector<Eigen::Vector2d> window;
     for (int y = 0; y < labels.ny; ++y) {
       const std::size_t pixel = labels.index(x, y);
-      if (all.first[pixel] == all.first[pixel + 1] || !nearBorder(labels, x, y, radius))
+      if (all.first[pixel] == all.first[pixel + 1] ||
+          !nearOtherRoom(labels, x, y, radius))
         continue;
       window.clear();
       for (int u = std::max(0, x - radius); u <= std::min(labels.nx - 1, x + radius);
