@@ -5,6 +5,7 @@
 
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/potential_field.h>
+#include <pcl/segmentation/room_outline.h>
 #include <pcl/segmentation/storey_space.h>
 
 #include <algorithm>
@@ -34,15 +35,17 @@ storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
   return storey_of;
 }
 
-/** Pixels beside one with another label. */
+/** Pixels beside one of another room. */
 PixelMap<std::uint8_t>
 borderPixels(const PixelMap<std::int32_t>& labels)
 {
   PixelMap<std::uint8_t> border{labels.nx, labels.ny, {}};
   border.values.assign(border.size(), 0);
   const auto compare = [&](std::size_t a, std::size_t b) {
-    if (labels.values[a] != labels.values[b])
-      border.values[a] = border.values[b] = 1;
+    if (labels.values[a] == labels.values[b])
+      return;
+    border.values[a] |= labels.values[b] != 0;
+    border.values[b] |= labels.values[a] != 0;
   };
   for (int x = 0; x < labels.nx; ++x)
     for (int y = 0; y < labels.ny; ++y) {
@@ -146,33 +149,107 @@ describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& b
   return rooms;
 }
 
+/** Turns places on the map of a storey, pixels, into places on its floor. */
+class FloorPlane {
+public:
+  FloorPlane(const OccupancyGrid& occupancy, const RoomMap& map)
+  : occupancy_(occupancy)
+  , layer_(map.first_layer + map.range.begin + 0.5)
+  {}
+
+  Eigen::Vector3d
+  operator()(double x, double y) const
+  {
+    const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
+    return occupancy_.toCloud(grid.origin +
+                              grid.voxel_size * Eigen::Vector3d(x, y, layer_));
+  }
+
+private:
+  const OccupancyGrid& occupancy_;
+  double layer_; ///< middle of the floor's voxels
+};
+
+void
+addFootprints(BuildingRooms& building)
+{
+  constexpr double tolerance = 1.5; // pixels: straight walls at any angle become lines
+  for (std::size_t s = 0; s < building.storeys.size(); ++s) {
+    const RoomMap& map = building.storeys[s];
+    const FloorPlane on_floor(building.occupancy, map);
+    const auto outlines = traceOutlines(map.free_labels, map.room_count);
+    for (std::int32_t label = 1; label <= map.room_count; ++label)
+      for (const auto& ring : outlines[label]) {
+        std::vector<Eigen::Vector3d> line;
+        for (const auto& corner : simplifyOutline(ring, tolerance))
+          line.push_back(on_floor(corner.x(), corner.y()));
+        building.rooms[building.room_of[s][label] - 1].footprint.push_back(line);
+      }
+  }
+}
+
+void
+addOpenings(const StoreySpace& space, BuildingRooms& building)
+{
+  const RoomMap& map = building.storeys.back();
+  const auto& room_of = building.room_of.back();
+  const FloorPlane on_floor(building.occupancy, map);
+  for (const auto& found : regionOpenings(
+           space.occupancy, map.range, map.ceiling, map.labels, map.free_labels)) {
+    RoomOpening opening;
+    opening.room_a = room_of[found.a];
+    opening.room_b = room_of[found.b];
+    opening.position = on_floor(found.x, found.y);
+    opening.width = found.width;
+    opening.area = found.area;
+    building.openings.push_back(opening);
+  }
+}
+
 } // namespace
 
 BuildingRooms
 segmentBuilding(const std::vector<Eigen::Vector3f>& points,
-                BuildingRoomsOptions options)
+                BuildingRoomsOptions options,
+                const ProgressCallback& progress)
 {
   options.interior.threads = options.threads;
   options.map.field_rooms.threads = options.threads;
   options.walls.threads = options.threads;
+  const auto stopped = [&](double share, const char* stage) {
+    return progress && !progress(share, stage);
+  };
   BuildingRooms building;
   OccupancyGridOptions grid_options;
   grid_options.voxel_size = options.voxel_size;
   grid_options.threads = options.threads;
+  if (stopped(0.0, "occupancy grid"))
+    return {};
   building.occupancy = occupancyGrid(points, grid_options);
   building.point_labels.assign(points.size(), 0);
 
   const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  if (stopped(0.2, "interior space"))
+    return {};
   building.interior = interiorSpace(points, building.occupancy, options.interior);
+  if (stopped(0.4, "storeys"))
+    return {};
   building.levels = findStoreys(grid, options.storeys);
   refineBorders(points, building.occupancy, building.levels);
   std::uint32_t room_count = 0;
-  for (const auto& space : storeySpaces(grid, building.interior, building.levels)) {
+  const auto spaces = storeySpaces(grid, building.interior, building.levels);
+  for (const auto& space : spaces) {
+    const double part = static_cast<double>(building.storeys.size()) / spaces.size();
+    if (stopped(0.5 + 0.3 * part, "rooms of a storey"))
+      return {};
     building.storeys.push_back(segmentRoomMap(space, options.map));
     auto& room_of = building.room_of.emplace_back();
     for (std::int32_t label = 0; label <= building.storeys.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
+    addOpenings(space, building);
   }
+  if (stopped(0.8, "rooms of the points"))
+    return {};
   const auto storey_of = storeysOfPoints(points, building);
   for (std::size_t s = 0; s < building.storeys.size(); ++s)
     labelPoints(points,
@@ -184,6 +261,9 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 building.room_of[s],
                 building.point_labels);
   building.rooms = describeRooms(points, building);
+  addFootprints(building);
+  if (stopped(1.0, "done"))
+    return {};
   return building;
 }
 

@@ -153,6 +153,60 @@ crossesItself(const OutlineRing& ring)
   return false;
 }
 
+/** A side of a simplified ring, moved so that as much of the ring lies on either side.
+ */
+struct Side {
+  Eigen::Vector2d point;
+  Eigen::Vector2d direction;
+  Eigen::Vector2d shift;
+};
+
+Side
+balancedSide(const OutlineRing& ring, std::size_t begin, std::size_t end)
+{
+  const Eigen::Vector2i& first = ring[begin];
+  const Eigen::Vector2i& last = ring[end % ring.size()];
+  std::int64_t twice = 0; // the area between the ring and the side
+  for (std::size_t i = begin; i < end; ++i)
+    twice += turn(first, ring[i], ring[(i + 1) % ring.size()]);
+  Side side;
+  side.direction = (last - first).cast<double>();
+  const Eigen::Vector2d right(side.direction.y(), -side.direction.x());
+  side.shift = 0.5 * static_cast<double>(twice) / side.direction.squaredNorm() * right;
+  side.point = first.cast<double>() + side.shift;
+  return side;
+}
+
+/** The corners of a simplified ring with balanced sides.
+ * \param[in] places of the corners in the ring */
+std::vector<Eigen::Vector2d>
+balancedCorners(const OutlineRing& ring,
+                const std::vector<std::size_t>& places,
+                double tolerance)
+{
+  std::vector<Side> sides;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    sides.push_back(balancedSide(
+        ring, places[k], k + 1 < places.size() ? places[k + 1] : ring.size()));
+  std::vector<Eigen::Vector2d> corners;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const Side& before = sides[(k + sides.size() - 1) % sides.size()];
+    const Side& after = sides[k];
+    const Eigen::Vector2d corner = ring[places[k]].cast<double>();
+    const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+      return a.x() * b.y() - a.y() * b.x();
+    };
+    const double part = cross(after.point - before.point, after.direction) /
+                        cross(before.direction, after.direction);
+    const Eigen::Vector2d meeting = before.point + part * before.direction;
+    // sides that are nearly parallel meet anywhere
+    corners.push_back((meeting - corner).norm() <= 2.0 * tolerance
+                          ? meeting
+                          : corner + 0.5 * (before.shift + after.shift));
+  }
+  return corners;
+}
+
 } // namespace
 
 double
@@ -189,11 +243,9 @@ traceOutlines(const PixelMap<std::int32_t>& labels, std::int32_t region_count)
   return outlines;
 }
 
-OutlineRing
+std::vector<Eigen::Vector2d>
 simplifyOutline(const OutlineRing& ring, double tolerance)
 {
-  if (ring.size() <= 4)
-    return ring;
   // Two points that stay: the lowest one on the left, and the one farthest from it.
   OutlineRing turned = ring;
   const auto less = [](const Eigen::Vector2i& a, const Eigen::Vector2i& b) {
@@ -212,11 +264,20 @@ simplifyOutline(const OutlineRing& ring, double tolerance)
   keepNeededPoints(turned, 0, middle, tolerance, kept);
   keepNeededPoints(turned, middle, turned.size(), tolerance, kept);
   OutlineRing simple;
+  std::vector<std::size_t> places;
   for (std::size_t i = 0; i < turned.size(); ++i)
-    if (kept[i])
+    if (kept[i]) {
       simple.push_back(turned[i]);
+      places.push_back(i);
+    }
   const bool lost = simple.size() < 3 || signedArea(simple) * signedArea(ring) <= 0.0;
-  return lost || crossesItself(simple) ? ring : simple;
+  if (lost || crossesItself(simple)) {
+    std::vector<Eigen::Vector2d> same;
+    for (const auto& corner : ring)
+      same.push_back(corner.cast<double>());
+    return same;
+  }
+  return balancedCorners(turned, places, tolerance);
 }
 
 } // namespace indoor

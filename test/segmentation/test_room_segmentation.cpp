@@ -205,6 +205,11 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
       {"open share -0.1", [](auto& s) { s.setOpenShare(-0.1); }},
       {"open share 1.1", [](auto& s) { s.setOpenShare(1.1); }},
       {"open share NaN", [=](auto& s) { s.setOpenShare(nan); }},
+      {"up axis 0", [](auto& s) { s.setUpAxis(Eigen::Vector3f::Zero()); }},
+      {"up axis NaN",
+       [](auto& s) {
+         s.setUpAxis({nan_value, 0, 1});
+       }},
       {"threads -1", [](auto& s) { s.setNumberOfThreads(-1); }}};
   const auto cloud = cloudOf(twoRooms().points);
   for (const auto& [what, set] : table) {
@@ -215,6 +220,7 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
     EXPECT_NO_THROW(segmentation.segment(labels)) << what;
     EXPECT_TRUE(labels.empty()) << what;
     segmentation.setOptions({}); // usable again
+    segmentation.setUpAxis(Eigen::Vector3f::UnitZ());
     segmentation.segment(labels);
     EXPECT_EQ(roomCount(labels), 2u) << what;
   }
@@ -228,6 +234,7 @@ TEST(RoomSegmentation, DefaultsAreAsDocumented)
   EXPECT_EQ(segmentation.getMinRoomWidth(), 0.5);
   EXPECT_EQ(segmentation.getPersistence(), 0.7);
   EXPECT_EQ(segmentation.getOpenShare(), 0.55);
+  EXPECT_EQ(segmentation.getUpAxis(), Eigen::Vector3f(0, 0, 1));
   EXPECT_EQ(segmentation.getNumberOfThreads(), 0);
 }
 

@@ -145,7 +145,9 @@ TEST(RoomSegmentation, RoomsAndOriginAreInTheFrameOfTheInput)
     EXPECT_EQ(room.upper, box.max());
   }
   // near the points, so that floats hold the points beside it
-  EXPECT_LT((segmentation.getOrigin() - offset.cast<double>()).norm(), 10.0);
+  EXPECT_LT(
+      (segmentation.getBuildingPose().translation() - offset.cast<double>()).norm(),
+      10.0);
 }
 
 TEST(RoomSegmentation, AFloorOrAWallAloneDoesNotCrash)

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace pcl {
@@ -40,7 +41,24 @@ struct Room {
   Eigen::Vector3d lower;       ///< lower corner of the box around the points, metres
   Eigen::Vector3d upper;       ///< upper corner of it, metres
   Eigen::Vector3d centroid;    ///< of the points, metres
+  /** Its floor inside the walls, metres: closed lines, counter-clockwise seen from
+   * above around the floor (the largest part first), clockwise around holes; within 1.5
+   * pixels of the map's borders. */
+  std::vector<std::vector<Eigen::Vector3d>> footprint;
 };
+
+/** \brief A place where a person can pass from one room to another. */
+struct RoomOpening {
+  std::uint32_t room_a = 0; ///< the smaller label
+  std::uint32_t room_b = 0; ///< the larger label
+  Eigen::Vector3d position; ///< its middle, on the storey's floor, metres
+  double width = 0.0;       ///< metres
+  double area = 0.0;        ///< m^2
+};
+
+/** \brief Is told what share of the work is done, 0 ... 1 and never less than before,
+ * and what comes next; returns whether to go on. */
+using ProgressCallback = std::function<bool(double share, const char* stage)>;
 
 /** \brief The rooms of a building and every step on the way to them. */
 struct BuildingRooms {
@@ -51,15 +69,19 @@ struct BuildingRooms {
   std::vector<std::vector<std::uint32_t>> room_of; ///< per storey and label: the room
   std::vector<std::uint32_t> point_labels;         ///< room per point, 0 = none
   std::vector<Room> rooms;                         ///< in the order of their labels
+  std::vector<RoomOpening> openings; ///< storey by storey, in the order of the rooms
 };
 
 /** \brief Find the rooms of a building.
  * \param[in] points finite points near the origin, z up, metres
+ * \param[in] progress called before each stage and at the end with 1; may be empty
+ * \return nothing at all (no storeys, no labels) if \a progress returned false
  * \throws pcl::BadArgumentException if an option is out of range
  */
 BuildingRooms
 segmentBuilding(const std::vector<Eigen::Vector3f>& points,
-                BuildingRoomsOptions options = {});
+                BuildingRoomsOptions options = {},
+                const ProgressCallback& progress = {});
 
 } // namespace indoor
 } // namespace pcl

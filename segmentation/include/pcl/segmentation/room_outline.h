@@ -36,13 +36,17 @@ signedArea(const OutlineRing& ring);
 std::vector<std::vector<OutlineRing>>
 traceOutlines(const PixelMap<std::int32_t>& labels, std::int32_t region_count);
 
-/** \brief Leave out points of a ring (Douglas and Peucker, 1973).
+/** \brief Make a ring one of few corners (Douglas and Peucker, 1973).
+ *
+ * Each side is then moved to the middle of the points it stands for, or the jagged
+ * borders of a map would make rooms smaller.
  * \param[in] ring as traceOutlines() gives it
- * \param[in] tolerance how far a point that is left out may lie from the new line,
- * pixels (>= 0); the corners of a straight line at any angle lie within sqrt(2) pixels
- * \return the ring as it is where the new one would cross itself or vanish
+ * \param[in] tolerance how far a point that is left out may lie from the line between
+ * those that stay, pixels (>= 0); the corners of a straight line at any angle lie
+ * within sqrt(2) pixels \return the ring as it is where the new one would cross itself
+ * or vanish
  */
-OutlineRing
+std::vector<Eigen::Vector2d>
 simplifyOutline(const OutlineRing& ring, double tolerance);
 
 } // namespace indoor

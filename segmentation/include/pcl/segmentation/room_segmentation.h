@@ -10,6 +10,8 @@
 #include <pcl/pcl_base.h>
 #include <pcl/PointIndices.h>
 
+#include <Eigen/Geometry>
+
 #include <cstdint>
 #include <vector>
 
@@ -19,14 +21,12 @@ namespace pcl {
  *
  * Walls, and the lintels over doorways, reach the ceiling, furniture seldom does: in a
  * slab right below the ceiling the rooms lie closed and empty. Neither sensor poses,
- * nor normals, nor walls at right angles are needed; z must point up.
+ * nor normals, nor walls at right angles are needed.
  *
  * Time and memory are linear in the points and in the voxels of the space they occupy.
  * \note D. Bobkov, Semantic Understanding of 3D Point Clouds of Indoor Environments,
- * Technical University of Munich, 2019, chapter 3; D. Bobkov, M. Kiechle, S.
- * Hilsenbeck, E. Steinbach, Room Segmentation in 3D Point Clouds Using Anisotropic
- * Potential Fields, ICME 2017. Deviations are listed in docs/rooms.md. \ingroup
- * segmentation
+ * Technical University of Munich, 2019, chapter 3; docs/rooms.md lists deviations.
+ * \ingroup segmentation
  */
 template <typename PointT>
 class RoomSegmentation : public PCLBase<PointT> {
@@ -144,7 +144,33 @@ public:
     return options_.threads;
   }
 
-  /** \brief All parameters in one struct, also those without a setter. */
+  /** \brief Set which direction of the cloud points up.
+   * \param[in] axis of any length but 0 (default +z)
+   */
+  void
+  setUpAxis(const Eigen::Vector3f& axis)
+  {
+    up_axis_ = axis;
+  }
+
+  const Eigen::Vector3f&
+  getUpAxis() const
+  {
+    return up_axis_;
+  }
+
+  /** \brief Set whom segment() tells how far it is.
+   * \param[in] callback given the share of the work, rising from 0 to 1, and the stage
+   * that begins; if it returns false, segment() stops, prints nothing and leaves empty
+   * outputs (default none)
+   */
+  void
+  setProgressCallback(const indoor::ProgressCallback& callback)
+  {
+    progress_ = callback;
+  }
+
+  /** \brief All parameters of the method, also those without a setter. */
   const indoor::BuildingRoomsOptions&
   getOptions() const
   {
@@ -171,27 +197,33 @@ public:
   void
   segment(std::vector<PointIndices>& rooms);
 
-  /** \brief The rooms of the last run, in the order of their labels; positions in the
-   * frame of the input cloud. */
+  /** \brief The rooms of the last run, by label, in the frame of the input cloud. */
   const std::vector<indoor::Room>&
   getRooms() const
   {
-    return building_.rooms;
+    return rooms_;
   }
 
-  /** \brief Every intermediate result of the last run: the grid and the map of each
-   * storey. Its points are the usable ones of the input, moved by -getOrigin(). */
+  /** \brief Where one can pass from room to room, in the frame of the input cloud. */
+  const std::vector<indoor::RoomOpening>&
+  getOpenings() const
+  {
+    return openings_;
+  }
+
+  /** \brief Every intermediate result of the last run, in the building's frame: z up,
+   * the origin near the points. */
   const indoor::BuildingRooms&
   getBuilding() const
   {
     return building_;
   }
 
-  /** \brief Where the frame of getBuilding() lies in the input cloud, metres. */
-  const Eigen::Vector3d&
-  getOrigin() const
+  /** \brief Turns and moves the building's frame into that of the cloud, metres. */
+  const Eigen::Isometry3d&
+  getBuildingPose() const
   {
-    return origin_;
+    return pose_;
   }
 
 protected:
@@ -204,8 +236,12 @@ protected:
 
 private:
   indoor::BuildingRoomsOptions options_;
+  Eigen::Vector3f up_axis_ = Eigen::Vector3f::UnitZ();
+  indoor::ProgressCallback progress_;
   indoor::BuildingRooms building_;
-  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  std::vector<indoor::Room> rooms_;
+  std::vector<indoor::RoomOpening> openings_;
+  Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
 };
 
 } // namespace pcl

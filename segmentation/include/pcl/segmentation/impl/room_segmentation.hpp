@@ -9,11 +9,11 @@
 #include <pcl/console/print.h>
 #include <pcl/exceptions.h>
 #include <pcl/impl/pcl_base.hpp>
+#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/room_segmentation.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl {
 
@@ -53,6 +53,8 @@ RoomSegmentation<PointT>::initCompute()
     return refuse("The persistence must lie in 0 ... 1", map.persistence, "");
   if (!(map.merging.open_share >= 0 && map.merging.open_share <= 1))
     return refuse("The open share must lie in 0 ... 1", map.merging.open_share, "");
+  if (!(up_axis_.allFinite() && up_axis_.squaredNorm() > 0.0f))
+    return refuse("The length of the up axis must be positive", up_axis_.norm(), "");
   if (options_.threads < 0)
     return refuse("The number of threads must not be negative", options_.threads, "");
   return true;
@@ -64,60 +66,45 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
 {
   labels.clear();
   building_ = indoor::BuildingRooms();
+  rooms_.clear();
+  openings_.clear();
   if (!initCompute())
     return;
 
-  // A float holds coordinates near the origin only: large ones are moved there.
   Indices usable;
+  std::vector<Eigen::Vector3f> points;
   for (const auto index : *indices_)
-    if (isFinite((*input_)[index]))
+    if (isFinite((*input_)[index])) {
       usable.push_back(index);
+      points.push_back((*input_)[index].getVector3fMap());
+    }
   if (usable.empty()) {
     PCL_ERROR("[pcl::RoomSegmentation::segment] No point is finite.\n");
     this->deinitCompute();
     return;
   }
-  const auto position = [&](index_t index) {
-    return (*input_)[index].getVector3fMap().template cast<double>().eval();
+  bool goes_on = true;
+  const auto progress = [&](double share, const char* stage) {
+    goes_on = !progress_ || progress_(share, stage);
+    return goes_on;
   };
-  Eigen::Vector3f lowest = Eigen::Vector3f::Constant(std::numeric_limits<float>::max());
-  Eigen::Vector3f highest = -lowest;
-  for (const auto index : usable) {
-    lowest = lowest.cwiseMin((*input_)[index].getVector3fMap());
-    highest = highest.cwiseMax((*input_)[index].getVector3fMap());
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    origin_[axis] = std::floor(lowest[axis]);
-    if (highest[axis] - lowest[axis] < 4096.0f) // metres
-      continue;
-    std::vector<float> values; // the median: points astray by kilometres do not move it
-    values.reserve(usable.size());
-    for (const auto index : usable)
-      values.push_back((*input_)[index].data[axis]);
-    const auto middle = values.begin() + values.size() / 2;
-    std::nth_element(values.begin(), middle, values.end());
-    origin_[axis] = std::floor(*middle);
-  }
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(usable.size());
-  for (const auto index : usable)
-    points.push_back((position(index) - origin_).template cast<float>());
-
+  const indoor::BuildingFrame frame = indoor::buildingFrame(points, up_axis_);
+  pose_ = frame.pose;
   try {
-    building_ = indoor::segmentBuilding(points, options_);
+    building_ = indoor::segmentBuilding(frame.points, options_, progress);
   } catch (const BadArgumentException& error) { // such as far too many voxels
     PCL_ERROR("[pcl::RoomSegmentation::segment] %s\n", error.what());
     this->deinitCompute();
     return;
   }
-  for (auto& room : building_.rooms) {
-    room.lower += origin_;
-    room.upper += origin_;
-    room.centroid += origin_;
+  if (goes_on) {
+    rooms_ = building_.rooms;
+    openings_ = building_.openings;
+    indoor::placeInCloud(pose_, points, building_.point_labels, rooms_, openings_);
+    labels.assign(input_->size(), 0);
+    for (std::size_t i = 0; i < usable.size(); ++i)
+      labels[usable[i]] = building_.point_labels[i];
   }
-  labels.assign(input_->size(), 0);
-  for (std::size_t i = 0; i < usable.size(); ++i)
-    labels[usable[i]] = building_.point_labels[i];
   this->deinitCompute();
 }
 
@@ -128,7 +115,7 @@ RoomSegmentation<PointT>::segment(std::vector<PointIndices>& rooms)
   rooms.clear();
   std::vector<std::uint32_t> labels;
   segment(labels);
-  rooms.resize(building_.rooms.size());
+  rooms.resize(rooms_.size());
   for (auto& room : rooms)
     room.header = input_->header;
   for (std::size_t i = 0; i < labels.size(); ++i)

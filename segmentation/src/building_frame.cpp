@@ -1,0 +1,101 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/building_frame.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** The turn from the cloud's frame into one with z up; of zeros and ones, and thus
+ * exact, where an axis of the cloud points up. */
+Eigen::Matrix3d
+turnUpright(const Eigen::Vector3f& up_axis)
+{
+  const Eigen::Vector3d up = up_axis.cast<double>().normalized();
+  int level = 0; // the cloud's axis that is the most level
+  up.cwiseAbs().minCoeff(&level);
+  const Eigen::Vector3d x =
+      (Eigen::Vector3d::Unit(level) - up[level] * up).normalized();
+  Eigen::Matrix3d turn;
+  turn << x.transpose(), up.cross(x).transpose(), up.transpose();
+  return turn;
+}
+
+/** Whole metres near the points: a float holds coordinates near the origin only. */
+Eigen::Vector3d
+originNear(const std::vector<Eigen::Vector3d>& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const auto& point : points)
+    box.extend(point);
+  Eigen::Vector3d origin = box.min().array().floor();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.max()[axis] - box.min()[axis] < 4096.0) // metres
+      continue;
+    std::vector<double> values; // the median: points astray by kilometres leave it
+    values.reserve(points.size());
+    for (const auto& point : points)
+      values.push_back(point[axis]);
+    const auto middle = values.begin() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    origin[axis] = std::floor(*middle);
+  }
+  return origin;
+}
+
+} // namespace
+
+BuildingFrame
+buildingFrame(const std::vector<Eigen::Vector3f>& points,
+              const Eigen::Vector3f& up_axis)
+{
+  BuildingFrame frame;
+  frame.pose = Eigen::Isometry3d::Identity();
+  if (points.empty())
+    return frame;
+  const Eigen::Matrix3d turn = turnUpright(up_axis);
+  std::vector<Eigen::Vector3d> turned;
+  turned.reserve(points.size());
+  for (const auto& point : points)
+    turned.push_back(turn * point.cast<double>());
+  const Eigen::Vector3d origin = originNear(turned);
+  frame.points.reserve(points.size());
+  for (const auto& point : turned)
+    frame.points.push_back((point - origin).cast<float>());
+  frame.pose.linear() = turn.transpose();
+  frame.pose.translation() = turn.transpose() * origin;
+  return frame;
+}
+
+void
+placeInCloud(const Eigen::Isometry3d& pose,
+             const std::vector<Eigen::Vector3f>& points,
+             const std::vector<std::uint32_t>& point_labels,
+             std::vector<Room>& rooms,
+             std::vector<RoomOpening>& openings)
+{
+  for (auto& opening : openings)
+    opening.position = pose * opening.position;
+  std::vector<Eigen::AlignedBox3f> boxes(rooms.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (point_labels[i] > 0)
+      boxes[point_labels[i] - 1].extend(points[i]);
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    rooms[i].lower = boxes[i].min().cast<double>();
+    rooms[i].upper = boxes[i].max().cast<double>();
+    rooms[i].centroid = pose * rooms[i].centroid;
+    for (auto& line : rooms[i].footprint)
+      for (auto& corner : line)
+        corner = pose * corner;
+  }
+}
+
+} // namespace indoor
+} // namespace pcl
