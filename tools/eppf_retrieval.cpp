@@ -242,6 +242,14 @@ main(int argc, char** argv)
               "share of each object that a single view hides",
               "%",
               Range::between(0, 95))
+      .flag("-estimate_normals",
+            experiment.disturbance.estimates_normals,
+            "also where there is no noise: the same normals at every level")
+      .number("-normal_radius",
+              experiment.disturbance.normal_radius,
+              "neighbourhood of a normal under noise, if -normal_neighbors is smaller",
+              "deviations",
+              Range::between(0, 100))
       .flag("-clean_gallery",
             experiment.clean_gallery,
             "compare noisy or hidden objects with untouched ones")

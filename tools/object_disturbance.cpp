@@ -106,6 +106,18 @@ hideFromView(PointCloud<PointNormal>& cloud, double percent, std::uint32_t seed)
   cloud = seen;
 }
 
+int
+neighborsUnderNoise(const Disturbance& disturbance,
+                    std::size_t point_count,
+                    int least_count)
+{
+  constexpr double pi = 3.141592653589793;
+  const double radius = disturbance.normal_radius * disturbance.noise_percent / 100.0;
+  const double share = std::min(pi * radius * radius / 3.0, 1.0);
+  return std::max(least_count,
+                  static_cast<int>(share * static_cast<double>(point_count)));
+}
+
 void
 disturb(PointCloud<PointNormal>& cloud,
         const Disturbance& disturbance,
@@ -114,10 +126,11 @@ disturb(PointCloud<PointNormal>& cloud,
 {
   if (disturbance.hidden_percent > 0.0)
     hideFromView(cloud, disturbance.hidden_percent, 2 * seed);
-  if (disturbance.noise_percent > 0.0) {
+  if (disturbance.noise_percent > 0.0)
     addNoise(cloud, disturbance.noise_percent, 2 * seed + 1);
-    estimateNormals(cloud, neighbor_count);
-  }
+  if (disturbance.noise_percent > 0.0 || disturbance.estimates_normals)
+    estimateNormals(cloud,
+                    neighborsUnderNoise(disturbance, cloud.size(), neighbor_count));
 }
 
 } // namespace pcl::indoor::tool

@@ -7,6 +7,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace pcl::indoor::tool {
@@ -16,6 +17,8 @@ struct Disturbance {
   double noise_percent =
       0.0; ///< standard deviation, in per cent of the object's extent
   double hidden_percent = 0.0; ///< share of the points that a single view does not see
+  bool estimates_normals = false; ///< anew even where no point was moved
+  double normal_radius = 4.0; ///< of a normal's neighbourhood, in deviations of noise
 };
 
 /** \brief Move every point by Gaussian noise, the same in all directions.
@@ -34,7 +37,20 @@ addNoise(PointCloud<PointNormal>& cloud, double percent, std::uint32_t seed);
 void
 hideFromView(PointCloud<PointNormal>& cloud, double percent, std::uint32_t seed);
 
-/** \brief Both, the view first; after noise normals are estimated anew. */
+/** \brief Neighbours of a normal under noise: those within the disturbance's radius.
+ *
+ * A plane through points that lie closer than the noise moves them has a direction by
+ * chance. A unit object has a surface of about 3; of point_count samples that many lie
+ * within normal_radius deviations.
+ * \return at least least_count, at most point_count where that is more
+ */
+int
+neighborsUnderNoise(const Disturbance& disturbance,
+                    std::size_t point_count,
+                    int least_count);
+
+/** \brief Both, the view first; after noise, or if asked for, normals are estimated
+ * anew from neighborsUnderNoise(), at least neighbor_count. */
 void
 disturb(PointCloud<PointNormal>& cloud,
         const Disturbance& disturbance,

@@ -35,8 +35,10 @@ disturbedObjects(const LabelledObjects& objects,
     auto cloud = *objects.clouds[k];
     const auto object_seed = static_cast<std::uint32_t>(
         (settings.seed + repeat) * 1000003u + static_cast<std::uint32_t>(k));
-    if (!clean)
-      disturb(cloud, settings.disturbance, settings.neighbor_count, object_seed);
+    auto disturbance = settings.disturbance;
+    if (clean)
+      disturbance.noise_percent = disturbance.hidden_percent = 0.0;
+    disturb(cloud, disturbance, settings.neighbor_count, object_seed);
     result.push_back(makeRetrievalObject(cloud, settings.neighbor_count));
   }
   return result;
