@@ -105,6 +105,7 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
   if (scene.room_of_point.empty())
     throw AlreadyReported();
   scene.rooms = segmentation.getRooms();
+  scene.openings = segmentation.getOpenings();
   scene.building = segmentation.getBuilding();
   progress.done(std::to_string(scene.rooms.size()) + " rooms");
 

@@ -179,6 +179,7 @@ OptionParser::text(const std::string& name,
   Option option;
   option.name = name;
   option.placeholder = choices.empty() ? "TEXT" : listed;
+  option.choices = choices;
   option.meaning = meaning;
   option.default_value = variable.empty() ? "none" : variable;
   option.read = [name, choices, listed, &variable](const std::string& text) {
@@ -277,7 +278,12 @@ OptionParser::readOption(Option& option,
     option.read("");
     return;
   }
-  if (position + 1 >= argc || looksLikeOption(argv[position + 1]))
+  const auto& choices = option.choices;
+  const auto is_choice = [&choices](const std::string& text) {
+    return std::find(choices.begin(), choices.end(), text) != choices.end();
+  };
+  if (position + 1 >= argc ||
+      (looksLikeOption(argv[position + 1]) && !is_choice(argv[position + 1])))
     throw ToolError(option.name + ": the value is missing");
   option.read(argv[++position]);
 }

@@ -148,6 +148,7 @@ private:
     std::string meaning;
     std::string range;                            ///< empty: anything
     std::string default_value;                    ///< as it was at registration
+    std::vector<std::string> choices;             ///< may begin with '-'
     std::function<void(const std::string&)> read; ///< throws ToolError
     std::function<std::string()> value;
     bool given = false;

@@ -106,6 +106,33 @@ drawNumbers(Picture& picture,
                         3);
 }
 
+/** A white disc in each opening of a storey. */
+void
+drawOpenings(Picture& picture,
+             const BuildingRooms& building,
+             std::size_t storey,
+             const Section& section,
+             int scale)
+{
+  const auto& grid = building.occupancy.grid;
+  const int radius = std::max(3, static_cast<int>(0.2 / grid.voxel_size * scale));
+  for (const auto& opening : building.openings) {
+    if (building.rooms[opening.room_a - 1].storey != storey)
+      continue;
+    const Eigen::Vector3d place =
+        (building.occupancy.toGrid(opening.position) - grid.origin) / grid.voxel_size;
+    const int x = static_cast<int>(std::lround((place.x() - section.begin_x) * scale));
+    const int y = static_cast<int>(std::lround((section.end_y - place.y()) * scale));
+    for (int dx = -radius; dx <= radius; ++dx)
+      for (int dy = -radius; dy <= radius; ++dy) {
+        const int squared = dx * dx + dy * dy;
+        if (squared <= radius * radius)
+          picture.set(
+              x + dx, y + dy, squared > (radius - 2) * (radius - 2) ? ink : paper);
+      }
+  }
+}
+
 void
 drawScaleBar(Picture& picture, double pixels_per_metre)
 {
@@ -166,6 +193,7 @@ drawRooms(const BuildingRooms& building)
       const auto label = map.labels.at(x, y);
       return label > 0 ? labelColor(room_of[static_cast<std::size_t>(label)]) : paper;
     }));
+    drawOpenings(storeys.back(), building, i, section, scale);
     drawNumbers(storeys.back(), map, room_of, section, scale);
   }
   return stack(storeys, pixelsPerMetre(building, scale));

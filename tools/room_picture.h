@@ -11,8 +11,8 @@
 namespace pcl::indoor::tool {
 
 /** \brief The rooms of all storeys, each in its colour and with its number; walls are
- * dark. Storeys lie below each other, the highest on top, all cut to the same part of
- * the map.
+ * dark, openings white discs. Storeys lie below each other, the highest on top, all cut
+ * to the same part of the map.
  */
 Picture
 drawRooms(const BuildingRooms& building);

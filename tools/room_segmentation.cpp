@@ -5,73 +5,158 @@
 
 #include "cloud_file.h"
 #include "options.h"
+#include "room_json.h"
+#include "room_picture.h"
+#include "room_svg.h"
 
 #include <pcl/segmentation/room_segmentation.h>
 
 using namespace pcl::indoor::tool;
+using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
 
-int
-main(int argc, char** argv)
-{
-  std::string input, output;
-  pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
-  double voxel_size = segmentation.getVoxelSize();
-  double min_area = segmentation.getMinRoomArea();
-  double min_width = segmentation.getMinRoomWidth();
-  double persistence = segmentation.getPersistence();
-  double open_share = segmentation.getOpenShare();
+namespace {
+
+struct Options {
+  std::string input, output, map, json;
   std::string method = "slab";
-  int threads = segmentation.getNumberOfThreads();
+  std::string up = "z";
+  pcl::indoor::BuildingRoomsOptions rooms;
+};
 
+OptionParser
+makeParser(Options& options)
+{
+  auto& map = options.rooms.map;
   OptionParser parser("pcl_room_segmentation",
                       "Segment the scan of a building into rooms with "
                       "pcl::RoomSegmentation; adds the field room.");
-  parser.positional("input", input, "PCD or PLY file, z up, metres")
-      .positional("output.pcd", output, "the input with the field room, 0 = none")
-      .number("-voxel_size", voxel_size, "side of a voxel", "m", Range::positive())
-      .number("-min_area", min_area, "smallest room", "m^2", Range::atLeast(0))
-      .number("-min_width", min_width, "narrowest room", "m", Range::atLeast(0))
+  parser.positional("input", options.input, "PCD or PLY file, metres")
+      .positional(
+          "output.pcd", options.output, "the input with the field room, 0 = none")
+      .text("-map",
+            options.map,
+            "beginning of the names of three pictures: _rooms.png and _rooms.svg with "
+            "numbers and doors, _field.png")
+      .text("-json",
+            options.json,
+            "file for area, volume, footprint and neighbours of each room")
+      .text("-up", options.up, "axis that points up", {"x", "y", "z", "-x", "-y", "-z"})
+      .number("-voxel_size",
+              options.rooms.voxel_size,
+              "side of a voxel",
+              "m",
+              Range::positive())
+      .number("-min_area", map.min_area, "smallest room", "m^2", Range::atLeast(0))
+      .number("-min_width", map.min_width, "narrowest room", "m", Range::atLeast(0))
       .number("-persistence",
-              persistence,
+              map.persistence,
               "widest passage between rooms, as share of the narrower one's width",
               "",
               Range::between(0, 1))
       .number("-open_share",
-              open_share,
+              map.merging.open_share,
               "most open border between rooms, as share of its area",
               "",
               Range::between(0, 1))
       .text("-method",
-            method,
+            options.method,
             "slab: walls below the ceiling; field: potential field and HDBSCAN, as in "
             "the thesis",
             {"slab", "field"})
-      .number("-threads", threads, "threads, 0 = automatic", "", Range::atLeast(0));
+      .number("-threads",
+              options.rooms.threads,
+              "threads, 0 = automatic",
+              "",
+              Range::atLeast(0));
+  return parser;
+}
+
+/** The axis of a text such as "-y". */
+Eigen::Vector3f
+axisOf(const std::string& text)
+{
+  const Eigen::Vector3f axis = Eigen::Vector3f::Unit(text.back() - 'x');
+  return text.front() == '-' ? Eigen::Vector3f(-axis) : axis;
+}
+
+void
+requireWritableResults(const Options& options)
+{
+  requireWritable(options.output);
+  if (!options.json.empty())
+    requireWritable(options.json);
+  if (!options.map.empty())
+    for (const char* name : {"_rooms.png", "_rooms.svg", "_field.png"})
+      requireWritable(options.map + name);
+}
+
+std::vector<std::uint32_t>
+segment(Segmentation& segmentation,
+        const Options& options,
+        const CloudFile& file,
+        Progress& progress)
+{
+  progress.start("Segmenting rooms");
+  segmentation.setOptions(options.rooms);
+  segmentation.setUpAxis(axisOf(options.up));
+  segmentation.setProgressCallback([&progress](double share, const char*) {
+    progress.update(static_cast<std::size_t>(100.0 * share), 100);
+    return true;
+  });
+  segmentation.setInputCloud(file.points);
+  std::vector<std::uint32_t> rooms;
+  segmentation.segment(rooms);
+  if (rooms.empty())
+    throw AlreadyReported();
+  progress.done(std::to_string(segmentation.getRooms().size()) + " rooms");
+  return rooms;
+}
+
+void
+save(const Options& options,
+     const std::string& parameters,
+     const Segmentation& segmentation,
+     const std::vector<std::uint32_t>& rooms,
+     CloudFile& file)
+{
+  const auto& building = segmentation.getBuilding();
+  if (!options.json.empty()) {
+    auto json = inputJson(file, parameters, rooms);
+    json["storeys"] = building.storeys.size();
+    json["rooms"] =
+        roomsJson(segmentation.getRooms(), segmentation.getOpenings(), file.offset);
+    saveText(options.json, jsonText(json));
+  }
+  if (!options.map.empty()) {
+    savePng(options.map + "_rooms.png", drawRooms(building));
+    savePng(options.map + "_field.png", drawPotentialField(building));
+    saveText(options.map + "_rooms.svg", roomsSvg(building));
+  }
+  appendField(file.cloud, "room", rooms);
+  saveCloud(options.output, file.cloud, file.origin, file.orientation);
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Options options;
+  auto parser = makeParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {
-    requireWritable(output);
-    progress.start("Loading " + input);
-    CloudFile file = loadCloud(input);
+    requireWritableResults(options);
+    progress.start("Loading " + options.input);
+    CloudFile file = loadCloud(options.input);
     progress.done(std::to_string(file.points->size()) + " points");
 
-    progress.start("Segmenting rooms");
-    segmentation.setVoxelSize(voxel_size);
-    segmentation.setMinRoomArea(min_area);
-    segmentation.setMinRoomWidth(min_width);
-    segmentation.setPersistence(persistence);
-    segmentation.setOpenShare(open_share);
-    segmentation.setMethod(method == "slab" ? pcl::indoor::RoomMethod::CeilingSlab
-                                            : pcl::indoor::RoomMethod::PotentialField);
-    segmentation.setNumberOfThreads(threads);
-    segmentation.setInputCloud(file.points);
-    std::vector<std::uint32_t> rooms;
-    segmentation.segment(rooms);
-    if (rooms.empty())
-      throw AlreadyReported();
-    progress.done(std::to_string(segmentation.getRooms().size()) + " rooms");
+    options.rooms.map.method = options.method == "slab"
+                                   ? pcl::indoor::RoomMethod::CeilingSlab
+                                   : pcl::indoor::RoomMethod::PotentialField;
+    Segmentation segmentation;
+    const auto rooms = segment(segmentation, options, file, progress);
 
-    progress.start("Saving " + output);
-    appendField(file.cloud, "room", rooms);
-    saveCloud(output, file.cloud, file.origin, file.orientation);
+    progress.start("Saving " + options.output);
+    save(options, parser.values(), segmentation, rooms, file);
     progress.done();
   });
 }

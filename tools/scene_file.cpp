@@ -4,41 +4,13 @@
  */
 #include "scene_file.h"
 
-#include <nlohmann/json.hpp>
+#include "room_json.h"
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 
 namespace pcl::indoor::tool {
-namespace {
 
 using Json = nlohmann::ordered_json;
-
-/** Tenths of a millimetre: finer than any scanner, and short to read. */
-double
-rounded(double metres)
-{
-  return std::round(metres * 1e4) / 1e4;
-}
-
-Json
-positionJson(const Eigen::Vector3d& position)
-{
-  return {rounded(position.x()), rounded(position.y()), rounded(position.z())};
-}
-
-template <typename Thing>
-void
-addPlace(Json& json, const Thing& thing, const Eigen::Vector3d& offset)
-{
-  json["points"] = thing.point_count;
-  json["box"] = {{"lower", positionJson(thing.lower + offset)},
-                 {"upper", positionJson(thing.upper + offset)}};
-  json["centroid"] = positionJson(thing.centroid + offset);
-}
-
-} // namespace
 
 std::vector<SceneObject>
 measureObjects(const PointCloud<PointXYZ>& points,
@@ -78,40 +50,19 @@ sceneText(const Scene& scene, const CloudFile& file, const std::string& paramete
     Json json;
     json["object"] = i + 1;
     json["room"] = object.room;
-    addPlace(json, object, file.offset);
+    addPlaceJson(json, object, file.offset);
     objects.push_back(std::move(json));
     if (object.room > 0)
       objects_of_room.at(object.room - 1).push_back(i + 1);
   }
-  Json rooms = Json::array();
-  for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
-    const auto& room = scene.rooms[i];
-    Json json;
-    json["room"] = room.label;
-    json["storey"] = room.storey;
-    addPlace(json, room, file.offset);
-    json["area"] = rounded(room.area);
-    json["height"] = rounded(room.height);
-    json["volume"] = rounded(room.volume);
-    json["objects"] = objects_of_room[i];
-    rooms.push_back(std::move(json));
-  }
-  const auto in_room = static_cast<std::size_t>(std::count_if(
-      scene.room_of_point.begin(), scene.room_of_point.end(), [](std::uint32_t room) {
-        return room > 0;
-      }));
-  Json json;
-  json["input"] = std::filesystem::path(file.path).filename().string();
-  json["parameters"] = parameters;
-  json["unit"] = "metre";
-  json["points"] = file.points->size();
-  json["finite_points"] = file.finite_count;
-  json["points_in_rooms"] = in_room;
+  Json rooms = roomsJson(scene.rooms, scene.openings, file.offset);
+  for (std::size_t i = 0; i < scene.rooms.size(); ++i)
+    rooms[i]["objects"] = objects_of_room[i];
+  Json json = inputJson(file, parameters, scene.room_of_point);
   json["storeys"] = scene.building.storeys.size();
   json["rooms"] = std::move(rooms);
   json["objects"] = std::move(objects);
-  // file names need not be UTF-8
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json);
 }
 
 } // namespace pcl::indoor::tool

@@ -30,6 +30,7 @@ struct Scene {
   std::vector<std::uint32_t> room_of_point;   ///< 0 = none
   std::vector<std::uint32_t> object_of_point; ///< 0 = none
   std::vector<Room> rooms;                    ///< in the order of their labels
+  std::vector<RoomOpening> openings;          ///< between the rooms
   std::vector<SceneObject> objects;           ///< object i + 1 is the i-th
   BuildingRooms building;
 };
