@@ -153,40 +153,55 @@ crossesItself(const OutlineRing& ring)
   return false;
 }
 
-/** A side of a simplified ring, moved so that as much of the ring lies on either side.
- */
+/** The line that a side of a simplified ring lies on. */
 struct Side {
   Eigen::Vector2d point;
   Eigen::Vector2d direction;
-  Eigen::Vector2d shift;
 };
 
+/** Fit a line to a part of a ring: where most of it is one straight line, that one,
+ * otherwise least squares over its length. */
 Side
-balancedSide(const OutlineRing& ring, std::size_t begin, std::size_t end)
+fittedSide(const OutlineRing& ring, std::size_t begin, std::size_t end)
 {
-  const Eigen::Vector2i& first = ring[begin];
-  const Eigen::Vector2i& last = ring[end % ring.size()];
-  std::int64_t twice = 0; // the area between the ring and the side
-  for (std::size_t i = begin; i < end; ++i)
-    twice += turn(first, ring[i], ring[(i + 1) % ring.size()]);
-  Side side;
-  side.direction = (last - first).cast<double>();
-  const Eigen::Vector2d right(side.direction.y(), -side.direction.x());
-  side.shift = 0.5 * static_cast<double>(twice) / side.direction.squaredNorm() * right;
-  side.point = first.cast<double>() + side.shift;
-  return side;
+  Side longest{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  double length = 0.0;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+  const Eigen::Vector2d start = ring[begin].cast<double>();
+  for (std::size_t i = begin; i < end; ++i) {
+    const Eigen::Vector2d from = ring[i].cast<double>() - start;
+    const Eigen::Vector2d to = ring[(i + 1) % ring.size()].cast<double>() - start;
+    const Eigen::Vector2d middle = 0.5 * (from + to), along = to - from;
+    const double weight = along.norm();
+    if (weight > longest.direction.norm())
+      longest = {start + from, along};
+    length += weight;
+    sum += weight * middle;
+    squares +=
+        weight * (middle * middle.transpose() + along * along.transpose() / 12.0);
+  }
+  constexpr double long_enough = 8.0; // pixels; the stairs of a turned line are shorter
+  const double straight = longest.direction.norm();
+  if (straight == length || straight > std::max(0.5 * length, long_enough))
+    return longest;
+  const Eigen::Vector2d mean = sum / length;
+  const Eigen::Matrix2d spread = squares / length - mean * mean.transpose();
+  const double angle =
+      0.5 * std::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));
+  return {start + mean, {std::cos(angle), std::sin(angle)}};
 }
 
-/** The corners of a simplified ring with balanced sides.
+/** The corners of a simplified ring with fitted sides.
  * \param[in] places of the corners in the ring */
 std::vector<Eigen::Vector2d>
-balancedCorners(const OutlineRing& ring,
-                const std::vector<std::size_t>& places,
-                double tolerance)
+fittedCorners(const OutlineRing& ring,
+              const std::vector<std::size_t>& places,
+              double tolerance)
 {
   std::vector<Side> sides;
   for (std::size_t k = 0; k < places.size(); ++k)
-    sides.push_back(balancedSide(
+    sides.push_back(fittedSide(
         ring, places[k], k + 1 < places.size() ? places[k + 1] : ring.size()));
   std::vector<Eigen::Vector2d> corners;
   for (std::size_t k = 0; k < sides.size(); ++k) {
@@ -200,9 +215,7 @@ balancedCorners(const OutlineRing& ring,
                         cross(before.direction, after.direction);
     const Eigen::Vector2d meeting = before.point + part * before.direction;
     // sides that are nearly parallel meet anywhere
-    corners.push_back((meeting - corner).norm() <= 2.0 * tolerance
-                          ? meeting
-                          : corner + 0.5 * (before.shift + after.shift));
+    corners.push_back((meeting - corner).norm() <= 2.0 * tolerance ? meeting : corner);
   }
   return corners;
 }
@@ -277,7 +290,7 @@ simplifyOutline(const OutlineRing& ring, double tolerance)
       same.push_back(corner.cast<double>());
     return same;
   }
-  return balancedCorners(turned, places, tolerance);
+  return fittedCorners(turned, places, tolerance);
 }
 
 } // namespace indoor

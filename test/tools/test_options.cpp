@@ -34,7 +34,7 @@ makeParser(Values& values)
       .number("-share", values.share, "share of it", "", Range::between(0, 1))
       .number("-count", values.count, "number of it", "", Range::between(-5, 10))
       .number("-seed", values.seed, "seed")
-      .text("-partition", values.partition, "way to do it", {"graph", "lccp"})
+      .text("-partition", values.partition, "way to do it", {"graph", "lccp", "-x"})
       .flag("-fast", values.fast, "do it fast");
   return parser;
 }
@@ -140,7 +140,7 @@ TEST(OptionParser, IncompleteUnknownAndRepeatedOptionsAreRefused)
   EXPECT_EQ(errorOf({"--size", "1"}),
             "--size: unknown option, -h lists the known ones");
   EXPECT_EQ(errorOf({"-partition", "none"}),
-            "-partition: 'none' is not one of graph|lccp");
+            "-partition: 'none' is not one of graph|lccp|-x");
   EXPECT_NE(errorOf({"c.pcd"}).find("'c.pcd' is one argument too many"),
             std::string::npos);
 }
@@ -178,7 +178,7 @@ TEST(OptionParser, HelpNamesEverythingWithItsDefault)
   const auto usage = makeParser(values).usage();
   for (const char* part : {"Syntax is: pcl_example input output.pcd <options>",
                            "-size X = size of it, m, greater than 0 (default: 0.35)",
-                           "-partition graph|lccp = way to do it (default: graph)",
+                           "-partition graph|lccp|-x = way to do it (default: graph)",
                            "-fast = do it fast\n",
                            "-quiet",
                            "-h ="})
@@ -203,4 +203,13 @@ TEST(OptionParser, RunTurnsErrorsIntoAnExitStatusAndOneLine)
   const auto said = run([](Progress&) { throw AlreadyReported(); });
   EXPECT_EQ(said.first, EXIT_FAILURE);
   EXPECT_EQ(said.second, "");
+}
+
+TEST(OptionParser, AChoiceMayBeginWithADash)
+{
+  Values values;
+  ASSERT_TRUE(parse(values, {"a.pcd", "b.pcd", "-partition", "-x", "-fast"}));
+  EXPECT_EQ(values.partition, "-x");
+  EXPECT_TRUE(values.fast);
+  EXPECT_EQ(errorOf({"-partition", "-fast"}), "-partition: the value is missing");
 }

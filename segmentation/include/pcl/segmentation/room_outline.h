@@ -38,8 +38,8 @@ traceOutlines(const PixelMap<std::int32_t>& labels, std::int32_t region_count);
 
 /** \brief Make a ring one of few corners (Douglas and Peucker, 1973).
  *
- * Each side is then moved to the middle of the points it stands for, or the jagged
- * borders of a map would make rooms smaller.
+ * Each side is then fitted to the points it stands for, or the jagged borders of a
+ * map would make rooms smaller.
  * \param[in] ring as traceOutlines() gives it
  * \param[in] tolerance how far a point that is left out may lie from the line between
  * those that stay, pixels (>= 0); the corners of a straight line at any angle lie

@@ -1,0 +1,169 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+// Runs pcl_room_segmentation on the simulated flat and looks at the maps and the JSON
+// file that it writes.
+#include "cloud_file.h"
+
+#include <pcl/conversions.h>
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+using namespace pcl::indoor::tool;
+
+namespace {
+
+std::string
+bytesOf(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+std::size_t
+count(const std::string& text, const std::string& part)
+{
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+/** The flat: a living room of 4.8 x 3.8 m, a bedroom of 3.3 x 3.8 m, a hallway of
+ * 8.3 x 1.6 m between the walls' faces; the hallway has a door to each. */
+class RoomResults : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    std::string name =
+        (std::filesystem::temp_directory_path() / "pcl_indoor_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    ASSERT_EQ(run("pcl_scan_simulation",
+                  std::string(PCL_INDOOR_PLANS) + "/flat.json " + path("flat.pcd")),
+              0);
+  }
+
+  void
+  TearDown() override
+  {
+    std::filesystem::remove_all(folder_);
+  }
+
+  std::string
+  path(const std::string& name) const
+  {
+    return (folder_ / name).string();
+  }
+
+  int
+  run(const std::string& tool, const std::string& arguments) const
+  {
+    return std::system((std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " + arguments +
+                        " > " + path("said") + " 2>&1")
+                           .c_str());
+  }
+
+  std::filesystem::path folder_;
+};
+
+double
+areaOf(const nlohmann::json& lines)
+{
+  double twice = 0.0;
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const auto& next = line[(i + 1) % line.size()];
+      twice += line[i][0].get<double>() * next[1].get<double>() -
+               next[0].get<double>() * line[i][1].get<double>();
+    }
+  return 0.5 * twice;
+}
+
+} // namespace
+
+TEST_F(RoomResults, JsonDescribesTheFlat)
+{
+  ASSERT_EQ(run("pcl_room_segmentation",
+                path("flat.pcd") + " " + path("out.pcd") + " -json " + path("r.json")),
+            0)
+      << bytesOf(path("said"));
+  const auto json = nlohmann::json::parse(bytesOf(path("r.json")));
+  ASSERT_EQ(json["rooms"].size(), 3u);
+  const auto labels = readLabels(loadCloud(path("out.pcd")), "room");
+  std::multiset<double> areas;
+  std::multiset<std::size_t> neighbours;
+  for (const auto& room : json["rooms"]) {
+    const double area = room["area"];
+    areas.insert(area);
+    neighbours.insert(room["neighbours"].size());
+    EXPECT_EQ(room["points"], std::count(labels.begin(), labels.end(), room["room"]));
+    EXPECT_EQ(room["storey"], 0);
+    EXPECT_NEAR(room["height"].get<double>(), 2.6, 0.15); // a voxel and a half
+    EXPECT_NEAR(
+        room["volume"].get<double>(), area * room["height"].get<double>(), 0.01);
+    EXPECT_NEAR(areaOf(room["footprint"]), area, 0.02 * area);
+    for (const auto& neighbour : room["neighbours"]) {
+      EXPECT_NE(neighbour["room"], room["room"]);
+      EXPECT_NEAR(neighbour["position"][1].get<double>(), 4.0, 0.15);
+      // the doors are 0.9 m wide; each post and the open leaf may cover a voxel
+      EXPECT_GE(neighbour["width"].get<double>(), 0.55);
+      EXPECT_LE(neighbour["width"].get<double>(), 1.05);
+    }
+  }
+  // a voxel less at each wall of two; a lamp at the ceiling of the largest
+  const double truth[] = {3.3 * 3.8, 8.3 * 1.6, 4.8 * 3.8};
+  std::size_t i = 0;
+  for (const double area : areas) {
+    EXPECT_LT(area, truth[i] * 1.02);
+    EXPECT_GT(area, truth[i] * 0.88);
+    ++i;
+  }
+  EXPECT_EQ(neighbours, (std::multiset<std::size_t>{1, 1, 2}));
+}
+
+TEST_F(RoomResults, MapsShowRoomsDoorsAndScale)
+{
+  ASSERT_EQ(run("pcl_room_segmentation",
+                path("flat.pcd") + " " + path("out.pcd") + " -map " + path("m")),
+            0)
+      << bytesOf(path("said"));
+  for (const char* picture : {"m_rooms.png", "m_field.png"})
+    EXPECT_EQ(bytesOf(path(picture)).substr(1, 3), "PNG");
+  const auto svg = bytesOf(path("m_rooms.svg"));
+  EXPECT_EQ(svg.substr(0, 4), "<svg");
+  EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
+  EXPECT_EQ(count(svg, "<g id=\"storey-"), 1u);
+  EXPECT_EQ(count(svg, "<path id=\"room-"), 3u);
+  EXPECT_EQ(count(svg, "class=\"door\""), 2u);
+  EXPECT_EQ(count(svg, " m²</text>"), 3u);
+  EXPECT_EQ(count(svg, "id=\"scale\""), 1u);
+}
+
+TEST_F(RoomResults, AnyAxisMayPointUp)
+{
+  const auto file = loadCloud(path("flat.pcd"));
+  pcl::PCLPointCloud2 lying;
+  pcl::PointCloud<pcl::PointXYZ> turned;
+  for (const auto& point : *file.points) // up is -y
+    turned.emplace_back(point.x, -point.z, point.y);
+  pcl::toPCLPointCloud2(turned, lying);
+  saveCloud(path("lying.pcd"), lying);
+  ASSERT_EQ(run("pcl_room_segmentation", path("flat.pcd") + " " + path("a.pcd")), 0);
+  ASSERT_EQ(
+      run("pcl_room_segmentation", path("lying.pcd") + " " + path("b.pcd") + " -up -y"),
+      0)
+      << bytesOf(path("said"));
+  EXPECT_EQ(readLabels(loadCloud(path("a.pcd")), "room"),
+            readLabels(loadCloud(path("b.pcd")), "room"));
+}
