@@ -144,9 +144,7 @@ public:
     return options_.threads;
   }
 
-  /** \brief Set which direction of the cloud points up.
-   * \param[in] axis of any length but 0 (default +z)
-   */
+  /** \brief Set which direction of the cloud points up, of any length (default +z). */
   void
   setUpAxis(const Eigen::Vector3f& axis)
   {
@@ -219,7 +217,7 @@ public:
     return building_;
   }
 
-  /** \brief Turns and moves the building's frame into that of the cloud, metres. */
+  /** \brief Brings the building's frame into that of the cloud, metres. */
   const Eigen::Isometry3d&
   getBuildingPose() const
   {
