@@ -177,6 +177,9 @@ TEST_F(ToolResults, PipelineDescribesTheSceneThatItWrites)
     areas.insert(room["area"].get<double>());
     EXPECT_NEAR(room["height"].get<double>(), 2.5, 0.3); // three voxels
     listed += room["objects"].size();
+    EXPECT_EQ(room["footprint"].at(0).size(), 4u);
+    ASSERT_EQ(room["neighbours"].size(), 1u);
+    EXPECT_NE(room["neighbours"][0]["room"], room["room"]);
   }
   EXPECT_NEAR(*areas.begin(), 9.0, 1.5); // a voxel on every side
   EXPECT_NEAR(*areas.rbegin(), 12.0, 1.5);
