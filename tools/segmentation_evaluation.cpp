@@ -39,7 +39,9 @@ evaluate(const SegmentLabels& truth, const SegmentLabels& predicted)
           {"weighted_overlap", weightedOverlap(overlaps)},
           {"right_segments", detections.right_count},
           {"wrong_segments", detections.true_count - detections.right_count},
-          {"mean_iou", detections.mean_iou}};
+          {"mean_iou", detections.mean_iou},
+          {"recall", detections.recall},
+          {"precision", detections.precision}};
 }
 
 SegmentLabels

@@ -242,6 +242,33 @@ multiScaleErrors(const SegmentLabels& fine,
       countOverlaps(mergeFineSegments(fine, coarse, predicted), predicted));
 }
 
+namespace {
+
+/** Recall and precision of Bormann et al.: the mean of the largest overlaps' shares. */
+void
+scoreCoverage(const std::vector<Overlap>& overlaps,
+              const Sizes& truth,
+              Sizes predicted,
+              DetectionScore& score)
+{
+  predicted.erase(0);
+  Sizes of_true, of_predicted;
+  for (const auto& overlap : overlaps) {
+    if (overlap.predicted == 0)
+      continue;
+    of_true[overlap.truth] = std::max(of_true[overlap.truth], overlap.count);
+    of_predicted[overlap.predicted] =
+        std::max(of_predicted[overlap.predicted], overlap.count);
+  }
+  for (const auto& [label, size] : truth)
+    score.recall += static_cast<double>(of_true[label]) / size / truth.size();
+  for (const auto& [label, size] : predicted)
+    score.precision +=
+        static_cast<double>(of_predicted[label]) / size / predicted.size();
+}
+
+} // namespace
+
 DetectionScore
 scoreDetections(const std::vector<Overlap>& overlaps)
 {
@@ -250,6 +277,7 @@ scoreDetections(const std::vector<Overlap>& overlaps)
   DetectionScore score;
   score.true_count = truth.size();
   score.predicted_count = predicted.size() - predicted.count(0);
+  scoreCoverage(overlaps, truth, predicted, score);
   std::vector<std::pair<double, Overlap>> matches;
   for (const auto& overlap : overlaps)
     if (overlap.predicted != 0)

@@ -110,6 +110,8 @@ TEST(SegmentationMetrics, DetectionsByHand)
   EXPECT_EQ(score.predicted_count, 2u);
   EXPECT_EQ(score.right_count, 2u); // 3/4, 2/4
   EXPECT_DOUBLE_EQ(score.mean_iou, (0.75 + 0.5 + 0) / 3);
+  EXPECT_DOUBLE_EQ(score.recall, (0.75 + 1 + 0.5) / 3);
+  EXPECT_DOUBLE_EQ(score.precision, (1 + 0.5) / 2);
 }
 
 TEST(SegmentationMetrics, EmptyIsPerfectAndSizesMustAgree)

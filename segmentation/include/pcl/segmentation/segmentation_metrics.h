@@ -91,6 +91,12 @@ struct DetectionScore {
   std::size_t predicted_count = 0;
   std::size_t right_count = 0; ///< true segments with intersection over union >= 0.5
   double mean_iou = 0; ///< over the true segments, each prediction used once at most
+  /** Mean over the true segments of the share that the prediction covering most of it
+   * covers (Bormann et al., Room Segmentation: Survey, Implementation, and Analysis,
+   * ICRA 2016). */
+  double recall = 0;
+  /** Mean over the predicted segments of the share that lies in one true segment. */
+  double precision = 0;
 };
 
 /** \brief Match true and predicted segments one to one, best overlap first. */
