@@ -5,7 +5,7 @@
 # bad_input.sh <case> <tool> <number option> <arguments>...
 # Runs a tool on one kind of bad input and demands: exit status 1, exactly one line on stderr that names the problem,
 # nothing on stdout, no file left. INPUT and OUTPUT in the arguments are replaced by paths; an absent OUTPUT means
-# that the tool writes no file.
+# that the tool writes no file. FOLDER is replaced by a folder of two classes, one of which holds the bad input.
 set -u
 case=$1 tool=$2 number=$3
 shift 3
@@ -29,6 +29,12 @@ rows() {
 
 good_cloud() { pcd_header 300 ascii && rows 300; }
 
+if [[ " $* " == *" FOLDER "* ]]; then
+  mkdir -p objects/bed objects/cup
+  input=$folder/objects/cup/input.pcd
+  for name in bed/1 bed/2 cup/1 cup/2; do good_cloud > "objects/$name.pcd"; done
+fi
+
 case $case in
   missing_file) expected='input.pcd: (no such (file|folder)|cannot be read)' ;;
   not_a_plan) echo '{"storeys": [{"rooms": 7}]}' > "$input"; expected='input.pcd: ' ;;
@@ -44,7 +50,7 @@ case $case in
     { pcd_header 300 binary_compressed; printf '\350\003\000\000\020\016\000\000'; head -c 1000 /dev/zero | tr '\0' '\377'; } > "$input"
     expected='input.pcd: .*damaged' ;;
   truncated_ply)
-    input=$folder/input.ply
+    input=${input%.pcd}.ply
     { printf 'ply\nformat binary_little_endian 1.0\nelement vertex 300\nproperty float x\nproperty float y\nproperty float z\nend_header\n'
       head -c 2000 /dev/zero; } > "$input"
     expected='input.ply: .*truncated.* 3600 .* 2000' ;;
@@ -67,6 +73,7 @@ esac
 
 arguments=()
 for argument in "$@"; do
+  argument=${argument//FOLDER/$folder\/objects}
   argument=${argument//INPUT/$input}
   arguments+=("${argument//OUTPUT/$output}")
 done
