@@ -28,13 +28,14 @@ turnUpright(const Eigen::Vector3f& up_axis)
   return turn;
 }
 
-/** Whole metres near the points: a float holds coordinates near the origin only. */
+/** Whole metres near the turned points: a float holds coordinates near the origin only.
+ */
 Eigen::Vector3d
-originNear(const std::vector<Eigen::Vector3d>& points)
+originNear(const std::vector<Eigen::Vector3f>& points, const Eigen::Matrix3d& turn)
 {
   Eigen::AlignedBox3d box;
   for (const auto& point : points)
-    box.extend(point);
+    box.extend(turn * point.cast<double>());
   Eigen::Vector3d origin = box.min().array().floor();
   for (int axis = 0; axis < 3; ++axis) {
     if (box.max()[axis] - box.min()[axis] < 4096.0) // metres
@@ -42,7 +43,7 @@ originNear(const std::vector<Eigen::Vector3d>& points)
     std::vector<double> values; // the median: points astray by kilometres leave it
     values.reserve(points.size());
     for (const auto& point : points)
-      values.push_back(point[axis]);
+      values.push_back(turn.row(axis).dot(point.cast<double>()));
     const auto middle = values.begin() + values.size() / 2;
     std::nth_element(values.begin(), middle, values.end());
     origin[axis] = std::floor(*middle);
@@ -61,14 +62,10 @@ buildingFrame(const std::vector<Eigen::Vector3f>& points,
   if (points.empty())
     return frame;
   const Eigen::Matrix3d turn = turnUpright(up_axis);
-  std::vector<Eigen::Vector3d> turned;
-  turned.reserve(points.size());
-  for (const auto& point : points)
-    turned.push_back(turn * point.cast<double>());
-  const Eigen::Vector3d origin = originNear(turned);
+  const Eigen::Vector3d origin = originNear(points, turn);
   frame.points.reserve(points.size());
-  for (const auto& point : turned)
-    frame.points.push_back((point - origin).cast<float>());
+  for (const auto& point : points)
+    frame.points.push_back((turn * point.cast<double>() - origin).cast<float>());
   frame.pose.linear() = turn.transpose();
   frame.pose.translation() = turn.transpose() * origin;
   return frame;

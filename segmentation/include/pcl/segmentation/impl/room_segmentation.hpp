@@ -73,6 +73,8 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
 
   Indices usable;
   std::vector<Eigen::Vector3f> points;
+  usable.reserve(indices_->size());
+  points.reserve(indices_->size());
   for (const auto index : *indices_)
     if (isFinite((*input_)[index])) {
       usable.push_back(index);
