@@ -145,8 +145,11 @@ connectedPieces(const std::vector<OpenPiece>& pieces)
     for (long dx = -4; dx <= 4; ++dx)
       for (long dy = -4; dy <= 4; ++dy) {
         const auto other = piece_at.find({here.first + dx, here.second + dy});
-        if (other != piece_at.end() && dx * dx + dy * dy <= 16)
-          sets.merge(sets.find(piece), sets.find(other->second));
+        if (other == piece_at.end() || dx * dx + dy * dy > 16)
+          continue;
+        const int a = sets.find(piece), b = sets.find(other->second);
+        if (a != b)
+          sets.merge(a, b);
       }
   std::map<int, std::size_t> group_of;
   std::vector<std::vector<OpenPiece>> groups;

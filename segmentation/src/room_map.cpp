@@ -223,8 +223,6 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   for (auto& label : map.labels.values)
     label = number[label];
   map.room_count = *std::max_element(number.begin(), number.end());
-  map.borders =
-      regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels);
   return map;
 }
 

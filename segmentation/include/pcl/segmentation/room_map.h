@@ -46,7 +46,6 @@ struct RoomMap {
   PixelMap<float> field;              ///< distance to the next wall, metres; 0 = wall
   PixelMap<std::int32_t> free_labels; ///< room of each free pixel, 1 ... n; 0 = none
   PixelMap<std::int32_t> labels;      ///< the same, carried into the walls
-  std::vector<RegionBorder> borders;  ///< between the rooms
   FieldRooms field_rooms;             ///< filled by RoomMethod::PotentialField
   std::int32_t room_count = 0;
 };
