@@ -54,15 +54,14 @@ adjacency(std::size_t count, const std::vector<HDBSCANEdge>& edges)
   return a;
 }
 
-/** Of parallel edges the shortest counts.
- * \param[in] k the rank of the neighbour that is wanted, the point itself being the
- * first
- */
+} // namespace
+
 std::vector<double>
-graphCoreDistances(std::size_t count,
-                   const std::vector<HDBSCANEdge>& edges,
-                   std::size_t k)
+hdbscan_detail::graphCoreDistances(std::size_t count,
+                                   const std::vector<HDBSCANEdge>& edges,
+                                   std::size_t k)
 {
+  requireWithin(count, edges);
   std::vector<double> core(count, 0.0);
   if (k < 2)
     return core;
@@ -89,8 +88,6 @@ graphCoreDistances(std::size_t count,
   }
   return core;
 }
-
-} // namespace
 
 std::vector<HDBSCANEdge>
 minimumSpanningForest(std::size_t count, std::vector<HDBSCANEdge> edges)
@@ -144,10 +141,10 @@ hdbscan(std::size_t count,
         const HDBSCANOptions& options)
 {
   hdbscan_detail::requireValid(options);
-  requireWithin(count, edges);
   return hdbscan(count,
                  edges,
-                 graphCoreDistances(count, edges, hdbscan_detail::minSamples(options)),
+                 hdbscan_detail::graphCoreDistances(
+                     count, edges, hdbscan_detail::minSamples(options)),
                  options);
 }
 

@@ -117,5 +117,16 @@ clusterMap(const MapDistance& distance, const HDBSCANOptions& options)
       distance.size(), mapSpanningTree(distance, core, options.threads), options);
 }
 
+std::vector<int>
+dbscanMap(const MapDistance& distance, const DBSCANOptions& options)
+{
+  dbscan_detail::requireValid(options);
+  if (distance.size() < options.min_samples)
+    return std::vector<int>(distance.size(), -1);
+  const auto core = mapCoreDistances(distance, options.min_samples, options.threads);
+  return dbscanFromSpanningForest(
+      distance.size(), mapSpanningTree(distance, core, options.threads), core, options);
+}
+
 } // namespace indoor
 } // namespace pcl

@@ -14,6 +14,7 @@
 #include <limits>
 #include <random>
 
+using pcl::indoor::DBSCANOptions;
 using pcl::indoor::FieldConnectivity;
 using pcl::indoor::HDBSCANOptions;
 using pcl::indoor::MapDistance;
@@ -99,6 +100,12 @@ TEST(ClusterMap, EqualsTheDenseComputation)
     ASSERT_EQ(result.probabilities, expected.probabilities) << "trial " << trial;
     ASSERT_EQ(result.outlier_scores, expected.outlier_scores) << "trial " << trial;
     clusters += static_cast<int>(result.stabilities.size());
+    DBSCANOptions cut;
+    cut.epsilon = static_cast<double>(rng() % 100) / 200.0;
+    cut.min_samples = options.min_samples;
+    ASSERT_EQ(pcl::indoor::dbscanMap(distance, cut),
+              pcl::indoor::dbscan(distance.size(), distance, cut))
+        << "trial " << trial;
   }
   EXPECT_GT(clusters, 150); // there was something to compare
 }

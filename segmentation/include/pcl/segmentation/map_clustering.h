@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/segmentation/dbscan.h>
 #include <pcl/segmentation/field_connectivity.h>
 #include <pcl/segmentation/hdbscan.h>
 #include <pcl/segmentation/visibility.h>
@@ -172,6 +173,13 @@ private:
  */
 HDBSCANResult
 clusterMap(const MapDistance& distance, const HDBSCANOptions& options);
+
+/** \brief DBSCAN* of the pixels of a map with the combined distance. Equals
+ * dbscan(distance.size(), distance, options) at the cost of clusterMap().
+ * \throws pcl::BadArgumentException if an option is out of its range
+ */
+std::vector<int>
+dbscanMap(const MapDistance& distance, const DBSCANOptions& options);
 
 /** \brief The step of clusterMap() before the hierarchy: core distances by search
  * around each pixel, \see hdbscan().

@@ -72,6 +72,15 @@ coreDistances(std::size_t count, const Distance& distance, std::size_t k, int th
   return core;
 }
 
+/** The same in a graph, where of parallel edges the shortest counts; infinite for a
+ * point with fewer than k - 1 neighbours. Throws if an edge leaves the graph or its
+ * distance is negative or NaN.
+ */
+std::vector<double>
+graphCoreDistances(std::size_t count,
+                   const std::vector<HDBSCANEdge>& edges,
+                   std::size_t k);
+
 /** A point outside of the tree and its shortest edge into it. */
 struct Reachable {
   std::uint32_t point;
