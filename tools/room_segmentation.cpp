@@ -23,6 +23,38 @@ struct Options {
   pcl::indoor::BuildingRoomsOptions rooms;
 };
 
+/** Options of the thesis's method, Sec. 3.2.3. */
+void
+addFieldOptions(OptionParser& parser, pcl::indoor::BuildingRoomsOptions& rooms)
+{
+  auto& field = rooms.map.field_rooms;
+  const auto weight =
+      [&parser](const char* name, double& variable, const char* meaning) {
+        parser.number(name, variable, meaning, "", Range::atLeast(0));
+      };
+  parser.number(
+      "-interior_voxel_size",
+      rooms.interior.voxel_size,
+      "side of a voxel of the interior space and of -method field, rounded to "
+      "a multiple of -voxel_size",
+      "m",
+      Range::positive());
+  weight("-euclidean_weight",
+         field.distance.euclidean_weight,
+         "field: weight of the Euclidean distance; 0 = much slower");
+  weight("-field_weight",
+         field.distance.field_weight,
+         "field: weight of the distance through the potential field");
+  weight("-visibility_weight",
+         field.distance.visibility_weight,
+         "field: weight of the difference of what is visible");
+  parser.number("-dbscan_distance",
+                field.dbscan_distance,
+                "field: 0 = HDBSCAN; else DBSCAN* with this weighted distance",
+                "",
+                Range::atLeast(0));
+}
+
 OptionParser
 makeParser(Options& options)
 {
@@ -68,6 +100,7 @@ makeParser(Options& options)
               "threads, 0 = automatic",
               "",
               Range::atLeast(0));
+  addFieldOptions(parser, options.rooms);
   return parser;
 }
 

@@ -9,6 +9,8 @@
 #include <pcl/segmentation/potential_field.h>
 #include <pcl/segmentation/visibility.h>
 
+#include <pcl/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,12 +19,30 @@ namespace pcl {
 namespace indoor {
 namespace {
 
+void
+requireValid(const FieldRoomsOptions& options)
+{
+  for (const double value :
+       {options.min_cluster_area, options.sample_area, options.landmark_spacing})
+    if (!(value > 0.0) || !std::isfinite(value))
+      PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                          "Areas and spacings of the field map must be positive, not "
+                              << value << ".");
+  if (!(options.dbscan_distance >= 0.0) || !std::isfinite(options.dbscan_distance))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The distance of DBSCAN must not be negative, but is "
+                            << options.dbscan_distance << ".");
+}
+
+/** What each pixel's highest free voxel sees; nothing if that has no weight. */
 VisibilityVectors
 visibilityOf(const VoxelGrid<std::uint8_t>& occupancy,
              const PixelMap<int>& highest_free,
              const std::vector<std::size_t>& pixels,
              const FieldRoomsOptions& options)
 {
+  if (options.distance.visibility_weight == 0.0)
+    return {};
   const int spacing = std::max(
       1,
       static_cast<int>(std::lround(options.landmark_spacing / occupancy.voxel_size)));
@@ -42,7 +62,30 @@ pixelCount(double area, double pixel_size, std::size_t least)
       least, static_cast<std::size_t>(std::lround(area / pixel_size / pixel_size)));
 }
 
-/** HDBSCAN of the pixels with a field (Eq. 3.3 to 3.5). */
+/** The label of each pixel of the distance, by HDBSCAN or DBSCAN*. */
+std::vector<int>
+clusterPixels(const MapDistance& distance,
+              double pixel_size,
+              const FieldRoomsOptions& options)
+{
+  const std::size_t smallest = pixelCount(options.min_cluster_area, pixel_size, 2);
+  const std::size_t samples = pixelCount(options.sample_area, pixel_size, 1);
+  if (options.dbscan_distance > 0.0) {
+    DBSCANOptions clustering;
+    clustering.epsilon = options.dbscan_distance;
+    clustering.min_cluster_size = smallest;
+    clustering.min_samples = samples;
+    clustering.threads = options.threads;
+    return dbscanMap(distance, clustering);
+  }
+  HDBSCANOptions clustering;
+  clustering.min_cluster_size = smallest;
+  clustering.min_samples = samples;
+  clustering.threads = options.threads;
+  return clusterMap(distance, clustering).labels;
+}
+
+/** Clusters of the pixels with a field (Eq. 3.3 to 3.5). */
 PixelMap<int>
 cluster(const VoxelGrid<std::uint8_t>& occupancy,
         const FieldRooms& rooms,
@@ -54,12 +97,7 @@ cluster(const VoxelGrid<std::uint8_t>& occupancy,
   for (std::size_t i = 0; i < field.size(); ++i)
     if (field.values[i] > 0 && rooms.highest_free.values[i] >= 0)
       pixels.push_back(i);
-  HDBSCANOptions clustering;
-  clustering.min_cluster_size =
-      pixelCount(options.min_cluster_area, occupancy.voxel_size, 2);
-  clustering.min_samples = pixelCount(options.sample_area, occupancy.voxel_size, 1);
-  clustering.threads = options.threads;
-  if (pixels.size() < clustering.min_cluster_size)
+  if (pixels.size() < pixelCount(options.min_cluster_area, occupancy.voxel_size, 2))
     return clusters;
   const MapDistance distance(
       field.nx,
@@ -68,9 +106,9 @@ cluster(const VoxelGrid<std::uint8_t>& occupancy,
       FieldConnectivity(field, rooms.thresholds),
       visibilityOf(occupancy, rooms.highest_free, pixels, options),
       options.distance);
-  const HDBSCANResult result = clusterMap(distance, clustering);
+  const auto labels = clusterPixels(distance, occupancy.voxel_size, options);
   for (std::size_t i = 0; i < pixels.size(); ++i)
-    clusters.values[pixels[i]] = result.labels[i];
+    clusters.values[pixels[i]] = labels[i];
   return clusters;
 }
 
@@ -106,6 +144,7 @@ labelTheRest(const FieldRooms& rooms,
 FieldRooms
 segmentFieldMap(const InteriorSpace& space, const FieldRoomsOptions& options)
 {
+  requireValid(options);
   const auto& occupancy = space.occupancy;
   const auto& interior = space.inside;
   FieldRooms rooms;
