@@ -123,34 +123,12 @@ requireWritableResults(const Options& options)
       requireWritable(options.map + name);
 }
 
-std::vector<std::uint32_t>
-segment(Segmentation& segmentation,
-        const Options& options,
-        const CloudFile& file,
-        Progress& progress)
-{
-  progress.start("Segmenting rooms");
-  segmentation.setOptions(options.rooms);
-  segmentation.setUpAxis(axisOf(options.up));
-  segmentation.setProgressCallback([&progress](double share, const char*) {
-    progress.update(static_cast<std::size_t>(100.0 * share), 100);
-    return true;
-  });
-  segmentation.setInputCloud(file.points);
-  std::vector<std::uint32_t> rooms;
-  segmentation.segment(rooms);
-  if (rooms.empty())
-    throw AlreadyReported();
-  progress.done(std::to_string(segmentation.getRooms().size()) + " rooms");
-  return rooms;
-}
-
 void
-save(const Options& options,
-     const std::string& parameters,
-     const Segmentation& segmentation,
-     const std::vector<std::uint32_t>& rooms,
-     CloudFile& file)
+saveDescription(const Options& options,
+                const std::string& parameters,
+                const Segmentation& segmentation,
+                const std::vector<std::uint32_t>& rooms,
+                const CloudFile& file)
 {
   const auto& building = segmentation.getBuilding();
   if (!options.json.empty()) {
@@ -165,8 +143,31 @@ save(const Options& options,
     savePng(options.map + "_field.png", drawPotentialField(building));
     saveText(options.map + "_rooms.svg", roomsSvg(building));
   }
-  appendField(file.cloud, "room", rooms);
-  saveCloud(options.output, file.cloud, file.origin, file.orientation);
+}
+
+/** The room of each point; what is known of the rooms is saved. */
+std::vector<std::uint32_t>
+segment(const Options& options,
+        const std::string& parameters,
+        const CloudFile& file,
+        Progress& progress)
+{
+  progress.start("Segmenting rooms");
+  Segmentation segmentation;
+  segmentation.setOptions(options.rooms);
+  segmentation.setUpAxis(axisOf(options.up));
+  segmentation.setProgressCallback([&progress](double share, const char*) {
+    progress.update(static_cast<std::size_t>(100.0 * share), 100);
+    return true;
+  });
+  segmentation.setInputCloud(file.points);
+  std::vector<std::uint32_t> rooms;
+  segmentation.segment(rooms);
+  if (rooms.empty())
+    throw AlreadyReported();
+  progress.done(std::to_string(segmentation.getRooms().size()) + " rooms");
+  saveDescription(options, parameters, segmentation, rooms, file);
+  return rooms;
 }
 
 } // namespace
@@ -185,11 +186,12 @@ main(int argc, char** argv)
     options.rooms.map.method = options.method == "slab"
                                    ? pcl::indoor::RoomMethod::CeilingSlab
                                    : pcl::indoor::RoomMethod::PotentialField;
-    Segmentation segmentation;
-    const auto rooms = segment(segmentation, options, file, progress);
+    const auto rooms = segment(options, parser.values(), file, progress);
+    file.points.reset(); // saving a large cloud needs the memory
 
     progress.start("Saving " + options.output);
-    save(options, parser.values(), segmentation, rooms, file);
+    appendField(file.cloud, "room", rooms);
+    saveCloud(options.output, file.cloud, file.origin, file.orientation);
     progress.done();
   });
 }

@@ -53,37 +53,30 @@ originNear(const std::vector<Eigen::Vector3f>& points, const Eigen::Matrix3d& tu
 
 } // namespace
 
-BuildingFrame
-buildingFrame(const std::vector<Eigen::Vector3f>& points,
-              const Eigen::Vector3f& up_axis)
+Eigen::Isometry3d
+moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,
+                      const Eigen::Vector3f& up_axis)
 {
-  BuildingFrame frame;
-  frame.pose = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   if (points.empty())
-    return frame;
+    return pose;
   const Eigen::Matrix3d turn = turnUpright(up_axis);
   const Eigen::Vector3d origin = originNear(points, turn);
-  frame.points.reserve(points.size());
-  for (const auto& point : points)
-    frame.points.push_back((turn * point.cast<double>() - origin).cast<float>());
-  frame.pose.linear() = turn.transpose();
-  frame.pose.translation() = turn.transpose() * origin;
-  return frame;
+  for (auto& point : points)
+    point = (turn * point.cast<double>() - origin).cast<float>();
+  pose.linear() = turn.transpose();
+  pose.translation() = turn.transpose() * origin;
+  return pose;
 }
 
 void
 placeInCloud(const Eigen::Isometry3d& pose,
-             const std::vector<Eigen::Vector3f>& points,
-             const std::vector<std::uint32_t>& point_labels,
+             const std::vector<Eigen::AlignedBox3f>& boxes,
              std::vector<Room>& rooms,
              std::vector<RoomOpening>& openings)
 {
   for (auto& opening : openings)
     opening.position = pose * opening.position;
-  std::vector<Eigen::AlignedBox3f> boxes(rooms.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (point_labels[i] > 0)
-      boxes[point_labels[i] - 1].extend(points[i]);
   for (std::size_t i = 0; i < rooms.size(); ++i) {
     rooms[i].lower = boxes[i].min().cast<double>();
     rooms[i].upper = boxes[i].max().cast<double>();

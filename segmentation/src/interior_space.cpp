@@ -48,10 +48,12 @@ someTiles(const std::vector<Eigen::Vector3f>& points,
   constexpr int tile = 16;               // pixels along x and y
   const unsigned one_in =
       static_cast<unsigned>(std::max<std::size_t>(1, points.size() / enough));
-  OccupancyGrid part;
-  part.grid = building.grid;
-  part.yaw = building.yaw;
   const GridShape& shape = building.grid.shape;
+  OccupancyGrid part;
+  part.grid.shape = shape; // its values are not needed
+  part.grid.origin = building.grid.origin;
+  part.grid.voxel_size = building.grid.voxel_size;
+  part.yaw = building.yaw;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::int32_t cell = building.cells[i];
     if (cell < 0)

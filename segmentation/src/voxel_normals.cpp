@@ -12,6 +12,8 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <bitset>
+#include <cstdint>
 
 namespace pcl {
 namespace indoor {
@@ -62,24 +64,64 @@ struct Moments {
   }
 };
 
-/** \brief The occupied voxels in their order, and where to find them. */
-struct OccupiedVoxels {
-  std::vector<std::int32_t> number; // per voxel: its number, or -1
-  std::vector<std::int32_t> voxel;  // per number
-};
-
-OccupiedVoxels
-listOccupied(const VoxelGrid<std::uint8_t>& grid)
-{
-  OccupiedVoxels occupied;
-  occupied.number.assign(grid.values.size(), -1);
-  for (std::size_t v = 0; v < grid.values.size(); ++v)
-    if (grid.values[v]) {
-      occupied.number[v] = static_cast<std::int32_t>(occupied.voxel.size());
-      occupied.voxel.push_back(static_cast<std::int32_t>(v));
+/** \brief Numbers the voxels that hold points in their order: a bit per voxel, and per
+ * word how many lie before it.
+ */
+class OccupiedVoxels {
+public:
+  OccupiedVoxels(const std::vector<std::int32_t>& cells, std::size_t voxel_count)
+  : bits_((voxel_count + 63) / 64, 0)
+  , before_(bits_.size(), 0)
+  {
+    for (const std::int32_t cell : cells)
+      if (cell >= 0)
+        bits_[cell / 64] |= std::uint64_t{1} << cell % 64;
+    for (std::size_t word = 0; word < bits_.size(); ++word) {
+      before_[word] = static_cast<std::int32_t>(voxel_.size());
+      for (std::uint64_t left = bits_[word]; left != 0; left &= left - 1)
+        voxel_.push_back(
+            static_cast<std::int32_t>(64 * word + countBits(lowest(left) - 1)));
     }
-  return occupied;
-}
+  }
+
+  std::size_t
+  size() const
+  {
+    return voxel_.size();
+  }
+
+  /** \brief The voxel of a number. */
+  std::int32_t
+  voxel(std::size_t number) const
+  {
+    return voxel_[number];
+  }
+
+  /** \brief The number of a voxel, or -1 if it holds no points. */
+  std::int32_t
+  number(std::size_t voxel) const
+  {
+    const std::uint64_t word = bits_[voxel / 64];
+    const std::uint64_t bit = std::uint64_t{1} << voxel % 64;
+    return word & bit ? before_[voxel / 64] + countBits(word & (bit - 1)) : -1;
+  }
+
+private:
+  static std::uint64_t
+  lowest(std::uint64_t word)
+  {
+    return word & (~word + 1);
+  }
+  static int
+  countBits(std::uint64_t word)
+  {
+    return static_cast<int>(std::bitset<64>(word).count());
+  }
+
+  std::vector<std::uint64_t> bits_;
+  std::vector<std::int32_t> before_;
+  std::vector<std::int32_t> voxel_;
+};
 
 Eigen::Vector3i
 placeOf(const GridShape& shape, std::int32_t voxel)
@@ -93,7 +135,7 @@ sumUp(const std::vector<Eigen::Vector3f>& points,
       const OccupiedVoxels& occupied,
       int threads)
 {
-  const std::size_t count = occupied.voxel.size();
+  const std::size_t count = occupied.size();
   std::vector<Moments> moments(count);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (int part = 0; part < threads; ++part) {
@@ -102,14 +144,14 @@ sumUp(const std::vector<Eigen::Vector3f>& points,
     const auto begin = static_cast<std::int32_t>(count * part / threads);
     const auto end = static_cast<std::int32_t>(count * (part + 1) / threads);
     for (std::int32_t n = begin; n < end; ++n) {
-      const Eigen::Vector3i place = placeOf(grid.grid.shape, occupied.voxel[n]);
+      const Eigen::Vector3i place = placeOf(grid.grid.shape, occupied.voxel(n));
       moments[n].centre =
           grid.toCloud(grid.grid.center(place.x(), place.y(), place.z())).cast<float>();
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (grid.cells[i] < 0)
         continue;
-      const std::int32_t n = occupied.number[grid.cells[i]];
+      const std::int32_t n = occupied.number(grid.cells[i]);
       if (n >= begin && n < end)
         moments[n].add(points[i]);
     }
@@ -126,7 +168,7 @@ scatterAround(const Eigen::Vector3i& place,
               double& count)
 {
   const Eigen::Vector3f centre =
-      moments[occupied.number[shape.index(place.x(), place.y(), place.z())]].centre;
+      moments[occupied.number(shape.index(place.x(), place.y(), place.z()))].centre;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
   count = 0.0;
@@ -135,7 +177,7 @@ scatterAround(const Eigen::Vector3i& place,
     const int y = place.y() + step / 3 % 3 - 1;
     const int z = place.z() + step % 3 - 1;
     const std::int32_t n =
-        shape.contains(x, y, z) ? occupied.number[shape.index(x, y, z)] : -1;
+        shape.contains(x, y, z) ? occupied.number(shape.index(x, y, z)) : -1;
     if (n < 0)
       continue;
     const Moments& m = moments[n];
@@ -176,7 +218,7 @@ voxelNormals(const std::vector<Eigen::Vector3f>& points,
   requireValid(points, grid, options);
   const int threads = threadCount(options.threads);
   const GridShape& shape = grid.grid.shape;
-  const OccupiedVoxels occupied = listOccupied(grid.grid);
+  const OccupiedVoxels occupied(grid.cells, shape.size());
   const std::vector<Moments> moments = sumUp(points, grid, occupied, threads);
   const auto count = static_cast<std::ptrdiff_t>(moments.size());
   constexpr int enough = 10000;
@@ -187,7 +229,7 @@ voxelNormals(const std::vector<Eigen::Vector3f>& points,
   std::vector<double> weights(moments.size(), 0.0);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::ptrdiff_t n = 0; n < count; ++n) {
-    const Eigen::Vector3i place = placeOf(shape, occupied.voxel[n]);
+    const Eigen::Vector3i place = placeOf(shape, occupied.voxel(n));
     if (!isChosen(place, keep_one_in))
       continue;
     double inside = 0.0;

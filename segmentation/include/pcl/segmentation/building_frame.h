@@ -15,30 +15,24 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief The points of a cloud as segmentBuilding() needs them: z up, near the origin.
- */
-struct BuildingFrame {
-  std::vector<Eigen::Vector3f> points; ///< in the building's frame, metres
-  Eigen::Isometry3d pose; ///< turns and moves the building's frame into the cloud's
-};
-
-/** \brief Turn and move points of a cloud into the building's frame.
+/** \brief Turn and move the points of a cloud so that z points up and they lie near the
+ * origin, as segmentBuilding() needs them.
  * No bit of a coordinate is lost where an axis of the cloud points up.
- * \param[in] points finite
+ * \param[in,out] points finite, metres
  * \param[in] up_axis of any length but 0
+ * \return turns and moves the building's frame back into the cloud's
  */
-BuildingFrame
-buildingFrame(const std::vector<Eigen::Vector3f>& points,
-              const Eigen::Vector3f& up_axis);
+Eigen::Isometry3d
+moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,
+                      const Eigen::Vector3f& up_axis);
 
 /** \brief Bring rooms and openings into the frame of the cloud.
- * \param[in] points as given to buildingFrame()
- * \param[in] point_labels room of each of these
+ * \param[in] boxes per room: around its points, in the cloud's frame (turned, the
+ * building's boxes would be too large)
  */
 void
 placeInCloud(const Eigen::Isometry3d& pose,
-             const std::vector<Eigen::Vector3f>& points,
-             const std::vector<std::uint32_t>& point_labels,
+             const std::vector<Eigen::AlignedBox3f>& boxes,
              std::vector<Room>& rooms,
              std::vector<RoomOpening>& openings);
 

@@ -40,7 +40,7 @@ struct WeightedNormals {
  * voxels), and a thin wall that was seen from both sides gives one clean normal.
  *
  * \param[in] points the points that the grid was made of
- * \param[in] grid their occupancyGrid()
+ * \param[in] grid their occupancyGrid(); its values are not read
  * \return normals in the frame of the points, in the order of the voxels
  * \throws pcl::BadArgumentException if grid and points do not belong together or an
  * option is out of range

@@ -71,16 +71,12 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
   if (!initCompute())
     return;
 
-  Indices usable;
   std::vector<Eigen::Vector3f> points;
-  usable.reserve(indices_->size());
   points.reserve(indices_->size());
   for (const auto index : *indices_)
-    if (isFinite((*input_)[index])) {
-      usable.push_back(index);
+    if (isFinite((*input_)[index]))
       points.push_back((*input_)[index].getVector3fMap());
-    }
-  if (usable.empty()) {
+  if (points.empty()) {
     PCL_ERROR("[pcl::RoomSegmentation::segment] No point is finite.\n");
     this->deinitCompute();
     return;
@@ -90,10 +86,9 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     goes_on = !progress_ || progress_(share, stage);
     return goes_on;
   };
-  const indoor::BuildingFrame frame = indoor::buildingFrame(points, up_axis_);
-  pose_ = frame.pose;
+  pose_ = indoor::moveIntoBuildingFrame(points, up_axis_);
   try {
-    building_ = indoor::segmentBuilding(frame.points, options_, progress);
+    building_ = indoor::segmentBuilding(points, options_, progress);
   } catch (const BadArgumentException& error) { // such as far too many voxels
     PCL_ERROR("[pcl::RoomSegmentation::segment] %s\n", error.what());
     this->deinitCompute();
@@ -102,10 +97,16 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
   if (goes_on) {
     rooms_ = building_.rooms;
     openings_ = building_.openings;
-    indoor::placeInCloud(pose_, points, building_.point_labels, rooms_, openings_);
+    std::vector<Eigen::AlignedBox3f> boxes(rooms_.size());
     labels.assign(input_->size(), 0);
-    for (std::size_t i = 0; i < usable.size(); ++i)
-      labels[usable[i]] = building_.point_labels[i];
+    auto label = building_.point_labels.begin();
+    for (const auto index : *indices_)
+      if (isFinite((*input_)[index])) {
+        labels[index] = *label++;
+        if (labels[index] > 0)
+          boxes[labels[index] - 1].extend((*input_)[index].getVector3fMap());
+      }
+    indoor::placeInCloud(pose_, boxes, rooms_, openings_);
   }
   this->deinitCompute();
 }
