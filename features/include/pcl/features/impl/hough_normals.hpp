@@ -1,0 +1,132 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/console/print.h>
+#include <pcl/features/hough_normals.h>
+#include <pcl/filters/neighbor_distance.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace pcl {
+
+template <typename PointInT, typename PointOutT>
+HoughNormalEstimation<PointInT, PointOutT>::HoughNormalEstimation(unsigned threads)
+: threads_(threads)
+{
+  feature_name_ = "HoughNormalEstimation";
+}
+
+template <typename PointInT, typename PointOutT>
+void
+HoughNormalEstimation<PointInT, PointOutT>::getViewPoint(float& x,
+                                                         float& y,
+                                                         float& z) const
+{
+  const Eigen::Vector3f place =
+      use_sensor_origin_ && input_
+          ? Eigen::Vector3f(input_->sensor_origin_.template head<3>())
+          : viewpoint_;
+  x = place.x();
+  y = place.y();
+  z = place.z();
+}
+
+template <typename PointInT, typename PointOutT>
+bool
+HoughNormalEstimation<PointInT, PointOutT>::initCompute()
+{
+  std::string problem = indoor::findInvalidOption(options_);
+  if (input_ && indices_ && !this->fake_indices_)
+    for (const auto index : *indices_)
+      if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
+        problem = "Index " + std::to_string(index) + " is outside of the cloud.";
+  if (!(search_radius_ >= 0) || !std::isfinite(search_radius_))
+    problem = "The radius must not be negative, not " + std::to_string(search_radius_) +
+              " m.";
+  if (k_ != 0 && k_ < 3)
+    problem = "A plane takes at least 3 neighbours, not " + std::to_string(k_) + ".";
+  if (!problem.empty()) {
+    PCL_ERROR("[pcl::HoughNormalEstimation::initCompute] %s\n", problem.c_str());
+    return false;
+  }
+  const auto& searched = surface_ ? surface_ : input_;
+  automatic_radius_ = search_radius_ == 0 && k_ == 0 && searched;
+  if (automatic_radius_)
+    search_radius_ = 2 * indoor::neighborhoodRadius(*searched, threads_);
+  if (automatic_radius_ && !(search_radius_ > 0))
+    search_radius_ = 1; // no two different points: no neighbourhood
+  return Feature<PointInT, PointOutT>::initCompute() || (deinitCompute(), false);
+}
+
+template <typename PointInT, typename PointOutT>
+bool
+HoughNormalEstimation<PointInT, PointOutT>::deinitCompute()
+{
+  if (automatic_radius_)
+    search_radius_ = 0;
+  automatic_radius_ = false;
+  return Feature<PointInT, PointOutT>::deinitCompute();
+}
+
+template <typename PointInT, typename PointOutT>
+void
+HoughNormalEstimation<PointInT, PointOutT>::computeFeature(PointCloudOut& output)
+{
+  Eigen::Vector3f viewpoint;
+  getViewPoint(viewpoint.x(), viewpoint.y(), viewpoint.z());
+  const indoor::HoughNormalEstimator shared(options_);
+  const auto count = static_cast<std::ptrdiff_t>(indices_->size());
+  bool dense = true;
+#ifdef _OPENMP
+  const int threads = threads_ > 0 ? static_cast<int>(threads_) : omp_get_max_threads();
+#endif
+#pragma omp parallel num_threads(threads) reduction(&& : dense)
+  {
+    auto estimator = shared;
+    Indices neighbors;
+    std::vector<float> squared_distances;
+    std::vector<Eigen::Vector3f> offsets;
+#pragma omp for schedule(dynamic, 256)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+      const auto index = (*indices_)[i];
+      const PointInT& point = (*input_)[index];
+      offsets.clear();
+      if (isFinite(point)) {
+        this->searchForNeighbors(
+            index, search_parameter_, neighbors, squared_distances);
+        // Double differences: nothing is lost in large coordinates.
+        const Eigen::Vector3d origin = point.getVector3fMap().template cast<double>();
+        for (const auto neighbor : neighbors)
+          offsets.push_back(
+              ((*surface_)[neighbor].getVector3fMap().template cast<double>() - origin)
+                  .template cast<float>());
+      }
+      const auto found = estimator.estimate(offsets);
+      Eigen::Vector3f normal = found.normal;
+      if (normal.dot((viewpoint.template cast<double>() -
+                      point.getVector3fMap().template cast<double>())
+                         .template cast<float>()) < 0)
+        normal *= -1;
+      output[i].getNormalVector3fMap() = normal;
+      output[i].curvature = found.curvature;
+      dense = dense && std::isfinite(normal.x());
+    }
+  }
+  output.is_dense = dense;
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_HoughNormalEstimation(T, OutT)                                 \
+  template class PCL_EXPORTS pcl::HoughNormalEstimation<T, OutT>;
