@@ -7,6 +7,7 @@
 #include "free_space_grid.h"
 
 #include <pcl/exceptions.h>
+#include <pcl/features/normal_graph.h>
 
 #include <algorithm>
 #include <cmath>
@@ -271,6 +272,28 @@ orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,
     if (votes[i] < 0)
       normals[i] *= -1;
   followNeighbors(neighbors, votes, normals);
+}
+
+void
+orientNormals(NormalOrientation orientation,
+              const std::vector<Eigen::Vector3f>& positions,
+              const Adjacency& neighbors,
+              const std::vector<Eigen::Vector3f>& viewpoint,
+              const FreeSpaceOptions& free_space,
+              std::vector<Eigen::Vector3f>& normals)
+{
+  if (orientation == NormalOrientation::Automatic)
+    orientation =
+        viewpoint.empty() ? NormalOrientation::FreeSpace : NormalOrientation::Viewpoint;
+  if (orientation == NormalOrientation::Viewpoint && viewpoint.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "Normals cannot be turned to a viewpoint that is not known.");
+  if (orientation == NormalOrientation::Graph)
+    orientConsistently(positions, neighbors, viewpoint, normals);
+  else if (orientation == NormalOrientation::FreeSpace)
+    orientTowardsFreeSpace(positions, neighbors, free_space, normals);
+  else
+    orientTowards(viewpoint.front(), positions, normals);
 }
 
 } // namespace indoor

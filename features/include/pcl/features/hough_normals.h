@@ -123,15 +123,14 @@ public:
     return options_.rotations;
   }
 
-  /** \brief Set how one normal comes of those of all accumulators (default Cluster).
-   */
+  /** \brief Set how one normal comes of all accumulators (default Cluster). */
   void
   setChoice(Choice choice)
   {
     options_.choice = choice;
   }
 
-  /** \brief Get how one normal comes of those of all accumulators. */
+  /** \brief Get the choice. */
   Choice
   getChoice() const
   {

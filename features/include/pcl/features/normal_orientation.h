@@ -21,6 +21,14 @@ orientTowards(const Eigen::Vector3f& viewpoint,
               const std::vector<Eigen::Vector3f>& positions,
               std::vector<Eigen::Vector3f>& normals);
 
+/** \brief Which side of a surface normals are turned to. */
+enum class NormalOrientation {
+  Automatic, ///< Viewpoint if one is known, else FreeSpace
+  Viewpoint, ///< towards the sensor, Eq. (2.6)
+  Graph,     ///< as their neighbours, Eq. (2.7), see orientConsistently()
+  FreeSpace  ///< towards the free space between the surfaces
+};
+
 struct FreeSpaceOptions {
   double cell_size = 0.06; ///< resolution at which sight is blocked, metres (> 0)
   /** how many places in the free space look at a surface, the nearest ones (>= 1);
@@ -52,6 +60,19 @@ orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,
                        const Adjacency& neighbors,
                        const FreeSpaceOptions& options,
                        std::vector<Eigen::Vector3f>& normals);
+
+/** \brief Turn normals in one of these ways.
+ * \param[in] viewpoint one, or none if it is not known
+ * \throws pcl::BadArgumentException if NormalOrientation::Viewpoint has no viewpoint, or
+ * as the ways themselves do
+ */
+void
+orientNormals(NormalOrientation orientation,
+              const std::vector<Eigen::Vector3f>& positions,
+              const Adjacency& neighbors,
+              const std::vector<Eigen::Vector3f>& viewpoint,
+              const FreeSpaceOptions& free_space,
+              std::vector<Eigen::Vector3f>& normals);
 
 } // namespace indoor
 } // namespace pcl

@@ -1,0 +1,48 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief A wish that two nodes have the same sign, or different ones. */
+struct SignEdge {
+  std::uint32_t source = 0;
+  std::uint32_t target = 0;
+  float weight = 0; ///< how strong; positive for the same sign, negative for different
+};
+
+/** \brief Sum the strengths of the edges whose wish the signs do not grant: the energy
+ * that signs should make small. \param[in] signs +1 or -1, one per node */
+double
+signEnergy(const std::vector<std::int8_t>& signs, const std::vector<SignEdge>& edges);
+
+/** \brief Choose signs of small energy.
+ *
+ * The least energy is a maximum cut, hard to find in general. Signs are found by
+ * contraction: nodes that are each other's strongest neighbours become one, the wishes
+ * between what was joined are added up, and so on until nothing is connected; then
+ * single signs are flipped while that lowers the energy. The result is exact, of energy
+ * 0, if all wishes can be granted, as they can for the sides of a surface wherever it
+ * has two.
+ * Cost: about linear in the number of edges.
+ * \param[in] edges between nodes 0 to node_count - 1; their order plays no part but
+ * for ties and rounding
+ * \param[out] component if not null, the connected component of each node, numbered
+ * from 0 by first node; edges of weight 0, and edges that cancel each other out,
+ * connect nothing
+ * \return +1 or -1, one per node; the first node of a component has +1
+ * \throws pcl::BadArgumentException if an edge leaves the graph
+ */
+std::vector<std::int8_t>
+findSigns(std::size_t node_count,
+          const std::vector<SignEdge>& edges,
+          std::vector<std::uint32_t>* component = nullptr);
+
+} // namespace indoor
+} // namespace pcl
