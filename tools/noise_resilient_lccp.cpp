@@ -22,6 +22,7 @@ namespace {
 struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "graph", camera = "auto";
+  std::string orientation = "auto";
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
   bool ignore_normals = false;
   ObjectSegmentationOptions others;
@@ -108,6 +109,12 @@ addOthers(OptionParser& parser, Settings& settings)
             "voxels grow with the distance from one camera along z; auto: if the input "
             "is organised",
             {"auto", "single", "none"})
+      .text("-orientation",
+            settings.orientation,
+            "which way estimated normals are turned: to the file's sensor origin, as "
+            "their neighbours, or to the free space; auto: viewpoint for one camera, "
+            "else free_space",
+            {"auto", "viewpoint", "graph", "free_space"})
       .flag("-ignore_normals",
             settings.ignore_normals,
             "estimate normals although the input has some")
@@ -137,6 +144,12 @@ chosenOptions(const Settings& settings, bool organised)
                       : settings.partition == "graph"
                           ? Partition::Graph
                           : Partition::FelzenszwalbHuttenlocher;
+  using pcl::indoor::NormalOrientation;
+  options.orientation = settings.orientation == "auto"    ? NormalOrientation::Automatic
+                        : settings.orientation == "graph" ? NormalOrientation::Graph
+                        : settings.orientation == "viewpoint"
+                            ? NormalOrientation::Viewpoint
+                            : NormalOrientation::FreeSpace;
   return options;
 }
 
@@ -168,6 +181,9 @@ main(int argc, char** argv)
       segmentation.setUseSingleCameraTransform(settings.camera == "single");
     file.points->sensor_origin_.head<3>() =
         (file.origin.head<3>().cast<double>() - file.offset).cast<float>();
+    const auto& origin = file.points->sensor_origin_;
+    if (settings.orientation == "viewpoint")
+      segmentation.setViewPoint(origin.x(), origin.y(), origin.z());
     segmentation.setInputCloud(file.points);
     if (file.has_normals && !settings.ignore_normals)
       segmentation.setInputNormals(readNormals(file));

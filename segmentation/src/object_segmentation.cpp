@@ -47,16 +47,15 @@ findNormals(const ObjectSegmentationInput& input,
     pcl::indoor::averageNormals(input.normals, voxels);
     return;
   }
-  if (!input.viewpoint.empty()) {
-    pcl::indoor::orientTowards(
-        input.viewpoint.front(), voxels.centroids, voxels.normals);
-    return;
-  }
   pcl::indoor::FreeSpaceOptions free_space;
   free_space.cell_size = 2 * options.voxel_size;
   free_space.threads = options.threads;
-  pcl::indoor::orientTowardsFreeSpace(
-      voxels.centroids, voxels.neighbors, free_space, voxels.normals);
+  pcl::indoor::orientNormals(options.orientation,
+                             voxels.centroids,
+                             voxels.neighbors,
+                             input.viewpoint,
+                             free_space,
+                             voxels.normals);
 }
 
 /** Eq. (4.2) for voxels: the points of the voxels around are counted. */

@@ -137,6 +137,21 @@ TEST(FindSigns, IsNearTheLeastEnergy)
   EXPECT_GT(exact, trials / 2);
 }
 
+TEST(FindSigns, NoSingleFlipLowersTheEnergy)
+{
+  std::mt19937 rng(4);
+  for (int trial = 0; trial < 30; ++trial) {
+    const auto edges = randomGraph(60, 300, rng);
+    auto signs = findSigns(60, edges);
+    const double energy = signEnergy(signs, edges);
+    for (auto& sign : signs) {
+      sign = static_cast<std::int8_t>(-sign);
+      EXPECT_GE(signEnergy(signs, edges), energy - 1e-4) << trial;
+      sign = static_cast<std::int8_t>(-sign);
+    }
+  }
+}
+
 TEST(FindSigns, NumbersTheComponents)
 {
   std::mt19937 rng(3);

@@ -156,6 +156,17 @@ public:
   void
   setViewPoint(double x, double y, double z);
 
+  /** \brief Set which way estimated normals are turned.
+   * \param[in] orientation default: to the viewpoint if there is one, else to the free
+   * space; Viewpoint needs setViewPoint() or a single camera
+   */
+  void
+  setNormalOrientation(indoor::NormalOrientation orientation);
+
+  /** \brief Get which way estimated normals are turned. */
+  indoor::NormalOrientation
+  getNormalOrientation() const;
+
   /** \brief Use voxels that grow with the distance from a single camera looking along
    * z. \param[in] use default: for organised clouds with more than one row
    */

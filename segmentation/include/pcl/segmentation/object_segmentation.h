@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/features/normal_orientation.h>
 #include <pcl/segmentation/graph_segmentation.h>
 #include <pcl/segmentation/point_recovery.h>
 #include <pcl/segmentation/surface_graph.h>
@@ -31,7 +32,9 @@ struct ObjectSegmentationOptions {
   /** raise both sizes in proportion where points are too sparse for the voxel size, see
    * raisedToResolution(); never for a single camera */
   bool adapt_to_resolution = true;
-  unsigned normal_rings = 1;         ///< reach of normals and curvature, voxels (>= 1)
+  unsigned normal_rings = 1; ///< reach of normals and curvature, voxels (>= 1)
+  /** which way estimated normals are turned */
+  NormalOrientation orientation = NormalOrientation::Automatic;
   float curvature_threshold = 0.03f; ///< theta_t (0 to 1/3)
   float ratio_threshold = 0.2f;      ///< alpha_t (0 to 1)
   /** neighbours nearer to the tangent plane count for neither half-space; voxels (>= 0)

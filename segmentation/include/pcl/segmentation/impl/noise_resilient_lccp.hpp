@@ -173,6 +173,20 @@ NoiseResilientLCCP<PointT>::setViewPoint(double x, double y, double z)
 
 template <typename PointT>
 void
+NoiseResilientLCCP<PointT>::setNormalOrientation(indoor::NormalOrientation orientation)
+{
+  options_.orientation = orientation;
+}
+
+template <typename PointT>
+indoor::NormalOrientation
+NoiseResilientLCCP<PointT>::getNormalOrientation() const
+{
+  return options_.orientation;
+}
+
+template <typename PointT>
+void
 NoiseResilientLCCP<PointT>::setUseSingleCameraTransform(bool use)
 {
   camera_ = use ? Camera::Single : Camera::Any;
