@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/segmentation/ceiling_slab.h>
 #include <pcl/segmentation/field_rooms.h>
 #include <pcl/segmentation/map_labels.h>
 #include <pcl/segmentation/map_random_walker.h>
@@ -32,6 +33,21 @@ requireValid(const FieldRoomsOptions& options)
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "The distance of DBSCAN must not be negative, but is "
                             << options.dbscan_distance << ".");
+}
+
+/** The interior without what lies above the ceiling: space over a roof has a floor and,
+ * where noise sticks out of the ceiling, walls; the rooms would be joined there. */
+VoxelGrid<std::uint8_t>
+belowCeiling(const InteriorSpace& space)
+{
+  VoxelGrid<std::uint8_t> inside = space.inside;
+  const GridShape& shape = inside.shape;
+  const auto ceiling = ceilingLayers(space.occupancy, {0, shape.nz}, {});
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y)
+      for (int z = ceiling.at(x, y) + 1; z < shape.nz; ++z)
+        inside.at(x, y, z) = 0;
+  return inside;
 }
 
 /** What each pixel's highest free voxel sees; nothing if that has no weight. */
@@ -146,7 +162,7 @@ segmentFieldMap(const InteriorSpace& space, const FieldRoomsOptions& options)
 {
   requireValid(options);
   const auto& occupancy = space.occupancy;
-  const auto& interior = space.inside;
+  const auto interior = belowCeiling(space);
   FieldRooms rooms;
   rooms.potential = potentialField(occupancy, options.threads); // Sec. 3.2.2
   rooms.field = fieldMap(rooms.potential, interior);

@@ -106,6 +106,46 @@ requireMatching(const VoxelGrid<std::uint8_t>& occupancy,
                                         << options.max_distance << " voxels.");
 }
 
+/** Call visit(neighbour) for each pixel beside one, and with Eight also for itself. */
+template <typename Visit>
+void
+forEachNeighbour(const PixelMap<int>& map,
+                 std::size_t pixel,
+                 PixelNeighbourhood neighbourhood,
+                 const Visit& visit)
+{
+  const int x = static_cast<int>(pixel) / map.ny;
+  const int y = static_cast<int>(pixel) % map.ny;
+  for (int u = std::max(x - 1, 0); u <= std::min(x + 1, map.nx - 1); ++u)
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, map.ny - 1); ++v)
+      if (neighbourhood == PixelNeighbourhood::Eight || u == x || v == y)
+        visit(map.index(u, v));
+}
+
+/** The labelled pixels, and those from which the field does not fall on the way to one:
+ * 1, else 0. */
+std::vector<char>
+slopesOfLabels(const PixelMap<int>& labels,
+               const PixelMap<float>& field,
+               PixelNeighbourhood neighbourhood)
+{
+  std::vector<char> slope(labels.size(), 0);
+  std::vector<std::size_t> reached;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels.values[i] != -1) {
+      slope[i] = 1;
+      reached.push_back(i);
+    }
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    forEachNeighbour(labels, reached[k], neighbourhood, [&](std::size_t i) {
+      if (!slope[i] && field.values[i] <= field.values[reached[k]]) {
+        slope[i] = 1;
+        reached.push_back(i);
+      }
+    });
+  return slope;
+}
+
 } // namespace
 
 PixelMap<int>
@@ -122,39 +162,25 @@ labelPeaks(const PixelMap<int>& labels,
   int next = 0;
   for (const int label : labels.values)
     next = std::max(next, label + 1);
-  const auto free = [&](std::size_t i) {
-    return result.values[i] == -1 && field.values[i] >= threshold;
-  };
+  std::vector<char> seen = slopesOfLabels(labels, field, neighbourhood);
   std::vector<std::size_t> component;
-  std::vector<std::size_t> too_small;
   for (std::size_t seed = 0; seed < result.size(); ++seed) {
-    if (!free(seed))
+    component.clear();
+    const auto take = [&](std::size_t i) {
+      if (seen[i] || !(field.values[i] >= threshold))
+        return;
+      seen[i] = 1;
+      component.push_back(i);
+    };
+    take(seed);
+    for (std::size_t k = 0; k < component.size(); ++k)
+      forEachNeighbour(labels, component[k], neighbourhood, take);
+    if (component.empty() || component.size() < min_pixels)
       continue;
-    component.assign(1, seed);
-    result.values[seed] = next;
-    for (std::size_t k = 0; k < component.size(); ++k) {
-      const int x = static_cast<int>(component[k]) / labels.ny;
-      const int y = static_cast<int>(component[k]) % labels.ny;
-      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, labels.nx - 1); ++u)
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, labels.ny - 1); ++v) {
-          if (neighbourhood == PixelNeighbourhood::Four && u != x && v != y)
-            continue;
-          if (free(labels.index(u, v))) {
-            result.values[labels.index(u, v)] = next;
-            component.push_back(labels.index(u, v));
-          }
-        }
-    }
-    if (component.size() >= min_pixels)
-      ++next;
-    else {
-      for (const std::size_t pixel : component)
-        result.values[pixel] = -2; // not again
-      too_small.insert(too_small.end(), component.begin(), component.end());
-    }
+    for (const std::size_t pixel : component)
+      result.values[pixel] = next;
+    ++next;
   }
-  for (const std::size_t pixel : too_small)
-    result.values[pixel] = -1;
   return result;
 }
 

@@ -77,13 +77,30 @@ TEST(SegmentFieldMap, PartsTwoRoomsAtADoor)
   EXPECT_EQ(rooms.highest_free.at(25, 9), 10);
 }
 
+TEST(SegmentFieldMap, SpaceAboveTheCeilingJoinsNothing)
+{
+  const InteriorSpace space = twoRooms();
+  InteriorSpace higher = space;
+  higher.occupancy.shape.nz = higher.inside.shape.nz = 17;
+  higher.occupancy.values.assign(higher.occupancy.shape.size(), 0);
+  higher.inside.values.assign(higher.inside.shape.size(), 1);
+  for (int x = 0; x < 45; ++x)
+    for (int y = 0; y < 22; ++y)
+      for (int z = 0; z < 15; ++z) {
+        higher.occupancy.at(x, y, z) = space.occupancy.at(x, y, z);
+        higher.inside.at(x, y, z) = space.inside.at(x, y, z);
+      }
+  higher.occupancy.at(13, 11, 16) = 1; // noise
+  higher.inside.at(13, 11, 16) = 0;
+  EXPECT_EQ(segmentFieldMap(higher).labels.values,
+            segmentFieldMap(space).labels.values);
+}
+
 TEST(SegmentFieldMap, PartsThemWithoutVisibility)
 {
   FieldRoomsOptions options;
   options.distance.visibility_weight = 0.0;
-  const FieldRooms rooms = segmentFieldMap(twoRooms(), options);
-  EXPECT_EQ(rooms.labels.at(13, 11), 0); // the rooms' middles
-  EXPECT_EQ(rooms.labels.at(34, 11), 1);
+  expectTwoRooms(segmentFieldMap(twoRooms(), options));
 }
 
 TEST(SegmentFieldMap, DBSCANPartsThemAtADistanceBetween)
@@ -92,6 +109,7 @@ TEST(SegmentFieldMap, DBSCANPartsThemAtADistanceBetween)
   options.distance = {0.0, 0.0, 1.0, 0.0}; // the field alone: 1 where not connected
   options.dbscan_distance = 0.8;
   const FieldRooms parted = segmentFieldMap(twoRooms(), options);
+  expectTwoRooms(parted);
   EXPECT_EQ(parted.clusters.at(13, 11), 0);
   EXPECT_EQ(parted.clusters.at(34, 11), 1);
   options.dbscan_distance = 1.0; // as far as two pixels can be

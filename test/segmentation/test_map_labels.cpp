@@ -158,12 +158,24 @@ TEST(LabelPeaks, NumbersWhatWasLeftOut)
     return pcl::indoor::labelPeaks(labels, field, threshold, size, kind).values;
   };
   EXPECT_EQ(label(5.0f, 1, PixelNeighbourhood::Eight),
-            (std::vector<int>{1, 1, -1, 0, 1, -1, -1, 2, -1, 1, -1, -1}));
+            (std::vector<int>{1, 1, -1, 0, 1, -1, -1, -1, -1, 1, -1, -1}));
   EXPECT_EQ(label(5.0f, 1, PixelNeighbourhood::Four),
-            (std::vector<int>{1, 1, -1, 0, 1, -1, -1, 2, -1, 3, -1, -1}));
+            (std::vector<int>{1, 1, -1, 0, 1, -1, -1, -1, -1, 2, -1, -1}));
   EXPECT_EQ(label(5.0f, 2, PixelNeighbourhood::Four),
             (std::vector<int>{1, 1, -1, 0, 1, -1, -1, -1, -1, -1, -1, -1}));
   EXPECT_EQ(label(8.0f, 1, PixelNeighbourhood::Eight), labels.values);
   EXPECT_THROW(pcl::indoor::labelPeaks(labels, {}, 1.0f), pcl::BadArgumentException);
   EXPECT_TRUE(pcl::indoor::labelPeaks({}, {}, 1.0f).values.empty());
+}
+
+TEST(LabelPeaks, TheSlopesOfAClusterAreNoPeak)
+{
+  // a room whose middle is labelled, a low door, a room that was left out
+  const PixelMap<float> field{1, 12, {2, 4, 6, 6, 4, 2, 1, 3, 5, 5, 3, 1}};
+  const PixelMap<int> labels{1, 12, {-1, -1, 0, -1, -1, -1, -1, -1, -1, -1, -1, -1}};
+  EXPECT_EQ(pcl::indoor::labelPeaks(labels, field, 1.0f).values,
+            (std::vector<int>{-1, -1, 0, -1, -1, -1, -1, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(pcl::indoor::labelPeaks(labels, field, 4.0f).values,
+            (std::vector<int>{-1, -1, 0, -1, -1, -1, -1, -1, 1, 1, -1, -1}));
+  EXPECT_EQ(pcl::indoor::labelPeaks(labels, field, 4.0f, 3).values, labels.values);
 }

@@ -15,13 +15,16 @@ namespace pcl {
 namespace indoor {
 
 /** \brief Gives labels to the peaks of a field that a clustering left out (Sec. 3.2.3).
+ *
+ * A pixel from which the field does not fall on the way to a labelled one lies on that
+ * one's slope: it is no peak, and stays unlabelled. Of the others, each connected
+ * component that reaches the threshold gets a label. Linear time.
  * \param[in] labels 0 or more, -1 = none
  * \param[in] field the map that was clustered
  * \param[in] threshold the smallest of the histogram's peaks; pixels below it stay
  * unlabelled
  * \param[in] min_pixels smaller components stay unlabelled
- * \return the labels, and new ones that continue their numbers: one for each connected
- * component of the unlabelled pixels that reach the threshold, by first pixel
+ * \return the labels, and new ones that continue their numbers, by first pixel
  * \throws pcl::BadArgumentException if the maps differ in size
  */
 PixelMap<int>
