@@ -90,6 +90,11 @@ makeParser(Options& options)
               "most open border between rooms, as share of its area",
               "",
               Range::between(0, 1))
+      .number("-habitable_area",
+              map.open_plan.habitable_area,
+              "smallest room of an open plan, without a door to the next",
+              "m^2",
+              Range::atLeast(0))
       .text("-method",
             options.method,
             "slab: walls below the ceiling; field: potential field and HDBSCAN, as in "

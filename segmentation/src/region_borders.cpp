@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -237,17 +239,26 @@ regionOpenings(const VoxelGrid<std::uint8_t>& occupancy,
 std::vector<std::int32_t>
 mergeOpenRegions(std::vector<RegionBorder> borders,
                  std::vector<double> section,
-                 const MergeOptions& options)
+                 const MergeOptions& options,
+                 const StayApart& stay_apart)
 {
   std::vector<std::int32_t> label(section.size());
   for (std::size_t i = 0; i < label.size(); ++i)
     label[i] = static_cast<std::int32_t>(i);
+  const auto regionsOf = [&](std::int32_t space) {
+    std::vector<std::int32_t> regions;
+    for (std::size_t i = 0; i < label.size(); ++i)
+      if (label[i] == space)
+        regions.push_back(static_cast<std::int32_t>(i));
+    return regions;
+  };
+  std::set<RegionPair> apart; // spaces that stay so until one of them grows
   while (true) {
     // The borders of joined regions add up, so shares are looked at anew after a join.
     const auto share = [&](const RegionBorder& border) {
       const bool below_lintel =
           border.open_area < options.open_height * border.opening_area;
-      return below_lintel
+      return below_lintel || apart.count({border.a, border.b}) > 0
                  ? 0.0
                  : border.open_area /
                        std::max(border.border_area,
@@ -260,6 +271,15 @@ mergeOpenRegions(std::vector<RegionBorder> borders,
     if (widest == borders.end() || !(share(*widest) > options.open_share))
       return label;
     const std::int32_t kept = widest->a, gone = widest->b;
+    if (stay_apart && stay_apart(regionsOf(kept), regionsOf(gone))) {
+      apart.insert({kept, gone});
+      continue;
+    }
+    for (auto pair = apart.begin(); pair != apart.end();) {
+      const bool grows = pair->first == kept || pair->second == kept ||
+                         pair->first == gone || pair->second == gone;
+      pair = grows ? apart.erase(pair) : std::next(pair);
+    }
     section[kept] = std::max(section[kept], section[gone]);
     for (auto& each : label)
       if (each == gone)

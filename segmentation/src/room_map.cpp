@@ -4,6 +4,7 @@
  */
 
 #include <pcl/segmentation/nearest_sites.h>
+#include <pcl/segmentation/open_plan.h>
 #include <pcl/segmentation/persistent_basins.h>
 #include <pcl/segmentation/potential_field.h>
 #include <pcl/segmentation/room_map.h>
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -107,6 +110,7 @@ freeDistance(const PixelMap<std::uint8_t>& blocked,
  * also those between the two faces of a wall, neither are rooms nor join them. */
 PixelMap<std::int32_t>
 basinsOfWidth(const PixelMap<float>& field,
+              double persistence,
               double pixel_size,
               const RoomMapOptions& options)
 {
@@ -116,7 +120,7 @@ basinsOfWidth(const PixelMap<float>& field,
     if (distance < radius)
       distance = 0.0f;
   PixelMap<std::int32_t> labels =
-      persistentBasins(centers, static_cast<float>(options.persistence));
+      persistentBasins(centers, static_cast<float>(persistence));
   growLabels(labels, radius / pixel_size);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (!(field.values[i] > 0))
@@ -143,14 +147,16 @@ dropSmallRegions(PixelMap<std::int32_t>& labels,
 /** Per label: the widest section through the region, twice its half width times its
  * height, m^2. */
 std::vector<double>
-sectionAreas(const RoomMap& map, double pixel_size)
+sectionAreas(const PixelMap<std::int32_t>& labels,
+             const RoomMap& map,
+             double pixel_size)
 {
   const std::int32_t count =
-      *std::max_element(map.labels.values.begin(), map.labels.values.end());
+      *std::max_element(labels.values.begin(), labels.values.end());
   std::vector<double> section(count + 1, 0.0);
-  for (std::size_t i = 0; i < map.labels.size(); ++i) {
+  for (std::size_t i = 0; i < labels.size(); ++i) {
     const double height = pixel_size * (map.ceiling.values[i] - map.range.begin);
-    double& widest = section[map.free_labels.values[i]];
+    double& widest = section[labels.values[i]];
     widest = std::max(widest, 2.0 * map.field.values[i] * height);
   }
   return section;
@@ -168,6 +174,79 @@ numbersOf(const PixelMap<std::int32_t>& labels, const std::vector<std::int32_t>&
   for (std::size_t i = 0; i < merged.size(); ++i)
     number[i] = number[merged[i]];
   return number;
+}
+
+/** The pieces of the rooms that lie in different basins: a number per pixel, and the
+ * room of each number. */
+PixelMap<std::int32_t>
+piecesOfRooms(const PixelMap<std::int32_t>& rooms,
+              const PixelMap<std::int32_t>& basins,
+              std::vector<std::int32_t>& room_of)
+{
+  PixelMap<std::int32_t> pieces{rooms.nx, rooms.ny, {}};
+  pieces.values.assign(pieces.size(), 0);
+  room_of.assign(1, 0);
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> number;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::int32_t room = rooms.values[i], basin = basins.values[i];
+    if (room == 0 || basin == 0)
+      continue;
+    const auto next = static_cast<std::int32_t>(room_of.size());
+    const auto [place, is_new] = number.insert({{room, basin}, next});
+    if (is_new)
+      room_of.push_back(room);
+    pieces.values[i] = place->second;
+  }
+  return pieces;
+}
+
+/** Divide rooms that are two spaces of an open plan. */
+void
+divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap& map)
+{
+  const double size = space.occupancy.voxel_size;
+  std::vector<std::int32_t> room_of;
+  const auto pieces = piecesOfRooms(
+      map.free_labels,
+      basinsOfWidth(map.field, options.open_plan.persistence, size, options),
+      room_of);
+  const OpenPlan plan(pieces, map.field, size, options.open_plan);
+  PixelMap<std::int32_t> grown = pieces;
+  growLabels(grown, options.reach / size);
+  MergeOptions all;
+  all.open_share = all.open_height = 0.0;
+  const auto space_of = mergeOpenRegions(
+      regionBorders(space.occupancy, map.range, map.ceiling, grown, pieces),
+      sectionAreas(pieces, map, size),
+      all,
+      [&](const auto& a, const auto& b) {
+        return room_of[a.front()] != room_of[b.front()] || plan.separates(a, b);
+      });
+
+  // The largest space of a room keeps its number, and what is no space joins it.
+  std::vector<std::vector<std::int32_t>> members(room_of.size());
+  for (std::size_t piece = 1; piece < room_of.size(); ++piece)
+    members[space_of[piece]].push_back(static_cast<std::int32_t>(piece));
+  std::vector<std::int32_t> largest(map.room_count + 1, 0);
+  for (std::size_t each = 1; each < members.size(); ++each) {
+    std::int32_t& first = largest[room_of[each]];
+    if (plan.area(members[each]) > plan.area(members[first]))
+      first = static_cast<std::int32_t>(each);
+  }
+  std::int32_t count = map.room_count;
+  std::vector<std::int32_t> label_of(members.size(), 0); // per space; 0 = as before
+  for (std::size_t each = 1; each < members.size(); ++each)
+    if (largest[room_of[each]] != static_cast<std::int32_t>(each) &&
+        plan.isHabitable(members[each]))
+      label_of[each] = ++count;
+  if (count == map.room_count)
+    return;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (const std::int32_t label = label_of[space_of[pieces.values[i]]])
+      map.free_labels.values[i] = label;
+  map.room_count = count;
+  map.labels = map.free_labels;
+  growLabels(map.labels, options.reach / size);
 }
 
 /** The rooms of the thesis's method on the pixels of the map. */
@@ -199,7 +278,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
                static_cast<int>(std::lround(options.slab.min_wall / size)));
   map.field = freeDistance(map.blocked, insideColumns(space, map.ceiling), size);
   if (options.method == RoomMethod::CeilingSlab) {
-    map.free_labels = basinsOfWidth(map.field, size, options);
+    map.free_labels = basinsOfWidth(map.field, options.persistence, size, options);
     dropSmallRegions(map.free_labels, size, options);
   }
   else {
@@ -215,7 +294,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
     merging.open_share = std::numeric_limits<double>::infinity(); // HDBSCAN decides
   const auto merged = mergeOpenRegions(
       regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
-      sectionAreas(map, size),
+      sectionAreas(map.free_labels, map, size),
       merging);
   const auto number = numbersOf(map.labels, merged);
   for (auto& label : map.free_labels.values)
@@ -223,6 +302,8 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   for (auto& label : map.labels.values)
     label = number[label];
   map.room_count = *std::max_element(number.begin(), number.end());
+  if (options.method == RoomMethod::CeilingSlab)
+    divideOpenPlans(space, options, map);
   return map;
 }
 

@@ -202,6 +202,8 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
       {"persistence -0.1", [](auto& s) { s.setPersistence(-0.1); }},
       {"persistence 1.1", [](auto& s) { s.setPersistence(1.1); }},
       {"persistence NaN", [=](auto& s) { s.setPersistence(nan); }},
+      {"habitable area -1", [](auto& s) { s.setHabitableArea(-1.0); }},
+      {"habitable area NaN", [=](auto& s) { s.setHabitableArea(nan); }},
       {"open share -0.1", [](auto& s) { s.setOpenShare(-0.1); }},
       {"open share 1.1", [](auto& s) { s.setOpenShare(1.1); }},
       {"open share NaN", [=](auto& s) { s.setOpenShare(nan); }},
@@ -234,6 +236,7 @@ TEST(RoomSegmentation, DefaultsAreAsDocumented)
   EXPECT_EQ(segmentation.getMinRoomWidth(), 0.5);
   EXPECT_EQ(segmentation.getPersistence(), 0.7);
   EXPECT_EQ(segmentation.getOpenShare(), 0.55);
+  EXPECT_EQ(segmentation.getHabitableArea(), 6.5);
   EXPECT_EQ(segmentation.getUpAxis(), Eigen::Vector3f(0, 0, 1));
   EXPECT_EQ(segmentation.getNumberOfThreads(), 0);
 }
@@ -246,6 +249,7 @@ TEST(RoomSegmentation, SettersAndOptionsAreTheSameParameters)
   segmentation.setMinRoomWidth(0.8);
   segmentation.setPersistence(0.6);
   segmentation.setOpenShare(0.5);
+  segmentation.setHabitableArea(8.0);
   segmentation.setNumberOfThreads(2);
   Segmentation other;
   other.setOptions(segmentation.getOptions());
@@ -254,6 +258,7 @@ TEST(RoomSegmentation, SettersAndOptionsAreTheSameParameters)
   EXPECT_EQ(other.getMinRoomWidth(), 0.8);
   EXPECT_EQ(other.getPersistence(), 0.6);
   EXPECT_EQ(other.getOpenShare(), 0.5);
+  EXPECT_EQ(other.getHabitableArea(), 8.0);
   EXPECT_EQ(other.getNumberOfThreads(), 2);
 }
 
@@ -279,8 +284,13 @@ TEST(RoomSegmentation, TheParametersHaveAnEffect)
             {doorway(3.95f, 4.15f, 1.0f, 2.2f, 2.6f)});
   cloud = cloudOf(open.points);
   EXPECT_EQ(count([](auto&) {}), 2u);
-  EXPECT_EQ(count([](auto& s) { s.setPersistence(0.0); }), 1u);
-  EXPECT_EQ(count([](auto& s) { s.setOpenShare(0.05); }), 1u);
+  EXPECT_EQ(count([](auto& s) { s.setPersistence(0.0); }), 2u); // an open plan
+  const double never = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(count([=](auto& s) { s.setHabitableArea(never); }), 2u);
+  EXPECT_EQ(count([=](auto& s) { s.setHabitableArea(never), s.setPersistence(0.0); }),
+            1u);
+  EXPECT_EQ(count([=](auto& s) { s.setHabitableArea(never), s.setOpenShare(0.05); }),
+            1u);
 }
 
 template <typename PointT>

@@ -9,6 +9,7 @@
 #include <pcl/segmentation/voxel_grid.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace pcl {
@@ -80,6 +81,11 @@ struct MergeOptions {
                             ///< larger gives more rooms
 };
 
+/** \brief Whether two spaces are two rooms however open the border between them is;
+ * each is given by the labels of its regions. */
+using StayApart = std::function<bool(const std::vector<std::int32_t>& a,
+                                     const std::vector<std::int32_t>& b)>;
+
 /** \brief Join regions between which the passage is wide and high, the widest first.
  *
  * A room ends where the passage to the next space is small compared with the spaces
@@ -87,12 +93,14 @@ struct MergeOptions {
  * \param[in] borders as regionBorders() gives them
  * \param[in] section per label (index 0 unused): area of the widest vertical section
  * through the region, m^2 (> 0)
+ * \param[in] stay_apart asked before two spaces are joined; empty: never
  * \return the new label of each old one, that of the smallest member; 0 stays 0
  */
 std::vector<std::int32_t>
 mergeOpenRegions(std::vector<RegionBorder> borders,
                  std::vector<double> section,
-                 const MergeOptions& options = {});
+                 const MergeOptions& options = {},
+                 const StayApart& stay_apart = {});
 
 } // namespace indoor
 } // namespace pcl

@@ -7,6 +7,7 @@
 
 #include <pcl/segmentation/ceiling_slab.h>
 #include <pcl/segmentation/field_rooms.h>
+#include <pcl/segmentation/open_plan.h>
 #include <pcl/segmentation/region_borders.h>
 #include <pcl/segmentation/storey_space.h>
 #include <pcl/segmentation/voxel_grid.h>
@@ -29,10 +30,11 @@ struct RoomMapOptions {
   RoomMethod method = RoomMethod::CeilingSlab;
   FieldRoomsOptions field_rooms; ///< of RoomMethod::PotentialField
   CeilingSlabOptions slab;
-  double persistence = 0.7; ///< see persistentBasins()
-  MergeOptions merging;     ///< see mergeOpenRegions()
-  double min_width = 0.5;   ///< narrower spaces are no rooms, metres
-  double min_area = 0.5;    ///< smaller spaces are no rooms, m^2
+  double persistence = 0.7;  ///< see persistentBasins()
+  MergeOptions merging;      ///< see mergeOpenRegions()
+  OpenPlanOptions open_plan; ///< which open spaces are two rooms
+  double min_width = 0.5;    ///< narrower spaces are no rooms, metres
+  double min_area = 0.5;     ///< smaller spaces are no rooms, m^2
   double reach = 0.6; ///< how far a room's label is carried into its walls, metres
 };
 

@@ -114,6 +114,22 @@ public:
     return options_.map.merging.open_share;
   }
 
+  /** \brief Set the area from which spaces without a door between them may be rooms of
+   * their own: see indoor::OpenPlanOptions.
+   * \param[in] area m^2, at least 0; infinity joins all open spaces (default 6.5)
+   */
+  void
+  setHabitableArea(double area)
+  {
+    options_.map.open_plan.habitable_area = area;
+  }
+
+  double
+  getHabitableArea() const
+  {
+    return options_.map.open_plan.habitable_area;
+  }
+
   /** \brief Set how rooms are told apart.
    * \param[in] method (default CeilingSlab)
    */

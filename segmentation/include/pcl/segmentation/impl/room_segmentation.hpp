@@ -53,6 +53,10 @@ RoomSegmentation<PointT>::initCompute()
     return refuse("The persistence must lie in 0 ... 1", map.persistence, "");
   if (!(map.merging.open_share >= 0 && map.merging.open_share <= 1))
     return refuse("The open share must lie in 0 ... 1", map.merging.open_share, "");
+  if (!(map.open_plan.habitable_area >= 0))
+    return refuse("The habitable area must not be negative",
+                  map.open_plan.habitable_area,
+                  " m^2");
   if (!(up_axis_.allFinite() && up_axis_.squaredNorm() > 0.0f))
     return refuse("The length of the up axis must be positive", up_axis_.norm(), "");
   if (options_.threads < 0)
