@@ -6,6 +6,7 @@
 #include "cloud_file.h"
 #include "options.h"
 
+#include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ struct Settings {
   std::string preset = "auto", partition = "graph", camera = "auto";
   std::string orientation = "auto";
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
-  bool ignore_normals = false;
+  bool ignore_normals = false, remove_outliers = false;
   ObjectSegmentationOptions others;
 };
 
@@ -118,6 +119,10 @@ addOthers(OptionParser& parser, Settings& settings)
       .flag("-ignore_normals",
             settings.ignore_normals,
             "estimate normals although the input has some")
+      .flag("-remove_outliers",
+            settings.remove_outliers,
+            "leave out points that lie alone (pcl::ScanOutlierRemoval); their object "
+            "is 0")
       .number("-threads", options.threads, "threads, 0 = automatic");
 }
 
@@ -153,6 +158,19 @@ chosenOptions(const Settings& settings, bool organised)
   return options;
 }
 
+pcl::IndicesPtr
+indicesWithoutOutliers(const CloudFile& file, unsigned threads)
+{
+  pcl::ScanOutlierRemoval<pcl::PointXYZ> removal;
+  removal.setInputCloud(file.points);
+  removal.setNumberOfThreads(threads);
+  const auto kept = pcl::make_shared<pcl::Indices>();
+  removal.filter(*kept);
+  if (kept->empty())
+    throw ToolError(file.path + ": all points are outliers");
+  return kept;
+}
+
 } // namespace
 
 int
@@ -165,7 +183,7 @@ main(int argc, char** argv)
   parser.positional("input", settings.input, "PCD or PLY file, metres")
       .positional("output.pcd",
                   settings.output,
-                  "the input with the field object, 0 = not finite");
+                  "the input with the field object, 0 = not finite or an outlier");
   addLengths(parser, settings);
   addOthers(parser, settings);
   return parser.run(argc, argv, [&](Progress& progress) {
@@ -185,6 +203,8 @@ main(int argc, char** argv)
     if (settings.orientation == "viewpoint")
       segmentation.setViewPoint(origin.x(), origin.y(), origin.z());
     segmentation.setInputCloud(file.points);
+    if (settings.remove_outliers)
+      segmentation.setIndices(indicesWithoutOutliers(file, settings.others.threads));
     if (file.has_normals && !settings.ignore_normals)
       segmentation.setInputNormals(readNormals(file));
     std::vector<std::uint32_t> objects;

@@ -20,6 +20,45 @@ namespace {
 constexpr double radius_factor = 2.5;     // Eq. (2.9)
 constexpr unsigned closest_neighbors = 8; // k of Eq. (2.1), which gives no value
 
+/** Call visit(point, indices, squared distances) for each point with its closest
+ * points, itself among them unless duplicates displace it; unsorted. */
+template <typename Visit>
+void
+visitNearest(const std::vector<Eigen::Vector3f>& points,
+             unsigned neighbors,
+             unsigned threads,
+             const Visit& visit)
+{
+  if (neighbors < 1)
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException, "At least one neighbour is needed.");
+  if (points.size() < 2)
+    return;
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  cloud->reserve(points.size());
+  for (const auto& point : points)
+    cloud->emplace_back(point.x(), point.y(), point.z());
+  pcl::search::KdTree<pcl::PointXYZ> tree(true);
+  tree.setInputCloud(cloud);
+  const auto count = static_cast<std::ptrdiff_t>(points.size());
+  const auto wanted = static_cast<int>(
+      std::min<std::size_t>(points.size(), static_cast<std::size_t>(neighbors) + 1));
+#ifdef _OPENMP
+  const int team = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();
+#else
+  (void)threads;
+#endif
+#pragma omp parallel num_threads(team)
+  {
+    pcl::Indices found;
+    std::vector<float> squared;
+#pragma omp for schedule(dynamic, 1024)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+      tree.nearestKSearch((*cloud)[i], wanted, found, squared);
+      visit(static_cast<std::uint32_t>(i), found, squared);
+    }
+  }
+}
+
 } // namespace
 
 namespace pcl {
@@ -30,41 +69,45 @@ meanNeighborDistances(const std::vector<Eigen::Vector3f>& points,
                       unsigned neighbors,
                       unsigned threads)
 {
-  if (neighbors < 1)
-    PCL_THROW_EXCEPTION(BadArgumentException, "At least one neighbour is needed.");
   std::vector<float> distances(points.size(), 0.0f);
-  if (points.size() < 2)
-    return distances;
-  const auto cloud = pcl::make_shared<PointCloud<PointXYZ>>();
-  cloud->reserve(points.size());
-  for (const auto& point : points)
-    cloud->emplace_back(point.x(), point.y(), point.z());
-  search::KdTree<PointXYZ> tree(true);
-  tree.setInputCloud(cloud);
-  const auto count = static_cast<std::ptrdiff_t>(points.size());
-  // With the point itself, which duplicates may displace: its distance is 0, too.
-  const auto wanted = static_cast<int>(
-      std::min<std::size_t>(points.size(), static_cast<std::size_t>(neighbors) + 1));
-#ifdef _OPENMP
-  const int team = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();
-#else
-  (void)threads;
-#endif
-#pragma omp parallel num_threads(team)
-  {
-    Indices found;
-    std::vector<float> squared;
-#pragma omp for schedule(dynamic, 1024)
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-      tree.nearestKSearch((*cloud)[i], wanted, found, squared);
-      std::sort(squared.begin(), squared.end());
-      float sum = 0;
-      for (const auto distance : squared)
-        sum += std::sqrt(distance);
-      distances[i] = sum / static_cast<float>(wanted - 1);
-    }
-  }
+  visitNearest(points, neighbors, threads, [&](auto i, const auto&, auto& squared) {
+    std::sort(squared.begin(), squared.end()); // a fixed order of the sum
+    float sum = 0;
+    for (const auto distance : squared)
+      sum += std::sqrt(distance);
+    distances[i] = sum / static_cast<float>(squared.size() - 1);
+  });
   return distances;
+}
+
+Adjacency
+nearestNeighbors(const std::vector<Eigen::Vector3f>& points,
+                 unsigned neighbors,
+                 unsigned threads)
+{
+  std::vector<std::vector<std::uint32_t>> lists(points.size());
+  visitNearest(points, neighbors, threads, [&](auto i, const auto& found, const auto&) {
+    for (const auto other : found)
+      if (static_cast<std::uint32_t>(other) != i)
+        lists[i].push_back(static_cast<std::uint32_t>(other));
+  });
+  Adjacency result;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t i = 0; i < lists.size(); ++i)
+    for (const auto other : lists[i]) {
+      pairs.emplace_back(i, other);
+      pairs.emplace_back(other, i);
+    }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  result.offsets.assign(points.size() + 1, 0);
+  for (const auto& pair : pairs) {
+    ++result.offsets[pair.first + 1];
+    result.targets.push_back(pair.second);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result.offsets[i + 1] += result.offsets[i];
+  return result;
 }
 
 double

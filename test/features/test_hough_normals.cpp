@@ -263,6 +263,32 @@ TEST(HoughNormalEstimation, NormalsPointToTheViewpoint)
   EXPECT_EQ(z, 3);
 }
 
+TEST(HoughNormalEstimation, NormalsTurnAsTheirNeighbours)
+{
+  const auto box = noisyBox();
+  const auto cloud = cloudOf(box.points);
+  // Beside the box: the viewpoint alone is wrong for the far sides.
+  cloud->sensor_origin_ = Eigen::Vector4f(0.25f, 0.2f, 9, 0);
+  Estimation estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setRadiusSearch(0.06);
+  const auto right = [&](NormalOrientation orientation) {
+    estimation.setOrientation(orientation);
+    EXPECT_EQ(estimation.getOrientation(), orientation);
+    Normals normals;
+    estimation.compute(normals);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      count += normals[i].getNormalVector3fMap().dot(box.normals[i]) > 0;
+    return static_cast<double>(count) / static_cast<double>(normals.size());
+  };
+  // One point in thirty: on an edge, with the normal of the other face.
+  EXPECT_GT(right(NormalOrientation::Graph), 0.95);
+  EXPECT_LT(right(NormalOrientation::Viewpoint), 0.8);
+  // The free space of a box without a room around it is its inside.
+  EXPECT_LT(right(NormalOrientation::FreeSpace), 0.1);
+}
+
 TEST(HoughNormalEstimation, SettersReachTheOptions)
 {
   Estimation estimation(3);

@@ -6,6 +6,7 @@
 
 #include <pcl/features/feature.h>
 #include <pcl/features/hough_normal.h>
+#include <pcl/features/normal_orientation.h>
 #include <pcl/point_types.h>
 
 namespace pcl {
@@ -18,13 +19,12 @@ namespace pcl {
  * meet at an edge. Takes the place of NormalEstimation: normals point to the viewpoint,
  * and the curvature is the surface variation of the neighbours, Eq. (2.8).
  *
- * Give a radius or a number of neighbours; at least about 50 points should lie in it.
- * With neither, the radius is twice that of the thesis's rule, Eq. (2.9). Results
- * depend neither on the number of threads nor on the order of the points. Cost: linear
- * in points times triples, about 40 ns for each of up to tripleCount(). \note A.
- * Boulch, R. Marlet, "Fast and robust normal estimation for point clouds with sharp
- * features", Symposium on Geometry Processing 2012; here Sec. 2.1.5.2. Deviations are
- * listed in docs/normals.md. \ingroup features
+ * Give a radius or a number of neighbours, about 50 points or more; with neither, the
+ * radius is twice that of Eq. (2.9). Results depend neither on the number of threads
+ * nor on the order of the points. Cost: linear in points times triples.
+ * \note A. Boulch, R. Marlet, "Fast and robust normal estimation for point clouds with
+ * sharp features", SGP 2012; here Sec. 2.1.5.2. Deviations: docs/normals.md.
+ * \ingroup features
  */
 template <typename PointInT, typename PointOutT = Normal>
 class HoughNormalEstimation : public Feature<PointInT, PointOutT> {
@@ -50,7 +50,7 @@ public:
     return options_;
   }
 
-  /** \brief Set the number of triples per point.
+  /** \brief Set or get the number of triples per point.
    * \param[in] triples at most this many; 0: as the confidence bounds say (default 0)
    */
   void
@@ -58,15 +58,13 @@ public:
   {
     options_.triples = triples;
   }
-
-  /** \brief Get the number of triples that was set. */
   unsigned
   getNumberOfTriples() const
   {
     return options_.triples;
   }
 
-  /** \brief Set the bounds from which the number of triples follows.
+  /** \brief Set or get the bounds from which the number of triples follows.
    * \param[in] confidence alpha, 0 to 1, exclusive (default 0.95)
    * \param[in] deviation delta, by which the share of a bin may miss its expectation,
    * 0.01 to 1 (default 0.08); half of it takes four times as many triples
@@ -77,8 +75,6 @@ public:
     options_.confidence = confidence;
     options_.deviation = deviation;
   }
-
-  /** \brief Get the confidence, and the deviation. */
   double
   getConfidence() const
   {
@@ -90,7 +86,7 @@ public:
     return options_.deviation;
   }
 
-  /** \brief Set the size of the accumulators' bins.
+  /** \brief Set or get the size of the accumulators' bins.
    * \param[in] degrees 1 to 45 (default 12). Smaller tells flatter edges apart, and
    * takes more triples.
    */
@@ -99,15 +95,13 @@ public:
   {
     options_.bin_angle_degrees = degrees;
   }
-
-  /** \brief Get the size of the accumulators' bins, degrees. */
   double
   getBinAngle() const
   {
     return options_.bin_angle_degrees;
   }
 
-  /** \brief Set the number of accumulators, each rotated differently.
+  /** \brief Set or get the number of accumulators, each rotated differently.
    * \param[in] rotations 1 to 16 (default 5)
    */
   void
@@ -115,53 +109,44 @@ public:
   {
     options_.rotations = rotations;
   }
-
-  /** \brief Get the number of accumulators. */
   unsigned
   getNumberOfRotations() const
   {
     return options_.rotations;
   }
 
-  /** \brief Set how one normal comes of all accumulators (default Cluster). */
+  /** \brief Set or get how one normal comes of all accumulators (default Cluster). */
   void
   setChoice(Choice choice)
   {
     options_.choice = choice;
   }
-
-  /** \brief Get the choice. */
   Choice
   getChoice() const
   {
     return options_.choice;
   }
 
-  /** \brief Set how triples are picked (default Cubes, for scans whose density varies;
-   * Points is a fifth faster). */
+  /** \brief Set or get how triples are picked (default Cubes; Points is faster). */
   void
   setSampling(Sampling sampling)
   {
     options_.sampling = sampling;
   }
-
-  /** \brief Get how triples are picked. */
   Sampling
   getSampling() const
   {
     return options_.sampling;
   }
 
-  /** \brief Set whether a plane is fitted to the neighbours near the plane that was
-   * voted for (default true); without, the normal is the mean of the winning bin's
+  /** \brief Set or get whether a plane is fitted to the neighbours near the plane that
+   * was voted for (default true); without, the normal is the mean of the winning bin's
    * votes, as in the paper, and noisier on smooth surfaces. */
   void
   setRefinement(bool refine)
   {
     options_.refine = refine;
   }
-
-  /** \brief Get whether a plane is fitted. */
   bool
   getRefinement() const
   {
@@ -181,8 +166,7 @@ public:
   }
 
   /** \brief Set or get the number of threads; 0 (default) for as many as OpenMP offers.
-   * A search method that was set must allow searches from several threads, as PCL's do.
-   */
+   * A search method of one's own must allow searches from several threads. */
   void
   setNumberOfThreads(unsigned threads = 0)
   {
@@ -192,6 +176,19 @@ public:
   getNumberOfThreads() const
   {
     return threads_;
+  }
+
+  /** \brief Set or get which way normals are turned: to the viewpoint (default; also
+   * Automatic), as those of their 8 nearest neighbours, or to the free space. */
+  void
+  setOrientation(indoor::NormalOrientation orientation)
+  {
+    orientation_ = orientation;
+  }
+  indoor::NormalOrientation
+  getOrientation() const
+  {
+    return orientation_;
   }
 
   /** \brief Set where the sensor stood, in the frame of the cloud; normals point there
@@ -227,7 +224,6 @@ protected:
   /** \brief Check input, neighbourhood and parameters. */
   bool
   initCompute() override;
-
   bool
   deinitCompute() override;
 
@@ -235,7 +231,11 @@ private:
   void
   computeFeature(PointCloudOut& output) override;
 
+  void
+  orient(PointCloudOut& output) const;
+
   indoor::HoughNormalOptions options_;
+  indoor::NormalOrientation orientation_ = indoor::NormalOrientation::Viewpoint;
   unsigned threads_ = 0;
   bool automatic_radius_ = false;
   bool use_sensor_origin_ = true;

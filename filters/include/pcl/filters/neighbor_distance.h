@@ -4,7 +4,8 @@
  */
 #pragma once
 
-#include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/common/point_tests.h>  // for isFinite
+#include <pcl/filters/point_cells.h> // for Adjacency
 #include <pcl/point_cloud.h>
 
 #include <Eigen/Core>
@@ -35,6 +36,14 @@ meanNeighborDistances(const std::vector<Eigen::Vector3f>& points,
  */
 double
 neighborhoodRadius(const std::vector<Eigen::Vector3f>& points, unsigned threads = 0);
+
+/** \brief List the closest other points of each point, and each point for those, in
+ * ascending order. \param[in] neighbors at least 1; as for meanNeighborDistances()
+ */
+Adjacency
+nearestNeighbors(const std::vector<Eigen::Vector3f>& points,
+                 unsigned neighbors,
+                 unsigned threads = 0);
 
 /** \brief Collect the finite points of a cloud, each minus the first of them: nothing
  * is lost in large coordinates. */

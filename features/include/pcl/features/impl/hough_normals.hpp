@@ -83,8 +83,6 @@ template <typename PointInT, typename PointOutT>
 void
 HoughNormalEstimation<PointInT, PointOutT>::computeFeature(PointCloudOut& output)
 {
-  Eigen::Vector3f viewpoint;
-  getViewPoint(viewpoint.x(), viewpoint.y(), viewpoint.z());
   const indoor::HoughNormalEstimator shared(options_);
   const auto count = static_cast<std::ptrdiff_t>(indices_->size());
   bool dense = true;
@@ -113,17 +111,47 @@ HoughNormalEstimation<PointInT, PointOutT>::computeFeature(PointCloudOut& output
                   .template cast<float>());
       }
       const auto found = estimator.estimate(offsets);
-      Eigen::Vector3f normal = found.normal;
-      if (normal.dot((viewpoint.template cast<double>() -
-                      point.getVector3fMap().template cast<double>())
-                         .template cast<float>()) < 0)
-        normal *= -1;
-      output[i].getNormalVector3fMap() = normal;
+      output[i].getNormalVector3fMap() = found.normal;
       output[i].curvature = found.curvature;
-      dense = dense && std::isfinite(normal.x());
+      dense = dense && std::isfinite(found.normal.x());
     }
   }
   output.is_dense = dense;
+  orient(output);
+}
+
+template <typename PointInT, typename PointOutT>
+void
+HoughNormalEstimation<PointInT, PointOutT>::orient(PointCloudOut& output) const
+{
+  using indoor::NormalOrientation;
+  Eigen::Vector3f viewpoint;
+  getViewPoint(viewpoint.x(), viewpoint.y(), viewpoint.z());
+  std::vector<std::size_t> oriented;
+  std::vector<Eigen::Vector3f> positions, normals; // relative to the viewpoint
+  for (std::size_t i = 0; i < output.size(); ++i) {
+    if (!output[i].getNormalVector3fMap().allFinite())
+      continue;
+    oriented.push_back(i);
+    normals.push_back(output[i].getNormalVector3fMap());
+    positions.push_back(
+        ((*input_)[(*indices_)[i]].getVector3fMap().template cast<double>() -
+         viewpoint.template cast<double>())
+            .template cast<float>());
+  }
+  const bool alone = orientation_ == NormalOrientation::Viewpoint ||
+                     orientation_ == NormalOrientation::Automatic;
+  indoor::FreeSpaceOptions free_space;
+  free_space.threads = threads_;
+  indoor::orientNormals(orientation_,
+                        positions,
+                        alone ? indoor::Adjacency()
+                              : indoor::nearestNeighbors(positions, 8, threads_),
+                        {Eigen::Vector3f::Zero()},
+                        free_space,
+                        normals);
+  for (std::size_t i = 0; i < oriented.size(); ++i)
+    output[oriented[i]].getNormalVector3fMap() = normals[i];
 }
 
 } // namespace pcl
