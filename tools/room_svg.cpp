@@ -86,17 +86,31 @@ widestPlace(const BuildingRooms& building, const Room& room)
   return building.occupancy.toCloud(place);
 }
 
+/** White on dark fillings, else black. */
+const char*
+inkOn(const Color& filling)
+{
+  const double lightness = // as seen, 0 ... 255 (ITU-R BT.601)
+      0.299 * filling.red + 0.587 * filling.green + 0.114 * filling.blue;
+  return lightness < 115.0 ? "white" : "black";
+}
+
 std::string
 roomText(const BuildingRooms& building, const Room& room, const Sheet& sheet)
 {
   const Eigen::Vector2d place = sheet(widestPlace(building, room));
-  return formatted("  <text x=\"%.1f\" y=\"%.1f\" font-weight=\"bold\">%u</text>\n",
+  const char* ink = inkOn(labelColor(room.label));
+  return formatted("  <text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" "
+                   "font-weight=\"bold\">%u</text>\n",
                    place.x(),
                    place.y() - 3.0,
+                   ink,
                    room.label) +
-         formatted("  <text x=\"%.1f\" y=\"%.1f\" font-size=\"10\">%.1f m²</text>\n",
+         formatted("  <text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" font-size=\"10\">%.1f "
+                   "m²</text>\n",
                    place.x(),
                    place.y() + 10.0,
+                   ink,
                    room.area);
 }
 
