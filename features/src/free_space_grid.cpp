@@ -11,7 +11,8 @@
 namespace {
 
 constexpr double most_cells = 8e6;
-constexpr double outlier_share = 0.005; // cut off at either end of each axis
+constexpr std::uint8_t most_clearance = 255; // and everything further
+constexpr double outlier_share = 0.005;      // cut off at either end of each axis
 
 /** The box that holds all but the outliers. */
 Eigen::AlignedBox3d
@@ -55,18 +56,41 @@ FreeSpaceGrid::FreeSpaceGrid(const std::vector<Eigen::Vector3f>& positions,
     cell_size_ *= 1.1;
   origin_ = box.min();
   shape_ = cells(cell_size_).cast<int>();
-  occupied_.assign(static_cast<std::size_t>(shape_.x()) * shape_.y() * shape_.z(), 0);
+  clearances_.assign(static_cast<std::size_t>(shape_.x()) * shape_.y() * shape_.z(),
+                     most_clearance);
   for (const auto& position : positions) {
     const auto cell = cellOf(position.cast<double>());
     if (contains(cell))
-      occupied_[index(cell)] = 1;
+      clearances_[index(cell)] = 0;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    sweep(axis);
+}
+
+/** City-block distances: two sweeps per axis are exact. */
+void
+FreeSpaceGrid::sweep(int axis)
+{
+  const std::size_t step = axis == 0 ? static_cast<std::size_t>(shape_.y()) * shape_.z()
+                           : axis == 1 ? static_cast<std::size_t>(shape_.z())
+                                       : 1;
+  const std::size_t block = step * shape_[axis];
+  const auto lower = [](std::uint8_t& value, std::uint8_t neighbor) {
+    if (neighbor < value)
+      value = std::min<std::uint8_t>(value, static_cast<std::uint8_t>(neighbor + 1));
+  };
+  for (std::size_t first = 0; first < clearances_.size(); first += block) {
+    for (std::size_t i = first + step; i < first + block; ++i)
+      lower(clearances_[i], clearances_[i - step]);
+    for (std::size_t i = first + block - step; i-- > first;)
+      lower(clearances_[i], clearances_[i + step]);
   }
 }
 
 std::vector<std::uint8_t>
 FreeSpaceGrid::enclosedDirections() const
 {
-  std::vector<std::uint8_t> directions(occupied_.size(), 0);
+  std::vector<std::uint8_t> directions(clearances_.size(), 0);
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     Eigen::Vector3i cell;
@@ -74,12 +98,12 @@ FreeSpaceGrid::enclosedDirections() const
       for (cell[v] = 0; cell[v] < shape_[v]; ++cell[v]) {
         bool hit = false;
         for (cell[axis] = 0; cell[axis] < shape_[axis]; ++cell[axis]) {
-          hit = hit || occupied_[index(cell)];
+          hit = hit || isOccupied(index(cell));
           directions[index(cell)] += hit;
         }
         hit = false;
         for (cell[axis] = shape_[axis] - 1; cell[axis] >= 0; --cell[axis]) {
-          hit = hit || occupied_[index(cell)];
+          hit = hit || isOccupied(index(cell));
           directions[index(cell)] += hit;
         }
       }
@@ -87,61 +111,53 @@ FreeSpaceGrid::enclosedDirections() const
   return directions;
 }
 
-std::vector<std::uint16_t>
-FreeSpaceGrid::clearances() const
-{
-  // City-block distance to the nearest occupied cell: two sweeps per axis are exact.
-  constexpr std::uint16_t far = 30000;
-  std::vector<std::uint16_t> clearance(occupied_.size());
-  for (std::size_t i = 0; i < clearance.size(); ++i)
-    clearance[i] = occupied_[i] ? 0 : far;
-  const std::size_t steps[3] = {static_cast<std::size_t>(shape_.y()) * shape_.z(),
-                                static_cast<std::size_t>(shape_.z()),
-                                1};
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto step = steps[axis];
-    const auto length = static_cast<std::size_t>(shape_[axis]);
-    for (std::size_t i = 0; i < clearance.size(); ++i)
-      if ((i / step) % length > 0)
-        clearance[i] = std::min<std::uint16_t>(clearance[i], clearance[i - step] + 1);
-    for (std::size_t i = clearance.size(); i-- > 0;)
-      if ((i / step) % length + 1 < length)
-        clearance[i] = std::min<std::uint16_t>(clearance[i], clearance[i + step] + 1);
-  }
-  return clearance;
-}
-
 bool
 FreeSpaceGrid::sees(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const
 {
   const Eigen::Vector3d start = (from.cast<double>() - origin_) / cell_size_;
   const Eigen::Vector3d end = (to.cast<double>() - origin_) / cell_size_;
-  const Eigen::Vector3d way = end - start;
-  const double length = way.norm();
+  const double length = (end - start).norm();
   // The surface around the position itself does not block the sight of it.
   const double stop = length - 1.8;
   if (!(stop > 0))
     return true;
-  Eigen::Vector3i cell = start.array().floor().cast<int>();
-  Eigen::Vector3i step;
-  Eigen::Vector3d next, increment;
-  for (int axis = 0; axis < 3; ++axis) {
-    step[axis] = way[axis] > 0 ? 1 : -1;
-    increment[axis] = way[axis] != 0 ? length / std::abs(way[axis])
-                                     : std::numeric_limits<double>::infinity();
-    const double border = cell[axis] + (way[axis] > 0 ? 1 : 0);
-    next[axis] = way[axis] != 0 ? (border - start[axis]) * length / way[axis]
-                                : std::numeric_limits<double>::infinity();
-  }
-  for (;;) {
+  const Eigen::Vector3d way = (end - start) / length;
+  const double block_speed = way.lpNorm<1>(); // city-block distance per length
+  Eigen::Vector3i cell;
+  Eigen::Vector3d next; // where the line leaves the cell, per axis
+  double at = 0;        // where it entered the cell
+  const auto enter = [&] {
+    const Eigen::Vector3d place = start + at * way;
+    cell = place.array().floor().cast<int>();
+    for (int axis = 0; axis < 3; ++axis)
+      next[axis] = way[axis] != 0
+                       ? at + (cell[axis] + (way[axis] > 0) - place[axis]) / way[axis]
+                       : std::numeric_limits<double>::infinity();
+  };
+  enter();
+  for (bool first = true;; first = false) {
+    // Outside of the box, which the line does not enter again, there is nothing.
+    if (!contains(cell))
+      return true;
+    const auto clearance = clearances_[index(cell)];
+    if (clearance == 0 && !first)
+      return false;
+    // On a way of d, the cell changes by less than d + 1 along each axis.
+    constexpr int rounding = 4, worthwhile = 7;
+    if (clearance >= worthwhile) {
+      at += (clearance - rounding) / block_speed;
+      if (at >= stop)
+        return true;
+      enter();
+      continue;
+    }
     const int axis = next.x() < next.y() ? (next.x() < next.z() ? 0 : 2)
                                          : (next.y() < next.z() ? 1 : 2);
-    if (next[axis] >= stop)
+    at = next[axis];
+    if (at >= stop)
       return true;
-    cell[axis] += step[axis];
-    next[axis] += increment[axis];
-    if (contains(cell) && occupied_[index(cell)])
-      return false;
+    cell[axis] += way[axis] > 0 ? 1 : -1;
+    next[axis] += 1 / std::abs(way[axis]);
   }
 }
 

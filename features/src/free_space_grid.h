@@ -24,9 +24,13 @@ public:
   std::vector<std::uint8_t>
   enclosedDirections() const;
 
-  /** \brief City-block distance of each cell to the nearest occupied one, in cells. */
-  std::vector<std::uint16_t>
-  clearances() const;
+  /** \brief City-block distance of a cell to the nearest occupied one, in cells, at
+   * most 255. */
+  int
+  clearance(std::size_t cell) const
+  {
+    return clearances_[cell];
+  }
 
   /** \brief Tell whether no occupied cell lies between two places, but for those right
    * at the second. */
@@ -72,10 +76,19 @@ public:
   }
 
 private:
+  bool
+  isOccupied(std::size_t cell) const
+  {
+    return clearances_[cell] == 0;
+  }
+
+  void
+  sweep(int axis);
+
   Eigen::Vector3d origin_;
   double cell_size_ = 0;
   Eigen::Vector3i shape_;
-  std::vector<std::uint8_t> occupied_;
+  std::vector<std::uint8_t> clearances_; // of each cell
 };
 
 } // namespace indoor

@@ -73,7 +73,6 @@ std::vector<Candidate>
 freeCandidates(const FreeSpaceGrid& grid)
 {
   const auto directions = grid.enclosedDirections();
-  const auto clearances = grid.clearances();
   const Eigen::Vector3i shape = grid.shape();
   const int raster = rasterStep(grid);
   std::vector<Candidate> candidates;
@@ -82,9 +81,10 @@ freeCandidates(const FreeSpaceGrid& grid)
     for (cell.y() = raster / 2; cell.y() < shape.y(); cell.y() += raster)
       for (cell.z() = raster / 2; cell.z() < shape.z(); cell.z() += raster) {
         const auto i = grid.index(cell);
-        if (directions[i] >= 5 && clearances[i] > 2)
+        if (directions[i] >= 5 && grid.clearance(i) > 2)
           candidates.push_back(
-              {grid.center(cell), static_cast<float>(clearances[i] * grid.cellSize())});
+              {grid.center(cell),
+               static_cast<float>(grid.clearance(i) * grid.cellSize())});
       }
   return candidates;
 }
@@ -96,9 +96,48 @@ viewpointCount(const FreeSpaceGrid& grid,
 {
   const double edge = grid.cellSize() * rasterStep(grid);
   const double volume = edge * edge * edge * static_cast<double>(candidate_count);
-  const double count = options.viewpoints * std::max(1.0, volume / room_volume);
+  // Half as many where hardly anything is enclosed, so that lines of sight stay short.
+  const double cell = grid.cellSize() * grid.cellSize() * grid.cellSize();
+  const double box = cell * grid.shape().cast<double>().prod();
+  const double rooms =
+      std::max({1.0, volume / room_volume, std::floor(box / (2 * room_volume))});
+  const double count = options.viewpoints * rooms;
   return static_cast<std::size_t>(
       std::max<double>(options.viewpoints, std::min(count, most_viewpoints)));
+}
+
+/** Free places far from all surfaces and from each other, the widest first. */
+std::vector<Eigen::Vector3f>
+viewpointsIn(const FreeSpaceGrid& grid, const FreeSpaceOptions& options)
+{
+  auto candidates = freeCandidates(grid);
+  if (candidates.empty())
+    return {grid.center(grid.shape() / 2)};
+  const auto count = viewpointCount(grid, candidates.size(), options);
+  const auto nearer = [](const auto& a, const auto& b) {
+    return a.clearance < b.clearance;
+  };
+  const float widest =
+      std::max_element(candidates.begin(), candidates.end(), nearer)->clearance;
+  candidates.erase(std::remove_if(candidates.begin(),
+                                  candidates.end(),
+                                  [&](const auto& candidate) {
+                                    return candidate.clearance <
+                                           clearance_share * widest;
+                                  }),
+                   candidates.end());
+  std::vector<Eigen::Vector3f> viewpoints;
+  while (viewpoints.size() < count) {
+    const auto best = std::max_element(candidates.begin(), candidates.end(), nearer);
+    if (!(best->clearance > 0))
+      break;
+    viewpoints.push_back(best->place);
+    // A place counts for no more than its distance to the places that were taken.
+    for (auto& candidate : candidates)
+      candidate.clearance = std::min(
+          candidate.clearance, 0.5f * (candidate.place - viewpoints.back()).norm());
+  }
+  return viewpoints;
 }
 
 /** The viewpoints nearest to a position; ties by number. */
@@ -218,35 +257,7 @@ findViewpoints(const std::vector<Eigen::Vector3f>& positions,
   requireValid(options);
   if (positions.empty())
     return {};
-  const FreeSpaceGrid grid(positions, options.cell_size);
-  auto candidates = freeCandidates(grid);
-  if (candidates.empty())
-    return {grid.center(grid.shape() / 2)};
-  const auto count = viewpointCount(grid, candidates.size(), options);
-  const auto nearer = [](const auto& a, const auto& b) {
-    return a.clearance < b.clearance;
-  };
-  const float widest =
-      std::max_element(candidates.begin(), candidates.end(), nearer)->clearance;
-  candidates.erase(std::remove_if(candidates.begin(),
-                                  candidates.end(),
-                                  [&](const auto& candidate) {
-                                    return candidate.clearance <
-                                           clearance_share * widest;
-                                  }),
-                   candidates.end());
-  std::vector<Eigen::Vector3f> viewpoints;
-  while (viewpoints.size() < count) {
-    const auto best = std::max_element(candidates.begin(), candidates.end(), nearer);
-    if (!(best->clearance > 0))
-      break;
-    viewpoints.push_back(best->place);
-    // A place counts for no more than its distance to the places that were taken.
-    for (auto& candidate : candidates)
-      candidate.clearance = std::min(
-          candidate.clearance, 0.5f * (candidate.place - viewpoints.back()).norm());
-  }
-  return viewpoints;
+  return viewpointsIn(FreeSpaceGrid(positions, options.cell_size), options);
 }
 
 void
@@ -264,7 +275,7 @@ orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,
   if (positions.empty())
     return;
   const FreeSpaceGrid grid(positions, options.cell_size);
-  const auto viewpoints = findViewpoints(positions, options);
+  const auto viewpoints = viewpointsIn(grid, options);
   auto votes = collectVotes(positions, normals, viewpoints, grid, options);
   for (int round = 0; round < spreading_rounds; ++round)
     votes = spreadVotes(normals, neighbors, votes, options.threads);
