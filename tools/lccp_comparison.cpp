@@ -4,6 +4,7 @@
  */
 
 #include "cloud_file.h"
+#include "comparison_picture.h"
 #include "options.h"
 #include "upstream_lccp.h"
 
@@ -28,13 +29,15 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 /** A way to segment a cloud, and its results so far. */
 struct Method {
   std::string name;
+  bool in_picture; ///< the four that the picture shows beside the truth
   std::function<Labels(const Cloud::Ptr&)> segment;
   std::vector<nlohmann::json> scenes;
 };
 
 struct Settings {
   std::vector<std::string> inputs;
-  std::string preset = "auto", truth_field = "label", coarse_field, json_path;
+  std::string preset = "auto", truth_field = "label", coarse_field;
+  std::string json_path, picture_path;
   unsigned threads = 1;
 };
 
@@ -83,11 +86,11 @@ methodsFor(bool single_view, const Settings& settings)
       return segmentOurs(cloud, ours, settings, partition);
     };
   };
-  return {{"LCCP, example's defaults", upstream(plain), {}},
-          {"LCCP, tuned", upstream(tuned), {}},
-          {"ours + LCCP", own(Partition::Lccp), {}},
-          {"ours + Felzenszwalb", own(Partition::FelzenszwalbHuttenlocher), {}},
-          {"ours", own(Partition::Graph), {}}};
+  return {{"LCCP, example's defaults", true, upstream(plain), {}},
+          {"LCCP, tuned", true, upstream(tuned), {}},
+          {"ours + LCCP", true, own(Partition::Lccp), {}},
+          {"ours + Felzenszwalb", false, own(Partition::FelzenszwalbHuttenlocher), {}},
+          {"ours", true, own(Partition::Graph), {}}};
 }
 
 nlohmann::json
@@ -157,6 +160,21 @@ saveResults(const std::string& path,
   saveText(path, result.dump(2) + "\n");
 }
 
+/** For example "ours: OS 0.5 US 0.3 %"; what an apostrophe belongs to is left out. */
+std::string
+titleOf(const Method& method)
+{
+  const auto& errors = method.scenes.back();
+  char text[64];
+  std::snprintf(text,
+                sizeof(text),
+                ": OS %.1f US %.1f %%",
+                100 * errors.at("oversegmentation").get<double>(),
+                100 * errors.at("undersegmentation").get<double>());
+  const auto name = method.name.find('\'') == std::string::npos ? method.name : "LCCP";
+  return name + text;
+}
+
 bool
 isSingleView(const Settings& settings, const CloudFile& file)
 {
@@ -168,6 +186,7 @@ void
 compare(const Settings& settings, Progress& progress)
 {
   std::vector<Method> methods;
+  std::vector<Picture> pictures;
   bool single_view = false;
   for (const auto& input : settings.inputs) {
     const CloudFile file = loadCloud(input);
@@ -181,6 +200,7 @@ compare(const Settings& settings, Progress& progress)
     }
     else if (single_view != isSingleView(settings, file))
       throw ToolError(input + ": single views and rooms cannot be in one table");
+    std::vector<LabelledView> views{{"truth", truth}};
     for (auto& method : methods) {
       progress.start(method.name + ", " + input);
       const auto begin = std::chrono::steady_clock::now();
@@ -188,12 +208,18 @@ compare(const Settings& settings, Progress& progress)
       const std::chrono::duration<double> time =
           std::chrono::steady_clock::now() - begin;
       method.scenes.push_back(evaluate(truth, coarse, labels, time.count()));
+      if (method.in_picture)
+        views.push_back({titleOf(method), labels});
       progress.done();
     }
+    if (!settings.picture_path.empty())
+      pictures.push_back(drawSideBySide(*file.points, single_view, views));
   }
   printTable(methods);
   if (!settings.json_path.empty())
     saveResults(settings.json_path, settings.inputs, methods);
+  if (!settings.picture_path.empty())
+    savePng(settings.picture_path, stacked(pictures));
 }
 
 } // namespace
@@ -220,10 +246,17 @@ main(int argc, char** argv)
             "field with the objects that the truth's parts belong to: the multi-scale "
             "errors are given")
       .text("-json", settings.json_path, "file to write all results to")
+      .text(
+          "-picture",
+          settings.picture_path,
+          "PNG file of the truth and the clouds of four methods side by side, one row "
+          "per input")
       .number("-threads", settings.threads, "threads of all methods, 0 = automatic");
   return parser.run(argc, argv, [&](Progress& progress) {
     if (!settings.json_path.empty())
       requireWritable(settings.json_path);
+    if (!settings.picture_path.empty())
+      requireWritable(settings.picture_path);
     compare(settings, progress);
   });
 }
