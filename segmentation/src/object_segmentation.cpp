@@ -8,6 +8,8 @@
 #include <pcl/features/normal_orientation.h>
 #include <pcl/filters/non_convex_points.h>
 #include <pcl/filters/point_resolution.h>
+#include <pcl/segmentation/convex_unions.h>
+#include <pcl/segmentation/room_structure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +41,7 @@ singleCameraGrid(const ObjectSegmentationInput& input)
 void
 findNormals(const ObjectSegmentationInput& input,
             const ObjectSegmentationOptions& options,
+            unsigned thinning,
             SurfaceVoxels& voxels)
 {
   pcl::indoor::estimateNormals(
@@ -50,6 +53,7 @@ findNormals(const ObjectSegmentationInput& input,
   pcl::indoor::FreeSpaceOptions free_space;
   free_space.cell_size = 2 * options.voxel_size;
   free_space.threads = options.threads;
+  free_space.sample_stride *= thinning;
   pcl::indoor::orientNormals(options.orientation,
                              voxels.centroids,
                              voxels.neighbors,
@@ -58,15 +62,56 @@ findNormals(const ObjectSegmentationInput& input,
                              voxels.normals);
 }
 
+/** Voxels with normals; floor, walls and ceiling are apart from all else.
+ * \return directions of the room
+ */
+Eigen::Matrix3f
+makeVoxels(const ObjectSegmentationInput& input,
+           const ObjectSegmentationOptions& options,
+           ObjectSegmentation& result)
+{
+  auto voxels = pcl::indoor::surfaceVoxels(
+      input.points,
+      input.single_camera ? singleCameraGrid(input) : std::vector<Eigen::Vector3f>(),
+      options.voxel_size);
+  // Normals for the sides of large planes need fewer votes.
+  const bool separate = options.separate_structure && !input.single_camera;
+  findNormals(input, options, separate ? 4 : 1, voxels);
+  result.plane_of_voxel.assign(voxels.size(), 0);
+  pcl::indoor::RoomStructureOptions structure;
+  structure.voxel_size = options.voxel_size;
+  std::vector<pcl::indoor::StructurePlane> planes;
+  if (separate)
+    planes = pcl::indoor::findRoomStructure(voxels, structure);
+  if (planes.empty()) {
+    result.voxels = std::move(voxels);
+    return Eigen::Matrix3f::Identity();
+  }
+  const auto plane_of_point =
+      pcl::indoor::pointsOfStructure(input.points, voxels, planes, structure);
+  result.voxels = pcl::indoor::separateVoxels(
+      input.points, plane_of_point, options.voxel_size, result.plane_of_voxel);
+  findNormals(input, options, 1, result.voxels);
+  const double seed_voxels = options.seed_size / options.voxel_size;
+  pcl::indoor::returnIslands(
+      result.voxels,
+      planes,
+      options.voxel_size,
+      static_cast<std::size_t>(options.min_segment_size * seed_voxels * seed_voxels),
+      result.plane_of_voxel);
+  return pcl::indoor::axesOf(planes).cast<float>();
+}
+
 /** Eq. (4.2) for voxels: the points of the voxels around are counted. */
 std::vector<std::uint8_t>
 findNonConvexVoxels(const SurfaceVoxels& voxels,
+                    const std::vector<std::uint8_t>& in_plane,
                     const ObjectSegmentationOptions& options)
 {
   const double on_plane = options.plane_tolerance * options.voxel_size;
   std::vector<std::uint8_t> removed(voxels.size(), 0);
   for (std::size_t v = 0; v < voxels.size(); ++v) {
-    if (!(voxels.curvatures[v] > options.curvature_threshold))
+    if (in_plane[v] || !(voxels.curvatures[v] > options.curvature_threshold))
       continue;
     double positive = 0, negative = 0;
     for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
@@ -81,6 +126,29 @@ findNonConvexVoxels(const SurfaceVoxels& voxels,
     removed[v] = pcl::indoor::isNonConvex(positive, negative, options.ratio_threshold);
   }
   return removed;
+}
+
+pcl::indoor::SurfaceDistance
+distanceFor(const ObjectSegmentationOptions& options)
+{
+  pcl::indoor::SurfaceDistance distance;
+  distance.seed_size = options.seed_size;
+  distance.spatial_weight = options.spatial_weight;
+  distance.normal_weight = options.normal_weight;
+  return distance;
+}
+
+pcl::indoor::ConvexityOptions
+convexityFor(const ObjectSegmentationOptions& options)
+{
+  pcl::indoor::ConvexityOptions convexity;
+  convexity.concavity_tolerance_degrees = options.concavity_tolerance_degrees;
+  convexity.use_sanity_check = options.use_sanity_check;
+  convexity.use_smoothness_check = options.use_smoothness_check;
+  convexity.smoothness_threshold = options.smoothness_threshold;
+  convexity.voxel_size = options.voxel_size;
+  convexity.seed_size = options.seed_size;
+  return convexity;
 }
 
 std::vector<std::uint32_t>
@@ -105,7 +173,18 @@ joinSupervoxels(const ObjectSegmentation& result,
       {options.bend_threshold_degrees, options.min_segment_size});
 }
 
-/** Segments of voxels; too small ones, islands among removed voxels, are left open. */
+std::vector<std::uint8_t>
+flagsOf(const std::vector<std::uint32_t>& plane_of_voxel)
+{
+  std::vector<std::uint8_t> flags;
+  flags.reserve(plane_of_voxel.size());
+  for (const auto plane : plane_of_voxel)
+    flags.push_back(plane != 0);
+  return flags;
+}
+
+/** Segments of voxels, the planes after those of the supervoxels; too small ones,
+ * islands among removed voxels, are left open. */
 void
 takeOverSegments(const std::vector<std::uint32_t>& segment_of_supervoxel,
                  std::uint32_t min_segment_size,
@@ -117,12 +196,25 @@ takeOverSegments(const std::vector<std::uint32_t>& segment_of_supervoxel,
   result.segment_of_voxel.assign(result.voxels.size(), Supervoxels::none);
   for (std::size_t v = 0; v < result.voxels.size(); ++v) {
     const auto supervoxel = result.supervoxels.label_of_voxel[v];
+    if (result.plane_of_voxel[v] != 0)
+      result.segment_of_voxel[v] =
+          static_cast<std::uint32_t>(size.size()) + result.plane_of_voxel[v] - 1;
     if (supervoxel == Supervoxels::none)
       continue;
     const auto segment = segment_of_supervoxel[supervoxel];
     if (size[segment] >= min_segment_size)
       result.segment_of_voxel[v] = segment;
   }
+}
+
+/** Above those of supervoxels and planes. */
+std::uint32_t
+firstFreeLabel(const ObjectSegmentation& result)
+{
+  const auto& planes = result.plane_of_voxel;
+  const auto last = std::max_element(planes.begin(), planes.end());
+  return static_cast<std::uint32_t>(result.supervoxels.size()) +
+         (last == planes.end() ? 0 : *last);
 }
 
 /** Number the segments from 0 in the order of their first voxels. */
@@ -166,6 +258,9 @@ findInvalidOption(const ObjectSegmentationOptions& options)
           "seed resolution must be at least the voxel resolution",
           options.seed_size,
           " m");
+  require(not_negative(options.max_union_growth),
+          "growth of convex unions must not be negative",
+          options.max_union_growth);
   require(options.normal_rings >= 1,
           "number of normal rings must be at least 1",
           options.normal_rings);
@@ -234,6 +329,19 @@ singleViewOptions()
   options.voxel_size = 0.005;
   options.seed_size = 0.02;
   options.bend_threshold_degrees = 20;
+  options.separate_structure = false;
+  options.max_union_growth = 0;
+  return options;
+}
+
+ObjectSegmentationOptions
+thesisOptions()
+{
+  ObjectSegmentationOptions options;
+  options.separate_structure = false;
+  options.plane_tolerance = 0;
+  options.partition = Partition::FelzenszwalbHuttenlocher;
+  options.min_segment_size = 3;
   return options;
 }
 
@@ -256,43 +364,38 @@ segmentObjects(const ObjectSegmentationInput& input,
     options.voxel_size = raisedToResolution(input.points, options.voxel_size);
     options.seed_size *= options.voxel_size / given_options.voxel_size;
   }
-  SurfaceDistance distance;
-  distance.seed_size = options.seed_size;
-  distance.spatial_weight = options.spatial_weight;
-  distance.normal_weight = options.normal_weight;
-  ConvexityOptions convexity;
-  convexity.concavity_tolerance_degrees = options.concavity_tolerance_degrees;
-  convexity.use_sanity_check = options.use_sanity_check;
-  convexity.use_smoothness_check = options.use_smoothness_check;
-  convexity.smoothness_threshold = options.smoothness_threshold;
-  convexity.voxel_size = options.voxel_size;
-  convexity.seed_size = options.seed_size;
+  const auto distance = distanceFor(options);
+  const auto convexity = convexityFor(options);
 
   ObjectSegmentation result;
   result.voxel_size = options.voxel_size;
-  result.voxels = surfaceVoxels(input.points,
-                                input.single_camera ? singleCameraGrid(input)
-                                                    : std::vector<Eigen::Vector3f>(),
-                                options.voxel_size);
-  findNormals(input, options, result.voxels);
-  result.removed = findNonConvexVoxels(result.voxels, options);
+  ConvexUnionOptions unions;
+  unions.max_growth = options.max_union_growth;
+  unions.voxel_size = options.voxel_size;
+  unions.axes = makeVoxels(input, options, result);
+  const auto in_plane = flagsOf(result.plane_of_voxel);
+  result.removed = findNonConvexVoxels(result.voxels, in_plane, options);
+  auto left_out = in_plane;
+  for (std::size_t v = 0; v < left_out.size(); ++v)
+    left_out[v] |= result.removed[v];
   result.supervoxels = growSupervoxels(result.voxels,
-                                       result.removed,
+                                       left_out,
                                        options.seed_size / options.voxel_size,
                                        distance,
                                        options.threads);
   result.edges = surfaceEdges(result.voxels, result.supervoxels, convexity);
-  const auto segment_of_supervoxel = joinSupervoxels(result, options, distance);
-  takeOverSegments(segment_of_supervoxel, options.min_segment_size, result);
+  takeOverSegments(
+      joinSupervoxels(result, options, distance), options.min_segment_size, result);
   recoverLabels(result.voxels.centroids,
                 result.voxels.normals,
                 result.voxels.neighbors,
                 distance,
                 options.recovery,
                 result.segment_of_voxel);
-  labelRemainder(result.voxels.neighbors,
-                 static_cast<std::uint32_t>(result.supervoxels.size()),
-                 result.segment_of_voxel);
+  labelRemainder(
+      result.voxels.neighbors, firstFreeLabel(result), result.segment_of_voxel);
+  if (options.partition == Partition::Graph)
+    joinConvexUnions(result.voxels, in_plane, unions, result.segment_of_voxel);
   numberSegments(result);
   return result;
 }

@@ -40,7 +40,14 @@ TEST(NoiseResilientLCCPUse, IntermediateResultsFitTogether)
   std::size_t without = 0;
   for (const auto label : supervoxels)
     without += label == 0;
-  EXPECT_EQ(without, removed.size());
+  const auto structure = segmentation.getStructureIndices();
+  EXPECT_EQ(without, removed.size() + structure.size());
+  for (const auto index : structure)
+    ASSERT_EQ(labels[index], labels[structure.front()]);
+  EXPECT_NEAR(
+      static_cast<double>(structure.size()), // the floor
+      static_cast<double>(std::count(scene.objects.begin(), scene.objects.end(), 1u)),
+      0.03 * static_cast<double>(structure.size()));
   for (const auto index : removed)
     EXPECT_EQ(supervoxels[index], 0u);
   const auto adjacency = segmentation.getSupervoxelAdjacency();

@@ -195,8 +195,14 @@ public:
   Indices
   getRemovedIndices() const;
 
+  /** \brief Get the points of floor, ceiling and walls that the last segment() kept out
+   * of the graph. */
+  Indices
+  getStructureIndices() const;
+
   /** \brief Get the supervoxel of each point of the last segment(), from 1; 0 for
-   * points without (taken out, not finite or not in the indices). */
+   * points without (taken out, of floor, ceiling or walls, not finite or not in the
+   * indices). */
   std::vector<std::uint32_t>
   getSupervoxelLabels() const;
 

@@ -32,6 +32,9 @@ struct ObjectSegmentationOptions {
   /** raise both sizes in proportion where points are too sparse for the voxel size, see
    * raisedToResolution(); never for a single camera */
   bool adapt_to_resolution = true;
+  /** keep floor, ceiling and walls out of the graph, see findRoomStructure(): nothing
+   * is joined through them; never for a single camera */
+  bool separate_structure = true;
   unsigned normal_rings = 1; ///< reach of normals and curvature, voxels (>= 1)
   /** which way estimated normals are turned */
   NormalOrientation orientation = NormalOrientation::Automatic;
@@ -50,6 +53,9 @@ struct ObjectSegmentationOptions {
   Partition partition = Partition::Graph;
   float bend_threshold_degrees = 23; ///< for Partition::Graph (-180 to 180)
   BendOptions bend;                  ///< for Partition::Graph
+  /** join segments whose union is as convex as they are, see ConvexUnionOptions; for
+   * Partition::Graph (>= 0, 0 = never) */
+  double max_union_growth = 1.0;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
@@ -59,6 +65,11 @@ struct ObjectSegmentationOptions {
   RecoveryOptions recovery;
   unsigned threads = 0; ///< 0 = automatic; the result does not depend on it
 };
+
+/** \brief The thesis's own choice: its graph segmentation with C = 3, and no more.
+ */
+ObjectSegmentationOptions
+thesisOptions();
 
 /** \brief What the segmentation works on, points in a local frame. */
 struct ObjectSegmentationInput {
@@ -81,9 +92,11 @@ singleViewOptions();
 struct ObjectSegmentation {
   double voxel_size = 0; ///< that was used, metres
   SurfaceVoxels voxels;
+  /** per voxel: number of the floor's, ceiling's or wall's plane, from 1; 0 = none */
+  std::vector<std::uint32_t> plane_of_voxel;
   std::vector<std::uint8_t> removed; ///< per voxel: non-convex, taken out and recovered
-  Supervoxels supervoxels;           ///< of the voxels that were not removed
-  std::vector<SurfaceEdge> edges;    ///< between supervoxels
+  Supervoxels supervoxels; ///< of the voxels that are in no plane and not removed
+  std::vector<SurfaceEdge> edges;              ///< between supervoxels
   std::vector<std::uint32_t> segment_of_voxel; ///< 0 ... segment_count - 1
   std::uint32_t segment_count = 0;
 };

@@ -330,6 +330,17 @@ NoiseResilientLCCP<PointT>::getRemovedIndices() const
 }
 
 template <typename PointT>
+Indices
+NoiseResilientLCCP<PointT>::getStructureIndices() const
+{
+  Indices structure;
+  for (std::size_t i = 0; i < finite_.size(); ++i)
+    if (result_.plane_of_voxel[result_.voxels.cells.cell_of_point[i]] != 0)
+      structure.push_back(finite_[i]);
+  return structure;
+}
+
+template <typename PointT>
 std::vector<std::uint32_t>
 NoiseResilientLCCP<PointT>::getSupervoxelLabels() const
 {
