@@ -276,10 +276,14 @@ readLabels(const CloudFile& file, const std::string& name)
   return labels;
 }
 
+namespace {
+
+template <typename T>
 void
-appendField(PCLPointCloud2& cloud,
-            const std::string& name,
-            const std::vector<std::uint32_t>& values)
+appendValues(PCLPointCloud2& cloud,
+             const std::string& name,
+             const std::vector<T>& values,
+             std::uint8_t datatype)
 {
   if (values.size() != pointCount(cloud))
     throw ToolError("field '" + name + "': " + std::to_string(values.size()) +
@@ -290,21 +294,39 @@ appendField(PCLPointCloud2& cloud,
       std::remove_if(cloud.fields.begin(), cloud.fields.end(), same_name),
       cloud.fields.end());
   const std::size_t old_step = cloud.point_step;
-  const std::size_t new_step = old_step + sizeof(std::uint32_t);
+  const std::size_t new_step = old_step + sizeof(T);
   std::vector<std::uint8_t> data(values.size() * new_step);
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::memcpy(&data[i * new_step], &cloud.data[i * old_step], old_step);
-    std::memcpy(&data[i * new_step + old_step], &values[i], sizeof(std::uint32_t));
+    std::memcpy(&data[i * new_step + old_step], &values[i], sizeof(T));
   }
   PCLPointField field;
   field.name = name;
   field.offset = static_cast<std::uint32_t>(old_step);
-  field.datatype = PCLPointField::UINT32;
+  field.datatype = datatype;
   field.count = 1;
   cloud.fields.push_back(field);
   cloud.point_step = static_cast<std::uint32_t>(new_step);
   cloud.row_step = cloud.point_step * cloud.width;
   cloud.data = std::move(data);
+}
+
+} // namespace
+
+void
+appendField(PCLPointCloud2& cloud,
+            const std::string& name,
+            const std::vector<std::uint32_t>& values)
+{
+  appendValues(cloud, name, values, PCLPointField::UINT32);
+}
+
+void
+appendRealField(PCLPointCloud2& cloud,
+                const std::string& name,
+                const std::vector<float>& values)
+{
+  appendValues(cloud, name, values, PCLPointField::FLOAT32);
 }
 
 void

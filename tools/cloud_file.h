@@ -63,13 +63,17 @@ hasField(const PCLPointCloud2& cloud, const std::string& name);
 std::vector<std::uint32_t>
 readLabels(const CloudFile& file, const std::string& name);
 
-/** \brief Append a field of unsigned integers; a field of that name is replaced.
- * \param[in] values one per point
+/** \brief Append a field of unsigned integers or floats; a field of that name is
+ * replaced. \param[in] values one per point
  */
 void
 appendField(PCLPointCloud2& cloud,
             const std::string& name,
             const std::vector<std::uint32_t>& values);
+void
+appendRealField(PCLPointCloud2& cloud,
+                const std::string& name,
+                const std::vector<float>& values);
 
 /** \brief Write all fields, binary compressed: first beside the file, then renamed, so
  * none is left half-written.

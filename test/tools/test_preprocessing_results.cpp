@@ -1,0 +1,123 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+// Runs the tools, found by PCL_INDOOR_TOOLS, with the options of pre-processing.
+#include "cloud_file.h"
+#include "support/object_scene.h"
+
+#include <pcl/io/pcd_io.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::tool;
+
+namespace {
+
+/** A scene on disk in a folder of its own, gone afterwards. */
+class Preprocessing : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    std::string name =
+        (std::filesystem::temp_directory_path() / "pcl_indoor_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    scene_ = test::floorWithTwoBoxes(0.003f, 0.025f);
+    pcl::PointCloud<pcl::PointXYZI> cloud;
+    for (const auto& point : scene_.points) {
+      pcl::PointXYZI entry(static_cast<float>(cloud.size() % 97));
+      entry.getVector3fMap() = point;
+      cloud.push_back(entry);
+    }
+    for (int i = 0; i < outliers_; ++i) {
+      pcl::PointXYZI entry(0.0f);
+      entry.getVector3fMap() =
+          Eigen::Vector3f(0.4f * static_cast<float>(i), 1, 1.5f + 0.1f * (i % 3));
+      cloud.push_back(entry);
+    }
+    cloud.sensor_origin_ = Eigen::Vector4f(1, 1, 5, 0);
+    pcl::io::savePCDFileBinary(path("scene.pcd"), cloud);
+  }
+
+  void
+  TearDown() override
+  {
+    std::filesystem::remove_all(folder_);
+  }
+
+  std::string
+  path(const std::string& name) const
+  {
+    return (folder_ / name).string();
+  }
+
+  int
+  run(const std::string& tool, const std::string& options) const
+  {
+    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
+                                path("scene.pcd") + " " + path("out.pcd") + " " +
+                                options + " > " + path("said") + " 2>&1";
+    return std::system(command.c_str());
+  }
+
+  /** Share of the scene's normals that point to the side they should. */
+  double
+  shareOfRight() const
+  {
+    const auto normals = readNormals(loadCloud(path("out.pcd")));
+    std::size_t right = 0;
+    for (std::size_t i = 0; i < scene_.points.size(); ++i)
+      right += (*normals)[i].getNormalVector3fMap().dot(scene_.normals[i]) > 0.5f;
+    return static_cast<double>(right) / static_cast<double>(scene_.points.size());
+  }
+
+  static constexpr int outliers_ = 9;
+  test::LabelledPoints scene_;
+  std::filesystem::path folder_;
+};
+
+} // namespace
+
+TEST_F(Preprocessing, NormalsAreAddedAsFields)
+{
+  ASSERT_EQ(run("pcl_hough_normals", "-radius 0.1"), 0);
+  const auto file = loadCloud(path("out.pcd"));
+  EXPECT_TRUE(file.has_normals);
+  EXPECT_TRUE(hasField(file.cloud, "curvature"));
+  EXPECT_EQ(readLabels(file, "intensity")[98], 1u); // kept
+  EXPECT_EQ(file.origin.z(), 5);
+  EXPECT_TRUE(std::isnan((*readNormals(file)).back().normal_x));
+  EXPECT_GT(shareOfRight(), 0.7); // but sides that the viewpoint does not see
+  ASSERT_EQ(run("pcl_hough_normals", "-k 40 -orientation graph -sampling points"), 0);
+  EXPECT_GT(shareOfRight(), 0.9);
+  ASSERT_EQ(run("pcl_hough_normals", "-no_refinement -orientation free_space"), 0);
+  EXPECT_NE(run("pcl_hough_normals", "-k 40 -radius 1"), 0);
+  EXPECT_NE(run("pcl_hough_normals", "-orientation up"), 0);
+}
+
+TEST_F(Preprocessing, OutliersHaveNoObject)
+{
+  ASSERT_EQ(run("pcl_noise_resilient_lccp", "-remove_outliers"), 0);
+  auto objects = readLabels(loadCloud(path("out.pcd")), "object");
+  ASSERT_EQ(objects.size(), scene_.points.size() + outliers_);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    EXPECT_EQ(objects[i] == 0, i >= scene_.points.size()) << i;
+  ASSERT_EQ(run("pcl_noise_resilient_lccp", ""), 0);
+  objects = readLabels(loadCloud(path("out.pcd")), "object");
+  for (const auto object : objects)
+    EXPECT_GT(object, 0u);
+}
+
+TEST_F(Preprocessing, OrientationIsAnOption)
+{
+  for (const std::string way : {"auto", "viewpoint", "graph", "free_space"})
+    EXPECT_EQ(run("pcl_noise_resilient_lccp", "-orientation " + way), 0) << way;
+  EXPECT_NE(run("pcl_noise_resilient_lccp", "-orientation up"), 0);
+}
