@@ -34,6 +34,46 @@ somePixels(const std::vector<std::vector<std::uint32_t>>& pixels,
 
 } // namespace
 
+PixelMap<std::int32_t>
+fillIslands(PixelMap<std::int32_t> rooms)
+{
+  PixelMap<std::uint8_t> seen{rooms.nx, rooms.ny, {}};
+  seen.values.assign(rooms.size(), 0);
+  std::vector<std::size_t> part;
+  for (std::size_t start = 0; start < rooms.size(); ++start) {
+    if (rooms.values[start] != 0 || seen.values[start])
+      continue;
+    part.assign(1, start);
+    seen.values[start] = 1;
+    std::int32_t around = 0; // the room around the part
+    bool is_island = true;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const int x = static_cast<int>(part[k] / rooms.ny);
+      const int y = static_cast<int>(part[k] % rooms.ny);
+      for (int u = x - 1; u <= x + 1; ++u)
+        for (int v = y - 1; v <= y + 1; ++v) {
+          if (!rooms.contains(u, v)) {
+            is_island = false;
+            continue;
+          }
+          const std::int32_t room = rooms.at(u, v);
+          if (room != 0) {
+            is_island = is_island && (around == 0 || around == room);
+            around = room;
+          }
+          else if (!seen.at(u, v)) {
+            seen.at(u, v) = 1;
+            part.push_back(rooms.index(u, v));
+          }
+        }
+    }
+    if (is_island)
+      for (const std::size_t pixel : part)
+        rooms.values[pixel] = around;
+  }
+  return rooms;
+}
+
 OpenPlan::OpenPlan(const PixelMap<std::int32_t>& labels,
                    const PixelMap<float>& field,
                    double pixel_size,

@@ -88,22 +88,29 @@ insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
   return inside;
 }
 
+/** Distance of each pixel to the next obstacle, metres; 0 on it. */
+PixelMap<float>
+distanceTo(const PixelMap<std::uint8_t>& obstacles, double pixel_size)
+{
+  const PixelMap<std::uint32_t> squared = squaredDistanceMap(obstacles);
+  PixelMap<float> field{obstacles.nx, obstacles.ny, {}};
+  field.values.resize(field.size());
+  for (std::size_t i = 0; i < field.size(); ++i)
+    field.values[i] =
+        static_cast<float>(pixel_size * std::sqrt(double(squared.values[i])));
+  return field;
+}
+
 /** Distance of each free pixel inside to the next blocked or outside one, metres. */
 PixelMap<float>
 freeDistance(const PixelMap<std::uint8_t>& blocked,
              const PixelMap<std::uint8_t>& inside,
              double pixel_size)
 {
-  PixelMap<std::uint8_t> obstacle = blocked;
-  for (std::size_t i = 0; i < obstacle.size(); ++i)
-    obstacle.values[i] |= !inside.values[i];
-  const PixelMap<std::uint32_t> squared = squaredDistanceMap(obstacle);
-  PixelMap<float> field{blocked.nx, blocked.ny, {}};
-  field.values.resize(field.size());
-  for (std::size_t i = 0; i < field.size(); ++i)
-    field.values[i] = static_cast<float>(
-        obstacle.values[i] ? 0.0 : pixel_size * std::sqrt(double(squared.values[i])));
-  return field;
+  PixelMap<std::uint8_t> obstacles = blocked;
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+    obstacles.values[i] |= !inside.values[i];
+  return distanceTo(obstacles, pixel_size);
 }
 
 /** Basins of the free pixels that a disc of the smallest room width can cover: gaps,
@@ -148,6 +155,7 @@ dropSmallRegions(PixelMap<std::int32_t>& labels,
  * height, m^2. */
 std::vector<double>
 sectionAreas(const PixelMap<std::int32_t>& labels,
+             const PixelMap<float>& field,
              const RoomMap& map,
              double pixel_size)
 {
@@ -157,7 +165,7 @@ sectionAreas(const PixelMap<std::int32_t>& labels,
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double height = pixel_size * (map.ceiling.values[i] - map.range.begin);
     double& widest = section[labels.values[i]];
-    widest = std::max(widest, 2.0 * map.field.values[i] * height);
+    widest = std::max(widest, 2.0 * field.values[i] * height);
   }
   return section;
 }
@@ -205,19 +213,24 @@ void
 divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap& map)
 {
   const double size = space.occupancy.voxel_size;
+  const auto rooms = fillIslands(map.free_labels);
+  PixelMap<std::uint8_t> walls{rooms.nx, rooms.ny, {}};
+  for (const auto room : rooms.values)
+    walls.values.push_back(room == 0);
+  const auto field = distanceTo(walls, size);
   std::vector<std::int32_t> room_of;
-  const auto pieces = piecesOfRooms(
-      map.free_labels,
-      basinsOfWidth(map.field, options.open_plan.persistence, size, options),
-      room_of);
-  const OpenPlan plan(pieces, map.field, size, options.open_plan);
+  const auto pieces =
+      piecesOfRooms(rooms,
+                    basinsOfWidth(field, options.open_plan.persistence, size, options),
+                    room_of);
+  const OpenPlan plan(pieces, field, size, options.open_plan);
   PixelMap<std::int32_t> grown = pieces;
   growLabels(grown, options.reach / size);
   MergeOptions all;
   all.open_share = all.open_height = 0.0;
   const auto space_of = mergeOpenRegions(
       regionBorders(space.occupancy, map.range, map.ceiling, grown, pieces),
-      sectionAreas(pieces, map, size),
+      sectionAreas(pieces, field, map, size),
       all,
       [&](const auto& a, const auto& b) {
         return room_of[a.front()] != room_of[b.front()] || plan.separates(a, b);
@@ -242,7 +255,8 @@ divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap
   if (count == map.room_count)
     return;
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (const std::int32_t label = label_of[space_of[pieces.values[i]]])
+    if (const std::int32_t label = label_of[space_of[pieces.values[i]]];
+        label != 0 && map.free_labels.values[i] != 0)
       map.free_labels.values[i] = label;
   map.room_count = count;
   map.labels = map.free_labels;
@@ -294,7 +308,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
     merging.open_share = std::numeric_limits<double>::infinity(); // HDBSCAN decides
   const auto merged = mergeOpenRegions(
       regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
-      sectionAreas(map.free_labels, map, size),
+      sectionAreas(map.free_labels, map.field, map, size),
       merging);
   const auto number = numbersOf(map.labels, merged);
   for (auto& label : map.free_labels.values)

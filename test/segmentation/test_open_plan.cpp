@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 
 using namespace pcl::indoor;
@@ -167,6 +168,32 @@ TEST(OpenPlan, EachConditionCounts)
   EXPECT_FALSE(separates(options));
 }
 
+TEST(FillIslands, AreWhatOneRoomSurrounds)
+{
+  // a wall from the edge, an island in room 1, one between two rooms, one at a corner
+  PixelMap<std::int32_t> rooms{7, 9, {0, 0, 0, 0, 0, 0, 0, 0, 0, //
+                                      0, 1, 1, 1, 1, 2, 2, 2, 0, //
+                                      0, 1, 0, 1, 1, 2, 2, 2, 0, //
+                                      0, 1, 0, 1, 1, 0, 2, 2, 0, //
+                                      0, 1, 1, 1, 0, 2, 2, 2, 0, //
+                                      0, 1, 1, 1, 1, 2, 0, 2, 0, //
+                                      0, 0, 0, 0, 0, 0, 0, 0, 0}};
+  const auto filled = fillIslands(rooms);
+  for (const std::size_t pixel : {20u, 29u})
+    rooms.values[pixel] = 1;
+  // that at (5, 6) touches the outer wall, which reaches the edge
+  EXPECT_EQ(filled.values, rooms.values);
+}
+
+TEST(FillIslands, AnIslandOfTheEdgeIsNone)
+{
+  PixelMap<std::int32_t> rooms{3, 3, {1, 1, 1, 1, 0, 1, 1, 1, 1}};
+  EXPECT_EQ(fillIslands(rooms).at(1, 1), 1);
+  rooms = {3, 2, {1, 1, 1, 0, 1, 1}};
+  EXPECT_EQ(fillIslands(rooms).at(1, 1), 0);
+  EXPECT_TRUE(fillIslands({}).values.empty());
+}
+
 TEST(OpenPlan, RoomSegmentationDividesIt)
 {
   // 12 m^2 and 11 m^2 that touch at a corner, open to each other up to the ceiling
@@ -188,4 +215,14 @@ TEST(OpenPlan, RoomSegmentationDividesIt)
   segmentation.setHabitableArea(std::numeric_limits<double>::infinity());
   segmentation.segment(labels);
   EXPECT_EQ(segmentation.getRooms().size(), 1u);
+}
+
+TEST(OpenPlan, PillarsDivideNothing)
+{
+  auto scene = rooms({{{0, 0, 0}, {6, 8, 3}, 1}}, {});
+  std::mt19937 rng(3);
+  for (const float x : {1.5f, 3.7f}) // leave 1.5 m, 1.4 m and 1.5 m
+    scene.addBox({x, 3.7f, 0}, {0.8f, 0.8f, 3}, 1, 0.04f, 0.005f, rng);
+  const Labels labels = segmented(cloudOf(scene.points));
+  EXPECT_EQ(roomCount(labels), 1u);
 }

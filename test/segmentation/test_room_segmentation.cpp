@@ -234,7 +234,7 @@ TEST(RoomSegmentation, DefaultsAreAsDocumented)
   EXPECT_EQ(segmentation.getVoxelSize(), 0.1);
   EXPECT_EQ(segmentation.getMinRoomArea(), 0.5);
   EXPECT_EQ(segmentation.getMinRoomWidth(), 0.5);
-  EXPECT_EQ(segmentation.getPersistence(), 0.7);
+  EXPECT_EQ(segmentation.getPersistence(), 0.5);
   EXPECT_EQ(segmentation.getOpenShare(), 0.55);
   EXPECT_EQ(segmentation.getHabitableArea(), 6.5);
   EXPECT_EQ(segmentation.getUpAxis(), Eigen::Vector3f(0, 0, 1));

@@ -18,13 +18,20 @@ struct OpenPlanOptions {
   /** Smallest floor area of each, m^2. Building codes ask 6.5 of a habitable room
    * (International Residential Code, R304.1); infinity joins all open spaces. */
   double habitable_area = 6.5;
-  double max_elongation = 2.5; ///< area over the square of the width: longer ones are
-                               ///< corridors, whose arms are one room
-  double persistence = 0.85;   ///< width of the passage between them over the width of
-                             ///< the narrower one, at most, 0 ... 1
+  double max_elongation = 2.5;  ///< area over the square of the width: longer ones are
+                                ///< corridors, whose arms are one room
+  double persistence = 0.85;    ///< width of the passage between them over the width of
+                                ///< the narrower one, at most, 0 ... 1
   double max_shared_view = 0.7; ///< of the straight lines between the two, the share
                                 ///< that nothing blocks, 0 ... 1
 };
+
+/** \brief Give what stands free in a room, such as a pillar or a lamp, to the room:
+ * pixels of no room that are connected and that one room surrounds (8 neighbours).
+ * \param[in] rooms room of each free pixel, 0 = none
+ */
+PixelMap<std::int32_t>
+fillIslands(PixelMap<std::int32_t> rooms);
 
 /** \brief Tells rooms of an open plan apart, such as the kitchen and the bedroom of a
  * studio: each is large and compact enough to be lived in, and who is in one sees

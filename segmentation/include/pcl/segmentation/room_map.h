@@ -30,7 +30,7 @@ struct RoomMapOptions {
   RoomMethod method = RoomMethod::CeilingSlab;
   FieldRoomsOptions field_rooms; ///< of RoomMethod::PotentialField
   CeilingSlabOptions slab;
-  double persistence = 0.7;  ///< see persistentBasins()
+  double persistence = 0.5;  ///< see persistentBasins()
   MergeOptions merging;      ///< see mergeOpenRegions()
   OpenPlanOptions open_plan; ///< which open spaces are two rooms
   double min_width = 0.5;    ///< narrower spaces are no rooms, metres

@@ -83,7 +83,7 @@ public:
 
   /** \brief Set how narrow the passage between two spaces must be to part them.
    * \param[in] persistence width of the passage over the width of the narrower space,
-   * 0 ... 1; larger gives more rooms (default 0.7)
+   * 0 ... 1; larger gives more rooms (default 0.5)
    */
   void
   setPersistence(double persistence)
