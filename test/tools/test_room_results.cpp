@@ -132,6 +132,31 @@ TEST_F(RoomResults, JsonDescribesTheFlat)
   EXPECT_EQ(neighbours, (std::multiset<std::size_t>{1, 1, 2}));
 }
 
+TEST_F(RoomResults, TheFieldMethodTakesItsOptions)
+{
+  const auto rooms = [this](const std::string& options) {
+    EXPECT_EQ(run("pcl_room_segmentation",
+                  path("flat.pcd") + " " + path("out.pcd") + " -method field -json " +
+                      path("r.json") + options),
+              0)
+        << bytesOf(path("said"));
+    return nlohmann::json::parse(bytesOf(path("r.json")))["rooms"].size();
+  };
+  for (const char* size : {"0.1", "0.15", "0.2"})
+    EXPECT_EQ(
+        rooms(std::string(" -interior_voxel_size ") + size + " -voxel_size " + size),
+        3u)
+        << size;
+  EXPECT_EQ(rooms(" -visibility_weight 0"), 3u);
+  EXPECT_EQ(rooms(" -field_weight 0"), 3u);
+  // all distances are at most the sum of the weights, 1; the rooms' pieces nearer
+  EXPECT_EQ(rooms(" -dbscan_distance 0.25"), 3u);
+  EXPECT_EQ(rooms(" -dbscan_distance 1.1"), 1u);
+  EXPECT_EQ(rooms(" -dbscan_distance 25 -euclidean_weight 70 -field_weight 25 "
+                  "-visibility_weight 5"),
+            3u);
+}
+
 TEST_F(RoomResults, MapsShowRoomsDoorsAndScale)
 {
   ASSERT_EQ(run("pcl_room_segmentation",
