@@ -18,16 +18,26 @@ using pcl::indoor::Partition;
 
 namespace {
 
-/** What the command line sets; 0 in lengths and angles stands for the preset's value.
- */
+/** What the command line sets; 0 in lengths, angles and sizes stands for the preset's
+ * value. */
 struct Settings {
   std::string input, output;
-  std::string preset = "auto", partition = "graph", camera = "auto";
-  std::string orientation = "auto";
+  std::string preset = "auto", partition = "auto", camera = "auto";
+  std::string orientation = "auto", structure = "auto";
+  double union_growth = -1;
+  std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
   bool ignore_normals = false, remove_outliers = false;
   ObjectSegmentationOptions others;
 };
+
+std::string
+numberText(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 /** For example "edge of a voxel; 0 = 0.03 for rooms, 0.005 for a single view". */
 std::string
@@ -47,8 +57,9 @@ addLengths(OptionParser& parser, Settings& settings)
       .text(
           "-preset",
           settings.preset,
-          "defaults for what was scanned; auto: single_view if the input is organised",
-          {"auto", "room", "single_view"})
+          "defaults for what was scanned; auto: single_view if the input is organised; "
+          "thesis: the graph segmentation of the thesis with its parameters",
+          {"auto", "room", "single_view", "thesis"})
       .number("-voxel_resolution",
               settings.voxel_resolution,
               withPresets("edge of a voxel", room.voxel_size, view.voxel_size) +
@@ -77,8 +88,9 @@ addOthers(OptionParser& parser, Settings& settings)
       .text("-partition",
             settings.partition,
             "how supervoxels are joined: by whole borders, by the thesis's graph "
-            "segmentation, or over all convex edges",
-            {"graph", "felzenszwalb", "lccp"})
+            "segmentation, or over all convex edges; auto: graph, for -preset thesis "
+            "felzenszwalb",
+            {"auto", "graph", "felzenszwalb", "lccp"})
       .number("-curvature_threshold",
               options.curvature_threshold,
               "curvature above which points are taken out if not convex",
@@ -89,11 +101,27 @@ addOthers(OptionParser& parser, Settings& settings)
               "ratio of points in front of and behind the surface that is not convex",
               "",
               Range::between(0, 1))
+      .text("-structure",
+            settings.structure,
+            "floor, ceiling and walls; apart: nothing is joined through them; auto: "
+            "apart for rooms",
+            {"auto", "apart", "joined"})
+      .number(
+          "-union_growth",
+          settings.union_growth,
+          "for -partition graph: segments are joined if the hull of both has at most "
+          "this many times their volumes, 0 = never; -1 = " +
+              numberText(ObjectSegmentationOptions().max_union_growth) +
+              " for rooms, 0 for the others",
+          "",
+          Range::between(-1, 1000))
       .number("-min_segment",
-              options.min_segment_size,
-              "smallest segment",
+              settings.min_segment,
+              withPresets("smallest segment",
+                          ObjectSegmentationOptions().min_segment_size,
+                          pcl::indoor::singleViewOptions().min_segment_size),
               "supervoxels",
-              Range::atLeast(1))
+              Range::atLeast(0))
       .number("-graph_scale",
               options.graph_scale,
               "for -partition felzenszwalb; higher gives larger segments",
@@ -127,12 +155,19 @@ addOthers(OptionParser& parser, Settings& settings)
 }
 
 ObjectSegmentationOptions
+presetOptions(const std::string& preset, bool organised)
+{
+  if (preset == "thesis")
+    return pcl::indoor::thesisOptions();
+  if (preset == "single_view" || (preset == "auto" && organised))
+    return pcl::indoor::singleViewOptions();
+  return {};
+}
+
+ObjectSegmentationOptions
 chosenOptions(const Settings& settings, bool organised)
 {
-  const bool single_view =
-      settings.preset == "single_view" || (settings.preset == "auto" && organised);
-  const auto preset =
-      single_view ? pcl::indoor::singleViewOptions() : ObjectSegmentationOptions();
+  const auto preset = presetOptions(settings.preset, organised);
   auto options = settings.others;
   const auto either = [](double given, double other) {
     return given > 0 ? given : other;
@@ -144,8 +179,17 @@ chosenOptions(const Settings& settings, bool organised)
   options.bend_threshold_degrees = static_cast<float>(
       either(settings.bend_threshold, preset.bend_threshold_degrees));
   options.bend = preset.bend;
+  options.plane_tolerance = preset.plane_tolerance;
+  options.min_segment_size =
+      settings.min_segment > 0 ? settings.min_segment : preset.min_segment_size;
+  options.separate_structure = settings.structure == "auto"
+                                   ? preset.separate_structure
+                                   : settings.structure == "apart";
+  options.max_union_growth =
+      settings.union_growth < 0 ? preset.max_union_growth : settings.union_growth;
   options.adapt_to_resolution = !(settings.voxel_resolution > 0);
-  options.partition = settings.partition == "lccp" ? Partition::Lccp
+  options.partition = settings.partition == "auto"   ? preset.partition
+                      : settings.partition == "lccp" ? Partition::Lccp
                       : settings.partition == "graph"
                           ? Partition::Graph
                           : Partition::FelzenszwalbHuttenlocher;

@@ -130,10 +130,33 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_FLOAT_EQ(segmentation.getRatioThreshold(), 0.2f);
   EXPECT_FLOAT_EQ(segmentation.getGraphScale(), 3);
   EXPECT_FLOAT_EQ(segmentation.getBendThreshold(), 23);
-  EXPECT_EQ(segmentation.getMinSegmentSize(), 6u);
+  EXPECT_EQ(segmentation.getMinSegmentSize(), 4u);
+  EXPECT_TRUE(segmentation.getOptions().separate_structure);
+  EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_growth, 1.05);
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
   EXPECT_EQ(segmentation.getPartition(), Segmentation::Partition::Graph);
   EXPECT_FALSE(segmentation.getInputNormals());
+}
+
+TEST(NoiseResilientLCCPUse, TheThesisKeepsWallsInTheGraph)
+{
+  const auto scene = floorWithTwoBoxes();
+  const auto thesis = thesisOptions();
+  EXPECT_EQ(thesis.partition, Segmentation::Partition::FelzenszwalbHuttenlocher);
+  EXPECT_EQ(thesis.min_segment_size, 3u);
+  EXPECT_FLOAT_EQ(thesis.graph_scale, 3);
+  Segmentation segmentation;
+  segmentation.setOptions(thesis);
+  segmentation.setInputCloud(cloudOf(scene.points));
+  segmentation.setViewPoint(2, 1, 3);
+  Labels labels;
+  segmentation.segment(labels);
+  EXPECT_TRUE(segmentation.getStructureIndices().empty());
+  auto wrong = thesis;
+  wrong.max_union_growth = -1;
+  segmentation.setOptions(wrong);
+  segmentation.segment(labels);
+  EXPECT_TRUE(labels.empty());
 }
 
 template <typename PointT>

@@ -124,7 +124,7 @@ public:
   getGraphScale() const;
 
   /** \brief Set C, the smallest segment.
-   * \param[in] size supervoxels (default 6); 1 for no minimum
+   * \param[in] size supervoxels (default 4); 1 for no minimum
    */
   void
   setMinSegmentSize(std::uint32_t size);

@@ -55,11 +55,11 @@ struct ObjectSegmentationOptions {
   BendOptions bend;                  ///< for Partition::Graph
   /** join segments whose union is as convex as they are, see ConvexUnionOptions; for
    * Partition::Graph (>= 0, 0 = never) */
-  double max_union_growth = 1.0;
+  double max_union_growth = 1.05;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
-  std::uint32_t min_segment_size = 6;
+  std::uint32_t min_segment_size = 4;
   unsigned common_neighbors = 0; ///< k of extended convexity, for Partition::Lccp
   unsigned lccp_min_segment = 3; ///< n_filter, for Partition::Lccp
   RecoveryOptions recovery;

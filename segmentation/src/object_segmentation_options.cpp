@@ -1,0 +1,122 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/object_segmentation.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace pcl {
+namespace indoor {
+
+std::string
+findInvalidOption(const ObjectSegmentationOptions& options)
+{
+  std::ostringstream problem;
+  const auto require =
+      [&](bool holds, const char* what, double value, const char* unit = "") {
+        if (!holds && problem.str().empty())
+          problem << "The " << what << ", not " << value << unit << '.';
+      };
+  const auto not_negative = [](double value) {
+    return value >= 0 && std::isfinite(value);
+  };
+  require(options.voxel_size > 0 && std::isfinite(options.voxel_size),
+          "voxel resolution must be positive",
+          options.voxel_size,
+          " m");
+  require(options.seed_size >= options.voxel_size && std::isfinite(options.seed_size),
+          "seed resolution must be at least the voxel resolution",
+          options.seed_size,
+          " m");
+  require(not_negative(options.max_union_growth),
+          "growth of convex unions must not be negative",
+          options.max_union_growth);
+  require(options.normal_rings >= 1,
+          "number of normal rings must be at least 1",
+          options.normal_rings);
+  require(options.curvature_threshold >= 0 && options.curvature_threshold <= 1.0f / 3,
+          "curvature threshold must be in [0, 1/3]",
+          options.curvature_threshold);
+  require(options.ratio_threshold >= 0 && options.ratio_threshold <= 1,
+          "ratio threshold must be in [0, 1]",
+          options.ratio_threshold);
+  require(not_negative(options.plane_tolerance),
+          "tolerance of the tangent plane must not be negative",
+          options.plane_tolerance,
+          " voxels");
+  require(not_negative(options.spatial_weight),
+          "spatial importance must not be negative",
+          options.spatial_weight);
+  require(not_negative(options.normal_weight),
+          "normal importance must not be negative",
+          options.normal_weight);
+  require(options.concavity_weight >= 0 && options.concavity_weight <= 1,
+          "concavity weight must be in [0, 1]",
+          options.concavity_weight);
+  require(options.concavity_tolerance_degrees >= 0 &&
+              options.concavity_tolerance_degrees <= 180,
+          "concavity tolerance must be in [0, 180]",
+          options.concavity_tolerance_degrees,
+          " degrees");
+  require(not_negative(options.smoothness_threshold),
+          "smoothness threshold must not be negative",
+          options.smoothness_threshold,
+          " voxels");
+  require(not_negative(options.graph_scale),
+          "graph scale must not be negative",
+          options.graph_scale);
+  require(options.bend_threshold_degrees >= -180 &&
+              options.bend_threshold_degrees <= 180,
+          "bend threshold must be in [-180, 180]",
+          options.bend_threshold_degrees,
+          " degrees");
+  require(options.bend.convex_limit_degrees >= 0 &&
+              options.bend.convex_limit_degrees <= 180,
+          "limit of convex bends must be in [0, 180]",
+          options.bend.convex_limit_degrees,
+          " degrees");
+  require(options.bend.concave_limit_degrees >= 0 &&
+              options.bend.concave_limit_degrees <= 180,
+          "limit of concave bends must be in [0, 180]",
+          options.bend.concave_limit_degrees,
+          " degrees");
+  require(options.bend.singular_share >= 0 && options.bend.singular_share <= 1,
+          "singular share must be in [0, 1]",
+          options.bend.singular_share);
+  require(options.recovery.iterations >= 1,
+          "number of recovery iterations must be at least 1",
+          options.recovery.iterations);
+  require(options.recovery.accepted_share > 0 && options.recovery.accepted_share <= 1,
+          "accepted share must be in (0, 1]",
+          options.recovery.accepted_share);
+  return problem.str();
+}
+
+ObjectSegmentationOptions
+singleViewOptions()
+{
+  ObjectSegmentationOptions options;
+  options.voxel_size = 0.005;
+  options.seed_size = 0.02;
+  options.bend_threshold_degrees = 20;
+  options.min_segment_size = 6;
+  options.separate_structure = false;
+  options.max_union_growth = 0;
+  return options;
+}
+
+ObjectSegmentationOptions
+thesisOptions()
+{
+  ObjectSegmentationOptions options;
+  options.separate_structure = false;
+  options.plane_tolerance = 0;
+  options.partition = Partition::FelzenszwalbHuttenlocher;
+  options.min_segment_size = 3;
+  return options;
+}
+
+} // namespace indoor
+} // namespace pcl
