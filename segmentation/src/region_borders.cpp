@@ -22,6 +22,12 @@ namespace {
 
 constexpr double passage_height = 1.6; // metres; lower openings let nobody pass
 
+/** Of two rooms with different ceilings, up to which one their border is looked at. */
+enum class BorderTop {
+  HigherCeiling, ///< all of the wall that one of them has
+  LowerCeiling   ///< where both are
+};
+
 using RegionPair = std::pair<std::int32_t, std::int32_t>;
 
 /** Looks across the border between two pixels. */
@@ -29,10 +35,12 @@ class BorderSection {
 public:
   BorderSection(const VoxelGrid<std::uint8_t>& occupancy,
                 const VerticalRange& storey,
-                const PixelMap<int>& ceiling)
+                const PixelMap<int>& ceiling,
+                BorderTop top)
   : occupancy_(occupancy)
   , storey_(storey)
   , ceiling_(ceiling)
+  , top_(top)
   , closed_(occupancy.shape.nz)
   {}
 
@@ -41,7 +49,8 @@ public:
   std::pair<int, int>
   measure(int x0, int y0, int x1, int y1)
   {
-    const int top = std::max(ceiling_.at(x0, y0), ceiling_.at(x1, y1));
+    const auto [lower, higher] = std::minmax(ceiling_.at(x0, y0), ceiling_.at(x1, y1));
+    const int top = top_ == BorderTop::LowerCeiling ? lower : higher;
     std::fill(closed_.begin(), closed_.end(), 0);
     const int steps = std::max({std::abs(x1 - x0), std::abs(y1 - y0), 1});
     for (int k = 0; k <= steps; ++k) {
@@ -63,6 +72,7 @@ private:
   const VoxelGrid<std::uint8_t>& occupancy_;
   const VerticalRange& storey_;
   const PixelMap<int>& ceiling_;
+  BorderTop top_;
   std::vector<std::uint8_t> closed_;
 };
 
@@ -75,6 +85,7 @@ walkBorders(const VoxelGrid<std::uint8_t>& occupancy,
             const PixelMap<int>& ceiling,
             const PixelMap<std::int32_t>& labels,
             const PixelMap<std::int32_t>& free_labels,
+            BorderTop top,
             const Piece& piece)
 {
   PixelMap<std::uint8_t> sites{labels.nx, labels.ny, {}};
@@ -82,7 +93,7 @@ walkBorders(const VoxelGrid<std::uint8_t>& occupancy,
   for (std::size_t i = 0; i < sites.size(); ++i)
     sites.values[i] = free_labels.values[i] != 0;
   const NearestSites nearest = nearestSites(sites);
-  BorderSection section(occupancy, storey, ceiling);
+  BorderSection section(occupancy, storey, ceiling, top);
   const auto look = [&](std::size_t p, std::size_t q) {
     const std::int32_t a = labels.values[p], b = labels.values[q];
     if (a == b || a == 0 || b == 0)
@@ -188,7 +199,8 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
       border.y += static_cast<double>(p % ny);
     }
   };
-  walkBorders(occupancy, storey, ceiling, labels, free_labels, add);
+  walkBorders(
+      occupancy, storey, ceiling, labels, free_labels, BorderTop::HigherCeiling, add);
 
   std::vector<RegionBorder> result;
   for (auto& [pair, border] : borders) {
@@ -223,7 +235,8 @@ regionOpenings(const VoxelGrid<std::uint8_t>& occupancy,
     piece.open = open;
     pieces[std::minmax(labels.values[p], labels.values[q])].push_back(piece);
   };
-  walkBorders(occupancy, storey, ceiling, labels, free_labels, add);
+  walkBorders(
+      occupancy, storey, ceiling, labels, free_labels, BorderTop::LowerCeiling, add);
 
   std::vector<RegionOpening> openings;
   for (const auto& [pair, of_pair] : pieces)
