@@ -8,8 +8,10 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <vector>
 
 namespace pcl::indoor::tool {
@@ -68,22 +70,42 @@ roomShape(const Room& room, const Sheet& sheet)
          path + "\"/>\n";
 }
 
-/** The middle of the pixel where a room is widest. */
+/** The middle of that pixel, among those where a room is about widest, which lies
+ * nearest to their mean. */
 Eigen::Vector3d
 widestPlace(const BuildingRooms& building, const Room& room)
 {
+  constexpr float about = 0.95f;
   const auto& map = building.storeys[room.storey];
   const auto& room_of = building.room_of[room.storey];
-  float widest = -1.0f;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector2d> pixels;
+  std::vector<float> widths;
   for (int x = 0; x < map.free_labels.nx; ++x)
     for (int y = 0; y < map.free_labels.ny; ++y)
-      if (room_of[map.free_labels.at(x, y)] == room.label &&
-          map.field.at(x, y) > widest) {
-        widest = map.field.at(x, y);
-        place = building.occupancy.grid.center(x, y, 0);
+      if (room_of[map.free_labels.at(x, y)] == room.label) {
+        pixels.emplace_back(x, y);
+        widths.push_back(map.field.at(x, y));
       }
-  return building.occupancy.toCloud(place);
+  if (pixels.empty())
+    return building.occupancy.toCloud(Eigen::Vector3d::Zero());
+  const float enough = about * *std::max_element(widths.begin(), widths.end());
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (widths[i] >= enough) {
+      mean += pixels[i];
+      ++count;
+    }
+  mean /= static_cast<double>(count);
+  Eigen::Vector2d place = mean;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (widths[i] >= enough && (pixels[i] - mean).squaredNorm() < nearest) {
+      nearest = (pixels[i] - mean).squaredNorm();
+      place = pixels[i];
+    }
+  return building.occupancy.toCloud(building.occupancy.grid.center(
+      static_cast<int>(place.x()), static_cast<int>(place.y()), 0));
 }
 
 /** White on dark fillings, else black. */
