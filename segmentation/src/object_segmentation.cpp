@@ -91,12 +91,13 @@ makeVoxels(const ObjectSegmentationInput& input,
       input.points, plane_of_point, options.voxel_size, result.plane_of_voxel);
   findNormals(input, options, 1, result.voxels);
   const double seed_voxels = options.seed_size / options.voxel_size;
-  pcl::indoor::returnIslands(
-      result.voxels,
-      planes,
-      options.voxel_size,
-      static_cast<std::size_t>(options.min_segment_size * seed_voxels * seed_voxels),
-      result.plane_of_voxel);
+  const auto patch = static_cast<std::size_t>(seed_voxels * seed_voxels);
+  pcl::indoor::returnIslands(result.voxels,
+                             planes,
+                             options.voxel_size,
+                             patch,
+                             options.min_segment_size * patch,
+                             result.plane_of_voxel);
   return pcl::indoor::axesOf(planes).cast<float>();
 }
 

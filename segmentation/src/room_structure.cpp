@@ -311,15 +311,17 @@ void
 returnIslands(const SurfaceVoxels& voxels,
               const std::vector<StructurePlane>& planes,
               double voxel_size,
+              std::size_t patch_size,
               std::size_t min_size,
               std::vector<std::uint32_t>& plane_of_voxel)
 {
   std::vector<std::uint8_t> seen(voxels.size(), 0);
   std::vector<std::uint32_t> island;
   const auto lies_in = [&](const StructurePlane& plane) {
+    const double reach = (island.size() < patch_size ? 2 : 1) * voxel_size;
     return std::all_of(island.begin(), island.end(), [&](std::uint32_t v) {
       return std::abs(plane.normal.dot(voxels.centroids[v].cast<double>()) -
-                      plane.offset) <= voxel_size;
+                      plane.offset) <= reach;
     });
   };
   for (std::uint32_t first = 0; first < voxels.size(); ++first) {
@@ -337,7 +339,7 @@ returnIslands(const SurfaceVoxels& voxels,
           island.push_back(other);
         }
       }
-    if (island.size() >= min_size)
+    if (island.size() >= std::max(min_size, patch_size))
       continue;
     const auto plane = std::find_if(planes.begin(), planes.end(), lies_in);
     if (plane != planes.end())

@@ -164,8 +164,9 @@ TEST(RoomStructure, SmallFlatIslandsGoBackToThePlane)
   const auto add = [&](const Eigen::Vector3f& corner, const Eigen::Vector3f& height) {
     scene.addRectangle(corner, {0.1f, 0, 0}, height, {0, 1, 0}, 9, 0.015f, 0.0f, rng);
   };
-  add({1, 0.03f, 1}, {0, 0, 0.1f}); // before the wall
-  add({3, 0.03f, 1}, {0, 0.2f, 0}); // sticks out of it
+  add({1, 0.03f, 1}, {0, 0, 0.1f});     // before the wall
+  add({3, 0.03f, 1}, {0, 0.2f, 0});     // sticks out of it
+  add({3.5f, 0.06f, 1}, {0, 0, 0.02f}); // a speck at 1.5 voxels
   const auto voxels = voxelsOf(scene);
   const auto planes = findRoomStructure(voxels, options());
   const auto plane_of_point =
@@ -174,16 +175,20 @@ TEST(RoomStructure, SmallFlatIslandsGoBackToThePlane)
   const auto separated =
       separateVoxels(scene.points, plane_of_point, voxel_size, before);
   auto after = before;
-  returnIslands(separated, planes, voxel_size, 30, after);
+  returnIslands(separated, planes, voxel_size, 8, 30, after);
   for (std::size_t i = 0; i < scene.points.size(); ++i) {
     const auto v = separated.cells.cell_of_point[i];
     if (scene.objects[i] != 9)
       continue;
     EXPECT_EQ(before[v], 0u);
-    EXPECT_EQ(after[v] != 0, scene.points[i].x() < 2);
+    const float x = scene.points[i].x();
+    EXPECT_EQ(after[v] != 0, x < 2 || x > 3.3f);
   }
+  auto no_specks = before;
+  returnIslands(separated, planes, voxel_size, 1, 30, no_specks);
+  EXPECT_NE(no_specks, after);
   auto too_large = before;
-  returnIslands(separated, planes, voxel_size, 2, too_large);
+  returnIslands(separated, planes, voxel_size, 2, 2, too_large);
   EXPECT_EQ(too_large, before);
 }
 

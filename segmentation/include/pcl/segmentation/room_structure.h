@@ -79,14 +79,16 @@ separateVoxels(const std::vector<Eigen::Vector3f>& points,
 
 /** \brief Give small flat remains in front of a plane back to it: noise, and the second
  * of two registrations of a wall.
- * \param[in] min_size groups of touching voxels of fewer than this are given to a plane
- * if none of them is farther than a voxel from its points
+ * \param[in] patch_size groups of touching voxels of fewer than this are given to a
+ * plane if none of them is farther than two voxels from it
+ * \param[in] min_size so are those of fewer than this, if none is farther than one voxel
  * \param[in,out] plane_of_voxel as given by separateVoxels()
  */
 void
 returnIslands(const SurfaceVoxels& voxels,
               const std::vector<StructurePlane>& planes,
               double voxel_size,
+              std::size_t patch_size,
               std::size_t min_size,
               std::vector<std::uint32_t>& plane_of_voxel);
 
