@@ -5,8 +5,9 @@
 
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/potential_field.h>
-#include <pcl/segmentation/room_outline.h>
 #include <pcl/segmentation/storey_space.h>
+
+#include "room_layout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -218,63 +219,6 @@ describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& b
   return rooms;
 }
 
-/** Turns places on the map of a storey, pixels, into places on its floor. */
-class FloorPlane {
-public:
-  FloorPlane(const OccupancyGrid& occupancy, const RoomMap& map)
-  : occupancy_(occupancy)
-  , layer_(map.first_layer + map.range.begin + 0.5)
-  {}
-
-  Eigen::Vector3d
-  operator()(double x, double y) const
-  {
-    const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
-    return occupancy_.toCloud(grid.origin +
-                              grid.voxel_size * Eigen::Vector3d(x, y, layer_));
-  }
-
-private:
-  const OccupancyGrid& occupancy_;
-  double layer_; ///< middle of the floor's voxels
-};
-
-void
-addFootprints(BuildingRooms& building)
-{
-  constexpr double tolerance = 1.5; // pixels: straight walls at any angle become lines
-  for (std::size_t s = 0; s < building.storeys.size(); ++s) {
-    const RoomMap& map = building.storeys[s];
-    const FloorPlane on_floor(building.occupancy, map);
-    const auto outlines = traceOutlines(map.free_labels, map.room_count);
-    for (std::int32_t label = 1; label <= map.room_count; ++label)
-      for (const auto& ring : outlines[label]) {
-        std::vector<Eigen::Vector3d> line;
-        for (const auto& corner : simplifyOutline(ring, tolerance))
-          line.push_back(on_floor(corner.x(), corner.y()));
-        building.rooms[building.room_of[s][label] - 1].footprint.push_back(line);
-      }
-  }
-}
-
-void
-addOpenings(const StoreySpace& space, BuildingRooms& building)
-{
-  const RoomMap& map = building.storeys.back();
-  const auto& room_of = building.room_of.back();
-  const FloorPlane on_floor(building.occupancy, map);
-  for (const auto& found : regionOpenings(
-           space.occupancy, map.range, map.ceiling, map.labels, map.free_labels)) {
-    RoomOpening opening;
-    opening.room_a = room_of[found.a];
-    opening.room_b = room_of[found.b];
-    opening.position = on_floor(found.x, found.y);
-    opening.width = found.width;
-    opening.area = found.area;
-    building.openings.push_back(opening);
-  }
-}
-
 } // namespace
 
 BuildingRooms
@@ -327,7 +271,7 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 building.room_of[s],
                 building.point_labels);
   building.rooms = describeRooms(points, building);
-  addFootprints(building);
+  addFootprints(points, building);
   if (stopped(1.0, "done"))
     return {};
   return building;

@@ -192,6 +192,23 @@ fittedSide(const OutlineRing& ring, std::size_t begin, std::size_t end)
   return {start + mean, {std::cos(angle), std::sin(angle)}};
 }
 
+/** Where two sides meet, or the corner itself if that is farther from it: sides that
+ * are nearly parallel meet anywhere. */
+Eigen::Vector2d
+meetingNear(const Eigen::Vector2d& corner,
+            const Side& before,
+            const Side& after,
+            double distance)
+{
+  const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+  };
+  const double part = cross(after.point - before.point, after.direction) /
+                      cross(before.direction, after.direction);
+  const Eigen::Vector2d meeting = before.point + part * before.direction;
+  return (meeting - corner).norm() <= distance ? meeting : corner;
+}
+
 /** The corners of a simplified ring with fitted sides.
  * \param[in] places of the corners in the ring */
 std::vector<Eigen::Vector2d>
@@ -204,23 +221,56 @@ fittedCorners(const OutlineRing& ring,
     sides.push_back(fittedSide(
         ring, places[k], k + 1 < places.size() ? places[k + 1] : ring.size()));
   std::vector<Eigen::Vector2d> corners;
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    const Side& before = sides[(k + sides.size() - 1) % sides.size()];
-    const Side& after = sides[k];
-    const Eigen::Vector2d corner = ring[places[k]].cast<double>();
-    const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-      return a.x() * b.y() - a.y() * b.x();
-    };
-    const double part = cross(after.point - before.point, after.direction) /
-                        cross(before.direction, after.direction);
-    const Eigen::Vector2d meeting = before.point + part * before.direction;
-    // sides that are nearly parallel meet anywhere
-    corners.push_back((meeting - corner).norm() <= 2.0 * tolerance ? meeting : corner);
-  }
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    corners.push_back(meetingNear(ring[places[k]].cast<double>(),
+                                  sides[(k + sides.size() - 1) % sides.size()],
+                                  sides[k],
+                                  2.0 * tolerance));
   return corners;
 }
 
+/** How far behind a side from a to b its wall is, pixels. */
+double
+distanceToWall(const Eigen::Vector2d& a,
+               const Eigen::Vector2d& b,
+               const std::vector<Eigen::Vector2d>& wall_points)
+{
+  constexpr double before = 0.7, behind = 2.0; // where walls are looked for, pixels
+  const double length = (b - a).norm();
+  if (!(length > 0.0))
+    return 0.0;
+  const Eigen::Vector2d along = (b - a) / length;
+  const Eigen::Vector2d outward(along.y(), -along.x());
+  const double end = length > 3.0 ? 1.0 : 0.0; // there the next wall begins
+  std::vector<double> distances;
+  for (const auto& point : wall_points) {
+    const Eigen::Vector2d from = point - a;
+    const double distance = outward.dot(from);
+    const double place = along.dot(from);
+    if (distance >= -before && distance <= behind && place >= end &&
+        place <= length - end)
+      distances.push_back(distance);
+  }
+  if (distances.size() < std::max(3.0, length))
+    return 0.0;
+  const auto middle = distances.begin() + distances.size() / 2;
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
 } // namespace
+
+double
+signedArea(const std::vector<Eigen::Vector2d>& ring)
+{
+  double twice = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Eigen::Vector2d a = ring[i] - ring[0];
+    const Eigen::Vector2d b = ring[(i + 1) % ring.size()] - ring[0];
+    twice += a.x() * b.y() - b.x() * a.y();
+  }
+  return 0.5 * twice;
+}
 
 double
 signedArea(const OutlineRing& ring)
@@ -291,6 +341,28 @@ simplifyOutline(const OutlineRing& ring, double tolerance)
     return same;
   }
   return fittedCorners(turned, places, tolerance);
+}
+
+std::vector<Eigen::Vector2d>
+moveToWalls(const std::vector<Eigen::Vector2d>& ring,
+            const std::vector<Eigen::Vector2d>& wall_points)
+{
+  std::vector<Side> sides;
+  std::vector<Eigen::Vector2d> moves;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Eigen::Vector2d& next = ring[(k + 1) % ring.size()];
+    const Eigen::Vector2d along = (next - ring[k]).normalized();
+    const double distance = distanceToWall(ring[k], next, wall_points);
+    moves.emplace_back(distance * along.y(), -distance * along.x());
+    sides.push_back({ring[k] + moves.back(), along});
+  }
+  std::vector<Eigen::Vector2d> corners;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const std::size_t before = (k + ring.size() - 1) % ring.size();
+    const Eigen::Vector2d moved = ring[k] + 0.5 * (moves[before] + moves[k]);
+    corners.push_back(meetingNear(moved, sides[before], sides[k], 3.0));
+  }
+  return corners;
 }
 
 } // namespace indoor

@@ -23,6 +23,10 @@ using OutlineRing = std::vector<Eigen::Vector2i>;
 double
 signedArea(const OutlineRing& ring);
 
+/** \brief The same for corners anywhere. */
+double
+signedArea(const std::vector<Eigen::Vector2d>& ring);
+
 /** \brief Trace the borders of all regions of a label map exactly.
  *
  * Pixels that touch at a corner only are not connected. Rings hold no point in the
@@ -48,6 +52,18 @@ traceOutlines(const PixelMap<std::int32_t>& labels, std::int32_t region_count);
  */
 std::vector<Eigen::Vector2d>
 simplifyOutline(const OutlineRing& ring, double tolerance);
+
+/** \brief Move the sides of a ring to the faces of the walls behind them.
+ *
+ * A side ends where the last pixel without any point of a wall does: up to a pixel
+ * before the wall. It is moved to the median of what lies behind it, at most
+ * 2 pixels, and stays where less than a point per pixel does, such as in doorways.
+ * \param[in] ring corners, pixels; the region is on the left
+ * \param[in] wall_points points of the region's walls, pixels
+ */
+std::vector<Eigen::Vector2d>
+moveToWalls(const std::vector<Eigen::Vector2d>& ring,
+            const std::vector<Eigen::Vector2d>& wall_points);
 
 } // namespace indoor
 } // namespace pcl
