@@ -63,8 +63,8 @@ orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,
 
 /** \brief Turn normals in one of these ways.
  * \param[in] viewpoint one, or none if it is not known
- * \throws pcl::BadArgumentException if NormalOrientation::Viewpoint has no viewpoint, or
- * as the ways themselves do
+ * \throws pcl::BadArgumentException if NormalOrientation::Viewpoint has no viewpoint,
+ * or as the ways themselves do
  */
 void
 orientNormals(NormalOrientation orientation,
