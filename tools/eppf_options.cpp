@@ -83,6 +83,7 @@ EPPFCommandLine::addTo(OptionParser& parser)
               "larger gives near pairs more weight",
               "",
               {1.0, std::numeric_limits<double>::infinity(), true})
+      .flag("-keep_noise", keeps_noise_, "do not measure and lower the noise of points")
       .text("-surface_angle", surface_angle_, "how two angles become one", rule_names)
       .text("-sampling", sampling_, "how pairs are chosen", sampling_names)
       .text("-without", without_, "a feature to leave out", feature_names)
@@ -101,6 +102,7 @@ EPPFCommandLine::options() const
   options.normal_sides = static_cast<NormalSides>(indexOf(normals_, side_names));
   options.sampling = static_cast<PairSampling>(indexOf(sampling_, sampling_names));
   options.bins = readBins(bins_);
+  options.denoising = !keeps_noise_;
   if (thesis_) {
     const auto thesis = thesisEPPFOptions();
     options.surface_angle_rule = thesis.surface_angle_rule;
@@ -108,6 +110,7 @@ EPPFCommandLine::options() const
     options.sampling = thesis.sampling;
     options.bins = thesis.bins;
     options.grid_size = thesis.grid_size;
+    options.denoising = thesis.denoising;
     options.weighting_constant = thesis.weighting_constant;
   }
   if (short_form_)

@@ -35,6 +35,7 @@ public:
 private:
   EPPFOptions options_;
   bool short_form_ = false;
+  bool keeps_noise_ = false;
   bool thesis_ = false;
   std::string surface_angle_;
   std::string normals_;

@@ -21,6 +21,7 @@ thesisEPPFOptions()
   options.normal_sides = NormalSides::Given;
   options.sampling = PairSampling::Uniform;
   options.grid_size = 64;
+  options.denoising = false;
   return options;
 }
 
@@ -35,7 +36,7 @@ shortEPPFBins(SurfaceAngleRule rule)
 int
 automaticGridSize(std::size_t point_count)
 {
-  const double edge = std::sqrt(static_cast<double>(point_count) / 8.0);
+  const double edge = std::sqrt(static_cast<double>(point_count) / 3.5);
   return static_cast<int>(std::lround(std::clamp(edge, 8.0, 64.0)));
 }
 

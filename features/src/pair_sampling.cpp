@@ -8,6 +8,7 @@
 #include <array>
 #include <cassert>
 #include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace indoor {
@@ -47,10 +48,13 @@ sortByCode(std::vector<Coded>& order)
   }
 }
 
-/** \brief Indices of the points along a Z curve (Morton order) through their cube. */
+} // namespace
+
 std::vector<std::uint32_t>
 spaceFillingOrder(const std::vector<OrientedPoint>& points)
 {
+  if (points.empty())
+    return {};
   Eigen::Array3f lower = points.front().position;
   Eigen::Array3f upper = lower;
   for (const auto& point : points) {
@@ -88,8 +92,6 @@ spaceFillingOrder(const std::vector<OrientedPoint>& points)
   return indices;
 }
 
-} // namespace
-
 PairSampler::PairSampler(const std::vector<OrientedPoint>& points,
                          PairSampling sampling,
                          std::uint32_t seed)
@@ -99,6 +101,14 @@ PairSampler::PairSampler(const std::vector<OrientedPoint>& points,
   assert(points.size() >= 2);
   if (sampling == PairSampling::Stratified)
     order_ = spaceFillingOrder(points);
+}
+
+PairSampler::PairSampler(std::vector<std::uint32_t> order, std::uint32_t seed)
+: seed_(hash(seed + 0x9E3779B97F4A7C15u))
+, point_count_(order.size())
+, order_(std::move(order))
+{
+  assert(point_count_ >= 2);
 }
 
 } // namespace indoor

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/features/eppf_denoising.h>
 #include <pcl/features/eppf_histogram.h>
 #include <pcl/features/line_occupancy.h>
 
@@ -128,6 +129,84 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
     histogram[((i1 * bins.surface_angle + i2) * bins.normal_angle + i3) *
                   bins.occupancy +
               i4] += weight;
+  }
+  const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
+  for (auto& value : histogram)
+    value /= sum;
+  return histogram;
+}
+
+/** \brief The share of a place, in bins, that falls into a bin: its own, and within
+ * softness / 2 of a border linearly the next one's. */
+inline double
+softShare(double place, int bin, int count, double softness)
+{
+  const auto rise = [softness](double x) { // over a border at 0
+    return std::clamp(x / softness + 0.5, 0.0, 1.0);
+  };
+  const double above_lower = bin == 0 ? 1.0 : rise(place - bin);
+  const double above_upper = bin == count - 1 ? 0.0 : rise(place - bin - 1);
+  return above_lower - above_upper;
+}
+
+/** \brief eppfHistogram() of an object with noise: outward normals, stratified pairs,
+ * automatic grid; every pair offered to every bin of the soft features. */
+inline std::vector<double>
+slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& options)
+{
+  const auto order = spaceFillingOrder(given);
+  const float extent = objectExtent(given);
+  const auto noise = measureNoise(given, order, extent);
+  const auto object = denoised(given, order, extent, noise, 1);
+  const auto points = outward(object.points);
+  const auto& bins = options.bins;
+  const LineOccupancy grid(points, automaticGridSize(points.size()));
+  std::vector<std::uint32_t> own_order(points.size());
+  std::iota(own_order.begin(), own_order.end(), 0u);
+  const PairSampler sampler(own_order, options.seed);
+  const double scale = options.scale > 0.0 ? options.scale : object.extent;
+  const bool joint = options.surface_angle_rule == SurfaceAngleRule::Joint;
+  const int levels = joint ? jointLevels(bins) : 1;
+  std::vector<double> histogram(bins.size());
+  for (std::size_t k = 0; k < options.pair_count; ++k) {
+    const auto [first, second] = sampler.pair(k);
+    const auto& one = points[first];
+    const auto& two = points[second];
+    const Eigen::Vector3d line =
+        two.position.cast<double>() - one.position.cast<double>();
+    const double sine1 = -one.normal.cast<double>().dot(line.normalized());
+    const double sine2 = two.normal.cast<double>().dot(line.normalized());
+    const double cosine = one.normal.cast<double>().dot(two.normal.cast<double>());
+    const int i3 =
+        binOf(std::acos(std::clamp(cosine, -1.0, 1.0)) / pi, bins.normal_angle);
+    const auto count =
+        grid.countBetween(grid.cell(one.position), grid.cell(two.position));
+    const int i4 =
+        binOf(static_cast<double>(count.occupied) / count.total + 1e-9, bins.occupancy);
+    const int hard2 = joint ? 0
+                            : surfaceBin(std::asin(std::clamp(sine1, -1.0, 1.0)),
+                                         std::asin(std::clamp(sine2, -1.0, 1.0)),
+                                         options);
+    for (int i1 = 0; i1 < bins.distance; ++i1)
+      for (int a = 0; a < levels; ++a)
+        for (int b = 0; b < levels; ++b) {
+          const double share =
+              softShare(line.norm() / scale * bins.distance,
+                        i1,
+                        bins.distance,
+                        noise.evidence) *
+              softShare((sine1 + 1) / 2 * levels, a, levels, noise.evidence) *
+              softShare((sine2 + 1) / 2 * levels, b, levels, noise.evidence);
+          const int i2 =
+              joint ? std::max(a, b) * (std::max(a, b) + 1) / 2 + std::min(a, b)
+                    : hard2;
+          const double weight = std::log(static_cast<double>(i1) / bins.distance +
+                                         options.weighting_constant) *
+                                object.weights[first] * object.weights[second];
+          histogram[((i1 * bins.surface_angle + i2) * bins.normal_angle + i3) *
+                        bins.occupancy +
+                    i4] += weight * share;
+        }
   }
   const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
   for (auto& value : histogram)

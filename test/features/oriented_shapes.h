@@ -53,5 +53,21 @@ boxSurface(const Eigen::Vector3f& size, std::size_t count, std::uint32_t seed)
   return points;
 }
 
+/** \brief The same with nearly Gaussian noise (a sum of twelve) on every coordinate. */
+inline std::vector<OrientedPoint>
+noisyBox(const Eigen::Vector3f& size,
+         float deviation,
+         std::size_t count,
+         std::uint32_t seed)
+{
+  auto points = boxSurface(size, count, seed);
+  std::mt19937 rng(seed + 1);
+  for (auto& point : points)
+    for (int axis = 0; axis < 3; ++axis)
+      for (int part = 0; part < 12; ++part)
+        point.position[axis] += drawBetween(-0.5f, 0.5f, rng) * deviation;
+  return points;
+}
+
 } // namespace indoor
 } // namespace pcl

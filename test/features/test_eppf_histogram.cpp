@@ -48,6 +48,7 @@ TEST(EPPFHistogram, EqualsTheFormulasForEveryRule)
     for (const auto sides :
          {NormalSides::Outward, NormalSides::Given, NormalSides::Ignored}) {
       EPPFOptions options;
+      options.denoising = false; // random points look like noise
       options.surface_angle_rule = rule;
       options.normal_sides = sides;
       EXPECT_LT(
@@ -104,6 +105,7 @@ TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
   const auto points = randomSurflets(300, 3);
   for (int off = 0; off < 4; ++off) {
     EPPFOptions options;
+    options.denoising = false; // random points look like noise
     options.features = {off != 0, off != 1, off != 2, off != 3};
     const auto histogram = eppfHistogram(points, options);
     EXPECT_LT(difference(histogram, slowHistogram(points, options)), rounding);
@@ -184,6 +186,7 @@ TEST(EPPFHistogram, TurningChangesOnlyRoundingBesidesOccupancy)
     point.normal = turn * point.normal;
   }
   EPPFOptions options;
+  options.denoising = false;                // random points look like noise
   options.sampling = PairSampling::Uniform; // draws the same pairs of both
   options.features.occupancy = false;
   // Positions of size 4 are rounded to 2.4e-7, features by about as much: the pairs
@@ -224,6 +227,37 @@ TEST(EPPFHistogram, ScaleFreeWithTheObjectsOwnExtent)
   EPPFOptions options;
   options.scale = 10.0;
   EXPECT_GT(difference(histogram, eppfHistogram(points, options)), 0.5);
+}
+
+TEST(EPPFHistogram, NoisyObjectsEqualTheFormulas)
+{
+  for (const auto rule : {SurfaceAngleRule::Joint, SurfaceAngleRule::Maximum})
+    for (const double scale : {0.0, 0.9}) {
+      const auto points = noisyBox({1.0f, 0.6f, 0.3f}, 0.07f, 900, 24);
+      EPPFOptions options;
+      options.surface_angle_rule = rule;
+      options.scale = scale;
+      const auto histogram = eppfHistogram(points, options);
+      // In units of 2^-16 each of eight parts of 20,000 pairs is rounded, and single
+      // precision moves a few parts in a million of a pair over a border.
+      EXPECT_LT(difference(histogram, slowNoisyHistogram(points, options)), rounding);
+      EXPECT_NEAR(std::accumulate(histogram.begin(), histogram.end(), 0.0), 1.0, 1e-6);
+      options.denoising = false;
+      EXPECT_GT(difference(histogram, eppfHistogram(points, options)), 0.2);
+      for (options.number_of_threads = 1; options.number_of_threads < 4;
+           ++options.number_of_threads) {
+        options.denoising = true;
+        EXPECT_EQ(histogram, eppfHistogram(points, options));
+      }
+    }
+}
+
+TEST(EPPFHistogram, ObjectsWithoutNoiseAreLeftAsTheyAre)
+{
+  const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 2000, 25);
+  EPPFOptions options;
+  options.denoising = false;
+  EXPECT_EQ(eppfHistogram(points, {}), eppfHistogram(points, options));
 }
 
 TEST(EPPFHistogram, DegenerateObjectsGiveADefinedResult)

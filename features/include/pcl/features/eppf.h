@@ -47,7 +47,7 @@ public:
     return options_;
   }
 
-  /** \brief Set how many point pairs are drawn.
+  /** \brief Set or get how many point pairs are drawn.
    * More pairs lower the noise of a bin as 1 / sqrt(pair_count); time grows linearly.
    * \param[in] pair_count number of pairs, at least 1 (default 20000)
    */
@@ -56,8 +56,6 @@ public:
   {
     options_.pair_count = pair_count;
   }
-
-  /** \brief Get how many point pairs are drawn. */
   std::size_t
   getPairCount() const
   {
@@ -125,7 +123,7 @@ public:
     return options_.number_of_threads;
   }
 
-  /** \brief Set the constant of the bin weights, c of Eq. (5.11).
+  /** \brief Set or get the constant of the bin weights, c of Eq. (5.11).
    * \param[in] constant above 1; larger gives pairs that lie close more weight
    * (default 1.2)
    */
@@ -134,65 +132,56 @@ public:
   {
     options_.weighting_constant = constant;
   }
-
-  /** \brief Get the constant of the bin weights. */
   double
   getWeightingConstant() const
   {
     return options_.weighting_constant;
   }
 
-  /** \brief Set how the two surface angles become one feature (default Joint). */
+  /** \brief Set or get how the two surface angles become one feature (default Joint).
+   */
   void
   setSurfaceAngleRule(indoor::SurfaceAngleRule rule)
   {
     options_.surface_angle_rule = rule;
   }
-
-  /** \brief Get how the two surface angles become one feature. */
   indoor::SurfaceAngleRule
   getSurfaceAngleRule() const
   {
     return options_.surface_angle_rule;
   }
 
-  /** \brief Set which side of a surface normals point to (default Outward). */
+  /** \brief Set or get which side of a surface normals point to (default Outward). */
   void
   setNormalSides(indoor::NormalSides sides)
   {
     options_.normal_sides = sides;
   }
-
-  /** \brief Get which side of a surface normals point to. */
   indoor::NormalSides
   getNormalSides() const
   {
     return options_.normal_sides;
   }
 
-  /** \brief Set how pairs are chosen (default Stratified). */
+  /** \brief Set or get how pairs are chosen (default Stratified). */
   void
   setPairSampling(indoor::PairSampling sampling)
   {
     options_.sampling = sampling;
   }
-
-  /** \brief Get how pairs are chosen. */
   indoor::PairSampling
   getPairSampling() const
   {
     return options_.sampling;
   }
 
-  /** \brief Switch features on and off; one that is off falls into its first bin
-   * always. */
+  /** \brief Switch features on and off, or get which are on; one that is off falls into
+   * its first bin always. */
   void
   setFeatures(const indoor::EPPFFeatures& features)
   {
     options_.features = features;
   }
-
-  /** \brief Get which features are on. */
   const indoor::EPPFFeatures&
   getFeatures() const
   {
@@ -214,6 +203,19 @@ public:
   getGridSize() const
   {
     return options_.grid_size;
+  }
+
+  /** \brief Set or get whether noise is measured and lowered, see
+   * indoor::measureNoise(); nothing changes without noise (default true). */
+  void
+  setDenoising(bool denoising)
+  {
+    options_.denoising = denoising;
+  }
+  bool
+  getDenoising() const
+  {
+    return options_.denoising;
   }
 
   /** \brief Compute the descriptor of all points in the indices.

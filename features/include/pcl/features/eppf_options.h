@@ -72,11 +72,14 @@ struct EPPFOptions {
   SurfaceAngleRule surface_angle_rule = SurfaceAngleRule::Joint;
   NormalSides normal_sides = NormalSides::Outward;
   PairSampling sampling = PairSampling::Stratified;
+  /** \brief Whether noise is measured and, where there is any, lowered before points
+   * are described, see measureNoise() and denoised(). */
+  bool denoising = true;
   int grid_size = 0; ///< voxels per edge, 2 to 64; 0: see automaticGridSize()
 };
 
 /** \brief The setting of the thesis: 20 x 4 x 5 x 3 bins, the larger of the two surface
- * angles, normals as given, 64 voxels, pairs drawn uniformly.
+ * angles, normals as given, 64 voxels, pairs drawn uniformly, noise left in.
  */
 EPPFOptions
 thesisEPPFOptions();
@@ -88,12 +91,12 @@ thesisEPPFOptions();
 EPPFBins
 shortEPPFBins(SurfaceAngleRule rule);
 
-/** \brief Voxels per edge for a number of points: sqrt(point_count / 8), within 8
+/** \brief Voxels per edge for a number of points: sqrt(point_count / 3.5), within 8
  * ... 64.
  *
  * The surface of an object crosses about 2 * N^2 voxels of a grid of N^3. With this N
- * there are about four points for each of them: in a finer grid the surface has holes,
- * which the occupancy takes for free space.
+ * there are about 1.75 points for each of them: in a much finer grid the surface has
+ * holes, which the occupancy takes for free space.
  */
 int
 automaticGridSize(std::size_t point_count);

@@ -21,6 +21,11 @@ enum class PairSampling {
              ///< points
 };
 
+/** \brief Indices of points along a Z curve (Morton order) through their cube; of
+ * points in one cell of the curve, by their coordinates. Empty for no points. */
+std::vector<std::uint32_t>
+spaceFillingOrder(const std::vector<OrientedPoint>& points);
+
 /** \brief Draws pairs of different points.
  *
  * Pair k depends on the seed and on k alone, so that any thread can draw any pair: this
@@ -38,6 +43,11 @@ public:
   PairSampler(const std::vector<OrientedPoint>& points,
               PairSampling sampling,
               std::uint32_t seed);
+
+  /** \brief Prepare to draw stratified pairs along an order that is known.
+   * \param[in] order of the points' indices, at least two
+   */
+  PairSampler(std::vector<std::uint32_t> order, std::uint32_t seed);
 
   /** \brief Indices of two different points. */
   Pair

@@ -1,0 +1,62 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/features/oriented_point.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief What the points of an object tell about their noise. */
+struct PointNoise {
+  float evidence = 0.0f;  ///< 0: none, the object is left as it is; 1: certain
+  float deviation = 0.0f; ///< of the noise on a coordinate, metres; 0 without evidence
+};
+
+/** \brief Measure the noise of an object from the points themselves.
+ *
+ * Evidence: of a few neighbourhoods of 16 points, spread over the object, one of the
+ * flattest is looked at. A surface without noise has flat places almost always; with
+ * noise nearly as large as the distance of points none is flat. Deviation: the residual
+ * of local planes, in a window that is widened until it holds the noise. Finer noise
+ * counts as none.
+ * \param[in] points near the origin
+ * \param[in] order a space-filling order of the points, see spaceFillingOrder()
+ * \param[in] extent of the object, metres
+ * \return nothing for fewer than 256 points, whose neighbourhoods are not local. Time:
+ * linear, of at most 4096 points evenly along the order
+ */
+PointNoise
+measureNoise(const std::vector<OrientedPoint>& points,
+             const std::vector<std::uint32_t>& order,
+             float extent);
+
+/** \brief An object whose noise was lowered. */
+struct DenoisedObject {
+  std::vector<OrientedPoint> points; ///< along the order, at most 4096
+  std::vector<float> weights; ///< of each point, how flat its surface is: 0 ... 1
+  float extent = 0.0f;        ///< metres, less the farthest points' noise
+};
+
+/** \brief Move points to planes through their neighbours, and tell how far the planes
+ * can be trusted.
+ *
+ * The neighbours are weighted by a Gaussian 1.2 deviations of the noise wide. Normals
+ * stay. All is in proportion to the evidence, so that there is no jump between an
+ * object that is left as it is and one that is not. Time: with the square of the
+ * points, of which there are at most 4096; no result depends on the number of threads.
+ */
+DenoisedObject
+denoised(const std::vector<OrientedPoint>& points,
+         const std::vector<std::uint32_t>& order,
+         float extent,
+         const PointNoise& noise,
+         unsigned int number_of_threads);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,330 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/features/eppf_denoising.h>
+#include <pcl/features/pair_counting.h>
+#include <pcl/features/pair_sampling.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+constexpr std::size_t fewest_points = 256;
+constexpr std::size_t most_points = 4096;
+constexpr std::size_t probe_count = 32;
+constexpr std::size_t neighbor_count = 16;
+constexpr float object_area = 3.0f; // of an object of extent 1, about
+
+/** \brief Coordinates of at most most_points points, evenly along the order. */
+struct Coordinates {
+  /** \brief The box of block_size points that follow each other. */
+  struct Block {
+    Eigen::Array3f lower, upper;
+  };
+  static constexpr std::size_t block_size = 32;
+
+  std::vector<std::uint32_t> indices;
+  std::vector<float> x, y, z;
+  std::vector<Block> blocks;
+
+  Coordinates(const std::vector<OrientedPoint>& points,
+              const std::vector<std::uint32_t>& order)
+  {
+    const std::size_t count = std::min(points.size(), most_points);
+    for (std::size_t k = 0; k < count; ++k) {
+      indices.push_back(order[k * points.size() / count]);
+      const auto& position = points[indices.back()].position;
+      x.push_back(position.x());
+      y.push_back(position.y());
+      z.push_back(position.z());
+      if (k % block_size == 0)
+        blocks.push_back({position, position});
+      blocks.back().lower = blocks.back().lower.min(position.array());
+      blocks.back().upper = blocks.back().upper.max(position.array());
+    }
+  }
+
+  std::size_t
+  size() const
+  {
+    return x.size();
+  }
+
+  /** \brief Of a place to the box of a block. */
+  float
+  squaredDistanceTo(std::size_t block, const Eigen::Vector3f& place) const
+  {
+    const auto& box = blocks[block];
+    const Eigen::Array3f away =
+        (box.lower - place.array()).max(place.array() - box.upper).max(0.0f);
+    return away.matrix().squaredNorm();
+  }
+
+  Eigen::Vector3f
+  at(std::size_t k) const
+  {
+    return {x[k], y[k], z[k]};
+  }
+};
+
+/** \brief The plane of a neighbourhood. */
+struct LocalPlane {
+  Eigen::Vector3f offset; // from the place to the neighbours' mean
+  Eigen::Vector3f normal;
+  Eigen::Vector3f variances; // ascending, along the normal first
+
+  LocalPlane(const Eigen::Vector3f& mean, const Eigen::Matrix3f& second_moment)
+  : offset(mean)
+  {
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+    solver.computeDirect(second_moment - mean * mean.transpose());
+    normal = solver.eigenvectors().col(0);
+    variances = solver.eigenvalues().cwiseMax(0.0f);
+  }
+
+  /** \brief 0 for a plane, 1 for a ball or a round rod. */
+  float
+  thickness() const
+  {
+    return variances[1] > 0.0f ? variances[0] / variances[1] : 0.0f;
+  }
+};
+
+/** \brief Weighted sums over the points around a place. */
+struct Moments {
+  float sum = 0, x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+  /** \brief Add points first to last. */
+  void
+  add(const Coordinates& points,
+      int first,
+      int last,
+      const Eigen::Vector3f& place,
+      float scale)
+  {
+    float s = 0, sx = 0, sy = 0, sz = 0, sxx = 0, sxy = 0, sxz = 0, syy = 0, syz = 0,
+          szz = 0;
+    const float* const px = points.x.data();
+    const float* const py = points.y.data();
+    const float* const pz = points.z.data();
+    const float cx = place.x(), cy = place.y(), cz = place.z();
+#pragma omp simd reduction(+ : s, sx, sy, sz, sxx, sxy, sxz, syy, syz, szz)
+    for (int k = first; k < last; ++k) {
+      const float dx = px[k] - cx;
+      const float dy = py[k] - cy;
+      const float dz = pz[k] - cz;
+      const float rest = 1.0f - (dx * dx + dy * dy + dz * dz) * scale;
+      float w = rest > 0.0f ? rest : 0.0f; // (1 - t / 16)^16 for exp(-t)
+      w *= w;
+      w *= w;
+      w *= w;
+      w *= w;
+      s += w;
+      sx += w * dx;
+      sy += w * dy;
+      sz += w * dz;
+      sxx += w * dx * dx;
+      sxy += w * dx * dy;
+      sxz += w * dx * dz;
+      syy += w * dy * dy;
+      syz += w * dy * dz;
+      szz += w * dz * dz;
+    }
+    sum += s;
+    x += sx;
+    y += sy;
+    z += sz;
+    xx += sxx;
+    xy += sxy;
+    xz += sxz;
+    yy += syy;
+    yz += syz;
+    zz += szz;
+  }
+};
+
+/** \brief The plane of the points around one, weighted by nearly exp(-d^2 / (2
+ * width^2)); blocks farther than 3.5 widths are left out. */
+LocalPlane
+planeAround(const Coordinates& points, std::size_t center, float width)
+{
+  const Eigen::Vector3f place = points.at(center);
+  const float scale = 1.0f / (2 * 16 * width * width);
+  const float reach = 3.5f * width; // the weight there is 0.001
+  Moments m;
+  for (std::size_t block = 0; block < points.blocks.size(); ++block) {
+    if (points.squaredDistanceTo(block, place) < reach * reach)
+      m.add(points,
+            static_cast<int>(block * Coordinates::block_size),
+            static_cast<int>(
+                std::min((block + 1) * Coordinates::block_size, points.size())),
+            place,
+            scale);
+  }
+  Eigen::Matrix3f moment;
+  moment << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
+  return {Eigen::Vector3f(m.x, m.y, m.z) / m.sum, moment / m.sum};
+}
+
+/** \brief The plane of the neighbor_count nearest points. */
+LocalPlane
+planeOfNearest(const Coordinates& points, std::size_t center, float radius)
+{
+  thread_local std::vector<std::pair<float, std::uint32_t>> near;
+  const Eigen::Vector3f place = points.at(center);
+  near.resize(points.size());
+  std::size_t found = 0;
+  for (float limit = radius * radius; found < neighbor_count; limit *= 4) {
+    found = 0;
+    for (std::size_t block = 0; block < points.blocks.size(); ++block) {
+      if (points.squaredDistanceTo(block, place) > limit)
+        continue;
+      const std::size_t first = block * Coordinates::block_size;
+      const std::size_t last = std::min(first + Coordinates::block_size, points.size());
+      for (std::size_t k = first; k < last; ++k) {
+        const float distance = (points.at(k) - place).squaredNorm();
+        near[found] = {distance, static_cast<std::uint32_t>(k)};
+        found += distance <= limit ? 1 : 0;
+      }
+    }
+  }
+  std::nth_element(near.begin(),
+                   near.begin() + neighbor_count - 1,
+                   near.begin() + static_cast<std::ptrdiff_t>(found));
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  Eigen::Matrix3f moment = Eigen::Matrix3f::Zero();
+  for (std::size_t k = 0; k < neighbor_count; ++k) {
+    const Eigen::Vector3f offset = points.at(near[k].second) - place;
+    mean += offset;
+    moment += offset * offset.transpose();
+  }
+  return {mean / neighbor_count, moment / neighbor_count};
+}
+
+float
+ramp(float value, float from, float to)
+{
+  return std::clamp((value - from) / (to - from), 0.0f, 1.0f);
+}
+
+/** \brief Mean distance of the points, if their object's surface is a usual one. */
+float
+usualSpacing(std::size_t point_count, float extent)
+{
+  return extent * std::sqrt(object_area / static_cast<float>(point_count));
+}
+
+/** \brief Deviation of the points from planes, of one of the flattest probes. */
+float
+residual(const Coordinates& points, float width)
+{
+  std::array<float, probe_count> squares;
+  for (std::size_t probe = 0; probe < probe_count; ++probe) {
+    const std::size_t center = (2 * probe + 1) * points.size() / (2 * probe_count);
+    const float seen = planeAround(points, center, width).variances[0];
+    // A window of variance v shows noise of variance s as 1 / (1 / s + 1 / v).
+    const float window = width * width;
+    squares[probe] =
+        seen < 0.999f * window ? seen * window / (window - seen) : 1000.0f * window;
+  }
+  const auto chosen = squares.begin() + probe_count / 10;
+  std::nth_element(squares.begin(), chosen, squares.end());
+  return std::sqrt(*chosen);
+}
+
+/** \brief The distance that one in a hundred pairs exceeds. */
+float
+largeDistance(const std::vector<OrientedPoint>& points)
+{
+  constexpr std::size_t pair_count = 4096;
+  std::vector<std::uint32_t> order(points.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    order[k] = static_cast<std::uint32_t>(k);
+  const PairSampler sampler(std::move(order), 0);
+  std::vector<float> distances(pair_count);
+  for (std::size_t k = 0; k < pair_count; ++k) {
+    const auto pair = sampler.pair(k);
+    distances[k] = (points[pair.first].position - points[pair.second].position).norm();
+  }
+  const auto chosen = distances.end() - pair_count / 100;
+  std::nth_element(distances.begin(), chosen, distances.end());
+  return *chosen;
+}
+
+} // namespace
+
+PointNoise
+measureNoise(const std::vector<OrientedPoint>& points,
+             const std::vector<std::uint32_t>& order,
+             float extent)
+{
+  assert(points.size() == order.size());
+  if (points.size() < fewest_points)
+    return {};
+  const Coordinates some(points, order);
+  const float spacing = usualSpacing(some.size(), extent);
+  std::array<float, probe_count> thickness;
+  for (std::size_t probe = 0; probe < probe_count; ++probe) {
+    const std::size_t center = (2 * probe + 1) * some.size() / (2 * probe_count);
+    thickness[probe] = planeOfNearest(some, center, 2.6f * spacing).thickness();
+  }
+  std::nth_element(thickness.begin(), thickness.begin() + 1, thickness.end());
+  PointNoise noise;
+  noise.evidence = ramp(thickness[1], 0.12f, 0.16f);
+  if (!(noise.evidence > 0.0f))
+    return {};
+  float width = 1.5f * spacing;
+  noise.deviation = residual(some, width);
+  while (width < 1.4f * noise.deviation && width < extent) {
+    width *= 1.25f;
+    noise.deviation = residual(some, width);
+  }
+  // Finer noise may as well be small parts of the object, and harms little.
+  noise.evidence *= ramp(noise.deviation / spacing, 0.7f, 0.85f);
+  return noise.evidence > 0.0f ? noise : PointNoise();
+}
+
+DenoisedObject
+denoised(const std::vector<OrientedPoint>& points,
+         const std::vector<std::uint32_t>& order,
+         float extent,
+         const PointNoise& noise,
+         unsigned int number_of_threads)
+{
+  assert(points.size() == order.size());
+  const Coordinates some(points, order);
+  const auto count = static_cast<int>(some.size());
+  const float width = 1.2f * noise.deviation;
+  DenoisedObject object;
+  object.points.resize(some.size());
+  object.weights.resize(some.size());
+  static_cast<void>(number_of_threads);
+#pragma omp parallel for schedule(static)                                              \
+    num_threads(pairThreadCount(number_of_threads))
+  for (int k = 0; k < count; ++k) {
+    const auto plane = planeAround(some, k, width);
+    object.points[k] = points[some.indices[k]];
+    object.points[k].position +=
+        noise.evidence * plane.normal.dot(plane.offset) * plane.normal;
+    const float flatness = std::max(1.0f - plane.thickness(), 0.02f);
+    object.weights[k] = 1.0f + noise.evidence * (flatness - 1.0f);
+  }
+  // Noise finer than the points are dense moves the farthest ones but little.
+  const float coarseness =
+      ramp(noise.deviation / usualSpacing(some.size(), extent), 0.5f, 1.0f);
+  const float share = noise.evidence * coarseness;
+  object.extent = (1.0f - share) * extent + share * 1.1f * largeDistance(object.points);
+  return object;
+}
+
+} // namespace indoor
+} // namespace pcl
