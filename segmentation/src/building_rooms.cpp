@@ -259,7 +259,7 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
     auto& room_of = building.room_of.emplace_back();
     for (std::int32_t label = 0; label <= building.storeys.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
-    addOpenings(space, building);
+    addOpenings(points, space, building);
   }
   if (stopped(0.8, "rooms of the points"))
     return {};

@@ -7,6 +7,8 @@
 #include <pcl/segmentation/nearest_sites.h>
 #include <pcl/segmentation/region_borders.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -139,6 +141,17 @@ joinPieces(const std::vector<OpenPiece>& pieces, double size)
   // a border that is no line of the grid goes in stairs; this is the way past them
   opening.width = size * std::hypot(across_x, count - across_x);
   opening.area = opening.width * size * open / count;
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const OpenPiece& piece : pieces) {
+    const Eigen::Vector2d from(piece.x - opening.x, piece.y - opening.y);
+    spread += from * from.transpose();
+    const int axis = piece.across_x ? 1 : 0; // the piece itself
+    spread(axis, axis) += 1.0 / 12.0;
+  }
+  opening.along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>()
+                      .computeDirect(spread)
+                      .eigenvectors()
+                      .col(1);
   return opening;
 }
 
@@ -186,18 +199,13 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
               const PixelMap<std::int32_t>& free_labels)
 {
   const double size = occupancy.voxel_size;
-  const int ny = labels.ny;
   std::map<RegionPair, RegionBorder> borders;
   const auto add = [&](std::size_t p, std::size_t q, int height, int open) {
     RegionBorder& border = borders[std::minmax(labels.values[p], labels.values[q])];
     border.border_area += size * size * height;
     border.open_area += size * size * open;
-    if (open * size >= passage_height) {
+    if (open * size >= passage_height)
       border.opening_area += size * size * height;
-      border.open_width += size;
-      border.x += static_cast<double>(p / ny);
-      border.y += static_cast<double>(p % ny);
-    }
   };
   walkBorders(
       occupancy, storey, ceiling, labels, free_labels, BorderTop::HigherCeiling, add);
@@ -205,10 +213,6 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
   std::vector<RegionBorder> result;
   for (auto& [pair, border] : borders) {
     std::tie(border.a, border.b) = pair;
-    if (border.open_width > 0) {
-      border.x *= size / border.open_width;
-      border.y *= size / border.open_width;
-    }
     result.push_back(border);
   }
   return result;
@@ -305,14 +309,8 @@ mergeOpenRegions(std::vector<RegionBorder> borders,
         continue;
       std::tie(border.a, border.b) = std::minmax(a, b);
       RegionBorder& sum = joined[{border.a, border.b}];
-      const double width = sum.open_width + border.open_width;
-      if (width > 0) {
-        sum.x = (sum.x * sum.open_width + border.x * border.open_width) / width;
-        sum.y = (sum.y * sum.open_width + border.y * border.open_width) / width;
-      }
       sum.a = border.a;
       sum.b = border.b;
-      sum.open_width = width;
       sum.border_area += border.border_area;
       sum.opening_area += border.opening_area;
       sum.open_area += border.open_area;

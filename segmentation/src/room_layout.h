@@ -15,9 +15,13 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Add the openings of the last storey of a building, that of \a space. */
+/** \brief Add the openings of the last storey of a building, that of \a space.
+ * \param[in] points those of the building
+ */
 void
-addOpenings(const StoreySpace& space, BuildingRooms& building);
+addOpenings(const std::vector<Eigen::Vector3f>& points,
+            const StoreySpace& space,
+            BuildingRooms& building);
 
 /** \brief Add the footprints of all rooms, and set their areas and volumes by them.
  * \param[in] points those of the building; their labels are known

@@ -8,6 +8,8 @@
 #include <pcl/segmentation/ceiling_slab.h>
 #include <pcl/segmentation/voxel_grid.h>
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -22,10 +24,7 @@ struct RegionBorder {
   double border_area = 0.0; ///< length of the border times the height there, m^2
   double open_area = 0.0;   ///< the part of it through which one region sees the other
   double opening_area =
-      0.0;                 ///< area from floor to ceiling where a person can pass, m^2
-  double open_width = 0.0; ///< metres of the border that a person can pass
-  double x = 0.0;          ///< middle of the opening, grid frame, pixels
-  double y = 0.0;          ///< middle of the opening, grid frame, pixels
+      0.0; ///< area from floor to ceiling where a person can pass, m^2
 };
 
 /** \brief Find the borders between regions and how far they are open.
@@ -51,8 +50,9 @@ struct RegionOpening {
   std::int32_t b = 0; ///< the larger label
   double x = 0.0;     ///< its middle, grid frame, pixels; pixel 0 covers 0 ... 1
   double y = 0.0;     ///< its middle, grid frame, pixels
-  double width = 0.0; ///< metres
-  double area = 0.0;  ///< of what is open, m^2
+  Eigen::Vector2d along = Eigen::Vector2d::UnitX(); ///< of the border, a unit vector
+  double width = 0.0;                               ///< metres
+  double area = 0.0;                                ///< of what is open, m^2
 };
 
 /** \brief Find the openings in the borders between regions.
