@@ -81,8 +81,8 @@ separateVoxels(const std::vector<Eigen::Vector3f>& points,
  * of two registrations of a wall.
  * \param[in] patch_size groups of touching voxels of fewer than this are given to a
  * plane if none of them is farther than two voxels from it
- * \param[in] min_size so are those of fewer than this, if none is farther than one voxel
- * \param[in,out] plane_of_voxel as given by separateVoxels()
+ * \param[in] min_size so are those of fewer than this, if none is farther than one
+ * voxel \param[in,out] plane_of_voxel as given by separateVoxels()
  */
 void
 returnIslands(const SurfaceVoxels& voxels,
