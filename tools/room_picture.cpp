@@ -204,17 +204,24 @@ drawPotentialField(const BuildingRooms& building)
 {
   const auto section = shownSection(building);
   const int scale = scaleOf(section);
+  const int factor = building.interior.factor;
+  const auto fieldAt = [factor](const RoomMap& map, int x, int y) {
+    const auto& of_thesis = map.field_rooms.field; // empty with the other method
+    return of_thesis.size() > 0 ? of_thesis.at(x / factor, y / factor)
+                                : map.field.at(x, y);
+  };
   float highest = 0.0f;
   for (const auto& map : building.storeys)
-    for (std::size_t i = 0; i < map.field.values.size(); ++i)
-      if (map.labels.values[i] > 0)
-        highest = std::max(highest, map.field.values[i]);
+    for (int x = 0; x < map.labels.nx; ++x)
+      for (int y = 0; y < map.labels.ny; ++y)
+        if (map.labels.at(x, y) > 0)
+          highest = std::max(highest, fieldAt(map, x, y));
   std::vector<Picture> storeys;
   for (const auto& map : building.storeys)
     storeys.push_back(drawMap(section, scale, [&](int x, int y) {
-      const float field = map.field.at(x, y);
       if (map.labels.at(x, y) == 0 && map.blocked.at(x, y) == 0)
         return paper;
+      const float field = std::max(0.0f, fieldAt(map, x, y));
       return heatColor(highest > 0.0f ? field / highest : 0.0f);
     }));
   return stack(storeys, pixelsPerMetre(building, scale));
