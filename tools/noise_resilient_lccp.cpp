@@ -81,7 +81,7 @@ addLengths(OptionParser& parser, Settings& settings)
 }
 
 void
-addOthers(OptionParser& parser, Settings& settings)
+addPartition(OptionParser& parser, Settings& settings)
 {
   auto& options = settings.others;
   parser
@@ -91,16 +91,6 @@ addOthers(OptionParser& parser, Settings& settings)
             "segmentation, or over all convex edges; auto: graph, for -preset thesis "
             "felzenszwalb",
             {"auto", "graph", "felzenszwalb", "lccp"})
-      .number("-curvature_threshold",
-              options.curvature_threshold,
-              "curvature above which points are taken out if not convex",
-              "",
-              Range::between(0, 1.0 / 3))
-      .number("-ratio_threshold",
-              options.ratio_threshold,
-              "ratio of points in front of and behind the surface that is not convex",
-              "",
-              Range::between(0, 1))
       .text("-structure",
             settings.structure,
             "floor, ceiling and walls; apart: nothing is joined through them; auto: "
@@ -132,7 +122,24 @@ addOthers(OptionParser& parser, Settings& settings)
               "for -partition felzenszwalb and lccp: bend up to which concave edges "
               "count as convex",
               "degrees",
-              Range::between(0, 180))
+              Range::between(0, 180));
+}
+
+void
+addOthers(OptionParser& parser, Settings& settings)
+{
+  auto& options = settings.others;
+  parser
+      .number("-curvature_threshold",
+              options.curvature_threshold,
+              "curvature above which points are taken out if not convex",
+              "",
+              Range::between(0, 1.0 / 3))
+      .number("-ratio_threshold",
+              options.ratio_threshold,
+              "ratio of points in front of and behind the surface that is not convex",
+              "",
+              Range::between(0, 1))
       .text("-camera",
             settings.camera,
             "voxels grow with the distance from one camera along z; auto: if the input "
@@ -229,6 +236,7 @@ main(int argc, char** argv)
                   settings.output,
                   "the input with the field object, 0 = not finite or an outlier");
   addLengths(parser, settings);
+  addPartition(parser, settings);
   addOthers(parser, settings);
   return parser.run(argc, argv, [&](Progress& progress) {
     requireWritable(settings.output);
