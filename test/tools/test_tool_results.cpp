@@ -135,6 +135,20 @@ TEST_F(ToolResults, NoiseResilientLccpAddsTheObjectAndKeepsTheRest)
   }
 }
 
+TEST_F(ToolResults, NoiseResilientLccpKeepsWallsApartUnlessToldOtherwise)
+{
+  pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
+  std::set<std::vector<std::uint32_t>> results;
+  for (const char* options :
+       {"", " -structure apart", " -structure joined", " -preset thesis"}) {
+    run("pcl_noise_resilient_lccp", path("in.pcd") + " " + path("out.pcd") + options);
+    const auto out = loadCloud(path("out.pcd"));
+    expectEveryFinitePointHas(out, "object");
+    results.insert(readLabels(out, "object"));
+  }
+  EXPECT_EQ(results.size(), 3u); // the first two are the same
+}
+
 TEST_F(ToolResults, PipelineNumbersObjectsThroughTheRooms)
 {
   pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
