@@ -5,6 +5,7 @@
 
 #include "cloud_file.h"
 #include "comparison_picture.h"
+#include "measured_segmentation.h"
 #include "options.h"
 #include "upstream_lccp.h"
 
@@ -13,7 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <set>
@@ -94,11 +94,9 @@ methodsFor(bool single_view, const Settings& settings)
 }
 
 nlohmann::json
-evaluate(const Labels& truth,
-         const Labels& coarse,
-         const Labels& labels,
-         double seconds)
+evaluate(const Labels& truth, const Labels& coarse, const MeasuredSegmentation& result)
 {
+  const auto& labels = result.labels;
   const auto overlaps = countOverlaps(truth, labels);
   const auto errors = coarse.empty() ? richtsfeldErrors(overlaps)
                                      : multiScaleErrors(truth, coarse, labels);
@@ -112,7 +110,8 @@ evaluate(const Labels& truth,
           {"weighted_overlap", weightedOverlap(overlaps)},
           {"segments", segments.size()},
           {"points_without_segment", unlabelled},
-          {"seconds", seconds}};
+          {"seconds", result.seconds},
+          {"megabytes", result.megabytes}};
 }
 
 double
@@ -127,21 +126,23 @@ mean(const std::vector<nlohmann::json>& scenes, const char* key)
 void
 printTable(const std::vector<Method>& methods)
 {
-  std::printf("%-26s %8s %8s %8s %9s %9s\n",
+  std::printf("%-26s %8s %8s %8s %9s %9s %9s\n",
               "method",
               "OS [%]",
               "US [%]",
               "WO [%]",
               "segments",
-              "time [s]");
+              "time [s]",
+              "mem [MB]");
   for (const auto& method : methods)
-    std::printf("%-26s %8.2f %8.2f %8.2f %9.0f %9.3f\n",
+    std::printf("%-26s %8.2f %8.2f %8.2f %9.0f %9.3f %9.0f\n",
                 method.name.c_str(),
                 100 * mean(method.scenes, "oversegmentation"),
                 100 * mean(method.scenes, "undersegmentation"),
                 100 * mean(method.scenes, "weighted_overlap"),
                 mean(method.scenes, "segments"),
-                mean(method.scenes, "seconds"));
+                mean(method.scenes, "seconds"),
+                mean(method.scenes, "megabytes"));
 }
 
 void
@@ -186,7 +187,7 @@ void
 compare(const Settings& settings, Progress& progress)
 {
   std::vector<Method> methods;
-  std::vector<Picture> pictures;
+  std::vector<std::pair<Cloud::Ptr, std::vector<LabelledView>>> rows;
   bool single_view = false;
   for (const auto& input : settings.inputs) {
     const CloudFile file = loadCloud(input);
@@ -203,21 +204,22 @@ compare(const Settings& settings, Progress& progress)
     std::vector<LabelledView> views{{"truth", truth}};
     for (auto& method : methods) {
       progress.start(method.name + ", " + input);
-      const auto begin = std::chrono::steady_clock::now();
-      const auto labels = method.segment(file.points);
-      const std::chrono::duration<double> time =
-          std::chrono::steady_clock::now() - begin;
-      method.scenes.push_back(evaluate(truth, coarse, labels, time.count()));
+      const auto result = segmentMeasured([&] { return method.segment(file.points); });
+      method.scenes.push_back(evaluate(truth, coarse, result));
       if (method.in_picture)
-        views.push_back({titleOf(method), labels});
+        views.push_back({titleOf(method), result.labels});
       progress.done();
     }
     if (!settings.picture_path.empty())
-      pictures.push_back(drawSideBySide(*file.points, single_view, views));
+      rows.emplace_back(file.points, std::move(views));
   }
   printTable(methods);
   if (!settings.json_path.empty())
     saveResults(settings.json_path, settings.inputs, methods);
+  // Only now: drawing has several threads, after which no process can be measured.
+  std::vector<Picture> pictures;
+  for (const auto& row : rows)
+    pictures.push_back(drawSideBySide(*row.first, single_view, row.second));
   if (!settings.picture_path.empty())
     savePng(settings.picture_path, stacked(pictures));
 }
@@ -231,7 +233,9 @@ main(int argc, char** argv)
   OptionParser parser(
       "pcl_lccp_comparison",
       "Compare upstream's LCCPSegmentation with NoiseResilientLCCP on labelled scans: "
-      "over- and undersegmentation, weighted overlap, time, as means over the scans. "
+      "over- and undersegmentation, weighted overlap, time and memory, as means over "
+      "the "
+      "scans. "
       "Points whose true label is 0 are segmented, but not scored.");
   parser
       .positionals(

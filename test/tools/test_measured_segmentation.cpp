@@ -1,0 +1,45 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "measured_segmentation.h"
+#include "options.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+using namespace pcl::indoor::tool;
+
+TEST(SegmentMeasured, ReturnsLabelsTimeAndMemory)
+{
+  const std::vector<std::uint32_t> expected{3, 1, 4, 1, 5};
+  const auto result = segmentMeasured([&] {
+    std::vector<char> block(64 << 20, 1); // touched, so that it is in use
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return block[12345] ? expected : std::vector<std::uint32_t>();
+  });
+  EXPECT_EQ(result.labels, expected);
+  EXPECT_GE(result.seconds, 0.05);
+  EXPECT_GT(result.megabytes, 60);
+  EXPECT_LT(result.megabytes, 80);
+  const auto small = segmentMeasured([] { return std::vector<std::uint32_t>(); });
+  EXPECT_TRUE(small.labels.empty());
+  EXPECT_LT(small.megabytes, 20) << "the memory of one run is not that of the next";
+}
+
+TEST(SegmentMeasured, FailuresAreNoticed)
+{
+  EXPECT_THROW(segmentMeasured([]() -> std::vector<std::uint32_t> { std::abort(); }),
+               ToolError);
+  EXPECT_THROW(
+      segmentMeasured([]() -> std::vector<std::uint32_t> { throw AlreadyReported(); }),
+      AlreadyReported);
+  EXPECT_THROW(segmentMeasured([]() -> std::vector<std::uint32_t> {
+                 throw std::runtime_error("expected by the test");
+               }),
+               AlreadyReported);
+}
