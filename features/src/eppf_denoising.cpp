@@ -30,7 +30,7 @@ struct Coordinates {
   struct Block {
     Eigen::Array3f lower, upper;
   };
-  static constexpr std::size_t block_size = 32;
+  static constexpr std::size_t block_size = 16;
 
   std::vector<std::uint32_t> indices;
   std::vector<float> x, y, z;
@@ -99,80 +99,72 @@ struct LocalPlane {
   }
 };
 
-/** \brief Weighted sums over the points around a place. */
-struct Moments {
-  float sum = 0, x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+/** \brief Points that a window may reach, side by side. */
+struct Nearby {
+  std::vector<float> x, y, z;
 
-  /** \brief Add points first to last. */
+  /** \brief The points of all blocks within 3 widths of a box; farther ones have a
+   * weight below 0.011. */
   void
-  add(const Coordinates& points,
-      int first,
-      int last,
-      const Eigen::Vector3f& place,
-      float scale)
+  gather(const Coordinates& points, const Coordinates::Block& box, float width)
   {
-    float s = 0, sx = 0, sy = 0, sz = 0, sxx = 0, sxy = 0, sxz = 0, syy = 0, syz = 0,
-          szz = 0;
-    const float* const px = points.x.data();
-    const float* const py = points.y.data();
-    const float* const pz = points.z.data();
-    const float cx = place.x(), cy = place.y(), cz = place.z();
-#pragma omp simd reduction(+ : s, sx, sy, sz, sxx, sxy, sxz, syy, syz, szz)
-    for (int k = first; k < last; ++k) {
-      const float dx = px[k] - cx;
-      const float dy = py[k] - cy;
-      const float dz = pz[k] - cz;
-      const float rest = 1.0f - (dx * dx + dy * dy + dz * dz) * scale;
-      float w = rest > 0.0f ? rest : 0.0f; // (1 - t / 16)^16 for exp(-t)
-      w *= w;
-      w *= w;
-      w *= w;
-      w *= w;
-      s += w;
-      sx += w * dx;
-      sy += w * dy;
-      sz += w * dz;
-      sxx += w * dx * dx;
-      sxy += w * dx * dy;
-      sxz += w * dx * dz;
-      syy += w * dy * dy;
-      syz += w * dy * dz;
-      szz += w * dz * dz;
+    x.clear();
+    y.clear();
+    z.clear();
+    const float reach = 3.0f * width;
+    for (std::size_t block = 0; block < points.blocks.size(); ++block) {
+      const auto& other = points.blocks[block];
+      const Eigen::Array3f away =
+          (other.lower - box.upper).max(box.lower - other.upper).max(0.0f);
+      if (away.matrix().squaredNorm() > reach * reach)
+        continue;
+      const auto first = static_cast<std::ptrdiff_t>(block * Coordinates::block_size);
+      const auto last = static_cast<std::ptrdiff_t>(
+          std::min((block + 1) * Coordinates::block_size, points.size()));
+      x.insert(x.end(), points.x.begin() + first, points.x.begin() + last);
+      y.insert(y.end(), points.y.begin() + first, points.y.begin() + last);
+      z.insert(z.end(), points.z.begin() + first, points.z.begin() + last);
     }
-    sum += s;
-    x += sx;
-    y += sy;
-    z += sz;
-    xx += sxx;
-    xy += sxy;
-    xz += sxz;
-    yy += syy;
-    yz += syz;
-    zz += szz;
   }
 };
 
-/** \brief The plane of the points around one, weighted by nearly exp(-d^2 / (2
- * width^2)); blocks farther than 3.5 widths are left out. */
+/** \brief The plane of the points around a place, weighted by nearly exp(-d^2 / (2
+ * width^2)). */
 LocalPlane
-planeAround(const Coordinates& points, std::size_t center, float width)
+planeAround(const Nearby& points, const Eigen::Vector3f& place, float width)
 {
-  const Eigen::Vector3f place = points.at(center);
   const float scale = 1.0f / (2 * 16 * width * width);
-  const float reach = 3.5f * width; // the weight there is 0.001
-  Moments m;
-  for (std::size_t block = 0; block < points.blocks.size(); ++block) {
-    if (points.squaredDistanceTo(block, place) < reach * reach)
-      m.add(points,
-            static_cast<int>(block * Coordinates::block_size),
-            static_cast<int>(
-                std::min((block + 1) * Coordinates::block_size, points.size())),
-            place,
-            scale);
+  float sum = 0, sx = 0, sy = 0, sz = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  const float* const px = points.x.data();
+  const float* const py = points.y.data();
+  const float* const pz = points.z.data();
+  const float cx = place.x(), cy = place.y(), cz = place.z();
+  const auto count = static_cast<int>(points.x.size());
+#pragma omp simd reduction(+ : sum, sx, sy, sz, xx, xy, xz, yy, yz, zz)
+  for (int k = 0; k < count; ++k) {
+    const float dx = px[k] - cx;
+    const float dy = py[k] - cy;
+    const float dz = pz[k] - cz;
+    const float rest = 1.0f - (dx * dx + dy * dy + dz * dz) * scale;
+    float w = rest > 0.0f ? rest : 0.0f; // (1 - t / 16)^16 for exp(-t)
+    w *= w;
+    w *= w;
+    w *= w;
+    w *= w;
+    sum += w;
+    sx += w * dx;
+    sy += w * dy;
+    sz += w * dz;
+    xx += w * dx * dx;
+    xy += w * dx * dy;
+    xz += w * dx * dz;
+    yy += w * dy * dy;
+    yz += w * dy * dz;
+    zz += w * dz * dz;
   }
   Eigen::Matrix3f moment;
-  moment << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
-  return {Eigen::Vector3f(m.x, m.y, m.z) / m.sum, moment / m.sum};
+  moment << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return {Eigen::Vector3f(sx, sy, sz) / sum, moment / sum};
 }
 
 /** \brief The plane of the neighbor_count nearest points. */
@@ -228,9 +220,12 @@ float
 residual(const Coordinates& points, float width)
 {
   std::array<float, probe_count> squares;
+  Nearby nearby;
   for (std::size_t probe = 0; probe < probe_count; ++probe) {
     const std::size_t center = (2 * probe + 1) * points.size() / (2 * probe_count);
-    const float seen = planeAround(points, center, width).variances[0];
+    const Eigen::Vector3f place = points.at(center);
+    nearby.gather(points, {place, place}, width);
+    const float seen = planeAround(nearby, place, width).variances[0];
     // A window of variance v shows noise of variance s as 1 / (1 / s + 1 / v).
     const float window = width * width;
     squares[probe] =
@@ -246,10 +241,7 @@ float
 largeDistance(const std::vector<OrientedPoint>& points)
 {
   constexpr std::size_t pair_count = 4096;
-  std::vector<std::uint32_t> order(points.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    order[k] = static_cast<std::uint32_t>(k);
-  const PairSampler sampler(std::move(order), 0);
+  const PairSampler sampler(points.size(), 0);
   std::vector<float> distances(pair_count);
   for (std::size_t k = 0; k < pair_count; ++k) {
     const auto pair = sampler.pair(k);
@@ -272,14 +264,19 @@ measureNoise(const std::vector<OrientedPoint>& points,
     return {};
   const Coordinates some(points, order);
   const float spacing = usualSpacing(some.size(), extent);
+  constexpr float flat = 0.12f;
   std::array<float, probe_count> thickness;
+  int flat_count = 0;
   for (std::size_t probe = 0; probe < probe_count; ++probe) {
     const std::size_t center = (2 * probe + 1) * some.size() / (2 * probe_count);
     thickness[probe] = planeOfNearest(some, center, 2.6f * spacing).thickness();
+    flat_count += thickness[probe] <= flat ? 1 : 0;
+    if (flat_count == 2)
+      return {};
   }
   std::nth_element(thickness.begin(), thickness.begin() + 1, thickness.end());
   PointNoise noise;
-  noise.evidence = ramp(thickness[1], 0.12f, 0.16f);
+  noise.evidence = ramp(thickness[1], flat, 0.16f);
   if (!(noise.evidence > 0.0f))
     return {};
   float width = 1.5f * spacing;
@@ -289,7 +286,7 @@ measureNoise(const std::vector<OrientedPoint>& points,
     noise.deviation = residual(some, width);
   }
   // Finer noise may as well be small parts of the object, and harms little.
-  noise.evidence *= ramp(noise.deviation / spacing, 0.7f, 0.85f);
+  noise.evidence *= ramp(noise.deviation / spacing, 0.5f, 0.55f);
   return noise.evidence > 0.0f ? noise : PointNoise();
 }
 
@@ -302,21 +299,29 @@ denoised(const std::vector<OrientedPoint>& points,
 {
   assert(points.size() == order.size());
   const Coordinates some(points, order);
-  const auto count = static_cast<int>(some.size());
   const float width = 1.2f * noise.deviation;
   DenoisedObject object;
   object.points.resize(some.size());
   object.weights.resize(some.size());
   static_cast<void>(number_of_threads);
-#pragma omp parallel for schedule(static)                                              \
-    num_threads(pairThreadCount(number_of_threads))
-  for (int k = 0; k < count; ++k) {
-    const auto plane = planeAround(some, k, width);
-    object.points[k] = points[some.indices[k]];
-    object.points[k].position +=
-        noise.evidence * plane.normal.dot(plane.offset) * plane.normal;
-    const float flatness = std::max(1.0f - plane.thickness(), 0.02f);
-    object.weights[k] = 1.0f + noise.evidence * (flatness - 1.0f);
+  const auto block_count = static_cast<int>(some.blocks.size());
+#pragma omp parallel num_threads(pairThreadCount(number_of_threads))
+  {
+    Nearby nearby;
+#pragma omp for schedule(dynamic, 4)
+    for (int block = 0; block < block_count; ++block) {
+      nearby.gather(some, some.blocks[block], width);
+      const std::size_t first = block * Coordinates::block_size;
+      const std::size_t last = std::min(first + Coordinates::block_size, some.size());
+      for (std::size_t k = first; k < last; ++k) {
+        const auto plane = planeAround(nearby, some.at(k), width);
+        object.points[k] = points[some.indices[k]];
+        object.points[k].position +=
+            noise.evidence * plane.normal.dot(plane.offset) * plane.normal;
+        const float flatness = std::max(1.0f - plane.thickness(), 0.02f);
+        object.weights[k] = 1.0f + noise.evidence * (flatness - 1.0f);
+      }
+    }
   }
   // Noise finer than the points are dense moves the farthest ones but little.
   const float coarseness =

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -41,6 +40,18 @@ weighted(const std::vector<Count>& counts, const EPPFOptions& options)
   return histogram;
 }
 
+/** \brief The points in an order, which spares a look-up per pair. */
+std::vector<OrientedPoint>
+arranged(const std::vector<OrientedPoint>& points,
+         const std::vector<std::uint32_t>& order)
+{
+  std::vector<OrientedPoint> result;
+  result.reserve(order.size());
+  for (const auto index : order)
+    result.push_back(points[index]);
+  return result;
+}
+
 /** \brief The histogram of an object whose noise is lowered first. */
 std::vector<float>
 noisyHistogram(const std::vector<OrientedPoint>& points,
@@ -50,10 +61,8 @@ noisyHistogram(const std::vector<OrientedPoint>& points,
                const EPPFOptions& options)
 {
   const auto object = denoised(points, order, extent, noise, options.number_of_threads);
-  std::vector<std::uint32_t> own_order(object.points.size()); // they lie along it
-  std::iota(own_order.begin(), own_order.end(), 0u);
   auto sampler = options.sampling == PairSampling::Stratified
-                     ? PairSampler(std::move(own_order), options.seed)
+                     ? PairSampler(object.points.size(), options.seed)
                      : PairSampler(object.points, options.sampling, options.seed);
   const double scale = options.scale > 0.0 ? options.scale : object.extent;
   const PairCounter counter(object.points, std::move(sampler), scale, options);
@@ -88,10 +97,13 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
     if (noise.evidence > 0.0f)
       return noisyHistogram(points, order, extent, noise, options);
   }
-  auto sampler = is_stratified ? PairSampler(std::move(order), options.seed)
-                               : PairSampler(points, options.sampling, options.seed);
   const double scale = options.scale > 0.0 ? options.scale : extent;
-  const PairCounter counter(points, std::move(sampler), scale, options);
+  auto sampler = is_stratified ? PairSampler(points.size(), options.seed)
+                               : PairSampler(points, options.sampling, options.seed);
+  const PairCounter counter(is_stratified ? arranged(points, order) : points,
+                            std::move(sampler),
+                            scale,
+                            options);
   const auto counts =
       countPairs(options.pair_count,
                  options.bins.size(),

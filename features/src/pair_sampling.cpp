@@ -8,7 +8,6 @@
 #include <array>
 #include <cassert>
 #include <numeric>
-#include <utility>
 
 namespace pcl {
 namespace indoor {
@@ -97,16 +96,17 @@ PairSampler::PairSampler(const std::vector<OrientedPoint>& points,
                          std::uint32_t seed)
 : seed_(hash(seed + 0x9E3779B97F4A7C15u))
 , point_count_(points.size())
+, is_stratified_(sampling == PairSampling::Stratified)
 {
   assert(points.size() >= 2);
-  if (sampling == PairSampling::Stratified)
+  if (is_stratified_)
     order_ = spaceFillingOrder(points);
 }
 
-PairSampler::PairSampler(std::vector<std::uint32_t> order, std::uint32_t seed)
+PairSampler::PairSampler(std::size_t point_count, std::uint32_t seed)
 : seed_(hash(seed + 0x9E3779B97F4A7C15u))
-, point_count_(order.size())
-, order_(std::move(order))
+, point_count_(point_count)
+, is_stratified_(true)
 {
   assert(point_count_ >= 2);
 }

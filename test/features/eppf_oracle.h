@@ -161,9 +161,7 @@ slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& o
   const auto points = outward(object.points);
   const auto& bins = options.bins;
   const LineOccupancy grid(points, automaticGridSize(points.size()));
-  std::vector<std::uint32_t> own_order(points.size());
-  std::iota(own_order.begin(), own_order.end(), 0u);
-  const PairSampler sampler(own_order, options.seed);
+  const PairSampler sampler(points.size(), options.seed); // they lie along the order
   const double scale = options.scale > 0.0 ? options.scale : object.extent;
   const bool joint = options.surface_angle_rule == SurfaceAngleRule::Joint;
   const int levels = joint ? jointLevels(bins) : 1;

@@ -44,25 +44,26 @@ public:
               PairSampling sampling,
               std::uint32_t seed);
 
-  /** \brief Prepare to draw stratified pairs along an order that is known.
-   * \param[in] order of the points' indices, at least two
+  /** \brief Prepare to draw stratified pairs of points that lie along a space-filling
+   * order already.
+   * \param[in] point_count at least two
    */
-  PairSampler(std::vector<std::uint32_t> order, std::uint32_t seed);
+  PairSampler(std::size_t point_count, std::uint32_t seed);
 
   /** \brief Indices of two different points. */
   Pair
   pair(std::uint64_t k) const
   {
-    if (order_.empty()) {
+    if (!is_stratified_) {
       const std::uint64_t draw = hash(seed_ + k * 0x9E3779B97F4A7C15u);
       return differing(static_cast<std::uint32_t>(draw >> 32),
                        static_cast<std::uint32_t>(draw));
     }
     // The additive sequence of the plastic number fills the unit square evenly.
-    const auto [one, two] =
+    const auto ranks =
         differing(static_cast<std::uint32_t>((seed_ >> 32) + k * 3242174889u),
                   static_cast<std::uint32_t>(seed_ + k * 2447445414u));
-    return {order_[one], order_[two]};
+    return order_.empty() ? ranks : Pair{order_[ranks.first], order_[ranks.second]};
   }
 
 private:
@@ -87,7 +88,9 @@ private:
 
   std::uint64_t seed_;
   std::uint64_t point_count_;
-  std::vector<std::uint32_t> order_; // of the points along a Z curve; empty: not needed
+  bool is_stratified_;
+  std::vector<std::uint32_t>
+      order_; // of the points along a Z curve; empty: as they lie
 };
 
 } // namespace indoor
