@@ -26,11 +26,11 @@ constexpr float object_area = 3.0f; // of an object of extent 1, about
 
 /** \brief Coordinates of at most most_points points, evenly along the order. */
 struct Coordinates {
-  /** \brief The box of block_size points that follow each other. */
+  /** \brief The box of points that follow each other in one of 8^3 cells. */
   struct Block {
     Eigen::Array3f lower, upper;
+    std::size_t first = 0, last = 0;
   };
-  static constexpr std::size_t block_size = 16;
 
   std::vector<std::uint32_t> indices;
   std::vector<float> x, y, z;
@@ -46,11 +46,8 @@ struct Coordinates {
       x.push_back(position.x());
       y.push_back(position.y());
       z.push_back(position.z());
-      if (k % block_size == 0)
-        blocks.push_back({position, position});
-      blocks.back().lower = blocks.back().lower.min(position.array());
-      blocks.back().upper = blocks.back().upper.max(position.array());
     }
+    makeBlocks();
   }
 
   std::size_t
@@ -73,6 +70,32 @@ struct Coordinates {
   at(std::size_t k) const
   {
     return {x[k], y[k], z[k]};
+  }
+
+private:
+  /** \brief The order visits cells one after the other: a block is a cell. */
+  void
+  makeBlocks()
+  {
+    Eigen::Array3f lower = at(0).array();
+    Eigen::Array3f upper = lower;
+    for (std::size_t k = 1; k < size(); ++k) {
+      lower = lower.min(at(k).array());
+      upper = upper.max(at(k).array());
+    }
+    const float scale = 7.999f / std::max((upper - lower).maxCoeff(), 1e-30f);
+    Eigen::Array3i last_cell = Eigen::Array3i::Constant(-1);
+    for (std::size_t k = 0; k < size(); ++k) {
+      const Eigen::Array3f place = at(k).array();
+      const Eigen::Array3i cell = ((place - lower) * scale).cast<int>();
+      if ((cell != last_cell).any())
+        blocks.push_back({place, place, k, k});
+      last_cell = cell;
+      auto& block = blocks.back();
+      block.lower = block.lower.min(place);
+      block.upper = block.upper.max(place);
+      block.last = k + 1;
+    }
   }
 };
 
@@ -118,9 +141,8 @@ struct Nearby {
           (other.lower - box.upper).max(box.lower - other.upper).max(0.0f);
       if (away.matrix().squaredNorm() > reach * reach)
         continue;
-      const auto first = static_cast<std::ptrdiff_t>(block * Coordinates::block_size);
-      const auto last = static_cast<std::ptrdiff_t>(
-          std::min((block + 1) * Coordinates::block_size, points.size()));
+      const auto first = static_cast<std::ptrdiff_t>(other.first);
+      const auto last = static_cast<std::ptrdiff_t>(other.last);
       x.insert(x.end(), points.x.begin() + first, points.x.begin() + last);
       y.insert(y.end(), points.y.begin() + first, points.y.begin() + last);
       z.insert(z.end(), points.z.begin() + first, points.z.begin() + last);
@@ -180,8 +202,8 @@ planeOfNearest(const Coordinates& points, std::size_t center, float radius)
     for (std::size_t block = 0; block < points.blocks.size(); ++block) {
       if (points.squaredDistanceTo(block, place) > limit)
         continue;
-      const std::size_t first = block * Coordinates::block_size;
-      const std::size_t last = std::min(first + Coordinates::block_size, points.size());
+      const std::size_t first = points.blocks[block].first;
+      const std::size_t last = points.blocks[block].last;
       for (std::size_t k = first; k < last; ++k) {
         const float distance = (points.at(k) - place).squaredNorm();
         near[found] = {distance, static_cast<std::uint32_t>(k)};
@@ -224,7 +246,7 @@ residual(const Coordinates& points, float width)
   for (std::size_t probe = 0; probe < probe_count; ++probe) {
     const std::size_t center = (2 * probe + 1) * points.size() / (2 * probe_count);
     const Eigen::Vector3f place = points.at(center);
-    nearby.gather(points, {place, place}, width);
+    nearby.gather(points, {place, place, 0, 0}, width);
     const float seen = planeAround(nearby, place, width).variances[0];
     // A window of variance v shows noise of variance s as 1 / (1 / s + 1 / v).
     const float window = width * width;
@@ -286,7 +308,7 @@ measureNoise(const std::vector<OrientedPoint>& points,
     noise.deviation = residual(some, width);
   }
   // Finer noise may as well be small parts of the object, and harms little.
-  noise.evidence *= ramp(noise.deviation / spacing, 0.5f, 0.55f);
+  noise.evidence *= ramp(noise.deviation / spacing, 0.45f, 0.55f);
   return noise.evidence > 0.0f ? noise : PointNoise();
 }
 
@@ -311,8 +333,8 @@ denoised(const std::vector<OrientedPoint>& points,
 #pragma omp for schedule(dynamic, 4)
     for (int block = 0; block < block_count; ++block) {
       nearby.gather(some, some.blocks[block], width);
-      const std::size_t first = block * Coordinates::block_size;
-      const std::size_t last = std::min(first + Coordinates::block_size, some.size());
+      const std::size_t first = some.blocks[block].first;
+      const std::size_t last = some.blocks[block].last;
       for (std::size_t k = first; k < last; ++k) {
         const auto plane = planeAround(nearby, some.at(k), width);
         object.points[k] = points[some.indices[k]];

@@ -36,7 +36,7 @@ shortEPPFBins(SurfaceAngleRule rule)
 int
 automaticGridSize(std::size_t point_count)
 {
-  const double edge = std::sqrt(static_cast<double>(point_count) / 3.5);
+  const double edge = std::sqrt(static_cast<double>(point_count) / 4.0);
   return static_cast<int>(std::lround(std::clamp(edge, 8.0, 64.0)));
 }
 

@@ -91,11 +91,11 @@ thesisEPPFOptions();
 EPPFBins
 shortEPPFBins(SurfaceAngleRule rule);
 
-/** \brief Voxels per edge for a number of points: sqrt(point_count / 3.5), within 8
+/** \brief Voxels per edge for a number of points: sqrt(point_count / 4), within 8
  * ... 64.
  *
  * The surface of an object crosses about 2 * N^2 voxels of a grid of N^3. With this N
- * there are about 1.75 points for each of them: in a much finer grid the surface has
+ * there are about two points for each of them: in a much finer grid the surface has
  * holes, which the occupancy takes for free space.
  */
 int
