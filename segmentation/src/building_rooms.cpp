@@ -219,6 +219,20 @@ describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& b
   return rooms;
 }
 
+/** How far the grid is turned so that most walls lie along its voxels, radians: less
+ * than a degree is none, and whole tenths of degrees, or the order of the points would
+ * matter. */
+double
+yawAlong(const std::vector<Eigen::Vector2d>& directions)
+{
+  if (directions.empty())
+    return 0.0;
+  constexpr double degree = M_PI / 180.0;
+  const double angle = std::atan2(directions[0].y(), directions[0].x()) / degree;
+  const double yaw = angle - 90.0 * std::round(angle / 90.0); // -45 ... 45
+  return std::abs(yaw) < 1.0 ? 0.0 : 0.1 * degree * std::round(10.0 * yaw);
+}
+
 } // namespace
 
 BuildingRooms
@@ -240,11 +254,15 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
     return {};
   building.occupancy = occupancyGrid(points, grid_options);
   building.point_labels.assign(points.size(), 0);
+  const auto directions = wallDirections(points, building.occupancy, options.interior);
+  grid_options.yaw = yawAlong(directions);
+  if (grid_options.yaw != 0.0)
+    building.occupancy = occupancyGrid(points, grid_options);
 
   const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
   if (stopped(0.2, "interior space"))
     return {};
-  building.interior = interiorSpace(points, building.occupancy, options.interior);
+  building.interior = interiorSpace(building.occupancy, directions, options.interior);
   if (stopped(0.4, "storeys"))
     return {};
   building.levels = findStoreys(grid, options.storeys);

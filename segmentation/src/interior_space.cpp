@@ -68,6 +68,8 @@ someTiles(const std::vector<Eigen::Vector3f>& points,
   return part;
 }
 
+} // namespace
+
 std::vector<Eigen::Vector2d>
 wallDirections(const std::vector<Eigen::Vector3f>& points,
                const OccupancyGrid& building,
@@ -83,25 +85,23 @@ wallDirections(const std::vector<Eigen::Vector3f>& points,
        horizontalDirections(manhattanFrames(sample.normals, sample.weights))) {
     const bool few = directions.size() < 2; // Eq. (3.1) has two
     if (directions.size() < options.max_directions &&
-        (few || found.support >= options.min_direction_support)) {
-      const Eigen::Vector3d in_cloud(found.direction.x(), found.direction.y(), 0.0);
-      directions.push_back(building.toGrid(in_cloud).head<2>());
-    }
+        (few || found.support >= options.min_direction_support))
+      directions.push_back(found.direction.head<2>());
   }
   return directions;
 }
 
-} // namespace
-
 InteriorSpace
-interiorSpace(const std::vector<Eigen::Vector3f>& points,
-              const OccupancyGrid& building,
+interiorSpace(const OccupancyGrid& building,
+              const std::vector<Eigen::Vector2d>& directions,
               const InteriorSpaceOptions& options)
 {
   InteriorSpace space;
   space.factor = std::max(
       1, static_cast<int>(std::lround(options.voxel_size / building.grid.voxel_size)));
-  space.directions = wallDirections(points, building, options);
+  for (const auto& direction : directions)
+    space.directions.push_back(
+        building.toGrid({direction.x(), direction.y(), 0.0}).head<2>());
   space.occupancy = coarser(building.grid, space.factor);
   cleanUpVertically(space.occupancy, 1, options.threads);
 

@@ -39,7 +39,8 @@ build(double yaw, int threads = 1)
   built.building = occupancyGrid(built.points, options);
   InteriorSpaceOptions interior;
   interior.threads = threads;
-  built.space = interiorSpace(built.points, built.building, interior);
+  built.space = interiorSpace(
+      built.building, wallDirections(built.points, built.building, interior), interior);
   return built;
 }
 
@@ -135,12 +136,12 @@ TEST(InteriorSpace, AFloorAloneHasNoInterior)
   LabelledPoints floor;
   floor.addRectangle({0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 1}, 1, 0.05f, 0.0f, rng);
   const auto building = occupancyGrid(floor.points, {});
-  const auto space = interiorSpace(floor.points, building, {});
+  const auto space = interiorSpace(building, wallDirections(floor.points, building));
   EXPECT_EQ(std::count(space.inside.values.begin(), space.inside.values.end(), 1), 0);
 }
 
 TEST(InteriorSpace, NoPointsGiveAnEmptySpace)
 {
-  const auto space = interiorSpace({}, occupancyGrid({}, {}), {});
+  const auto space = interiorSpace(occupancyGrid({}, {}), {}, {});
   EXPECT_TRUE(space.inside.values.empty());
 }

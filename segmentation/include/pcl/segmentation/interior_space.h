@@ -35,14 +35,25 @@ struct InteriorSpace {
   VoxelGrid<std::uint8_t> inside;          ///< 1 = interior free space
 };
 
-/** \brief Find the interior free space (Sec. 3.2.1): directions of the walls, isolated
- * voxels removed, evidence of enclosure (Eq. 3.1), minimum cut (Eq. 3.2).
+/** \brief Find the directions of a building's walls (Sec. 3.2.1.2), the best supported
+ * one first.
  * \param[in] points the points that the grid was made of
  * \param[in] building their occupancy grid
+ * \return horizontal unit vectors in the frame of the points, at right angles or not
+ */
+std::vector<Eigen::Vector2d>
+wallDirections(const std::vector<Eigen::Vector3f>& points,
+               const OccupancyGrid& building,
+               const InteriorSpaceOptions& options = {});
+
+/** \brief Find the interior free space (Sec. 3.2.1): isolated voxels removed, evidence
+ * of enclosure (Eq. 3.1), minimum cut (Eq. 3.2).
+ * \param[in] building occupancy grid
+ * \param[in] directions of the walls, in the frame of the points
  */
 InteriorSpace
-interiorSpace(const std::vector<Eigen::Vector3f>& points,
-              const OccupancyGrid& building,
+interiorSpace(const OccupancyGrid& building,
+              const std::vector<Eigen::Vector2d>& directions,
               const InteriorSpaceOptions& options = {});
 
 } // namespace indoor
