@@ -14,6 +14,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
+#include <utility>
 
 namespace {
 
@@ -73,7 +75,7 @@ extentOf(const SurfaceVoxels& voxels,
 }
 
 /** The raster of a plane: which of its cells it covers, and behind which something
- * lies.
+ * lies. In tiles, because parts of one plane may lie kilometres apart.
  */
 class PlaneRaster {
 public:
@@ -85,19 +87,13 @@ public:
   , v_(plane.normal.cross(u_))
   , cell_size_(cell_size)
   {
-    Eigen::Array2d high;
     low_.setConstant(std::numeric_limits<double>::infinity());
-    high = -low_;
-    for (const auto i : plane.voxels) {
-      const auto place = placeOf(voxels.centroids[i].cast<double>());
-      low_ = low_.min(place);
-      high = high.max(place);
-    }
-    width_ = static_cast<std::size_t>((high - low_).x() / cell_size) + 1;
-    height_ = static_cast<std::size_t>((high - low_).y() / cell_size) + 1;
-    cells_.assign(width_ * height_, 0);
     for (const auto i : plane.voxels)
-      mark(voxels.centroids[i].cast<double>(), covered);
+      low_ = low_.min(placeOf(voxels.centroids[i].cast<double>()));
+    for (const auto i : plane.voxels) {
+      const auto [tile, cell] = cellOf(voxels.centroids[i].cast<double>());
+      tiles_[tile][cell] |= covered;
+    }
   }
 
   /** Note what lies farther than the margin behind the plane. */
@@ -106,8 +102,12 @@ public:
   {
     for (const auto& centroid : voxels.centroids) {
       const Eigen::Vector3d position = centroid.cast<double>();
-      if (plane_.offset - plane_.normal.dot(position) > margin)
-        mark(position, behind);
+      if (!(plane_.offset - plane_.normal.dot(position) > margin))
+        continue;
+      const auto [number, cell] = cellOf(position);
+      const auto tile = tiles_.find(number);
+      if (tile != tiles_.end())
+        tile->second[cell] |= behind;
     }
   }
 
@@ -116,17 +116,20 @@ public:
   freeShare() const
   {
     std::size_t all = 0, free = 0;
-    for (const auto cell : cells_)
-      if (cell & covered) {
-        ++all;
-        free += (cell & behind) == 0;
-      }
+    for (const auto& tile : tiles_)
+      for (const auto cell : tile.second)
+        if (cell & covered) {
+          ++all;
+          free += (cell & behind) == 0;
+        }
     return static_cast<double>(free) /
            static_cast<double>(std::max<std::size_t>(all, 1));
   }
 
 private:
   enum : std::uint8_t { covered = 1, behind = 2 };
+  static constexpr std::int64_t tile_size = 64; // cells in each direction
+  using Tile = std::array<std::uint8_t, tile_size * tile_size>;
 
   Eigen::Array2d
   placeOf(const Eigen::Vector3d& position) const
@@ -134,22 +137,24 @@ private:
     return {u_.dot(position), v_.dot(position)};
   }
 
-  void
-  mark(const Eigen::Vector3d& position, std::uint8_t what)
+  /** The number of a cell's tile, and its place there. */
+  std::pair<std::int64_t, std::size_t>
+  cellOf(const Eigen::Vector3d& position) const
   {
-    const Eigen::Array2d cell = (placeOf(position) - low_) / cell_size_;
-    if ((cell >= 0).all() && cell.x() < static_cast<double>(width_) &&
-        cell.y() < static_cast<double>(height_))
-      cells_[static_cast<std::size_t>(cell.y()) * width_ +
-             static_cast<std::size_t>(cell.x())] |= what;
+    const Eigen::Array2d place = ((placeOf(position) - low_) / cell_size_).floor();
+    const auto x = static_cast<std::int64_t>(place.x());
+    const auto y = static_cast<std::int64_t>(place.y());
+    const auto row = (x % tile_size + tile_size) % tile_size;
+    const auto column = (y % tile_size + tile_size) % tile_size;
+    return {(x - row) / tile_size * (std::int64_t{1} << 32) + (y - column) / tile_size,
+            static_cast<std::size_t>(row * tile_size + column)};
   }
 
   const StructurePlane& plane_;
   Eigen::Vector3d u_, v_;
   double cell_size_;
   Eigen::Array2d low_;
-  std::size_t width_ = 0, height_ = 0;
-  std::vector<std::uint8_t> cells_;
+  std::unordered_map<std::int64_t, Tile> tiles_;
 };
 
 /** The standard deviation of a plane's points, from their median distance. */
@@ -195,6 +200,40 @@ withSurroundings(const SurfaceVoxels& voxels, const StructurePlane& plane)
     }
   }
   return found;
+}
+
+/** Places in the grid: along x, the points of each plane beside those of the others. */
+std::vector<Eigen::Vector3f>
+besideEachOther(const std::vector<Eigen::Vector3f>& points,
+                const std::vector<std::uint32_t>& plane_of_point,
+                double voxel_size)
+{
+  if (points.empty())
+    return {};
+  struct Interval {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+  };
+  const auto last = *std::max_element(plane_of_point.begin(), plane_of_point.end());
+  std::vector<Interval> intervals(last + 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto& interval = intervals[plane_of_point[i]];
+    interval.low = std::min<double>(interval.low, points[i].x());
+    interval.high = std::max<double>(interval.high, points[i].x());
+  }
+  std::vector<double> shift(last + 1, 0.0);
+  double end = intervals[0].high;
+  for (std::uint32_t plane = 1; plane <= last; ++plane) {
+    const auto& [low, high] = intervals[plane];
+    if (low > high) // it has no points
+      continue;
+    if (std::isfinite(end))
+      shift[plane] = (std::ceil((end - low) / voxel_size) + 3) * voxel_size;
+    end = high + shift[plane];
+  }
+  auto places = points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    places[i].x() = static_cast<float>(points[i].x() + shift[plane_of_point[i]]);
+  return places;
 }
 
 } // namespace
@@ -288,18 +327,7 @@ separateVoxels(const std::vector<Eigen::Vector3f>& points,
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         points.size() << " points have " << plane_of_point.size()
                                       << " numbers of planes.");
-  // In the grid each plane has a place of its own beside the room.
-  auto grid_points = points;
-  if (!points.empty()) {
-    float low = points.front().x(), high = low;
-    for (const auto& point : points) {
-      low = std::min(low, point.x());
-      high = std::max(high, point.x());
-    }
-    const double shift = (std::ceil((high - low) / voxel_size) + 4) * voxel_size;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      grid_points[i].x() += static_cast<float>(plane_of_point[i] * shift);
-  }
+  const auto grid_points = besideEachOther(points, plane_of_point, voxel_size);
   auto voxels = surfaceVoxels(points, grid_points, voxel_size);
   plane_of_voxel.assign(voxels.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i)

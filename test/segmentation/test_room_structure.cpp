@@ -157,6 +157,43 @@ TEST(RoomStructure, SeparateVoxelsHoldPointsOfOnePlane)
   EXPECT_GT(links, 4 * voxels.size());
 }
 
+TEST(RoomStructure, PartsOfAPlaneMayBeFarApart)
+{
+  auto scene = floorWithTwoBoxes();
+  const auto count = scene.points.size();
+  for (std::size_t i = 0; i < count; ++i) // exactly in one plane
+    if (scene.objects[i] == 1) {
+      scene.points[i].z() = 0;
+      scene.points.emplace_back(scene.points[i] + Eigen::Vector3f(4e4f, 3e4f, 0));
+      scene.objects.push_back(1);
+    }
+  auto voxels = surfaceVoxels(scene.points, {}, voxel_size);
+  estimateNormals(scene.points, voxels, 1, 1);
+  orientTowards({0, 0, 1e6f}, voxels.centroids, voxels.normals);
+  const auto planes = findRoomStructure(voxels, options());
+  ASSERT_EQ(planes.size(), 1u);
+  float farthest = 0;
+  for (const auto v : planes.front().voxels)
+    farthest = std::max(farthest, voxels.centroids[v].x());
+  EXPECT_GT(farthest, 4e4f);
+}
+
+TEST(RoomStructure, PointsAstrayDoNotForbidSeparateVoxels)
+{
+  auto scene = closedRoom();
+  auto plane_of_point = planesOf(scene);
+  scene.points.emplace_back(6e4f, 0.0f, 0.0f); // most of the extent that voxels allow
+  plane_of_point.push_back(0);
+  std::vector<std::uint32_t> plane_of_voxel;
+  const auto voxels =
+      separateVoxels(scene.points, plane_of_point, voxel_size, plane_of_voxel);
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    const auto v = voxels.cells.cell_of_point[i];
+    ASSERT_EQ(plane_of_voxel[v], plane_of_point[i]);
+    ASSERT_LT((voxels.centroids[v] - scene.points[i]).norm(), 2 * voxel_size);
+  }
+}
+
 TEST(RoomStructure, SmallFlatIslandsGoBackToThePlane)
 {
   auto scene = closedRoom();
