@@ -188,10 +188,14 @@ private:
   {
     const bool a_has_more = neighbors_[a].size() >= neighbors_[b].size();
     const auto kept = a_has_more ? a : b, gone = a_has_more ? b : a;
-    reach_[kept] = reachOfBoth(a, b);
-    volume_[kept] = polytopes_.volume(reach_[kept]);
+    const Reach both = reachOfBoth(a, b);
+    const bool grows = both != reach_[kept];
+    if (grows) {
+      reach_[kept] = both;
+      volume_[kept] = polytopes_.volume(both);
+      ++version_[kept];
+    }
     parent_[gone] = kept;
-    ++version_[kept];
     ++version_[gone];
     std::map<std::uint32_t, bool> moved;
     moved.swap(neighbors_[gone]);
@@ -202,7 +206,8 @@ private:
       neighbors_[entry.first][kept] = true;
       neighbors_[kept][entry.first] = true;
     }
-    for (const auto& entry : neighbors_[kept])
+    // What a segment proposed before holds on if only its inside was filled.
+    for (const auto& entry : grows ? neighbors_[kept] : moved)
       propose(kept, entry.first);
   }
 
