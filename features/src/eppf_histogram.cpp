@@ -93,7 +93,7 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
   if (options.denoising || is_stratified)
     order = spaceFillingOrder(points);
   if (options.denoising) {
-    const auto noise = measureNoise(points, order, extent);
+    const auto noise = measureNoise(points, order, extent, options.number_of_threads);
     if (noise.evidence > 0.0f)
       return noisyHistogram(points, order, extent, noise, options);
   }

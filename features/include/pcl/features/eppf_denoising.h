@@ -20,21 +20,24 @@ struct PointNoise {
 
 /** \brief Measure the noise of an object from the points themselves.
  *
- * Evidence: of a few neighbourhoods of 16 points, spread over the object, one of the
- * flattest is looked at. A surface without noise has flat places almost always; with
- * noise nearly as large as the distance of points none is flat. Deviation: the residual
- * of local planes, in a window that is widened until it holds the noise. Finer noise
- * counts as none.
+ * Evidence: of 32 neighbourhoods of 16 points, spread over the object, the second
+ * flattest is looked at; if it is not flat, of 128 the thirteenth. A surface without
+ * noise has flat places almost always; with noise nearly as large as the distance of
+ * points none is flat. Deviation: the residual of local planes, in a window that is
+ * widened until it holds the noise. Noise below 0.6 of the distance of points counts as
+ * none.
  * \param[in] points near the origin
  * \param[in] order a space-filling order of the points, see spaceFillingOrder()
  * \param[in] extent of the object, metres
+ * \param[in] number_of_threads 0 meaning all; the result does not depend on it
  * \return nothing for fewer than 256 points, whose neighbourhoods are not local. Time:
  * linear, of at most 4096 points evenly along the order
  */
 PointNoise
 measureNoise(const std::vector<OrientedPoint>& points,
              const std::vector<std::uint32_t>& order,
-             float extent);
+             float extent,
+             unsigned int number_of_threads = 1);
 
 /** \brief An object whose noise was lowered. */
 struct DenoisedObject {
