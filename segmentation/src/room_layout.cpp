@@ -197,9 +197,9 @@ addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& buildin
     for (std::int32_t label = 1; label <= map.room_count; ++label) {
       Room& room = building.rooms[building.room_of[s][label] - 1];
       room.area = 0.0;
+      const WallPoints of_room(walls[room.label]);
       for (const auto& ring : outlines[label]) {
-        const auto corners =
-            moveToWalls(simplifyOutline(ring, tolerance), walls[room.label]);
+        const auto corners = moveToWalls(simplifyOutline(ring, tolerance), of_room);
         room.area += size * size * signedArea(corners);
         std::vector<Eigen::Vector3d> line;
         for (const auto& corner : corners)

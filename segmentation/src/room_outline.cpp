@@ -233,7 +233,7 @@ fittedCorners(const OutlineRing& ring,
 double
 distanceToWall(const Eigen::Vector2d& a,
                const Eigen::Vector2d& b,
-               const std::vector<Eigen::Vector2d>& wall_points)
+               const WallPoints& wall_points)
 {
   constexpr double before = 0.7, behind = 2.0; // where walls are looked for, pixels
   const double length = (b - a).norm();
@@ -242,8 +242,10 @@ distanceToWall(const Eigen::Vector2d& a,
   const Eigen::Vector2d along = (b - a) / length;
   const Eigen::Vector2d outward(along.y(), -along.x());
   const double end = length > 3.0 ? 1.0 : 0.0; // there the next wall begins
+  std::vector<Eigen::Vector2d> near;
+  wall_points.alongLine(a, b, behind, near);
   std::vector<double> distances;
-  for (const auto& point : wall_points) {
+  for (const auto& point : near) {
     const Eigen::Vector2d from = point - a;
     const double distance = outward.dot(from);
     const double place = along.dot(from);
@@ -344,8 +346,7 @@ simplifyOutline(const OutlineRing& ring, double tolerance)
 }
 
 std::vector<Eigen::Vector2d>
-moveToWalls(const std::vector<Eigen::Vector2d>& ring,
-            const std::vector<Eigen::Vector2d>& wall_points)
+moveToWalls(const std::vector<Eigen::Vector2d>& ring, const WallPoints& wall_points)
 {
   std::vector<Side> sides;
   std::vector<Eigen::Vector2d> moves;

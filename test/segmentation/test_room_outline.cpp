@@ -293,3 +293,38 @@ TEST(RoomOutline, SidesWithoutAWallStay)
   EXPECT_NEAR(signedArea(moved), 109.0, 1e-9);
   EXPECT_TRUE(moveToWalls({}, walls).empty());
 }
+
+TEST(RoomOutline, WallPointsAreFoundAlongLines)
+{
+  std::mt19937 rng(6);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  const auto somewhere = [&] {
+    return Eigen::Vector2d(300 * part(rng) - 100, 100 * part(rng));
+  };
+  Line points;
+  for (int i = 0; i < 5000; ++i)
+    points.push_back(somewhere());
+  const WallPoints index(points);
+  Line found;
+  std::size_t all = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector2d a = somewhere();
+    Eigen::Vector2d b = a + 0.3 * (somewhere() - a);
+    if (i % 4 < 2)
+      b[i % 2] = a[i % 2];
+    index.alongLine(a, b, 2.0, found);
+    all += found.size();
+    for (const auto& point : points) {
+      const Eigen::Vector2d to = b - a;
+      const double along = std::clamp(to.dot(point - a) / to.squaredNorm(), 0.0, 1.0);
+      if ((a + along * to - point).norm() <= 2.0) {
+        ASSERT_NE(std::find(found.begin(), found.end(), point), found.end());
+      }
+    }
+  }
+  EXPECT_LT(all, 200 * points.size() / 10); // or looking for them would be for nothing
+  WallPoints().alongLine({0, 0}, {1, 1}, 2.0, found);
+  EXPECT_TRUE(found.empty());
+  WallPoints({{1, 2}}).alongLine({0, 2}, {1e9, 2}, 2.0, found);
+  EXPECT_EQ(found.size(), 1u);
+}

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <pcl/segmentation/voxel_grid.h>
+#include <pcl/segmentation/wall_points.h>
 
 #include <Eigen/Core>
 
@@ -62,8 +63,7 @@ simplifyOutline(const OutlineRing& ring, double tolerance);
  * \param[in] wall_points points of the region's walls, pixels
  */
 std::vector<Eigen::Vector2d>
-moveToWalls(const std::vector<Eigen::Vector2d>& ring,
-            const std::vector<Eigen::Vector2d>& wall_points);
+moveToWalls(const std::vector<Eigen::Vector2d>& ring, const WallPoints& wall_points);
 
 } // namespace indoor
 } // namespace pcl
