@@ -8,6 +8,7 @@
 #include <pcl/segmentation/storey_space.h>
 
 #include "room_layout.h"
+#include "thread_count.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +23,15 @@ namespace {
 /** The storey of each point; points outside the grid have none that matters. */
 std::vector<std::uint8_t>
 storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
-                const BuildingRooms& building)
+                const BuildingRooms& building,
+                int threads)
 {
   const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
   std::vector<std::uint8_t> storey_of(points.size(), 0);
   if (building.levels.borders.empty())
     return storey_of;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+#pragma omp parallel for schedule(static) num_threads(threadCount(threads))
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(points.size()); ++i) {
     if (building.occupancy.cells[i] < 0)
       continue;
     const std::int32_t pixel = building.occupancy.cells[i] / grid.shape.nz;
@@ -89,18 +92,22 @@ public:
     const double radius =
         0.5 * options_.walls.window / occupancy_.grid.voxel_size + 2.0;
     const double reach = 2.0 * radius * radius; // to the corner of the window, squared
+    const auto count = static_cast<std::ptrdiff_t>(points_.size());
+    const int threads = threadCount(options_.threads);
     std::vector<std::uint8_t> is_near(points_.size(), 0);
-    std::vector<std::uint32_t> first(map_.labels.nx + 1, 0); // per row of pixels
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
       if (occupancy_.cells[i] < 0 || storey_of[i] != storey)
         continue;
       const std::size_t pixel = pixelOf(i);
       is_near[i] = to_border.values[pixel] <= (inSlab(i, pixel) ? 4 * reach : reach);
-      if (is_near[i])
-        ++first[rowOf(i) + 1];
-      else
+      if (!is_near[i])
         point_labels[i] = room_of[map_.labels.values[pixel]];
     }
+    std::vector<std::uint32_t> first(map_.labels.nx + 1, 0); // per row of pixels
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (is_near[i])
+        ++first[rowOf(i) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<std::uint32_t> near(first.back());
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
@@ -149,15 +156,17 @@ private:
   wallLabels(const std::uint32_t* begin, const std::uint32_t* end) const
   {
     const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
-    const std::size_t count = end - begin;
+    const std::ptrdiff_t count = end - begin;
+    const Eigen::Matrix2d turn = occupancy_.turn();
+    const int threads = threadCount(options_.threads);
     std::vector<Eigen::Vector2f> position(count);
     std::vector<std::uint8_t> is_wall(count);
     std::vector<std::int32_t> labels(count);
-    for (std::size_t k = 0; k < count; ++k) {
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
       const std::uint32_t i = begin[k];
-      const Eigen::Vector3d local =
-          occupancy_.toGrid(points_[i].cast<double>()) - grid.origin;
-      position[k] = local.head<2>().cast<float>();
+      position[k] = (turn * points_[i].head<2>().cast<double>() - grid.origin.head<2>())
+                        .cast<float>();
       is_wall[k] = inSlab(i, pixelOf(i));
       labels[k] = map_.labels.values[pixelOf(i)];
     }
@@ -281,7 +290,7 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
   }
   if (stopped(0.8, "rooms of the points"))
     return {};
-  const auto storey_of = storeysOfPoints(points, building);
+  const auto storey_of = storeysOfPoints(points, building, options.threads);
   for (std::size_t s = 0; s < building.storeys.size(); ++s)
     StoreyLabels(points, building.occupancy, building.storeys[s], options)
         .assign(storey_of,

@@ -157,6 +157,13 @@ fill(const std::vector<Eigen::Vector3f>& points,
 
 } // namespace
 
+Eigen::Matrix2d
+OccupancyGrid::turn() const
+{
+  const double cosine = std::cos(yaw), sine = std::sin(yaw);
+  return (Eigen::Matrix2d() << cosine, sine, -sine, cosine).finished();
+}
+
 Eigen::Vector3d
 OccupancyGrid::toGrid(const Eigen::Vector3d& point) const
 {

@@ -44,6 +44,7 @@ std::vector<std::vector<Eigen::Vector2d>>
 wallPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
 {
   const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  const Eigen::Matrix2d turn = building.occupancy.turn();
   std::vector<std::vector<Eigen::Vector2d>> places(building.rooms.size() + 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t label = building.point_labels[i];
@@ -55,9 +56,9 @@ wallPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& buil
                       cell % grid.shape.nz;
     if (below < map.slab.first || below > map.slab.last)
       continue;
-    const Eigen::Vector3d place =
-        building.occupancy.toGrid(points[i].cast<double>()) - grid.origin;
-    places[label].push_back(place.head<2>() / grid.voxel_size);
+    const Eigen::Vector2d place =
+        turn * points[i].head<2>().cast<double>() - grid.origin.head<2>();
+    places[label].push_back(place / grid.voxel_size);
   }
   return places;
 }
@@ -71,6 +72,7 @@ public:
                const RoomMap& map)
   : openings_(openings)
   , occupancy_(occupancy)
+  , turn_(occupancy.turn())
   , floor_(map.first_layer + map.range.begin)
   , is_near_(map.labels.size(), 0)
   , ends_(openings.size())
@@ -97,12 +99,13 @@ public:
     const std::size_t pixel = cell / occupancy_.grid.shape.nz;
     if (cell < 0 || !is_near_[pixel])
       return;
-    const Eigen::Vector3d place =
-        (occupancy_.toGrid(point.cast<double>()) - occupancy_.grid.origin) /
-        occupancy_.grid.voxel_size;
-    const double height = (place.z() - floor_) * occupancy_.grid.voxel_size;
+    const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
+    const double height = point.z() - grid.origin.z() - floor_ * grid.voxel_size;
     if (height < lowest || height > highest)
       return;
+    const Eigen::Vector2d place =
+        (turn_ * point.head<2>().cast<double>() - grid.origin.head<2>()) /
+        grid.voxel_size;
     for (auto it = std::lower_bound(
              near_.begin(), near_.end(), std::make_pair(pixel, std::size_t{0}));
          it != near_.end() && it->first == pixel;
@@ -149,6 +152,7 @@ private:
 
   const std::vector<RegionOpening>& openings_;
   const OccupancyGrid& occupancy_;
+  Eigen::Matrix2d turn_;
   double floor_;                                          ///< layers
   std::vector<std::uint8_t> is_near_;                     ///< per pixel
   std::vector<std::pair<std::size_t, std::size_t>> near_; ///< pixels and openings

@@ -40,6 +40,10 @@ struct OccupancyGrid {
                                    ///< for points outside the kept extent
   std::size_t outside = 0;         ///< number of points with cell -1
 
+  /** \brief Turns horizontal places in the frame of the points into the grid's. */
+  Eigen::Matrix2d
+  turn() const;
+
   /** \brief Turn a point of the cloud's frame into the frame of the grid. */
   Eigen::Vector3d
   toGrid(const Eigen::Vector3d& point) const;
