@@ -252,6 +252,7 @@ segmentObjects(const ObjectSegmentationInput& input,
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "A single camera needs a viewpoint.");
   auto options = given_options;
+  options.threads = std::min(options.threads, 1024u); // each needs memory for its stack
   if (options.adapt_to_resolution && !input.single_camera) {
     options.voxel_size = raisedToResolution(input.points, options.voxel_size);
     options.seed_size *= options.voxel_size / given_options.voxel_size;

@@ -363,7 +363,8 @@ moveToWalls(const std::vector<Eigen::Vector2d>& ring, const WallPoints& wall_poi
     const Eigen::Vector2d moved = ring[k] + 0.5 * (moves[before] + moves[k]);
     corners.push_back(meetingNear(moved, sides[before], sides[k], 3.0));
   }
-  return corners;
+  // Both sides of a thin wall may have been moved to, or past, its middle.
+  return signedArea(corners) * signedArea(ring) > 0.0 ? corners : ring;
 }
 
 } // namespace indoor

@@ -7,6 +7,8 @@
 
 #include <pcl/exceptions.h>
 
+#include <algorithm>
+
 #ifdef _OPENMP
 #include <omp.h>
 #endif
@@ -14,7 +16,8 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief The number of threads to use for a request, where 0 means automatic.
+/** \brief The number of threads to use for a request, where 0 means automatic; at most
+ * 1024: each needs memory for its stack.
  * \throws pcl::BadArgumentException if the request is negative
  */
 inline int
@@ -25,7 +28,7 @@ threadCount(int requested)
                         "The number of threads must not be negative, not " << requested
                                                                            << ".");
 #ifdef _OPENMP
-  return requested > 0 ? requested : omp_get_max_threads();
+  return requested > 0 ? std::min(requested, 1024) : omp_get_max_threads();
 #else
   return 1;
 #endif

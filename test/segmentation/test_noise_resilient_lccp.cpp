@@ -155,6 +155,9 @@ TEST(NoiseResilientLCCP, IsTheSameTwiceAndForAnyNumberOfThreads)
   EXPECT_FALSE(first.empty());
   EXPECT_EQ(first, second);
   EXPECT_EQ(first, parallel);
+  segmentation.setNumberOfThreads(4000000000u); // far more than there can be
+  segmentation.segment(parallel);
+  EXPECT_EQ(first, parallel);
 }
 
 TEST(NoiseResilientLCCP, OrderOfPointsChangesOnlyNames)

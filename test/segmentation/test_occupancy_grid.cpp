@@ -146,6 +146,8 @@ TEST(OccupancyGrid, SameForAnyOrderAndAnyNumberOfThreads)
   options.yaw = 0.5;
   options.threads = 1;
   const OccupancyGrid one = occupancyGrid(points, options);
+  options.threads = std::numeric_limits<int>::max(); // far more than there can be
+  EXPECT_EQ(occupancyGrid(points, options).cells, one.cells);
   options.threads = 8;
   const OccupancyGrid eight = occupancyGrid(points, options);
   EXPECT_EQ(one.grid.values, eight.grid.values);

@@ -294,6 +294,19 @@ TEST(RoomOutline, SidesWithoutAWallStay)
   EXPECT_TRUE(moveToWalls({}, walls).empty());
 }
 
+TEST(RoomOutline, AThinWallInARoomKeepsItsSides)
+{
+  const Line hole{{0, 0}, {0, 2}, {20, 2}, {20, 0}};
+  ASSERT_LT(signedArea(hole), 0.0);
+  Line walls;
+  for (int i = 0; i <= 200; ++i) // two faces, both of them behind both long sides
+    for (int k = 0; k < 5; ++k) {
+      walls.emplace_back(0.1 * i, 0.2 + 0.02 * k);
+      walls.emplace_back(0.1 * i, 1.8 - 0.02 * k);
+    }
+  EXPECT_LE(signedArea(moveToWalls(hole, walls)), 0.0);
+}
+
 TEST(RoomOutline, WallPointsAreFoundAlongLines)
 {
   std::mt19937 rng(6);

@@ -61,6 +61,7 @@ simplifyOutline(const OutlineRing& ring, double tolerance);
  * 2 pixels, and stays where less than a point per pixel does, such as in doorways.
  * \param[in] ring corners, pixels; the region is on the left
  * \param[in] wall_points points of the region's walls, pixels
+ * \return the ring as it is where the new one would turn over or vanish
  */
 std::vector<Eigen::Vector2d>
 moveToWalls(const std::vector<Eigen::Vector2d>& ring, const WallPoints& wall_points);
