@@ -303,7 +303,7 @@ evidenceOfMany(const Coordinates& points, float spacing, int threads)
                            .thickness();
   const auto chosen = thickness.begin() + many_probes_count / 10;
   std::nth_element(thickness.begin(), chosen, thickness.end());
-  return ramp(*chosen, 0.25f, 0.28f);
+  return ramp(*chosen, 0.22f, 0.25f);
 }
 
 /** \brief The distance that one in a hundred pairs exceeds. */
@@ -350,7 +350,7 @@ measureNoise(const std::vector<OrientedPoint>& points,
     noise.deviation = residual(some, width, threads);
   }
   // Finer noise may as well be small parts of the object, and harms little.
-  noise.evidence *= ramp(noise.deviation / spacing, 0.6f, 0.75f);
+  noise.evidence *= ramp(noise.deviation / spacing, 0.45f, 0.55f);
   return noise.evidence > 0.0f ? noise : PointNoise();
 }
 

@@ -75,6 +75,30 @@ TEST(MeasureNoise, FindsTheDeviation)
     }
 }
 
+TEST(MeasureNoise, LeavesNoiseFinerThanThePoints)
+{
+  // 2,048 points on a surface of 3 extents^2 are 0.038 extents apart.
+  const float spacing = 0.038f * box_size.norm();
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    EXPECT_EQ(noiseOf(noisyBox(box_size, 0.35f * spacing, 2048, seed)).evidence, 0.0f);
+    EXPECT_EQ(noiseOf(noisyBox(box_size, 1.1f * spacing, 2048, seed)).evidence, 1.0f);
+  }
+}
+
+TEST(MeasureNoise, DependsOnNeitherOrderNorThreads)
+{
+  auto points = noisyBox(box_size, 0.06f, 2048, 6);
+  const auto noise = noiseOf(points);
+  ASSERT_EQ(noise.evidence, 1.0f);
+  std::reverse(points.begin(), points.end());
+  const auto order = spaceFillingOrder(points);
+  for (const unsigned int threads : {1u, 2u, 5u, 0u}) {
+    const auto again = measureNoise(points, order, objectExtent(points), threads);
+    EXPECT_EQ(noise.evidence, again.evidence);
+    EXPECT_EQ(noise.deviation, again.deviation);
+  }
+}
+
 TEST(MeasureNoise, IsNotTriedOnFewOrCoincidingPoints)
 {
   EXPECT_EQ(noiseOf(noisyBox(box_size, 0.1f, 255, 1)).evidence, 0.0f);

@@ -24,8 +24,7 @@ struct PointNoise {
  * flattest is looked at; if it is not flat, of 128 the thirteenth. A surface without
  * noise has flat places almost always; with noise nearly as large as the distance of
  * points none is flat. Deviation: the residual of local planes, in a window that is
- * widened until it holds the noise. Noise below 0.6 of the distance of points counts as
- * none.
+ * widened until it holds the noise. Finer noise counts as none.
  * \param[in] points near the origin
  * \param[in] order a space-filling order of the points, see spaceFillingOrder()
  * \param[in] extent of the object, metres
