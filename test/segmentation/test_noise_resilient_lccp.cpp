@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::test;
@@ -173,8 +174,29 @@ TEST(NoiseResilientLCCP, OrderOfPointsChangesOnlyNames)
   Labels back(labels.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     back[order[i]] = other[i];
-  // Rounding of sums and of the local frame may move single points between voxels.
+  // Rounding of sums may move single points.
   EXPECT_GT(agreement(labels, back), 0.99);
+}
+
+TEST(NoiseResilientLCCP, TheFirstPointIsLikeAllOthers)
+{
+  auto points = floorWithTwoBoxes().points;
+  for (auto& point : points)
+    point += Eigen::Vector3f(71.3f, 33.7f, 5.1f);
+  const auto voxelsOf = [](const std::vector<Eigen::Vector3f>& cloud) {
+    Segmentation segmentation;
+    segmentation.setInputCloud(cloudOf(cloud));
+    Labels labels;
+    segmentation.segment(labels);
+    return segmentation.getResult().voxels.cells.keys;
+  };
+  const auto voxels = voxelsOf(points);
+  EXPECT_GT(voxels.size(), 100u);
+  for (const std::size_t other : {std::size_t{17}, points.size() / 2}) {
+    auto swapped = points;
+    std::swap(swapped[0], swapped[other]);
+    EXPECT_EQ(voxelsOf(swapped), voxels);
+  }
 }
 
 TEST(NoiseResilientLCCP, IsAccurateFarFromTheOrigin)

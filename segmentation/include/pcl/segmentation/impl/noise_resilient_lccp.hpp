@@ -8,6 +8,8 @@
 
 #include <pcl/common/point_tests.h> // for isFinite
 
+#include <algorithm>
+
 namespace pcl {
 
 template <typename PointT>
@@ -240,16 +242,23 @@ NoiseResilientLCCP<PointT>::localInput()
       input_->sensor_origin_.template head<3>().template cast<double>();
   if (!viewpoint_.empty())
     sensor = viewpoint_.front();
-  // Double differences to the first point: nothing is lost in large coordinates.
+  for (const auto index : *indices_)
+    if (isFinite((*input_)[index]))
+      finite_.push_back(index);
+  // Double differences to a median: nothing is lost in large coordinates, and the
+  // order of the points does not matter.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  for (const auto index : *indices_) {
-    const PointT& point = (*input_)[index];
-    if (!isFinite(point))
-      continue;
-    const Eigen::Vector3d position = point.getVector3fMap().template cast<double>();
-    if (finite_.empty())
-      origin = position;
-    finite_.push_back(index);
+  std::vector<float> values(finite_.size());
+  for (int axis = 0; axis < 3 && !finite_.empty(); ++axis) {
+    for (std::size_t i = 0; i < finite_.size(); ++i)
+      values[i] = (*input_)[finite_[i]].getVector3fMap()[axis];
+    const auto middle = values.begin() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    origin[axis] = *middle;
+  }
+  for (const auto index : finite_) {
+    const Eigen::Vector3d position =
+        (*input_)[index].getVector3fMap().template cast<double>();
     local.points.push_back((position - origin).template cast<float>());
     if (normals_)
       local.normals.push_back((*normals_)[index].getNormalVector3fMap());
