@@ -5,6 +5,7 @@
 #include "isolated_description.h"
 
 #include "options.h" // for ToolError
+#include "pipe_transfer.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -15,21 +16,6 @@
 
 namespace pcl::indoor::tool {
 namespace {
-
-bool
-transfer(int descriptor, void* data, std::size_t size, bool writes)
-{
-  auto* bytes = static_cast<char*>(data);
-  while (size > 0) {
-    const ssize_t moved =
-        writes ? write(descriptor, bytes, size) : read(descriptor, bytes, size);
-    if (moved <= 0)
-      return false;
-    bytes += moved;
-    size -= static_cast<std::size_t>(moved);
-  }
-  return true;
-}
 
 /** \brief What the child does: never returns. */
 [[noreturn]] void

@@ -5,6 +5,7 @@
 #include "measured_segmentation.h"
 
 #include "options.h" // for ToolError
+#include "pipe_transfer.h"
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -17,21 +18,6 @@ namespace pcl::indoor::tool {
 namespace {
 
 constexpr int reported = 2; // exit status: stderr says why
-
-bool
-transfer(int descriptor, void* data, std::size_t size, bool writes)
-{
-  auto* bytes = static_cast<char*>(data);
-  while (size > 0) {
-    const ssize_t moved =
-        writes ? write(descriptor, bytes, size) : read(descriptor, bytes, size);
-    if (moved <= 0)
-      return false;
-    bytes += moved;
-    size -= static_cast<std::size_t>(moved);
-  }
-  return true;
-}
 
 double
 peakMegabytes()

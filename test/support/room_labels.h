@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "support/labelled_cloud.h"
 #include "support/synthetic_scenes.h"
 
 #include <pcl/segmentation/room_segmentation.h>
@@ -20,18 +21,6 @@
 namespace pcl {
 namespace indoor {
 namespace test {
-
-using Labels = std::vector<std::uint32_t>;
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-
-inline Cloud::Ptr
-cloudOf(const std::vector<Eigen::Vector3f>& points)
-{
-  Cloud::Ptr cloud(new Cloud);
-  for (const auto& point : points)
-    cloud->emplace_back(point.x(), point.y(), point.z());
-  return cloud;
-}
 
 inline Labels
 segmented(const Cloud::ConstPtr& cloud)

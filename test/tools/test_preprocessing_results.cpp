@@ -4,6 +4,7 @@
  */
 // Runs the tools, found by PCL_INDOOR_TOOLS, with the options of pre-processing.
 #include "cloud_file.h"
+#include "support/folder_test.h"
 #include "support/object_scene.h"
 
 #include <pcl/io/pcd_io.h>
@@ -12,7 +13,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
@@ -20,15 +20,12 @@ using namespace pcl::indoor::tool;
 namespace {
 
 /** A scene on disk in a folder of its own, gone afterwards. */
-class Preprocessing : public testing::Test {
+class Preprocessing : public pcl::indoor::test::FolderTest {
 protected:
   void
   SetUp() override
   {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "pcl_indoor_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
+    ASSERT_NO_FATAL_FAILURE(FolderTest::SetUp());
     scene_ = test::floorWithTwoBoxes(0.003f, 0.025f);
     pcl::PointCloud<pcl::PointXYZI> cloud;
     for (const auto& point : scene_.points) {
@@ -44,18 +41,6 @@ protected:
     }
     cloud.sensor_origin_ = Eigen::Vector4f(1, 1, 5, 0);
     pcl::io::savePCDFileBinary(path("scene.pcd"), cloud);
-  }
-
-  void
-  TearDown() override
-  {
-    std::filesystem::remove_all(folder_);
-  }
-
-  std::string
-  path(const std::string& name) const
-  {
-    return (folder_ / name).string();
   }
 
   int
@@ -80,7 +65,6 @@ protected:
 
   static constexpr int outliers_ = 9;
   test::LabelledPoints scene_;
-  std::filesystem::path folder_;
 };
 
 } // namespace

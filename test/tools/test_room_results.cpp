@@ -5,6 +5,7 @@
 // Runs pcl_room_segmentation on the simulated flat and looks at the maps and the JSON
 // file that it writes.
 #include "cloud_file.h"
+#include "support/folder_test.h"
 
 #include <pcl/conversions.h>
 
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -40,30 +40,15 @@ count(const std::string& text, const std::string& part)
 
 /** The flat: a living room of 4.8 x 3.8 m, a bedroom of 3.3 x 3.8 m, a hallway of
  * 8.3 x 1.6 m between the walls' faces; the hallway has a door to each. */
-class RoomResults : public testing::Test {
+class RoomResults : public pcl::indoor::test::FolderTest {
 protected:
   void
   SetUp() override
   {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "pcl_indoor_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
+    ASSERT_NO_FATAL_FAILURE(FolderTest::SetUp());
     ASSERT_EQ(run("pcl_scan_simulation",
                   std::string(PCL_INDOOR_PLANS) + "/flat.json " + path("flat.pcd")),
               0);
-  }
-
-  void
-  TearDown() override
-  {
-    std::filesystem::remove_all(folder_);
-  }
-
-  std::string
-  path(const std::string& name) const
-  {
-    return (folder_ / name).string();
   }
 
   int
@@ -73,8 +58,6 @@ protected:
                         " > " + path("said") + " 2>&1")
                            .c_str());
   }
-
-  std::filesystem::path folder_;
 };
 
 double

@@ -5,6 +5,7 @@
 // Runs the installed-like tools, found by PCL_INDOOR_TOOLS, on good input and looks at
 // what they write.
 #include "cloud_file.h"
+#include "support/folder_test.h"
 #include "support/synthetic_scenes.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
@@ -35,29 +36,8 @@ bytesOf(const std::string& path)
 }
 
 /** A folder of its own for each test, gone afterwards. */
-class ToolResults : public testing::Test {
+class ToolResults : public pcl::indoor::test::FolderTest {
 protected:
-  void
-  SetUp() override
-  {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "pcl_indoor_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-
-  void
-  TearDown() override
-  {
-    std::filesystem::remove_all(folder_);
-  }
-
-  std::string
-  path(const std::string& name) const
-  {
-    return (folder_ / name).string();
-  }
-
   /** Runs a tool; it must succeed and print nothing where no terminal is. */
   void
   run(const std::string& tool, const std::string& arguments) const
@@ -68,8 +48,6 @@ protected:
                                                << bytesOf(path("said"));
     EXPECT_EQ(bytesOf(path("said")), "") << command;
   }
-
-  std::filesystem::path folder_;
 };
 
 /** Two rooms with a door, a table and a cabinet; an intensity per point, and some

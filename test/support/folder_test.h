@@ -1,0 +1,43 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace pcl::indoor::test {
+
+/** A test with a folder of its own, gone afterwards. */
+class FolderTest : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    std::string name =
+        (std::filesystem::temp_directory_path() / "pcl_indoor_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+
+  void
+  TearDown() override
+  {
+    std::filesystem::remove_all(folder_);
+  }
+
+  std::string
+  path(const std::string& name) const
+  {
+    return (folder_ / name).string();
+  }
+
+private:
+  std::filesystem::path folder_;
+};
+
+} // namespace pcl::indoor::test
