@@ -20,18 +20,23 @@ namespace pcl {
 namespace indoor {
 namespace {
 
+/** Whether a column holds an occupied voxel. */
+bool
+holdsSomething(const VoxelGrid<std::uint8_t>& grid, std::size_t pixel)
+{
+  const auto column = grid.values.begin() + pixel * grid.shape.nz;
+  return std::any_of(
+      column, column + grid.shape.nz, [](auto value) { return value != 0; });
+}
+
 /** Columns with something in them, and the gaps between those (closing by a disc). */
 PixelMap<std::uint8_t>
 coveredColumns(const VoxelGrid<std::uint8_t>& occupancy, double radius)
 {
-  const int nz = occupancy.shape.nz;
   PixelMap<std::uint8_t> covered{occupancy.shape.nx, occupancy.shape.ny, {}};
   covered.values.resize(covered.size());
-  for (std::size_t i = 0; i < covered.size(); ++i) {
-    const auto column = occupancy.values.begin() + i * nz;
-    covered.values[i] =
-        std::any_of(column, column + nz, [](auto value) { return value != 0; });
-  }
+  for (std::size_t i = 0; i < covered.size(); ++i)
+    covered.values[i] = holdsSomething(occupancy, i);
   const double reach = std::pow(radius / occupancy.voxel_size, 2);
   const auto beyond = [&](const PixelMap<std::uint8_t>& map) {
     PixelMap<std::uint8_t> far = map;
@@ -48,15 +53,12 @@ coveredColumns(const VoxelGrid<std::uint8_t>& occupancy, double radius)
 bool
 coversEnough(const PixelMap<std::uint8_t>& inside, const VoxelGrid<std::uint8_t>& grid)
 {
-  const int nz = grid.shape.nz;
   std::size_t covered = 0, both = 0;
-  for (std::size_t i = 0; i < inside.size(); ++i) {
-    const auto column = grid.values.begin() + i * nz;
-    if (std::any_of(column, column + nz, [](auto value) { return value != 0; })) {
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    if (holdsSomething(grid, i)) {
       ++covered;
       both += inside.values[i] != 0;
     }
-  }
   return 5 * both >= 2 * covered;
 }
 
