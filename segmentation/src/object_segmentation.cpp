@@ -10,6 +10,7 @@
 #include <pcl/filters/point_resolution.h>
 #include <pcl/segmentation/convex_unions.h>
 #include <pcl/segmentation/room_structure.h>
+#include <pcl/segmentation/structure_contacts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,12 @@ makeVoxels(const ObjectSegmentationInput& input,
                              patch,
                              options.min_segment_size * patch,
                              result.plane_of_voxel);
+  pcl::indoor::yieldContacts(input.points,
+                             voxels,
+                             planes,
+                             options.voxel_size,
+                             result.plane_of_voxel,
+                             result.voxels);
   return pcl::indoor::axesOf(planes).cast<float>();
 }
 

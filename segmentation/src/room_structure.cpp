@@ -284,7 +284,7 @@ findRoomStructure(const SurfaceVoxels& voxels, const RoomStructureOptions& optio
       continue;
     // Walls seen from several places appear double: what is near does not count.
     PlaneRaster raster(voxels, plane, 2 * options.voxel_size);
-    raster.look(voxels, 3.5 * options.voxel_size);
+    raster.look(voxels, 2 * options.voxel_size);
     if (raster.freeShare() >= options.min_free)
       structure.push_back(std::move(plane));
   }

@@ -127,6 +127,18 @@ TEST(RoomStructure, KeepsABoardInFrontOfAWallApart)
   EXPECT_GT(shareInPlanes(scene, planes, 5), 0.98);
 }
 
+TEST(RoomStructure, KeepsPlinthsInFrontOfAPlaneApart)
+{
+  auto scene = closedRoom();
+  std::mt19937 rng(10);
+  for (const float x : {0.1f, 3.0f}) // 2.5 voxels above the floor, which shows
+    scene.addRectangle(
+        {x, 1.5f, 0.1f}, {0.9f, 0, 0}, {0, 0.9f, 0}, {0, 0, 1}, 9, 0.01f, 0.003f, rng);
+  const auto voxels = voxelsOf(scene);
+  EXPECT_EQ(findRoomStructure(voxels, options()).size(), 6u);
+  EXPECT_LT(shareInPlanes(scene, planesOf(scene), 9), 0.02);
+}
+
 TEST(RoomStructure, PlanesOfOneSideOnly)
 {
   const auto scene = closedRoom();
