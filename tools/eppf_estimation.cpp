@@ -94,7 +94,7 @@ run(const Settings& settings, Progress& progress)
       !settings.input_folder.empty() || !settings.output_folder.empty();
   const auto bins = settings.eppf.options().bins.size();
   if (bins != 1200 && bins != 540)
-    throw ToolError("-bins: their product must be 1200 for this tool, not " +
+    throw ToolError("-bins: there must be 1200 for this tool, not " +
                     std::to_string(bins));
   if (has_folders) {
     if (settings.input_folder.empty() || settings.output_folder.empty() ||

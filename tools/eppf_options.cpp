@@ -16,7 +16,7 @@ const std::vector<std::string> rule_names = {
 const std::vector<std::string> side_names = {"outward", "given", "ignored"};
 const std::vector<std::string> sampling_names = {"uniform", "stratified"};
 const std::vector<std::string> feature_names = {
-    "none", "distance", "surface_angle", "normal_angle", "occupancy"};
+    "none", "distance", "surface_angle", "normal_angle", "occupancy", "places"};
 
 std::size_t
 indexOf(const std::string& name, const std::vector<std::string>& names)
@@ -28,14 +28,21 @@ indexOf(const std::string& name, const std::vector<std::string>& names)
 EPPFBins
 readBins(const std::string& text)
 {
-  EPPFBins bins;
   std::istringstream stream(text);
-  char comma[3] = {};
-  stream >> bins.distance >> comma[0] >> bins.surface_angle >> comma[1] >>
-      bins.normal_angle >> comma[2] >> bins.occupancy;
-  const bool separated = std::all_of(comma, comma + 3, [](char c) { return c == ','; });
-  if (!stream || !separated || stream.peek() != std::istringstream::traits_type::eof())
-    throw ToolError("-bins: '" + text + "' is not four numbers as in 20,4,5,3");
+  std::vector<int> counts;
+  char comma = ',';
+  for (int count = 0; comma == ',' && stream >> count;) {
+    counts.push_back(count);
+    comma = '\0';
+    stream >> comma;
+  }
+  if (!stream.eof() || comma != '\0' || (counts.size() != 4 && counts.size() != 7))
+    throw ToolError("-bins: '" + text +
+                    "' is neither four numbers as in 20,4,5,3 nor seven as in "
+                    "4,15,5,2,5,5,4");
+  EPPFBins bins{counts[0], counts[1], counts[2], counts[3], {}};
+  if (counts.size() == 7)
+    bins.places = {counts[4], counts[5], counts[6]};
   return bins;
 }
 
@@ -44,7 +51,8 @@ binsText(const EPPFBins& bins)
 {
   std::ostringstream text;
   text << bins.distance << ',' << bins.surface_angle << ',' << bins.normal_angle << ','
-       << bins.occupancy;
+       << bins.occupancy << ',' << bins.places.longest << ',' << bins.places.middle
+       << ',' << bins.places.shortest;
   return text.str();
 }
 
@@ -71,7 +79,10 @@ EPPFCommandLine::addTo(OptionParser& parser)
               Range::atLeast(0))
       .number("-seed", options_.seed, "the same seed draws the same pairs")
       .number("-threads", options_.number_of_threads, "threads; 0: all of the machine")
-      .text("-bins", bins_, "bins of distance, surface angle, normal angle, occupancy")
+      .text("-bins",
+            bins_,
+            "bins of distance, surface angle, normal angle, occupancy, and of places "
+            "along three axes (times 6)")
       .flag("-short", short_form_, "the short form of 540 bins")
       .number("-grid_size",
               options_.grid_size,
@@ -116,7 +127,8 @@ EPPFCommandLine::options() const
   if (short_form_)
     options.bins = shortEPPFBins(options.surface_angle_rule);
   const auto without = indexOf(without_, feature_names);
-  options.features = {without != 1, without != 2, without != 3, without != 4};
+  options.features = {
+      without != 1, without != 2, without != 3, without != 4, without != 5};
   const auto problem = whatIsWrong(options);
   if (!problem.empty())
     throw ToolError(problem);

@@ -7,6 +7,7 @@
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_denoising.h>
 #include <pcl/features/eppf_histogram.h>
+#include <pcl/features/surface_places.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,18 @@ namespace indoor {
 
 namespace {
 
-/** \brief Eq. (5.11), and the sum brought to 1. */
+constexpr double place_share = 1.0 / 3.0; // of the histogram, the rest is of pairs
+
+/** \brief Eq. (5.11), and the sum brought to 1, beside the bins of places. */
 template <typename Count>
 std::vector<float>
-weighted(const std::vector<Count>& counts, const EPPFOptions& options)
+weighted(const std::vector<Count>& counts,
+         const std::vector<OrientedPoint>& points,
+         double scale,
+         const EPPFOptions& options)
 {
+  const auto& place_bins = options.bins.places;
+  const bool has_places = options.features.places && place_bins.size() > 0;
   std::vector<double> weights(counts.size());
   const std::size_t stride = counts.size() / options.bins.distance;
   double sum = 0.0;
@@ -33,9 +41,23 @@ weighted(const std::vector<Count>& counts, const EPPFOptions& options)
     weights[bin] = weight * static_cast<double>(counts[bin]);
     sum += weights[bin];
   }
-  std::vector<float> histogram(counts.size());
-  std::transform(weights.begin(), weights.end(), histogram.begin(), [sum](double w) {
-    return static_cast<float>(w / sum);
+  std::vector<float> histogram(options.bins.size(),
+                               std::numeric_limits<float>::quiet_NaN());
+  if (!(sum > 0.0))
+    return histogram;
+  const double share = has_places ? 1.0 - place_share : 1.0;
+  std::transform(weights.begin(), weights.end(), histogram.begin(), [&](double w) {
+    return static_cast<float>(share * w / sum);
+  });
+  const auto first_place =
+      histogram.begin() + static_cast<std::ptrdiff_t>(counts.size());
+  std::fill(first_place, histogram.end(), 0.0f);
+  if (!has_places)
+    return histogram;
+  const auto places =
+      surfacePlaces(points, scale, place_bins, options.number_of_threads);
+  std::transform(places.begin(), places.end(), first_place, [](double place) {
+    return static_cast<float>(place_share * place);
   });
   return histogram;
 }
@@ -68,12 +90,12 @@ noisyHistogram(const std::vector<OrientedPoint>& points,
   const PairCounter counter(object.points, std::move(sampler), scale, options);
   const auto counts = countPairs<std::uint64_t>(
       options.pair_count,
-      options.bins.size(),
+      options.bins.pairSize(),
       options.number_of_threads,
       [&](std::size_t first, std::size_t last, auto& own) {
         counter.countSoftly(first, last, object.weights, noise.evidence, own);
       });
-  return weighted(counts, options);
+  return weighted(counts, object.points, scale, options);
 }
 
 } // namespace
@@ -100,18 +122,19 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
   const double scale = options.scale > 0.0 ? options.scale : extent;
   auto sampler = is_stratified ? PairSampler(points.size(), options.seed)
                                : PairSampler(points, options.sampling, options.seed);
-  const PairCounter counter(is_stratified ? arranged(points, order) : points,
-                            std::move(sampler),
-                            scale,
-                            options);
+  std::vector<OrientedPoint> along_order;
+  if (is_stratified)
+    along_order = arranged(points, order);
+  const auto& used = is_stratified ? along_order : points;
+  const PairCounter counter(used, std::move(sampler), scale, options);
   const auto counts =
       countPairs(options.pair_count,
-                 options.bins.size(),
+                 options.bins.pairSize(),
                  options.number_of_threads,
                  [&counter](std::size_t first, std::size_t last, auto& own) {
                    counter.count(first, last, own);
                  });
-  return weighted(counts, options);
+  return weighted(counts, used, scale, options);
 }
 
 } // namespace indoor

@@ -29,7 +29,7 @@ EPPFBins
 shortEPPFBins(SurfaceAngleRule rule)
 {
   if (rule == SurfaceAngleRule::Joint)
-    return {9, 6, 5, 2};
+    return {5, 6, 5, 2, {5, 4, 2}};
   return {15, 3, 4, 3};
 }
 
@@ -54,7 +54,13 @@ whatIsWrong(const EPPFOptions& options)
       problem << "The number of " << name << " bins must be in 1 ... 64, not " << count;
       return problem.str();
     }
-  if (options.pair_count < 1 || options.pair_count > 0xFFFFFFFFu)
+  const auto& places = bins.places;
+  const auto least = std::min({places.longest, places.middle, places.shortest});
+  const auto most = std::max({places.longest, places.middle, places.shortest});
+  if (least < 0 || most > 64)
+    problem << "The number of bins of places along an axis must be in 0 ... 64, not "
+            << (least < 0 ? least : most);
+  else if (options.pair_count < 1 || options.pair_count > 0xFFFFFFFFu)
     problem << "The number of pairs must be in 1 ... 2^32 - 1, not "
             << options.pair_count;
   else if (!(options.scale >= 0.0) || !std::isfinite(options.scale))

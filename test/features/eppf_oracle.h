@@ -7,10 +7,14 @@
 #include <pcl/features/eppf_denoising.h>
 #include <pcl/features/eppf_histogram.h>
 #include <pcl/features/line_occupancy.h>
+#include <pcl/features/surface_places.h>
+
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -73,6 +77,77 @@ outward(std::vector<OrientedPoint> points)
   return points;
 }
 
+/** \brief The share of a place, in bins, that falls into a bin: its own, and within
+ * softness / 2 of a border linearly the next one's. */
+inline double
+softShare(double place, int bin, int count, double softness)
+{
+  const auto rise = [softness](double x) { // over a border at 0
+    return std::clamp(x / softness + 0.5, 0.0, 1.0);
+  };
+  const double above_lower = bin == 0 ? 1.0 : rise(place - bin);
+  const double above_upper = bin == count - 1 ? 0.0 : rise(place - bin - 1);
+  return above_lower - above_upper;
+}
+
+/** \brief surfacePlaces() with every point offered to every bin. */
+inline std::vector<double>
+slowPlaces(const std::vector<OrientedPoint>& points,
+           double scale,
+           const PlaceBins& bins)
+{
+  Eigen::MatrixXd offsets(3, points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    offsets.col(static_cast<Eigen::Index>(k)) = points[k].position.cast<double>();
+  const Eigen::Vector3d center = offsets.rowwise().mean();
+  offsets.colwise() -= center;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(offsets, Eigen::ComputeThinU);
+  const int counts[] = {bins.longest, bins.middle, bins.shortest};
+  std::vector<double> places(bins.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Eigen::Vector3d offset = offsets.col(static_cast<Eigen::Index>(k));
+    const Eigen::Vector3d place = svd.matrixU().transpose() * offset;
+    Eigen::Vector3d normal = points[k].normal.cast<double>();
+    if (normal.dot(offset) < 0.0)
+      normal = -normal;
+    normal = svd.matrixU().transpose() * normal;
+    for (std::size_t bin = 0; bin < places.size(); ++bin) {
+      const int direction = static_cast<int>(bin % 6);
+      const int cell = static_cast<int>(bin / 6);
+      const int along[] = {
+          cell / counts[2] / counts[1], cell / counts[2] % counts[1], cell % counts[2]};
+      const int axis = direction / 2;
+      const bool is_inward = normal[axis] * place[axis] < 0.0;
+      double part = is_inward == (direction % 2 == 1) ? normal[axis] * normal[axis] : 0;
+      for (int a = 0; a < 3; ++a)
+        part *= softShare(
+            std::abs(place[a]) / (scale / 2) * counts[a], along[a], counts[a], 1.0);
+      places[bin] += part / static_cast<double>(points.size());
+    }
+  }
+  return places;
+}
+
+/** \brief The sum of pairs brought to 1, or to 2 / 3 beside places. */
+inline std::vector<double>
+withPlaces(std::vector<double> pairs,
+           const std::vector<OrientedPoint>& points,
+           double scale,
+           const EPPFOptions& options)
+{
+  const bool has_places = options.features.places && options.bins.places.size() > 0;
+  const double sum = std::accumulate(pairs.begin(), pairs.end(), 0.0);
+  for (auto& value : pairs)
+    value *= (has_places ? 2.0 / 3.0 : 1.0) / sum;
+  pairs.resize(options.bins.size());
+  if (!has_places)
+    return pairs;
+  const auto places = slowPlaces(points, scale, options.bins.places);
+  for (std::size_t bin = 0; bin < places.size(); ++bin)
+    pairs[options.bins.pairSize() + bin] = places[bin] / 3.0;
+  return pairs;
+}
+
 /** \brief The thesis's formulas pair by pair, with real angles and no shortcut. */
 inline std::vector<double>
 slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& options)
@@ -85,7 +160,7 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
   const LineOccupancy grid(points, grid_size);
   const PairSampler sampler(points, options.sampling, options.seed);
   const double scale = options.scale > 0.0 ? options.scale : objectExtent(points);
-  std::vector<double> histogram(bins.size());
+  std::vector<double> histogram(bins.pairSize());
   for (std::size_t k = 0; k < options.pair_count; ++k) {
     const auto [first, second] = sampler.pair(k);
     const Eigen::Vector3d one = points[first].position.cast<double>();
@@ -130,23 +205,7 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
                   bins.occupancy +
               i4] += weight;
   }
-  const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
-  for (auto& value : histogram)
-    value /= sum;
-  return histogram;
-}
-
-/** \brief The share of a place, in bins, that falls into a bin: its own, and within
- * softness / 2 of a border linearly the next one's. */
-inline double
-softShare(double place, int bin, int count, double softness)
-{
-  const auto rise = [softness](double x) { // over a border at 0
-    return std::clamp(x / softness + 0.5, 0.0, 1.0);
-  };
-  const double above_lower = bin == 0 ? 1.0 : rise(place - bin);
-  const double above_upper = bin == count - 1 ? 0.0 : rise(place - bin - 1);
-  return above_lower - above_upper;
+  return withPlaces(std::move(histogram), points, scale, options);
 }
 
 /** \brief eppfHistogram() of an object with noise: outward normals, stratified pairs,
@@ -165,7 +224,7 @@ slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& o
   const double scale = options.scale > 0.0 ? options.scale : object.extent;
   const bool joint = options.surface_angle_rule == SurfaceAngleRule::Joint;
   const int levels = joint ? jointLevels(bins) : 1;
-  std::vector<double> histogram(bins.size());
+  std::vector<double> histogram(bins.pairSize());
   for (std::size_t k = 0; k < options.pair_count; ++k) {
     const auto [first, second] = sampler.pair(k);
     const auto& one = points[first];
@@ -206,10 +265,7 @@ slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& o
                     i4] += weight * share;
         }
   }
-  const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
-  for (auto& value : histogram)
-    value /= sum;
-  return histogram;
+  return withPlaces(std::move(histogram), points, scale, options);
 }
 
 } // namespace indoor

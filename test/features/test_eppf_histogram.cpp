@@ -88,7 +88,7 @@ TEST(EPPFHistogram, EqualsTheFormulasForOtherOptions)
   const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 700, 2);
   EPPFOptions options;
   options.surface_angle_rule = SurfaceAngleRule::Maximum;
-  options.bins = {7, 4, 6, 5};
+  options.bins = {7, 4, 6, 5, {2, 3, 4}};
   options.scale = 0.8;
   options.weighting_constant = 2.0;
   options.grid_size = 17;
@@ -103,15 +103,16 @@ TEST(EPPFHistogram, EqualsTheFormulasForOtherOptions)
 TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
 {
   const auto points = randomSurflets(300, 3);
-  for (int off = 0; off < 4; ++off) {
+  for (int off = 0; off < 5; ++off) {
     EPPFOptions options;
     options.denoising = false; // random points look like noise
-    options.features = {off != 0, off != 1, off != 2, off != 3};
+    options.features = {off != 0, off != 1, off != 2, off != 3, off != 4};
     const auto histogram = eppfHistogram(points, options);
     EXPECT_LT(difference(histogram, slowHistogram(points, options)), rounding);
-    const std::size_t counts[] = {8, 15, 5, 2};
-    const std::size_t strides[] = {150, 10, 2, 1};
-    for (std::size_t bin = 0; bin < histogram.size(); ++bin)
+    const std::size_t counts[] = {4, 15, 5, 2, 2};
+    const std::size_t strides[] = {150, 10, 2, 1, 600}; // places are the second half
+    const std::size_t last = off < 4 ? 600 : 1200;
+    for (std::size_t bin = 0; bin < last; ++bin)
       EXPECT_TRUE(histogram[bin] == 0.0f || (bin / strides[off]) % counts[off] == 0);
   }
 }
@@ -122,6 +123,8 @@ TEST(EPPFHistogram, SumIsOneAndSeedsDiffer)
   EPPFOptions options;
   const auto histogram = eppfHistogram(points, options);
   EXPECT_EQ(histogram.size(), 1200u);
+  EXPECT_NEAR(
+      std::accumulate(histogram.begin(), histogram.begin() + 600, 0.0), 2.0 / 3, 1e-6);
   // 1,200 roundings to single precision of values that add up to 1.
   EXPECT_NEAR(std::accumulate(histogram.begin(), histogram.end(), 0.0), 1.0, 1e-6);
   EXPECT_EQ(histogram, eppfHistogram(points, options));
@@ -272,11 +275,14 @@ TEST(EPPFHistogram, DegenerateObjectsGiveADefinedResult)
   for (auto& point : same)
     point = {{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 1.0f}};
   EXPECT_TRUE(std::isnan(eppfHistogram(same, {}).front()));
-  // Two points: one distance, the longest; both normals along it; all in one bin.
+  // Two points: one distance, the longest; both normals along it; all in one bin, and
+  // of places in the one of the ends of the longest axis.
   std::vector<OrientedPoint> two = {same[0], same[1]};
   two[1].position.z() = 4.0f;
   const auto histogram = eppfHistogram(two, {});
-  EXPECT_FLOAT_EQ(*std::max_element(histogram.begin(), histogram.end()), 1.0f);
+  const auto places = histogram.begin() + 600;
+  EXPECT_NEAR(*std::max_element(histogram.begin(), places), 2.0 / 3, 1e-6);
+  EXPECT_NEAR(places[4 * 5 * 4 * 6], 1.0 / 3, 1e-6);
   // A flat object: surface angles and normal angles all 0.
   auto flat = boxSurface({1.0f, 1.0f, 0.0f}, 500, 9);
   for (auto& point : flat)
@@ -321,6 +327,8 @@ TEST(EPPFHistogram, RefusesEveryParameterOutOfRange)
   refuses([](auto& o) { o.bins.surface_angle = -1; });
   refuses([](auto& o) { o.bins.normal_angle = 65; });
   refuses([](auto& o) { o.bins.occupancy = 0; });
+  refuses([](auto& o) { o.bins.places = {5, -5, 4}; });
+  refuses([](auto& o) { o.bins.places = {5, 5, 65}; });
   refuses([](auto& o) { o.pair_count = 0; });
   refuses([](auto& o) { o.scale = -1.0; });
   refuses([](auto& o) { o.scale = std::nan(""); });

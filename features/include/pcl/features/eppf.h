@@ -13,7 +13,8 @@ namespace pcl {
 /** \brief Estimates the enhanced point pair feature (EPPF) histogram of an object.
  *
  * Draws pairs of oriented points and counts their distance, surface angle, normal angle
- * and the occupancy of the line between them in one four-dimensional histogram: a
+ * and the occupancy of the line between them in one four-dimensional histogram, and
+ * beside it where in the object's own axes the points lie and which way they face: a
  * global descriptor, one output point whatever the number of input points, that stays
  * the same when the object is turned.
  *
@@ -62,17 +63,16 @@ public:
     return options_.pair_count;
   }
 
-  /** \brief Set the number of bins of each feature.
-   * \param[in] bins their product is the size of PointOutT (default 8 x 15 x 5 x 2,
-   * for the short signature 9 x 6 x 5 x 2)
+  /** \brief Set or get the number of bins of each feature.
+   * \param[in] bins as many in all as PointOutT has (default 4 x 15 x 5 x 2 of pairs
+   * and 5 x 5 x 4 x 6 of places, for the short signature 5 x 6 x 5 x 2 and 5 x 4 x 2 x
+   * 6)
    */
   void
   setBins(const indoor::EPPFBins& bins)
   {
     options_.bins = bins;
   }
-
-  /** \brief Get the number of bins of each feature. */
   const indoor::EPPFBins&
   getBins() const
   {
@@ -188,7 +188,7 @@ public:
     return options_.features;
   }
 
-  /** \brief Set the voxels per edge of the occupancy grid.
+  /** \brief Set or get the voxels per edge of the occupancy grid.
    * \param[in] grid_size 2 ... 64, or 0: as fine as the points are dense, see
    * indoor::automaticGridSize() (default 0)
    */
@@ -197,8 +197,6 @@ public:
   {
     options_.grid_size = grid_size;
   }
-
-  /** \brief Get the voxels per edge of the occupancy grid. */
   int
   getGridSize() const
   {

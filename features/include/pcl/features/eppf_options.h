@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/pair_sampling.h>
+#include <pcl/features/surface_places.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -38,16 +39,25 @@ enum class NormalSides {
  * the middle of a bin, where rounding and noise do not matter.
  */
 struct EPPFBins {
-  int distance = 8;       ///< of f1, N_f1 of the thesis
-  int surface_angle = 15; ///< of f2, N_f2; for Joint 1, 3, 6, 10, 15, ...
-  int normal_angle = 5;   ///< of f3, N_f3
-  int occupancy = 2;      ///< of f4, N_f4
+  int distance = 1;      ///< of f1, N_f1 of the thesis
+  int surface_angle = 1; ///< of f2, N_f2; for Joint 1, 3, 6, 10, 15, ...
+  int normal_angle = 1;  ///< of f3, N_f3
+  int occupancy = 1;     ///< of f4, N_f4
+  PlaceBins places{};    ///< of single points beside the pairs; none in the thesis
 
+  /** \brief Bins of pairs, which come first. */
   std::size_t
-  size() const
+  pairSize() const
   {
     return static_cast<std::size_t>(distance) * surface_angle * normal_angle *
            occupancy;
+  }
+
+  /** \brief All bins. */
+  std::size_t
+  size() const
+  {
+    return pairSize() + places.size();
   }
 };
 
@@ -57,13 +67,14 @@ struct EPPFFeatures {
   bool surface_angle = true;
   bool normal_angle = true;
   bool occupancy = true;
+  bool places = true; ///< if not, the bins of places are all 0
 };
 
 /** \brief Parameters of eppfHistogram(). */
 struct EPPFOptions {
-  EPPFBins bins;                  ///< each at least 1
-  EPPFFeatures features;          ///< which features are used
-  std::size_t pair_count = 20000; ///< pairs drawn, at least 1
+  EPPFBins bins{4, 15, 5, 2, {5, 5, 4}}; ///< each at least 1, those of places 0, too
+  EPPFFeatures features;                 ///< which features are used
+  std::size_t pair_count = 20000;        ///< pairs drawn, at least 1
   double scale = 0.0;         ///< metres that f1 spreads over; 0: the object's extent
   std::uint32_t seed = 5489u; ///< same seed, same pairs
   unsigned int number_of_threads = 1; ///< 0: as many as the machine has
@@ -86,7 +97,8 @@ thesisEPPFOptions();
 
 /** \brief The short form of an option set: 540 bins.
  *
- * 9 x 6 x 5 x 2 for the joint rule, the thesis's 15 x 3 x 4 x 3 for the others.
+ * 5 x 6 x 5 x 2 and places of 5 x 4 x 2 x 6 for the joint rule, the thesis's 15 x 3 x 4
+ * x 3 for the others.
  */
 EPPFBins
 shortEPPFBins(SurfaceAngleRule rule);

@@ -1,0 +1,127 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "soft_bin.h"
+
+#include <pcl/features/pair_counting.h>
+#include <pcl/features/surface_places.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+/** \brief Counts points in units of 2^-16. */
+class PlaceCounter {
+public:
+  PlaceCounter(const PrincipalFrame& frame, double scale, const PlaceBins& bins)
+  : center_(frame.center.cast<float>())
+  , axes_(frame.axes.cast<float>())
+  , counts_{bins.longest, bins.middle, bins.shortest}
+  , strides_{6u * static_cast<std::uint32_t>(bins.middle * bins.shortest),
+             6u * static_cast<std::uint32_t>(bins.shortest),
+             6u}
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      bins_per_metre_[axis] =
+          static_cast<float>(2.0 * counts_[axis] / std::max(scale, 1e-30));
+  }
+
+  void
+  count(const OrientedPoint& point, std::vector<std::uint64_t>& counts) const
+  {
+    const Eigen::Vector3f offset = point.position - center_;
+    const Eigen::Vector3f place = axes_ * offset;
+    const Eigen::Vector3f normal = axes_ * point.normal;
+    const float side = point.normal.dot(offset) < 0.0f ? -1.0f : 1.0f;
+    std::array<std::uint32_t, 3> direction;
+    std::array<float, 3> share; // of each axis
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool is_inward = side * normal[axis] * place[axis] < 0.0f;
+      direction[axis] = 2u * static_cast<std::uint32_t>(axis) + (is_inward ? 1u : 0u);
+      share[axis] = 65536.0f * normal[axis] * normal[axis];
+    }
+    const auto soft = [&](int axis) {
+      const float last = static_cast<float>(counts_[axis]);
+      const float bin = std::min(std::abs(place[axis]) * bins_per_metre_[axis], last);
+      return SoftBin(bin, counts_[axis], 1.0f);
+    };
+    const SoftBin along[] = {soft(0), soft(1), soft(2)};
+    for (int corner = 0; corner < 8; ++corner) {
+      const int sides[] = {corner & 1, (corner >> 1) & 1, corner >> 2};
+      float part = 1.0f;
+      std::uint32_t bin = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        part *= along[axis].share[sides[axis]];
+        bin += strides_[axis] * along[axis].bin[sides[axis]];
+      }
+      for (int axis = 0; axis < 3; ++axis)
+        counts[bin + direction[axis]] +=
+            static_cast<std::uint64_t>(part * share[axis] + 0.5f);
+    }
+  }
+
+private:
+  Eigen::Vector3f center_;
+  Eigen::Matrix3f axes_;
+  std::array<int, 3> counts_;
+  std::array<std::uint32_t, 3> strides_;
+  std::array<float, 3> bins_per_metre_;
+};
+
+} // namespace
+
+PrincipalFrame
+principalFrame(const std::vector<OrientedPoint>& points)
+{
+  assert(!points.empty());
+  PrincipalFrame frame;
+  frame.center.setZero();
+  for (const auto& point : points)
+    frame.center += point.position.cast<double>();
+  frame.center /= static_cast<double>(points.size());
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  for (const auto& point : points) {
+    const Eigen::Vector3d offset = point.position.cast<double>() - frame.center;
+    moment += offset * offset.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moment);
+  frame.axes = solver.eigenvectors().rowwise().reverse().transpose(); // descending
+  return frame;
+}
+
+std::vector<double>
+surfacePlaces(const std::vector<OrientedPoint>& points,
+              double scale,
+              const PlaceBins& bins,
+              unsigned int number_of_threads)
+{
+  assert(bins.size() > 0);
+  const PlaceCounter counter(principalFrame(points), scale, bins);
+  const auto counts =
+      countPairs<std::uint64_t>(points.size(),
+                                bins.size(),
+                                number_of_threads,
+                                [&](std::size_t first, std::size_t last, auto& own) {
+                                  for (std::size_t k = first; k < last; ++k)
+                                    counter.count(points[k], own);
+                                });
+  const auto sum = static_cast<double>(
+      std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+  std::vector<double> places(counts.size());
+  std::transform(counts.begin(), counts.end(), places.begin(), [sum](auto count) {
+    return static_cast<double>(count) / sum;
+  });
+  return places;
+}
+
+} // namespace indoor
+} // namespace pcl
