@@ -34,10 +34,11 @@ weighted(const std::vector<Count>& counts,
   std::vector<double> weights(counts.size());
   const std::size_t stride = counts.size() / options.bins.distance;
   double sum = 0.0;
+  double weight = 1.0;
   for (std::size_t bin = 0; bin < counts.size(); ++bin) {
-    const double place = static_cast<double>(bin / stride) / options.bins.distance;
-    const double weight =
-        options.weighting ? std::log(place + options.weighting_constant) : 1.0;
+    if (options.weighting && bin % stride == 0)
+      weight = std::log(static_cast<double>(bin / stride) / options.bins.distance +
+                        options.weighting_constant);
     weights[bin] = weight * static_cast<double>(counts[bin]);
     sum += weights[bin];
   }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -39,19 +40,13 @@ evenBorders(double lowest, int count)
   return borders;
 }
 
-/** \brief The points with normals that point away from their centroid. */
-std::vector<OrientedPoint>
-turnedOutward(std::vector<OrientedPoint> points)
+Eigen::Vector3f
+centroidOf(const std::vector<OrientedPoint>& points)
 {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const auto& point : points)
     sum += point.position.cast<double>();
-  const Eigen::Vector3f centroid =
-      (sum / static_cast<double>(points.size())).cast<float>();
-  for (auto& point : points)
-    if (point.normal.dot(point.position - centroid) < 0.0f)
-      point.normal = -point.normal;
-  return points;
+  return (sum / static_cast<double>(points.size())).cast<float>();
 }
 
 /** \brief The sine of the mean of two angles. */
@@ -78,9 +73,14 @@ PairCounter::PairCounter(const std::vector<OrientedPoint>& points,
 {
   setBorders();
   surflets_.reserve(points.size());
-  for (const auto& point :
-       options.normal_sides == NormalSides::Outward ? turnedOutward(points) : points)
+  for (const auto& point : points)
     surflets_.push_back({point.position, point.normal, grid_.cell(point.position)});
+  if (options.normal_sides != NormalSides::Outward)
+    return;
+  const Eigen::Vector3f centroid = centroidOf(points);
+  for (auto& surflet : surflets_)
+    if (surflet.normal.dot(surflet.position - centroid) < 0.0f)
+      surflet.normal = -surflet.normal;
 }
 
 void
@@ -99,7 +99,7 @@ PairCounter::setBorders()
   for (int k = 1; k < bins.normal_angle; ++k)
     normal_borders_.push_back(
         static_cast<float>(std::cos(largest_angle * k / bins.normal_angle)));
-  for (int total = 1; total <= 64; ++total)
+  for (int total = 1; total <= grid_.size(); ++total)
     for (int occupied = 1; occupied <= total; ++occupied) // the ends are occupied
       occupancy_bins_[64 * (total - 1) + occupied - 1] = static_cast<std::uint8_t>(
           std::min(bins.occupancy * occupied / total, bins.occupancy - 1));
@@ -190,21 +190,40 @@ PairCounter::measure(std::size_t first_pair,
     block.second_sine[size] = two.normal.dot(direction);
     block.cosine[size] = one.normal.dot(two.normal);
     if (walks) {
-      const auto line = grid_.countBetween(one.cell, two.cell);
-      block.occupancy_bin[size] =
-          occupancy_bins_[64 * (line.total - 1) + line.occupied - 1];
+      block.line[size] = grid_.lineBetween(one.cell, two.cell);
     }
     block.pair[size] = static_cast<std::uint32_t>(k - first_pair);
     size +=
         block.distance[size] > 0.0f ? 1 : 0; // points in one place have no direction
   }
   block.size = size;
+  if (walks)
+    walkLines(block);
   for (std::size_t k = 0; k < size; ++k)
     block.distance[k] = std::sqrt(block.distance[k]);
   for (std::size_t k = 0; k < size; ++k)
     block.first_sine[k] /= block.distance[k];
   for (std::size_t k = 0; k < size; ++k)
     block.second_sine[k] /= block.distance[k];
+}
+
+/** \brief Eq. (5.8). Lines of one length follow each other, so that the processor
+ * foresees their ends: in the order of the pairs this takes half as long again. */
+void
+PairCounter::walkLines(PairBlock& block) const
+{
+  std::array<std::uint32_t, 65> starts{};
+  for (std::size_t k = 0; k < block.size; ++k)
+    ++starts[block.line[k].steps + 1];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::array<std::uint16_t, pair_block_size> by_length;
+  for (std::size_t k = 0; k < block.size; ++k)
+    by_length[starts[block.line[k].steps]++] = static_cast<std::uint16_t>(k);
+  for (std::size_t rank = 0; rank < block.size; ++rank) {
+    const auto& line = block.line[by_length[rank]];
+    block.occupancy_bin[by_length[rank]] =
+        occupancy_bins_[64 * line.steps + grid_.countOccupied(line) - 1];
+  }
 }
 
 /** \brief Leave in first_sine the sine of f2. */

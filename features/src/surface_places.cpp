@@ -55,18 +55,23 @@ public:
       return SoftBin(bin, counts_[axis], 1.0f);
     };
     const SoftBin along[] = {soft(0), soft(1), soft(2)};
+    std::array<std::uint32_t, 8> bin; // of each corner
+    std::array<std::int32_t, 24> amount;
     for (int corner = 0; corner < 8; ++corner) {
       const int sides[] = {corner & 1, (corner >> 1) & 1, corner >> 2};
-      float part = 1.0f;
-      std::uint32_t bin = 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        part *= along[axis].share[sides[axis]];
-        bin += strides_[axis] * along[axis].bin[sides[axis]];
-      }
+      bin[corner] = strides_[0] * along[0].bin[sides[0]] +
+                    strides_[1] * along[1].bin[sides[1]] +
+                    strides_[2] * along[2].bin[sides[2]];
+      const float part = along[0].share[sides[0]] * along[1].share[sides[1]] *
+                         along[2].share[sides[2]];
       for (int axis = 0; axis < 3; ++axis)
-        counts[bin + direction[axis]] +=
-            static_cast<std::uint64_t>(part * share[axis] + 0.5f);
+        amount[3 * corner + axis] =
+            static_cast<std::int32_t>(part * share[axis] + 0.5f);
     }
+    for (int corner = 0; corner < 8; ++corner)
+      for (int axis = 0; axis < 3; ++axis)
+        counts[bin[corner] + direction[axis]] +=
+            static_cast<std::uint32_t>(amount[3 * corner + axis]);
   }
 
 private:
@@ -83,16 +88,24 @@ PrincipalFrame
 principalFrame(const std::vector<OrientedPoint>& points)
 {
   assert(!points.empty());
-  PrincipalFrame frame;
-  frame.center.setZero();
-  for (const auto& point : points)
-    frame.center += point.position.cast<double>();
-  frame.center /= static_cast<double>(points.size());
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  const Eigen::Vector3d origin = points.front().position.cast<double>();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+  Eigen::Vector3d products = Eigen::Vector3d::Zero(); // yz, zx, xy
   for (const auto& point : points) {
-    const Eigen::Vector3d offset = point.position.cast<double>() - frame.center;
-    moment += offset * offset.transpose();
+    const Eigen::Vector3d offset = point.position.cast<double>() - origin;
+    const double x = offset.x(), y = offset.y(), z = offset.z();
+    sum += offset;
+    squares += Eigen::Vector3d(x * x, y * y, z * z);
+    products += Eigen::Vector3d(y * z, z * x, x * y);
   }
+  const auto count = static_cast<double>(points.size());
+  Eigen::Matrix3d moment;
+  moment << squares.x(), products.z(), products.y(), products.z(), squares.y(),
+      products.x(), products.y(), products.x(), squares.z();
+  moment -= sum * sum.transpose() / count;
+  PrincipalFrame frame;
+  frame.center = origin + sum / count;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moment);
   frame.axes = solver.eigenvectors().rowwise().reverse().transpose(); // descending
   return frame;

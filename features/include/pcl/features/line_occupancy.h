@@ -38,6 +38,13 @@ public:
    */
   LineOccupancy(const std::vector<OrientedPoint>& points, int grid_size);
 
+  /** \brief Voxels per edge, the most that a line can meet. */
+  int
+  size() const
+  {
+    return static_cast<int>(largest_coordinate_) + 1;
+  }
+
   /** \brief The voxel of a place; places outside go to the nearest voxel. */
   Cell
   cell(const Eigen::Vector3f& position) const;
@@ -49,13 +56,20 @@ public:
     return (rows_[row(cell)] >> column(cell)) & 1u;
   }
 
-  /** \brief Count voxels on the line between the centres of two voxels, both included.
+  /** \brief A line from voxel to voxel. */
+  struct Line {
+    Cell start;
+    Cell step;
+    int steps; ///< one less than the voxels it meets
+  };
+
+  /** \brief The line between the centres of two voxels.
    *
    * Steps along the axis on which the line is longest, one voxel per step (as ESF
    * does).
    */
-  Count
-  countBetween(Cell from, Cell to) const
+  Line
+  lineBetween(Cell from, Cell to) const
   {
     const int dx = coordinate(to, 2) - coordinate(from, 2);
     const int dy = coordinate(to, 1) - coordinate(from, 1);
@@ -66,11 +80,27 @@ public:
     const Cell step = (static_cast<Cell>(fraction(dx, scale)) << 42) +
                       (static_cast<Cell>(fraction(dy, scale)) << 21) +
                       static_cast<Cell>(fraction(dz, scale));
-    Cell place = from;
+    return {from, step, steps};
+  }
+
+  /** \brief N_occ of Eq. (5.8): occupied voxels on a line, both ends included. */
+  unsigned int
+  countOccupied(const Line& line) const
+  {
     unsigned int occupied = 0;
-    for (int k = 0; k <= steps; ++k, place += step)
+    Cell place = line.start;
+    for (int k = 0; k <= line.steps; ++k, place += line.step)
       occupied += (rows_[row(place)] >> column(place)) & 1u;
-    return {static_cast<int>(occupied), steps + 1};
+    return occupied;
+  }
+
+  /** \brief Count voxels on the line between the centres of two voxels, both included.
+   */
+  Count
+  countBetween(Cell from, Cell to) const
+  {
+    const auto line = lineBetween(from, to);
+    return {static_cast<int>(countOccupied(line)), line.steps + 1};
   }
 
 private:
