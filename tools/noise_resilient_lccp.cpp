@@ -23,7 +23,7 @@ namespace {
 struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "auto", camera = "auto";
-  std::string orientation = "auto", structure = "auto";
+  std::string orientation = "auto", structure = "auto", things = "auto";
   double union_growth = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
@@ -95,6 +95,11 @@ addPartition(OptionParser& parser, Settings& settings)
             settings.structure,
             "floor, ceiling and walls; apart: nothing is joined through them; auto: "
             "apart for rooms",
+            {"auto", "apart", "joined"})
+      .text("-things",
+            settings.things,
+            "flat things, up to the seed resolution high, and the horizontal surface "
+            "they lie on (z is up); auto: apart for rooms",
             {"auto", "apart", "joined"})
       .number(
           "-union_growth",
@@ -192,6 +197,8 @@ chosenOptions(const Settings& settings, bool organised)
   options.separate_structure = settings.structure == "auto"
                                    ? preset.separate_structure
                                    : settings.structure == "apart";
+  options.separate_things =
+      settings.things == "auto" ? preset.separate_things : settings.things == "apart";
   options.max_union_growth =
       settings.union_growth < 0 ? preset.max_union_growth : settings.union_growth;
   options.adapt_to_resolution = !(settings.voxel_resolution > 0);

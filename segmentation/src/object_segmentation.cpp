@@ -9,6 +9,7 @@
 #include <pcl/filters/non_convex_points.h>
 #include <pcl/filters/point_resolution.h>
 #include <pcl/segmentation/convex_unions.h>
+#include <pcl/segmentation/flat_things.h>
 #include <pcl/segmentation/room_structure.h>
 #include <pcl/segmentation/structure_contacts.h>
 
@@ -191,26 +192,27 @@ flagsOf(const std::vector<std::uint32_t>& plane_of_voxel)
 
 /** Segments of voxels, the planes after those of the supervoxels; too small ones,
  * islands among removed voxels, are left open. */
-void
-takeOverSegments(const std::vector<std::uint32_t>& segment_of_supervoxel,
+std::vector<std::uint32_t>
+segmentsOfVoxels(const std::vector<std::uint32_t>& segment_of_supervoxel,
                  std::uint32_t min_segment_size,
-                 ObjectSegmentation& result)
+                 const ObjectSegmentation& result)
 {
   std::vector<std::uint32_t> size(segment_of_supervoxel.size(), 0);
   for (const auto segment : segment_of_supervoxel)
     ++size[segment];
-  result.segment_of_voxel.assign(result.voxels.size(), Supervoxels::none);
+  std::vector<std::uint32_t> segments(result.voxels.size(), Supervoxels::none);
   for (std::size_t v = 0; v < result.voxels.size(); ++v) {
     const auto supervoxel = result.supervoxels.label_of_voxel[v];
     if (result.plane_of_voxel[v] != 0)
-      result.segment_of_voxel[v] =
+      segments[v] =
           static_cast<std::uint32_t>(size.size()) + result.plane_of_voxel[v] - 1;
     if (supervoxel == Supervoxels::none)
       continue;
     const auto segment = segment_of_supervoxel[supervoxel];
     if (size[segment] >= min_segment_size)
-      result.segment_of_voxel[v] = segment;
+      segments[v] = segment;
   }
+  return segments;
 }
 
 /** Above those of supervoxels and planes. */
@@ -223,16 +225,38 @@ firstFreeLabel(const ObjectSegmentation& result)
          (last == planes.end() ? 0 : *last);
 }
 
-/** Number the segments from 0 in the order of their first voxels. */
+/** Voxels of one segment each, and the things on them, if they are parted. */
+std::vector<std::uint32_t>
+segmentsOfPoints(const ObjectSegmentationInput& input,
+                 const ObjectSegmentationOptions& options,
+                 const SurfaceVoxels& voxels,
+                 const std::vector<std::uint8_t>& in_plane,
+                 const std::vector<std::uint32_t>& segment_of_voxel)
+{
+  if (options.separate_things && !input.single_camera) {
+    pcl::indoor::FlatThingOptions things;
+    things.up = options.up;
+    things.voxel_size = options.voxel_size;
+    return pcl::indoor::partFlatThings(
+        input.points, voxels, segment_of_voxel, in_plane, things);
+  }
+  std::vector<std::uint32_t> segments;
+  segments.reserve(input.points.size());
+  for (const auto voxel : voxels.cells.cell_of_point)
+    segments.push_back(segment_of_voxel[voxel]);
+  return segments;
+}
+
+/** Number the segments from 0 in the order of their first points. */
 void
 numberSegments(ObjectSegmentation& result)
 {
   const auto highest =
-      std::max_element(result.segment_of_voxel.begin(), result.segment_of_voxel.end());
+      std::max_element(result.segment_of_point.begin(), result.segment_of_point.end());
   std::vector<std::uint32_t> number(
-      highest == result.segment_of_voxel.end() ? 0 : *highest + 1, Supervoxels::none);
+      highest == result.segment_of_point.end() ? 0 : *highest + 1, Supervoxels::none);
   result.segment_count = 0;
-  for (auto& segment : result.segment_of_voxel) {
+  for (auto& segment : result.segment_of_point) {
     if (number[segment] == Supervoxels::none)
       number[segment] = result.segment_count++;
     segment = number[segment];
@@ -284,18 +308,19 @@ segmentObjects(const ObjectSegmentationInput& input,
                                        distance,
                                        options.threads);
   result.edges = surfaceEdges(result.voxels, result.supervoxels, convexity);
-  takeOverSegments(
+  auto segment_of_voxel = segmentsOfVoxels(
       joinSupervoxels(result, options, distance), options.min_segment_size, result);
   recoverLabels(result.voxels.centroids,
                 result.voxels.normals,
                 result.voxels.neighbors,
                 distance,
                 options.recovery,
-                result.segment_of_voxel);
-  labelRemainder(
-      result.voxels.neighbors, firstFreeLabel(result), result.segment_of_voxel);
+                segment_of_voxel);
+  labelRemainder(result.voxels.neighbors, firstFreeLabel(result), segment_of_voxel);
   if (options.partition == Partition::Graph)
-    joinConvexUnions(result.voxels, in_plane, unions, result.segment_of_voxel);
+    joinConvexUnions(result.voxels, in_plane, unions, segment_of_voxel);
+  result.segment_of_point =
+      segmentsOfPoints(input, options, result.voxels, in_plane, segment_of_voxel);
   numberSegments(result);
   return result;
 }

@@ -33,6 +33,9 @@ findInvalidOption(const ObjectSegmentationOptions& options)
   require(not_negative(options.max_union_growth),
           "growth of convex unions must not be negative",
           options.max_union_growth);
+  require(std::abs(options.up.norm() - 1) < 1e-3f,
+          "direction up must have the length 1",
+          options.up.norm());
   require(options.normal_rings >= 1,
           "number of normal rings must be at least 1",
           options.normal_rings);
@@ -103,6 +106,7 @@ singleViewOptions()
   options.bend_threshold_degrees = 20;
   options.min_segment_size = 6;
   options.separate_structure = false;
+  options.separate_things = false;
   options.max_union_growth = 0;
   return options;
 }
@@ -112,6 +116,7 @@ thesisOptions()
 {
   ObjectSegmentationOptions options;
   options.separate_structure = false;
+  options.separate_things = false;
   options.plane_tolerance = 0;
   options.partition = Partition::FelzenszwalbHuttenlocher;
   options.min_segment_size = 3;

@@ -35,6 +35,11 @@ struct ObjectSegmentationOptions {
   /** keep floor, ceiling and walls out of the graph, see findRoomStructure(): nothing
    * is joined through them; never for a single camera */
   bool separate_structure = true;
+  /** part flat things from the horizontal surface that they lie on, see
+   * partFlatThings(); never for a single camera */
+  bool separate_things = true;
+  /** against gravity, unit length; for separate_things */
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   unsigned normal_rings = 1; ///< reach of normals and curvature, voxels (>= 1)
   /** which way estimated normals are turned */
   NormalOrientation orientation = NormalOrientation::Automatic;
@@ -97,7 +102,7 @@ struct ObjectSegmentation {
   std::vector<std::uint8_t> removed; ///< per voxel: non-convex, taken out and recovered
   Supervoxels supervoxels; ///< of the voxels that are in no plane and not removed
   std::vector<SurfaceEdge> edges;              ///< between supervoxels
-  std::vector<std::uint32_t> segment_of_voxel; ///< 0 ... segment_count - 1
+  std::vector<std::uint32_t> segment_of_point; ///< 0 ... segment_count - 1
   std::uint32_t segment_count = 0;
 };
 
@@ -105,7 +110,7 @@ struct ObjectSegmentation {
  * Takes out the voxels of concave and noisy regions, joins supervoxels of the others,
  * and gives the voxels that were taken out to the segments they continue. Works on
  * voxels throughout, so its cost is linear in the number of points and small.
- * Every point gets a segment: that of voxels.cells.cell_of_point.
+ * Every point gets a segment.
  * \throws pcl::BadArgumentException if an option is out of range or sizes differ
  */
 ObjectSegmentation

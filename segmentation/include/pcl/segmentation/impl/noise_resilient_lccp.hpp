@@ -291,8 +291,7 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   std::vector<std::uint32_t> name_of_segment(result_.segment_count, 0);
   std::vector<std::uint32_t> segment_of_point(input_size_, indoor::Supervoxels::none);
   for (std::size_t i = 0; i < finite_.size(); ++i)
-    segment_of_point[finite_[i]] =
-        result_.segment_of_voxel[result_.voxels.cells.cell_of_point[i]];
+    segment_of_point[finite_[i]] = result_.segment_of_point[i];
   std::uint32_t names = 0;
   for (std::size_t i = 0; i < input_size_; ++i) {
     if (segment_of_point[i] == indoor::Supervoxels::none)
