@@ -13,9 +13,7 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <map>
-#include <numeric>
+#include <cmath>
 #include <set>
 
 using namespace pcl::indoor;
@@ -133,10 +131,8 @@ TEST(FlatThings, FollowsTheDirectionUp)
 TEST(FlatThings, DoesNotDependOnTheOrderOfThePoints)
 {
   const auto scene = deskWithThing(0.02f, 0.005f);
-  std::vector<std::size_t> order(scene.points.size());
-  std::iota(order.begin(), order.end(), 0u);
   std::mt19937 rng(8);
-  std::shuffle(order.begin(), order.end(), rng);
+  const auto order = shuffledOrder(scene.points.size(), rng);
   LabelledPoints shuffled;
   for (const auto i : order) {
     shuffled.points.push_back(scene.points[i]);

@@ -132,10 +132,42 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_FLOAT_EQ(segmentation.getBendThreshold(), 23);
   EXPECT_EQ(segmentation.getMinSegmentSize(), 4u);
   EXPECT_TRUE(segmentation.getOptions().separate_structure);
+  EXPECT_TRUE(segmentation.getOptions().separate_things);
+  EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
   EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_growth, 1.05);
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
   EXPECT_EQ(segmentation.getPartition(), Segmentation::Partition::Graph);
   EXPECT_FALSE(segmentation.getInputNormals());
+}
+
+TEST(NoiseResilientLCCPUse, PartsABookFromTheBoxThatItLiesOn)
+{
+  auto scene = floorWithTwoBoxes();
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    auto& point = scene.points[i];
+    if (scene.objects[i] == 2 && point.z() > 0.58f && point.x() > 0.75f &&
+        point.x() < 1.05f && point.y() > 1 && point.y() < 1.2f) {
+      point.z() += 0.025f;
+      scene.objects[i] = 4;
+    }
+  }
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  segmentation.setViewPoint(2, 1, 3);
+  Labels labels;
+  segmentation.segment(labels);
+  const auto errors = richtsfeldErrors(countOverlaps(scene.objects, labels));
+  EXPECT_LT(errors.over, 0.02);
+  EXPECT_LT(errors.under, 0.02);
+  auto options = segmentation.getOptions();
+  options.separate_things = false;
+  segmentation.setOptions(options);
+  segmentation.segment(labels);
+  EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.05);
+  options.up = {0, 0, 0};
+  segmentation.setOptions(options);
+  segmentation.segment(labels);
+  EXPECT_TRUE(labels.empty());
 }
 
 TEST(NoiseResilientLCCPUse, TheThesisKeepsWallsInTheGraph)
