@@ -24,7 +24,7 @@ struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "auto", camera = "auto";
   std::string orientation = "auto", structure = "auto", things = "auto";
-  double union_growth = -1;
+  double union_air = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
   bool ignore_normals = false, remove_outliers = false;
@@ -102,11 +102,12 @@ addPartition(OptionParser& parser, Settings& settings)
             "they lie on (z is up); auto: apart for rooms",
             {"auto", "apart", "joined"})
       .number(
-          "-union_growth",
-          settings.union_growth,
-          "for -partition graph: segments are joined if the hull of both has at most "
-          "this many times their volumes, 0 = never; -1 = " +
-              numberText(ObjectSegmentationOptions().max_union_growth) +
+          "-union_air",
+          settings.union_air,
+          "for -partition graph: segments are joined if the hull of both adds at most "
+          "this much air for their contact, 0 = never; higher gives larger segments; "
+          "-1 = " +
+              numberText(ObjectSegmentationOptions().max_union_air) +
               " for rooms, 0 for the others",
           "",
           Range::between(-1, 1000))
@@ -199,8 +200,8 @@ chosenOptions(const Settings& settings, bool organised)
                                    : settings.structure == "apart";
   options.separate_things =
       settings.things == "auto" ? preset.separate_things : settings.things == "apart";
-  options.max_union_growth =
-      settings.union_growth < 0 ? preset.max_union_growth : settings.union_growth;
+  options.max_union_air =
+      settings.union_air < 0 ? preset.max_union_air : settings.union_air;
   options.adapt_to_resolution = !(settings.voxel_resolution > 0);
   options.partition = settings.partition == "auto"   ? preset.partition
                       : settings.partition == "lccp" ? Partition::Lccp

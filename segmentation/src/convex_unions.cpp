@@ -3,14 +3,14 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/segmentation/convex_unions.h>
+#include <pcl/segmentation/direction_hull.h>
 
 #include <pcl/exceptions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <queue>
@@ -18,80 +18,110 @@
 
 namespace {
 
+using pcl::indoor::commonHull;
 using pcl::indoor::ConvexUnionOptions;
+using pcl::indoor::DirectionHulls;
+using pcl::indoor::hullOfBoth;
+using pcl::indoor::HullReach;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr std::size_t direction_count = 50;
+constexpr double never = std::numeric_limits<double>::infinity();
 
-/** How far a set of places reaches in each of the directions. */
-using Reach = std::array<float, direction_count>;
+/** A set of voxels. */
+struct Piece {
+  std::size_t size = 0; ///< voxels; 0 = there is no such piece
+  HullReach reach;
+  double volume = 0, box_volume = 0; // m^3
+};
 
-/** Fixed directions and the volume between their half-spaces. */
-class Polytopes {
+/** How a piece touches another. */
+struct Contact {
+  double share = 0;  ///< of its voxels that touch the other
+  double length = 0; ///< over the side of a square as large as the piece
+};
+
+Contact
+contactOf(std::size_t size, std::size_t touching)
+{
+  const auto count = static_cast<double>(std::min(size, touching));
+  return {count / static_cast<double>(size),
+          count / std::sqrt(static_cast<double>(size))};
+}
+
+/** What the union of two pieces holds beyond them, over the smaller one. */
+double
+airOf(double both, double common, double a, double b)
+{
+  return (both - a - b + common) / std::min(a, b);
+}
+
+/** The rule by which two pieces are one. */
+class UnionRule {
 public:
-  explicit Polytopes(const Eigen::Matrix3f& axes)
-  : axes_(axes)
+  explicit UnionRule(const ConvexUnionOptions& options)
+  : options_(options)
+  , hulls_(options.axes)
+  {}
+
+  Piece
+  pieceOf(const std::vector<Eigen::Vector3f>& places) const
   {
-    // Normals of a cube's faces, edges and corners, and those half-way between the
-    // first two kinds, shortest first: the axes themselves come at 0 to 5.
-    std::size_t next = 0;
-    for (const int length : {1, 2, 3, 5})
-      for (int x = -2; x <= 2; ++x)
-        for (int y = -2; y <= 2; ++y)
-          for (int z = -2; z <= 2; ++z)
-            if (x * x + y * y + z * z == length)
-              directions_[next++] = Eigen::Vector3f(x, y, z).normalized();
+    Piece piece;
+    piece.size = places.size();
+    piece.reach =
+        hulls_.reachOf(places, 0.5f * static_cast<float>(options_.voxel_size));
+    measure(piece);
+    return piece;
   }
 
-  Reach
-  reachOf(const std::vector<Eigen::Vector3f>& places, float margin) const
-  {
-    Reach reach;
-    std::vector<float> heights(places.size());
-    const auto rest = static_cast<std::ptrdiff_t>(places.size() / 100); // outliers
-    for (std::size_t d = 0; d < direction_count; ++d) {
-      const Eigen::Vector3f direction = axes_ * directions_[d];
-      std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
-        return direction.dot(p);
-      });
-      const auto last = heights.end() - 1 - rest;
-      std::nth_element(heights.begin(), last, heights.end());
-      reach[d] = *last + margin;
-    }
-    return reach;
-  }
-
-  /** By samples in the box around. */
-  double
-  volume(const Reach& reach) const
-  {
-    constexpr int samples = 12; // in each direction
-    const Eigen::Array3f low(-reach[0], -reach[1], -reach[2]);
-    const Eigen::Array3f high(reach[5], reach[4], reach[3]);
-    const Eigen::Array3f step = (high - low) / samples;
-    int inside = 0;
-    for (int x = 0; x < samples; ++x)
-      for (int y = 0; y < samples; ++y)
-        for (int z = 0; z < samples; ++z) {
-          const Eigen::Vector3f place =
-              low + step * (Eigen::Array3f(x, y, z) + Eigen::Array3f::Constant(0.5f));
-          inside += holds(reach, place);
-        }
-    return static_cast<double>(step.prod()) * inside;
-  }
-
-private:
+  /** \return whether the hull has become larger */
   bool
-  holds(const Reach& reach, const Eigen::Vector3f& place) const
+  add(const Piece& other, Piece& piece) const
   {
-    for (std::size_t d = 6; d < direction_count; ++d)
-      if (directions_[d].dot(place) > reach[d])
-        return false;
+    piece.size += other.size;
+    const auto reach = hullOfBoth(piece.reach, other.reach);
+    if (reach == piece.reach)
+      return false;
+    piece.reach = reach;
+    measure(piece);
     return true;
   }
 
-  Eigen::Matrix3f axes_;
-  std::array<Eigen::Vector3f, direction_count> directions_; // in the frame of the axes
+  /** Air for the contact, as a share of what is allowed; never if above it. */
+  double
+  cost(const Piece& a, const Piece& b, const Contact& contact) const
+  {
+    if (contact.length < options_.min_contact_length)
+      return never;
+    const auto both = hullOfBoth(a.reach, b.reach);
+    const double volume = hulls_.volume(both);
+    // Nothing need be in common: a first bound
+    if (airOf(volume, 0, a.volume, b.volume) > options_.max_air)
+      return never;
+    const auto common = commonHull(a.reach, b.reach);
+    const double air = airOf(volume, hulls_.volume(common), a.volume, b.volume);
+    if (air > options_.max_air)
+      return never;
+    const double box_air = airOf(
+        hulls_.boxVolume(both), hulls_.boxVolume(common), a.box_volume, b.box_volume);
+    const auto over = [&](double held, double per_contact) {
+      return per_contact > 0 ? held / (per_contact * contact.share) : never;
+    };
+    const double cost = std::min(over(air, options_.air_per_contact),
+                                 over(box_air, options_.box_air_per_contact));
+    return cost <= 1 ? cost : never;
+  }
+
+private:
+  void
+  measure(Piece& piece) const
+  {
+    piece.volume = hulls_.volume(piece.reach);
+    piece.box_volume = hulls_.boxVolume(piece.reach);
+  }
+
+  ConvexUnionOptions options_;
+  DirectionHulls hulls_;
 };
 
 /** Segments that are joined, each known by one of them. */
@@ -101,38 +131,39 @@ public:
          const std::vector<std::uint8_t>& left_out,
          const std::vector<std::uint32_t>& segment_of_voxel,
          const ConvexUnionOptions& options)
-  : polytopes_(options.axes)
-  , max_growth_(options.max_growth)
+  : rule_(options)
   {
     const auto count =
         1 + *std::max_element(segment_of_voxel.begin(), segment_of_voxel.end());
     parent_.resize(count);
     std::iota(parent_.begin(), parent_.end(), 0u);
     version_.assign(count, 0);
-    reach_.resize(count);
-    volume_.assign(count, 0);
-    neighbors_.resize(count);
+    pieces_.resize(count);
+    touching_.resize(count);
     std::vector<std::vector<Eigen::Vector3f>> places(count);
+    std::vector<std::uint32_t> around;
     for (std::size_t v = 0; v < voxels.size(); ++v) {
       if (left_out[v])
         continue;
       const auto segment = segment_of_voxel[v];
       places[segment].push_back(voxels.centroids[v]);
+      around.clear();
       for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
            ++j) {
         const auto other = voxels.neighbors.targets[j];
         if (!left_out[other] && segment_of_voxel[other] != segment)
-          neighbors_[segment][segment_of_voxel[other]] = true;
+          around.push_back(segment_of_voxel[other]);
       }
+      std::sort(around.begin(), around.end());
+      around.erase(std::unique(around.begin(), around.end()), around.end());
+      for (const auto other : around)
+        ++touching_[segment][other];
     }
-    const float margin = 0.5f * static_cast<float>(options.voxel_size);
     for (std::uint32_t s = 0; s < count; ++s)
-      if (!places[s].empty()) {
-        reach_[s] = polytopes_.reachOf(places[s], margin);
-        volume_[s] = polytopes_.volume(reach_[s]);
-      }
+      if (!places[s].empty())
+        pieces_[s] = rule_.pieceOf(places[s]);
     for (std::uint32_t a = 0; a < count; ++a)
-      for (const auto& entry : neighbors_[a])
+      for (const auto& entry : touching_[a])
         if (a < entry.first)
           propose(a, entry.first);
   }
@@ -141,11 +172,17 @@ public:
   joinAll()
   {
     while (!queue_.empty()) {
-      const auto [growth, a, b, version_a, version_b] = queue_.top();
+      const auto [cost, a, b, version_a, version_b] = queue_.top();
       queue_.pop();
-      // A segment that was joined since has another version, or another name.
-      if (version_[a] == version_a && version_[b] == version_b)
+      // A segment whose hull has grown has another version, or another name.
+      if (version_[a] != version_a || version_[b] != version_b)
+        continue;
+      // What was joined without making a hull larger may still have changed the cost.
+      const double cost_now = costOf(a, b);
+      if (cost_now <= cost)
         join(a, b);
+      else if (cost_now < never)
+        queue_.emplace(cost_now, a, b, version_a, version_b);
     }
   }
 
@@ -161,64 +198,75 @@ private:
   using Proposal =
       std::tuple<double, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 
-  Reach
-  reachOfBoth(std::uint32_t a, std::uint32_t b) const
+  double
+  costOf(std::uint32_t a, std::uint32_t b) const
   {
-    Reach both;
-    for (std::size_t d = 0; d < direction_count; ++d)
-      both[d] = std::max(reach_[a][d], reach_[b][d]);
-    return both;
+    const auto contact_a = contactOf(pieces_[a].size, touching_[a].at(b)),
+               contact_b = contactOf(pieces_[b].size, touching_[b].at(a));
+    return rule_.cost(pieces_[a],
+                      pieces_[b],
+                      contact_a.share > contact_b.share ? contact_a : contact_b);
   }
 
   void
   propose(std::uint32_t a, std::uint32_t b)
   {
-    const double growth =
-        polytopes_.volume(reachOfBoth(a, b)) / (volume_[a] + volume_[b]);
-    if (growth <= max_growth_)
-      queue_.emplace(growth,
-                     std::min(a, b),
-                     std::max(a, b),
-                     version_[std::min(a, b)],
-                     version_[std::max(a, b)]);
+    const double cost = costOf(a, b);
+    const auto first = std::min(a, b), second = std::max(a, b);
+    if (cost < never)
+      queue_.emplace(cost, first, second, version_[first], version_[second]);
   }
 
   void
   join(std::uint32_t a, std::uint32_t b)
   {
-    const bool a_has_more = neighbors_[a].size() >= neighbors_[b].size();
+    const bool a_has_more = touching_[a].size() >= touching_[b].size();
     const auto kept = a_has_more ? a : b, gone = a_has_more ? b : a;
-    const Reach both = reachOfBoth(a, b);
-    const bool grows = both != reach_[kept];
-    if (grows) {
-      reach_[kept] = both;
-      volume_[kept] = polytopes_.volume(both);
-      ++version_[kept];
-    }
-    parent_[gone] = kept;
+    const bool grows = rule_.add(pieces_[gone], pieces_[kept]);
+    version_[kept] += grows;
     ++version_[gone];
-    std::map<std::uint32_t, bool> moved;
-    moved.swap(neighbors_[gone]);
+    parent_[gone] = kept;
+    std::map<std::uint32_t, std::size_t> moved;
+    moved.swap(touching_[gone]);
     moved.erase(kept);
-    neighbors_[kept].erase(gone);
-    for (const auto& entry : moved) {
-      neighbors_[entry.first].erase(gone);
-      neighbors_[entry.first][kept] = true;
-      neighbors_[kept][entry.first] = true;
+    touching_[kept].erase(gone);
+    for (const auto& [other, count] : moved) {
+      touching_[kept][other] += count;
+      touching_[other][kept] += touching_[other].at(gone);
+      touching_[other].erase(gone);
     }
     // What a segment proposed before holds on if only its inside was filled.
-    for (const auto& entry : grows ? neighbors_[kept] : moved)
+    for (const auto& entry : grows ? touching_[kept] : moved)
       propose(kept, entry.first);
   }
 
-  Polytopes polytopes_;
-  double max_growth_;
+  UnionRule rule_;
   std::vector<std::uint32_t> parent_, version_;
-  std::vector<Reach> reach_;
-  std::vector<double> volume_;
-  std::vector<std::map<std::uint32_t, bool>> neighbors_;
+  std::vector<Piece> pieces_;
+  /** by the other segment: how many voxels touch it; voxels of segments that were
+   * joined may count twice */
+  std::vector<std::map<std::uint32_t, std::size_t>> touching_;
   std::priority_queue<Proposal, std::vector<Proposal>, std::greater<Proposal>> queue_;
 };
+
+void
+requireValid(const ConvexUnionOptions& options)
+{
+  const auto require = [](double value, const char* name) {
+    if (!(value >= 0))
+      PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                          "Convex unions need " << name << " of at least 0, not "
+                                                << value << ".");
+  };
+  require(options.air_per_contact, "air per contact");
+  require(options.box_air_per_contact, "air of boxes per contact");
+  require(options.max_air, "a limit of the air");
+  require(options.min_contact_length, "a length of contact");
+  if (!(options.voxel_size > 0))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "Convex unions need a positive voxel size, not "
+                            << options.voxel_size << " m.");
+}
 
 } // namespace
 
@@ -236,13 +284,8 @@ joinConvexUnions(const SurfaceVoxels& voxels,
                         voxels.size()
                             << " voxels have " << left_out.size() << " flags and "
                             << segment_of_voxel.size() << " segments.");
-  if (!(options.max_growth >= 0) || !(options.voxel_size > 0))
-    PCL_THROW_EXCEPTION(
-        pcl::BadArgumentException,
-        "Convex unions need a growth of at least 0 and a positive voxel "
-        "size, not "
-            << options.max_growth << " and " << options.voxel_size << ".");
-  if (voxels.size() == 0 || options.max_growth == 0)
+  requireValid(options);
+  if (voxels.size() == 0 || options.air_per_contact == 0)
     return;
   Unions unions(voxels, left_out, segment_of_voxel, options);
   unions.joinAll();

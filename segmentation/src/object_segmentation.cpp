@@ -294,7 +294,7 @@ segmentObjects(const ObjectSegmentationInput& input,
   ObjectSegmentation result;
   result.voxel_size = options.voxel_size;
   ConvexUnionOptions unions;
-  unions.max_growth = options.max_union_growth;
+  unions.air_per_contact = options.max_union_air;
   unions.voxel_size = options.voxel_size;
   unions.axes = makeVoxels(input, options, result);
   const auto in_plane = flagsOf(result.plane_of_voxel);

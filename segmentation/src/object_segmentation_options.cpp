@@ -30,9 +30,9 @@ findInvalidOption(const ObjectSegmentationOptions& options)
           "seed resolution must be at least the voxel resolution",
           options.seed_size,
           " m");
-  require(not_negative(options.max_union_growth),
-          "growth of convex unions must not be negative",
-          options.max_union_growth);
+  require(not_negative(options.max_union_air),
+          "air of convex unions must not be negative",
+          options.max_union_air);
   require(std::abs(options.up.norm() - 1) < 1e-3f,
           "direction up must have the length 1",
           options.up.norm());
@@ -107,7 +107,7 @@ singleViewOptions()
   options.min_segment_size = 6;
   options.separate_structure = false;
   options.separate_things = false;
-  options.max_union_growth = 0;
+  options.max_union_air = 0;
   return options;
 }
 

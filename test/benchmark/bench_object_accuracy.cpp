@@ -116,7 +116,7 @@ makeMethods(unsigned threads)
   ObjectSegmentationOptions lccp, old_lccp, no_unions;
   lccp.partition = old_lccp.partition = Partition::Lccp;
   old_lccp.separate_structure = false;
-  no_unions.max_union_growth = 0;
+  no_unions.max_union_air = 0;
   return {{"LCCP, example's defaults", upstream(plain)},
           {"LCCP, tuned", upstream(tuned)},
           {"the thesis's setting", own(thesisOptions())},

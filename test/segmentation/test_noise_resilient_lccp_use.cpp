@@ -134,7 +134,7 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_TRUE(segmentation.getOptions().separate_structure);
   EXPECT_TRUE(segmentation.getOptions().separate_things);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
-  EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_growth, 1.05);
+  EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_air, 5);
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
   EXPECT_EQ(segmentation.getPartition(), Segmentation::Partition::Graph);
   EXPECT_FALSE(segmentation.getInputNormals());
@@ -185,7 +185,7 @@ TEST(NoiseResilientLCCPUse, TheThesisKeepsWallsInTheGraph)
   segmentation.segment(labels);
   EXPECT_TRUE(segmentation.getStructureIndices().empty());
   auto wrong = thesis;
-  wrong.max_union_growth = -1;
+  wrong.max_union_air = -1;
   segmentation.setOptions(wrong);
   segmentation.segment(labels);
   EXPECT_TRUE(labels.empty());

@@ -58,9 +58,9 @@ struct ObjectSegmentationOptions {
   Partition partition = Partition::Graph;
   float bend_threshold_degrees = 23; ///< for Partition::Graph (-180 to 180)
   BendOptions bend;                  ///< for Partition::Graph
-  /** join segments whose union is as convex as they are, see ConvexUnionOptions; for
-   * Partition::Graph (>= 0, 0 = never) */
-  double max_union_growth = 1.05;
+  /** join segments whose hulls leave little air between them for their contact, see
+   * ConvexUnionOptions::air_per_contact; for Partition::Graph (>= 0, 0 = never) */
+  double max_union_air = 5;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
