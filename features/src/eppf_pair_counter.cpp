@@ -72,9 +72,10 @@ PairCounter::PairCounter(const std::vector<OrientedPoint>& points,
 , bins_per_metre_(static_cast<float>(options.bins.distance / scale))
 {
   setBorders();
-  surflets_.reserve(points.size());
-  for (const auto& point : points)
-    surflets_.push_back({point.position, point.normal, grid_.cell(point.position)});
+  surflets_.resize(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    surflets_[k] = {
+        points[k].position, points[k].normal, grid_.cell(points[k].position)};
   if (options.normal_sides != NormalSides::Outward)
     return;
   const Eigen::Vector3f centroid = centroidOf(points);

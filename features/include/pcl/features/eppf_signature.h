@@ -13,9 +13,10 @@ namespace pcl {
 
 /** \brief The enhanced point pair feature (EPPF) histogram of an object, 1,200 bins.
  *
- * The bins are those of EPPFEstimation: by default 8 of the distance, 15 of the
- * surface angles, 5 of the normal angle and 2 of the occupancy, the last one fastest.
- * They add up to 1; all are NaN if the object had no usable pair of points.
+ * The bins are those of EPPFEstimation: by default, of pairs, 4 of the distance, 15 of
+ * the surface angles, 5 of the normal angle and 2 of the occupancy, the last one
+ * fastest; then 5 x 5 x 4 x 6 of places, see indoor::surfacePlaces(). They add up to 1;
+ * all are NaN if the object had no usable pair of points.
  * \ingroup features
  */
 struct EPPFSignature1200 {
@@ -28,7 +29,7 @@ struct EPPFSignature1200 {
   }
 };
 
-/** \brief The short EPPF histogram: 9 x 6 x 5 x 2 = 540 bins.
+/** \brief The short EPPF histogram: 540 bins, of pairs and of places.
  * \ingroup features
  */
 struct EPPFSignature540 {
