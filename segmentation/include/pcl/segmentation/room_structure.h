@@ -20,7 +20,8 @@ struct RoomStructureOptions {
   /** share of the room's extent that a plane has in one of its directions (0 to 1) */
   double min_span = 0.85;
   double min_length = 1.5; ///< in that direction, metres (>= 0): rooms are not lower
-  /** share of a plane that has nothing behind it, however far (0 to 1) */
+  /** share of a plane that has nothing behind it, from two voxels on however far (0 to
+   * 1): the double of a wall is nearer */
   double min_free = 0.7;
   /** points count to a plane within this many standard deviations of it (> 0) */
   double deviations = 3;
