@@ -68,10 +68,10 @@ std::vector<OrientedPoint>
 arranged(const std::vector<OrientedPoint>& points,
          const std::vector<std::uint32_t>& order)
 {
-  std::vector<OrientedPoint> result;
-  result.reserve(order.size());
-  for (const auto index : order)
-    result.push_back(points[index]);
+  std::vector<OrientedPoint> result(order.size());
+  std::transform(order.begin(), order.end(), result.begin(), [&](std::uint32_t index) {
+    return points[index];
+  });
   return result;
 }
 

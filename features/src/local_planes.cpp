@@ -31,12 +31,16 @@ PointColumns::PointColumns(const std::vector<OrientedPoint>& points,
                            const std::vector<std::uint32_t>& order)
 {
   const std::size_t count = std::min(points.size(), most_points);
+  indices.resize(count);
+  x.resize(count);
+  y.resize(count);
+  z.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
-    indices.push_back(order[k * points.size() / count]);
-    const auto& position = points[indices.back()].position;
-    x.push_back(position.x());
-    y.push_back(position.y());
-    z.push_back(position.z());
+    indices[k] = order[k * points.size() / count];
+    const auto& position = points[indices[k]].position;
+    x[k] = position.x();
+    y[k] = position.y();
+    z[k] = position.z();
   }
   makeBlocks();
 }
@@ -52,11 +56,16 @@ PointColumns::makeBlocks()
     upper = upper.max(at(k).array());
   }
   const float scale = 7.999f / std::max((upper - lower).maxCoeff(), 1e-30f);
-  Eigen::Array3i last_cell = Eigen::Array3i::Constant(-1);
+  const auto cellOf = [&](const Eigen::Array3f& place) {
+    const Eigen::Array3f cell = (place - lower) * scale;
+    return static_cast<int>(cell[0]) << 6 | static_cast<int>(cell[1]) << 3 |
+           static_cast<int>(cell[2]);
+  };
+  int last_cell = -1;
   for (std::size_t k = 0; k < size(); ++k) {
     const Eigen::Array3f place = at(k).array();
-    const Eigen::Array3i cell = ((place - lower) * scale).cast<int>();
-    if ((cell != last_cell).any())
+    const int cell = cellOf(place);
+    if (cell != last_cell)
       blocks.push_back({place, place, k, k});
     last_cell = cell;
     auto& block = blocks.back();

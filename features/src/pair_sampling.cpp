@@ -36,13 +36,14 @@ void
 sortByCode(std::vector<Coded>& order)
 {
   std::vector<Coded> sorted(order.size());
-  for (unsigned int shift = 0; shift < 30; shift += 10) {
-    std::array<std::uint32_t, 1025> starts{};
+  std::array<std::array<std::uint32_t, 1025>, 3> starts{};
+  for (const auto& one : order)
+    for (unsigned int pass = 0; pass < 3; ++pass)
+      ++starts[pass][((one.code >> 10 * pass) & 1023u) + 1];
+  for (unsigned int pass = 0; pass < 3; ++pass) {
+    std::partial_sum(starts[pass].begin(), starts[pass].end(), starts[pass].begin());
     for (const auto& one : order)
-      ++starts[((one.code >> shift) & 1023u) + 1];
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    for (const auto& one : order)
-      sorted[starts[(one.code >> shift) & 1023u]++] = one;
+      sorted[starts[pass][(one.code >> 10 * pass) & 1023u]++] = one;
     order.swap(sorted);
   }
 }
@@ -61,14 +62,14 @@ spaceFillingOrder(const std::vector<OrientedPoint>& points)
     upper = upper.max(point.position.array());
   }
   const float edge = std::max((upper - lower).maxCoeff(), 1e-30f);
-  std::vector<Coded> order;
-  order.reserve(points.size());
-  for (const auto& point : points) {
-    const Eigen::Array3f place = (point.position.array() - lower) * (1023.0f / edge);
-    const auto code = spreadBits(static_cast<std::uint32_t>(place[0])) << 2 |
-                      spreadBits(static_cast<std::uint32_t>(place[1])) << 1 |
-                      spreadBits(static_cast<std::uint32_t>(place[2]));
-    order.push_back({code, static_cast<std::uint32_t>(order.size())});
+  const float scale = 1023.0f / edge;
+  std::vector<Coded> order(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Eigen::Array3f place = (points[k].position.array() - lower) * scale;
+    order[k] = {spreadBits(static_cast<std::uint32_t>(place[0])) << 2 |
+                    spreadBits(static_cast<std::uint32_t>(place[1])) << 1 |
+                    spreadBits(static_cast<std::uint32_t>(place[2])),
+                static_cast<std::uint32_t>(k)};
   }
   sortByCode(order);
   // Points of one cell of the curve by their coordinates: no order of the input counts.
@@ -84,10 +85,10 @@ spaceFillingOrder(const std::vector<OrientedPoint>& points)
       });
     first = last;
   }
-  std::vector<std::uint32_t> indices;
-  indices.reserve(order.size());
-  for (const auto& one : order)
-    indices.push_back(one.index);
+  std::vector<std::uint32_t> indices(order.size());
+  std::transform(order.begin(), order.end(), indices.begin(), [](const Coded& one) {
+    return one.index;
+  });
   return indices;
 }
 

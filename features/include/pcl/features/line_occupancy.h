@@ -47,7 +47,21 @@ public:
 
   /** \brief The voxel of a place; places outside go to the nearest voxel. */
   Cell
-  cell(const Eigen::Vector3f& position) const;
+  cell(const Eigen::Vector3f& position) const
+  {
+    const Eigen::Array3f place = ((position - origin_) * inverse_voxel_size_).array();
+    const Eigen::Array3f inside = place.max(0.0f).min(largest_coordinate_);
+    // A little below the middle: where a line passes exactly between two voxels it then
+    // goes through the lower one, however its step was rounded. The 63 roundings of a
+    // line add up to less than this, and any other place is farther than 1 / 126 from a
+    // border.
+    constexpr Cell center = (Cell{1} << (fraction_bits - 1)) - 64;
+    const auto field = [&](int axis, int bits) {
+      const Cell voxel = static_cast<std::uint32_t>(inside[axis]);
+      return ((voxel << fraction_bits) + center) << bits;
+    };
+    return field(0, 42) | field(1, 21) | field(2, 0);
+  }
 
   /** \brief Whether a voxel is occupied. */
   bool

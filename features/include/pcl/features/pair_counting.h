@@ -13,7 +13,7 @@
 namespace pcl {
 namespace indoor {
 
-constexpr std::size_t pair_block_size = 1024; ///< pairs that are worked on together
+constexpr std::size_t pair_block_size = 512; ///< pairs that are worked on together
 
 /** \brief Number of threads to use for a number asked for, 0 meaning all. */
 int
