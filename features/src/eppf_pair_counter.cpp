@@ -80,8 +80,8 @@ PairCounter::PairCounter(const std::vector<OrientedPoint>& points,
     return;
   const Eigen::Vector3f centroid = centroidOf(points);
   for (auto& surflet : surflets_)
-    if (surflet.normal.dot(surflet.position - centroid) < 0.0f)
-      surflet.normal = -surflet.normal;
+    surflet.normal *=
+        surflet.normal.dot(surflet.position - centroid) < 0.0f ? -1.0f : 1.0f;
 }
 
 void
