@@ -9,6 +9,8 @@
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_graph.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -140,23 +142,56 @@ viewpointsIn(const FreeSpaceGrid& grid, const FreeSpaceOptions& options)
   return viewpoints;
 }
 
-/** The viewpoints nearest to a position; ties by number. */
-void
-chooseNearest(const std::vector<Eigen::Vector3f>& viewpoints,
-              const Eigen::Vector3f& position,
-              std::size_t count,
-              std::vector<std::pair<float, std::uint32_t>>& nearest)
-{
-  nearest.clear();
-  for (std::uint32_t i = 0; i < viewpoints.size(); ++i)
-    nearest.emplace_back((viewpoints[i] - position).squaredNorm(), i);
-  if (nearest.size() <= count)
-    return;
-  std::nth_element(nearest.begin(),
-                   nearest.begin() + static_cast<std::ptrdiff_t>(count),
-                   nearest.end());
-  nearest.resize(count);
-}
+/** Finds the viewpoints nearest to positions, which are taken block by block. */
+class NearestViewpoints {
+public:
+  using Ranked = std::pair<float, std::uint32_t>; // squared distance, number
+
+  NearestViewpoints(const std::vector<Eigen::Vector3f>& viewpoints, std::size_t count)
+  : viewpoints_(viewpoints)
+  , count_(std::min(count, viewpoints.size()))
+  {}
+
+  /** \brief Prepare for positions in a box: only viewpoints that are among the nearest
+   * of some place in it are looked at from then on. */
+  void
+  enterBlock(const Eigen::AlignedBox3f& box)
+  {
+    ranked_.clear();
+    for (std::uint32_t i = 0; i < viewpoints_.size(); ++i) {
+      const Eigen::Array3f to_low = (viewpoints_[i] - box.min()).array().abs();
+      const Eigen::Array3f to_high = (viewpoints_[i] - box.max()).array().abs();
+      ranked_.emplace_back(to_low.max(to_high).square().sum(), i);
+    }
+    const auto last = ranked_.begin() + static_cast<std::ptrdiff_t>(count_ - 1);
+    std::nth_element(ranked_.begin(), last, ranked_.end());
+    const float farthest = last->first * 1.0001f;
+    candidates_.clear();
+    for (std::uint32_t i = 0; i < viewpoints_.size(); ++i)
+      if (box.squaredExteriorDistance(viewpoints_[i]) <= farthest)
+        candidates_.push_back(i);
+  }
+
+  /** \return nearest first, ties by number */
+  const std::vector<Ranked>&
+  nearestTo(const Eigen::Vector3f& position)
+  {
+    ranked_.clear();
+    for (const auto i : candidates_)
+      ranked_.emplace_back((viewpoints_[i] - position).squaredNorm(), i);
+    std::partial_sort(ranked_.begin(),
+                      ranked_.begin() + static_cast<std::ptrdiff_t>(count_),
+                      ranked_.end());
+    ranked_.resize(count_);
+    return ranked_;
+  }
+
+private:
+  const std::vector<Eigen::Vector3f>& viewpoints_;
+  std::size_t count_;
+  std::vector<Ranked> ranked_;
+  std::vector<std::uint32_t> candidates_;
+};
 
 /** Votes of the viewpoints on the sides of the normals; positive: keep the normal. */
 std::vector<float>
@@ -166,21 +201,29 @@ collectVotes(const std::vector<Eigen::Vector3f>& positions,
              const FreeSpaceGrid& grid,
              const FreeSpaceOptions& options)
 {
+  constexpr double block_size = 2; // metres
   std::vector<float> votes(positions.size(), 0.0f);
-  const auto count = static_cast<std::ptrdiff_t>(positions.size());
-  const auto stride = static_cast<std::ptrdiff_t>(options.sample_stride);
+  std::vector<Eigen::Vector3f> sampled;
+  for (std::size_t i = 0; i < positions.size(); i += options.sample_stride)
+    sampled.push_back(positions[i]);
+  const auto blocks = pcl::indoor::groupByCell(sampled, block_size);
 #pragma omp parallel num_threads(threadCount(options.threads))
   {
-    std::vector<std::pair<float, std::uint32_t>> nearest;
-#pragma omp for schedule(dynamic, 256)
-    for (std::ptrdiff_t i = 0; i < count; i += stride) {
-      chooseNearest(viewpoints, positions[i], options.viewpoints, nearest);
-      std::sort(nearest.begin(), nearest.end()); // a fixed order of the sum
-      for (const auto& entry : nearest) {
-        const auto& viewpoint = viewpoints[entry.second];
-        const float cosine = (viewpoint - positions[i]).normalized().dot(normals[i]);
-        if (std::abs(cosine) > 0.1f && grid.sees(viewpoint, positions[i]))
-          votes[i] += cosine;
+    NearestViewpoints nearest(viewpoints, options.viewpoints);
+#pragma omp for schedule(dynamic, 1)
+    for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks.size()); ++b) {
+      Eigen::AlignedBox3f box;
+      for (auto j = blocks.offsets[b]; j < blocks.offsets[b + 1]; ++j)
+        box.extend(sampled[blocks.points[j]]);
+      nearest.enterBlock(box);
+      for (auto j = blocks.offsets[b]; j < blocks.offsets[b + 1]; ++j) {
+        const auto i = blocks.points[j] * options.sample_stride;
+        for (const auto& entry : nearest.nearestTo(positions[i])) {
+          const auto& viewpoint = viewpoints[entry.second];
+          const float cosine = (viewpoint - positions[i]).normalized().dot(normals[i]);
+          if (std::abs(cosine) > 0.1f && grid.sees(viewpoint, positions[i]))
+            votes[i] += cosine;
+        }
       }
     }
   }

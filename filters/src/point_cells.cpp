@@ -41,16 +41,18 @@ public:
   }
 
 private:
+  /** The highest bits of the product: all bits of the key have a say in them. */
   std::size_t
   slotOf(std::uint64_t key) const
   {
-    return ((key * 0x9e3779b97f4a7c15ull) >> 20) & (slots_.size() - 1);
+    return (key * 0x9e3779b97f4a7c15ull) >> (64 - slot_bits_);
   }
 
   void
   grow()
   {
-    slots_.assign(slots_.size() * 4, no_cell);
+    slot_bits_ += 2;
+    slots_.assign(std::size_t(1) << slot_bits_, no_cell);
     for (std::size_t i = 0; i < keys_.size(); ++i) {
       std::size_t slot = slotOf(keys_[i]);
       while (slots_[slot] != no_cell)
@@ -60,6 +62,7 @@ private:
   }
 
   std::vector<std::uint64_t> keys_;
+  int slot_bits_ = 12;
   std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(1 << 12, no_cell);
 };
 
