@@ -179,8 +179,8 @@ private:
     return frame_ * position.cast<double>();
   }
 
-  /** Points on the surface and above it, as high as things may be, with their cells;
-   * their heights go into the map. */
+  /** Points on the surface and above it with their cells; their heights go into the
+   * map. */
   std::vector<std::pair<std::uint32_t, std::uint32_t>>
   pointsAbove(const std::vector<std::uint32_t>& members,
               const Level& level,
@@ -195,11 +195,10 @@ private:
         std::uint32_t cell = 0;
         if (!(height > -options_.voxel_size / 2) || !map.find(place.head<2>(), cell))
           continue;
-        if (height > options_.max_height) {
+        if (height > options_.max_height)
           map.addHigh(cell);
-          continue;
-        }
-        map.add(cell, height);
+        else
+          map.add(cell, height);
         found.emplace_back(cells.points[i], cell);
       }
     return found;

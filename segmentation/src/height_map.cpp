@@ -11,8 +11,8 @@
 namespace {
 
 constexpr double empty = std::numeric_limits<double>::quiet_NaN();
-constexpr double outline_share = 0.35; // of a thing's height
-constexpr double most_high_points = 0.05;
+constexpr double outline_share = 0.35;   // of a thing's height
+constexpr double most_high_points = 0.3; // with more it is part of a higher one
 
 double
 quantile(std::vector<double>& values, double share)

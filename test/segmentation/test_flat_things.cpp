@@ -106,6 +106,17 @@ TEST(FlatThings, LeavesWhatIsHigherThanAThing)
   EXPECT_EQ(segmentCount(parted(tower, higher)), 2u);
 }
 
+TEST(FlatThings, TakesWhatStandsOnAThingAlong)
+{
+  auto scene = deskWithThing(0.05f, 0.003f);
+  std::mt19937 rng(6);
+  scene.addRectangle(
+      {0.7f, 0.38f, 0.05f}, {0, 0.04f, 0}, {0, 0, 0.3f}, {1, 0, 0}, 2, 0.007f, 0, rng);
+  const auto labels = parted(scene);
+  EXPECT_EQ(segmentCount(labels), 2u);
+  EXPECT_LT(errorShare(scene, labels), 0.02);
+}
+
 TEST(FlatThings, KeepsVoxelsThatAreLeftOut)
 {
   EXPECT_EQ(segmentCount(parted(deskWithThing(0.02f, 0.005f), {}, true)), 1u);

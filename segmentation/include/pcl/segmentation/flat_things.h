@@ -17,9 +17,11 @@ struct FlatThingOptions {
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< against gravity, unit length
   double voxel_size =
       0.03; ///< of the voxels, and of the cells of heights, metres (> 0)
-  double max_height = 0.12; ///< higher ones have sides that part them, metres (> 0)
-  double min_surface = 64;  ///< area of the surface, voxels (>= 1)
-  double min_area = 4;      ///< area of a thing, voxels (>= 1)
+  /** metres (> 0); a thing with more than 30 % of its points above this has sides that
+   * part it */
+  double max_height = 0.12;
+  double min_surface = 64; ///< area of the surface, voxels (>= 1)
+  double min_area = 4;     ///< area of a thing, voxels (>= 1)
   /** a thing rises this many standard deviations of the surface's heights (> 0) */
   double deviations = 3;
   double min_rise = 0.1; ///< and at least this, voxels (> 0)
