@@ -13,21 +13,11 @@
 namespace pcl {
 namespace indoor {
 
-constexpr std::size_t pair_block_size = 512; ///< most pairs worked on together
+constexpr std::size_t pair_block_size = 512; ///< pairs that are worked on together
 
 /** \brief Number of threads to use for a number asked for, 0 meaning all. */
 int
 pairThreadCount(unsigned int wanted);
-
-/** \brief Size of a block, so that every thread gets as many blocks as the others. */
-inline std::size_t
-evenBlockSize(std::size_t pair_count, int threads)
-{
-  const auto count = static_cast<std::size_t>(threads);
-  const std::size_t rounds =
-      (pair_count + count * pair_block_size - 1) / (count * pair_block_size);
-  return std::max<std::size_t>(1, (pair_count + count * rounds - 1) / (count * rounds));
-}
 
 /** \brief Counts of all pairs per bin, block after block on several threads.
  *
@@ -44,17 +34,13 @@ countPairs(std::size_t pair_count,
            const CountBlock& count_block)
 {
   std::vector<Count> counts(bin_count);
-  if (pair_count == 0)
-    return counts;
-  const int threads = static_cast<int>(
-      std::min<std::size_t>(pairThreadCount(number_of_threads),
-                            (pair_count + pair_block_size - 1) / pair_block_size));
-  const std::size_t block_size = evenBlockSize(pair_count, threads);
   const auto block_count =
-      static_cast<std::int64_t>((pair_count + block_size - 1) / block_size);
+      static_cast<std::int64_t>((pair_count + pair_block_size - 1) / pair_block_size);
+  const int threads = static_cast<int>(
+      std::min<std::int64_t>(pairThreadCount(number_of_threads), block_count));
   const auto count = [&](std::int64_t block, std::vector<Count>& own) {
-    const std::size_t first = static_cast<std::size_t>(block) * block_size;
-    count_block(first, std::min(first + block_size, pair_count), own);
+    const std::size_t first = static_cast<std::size_t>(block) * pair_block_size;
+    count_block(first, std::min(first + pair_block_size, pair_count), own);
   };
   if (threads == 1) {
     for (std::int64_t block = 0; block < block_count; ++block)
