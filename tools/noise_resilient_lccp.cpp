@@ -98,7 +98,7 @@ addPartition(OptionParser& parser, Settings& settings)
             {"auto", "apart", "joined"})
       .text("-things",
             settings.things,
-            "flat things, up to the seed resolution high, and the horizontal surface "
+            "flat things, up to about 0.12 m high, and the horizontal surface "
             "they lie on (z is up); auto: apart for rooms",
             {"auto", "apart", "joined"})
       .number(
