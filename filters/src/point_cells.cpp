@@ -94,8 +94,13 @@ sortCells(pcl::indoor::PointCells& cells, const std::vector<std::uint64_t>& keys
     cell = rank[cell];
 }
 
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
 void
-listPoints(pcl::indoor::PointCells& cells)
+listPoints(PointCells& cells)
 {
   cells.offsets.assign(cells.size() + 1, 0);
   for (const auto cell : cells.cell_of_point)
@@ -106,11 +111,6 @@ listPoints(pcl::indoor::PointCells& cells)
   for (std::size_t i = 0; i < cells.cell_of_point.size(); ++i)
     cells.points[next[cells.cell_of_point[i]]++] = static_cast<std::uint32_t>(i);
 }
-
-} // namespace
-
-namespace pcl {
-namespace indoor {
 
 PointCells
 groupByCell(const std::vector<Eigen::Vector3f>& points, double cell_size)

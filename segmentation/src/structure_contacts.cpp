@@ -12,7 +12,6 @@
 namespace {
 
 using pcl::indoor::Adjacency;
-using pcl::indoor::PointCells;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
@@ -97,21 +96,6 @@ nearestSurface(const Eigen::Vector3f& point,
   return nearest;
 }
 
-/** Sort the points into the cells anew. */
-void
-regroup(PointCells& cells)
-{
-  auto& offsets = cells.offsets;
-  std::fill(offsets.begin(), offsets.end(), 0);
-  for (const auto cell : cells.cell_of_point)
-    ++offsets[cell + 1];
-  for (std::size_t cell = 0; cell < cells.size(); ++cell)
-    offsets[cell + 1] += offsets[cell];
-  auto next = offsets;
-  for (std::uint32_t i = 0; i < cells.cell_of_point.size(); ++i)
-    cells.points[next[cells.cell_of_point[i]]++] = i;
-}
-
 } // namespace
 
 namespace pcl {
@@ -160,7 +144,7 @@ yieldContacts(const std::vector<Eigen::Vector3f>& points,
       voxel = nearest;
     }
   }
-  regroup(voxels.cells);
+  listPoints(voxels.cells);
   return yielded;
 }
 

@@ -51,6 +51,13 @@ struct Adjacency {
 PointCells
 groupByCell(const std::vector<Eigen::Vector3f>& points, double cell_size);
 
+/** \brief Sort the points into their cells anew, in ascending order in each.
+ * \param[in,out] cells whose cell_of_point says where they belong; there may be cells
+ * without points
+ */
+void
+listPoints(PointCells& cells);
+
 /** \brief Find the up to 26 occupied cells around each cell.
  * \param[in] keys as made by groupByCell()
  */
