@@ -160,8 +160,11 @@ fill(const std::vector<Eigen::Vector3f>& points,
 Eigen::Matrix2d
 OccupancyGrid::turn() const
 {
-  const double cosine = std::cos(yaw), sine = std::sin(yaw);
-  return (Eigen::Matrix2d() << cosine, sine, -sine, cosine).finished();
+  const Turn turn(yaw);
+  Eigen::Matrix2d matrix;
+  matrix << turn(Eigen::Vector3d::UnitX()).head<2>(),
+      turn(Eigen::Vector3d::UnitY()).head<2>();
+  return matrix;
 }
 
 Eigen::Vector3d
