@@ -4,6 +4,8 @@
  */
 #include "cloud_file.h"
 
+#include "support/folder_test.h"
+
 #include <pcl/conversions.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
@@ -20,31 +22,8 @@ using namespace pcl::indoor::tool;
 
 namespace {
 
-/** A folder of its own for each test, gone afterwards. */
-class CloudFiles : public testing::Test {
+class CloudFiles : public pcl::indoor::test::FolderTest {
 protected:
-  void
-  SetUp() override
-  {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("pcl_indoor_" + std::string(test->name()) +
-               std::to_string(std::random_device()()));
-    std::filesystem::create_directories(folder_);
-  }
-
-  void
-  TearDown() override
-  {
-    std::filesystem::remove_all(folder_);
-  }
-
-  std::string
-  path(const std::string& name) const
-  {
-    return (folder_ / name).string();
-  }
-
   std::string
   write(const std::string& name, const std::string& text) const
   {
@@ -56,11 +35,8 @@ protected:
   fileCount() const
   {
     return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(folder_), {}));
+        std::distance(std::filesystem::directory_iterator(path("")), {}));
   }
-
-private:
-  std::filesystem::path folder_;
 };
 
 pcl::PointCloud<pcl::PointXYZINormal>
