@@ -5,6 +5,7 @@
 #include <pcl/segmentation/flat_things.h>
 
 #include "height_map.h"
+#include "quantile.h"
 
 #include <pcl/exceptions.h>
 
@@ -13,28 +14,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace {
 
+using pcl::indoor::deviation_per_median;
 using pcl::indoor::FlatThingOptions;
 using pcl::indoor::HeightMap;
+using pcl::indoor::quantile;
 using pcl::indoor::SurfaceVoxels;
 
 constexpr double level_cosine = 0.9; // normals of a horizontal surface: 26 degrees
 constexpr double most_cells = 1 << 22;
 constexpr int fit_rounds = 5;
-
-constexpr double to_deviation = 1.4826; // of a median of absolute differences
-
-double
-median(std::vector<double>& values)
-{
-  const auto middle =
-      values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /** Two directions along the ground and the one up. */
 Eigen::Matrix3d
@@ -89,12 +80,13 @@ fitLevel(const std::vector<Eigen::Vector3d>& places, double least_deviation)
     heights.clear();
     for (const auto& place : kept)
       heights.push_back(level.above(place));
-    const double middle = median(heights);
+    const double middle = quantile(heights, 0.5);
     level.offset += middle;
     heights.clear();
     for (const auto& place : kept)
       heights.push_back(std::abs(level.above(place)));
-    const double deviation = std::max(to_deviation * median(heights), least_deviation);
+    const double deviation =
+        std::max(deviation_per_median * quantile(heights, 0.5), least_deviation);
     kept.clear();
     for (const auto& place : places)
       if (std::abs(level.above(place)) < 2.5 * deviation)

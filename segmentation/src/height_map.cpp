@@ -4,6 +4,8 @@
  */
 #include "height_map.h"
 
+#include "quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,16 +15,6 @@ namespace {
 constexpr double empty = std::numeric_limits<double>::quiet_NaN();
 constexpr double outline_share = 0.35;   // of a thing's height
 constexpr double most_high_points = 0.3; // with more it is part of a higher one
-
-double
-quantile(std::vector<double>& values, double share)
-{
-  const auto place =
-      values.begin() +
-      static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
 
 } // namespace
 
@@ -54,13 +46,19 @@ HeightMap::find(const Eigen::Vector2d& place, std::uint32_t& cell) const
 }
 
 void
+HeightMap::prepare()
+{
+  if (!counts_.empty())
+    return;
+  counts_.assign(static_cast<std::size_t>(cell_count_), 0);
+  high_counts_ = counts_;
+  sums_.assign(counts_.size(), 0);
+}
+
+void
 HeightMap::add(std::uint32_t cell, double height)
 {
-  if (counts_.empty()) {
-    counts_.assign(static_cast<std::size_t>(cell_count_), 0);
-    high_counts_ = counts_;
-    sums_.assign(counts_.size(), 0);
-  }
+  prepare();
   sums_[cell] += height;
   ++counts_[cell];
 }
@@ -68,8 +66,8 @@ HeightMap::add(std::uint32_t cell, double height)
 void
 HeightMap::addHigh(std::uint32_t cell)
 {
-  if (!high_counts_.empty())
-    ++high_counts_[cell];
+  prepare();
+  ++high_counts_[cell];
 }
 
 template <typename Function>
@@ -115,7 +113,7 @@ HeightMap::measureSurface(double tolerance, double min_cells)
   for (const double height : near)
     if (height <= surface_)
       depths.push_back(surface_ - height);
-  deviation_ = 1.4826 * quantile(depths, 0.5);
+  deviation_ = deviation_per_median * quantile(depths, 0.5);
   return true;
 }
 

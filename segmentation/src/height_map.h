@@ -54,6 +54,10 @@ private:
   using Cells = std::vector<std::uint32_t>;
   enum class State : std::uint8_t { Open, Visited, High };
 
+  /** Memory is taken for the first point only: the grid may be too large. */
+  void
+  prepare();
+
   template <typename Function>
   void
   forNeighbors(std::uint32_t cell, Function function) const;
