@@ -3,15 +3,16 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "eppf_pair_counter.h"
+#include "place_counter.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_denoising.h>
 #include <pcl/features/eppf_histogram.h>
-#include <pcl/features/surface_places.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -21,44 +22,72 @@ namespace {
 
 constexpr double place_share = 1.0 / 3.0; // of the histogram, the rest is of pairs
 
-/** \brief Eq. (5.11), and the sum brought to 1, beside the bins of places. */
-template <typename Count>
-std::vector<float>
-weighted(const std::vector<Count>& counts,
-         const std::vector<OrientedPoint>& points,
-         double scale,
-         const EPPFOptions& options)
+bool
+hasPlaces(const EPPFOptions& options)
 {
-  const auto& place_bins = options.bins.places;
-  const bool has_places = options.features.places && place_bins.size() > 0;
-  std::vector<double> weights(counts.size());
-  const std::size_t stride = counts.size() / options.bins.distance;
+  return options.features.places && options.bins.places.size() > 0;
+}
+
+/** \brief Counts of all bins: of blocks of pairs, and of the places of the points. */
+template <typename CountPairs>
+std::vector<std::uint64_t>
+allCounts(const std::vector<OrientedPoint>& points,
+          double scale,
+          const EPPFOptions& options,
+          const CountPairs& count_pairs)
+{
+  const auto& bins = options.bins;
+  const std::size_t pair_blocks = pairBlockCount(options.pair_count);
+  constexpr std::size_t place_block = PlaceCounter::block_size;
+  const std::size_t place_blocks =
+      hasPlaces(options) ? (points.size() + place_block - 1) / place_block : 0;
+  const PlaceCounter places(
+      place_blocks > 0 ? principalFrame(points) : PrincipalFrame(), scale, bins.places);
+  const auto count = [&](std::size_t block, std::vector<std::uint64_t>& own) {
+    if (block < pair_blocks) {
+      const std::size_t first = block * pair_block_size;
+      count_pairs(first, std::min(first + pair_block_size, options.pair_count), own);
+    }
+    else {
+      const std::size_t first = (block - pair_blocks) * place_block;
+      const std::size_t last = std::min(first + place_block, points.size());
+      places.count(points, first, last, own.data() + bins.pairSize());
+    }
+  };
+  return countBlocks(
+      pair_blocks + place_blocks, bins.size(), options.number_of_threads, count);
+}
+
+/** \brief Eq. (5.11), and the sum brought to 1, beside the bins of places. */
+std::vector<float>
+weighted(const std::vector<std::uint64_t>& counts, const EPPFOptions& options)
+{
+  const std::size_t pair_size = options.bins.pairSize();
+  std::vector<double> weights(pair_size);
+  const std::size_t stride = pair_size / options.bins.distance;
   double sum = 0.0;
   double weight = 1.0;
-  for (std::size_t bin = 0; bin < counts.size(); ++bin) {
+  for (std::size_t bin = 0; bin < pair_size; ++bin) {
     if (options.weighting && bin % stride == 0)
       weight = std::log(static_cast<double>(bin / stride) / options.bins.distance +
                         options.weighting_constant);
     weights[bin] = weight * static_cast<double>(counts[bin]);
     sum += weights[bin];
   }
-  std::vector<float> histogram(options.bins.size(),
-                               std::numeric_limits<float>::quiet_NaN());
+  std::vector<float> histogram(counts.size(), std::numeric_limits<float>::quiet_NaN());
   if (!(sum > 0.0))
     return histogram;
-  const double share = has_places ? 1.0 - place_share : 1.0;
-  std::transform(weights.begin(), weights.end(), histogram.begin(), [&](double w) {
-    return static_cast<float>(share * w / sum);
-  });
-  const auto first_place =
-      histogram.begin() + static_cast<std::ptrdiff_t>(counts.size());
-  std::fill(first_place, histogram.end(), 0.0f);
-  if (!has_places)
-    return histogram;
+  const double share = hasPlaces(options) ? 1.0 - place_share : 1.0;
   const auto places =
-      surfacePlaces(points, scale, place_bins, options.number_of_threads);
-  std::transform(places.begin(), places.end(), first_place, [](double place) {
-    return static_cast<float>(place_share * place);
+      std::transform(weights.begin(), weights.end(), histogram.begin(), [&](double w) {
+        return static_cast<float>(share * w / sum);
+      });
+  const auto first_place = counts.begin() + static_cast<std::ptrdiff_t>(pair_size);
+  const auto place_sum = static_cast<double>(
+      std::max(std::accumulate(first_place, counts.end(), std::uint64_t{0}),
+               std::uint64_t{1})); // 0 without places
+  std::transform(first_place, counts.end(), places, [&](std::uint64_t count) {
+    return static_cast<float>(place_share * (static_cast<double>(count) / place_sum));
   });
   return histogram;
 }
@@ -89,14 +118,14 @@ noisyHistogram(const std::vector<OrientedPoint>& points,
                      : PairSampler(object.points, options.sampling, options.seed);
   const double scale = options.scale > 0.0 ? options.scale : object.extent;
   const PairCounter counter(object.points, std::move(sampler), scale, options);
-  const auto counts = countPairs<std::uint64_t>(
-      options.pair_count,
-      options.bins.pairSize(),
-      options.number_of_threads,
-      [&](std::size_t first, std::size_t last, auto& own) {
-        counter.countSoftly(first, last, object.weights, noise.evidence, own);
-      });
-  return weighted(counts, object.points, scale, options);
+  const auto counts =
+      allCounts(object.points,
+                scale,
+                options,
+                [&](std::size_t first, std::size_t last, auto& own) {
+                  counter.countSoftly(first, last, object.weights, noise.evidence, own);
+                });
+  return weighted(counts, options);
 }
 
 } // namespace
@@ -107,14 +136,21 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
   const auto problem = whatIsWrong(options);
   if (!problem.empty())
     PCL_THROW_EXCEPTION(BadArgumentException, problem);
-  const float extent = objectExtent(points);
+  const bool is_stratified = options.sampling == PairSampling::Stratified;
+  const int threads = std::min(pairThreadCount(options.number_of_threads), 2);
+  std::vector<std::uint32_t> order;
+  float extent = 0.0f;
+#pragma omp parallel sections num_threads(threads) if (threads > 1)
+  {
+#pragma omp section
+    if (options.denoising || is_stratified)
+      order = spaceFillingOrder(points);
+#pragma omp section
+    extent = objectExtent(points);
+  }
   if (!(extent > 0.0f))
     return std::vector<float>(options.bins.size(),
                               std::numeric_limits<float>::quiet_NaN());
-  const bool is_stratified = options.sampling == PairSampling::Stratified;
-  std::vector<std::uint32_t> order;
-  if (options.denoising || is_stratified)
-    order = spaceFillingOrder(points);
   if (options.denoising) {
     const auto noise = measureNoise(points, order, extent, options.number_of_threads);
     if (noise.evidence > 0.0f)
@@ -128,14 +164,11 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
     along_order = arranged(points, order);
   const auto& used = is_stratified ? along_order : points;
   const PairCounter counter(used, std::move(sampler), scale, options);
-  const auto counts =
-      countPairs(options.pair_count,
-                 options.bins.pairSize(),
-                 options.number_of_threads,
-                 [&counter](std::size_t first, std::size_t last, auto& own) {
-                   counter.count(first, last, own);
-                 });
-  return weighted(counts, used, scale, options);
+  const auto counts = allCounts(
+      used, scale, options, [&](std::size_t first, std::size_t last, auto& own) {
+        counter.count(first, last, own);
+      });
+  return weighted(counts, options);
 }
 
 } // namespace indoor

@@ -72,16 +72,14 @@ PairCounter::PairCounter(const std::vector<OrientedPoint>& points,
 , bins_per_metre_(static_cast<float>(options.bins.distance / scale))
 {
   setBorders();
-  surflets_.resize(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k)
-    surflets_[k] = {
-        points[k].position, points[k].normal, grid_.cell(points[k].position)};
-  if (options.normal_sides != NormalSides::Outward)
-    return;
+  const bool turns = options.normal_sides == NormalSides::Outward;
   const Eigen::Vector3f centroid = centroidOf(points);
-  for (auto& surflet : surflets_)
-    surflet.normal *=
-        surflet.normal.dot(surflet.position - centroid) < 0.0f ? -1.0f : 1.0f;
+  surflets_.reserve(points.size());
+  for (const auto& [position, normal] : points) {
+    const bool faces_inward = normal.dot(position - centroid) < 0.0f;
+    const float sign = turns && faces_inward ? -1.0f : 1.0f;
+    surflets_.push_back({position, sign * normal, grid_.cell(position)});
+  }
 }
 
 void
@@ -109,7 +107,7 @@ PairCounter::setBorders()
 void
 PairCounter::count(std::size_t first_pair,
                    std::size_t last_pair,
-                   std::vector<std::uint32_t>& counts) const
+                   std::vector<std::uint64_t>& counts) const
 {
   PairBlock block;
   measure(first_pair, last_pair, block);

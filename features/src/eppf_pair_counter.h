@@ -35,7 +35,7 @@ public:
   void
   count(std::size_t first_pair,
         std::size_t last_pair,
-        std::vector<std::uint32_t>& counts) const;
+        std::vector<std::uint64_t>& counts) const;
 
   /** \brief Count pairs, each by the product of its points' weights, and pairs near a
    * border of f1 or of the joint f2 partly in the bin beyond it.

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <array>
 #include <utility>
 
 namespace pcl {
@@ -25,6 +26,21 @@ squaredDistance(const PointColumns::Block& box, const Eigen::Vector3f& place)
   return away.matrix().squaredNorm();
 }
 
+/** \brief The least and the largest of values. */
+std::pair<float, float>
+range(const std::vector<float>& values)
+{
+  float least = values.front();
+  float largest = least;
+  const auto count = static_cast<int>(values.size());
+#pragma omp simd reduction(min : least) reduction(max : largest)
+  for (int k = 0; k < count; ++k) {
+    least = std::min(least, values[k]);
+    largest = std::max(largest, values[k]);
+  }
+  return {least, largest};
+}
+
 } // namespace
 
 PointColumns::PointColumns(const std::vector<OrientedPoint>& points,
@@ -35,8 +51,9 @@ PointColumns::PointColumns(const std::vector<OrientedPoint>& points,
   x.resize(count);
   y.resize(count);
   z.resize(count);
+  const bool takes_all = count == points.size(); // a division each takes long
   for (std::size_t k = 0; k < count; ++k) {
-    indices[k] = order[k * points.size() / count];
+    indices[k] = order[takes_all ? k : k * points.size() / count];
     const auto& position = points[indices[k]].position;
     x[k] = position.x();
     y[k] = position.y();
@@ -49,29 +66,26 @@ PointColumns::PointColumns(const std::vector<OrientedPoint>& points,
 void
 PointColumns::makeBlocks()
 {
-  Eigen::Array3f lower = at(0).array();
-  Eigen::Array3f upper = lower;
-  for (std::size_t k = 1; k < size(); ++k) {
-    lower = lower.min(at(k).array());
-    upper = upper.max(at(k).array());
-  }
-  const float scale = 7.999f / std::max((upper - lower).maxCoeff(), 1e-30f);
-  const auto cellOf = [&](const Eigen::Array3f& place) {
-    const Eigen::Array3f cell = (place - lower) * scale;
-    return static_cast<int>(cell[0]) << 6 | static_cast<int>(cell[1]) << 3 |
-           static_cast<int>(cell[2]);
-  };
-  int last_cell = -1;
-  for (std::size_t k = 0; k < size(); ++k) {
-    const Eigen::Array3f place = at(k).array();
-    const int cell = cellOf(place);
-    if (cell != last_cell)
-      blocks.push_back({place, place, k, k});
-    last_cell = cell;
-    auto& block = blocks.back();
-    block.lower = block.lower.min(place);
-    block.upper = block.upper.max(place);
-    block.last = k + 1;
+  const auto [low_x, high_x] = range(x);
+  const auto [low_y, high_y] = range(y);
+  const auto [low_z, high_z] = range(z);
+  const float edge = std::max({high_x - low_x, high_y - low_y, high_z - low_z});
+  const float scale = 7.999f / std::max(edge, 1e-30f);
+  std::array<std::uint16_t, most_points> cells;
+  for (std::size_t k = 0; k < size(); ++k)
+    cells[k] =
+        static_cast<std::uint16_t>(static_cast<int>((x[k] - low_x) * scale) << 6 |
+                                   static_cast<int>((y[k] - low_y) * scale) << 3 |
+                                   static_cast<int>((z[k] - low_z) * scale));
+  blocks.reserve(512);
+  for (std::size_t first = 0, last = 0; first < size(); first = last) {
+    Eigen::Array3f lower = at(first).array();
+    Eigen::Array3f upper = lower;
+    for (last = first + 1; last < size() && cells[last] == cells[first]; ++last) {
+      lower = lower.min(at(last).array());
+      upper = upper.max(at(last).array());
+    }
+    blocks.push_back({lower, upper, first, last});
   }
 }
 

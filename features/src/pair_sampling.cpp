@@ -15,7 +15,7 @@ namespace indoor {
 namespace {
 
 /** \brief Spread the lower ten bits of a number, two zeros between any two. */
-std::uint32_t
+constexpr std::uint32_t
 spreadBits(std::uint32_t value)
 {
   value = (value | (value << 16)) & 0x030000FFu;
@@ -23,6 +23,18 @@ spreadBits(std::uint32_t value)
   value = (value | (value << 4)) & 0x030C30C3u;
   return (value | (value << 2)) & 0x09249249u;
 }
+
+/** \brief spreadBits() of all numbers of ten bits, which takes half the time. */
+constexpr std::array<std::uint32_t, 1024>
+spreadNumbers()
+{
+  std::array<std::uint32_t, 1024> spread{};
+  for (std::uint32_t value = 0; value < 1024; ++value)
+    spread[value] = spreadBits(value);
+  return spread;
+}
+
+constexpr auto spread_bits = spreadNumbers();
 
 /** \brief A point and its place on the curve. */
 struct Coded {
@@ -66,23 +78,25 @@ spaceFillingOrder(const std::vector<OrientedPoint>& points)
   std::vector<Coded> order(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Eigen::Array3f place = (points[k].position.array() - lower) * scale;
-    order[k] = {spreadBits(static_cast<std::uint32_t>(place[0])) << 2 |
-                    spreadBits(static_cast<std::uint32_t>(place[1])) << 1 |
-                    spreadBits(static_cast<std::uint32_t>(place[2])),
+    order[k] = {spread_bits[static_cast<std::size_t>(place[0])] << 2 |
+                    spread_bits[static_cast<std::size_t>(place[1])] << 1 |
+                    spread_bits[static_cast<std::size_t>(place[2])],
                 static_cast<std::uint32_t>(k)};
   }
   sortByCode(order);
   // Points of one cell of the curve by their coordinates: no order of the input counts.
+  const auto isBefore = [&](const Coded& a, const Coded& b) {
+    const auto& one = points[a.index].position;
+    const auto& two = points[b.index].position;
+    return std::lexicographical_compare(
+        one.data(), one.data() + 3, two.data(), two.data() + 3);
+  };
   for (auto first = order.begin(); first != order.end();) {
-    const auto last = std::find_if(
-        first, order.end(), [&](const Coded& one) { return one.code != first->code; });
+    auto last = first + 1;
+    while (last != order.end() && last->code == first->code)
+      ++last;
     if (last - first > 1)
-      std::sort(first, last, [&](const Coded& a, const Coded& b) {
-        const auto& one = points[a.index].position;
-        const auto& two = points[b.index].position;
-        return std::lexicographical_compare(
-            one.data(), one.data() + 3, two.data(), two.data() + 3);
-      });
+      std::sort(first, last, isBefore);
     first = last;
   }
   std::vector<std::uint32_t> indices(order.size());

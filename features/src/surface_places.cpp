@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "place_counter.h"
 #include "soft_bin.h"
 
 #include <pcl/features/pair_counting.h>
@@ -17,72 +18,68 @@
 namespace pcl {
 namespace indoor {
 
-namespace {
+PlaceCounter::PlaceCounter(const PrincipalFrame& frame,
+                           double scale,
+                           const PlaceBins& bins)
+: center_(frame.center.cast<float>())
+, axes_(frame.axes.cast<float>())
+, counts_{bins.longest, bins.middle, bins.shortest}
+, strides_{6u * static_cast<std::uint32_t>(bins.middle * bins.shortest),
+           6u * static_cast<std::uint32_t>(bins.shortest),
+           6u}
+{
+  for (int axis = 0; axis < 3; ++axis)
+    bins_per_metre_[axis] =
+        static_cast<float>(2.0 * counts_[axis] / std::max(scale, 1e-30));
+}
 
-/** \brief Counts points in units of 2^-16. */
-class PlaceCounter {
-public:
-  PlaceCounter(const PrincipalFrame& frame, double scale, const PlaceBins& bins)
-  : center_(frame.center.cast<float>())
-  , axes_(frame.axes.cast<float>())
-  , counts_{bins.longest, bins.middle, bins.shortest}
-  , strides_{6u * static_cast<std::uint32_t>(bins.middle * bins.shortest),
-             6u * static_cast<std::uint32_t>(bins.shortest),
-             6u}
-  {
+inline void
+PlaceCounter::count(const OrientedPoint& point, std::uint64_t* counts) const
+{
+  const Eigen::Vector3f offset = point.position - center_;
+  const Eigen::Vector3f place = axes_ * offset;
+  const Eigen::Vector3f normal = axes_ * point.normal;
+  const float side = point.normal.dot(offset) < 0.0f ? -1.0f : 1.0f;
+  std::array<std::uint32_t, 3> direction;
+  std::array<float, 3> share; // of each axis
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_inward = side * normal[axis] * place[axis] < 0.0f;
+    direction[axis] = 2u * static_cast<std::uint32_t>(axis) + (is_inward ? 1u : 0u);
+    share[axis] = 65536.0f * normal[axis] * normal[axis];
+  }
+  const auto soft = [&](int axis) {
+    const float last = static_cast<float>(counts_[axis]);
+    const float bin = std::min(std::abs(place[axis]) * bins_per_metre_[axis], last);
+    return SoftBin(bin, counts_[axis], 1.0f);
+  };
+  const SoftBin along[] = {soft(0), soft(1), soft(2)};
+  std::array<std::uint32_t, 8> bin; // of each corner
+  std::array<std::int32_t, 24> amount;
+  for (int corner = 0; corner < 8; ++corner) {
+    const int sides[] = {corner & 1, (corner >> 1) & 1, corner >> 2};
+    bin[corner] = strides_[0] * along[0].bin[sides[0]] +
+                  strides_[1] * along[1].bin[sides[1]] +
+                  strides_[2] * along[2].bin[sides[2]];
+    const float part =
+        along[0].share[sides[0]] * along[1].share[sides[1]] * along[2].share[sides[2]];
     for (int axis = 0; axis < 3; ++axis)
-      bins_per_metre_[axis] =
-          static_cast<float>(2.0 * counts_[axis] / std::max(scale, 1e-30));
+      amount[3 * corner + axis] = static_cast<std::int32_t>(part * share[axis] + 0.5f);
   }
+  for (int corner = 0; corner < 8; ++corner)
+    for (int axis = 0; axis < 3; ++axis)
+      counts[bin[corner] + direction[axis]] +=
+          static_cast<std::uint32_t>(amount[3 * corner + axis]);
+}
 
-  void
-  count(const OrientedPoint& point, std::vector<std::uint64_t>& counts) const
-  {
-    const Eigen::Vector3f offset = point.position - center_;
-    const Eigen::Vector3f place = axes_ * offset;
-    const Eigen::Vector3f normal = axes_ * point.normal;
-    const float side = point.normal.dot(offset) < 0.0f ? -1.0f : 1.0f;
-    std::array<std::uint32_t, 3> direction;
-    std::array<float, 3> share; // of each axis
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool is_inward = side * normal[axis] * place[axis] < 0.0f;
-      direction[axis] = 2u * static_cast<std::uint32_t>(axis) + (is_inward ? 1u : 0u);
-      share[axis] = 65536.0f * normal[axis] * normal[axis];
-    }
-    const auto soft = [&](int axis) {
-      const float last = static_cast<float>(counts_[axis]);
-      const float bin = std::min(std::abs(place[axis]) * bins_per_metre_[axis], last);
-      return SoftBin(bin, counts_[axis], 1.0f);
-    };
-    const SoftBin along[] = {soft(0), soft(1), soft(2)};
-    std::array<std::uint32_t, 8> bin; // of each corner
-    std::array<std::int32_t, 24> amount;
-    for (int corner = 0; corner < 8; ++corner) {
-      const int sides[] = {corner & 1, (corner >> 1) & 1, corner >> 2};
-      bin[corner] = strides_[0] * along[0].bin[sides[0]] +
-                    strides_[1] * along[1].bin[sides[1]] +
-                    strides_[2] * along[2].bin[sides[2]];
-      const float part = along[0].share[sides[0]] * along[1].share[sides[1]] *
-                         along[2].share[sides[2]];
-      for (int axis = 0; axis < 3; ++axis)
-        amount[3 * corner + axis] =
-            static_cast<std::int32_t>(part * share[axis] + 0.5f);
-    }
-    for (int corner = 0; corner < 8; ++corner)
-      for (int axis = 0; axis < 3; ++axis)
-        counts[bin[corner] + direction[axis]] +=
-            static_cast<std::uint32_t>(amount[3 * corner + axis]);
-  }
-
-private:
-  Eigen::Vector3f center_;
-  Eigen::Matrix3f axes_;
-  std::array<int, 3> counts_;
-  std::array<std::uint32_t, 3> strides_;
-  std::array<float, 3> bins_per_metre_;
-};
-
-} // namespace
+void
+PlaceCounter::count(const std::vector<OrientedPoint>& points,
+                    std::size_t first,
+                    std::size_t last,
+                    std::uint64_t* counts) const
+{
+  for (std::size_t k = first; k < last; ++k)
+    count(points[k], counts);
+}
 
 PrincipalFrame
 principalFrame(const std::vector<OrientedPoint>& points)
@@ -119,14 +116,12 @@ surfacePlaces(const std::vector<OrientedPoint>& points,
 {
   assert(bins.size() > 0);
   const PlaceCounter counter(principalFrame(points), scale, bins);
-  const auto counts =
-      countPairs<std::uint64_t>(points.size(),
-                                bins.size(),
-                                number_of_threads,
-                                [&](std::size_t first, std::size_t last, auto& own) {
-                                  for (std::size_t k = first; k < last; ++k)
-                                    counter.count(points[k], own);
-                                });
+  const auto counts = countPairs(points.size(),
+                                 bins.size(),
+                                 number_of_threads,
+                                 [&](std::size_t first, std::size_t last, auto& own) {
+                                   counter.count(points, first, last, own.data());
+                                 });
   const auto sum = static_cast<double>(
       std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
   std::vector<double> places(counts.size());

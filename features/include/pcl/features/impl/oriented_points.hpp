@@ -47,20 +47,20 @@ orientedPoints(const PointCloud<PointT>& cloud,
                const PointCloud<PointNT>& normals,
                const Indices& indices)
 {
-  std::vector<OrientedPoint> points;
-  points.reserve(indices.size());
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  std::vector<OrientedPoint> points(indices.size());
+  std::size_t count = 0;
+  Eigen::Vector3f origin = Eigen::Vector3f::Zero();
   for (const auto index : indices) {
-    const Eigen::Vector3d position =
-        cloud[index].getVector3fMap().template cast<double>();
+    const Eigen::Vector3f position = cloud[index].getVector3fMap();
     const Eigen::Vector3f normal = normals[index].getNormalVector3fMap();
     const float length = normal.norm();
     if (!position.allFinite() || !std::isfinite(length) || !(length > 0.0f))
       continue;
-    if (points.empty())
+    if (count == 0)
       origin = position;
-    points.push_back({(position - origin).cast<float>(), normal / length});
+    points[count++] = {position - origin, normal / length};
   }
+  points.resize(count);
   return points;
 }
 
