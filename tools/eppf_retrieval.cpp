@@ -252,6 +252,9 @@ main(int argc, char** argv)
               "neighbourhood of a normal under noise, if -normal_neighbors is smaller",
               "deviations",
               Range::between(0, 100))
+      .flag("-camera",
+            experiment.disturbance.before_camera,
+            "place each object before a camera at the origin, from a random side")
       .flag("-clean_gallery",
             experiment.clean_gallery,
             "compare noisy or hidden objects with untouched ones")

@@ -23,7 +23,7 @@ namespace {
 struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "auto", camera = "auto";
-  std::string orientation = "auto", structure = "auto", things = "auto";
+  std::string orientation = "auto", structure = "auto", things = "auto", gaps = "auto";
   double union_air = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
@@ -100,6 +100,11 @@ addPartition(OptionParser& parser, Settings& settings)
             settings.things,
             "flat things, up to about 0.12 m high, and the horizontal surface "
             "they lie on (z is up); auto: apart for rooms",
+            {"auto", "apart", "joined"})
+      .text("-gaps",
+            settings.gaps,
+            "both sides of a narrow upright gap without points (z is up); auto: apart "
+            "for rooms",
             {"auto", "apart", "joined"})
       .number(
           "-union_air",
@@ -200,6 +205,8 @@ chosenOptions(const Settings& settings, bool organised)
                                    : settings.structure == "apart";
   options.separate_things =
       settings.things == "auto" ? preset.separate_things : settings.things == "apart";
+  options.separate_gaps =
+      settings.gaps == "auto" ? preset.separate_gaps : settings.gaps == "apart";
   options.max_union_air =
       settings.union_air < 0 ? preset.max_union_air : settings.union_air;
   options.adapt_to_resolution = !(settings.voxel_resolution > 0);

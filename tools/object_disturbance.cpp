@@ -106,6 +106,31 @@ hideFromView(PointCloud<PointNormal>& cloud, double percent, std::uint32_t seed)
   cloud = seen;
 }
 
+void
+placeBeforeCamera(PointCloud<PointNormal>& cloud, std::uint32_t seed)
+{
+  if (cloud.empty())
+    return;
+  std::mt19937 rng(seed);
+  const Eigen::Vector3f view = randomDirection(rng);
+  const auto roll = static_cast<float>(6.283185307179586 * uniform(rng));
+  const Eigen::Matrix3f turn =
+      Eigen::AngleAxisf(roll, Eigen::Vector3f::UnitZ()).toRotationMatrix() *
+      Eigen::Quaternionf::FromTwoVectors(view, Eigen::Vector3f::UnitZ())
+          .toRotationMatrix();
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const auto& point : cloud)
+    middle += point.getVector3fMap().cast<double>();
+  const Eigen::Vector3f center =
+      (middle / static_cast<double>(cloud.size())).cast<float>();
+  const Eigen::Vector3f place = 3.0f * extentOf(cloud) * Eigen::Vector3f::UnitZ();
+  for (auto& point : cloud) {
+    point.getVector3fMap() =
+        (turn * (point.getVector3fMap() - center) + place).eval();
+    point.getNormalVector3fMap() = (turn * point.getNormalVector3fMap()).eval();
+  }
+}
+
 int
 neighborsUnderNoise(const Disturbance& disturbance,
                     std::size_t point_count,
@@ -128,6 +153,8 @@ disturb(PointCloud<PointNormal>& cloud,
     hideFromView(cloud, disturbance.hidden_percent, 2 * seed);
   if (disturbance.noise_percent > 0.0)
     addNoise(cloud, disturbance.noise_percent, 2 * seed + 1);
+  if (disturbance.before_camera)
+    placeBeforeCamera(cloud, 2 * seed);
   if (disturbance.noise_percent > 0.0 || disturbance.estimates_normals)
     estimateNormals(cloud,
                     neighborsUnderNoise(disturbance, cloud.size(), neighbor_count));

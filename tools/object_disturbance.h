@@ -19,6 +19,7 @@ struct Disturbance {
   double hidden_percent = 0.0; ///< share of the points that a single view does not see
   bool estimates_normals = false; ///< anew even where no point was moved
   double normal_radius = 4.0; ///< of a normal's neighbourhood, in deviations of noise
+  bool before_camera = false; ///< placed before a camera, not as its file has it
 };
 
 /** \brief Move every point by Gaussian noise, the same in all directions.
@@ -37,6 +38,16 @@ addNoise(PointCloud<PointNormal>& cloud, double percent, std::uint32_t seed);
 void
 hideFromView(PointCloud<PointNormal>& cloud, double percent, std::uint32_t seed);
 
+/** \brief Place an object as a camera has it that is at the origin and looks along z.
+ *
+ * The camera sees it from the direction that hideFromView() takes for the same seed,
+ * rolled at random, and is three extents away from the middle of the points. Nothing
+ * that depends on the pose of the object in its file, such as which side is up, is then
+ * told by the coordinates.
+ */
+void
+placeBeforeCamera(PointCloud<PointNormal>& cloud, std::uint32_t seed);
+
 /** \brief Neighbours of a normal under noise: those within the disturbance's radius.
  *
  * A plane through points that lie closer than the noise moves them has a direction by
@@ -49,7 +60,7 @@ neighborsUnderNoise(const Disturbance& disturbance,
                     std::size_t point_count,
                     int least_count);
 
-/** \brief Both, the view first; after noise, or if asked for, normals are estimated
+/** \brief The view first, then noise, and the place before the camera; after noise, or if asked for, normals are estimated
  * anew from neighborsUnderNoise(), at least neighbor_count. */
 void
 disturb(PointCloud<PointNormal>& cloud,

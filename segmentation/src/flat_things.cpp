@@ -4,13 +4,13 @@
  */
 #include <pcl/segmentation/flat_things.h>
 
+#include "ground_frame.h"
 #include "height_map.h"
 #include "quantile.h"
 
 #include <pcl/exceptions.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -26,18 +26,6 @@ using pcl::indoor::SurfaceVoxels;
 constexpr double level_cosine = 0.9; // normals of a horizontal surface: 26 degrees
 constexpr double most_cells = 1 << 22;
 constexpr int fit_rounds = 5;
-
-/** Two directions along the ground and the one up. */
-Eigen::Matrix3d
-groundFrame(const Eigen::Vector3f& up)
-{
-  Eigen::Matrix3d frame;
-  frame.row(2) = up.cast<double>().transpose();
-  const Eigen::Vector3d along = up.cast<double>().unitOrthogonal();
-  frame.row(0) = along.transpose();
-  frame.row(1) = frame.row(2).cross(frame.row(0));
-  return frame;
-}
 
 /** A plane over the ground: height = slope * place + offset. */
 struct Level {
@@ -135,7 +123,7 @@ public:
   : points_(points)
   , voxels_(voxels)
   , options_(options)
-  , frame_(groundFrame(options.up))
+  , frame_(pcl::indoor::groundFrame(options.up))
   {}
 
   /** \return the things' points, one list per thing */

@@ -10,6 +10,7 @@
 #include <pcl/filters/point_resolution.h>
 #include <pcl/segmentation/convex_unions.h>
 #include <pcl/segmentation/flat_things.h>
+#include <pcl/segmentation/object_gaps.h>
 #include <pcl/segmentation/room_structure.h>
 #include <pcl/segmentation/structure_contacts.h>
 
@@ -225,7 +226,7 @@ firstFreeLabel(const ObjectSegmentation& result)
          (last == planes.end() ? 0 : *last);
 }
 
-/** Voxels of one segment each, and the things on them, if they are parted. */
+/** Segments of voxels, parted where points tell more than voxels. */
 std::vector<std::uint32_t>
 segmentsOfPoints(const ObjectSegmentationInput& input,
                  const ObjectSegmentationOptions& options,
@@ -233,17 +234,27 @@ segmentsOfPoints(const ObjectSegmentationInput& input,
                  const std::vector<std::uint8_t>& in_plane,
                  const std::vector<std::uint32_t>& segment_of_voxel)
 {
+  std::vector<std::uint32_t> segments;
   if (options.separate_things && !input.single_camera) {
     pcl::indoor::FlatThingOptions things;
     things.up = options.up;
     things.voxel_size = options.voxel_size;
-    return pcl::indoor::partFlatThings(
+    segments = pcl::indoor::partFlatThings(
         input.points, voxels, segment_of_voxel, in_plane, things);
   }
-  std::vector<std::uint32_t> segments;
-  segments.reserve(input.points.size());
-  for (const auto voxel : voxels.cells.cell_of_point)
-    segments.push_back(segment_of_voxel[voxel]);
+  else
+    for (const auto voxel : voxels.cells.cell_of_point)
+      segments.push_back(segment_of_voxel[voxel]);
+  if (options.separate_gaps && !input.single_camera) {
+    pcl::indoor::ObjectGapOptions gaps;
+    gaps.up = options.up;
+    gaps.voxel_size = options.voxel_size;
+    gaps.threads = options.threads;
+    std::vector<std::uint8_t> left_out;
+    for (const auto voxel : voxels.cells.cell_of_point)
+      left_out.push_back(in_plane[voxel]);
+    pcl::indoor::partAtGaps(input.points, left_out, gaps, segments);
+  }
   return segments;
 }
 

@@ -107,6 +107,7 @@ singleViewOptions()
   options.min_segment_size = 6;
   options.separate_structure = false;
   options.separate_things = false;
+  options.separate_gaps = false;
   options.max_union_air = 0;
   return options;
 }
@@ -117,6 +118,7 @@ thesisOptions()
   ObjectSegmentationOptions options;
   options.separate_structure = false;
   options.separate_things = false;
+  options.separate_gaps = false;
   options.plane_tolerance = 0;
   options.partition = Partition::FelzenszwalbHuttenlocher;
   options.min_segment_size = 3;

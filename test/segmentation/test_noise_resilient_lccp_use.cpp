@@ -133,6 +133,7 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_EQ(segmentation.getMinSegmentSize(), 4u);
   EXPECT_TRUE(segmentation.getOptions().separate_structure);
   EXPECT_TRUE(segmentation.getOptions().separate_things);
+  EXPECT_TRUE(segmentation.getOptions().separate_gaps);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
   EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_air, 5);
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
@@ -168,6 +169,29 @@ TEST(NoiseResilientLCCPUse, PartsABookFromTheBoxThatItLiesOn)
   segmentation.setOptions(options);
   segmentation.segment(labels);
   EXPECT_TRUE(labels.empty());
+}
+
+TEST(NoiseResilientLCCPUse, PartsBoxesAtANarrowGap)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(7);
+  scene.addBox({0, 0, 0}, {0.8f, 0.5f, 0.7f}, 1, 0.012f, 0.003f, rng);
+  scene.addBox({0.83f, 0, 0}, {0.8f, 0.5f, 0.7f}, 2, 0.012f, 0.003f, rng);
+  scene.removeIf([](const Eigen::Vector3f& p) { // not seen
+    return p.x() > 0.79f && p.x() < 0.84f && p.y() > 0.02f && p.y() < 0.48f &&
+           p.z() < 0.68f;
+  });
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  segmentation.setViewPoint(0.8f, -1, 2);
+  Labels labels;
+  segmentation.segment(labels);
+  EXPECT_LT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.01);
+  auto options = segmentation.getOptions();
+  options.separate_gaps = false;
+  segmentation.setOptions(options);
+  segmentation.segment(labels);
+  EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.2);
 }
 
 TEST(NoiseResilientLCCPUse, TheThesisKeepsWallsInTheGraph)

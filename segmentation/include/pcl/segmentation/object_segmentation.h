@@ -38,7 +38,10 @@ struct ObjectSegmentationOptions {
   /** part flat things from the horizontal surface that they lie on, see
    * partFlatThings(); never for a single camera */
   bool separate_things = true;
-  /** against gravity, unit length; for separate_things */
+  /** part segments at empty gaps narrower than voxels, see partAtGaps(); never for a
+   * single camera */
+  bool separate_gaps = true;
+  /** against gravity, unit length; for separate_things and separate_gaps */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   unsigned normal_rings = 1; ///< reach of normals and curvature, voxels (>= 1)
   /** which way estimated normals are turned */

@@ -1,0 +1,285 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/object_gaps.h>
+
+#include "ground_frame.h"
+#include "thread_count.h"
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace {
+
+using pcl::indoor::ObjectGapOptions;
+
+using Members = std::vector<std::uint32_t>;
+
+/** Gaps across one direction: where to cut, and how clear the clearest is. */
+struct Cuts {
+  double clearness = 0; ///< points fewer than allowed; 0 = there is no gap
+  double low = 0;       ///< where the first slice begins, along the direction
+  std::vector<std::size_t> slices; ///< ascending; the cuts lie at their beginnings
+};
+
+/** Points in slices of a quarter of a gap's least width. */
+class Slices {
+public:
+  static constexpr std::ptrdiff_t per_gap = 4;
+
+  Slices(const std::vector<std::uint32_t>& counts, const ObjectGapOptions& options)
+  : options_(options)
+  , sums_(1, 0)
+  {
+    for (const auto count : counts)
+      sums_.push_back(sums_.back() + count);
+  }
+
+  /** The middle of the clearest place of each gap; sets how clear the clearest is. */
+  std::vector<std::size_t>
+  findGaps(double& clearness) const
+  {
+    std::vector<std::size_t> gaps;
+    double best = 0; // of the gap that goes on
+    for (std::ptrdiff_t i = reach; i + per_gap + reach <= size(); ++i) {
+      const double here = clearnessOf(i);
+      const auto middle = static_cast<std::size_t>(i + per_gap / 2);
+      if (here > 0 && best == 0)
+        gaps.push_back(middle);
+      else if (here > best)
+        gaps.back() = middle;
+      best = here > 0 ? std::max(best, here) : 0;
+      clearness = std::max(clearness, here);
+    }
+    return gaps;
+  }
+
+private:
+  static constexpr std::ptrdiff_t reach = 2 * per_gap; // beside a gap
+
+  std::ptrdiff_t
+  size() const
+  {
+    return static_cast<std::ptrdiff_t>(sums_.size()) - 1;
+  }
+
+  double
+  held(std::ptrdiff_t begin, std::ptrdiff_t end) const
+  {
+    return static_cast<double>(sums_[end] - sums_[begin]);
+  }
+
+  /** Points that a gap's width from slice i on lacks below what a gap may hold; 0 if it
+   * is no gap. */
+  double
+  clearnessOf(std::ptrdiff_t i) const
+  {
+    const double beside =
+        std::min(held(i - reach, i), held(i + per_gap, i + per_gap + reach));
+    const double allowed = options_.remainder * beside * per_gap / reach;
+    const double rest = held(i, i + per_gap);
+    // The count is random; its deviation is the root, and one more than none was seen.
+    const double lacking = allowed - rest - options_.deviations * std::sqrt(rest + 1);
+    return lacking > 0 && isWidest(i, allowed / per_gap) ? lacking : 0;
+  }
+
+  /** Whether no other empty stretch beside the gap is as wide. */
+  bool
+  isWidest(std::ptrdiff_t i, double allowed) const
+  {
+    auto begin = i, end = i + per_gap;
+    const auto is_empty = [&](std::ptrdiff_t slice) {
+      return held(slice, slice + 1) <= allowed;
+    };
+    while (begin > 0 && is_empty(begin - 1))
+      --begin;
+    while (end < size() && is_empty(end))
+      ++end;
+    const auto around = std::max(reach, end - begin);
+    const auto widest = [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+      std::ptrdiff_t longest = 0, run = 0;
+      for (auto slice = std::max<std::ptrdiff_t>(first, 0);
+           slice < std::min(last, size());
+           ++slice) {
+        run = is_empty(slice) ? run + 1 : 0;
+        longest = std::max(longest, run);
+      }
+      return longest;
+    };
+    const auto other =
+        std::max(widest(begin - around, begin), widest(end, end + around));
+    return static_cast<double>(end - begin) >=
+           options_.prominence * static_cast<double>(other);
+  }
+
+  const ObjectGapOptions& options_;
+  std::vector<std::uint64_t> sums_; // of all slices before
+};
+
+/** Cuts segments at their gaps, one after the other. */
+class GapCutter {
+public:
+  GapCutter(const std::vector<Eigen::Vector3f>& points, const ObjectGapOptions& options)
+  : points_(points)
+  , options_(options)
+  , frame_(pcl::indoor::groundFrame(options.up))
+  {}
+
+  /** \return the parts; one of all members if there is no gap */
+  std::vector<Members>
+  partsOf(const Members& members) const
+  {
+    std::vector<Members> open(1, members), parts;
+    while (!open.empty()) {
+      auto whole = std::move(open.back());
+      open.pop_back();
+      auto cut = cutOnce(whole);
+      if (cut.size() == 1)
+        parts.push_back(std::move(cut.front()));
+      else
+        std::move(cut.begin(), cut.end(), std::back_inserter(open));
+    }
+    return parts;
+  }
+
+private:
+  std::vector<Members>
+  cutOnce(const Members& members) const
+  {
+    // A gap without points needs this many in the slices beside it.
+    if (static_cast<double>(members.size()) * options_.remainder <=
+        4 * options_.deviations)
+      return {members};
+    std::vector<Eigen::Vector2f> places;
+    places.reserve(members.size());
+    const Eigen::Matrix<float, 2, 3> ground = frame_.topRows<2>().cast<float>();
+    for (const auto i : members)
+      places.emplace_back(ground * points_[i]);
+    Cuts best;
+    Eigen::Vector2f best_direction = Eigen::Vector2f::Zero();
+    for (unsigned d = 0; d < options_.directions; ++d) {
+      const double angle = M_PI * d / options_.directions;
+      const Eigen::Vector2f direction(static_cast<float>(std::cos(angle)),
+                                      static_cast<float>(std::sin(angle)));
+      auto cuts = cutsAcross(places, direction);
+      if (cuts.clearness > best.clearness) {
+        best = std::move(cuts);
+        best_direction = direction;
+      }
+    }
+    return cutAt(members, places, best_direction, best);
+  }
+
+  double
+  sliceWidth() const
+  {
+    return options_.width * options_.voxel_size / Slices::per_gap;
+  }
+
+  std::size_t
+  sliceOf(const Eigen::Vector2f& place,
+          const Eigen::Vector2f& direction,
+          double low) const
+  {
+    return static_cast<std::size_t>((direction.dot(place) - low) / sliceWidth());
+  }
+
+  Cuts
+  cutsAcross(const std::vector<Eigen::Vector2f>& places,
+             const Eigen::Vector2f& direction) const
+  {
+    float low = std::numeric_limits<float>::infinity(), high = -low;
+    for (const auto& place : places) {
+      low = std::min(low, direction.dot(place));
+      high = std::max(high, direction.dot(place));
+    }
+    Cuts cuts;
+    cuts.low = low;
+    std::vector<std::uint32_t> counts(
+        static_cast<std::size_t>((high - cuts.low) / sliceWidth()) + 1, 0);
+    for (const auto& place : places)
+      ++counts[sliceOf(place, direction, cuts.low)];
+    cuts.slices = Slices(counts, options_).findGaps(cuts.clearness);
+    return cuts;
+  }
+
+  std::vector<Members>
+  cutAt(const Members& members,
+        const std::vector<Eigen::Vector2f>& places,
+        const Eigen::Vector2f& direction,
+        const Cuts& cuts) const
+  {
+    std::vector<Members> parts(cuts.slices.size() + 1);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const auto slice = sliceOf(places[i], direction, cuts.low);
+      const auto after =
+          std::upper_bound(cuts.slices.begin(), cuts.slices.end(), slice);
+      parts[static_cast<std::size_t>(after - cuts.slices.begin())].push_back(
+          members[i]);
+    }
+    return parts;
+  }
+
+  const std::vector<Eigen::Vector3f>& points_;
+  const ObjectGapOptions& options_;
+  Eigen::Matrix3d frame_;
+};
+
+void
+requireValid(std::size_t point_count,
+             std::size_t flag_count,
+             std::size_t segment_count,
+             const ObjectGapOptions& options)
+{
+  if (flag_count != point_count || segment_count != point_count)
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        point_count << " points have " << flag_count << " flags and "
+                                    << segment_count << " segments.");
+  const auto is_share = [](double value) { return value >= 0 && value <= 1; };
+  if (!(options.voxel_size > 0) || !(options.width > 0) || options.directions < 1 ||
+      !(options.deviations >= 0) || !is_share(options.remainder) ||
+      !(options.prominence >= 0) || !(std::abs(options.up.norm() - 1) < 1e-3f))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "Gaps need positive sizes, shares from 0 to 1 and a unit "
+                        "vector up.");
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+void
+partAtGaps(const std::vector<Eigen::Vector3f>& points,
+           const std::vector<std::uint8_t>& left_out,
+           const ObjectGapOptions& options,
+           std::vector<std::uint32_t>& segment_of_point)
+{
+  requireValid(points.size(), left_out.size(), segment_of_point.size(), options);
+  if (points.empty())
+    return;
+  auto next = 1 + *std::max_element(segment_of_point.begin(), segment_of_point.end());
+  std::vector<Members> segments(next);
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    if (!left_out[i])
+      segments[segment_of_point[i]].push_back(i);
+  const GapCutter cutter(points, options);
+  std::vector<std::vector<Members>> parts(segments.size());
+  const auto count = static_cast<std::ptrdiff_t>(segments.size());
+#pragma omp parallel for schedule(dynamic, 1)                                          \
+    num_threads(threadCount(static_cast <int>(options.threads)))
+  for (std::ptrdiff_t s = 0; s < count; ++s)
+    parts[s] = cutter.partsOf(segments[s]);
+  for (const auto& cut : parts)
+    for (std::size_t part = 1; part < cut.size(); ++part, ++next)
+      for (const auto i : cut[part])
+        segment_of_point[i] = next;
+}
+
+} // namespace indoor
+} // namespace pcl
