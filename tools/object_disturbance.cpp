@@ -125,8 +125,7 @@ placeBeforeCamera(PointCloud<PointNormal>& cloud, std::uint32_t seed)
       (middle / static_cast<double>(cloud.size())).cast<float>();
   const Eigen::Vector3f place = 3.0f * extentOf(cloud) * Eigen::Vector3f::UnitZ();
   for (auto& point : cloud) {
-    point.getVector3fMap() =
-        (turn * (point.getVector3fMap() - center) + place).eval();
+    point.getVector3fMap() = (turn * (point.getVector3fMap() - center) + place).eval();
     point.getNormalVector3fMap() = (turn * point.getNormalVector3fMap()).eval();
   }
 }

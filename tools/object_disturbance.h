@@ -60,8 +60,9 @@ neighborsUnderNoise(const Disturbance& disturbance,
                     std::size_t point_count,
                     int least_count);
 
-/** \brief The view first, then noise, and the place before the camera; after noise, or if asked for, normals are estimated
- * anew from neighborsUnderNoise(), at least neighbor_count. */
+/** \brief The view first, then noise, and the place before the camera; after noise, or
+ * if asked for, normals are estimated anew from neighborsUnderNoise(), at least
+ * neighbor_count. */
 void
 disturb(PointCloud<PointNormal>& cloud,
         const Disturbance& disturbance,

@@ -205,7 +205,8 @@ runRetrieval(const LabelledObjects& objects,
              Progress& progress)
 {
   const bool is_disturbed = settings.disturbance.noise_percent > 0.0 ||
-                            settings.disturbance.hidden_percent > 0.0;
+                            settings.disturbance.hidden_percent > 0.0 ||
+                            settings.disturbance.before_camera;
   const auto clean = disturbedObjects(objects, settings, true, 0);
   std::vector<DescriptorSeries> series(descriptors.size());
   progress.start("Describing and retrieving");

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/features/pair_counting.h>
 #include <pcl/features/pair_sampling.h>
 
 #include <gtest/gtest.h>
@@ -115,6 +116,36 @@ TEST(PairSampler, StratifiedPairsDoNotDependOnTheOrderOfThePoints)
     const auto [three, four] = turned.pair(k);
     EXPECT_EQ(points[one].position, reversed[three].position);
     EXPECT_EQ(points[two].position, reversed[four].position);
+  }
+}
+
+TEST(CountBlocks, EachBlockCountsOnceOnAnyNumberOfThreads)
+{
+  const auto count = [](std::size_t block, std::vector<std::uint64_t>& own) {
+    own[block % 7] += block + 1;
+  };
+  for (const std::size_t blocks : {0u, 1u, 3u, 100u}) {
+    std::vector<std::uint64_t> expected(7);
+    for (std::size_t block = 0; block < blocks; ++block)
+      count(block, expected);
+    for (const unsigned int threads : {1u, 2u, 5u, 0u})
+      EXPECT_EQ(countBlocks(blocks, 7, threads, count), expected)
+          << blocks << " blocks, " << threads << " threads";
+  }
+}
+
+TEST(CountPairs, LastBlockEndsWithThePairs)
+{
+  for (const std::size_t pairs : {1u, 511u, 512u, 513u, 5000u}) {
+    const auto counts =
+        countPairs(pairs, 5000, 2, [](std::size_t first, std::size_t last, auto& own) {
+          for (std::size_t k = first; k < last; ++k)
+            ++own[k];
+        });
+    EXPECT_EQ(std::count(counts.begin(), counts.end(), 1u),
+              static_cast<std::ptrdiff_t>(pairs));
+    EXPECT_EQ(std::count(counts.begin(), counts.end(), 0u),
+              static_cast<std::ptrdiff_t>(5000 - pairs));
   }
 }
 
