@@ -137,7 +137,8 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
   if (!problem.empty())
     PCL_THROW_EXCEPTION(BadArgumentException, problem);
   const bool is_stratified = options.sampling == PairSampling::Stratified;
-  const int threads = std::min(pairThreadCount(options.number_of_threads), 2);
+  [[maybe_unused]] const int threads =
+      std::min(pairThreadCount(options.number_of_threads), 2);
   std::vector<std::uint32_t> order;
   float extent = 0.0f;
 #pragma omp parallel sections num_threads(threads) if (threads > 1)
