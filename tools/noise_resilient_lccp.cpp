@@ -23,7 +23,8 @@ namespace {
 struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "auto", camera = "auto";
-  std::string orientation = "auto", structure = "auto", things = "auto", gaps = "auto";
+  std::string orientation = "auto", structure = "auto", things = "auto", gaps = "auto",
+              frames = "auto";
   double union_air = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
@@ -106,6 +107,12 @@ addPartition(OptionParser& parser, Settings& settings)
             "both sides of a narrow upright gap without points (z is up); auto: apart "
             "for rooms",
             {"auto", "apart", "joined"})
+      .text(
+          "-frames",
+          settings.frames,
+          "for -partition graph: jambs and heads of doors, bars of windows (z is up); "
+          "auto: joined for rooms",
+          {"auto", "apart", "joined"})
       .number(
           "-union_air",
           settings.union_air,
@@ -207,6 +214,8 @@ chosenOptions(const Settings& settings, bool organised)
       settings.things == "auto" ? preset.separate_things : settings.things == "apart";
   options.separate_gaps =
       settings.gaps == "auto" ? preset.separate_gaps : settings.gaps == "apart";
+  options.join_frames =
+      settings.frames == "auto" ? preset.join_frames : settings.frames == "joined";
   options.max_union_air =
       settings.union_air < 0 ? preset.max_union_air : settings.union_air;
   options.adapt_to_resolution = !(settings.voxel_resolution > 0);

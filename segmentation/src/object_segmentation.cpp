@@ -10,6 +10,7 @@
 #include <pcl/filters/point_resolution.h>
 #include <pcl/segmentation/convex_unions.h>
 #include <pcl/segmentation/flat_things.h>
+#include <pcl/segmentation/frame_unions.h>
 #include <pcl/segmentation/object_gaps.h>
 #include <pcl/segmentation/room_structure.h>
 #include <pcl/segmentation/structure_contacts.h>
@@ -226,6 +227,28 @@ firstFreeLabel(const ObjectSegmentation& result)
          (last == planes.end() ? 0 : *last);
 }
 
+/** Join segments that have the shape of one thing. */
+void
+joinSegments(const SurfaceVoxels& voxels,
+             const std::vector<std::uint8_t>& in_plane,
+             const Eigen::Matrix3f& axes,
+             const ObjectSegmentationOptions& options,
+             std::vector<std::uint32_t>& segment_of_voxel)
+{
+  pcl::indoor::ConvexUnionOptions unions;
+  unions.air_per_contact = options.max_union_air;
+  unions.voxel_size = options.voxel_size;
+  unions.axes = axes;
+  pcl::indoor::joinConvexUnions(voxels, in_plane, unions, segment_of_voxel);
+  if (!options.join_frames)
+    return;
+  pcl::indoor::FrameUnionOptions frames;
+  frames.voxel_size = options.voxel_size;
+  frames.axes = axes;
+  frames.up = options.up;
+  pcl::indoor::joinFrames(voxels, in_plane, frames, segment_of_voxel);
+}
+
 /** Segments of voxels, parted where points tell more than voxels. */
 std::vector<std::uint32_t>
 segmentsOfPoints(const ObjectSegmentationInput& input,
@@ -304,10 +327,7 @@ segmentObjects(const ObjectSegmentationInput& input,
 
   ObjectSegmentation result;
   result.voxel_size = options.voxel_size;
-  ConvexUnionOptions unions;
-  unions.air_per_contact = options.max_union_air;
-  unions.voxel_size = options.voxel_size;
-  unions.axes = makeVoxels(input, options, result);
+  const auto axes = makeVoxels(input, options, result);
   const auto in_plane = flagsOf(result.plane_of_voxel);
   result.removed = findNonConvexVoxels(result.voxels, in_plane, options);
   auto left_out = in_plane;
@@ -329,7 +349,7 @@ segmentObjects(const ObjectSegmentationInput& input,
                 segment_of_voxel);
   labelRemainder(result.voxels.neighbors, firstFreeLabel(result), segment_of_voxel);
   if (options.partition == Partition::Graph)
-    joinConvexUnions(result.voxels, in_plane, unions, segment_of_voxel);
+    joinSegments(result.voxels, in_plane, axes, options, segment_of_voxel);
   result.segment_of_point =
       segmentsOfPoints(input, options, result.voxels, in_plane, segment_of_voxel);
   numberSegments(result);

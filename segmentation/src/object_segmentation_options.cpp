@@ -109,6 +109,7 @@ singleViewOptions()
   options.separate_things = false;
   options.separate_gaps = false;
   options.max_union_air = 0;
+  options.join_frames = false;
   return options;
 }
 

@@ -134,6 +134,7 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_TRUE(segmentation.getOptions().separate_structure);
   EXPECT_TRUE(segmentation.getOptions().separate_things);
   EXPECT_TRUE(segmentation.getOptions().separate_gaps);
+  EXPECT_TRUE(segmentation.getOptions().join_frames);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
   EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_air, 5);
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);

@@ -41,7 +41,7 @@ struct ObjectSegmentationOptions {
   /** part segments at empty gaps narrower than voxels, see partAtGaps(); never for a
    * single camera */
   bool separate_gaps = true;
-  /** against gravity, unit length; for separate_things and separate_gaps */
+  /** against gravity, unit length; for flat things, gaps and frames */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   unsigned normal_rings = 1; ///< reach of normals and curvature, voxels (>= 1)
   /** which way estimated normals are turned */
@@ -64,6 +64,9 @@ struct ObjectSegmentationOptions {
   /** join segments whose hulls leave little air between them for their contact, see
    * ConvexUnionOptions::air_per_contact; for Partition::Graph (>= 0, 0 = never) */
   double max_union_air = 5;
+  /** join the touching pieces of upright frames, see joinFrames(); for Partition::Graph
+   */
+  bool join_frames = true;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
