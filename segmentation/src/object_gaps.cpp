@@ -8,6 +8,7 @@
 #include "thread_count.h"
 
 #include <pcl/exceptions.h>
+#include <pcl/filters/point_cells.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,33 +89,40 @@ private:
     return lacking > 0 && isWidest(i, allowed / per_gap) ? lacking : 0;
   }
 
-  /** Whether no other empty stretch beside the gap is as wide. */
+  /** Whether what is beside the gap is solid, and no other empty stretch nearly as
+   * wide. */
   bool
   isWidest(std::ptrdiff_t i, double allowed) const
   {
     auto begin = i, end = i + per_gap;
-    const auto is_empty = [&](std::ptrdiff_t slice) {
-      return held(slice, slice + 1) <= allowed;
-    };
-    while (begin > 0 && is_empty(begin - 1))
+    while (begin > 0 && held(begin - 1, begin) <= allowed)
       --begin;
-    while (end < size() && is_empty(end))
+    while (end < size() && held(end, end + 1) <= allowed)
       ++end;
-    const auto around = std::max(reach, end - begin);
-    const auto widest = [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-      std::ptrdiff_t longest = 0, run = 0;
-      for (auto slice = std::max<std::ptrdiff_t>(first, 0);
-           slice < std::min(last, size());
-           ++slice) {
-        run = is_empty(slice) ? run + 1 : 0;
-        longest = std::max(longest, run);
-      }
-      return longest;
-    };
-    const auto other =
-        std::max(widest(begin - around, begin), widest(end, end + around));
+    const auto beside = std::max(emptyStretch(begin - reach, begin, allowed),
+                                 emptyStretch(end, end + reach, allowed));
+    if (beside >= per_gap)
+      return false;
+    const auto around = std::max(2 * reach, end - begin);
+    const auto other = std::max(
+        emptyStretch(std::max<std::ptrdiff_t>(begin - around, 0), begin, allowed),
+        emptyStretch(end, std::min(end + around, size()), allowed));
     return static_cast<double>(end - begin) >=
            options_.prominence * static_cast<double>(other);
+  }
+
+  /** The longest run of empty slices; there is nothing beyond the first and the last.
+   */
+  std::ptrdiff_t
+  emptyStretch(std::ptrdiff_t first, std::ptrdiff_t last, double allowed) const
+  {
+    std::ptrdiff_t longest = 0, run = 0;
+    for (auto slice = first; slice < last; ++slice) {
+      const bool is_inside = slice >= 0 && slice < size();
+      run = is_inside && held(slice, slice + 1) > allowed ? 0 : run + 1;
+      longest = std::max(longest, run);
+    }
+    return longest;
   }
 
   const ObjectGapOptions& options_;
@@ -134,6 +142,8 @@ public:
   std::vector<Members>
   partsOf(const Members& members) const
   {
+    if (!isDense(members))
+      return {members};
     std::vector<Members> open(1, members), parts;
     while (!open.empty()) {
       auto whole = std::move(open.back());
@@ -148,6 +158,21 @@ public:
   }
 
 private:
+  /** Whether points fill the voxels: the lines of a sparse scan do not. */
+  bool
+  isDense(const Members& members) const
+  {
+    std::vector<Eigen::Vector3f> places;
+    places.reserve(members.size());
+    for (const auto i : members)
+      places.push_back(points_[i]);
+    const auto voxels = pcl::indoor::groupByCell(places, options_.voxel_size).size();
+    const auto halves =
+        pcl::indoor::groupByCell(places, options_.voxel_size / 2).size();
+    return static_cast<double>(halves) >=
+           options_.min_density * static_cast<double>(voxels);
+  }
+
   std::vector<Members>
   cutOnce(const Members& members) const
   {
@@ -243,7 +268,8 @@ requireValid(std::size_t point_count,
   const auto is_share = [](double value) { return value >= 0 && value <= 1; };
   if (!(options.voxel_size > 0) || !(options.width > 0) || options.directions < 1 ||
       !(options.deviations >= 0) || !is_share(options.remainder) ||
-      !(options.prominence >= 0) || !(std::abs(options.up.norm() - 1) < 1e-3f))
+      !(options.prominence >= 0) || !(options.min_density >= 0) ||
+      !(std::abs(options.up.norm() - 1) < 1e-3f))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "Gaps need positive sizes, shares from 0 to 1 and a unit "
                         "vector up.");

@@ -14,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 using namespace pcl::indoor;
@@ -122,6 +123,42 @@ TEST(ObjectGaps, LeavesTheLinesOfAScannerTogether)
             static_cast<float>(line) * distance, 0.0f, static_cast<float>(i) * 0.005f);
     EXPECT_EQ(segmentCount(parted(lines)), 1u) << distance;
   }
+}
+
+/** Rings on the floor around a scanner, so far apart, with so many points per metre. */
+LabelledPoints
+rings(float distance, float per_metre)
+{
+  constexpr float arc = 0.3f;
+  LabelledPoints floor;
+  for (int ring = 0; ring < 20; ++ring) {
+    const float radius = 1 + distance * static_cast<float>(ring);
+    const int count = static_cast<int>(radius * arc * per_metre);
+    for (int i = 0; i <= count; ++i) {
+      const float angle = arc * static_cast<float>(i) / static_cast<float>(count);
+      floor.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    }
+  }
+  return floor;
+}
+
+TEST(ObjectGaps, LeavesTheRingsOfAScannerTogether)
+{
+  for (const float distance : {0.035f, 0.045f, 0.06f})
+    for (const float per_metre : {33.0f, 50.0f, 100.0f})
+      EXPECT_EQ(segmentCount(parted(rings(distance, per_metre))), 1u)
+          << distance << " m, " << per_metre << " per metre";
+  ObjectGapOptions options;
+  options.prominence = 0.5;
+  EXPECT_GT(segmentCount(parted(rings(0.045f, 100), options)), 1u);
+}
+
+TEST(ObjectGaps, NeedsDensePoints)
+{
+  auto scene = bookcases(2, 0.04f);
+  ObjectGapOptions options;
+  options.min_density = 5;
+  EXPECT_EQ(segmentCount(parted(scene, options)), 1u);
 }
 
 /** Slices of a quarter of a gap's width along x, with so many points each. */

@@ -22,9 +22,13 @@ struct ObjectGapOptions {
   double remainder = 0.25;
   /** and this many standard deviations of its number of points fewer (>= 0) */
   double deviations = 2;
-  /** a gap is this many times as wide as any other empty stretch beside it (>= 0), so
-   * that the gaps between the lines of a scanner do not count */
-  double prominence = 2;
+  /** a gap is this many times as wide as any other empty stretch on either side, as far
+   * as four times its least width (>= 0), so that the gaps between the lines of a
+   * scanner do not count */
+  double prominence = 1.5;
+  /** segments are looked at only if they occupy this many cells of half a voxel for
+   * each voxel (>= 0), for the same reason: lines that bend leave no empty stretches */
+  double min_density = 1.5;
   unsigned directions = 60; ///< of upright planes that are tried, in 180 degrees (>= 1)
   unsigned threads = 0;     ///< 0 = automatic; the result does not depend on it
 };
