@@ -37,20 +37,20 @@ allCounts(const std::vector<OrientedPoint>& points,
           const CountPairs& count_pairs)
 {
   const auto& bins = options.bins;
-  const std::size_t pair_blocks = pairBlockCount(options.pair_count);
+  const std::size_t pair_blocks = blockCount(options.pair_count, pair_block_size);
   constexpr std::size_t place_block = PlaceCounter::block_size;
   const std::size_t place_blocks =
-      hasPlaces(options) ? (points.size() + place_block - 1) / place_block : 0;
+      hasPlaces(options) ? blockCount(points.size(), place_block) : 0;
   const PlaceCounter places(
       place_blocks > 0 ? principalFrame(points) : PrincipalFrame(), scale, bins.places);
   const auto count = [&](std::size_t block, std::vector<std::uint64_t>& own) {
     if (block < pair_blocks) {
-      const std::size_t first = block * pair_block_size;
-      count_pairs(first, std::min(first + pair_block_size, options.pair_count), own);
+      const auto [first, last] = blockRange(block, options.pair_count, pair_block_size);
+      count_pairs(first, last, own);
     }
     else {
-      const std::size_t first = (block - pair_blocks) * place_block;
-      const std::size_t last = std::min(first + place_block, points.size());
+      const auto [first, last] =
+          blockRange(block - pair_blocks, points.size(), place_block);
       places.count(points, first, last, own.data() + bins.pairSize());
     }
   };

@@ -10,6 +10,8 @@
 #include <pcl/exceptions.h>
 #include <pcl/filters/point_cells.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,6 +22,8 @@ namespace {
 using pcl::indoor::ObjectGapOptions;
 
 using Members = std::vector<std::uint32_t>;
+
+constexpr double farthest = 1 << 20; // extent of a segment, halves of voxels
 
 /** Gaps across one direction: where to cut, and how clear the clearest is. */
 struct Cuts {
@@ -142,7 +146,7 @@ public:
   std::vector<Members>
   partsOf(const Members& members) const
   {
-    if (!isDense(members))
+    if (!isLargeEnough(members) || !isDense(members))
       return {members};
     std::vector<Members> open(1, members), parts;
     while (!open.empty()) {
@@ -158,14 +162,28 @@ public:
   }
 
 private:
-  /** Whether points fill the voxels: the lines of a sparse scan do not. */
+  /** A gap without points needs this many in the slices beside it. */
+  bool
+  isLargeEnough(const Members& members) const
+  {
+    return static_cast<double>(members.size()) * options_.remainder >
+           4 * options_.deviations;
+  }
+
+  /** Whether points fill the voxels: the lines of a sparse scan do not, nor what
+   * reaches farther than cells can be numbered. */
   bool
   isDense(const Members& members) const
   {
     std::vector<Eigen::Vector3f> places;
     places.reserve(members.size());
-    for (const auto i : members)
+    Eigen::AlignedBox3d box;
+    for (const auto i : members) {
       places.push_back(points_[i]);
+      box.extend(points_[i].cast<double>());
+    }
+    if (box.sizes().maxCoeff() > farthest * options_.voxel_size / 2)
+      return false;
     const auto voxels = pcl::indoor::groupByCell(places, options_.voxel_size).size();
     const auto halves =
         pcl::indoor::groupByCell(places, options_.voxel_size / 2).size();
@@ -176,9 +194,7 @@ private:
   std::vector<Members>
   cutOnce(const Members& members) const
   {
-    // A gap without points needs this many in the slices beside it.
-    if (static_cast<double>(members.size()) * options_.remainder <=
-        4 * options_.deviations)
+    if (!isLargeEnough(members))
       return {members};
     std::vector<Eigen::Vector2f> places;
     places.reserve(members.size());

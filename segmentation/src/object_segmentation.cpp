@@ -265,15 +265,18 @@ segmentsOfPoints(const ObjectSegmentationInput& input,
     segments = pcl::indoor::partFlatThings(
         input.points, voxels, segment_of_voxel, in_plane, things);
   }
-  else
+  else {
+    segments.reserve(input.points.size());
     for (const auto voxel : voxels.cells.cell_of_point)
       segments.push_back(segment_of_voxel[voxel]);
+  }
   if (options.separate_gaps && !input.single_camera) {
     pcl::indoor::ObjectGapOptions gaps;
     gaps.up = options.up;
     gaps.voxel_size = options.voxel_size;
     gaps.threads = options.threads;
     std::vector<std::uint8_t> left_out;
+    left_out.reserve(input.points.size());
     for (const auto voxel : voxels.cells.cell_of_point)
       left_out.push_back(in_plane[voxel]);
     pcl::indoor::partAtGaps(input.points, left_out, gaps, segments);

@@ -14,7 +14,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <set>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::test;
@@ -54,12 +53,6 @@ joined(const LabelledPoints& scene,
   for (std::size_t i = 0; i < scene.points.size(); ++i)
     labels.push_back(segments[voxels.cells.cell_of_point[i]]);
   return labels;
-}
-
-std::size_t
-segmentCount(const std::vector<std::uint32_t>& labels)
-{
-  return std::set<std::uint32_t>(labels.begin(), labels.end()).size();
 }
 
 /** Compartments one above the other, each a back, two sides and a shelf. */

@@ -14,7 +14,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <set>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::test;
@@ -55,12 +54,6 @@ parted(const LabelledPoints& scene,
                         std::vector<std::uint32_t>(voxels.size(), 0),
                         std::vector<std::uint8_t>(voxels.size(), leave_out),
                         options);
-}
-
-std::size_t
-segmentCount(const std::vector<std::uint32_t>& labels)
-{
-  return std::set<std::uint32_t>(labels.begin(), labels.end()).size();
 }
 
 /** Share of the points for which the second segment is not the scene's object 2. */
@@ -129,8 +122,7 @@ TEST(FlatThings, FollowsTheDirectionUp)
   const Eigen::Matrix3f rotation =
       Eigen::AngleAxisf(1.1f, Eigen::Vector3f(2, -1, 1).normalized())
           .toRotationMatrix();
-  for (auto& point : turned.points)
-    point = rotation * point;
+  turned.turn(rotation);
   FlatThingOptions options;
   EXPECT_EQ(segmentCount(parted(turned, options)), 1u);
   options.up = rotation * Eigen::Vector3f::UnitZ();

@@ -45,13 +45,6 @@ doorFrame()
                 {{0.09f, 0, 2}, {0.88f, 0.12f, 0.08f}}});
 }
 
-void
-turn(LabelledPoints& scene, const Eigen::Matrix3f& rotation)
-{
-  for (auto& point : scene.points)
-    point = rotation * point;
-}
-
 Eigen::Matrix3f
 rotationBy(float angle, const Eigen::Vector3f& axis)
 {
@@ -107,7 +100,7 @@ TEST(FrameUnions, FollowsTheAxesAndTheDirectionUp)
 {
   auto scene = doorFrame();
   const auto rotation = rotationBy(0.7f, {1, 2, -1});
-  turn(scene, rotation);
+  scene.turn(rotation);
   EXPECT_FALSE(areJoined(scene, joined(scene), 1, 3));
   FrameUnionOptions options;
   options.axes = rotation;
@@ -149,13 +142,11 @@ TEST(FrameUnions, LeavesBarsOfDifferentLayers)
   // Two posts, one before the other
   const auto scene =
       boxes({{{0, 0, 0}, {0.06f, 0.06f, 2}}, {{0, 0.07f, 0}, {0.06f, 0.06f, 2}}});
-  FrameUnionOptions options;
-  options.axes = rotationBy(0, {0, 0, 1});
   // Along x they lie in one layer, as two posts side by side do.
-  EXPECT_TRUE(areJoined(scene, joined(scene, options), 1, 2));
+  EXPECT_TRUE(areJoined(scene, joined(scene), 1, 2));
   const auto crossed = boxes(
       {{{0, 0, 0}, {0.06f, 0.06f, 2}}, {{-0.4f, 0.07f, 1}, {0.9f, 0.06f, 0.06f}}});
-  EXPECT_FALSE(areJoined(crossed, joined(crossed, options), 1, 2));
+  EXPECT_FALSE(areJoined(crossed, joined(crossed), 1, 2));
 }
 
 TEST(FrameUnions, KeepsVoxelsThatAreLeftOut)

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::test;
@@ -38,13 +37,6 @@ bookcases(int count, float gap, float noise = 0.003f)
   return scene;
 }
 
-void
-turn(LabelledPoints& scene, const Eigen::Matrix3f& rotation)
-{
-  for (auto& point : scene.points)
-    point = rotation * point;
-}
-
 Eigen::Matrix3f
 aboutTheVertical(float angle)
 {
@@ -65,17 +57,11 @@ parted(const LabelledPoints& scene,
   return labels;
 }
 
-std::size_t
-segmentCount(const std::vector<std::uint32_t>& labels)
-{
-  return std::set<std::uint32_t>(labels.begin(), labels.end()).size();
-}
-
 TEST(ObjectGaps, PartsBookcasesWhicheverWayTheyStand)
 {
   for (const float angle : {0.0f, 0.4f, 1.3f, 2.9f}) {
     auto scene = bookcases(3, 0.04f);
-    turn(scene, aboutTheVertical(angle));
+    scene.turn(aboutTheVertical(angle));
     EXPECT_EQ(renamed(parted(scene)), renamed(scene.objects)) << angle;
   }
 }
@@ -200,7 +186,7 @@ TEST(ObjectGaps, NeedsFewPointsInTheGapForTheirChance)
 
 TEST(ObjectGaps, MustBeWiderThanOtherEmptyStretches)
 {
-  // Two slices are empty, then four; the stretch ends with the third full slice.
+  // Two slices are empty beside the four of the gap.
   const std::vector<int> counts = {20, 20, 20, 0,  0,  20, 20, 20, 0,  0,
                                    0,  0,  9,  20, 20, 20, 20, 20, 20, 20};
   ObjectGapOptions options;
@@ -216,7 +202,7 @@ TEST(ObjectGaps, FollowsTheDirectionUp)
   const Eigen::Matrix3f rotation =
       Eigen::AngleAxisf(1.1f, Eigen::Vector3f(2, -1, 1).normalized())
           .toRotationMatrix();
-  turn(scene, rotation);
+  scene.turn(rotation);
   EXPECT_EQ(segmentCount(parted(scene)), 1u);
   ObjectGapOptions options;
   options.up = rotation * Eigen::Vector3f::UnitZ();
@@ -259,6 +245,16 @@ TEST(ObjectGaps, BearsPointsThatAreFewOrEqual)
   EXPECT_EQ(segmentCount(parted(scene)), 1u);
   scene.points.assign(1, {1, 2, 3});
   EXPECT_EQ(segmentCount(parted(scene)), 1u);
+}
+
+TEST(ObjectGaps, LeavesWhatReachesTooFarWhole)
+{
+  auto scene = bookcases(2, 0.04f);
+  EXPECT_EQ(segmentCount(parted(scene)), 2u);
+  for (const float far : {1e5f, 1e9f}) {
+    scene.points.emplace_back(far, 0, 0);
+    EXPECT_EQ(segmentCount(parted(scene)), 1u) << far;
+  }
 }
 
 TEST(ObjectGaps, RefusesWrongInput)

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <random>
+#include <set>
 #include <vector>
 
 namespace pcl {
@@ -61,6 +62,15 @@ struct LabelledPoints {
         kept.objects.push_back(objects[i]);
       }
     *this = std::move(kept);
+  }
+
+  void
+  turn(const Eigen::Matrix3f& rotation)
+  {
+    for (auto& point : points)
+      point = rotation * point;
+    for (auto& normal : normals)
+      normal = rotation * normal;
   }
 
   /** The top and the four sides of a box. */
@@ -114,6 +124,13 @@ renamed(const std::vector<std::uint32_t>& labels)
     result.push_back(names.emplace(label, next).first->second);
   }
   return result;
+}
+
+/** How many different labels there are. */
+inline std::size_t
+segmentCount(const std::vector<std::uint32_t>& labels)
+{
+  return std::set<std::uint32_t>(labels.begin(), labels.end()).size();
 }
 
 /** Portable shuffle: std::shuffle gives another order with another library. */

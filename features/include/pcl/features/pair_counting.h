@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -54,11 +55,19 @@ countBlocks(std::size_t block_count,
   return counts;
 }
 
-/** \brief Number of blocks of pairs. */
+/** \brief Number of blocks that some things make, the last one not always full. */
 inline std::size_t
-pairBlockCount(std::size_t pair_count)
+blockCount(std::size_t count, std::size_t block_size)
 {
-  return (pair_count + pair_block_size - 1) / pair_block_size;
+  return (count + block_size - 1) / block_size;
+}
+
+/** \brief First of the things of a block, and one past its last. */
+inline std::pair<std::size_t, std::size_t>
+blockRange(std::size_t block, std::size_t count, std::size_t block_size)
+{
+  const std::size_t first = block * block_size;
+  return {first, std::min(first + block_size, count)};
 }
 
 /** \brief Counts of all pairs per bin, see countBlocks().
@@ -72,13 +81,13 @@ countPairs(std::size_t pair_count,
            unsigned int number_of_threads,
            const CountPairs& count_pairs)
 {
-  return countBlocks(pairBlockCount(pair_count),
+  return countBlocks(blockCount(pair_count, pair_block_size),
                      bin_count,
                      number_of_threads,
                      [&](std::size_t block, std::vector<std::uint64_t>& own) {
-                       const std::size_t first = block * pair_block_size;
-                       count_pairs(
-                           first, std::min(first + pair_block_size, pair_count), own);
+                       const auto [first, last] =
+                           blockRange(block, pair_count, pair_block_size);
+                       count_pairs(first, last, own);
                      });
 }
 

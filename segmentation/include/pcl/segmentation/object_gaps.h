@@ -38,7 +38,8 @@ struct ObjectGapOptions {
  * that continue each other across it bend nothing; but an upright slice through the
  * whole segment that holds hardly any of its points, though the slices beside it hold
  * many, is no chance. What bridges a gap with less than a quarter of what stands beside
- * it counts as noise. No step of the thesis. The cost is linear in the number of points
+ * it counts as noise. A segment that reaches over more than 2^20 halves of a voxel is
+ * left as it is. No step of the thesis. The cost is linear in the number of points
  * times directions.
  * \param[in] points finite, metres, local frame
  * \param[in] left_out one per point: such points (floor, walls) keep their segment
