@@ -90,7 +90,12 @@ private:
     const double rest = held(i, i + per_gap);
     // The count is random; its deviation is the root, and one more than none was seen.
     const double lacking = allowed - rest - options_.deviations * std::sqrt(rest + 1);
-    return lacking > 0 && isWidest(i, allowed / per_gap) ? lacking : 0;
+    if (!(lacking > 0))
+      return 0;
+    // Beside dense sides of furniture its front is thin, but no gap.
+    const double own = rest / per_gap;
+    const double as_empty = own + options_.deviations * std::sqrt(own + 1);
+    return isWidest(i, std::min(allowed / per_gap, as_empty)) ? lacking : 0;
   }
 
   /** Whether what is beside the gap is solid, and no other empty stretch nearly as

@@ -66,6 +66,28 @@ TEST(ObjectGaps, PartsBookcasesWhicheverWayTheyStand)
   }
 }
 
+TEST(ObjectGaps, PartsBodiesWhoseSidesHoldMostPoints)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(9);
+  const auto random = [&](float low, float high) {
+    return low + (high - low) * static_cast<float>(rng() % 1001) / 1000;
+  };
+  for (const std::uint32_t object : {1u, 2u}) {
+    const float x = object == 1 ? 0 : 1.44f;
+    for (int i = 0; i < 4000; ++i) // the front
+      scene.points.emplace_back(random(x, x + 1.4f), random(0, 0.01f), random(0, 1.7f));
+    for (const float side : {0.0f, 0.02f, 1.38f, 1.4f}) // seen from both sides
+      for (int i = 0; i < 1600; ++i)
+        scene.points.emplace_back(
+            x + side + random(-0.005f, 0.005f), random(0, 0.6f), random(0, 1.7f));
+    scene.objects.resize(scene.points.size(), object);
+  }
+  ObjectGapOptions options;
+  options.voxel_size = 0.05;
+  EXPECT_EQ(renamed(parted(scene, options)), renamed(scene.objects));
+}
+
 TEST(ObjectGaps, LeavesWhatTouchesWhole)
 {
   EXPECT_EQ(segmentCount(parted(bookcases(2, 0.002f))), 1u);
