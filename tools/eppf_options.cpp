@@ -16,7 +16,7 @@ const std::vector<std::string> rule_names = {
 const std::vector<std::string> side_names = {"outward", "given", "ignored"};
 const std::vector<std::string> sampling_names = {"uniform", "stratified"};
 const std::vector<std::string> feature_names = {
-    "none", "distance", "surface_angle", "normal_angle", "occupancy", "places"};
+    "none", "distance", "surface_angle", "normal_angle", "occupancy", "harmonics"};
 
 std::size_t
 indexOf(const std::string& name, const std::vector<std::string>& names)
@@ -39,10 +39,10 @@ readBins(const std::string& text)
   if (!stream.eof() || comma != '\0' || (counts.size() != 4 && counts.size() != 7))
     throw ToolError("-bins: '" + text +
                     "' is neither four numbers as in 20,4,5,3 nor seven as in "
-                    "4,15,5,2,5,5,4");
+                    "4,15,5,2,3,6,12");
   EPPFBins bins{counts[0], counts[1], counts[2], counts[3], {}};
   if (counts.size() == 7)
-    bins.places = {counts[4], counts[5], counts[6]};
+    bins.harmonics = {counts[4], counts[5], counts[6]};
   return bins;
 }
 
@@ -51,8 +51,8 @@ binsText(const EPPFBins& bins)
 {
   std::ostringstream text;
   text << bins.distance << ',' << bins.surface_angle << ',' << bins.normal_angle << ','
-       << bins.occupancy << ',' << bins.places.longest << ',' << bins.places.middle
-       << ',' << bins.places.shortest;
+       << bins.occupancy << ',' << bins.harmonics.shells << ',' << bins.harmonics.degree
+       << ',' << bins.harmonics.distances;
   return text.str();
 }
 
@@ -79,10 +79,11 @@ EPPFCommandLine::addTo(OptionParser& parser)
               Range::atLeast(0))
       .number("-seed", options_.seed, "the same seed draws the same pairs")
       .number("-threads", options_.number_of_threads, "threads; 0: all of the machine")
-      .text("-bins",
-            bins_,
-            "bins of distance, surface angle, normal angle, occupancy, and of places "
-            "along three axes (times 6)")
+      .text(
+          "-bins",
+          bins_,
+          "bins of distance, surface angle, normal angle, occupancy; shells and degree "
+          "of harmonics, distances from the middle")
       .flag("-short", short_form_, "the short form of 540 bins")
       .number("-grid_size",
               options_.grid_size,

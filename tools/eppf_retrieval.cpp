@@ -94,13 +94,13 @@ ablation(const std::string& what, const EPPFOptions& options)
     add("without f2", [](auto& o) { o.features.surface_angle = false; });
     add("without f3", [](auto& o) { o.features.normal_angle = false; });
     add("without f4", [](auto& o) { o.features.occupancy = false; });
-    add("without places", [](auto& o) { o.features.places = false; });
+    add("without harmonics", [](auto& o) { o.features.harmonics = false; });
     add("pairs in all bins", [](auto& o) { o.bins = {8, 15, 5, 2, {}}; });
   }
   else if (what == "surface_angle") {
     const auto use = [](auto& o, SurfaceAngleRule rule) {
       o.surface_angle_rule = rule; // 8 x 5 x 3 x 5 bins, as fine in both angles
-      o.bins = {8, 5, 3, 5, o.bins.places};
+      o.bins = {8, 5, 3, 5, o.bins.harmonics};
     };
     add("maximum", [=](auto& o) { use(o, SurfaceAngleRule::Maximum); });
     add("minimum", [=](auto& o) { use(o, SurfaceAngleRule::Minimum); });

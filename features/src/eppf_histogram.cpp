@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "eppf_pair_counter.h"
-#include "place_counter.h"
+#include "harmonic_sums.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_denoising.h>
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -20,45 +19,15 @@ namespace indoor {
 
 namespace {
 
-constexpr double place_share = 1.0 / 3.0; // of the histogram, the rest is of pairs
+constexpr double harmonic_share = 2.0 / 3.0; // of the histogram, the rest is of pairs
 
 bool
-hasPlaces(const EPPFOptions& options)
+hasHarmonics(const EPPFOptions& options)
 {
-  return options.features.places && options.bins.places.size() > 0;
+  return options.features.harmonics && options.bins.harmonics.size() > 0;
 }
 
-/** \brief Counts of all bins: of blocks of pairs, and of the places of the points. */
-template <typename CountPairs>
-std::vector<std::uint64_t>
-allCounts(const std::vector<OrientedPoint>& points,
-          double scale,
-          const EPPFOptions& options,
-          const CountPairs& count_pairs)
-{
-  const auto& bins = options.bins;
-  const std::size_t pair_blocks = blockCount(options.pair_count, pair_block_size);
-  constexpr std::size_t place_block = PlaceCounter::block_size;
-  const std::size_t place_blocks =
-      hasPlaces(options) ? blockCount(points.size(), place_block) : 0;
-  const PlaceCounter places(
-      place_blocks > 0 ? principalFrame(points) : PrincipalFrame(), scale, bins.places);
-  const auto count = [&](std::size_t block, std::vector<std::uint64_t>& own) {
-    if (block < pair_blocks) {
-      const auto [first, last] = blockRange(block, options.pair_count, pair_block_size);
-      count_pairs(first, last, own);
-    }
-    else {
-      const auto [first, last] =
-          blockRange(block - pair_blocks, points.size(), place_block);
-      places.count(points, first, last, own.data() + bins.pairSize());
-    }
-  };
-  return countBlocks(
-      pair_blocks + place_blocks, bins.size(), options.number_of_threads, count);
-}
-
-/** \brief Eq. (5.11), and the sum brought to 1, beside the bins of places. */
+/** \brief Eq. (5.11), and the sum brought to 1, or less beside harmonics. */
 std::vector<float>
 weighted(const std::vector<std::uint64_t>& counts, const EPPFOptions& options)
 {
@@ -77,19 +46,65 @@ weighted(const std::vector<std::uint64_t>& counts, const EPPFOptions& options)
   std::vector<float> histogram(counts.size(), std::numeric_limits<float>::quiet_NaN());
   if (!(sum > 0.0))
     return histogram;
-  const double share = hasPlaces(options) ? 1.0 - place_share : 1.0;
-  const auto places =
+  const double share = hasHarmonics(options) ? 1.0 - harmonic_share : 1.0;
+  const auto rest =
       std::transform(weights.begin(), weights.end(), histogram.begin(), [&](double w) {
         return static_cast<float>(share * w / sum);
       });
-  const auto first_place = counts.begin() + static_cast<std::ptrdiff_t>(pair_size);
-  const auto place_sum = static_cast<double>(
-      std::max(std::accumulate(first_place, counts.end(), std::uint64_t{0}),
-               std::uint64_t{1})); // 0 without places
-  std::transform(first_place, counts.end(), places, [&](std::uint64_t count) {
-    return static_cast<float>(place_share * (static_cast<double>(count) / place_sum));
-  });
+  std::fill(rest, histogram.end(), 0.0f);
   return histogram;
+}
+
+/** \brief The histogram, of blocks of pairs and of blocks of points of a surface. */
+template <typename CountPairs>
+std::vector<float>
+histogramOf(const std::vector<OrientedPoint>& surface,
+            const PrincipalFrame& frame,
+            double scale,
+            const EPPFOptions& options,
+            const CountPairs& count_pairs)
+{
+  const auto& bins = options.bins;
+  const std::size_t pair_blocks = blockCount(options.pair_count, pair_block_size);
+  constexpr std::size_t block_size = HarmonicSums::block_size;
+  const std::size_t surface_blocks =
+      hasHarmonics(options) ? blockCount(surface.size(), block_size) : 0;
+  const HarmonicSums harmonics(frame, scale, bins.harmonics);
+  const auto count = [&](std::size_t block, std::vector<std::uint64_t>& own) {
+    if (block < pair_blocks) {
+      const auto [first, last] = blockRange(block, options.pair_count, pair_block_size);
+      count_pairs(first, last, own);
+    }
+    else {
+      const auto [first, last] =
+          blockRange(block - pair_blocks, surface.size(), block_size);
+      harmonics.add(surface, first, last, own.data() + bins.pairSize());
+    }
+  };
+  const auto counts = countBlocks(
+      pair_blocks + surface_blocks, bins.size(), options.number_of_threads, count);
+  auto histogram = weighted(counts, options);
+  if (hasHarmonics(options) && std::isfinite(histogram.front())) {
+    const auto values =
+        harmonics.values(counts.data() + bins.pairSize(), surface.size());
+    std::transform(values.begin(),
+                   values.end(),
+                   histogram.end() - static_cast<std::ptrdiff_t>(values.size()),
+                   [](double v) { return static_cast<float>(harmonic_share * v); });
+  }
+  return histogram;
+}
+
+/** \brief The frame of harmonics. Where the farthest points are a matter of noise,
+ * their middle is no better than the mean of all. */
+PrincipalFrame
+frameOf(const std::vector<OrientedPoint>& surface,
+        float evidence,
+        const EPPFOptions& options)
+{
+  if (!hasHarmonics(options))
+    return {Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()};
+  return principalFrame(surface, 0.5 * (1.0 - static_cast<double>(evidence)));
 }
 
 /** \brief The points in an order, which spares a look-up per pair. */
@@ -118,14 +133,15 @@ noisyHistogram(const std::vector<OrientedPoint>& points,
                      : PairSampler(object.points, options.sampling, options.seed);
   const double scale = options.scale > 0.0 ? options.scale : object.extent;
   const PairCounter counter(object.points, std::move(sampler), scale, options);
-  const auto counts =
-      allCounts(object.points,
-                scale,
-                options,
-                [&](std::size_t first, std::size_t last, auto& own) {
-                  counter.countSoftly(first, last, object.weights, noise.evidence, own);
-                });
-  return weighted(counts, options);
+  // Harmonics are smooth already: of points where they are, not moved to planes.
+  return histogramOf(points,
+                     frameOf(points, noise.evidence, options),
+                     scale,
+                     options,
+                     [&](std::size_t first, std::size_t last, auto& own) {
+                       counter.countSoftly(
+                           first, last, object.weights, noise.evidence, own);
+                     });
 }
 
 } // namespace
@@ -165,11 +181,13 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
     along_order = arranged(points, order);
   const auto& used = is_stratified ? along_order : points;
   const PairCounter counter(used, std::move(sampler), scale, options);
-  const auto counts = allCounts(
-      used, scale, options, [&](std::size_t first, std::size_t last, auto& own) {
-        counter.count(first, last, own);
-      });
-  return weighted(counts, options);
+  return histogramOf(used,
+                     frameOf(used, 0.0f, options),
+                     scale,
+                     options,
+                     [&](std::size_t first, std::size_t last, auto& own) {
+                       counter.count(first, last, own);
+                     });
 }
 
 } // namespace indoor

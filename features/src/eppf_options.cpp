@@ -29,7 +29,7 @@ EPPFBins
 shortEPPFBins(SurfaceAngleRule rule)
 {
   if (rule == SurfaceAngleRule::Joint)
-    return {5, 6, 5, 2, {5, 4, 2}};
+    return {5, 6, 5, 2, {2, 4, 40}};
   return {15, 3, 4, 3};
 }
 
@@ -54,12 +54,15 @@ whatIsWrong(const EPPFOptions& options)
       problem << "The number of " << name << " bins must be in 1 ... 64, not " << count;
       return problem.str();
     }
-  const auto& places = bins.places;
-  const auto least = std::min({places.longest, places.middle, places.shortest});
-  const auto most = std::max({places.longest, places.middle, places.shortest});
-  if (least < 0 || most > 64)
-    problem << "The number of bins of places along an axis must be in 0 ... 64, not "
-            << (least < 0 ? least : most);
+  const auto& harmonics = bins.harmonics;
+  if (std::min(harmonics.shells, harmonics.distances) < 0 ||
+      std::max(harmonics.shells, harmonics.distances) > 64)
+    problem
+        << "The numbers of shells and of distances from the middle must be in 0 ... "
+           "64, not "
+        << harmonics.shells << " and " << harmonics.distances;
+  else if (harmonics.degree < 0 || harmonics.degree > 8)
+    problem << "The degree of harmonics must be in 0 ... 8, not " << harmonics.degree;
   else if (options.pair_count < 1 || options.pair_count > 0xFFFFFFFFu)
     problem << "The number of pairs must be in 1 ... 2^32 - 1, not "
             << options.pair_count;

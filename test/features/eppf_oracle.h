@@ -7,7 +7,7 @@
 #include <pcl/features/eppf_denoising.h>
 #include <pcl/features/eppf_histogram.h>
 #include <pcl/features/line_occupancy.h>
-#include <pcl/features/surface_places.h>
+#include <pcl/features/surface_harmonics.h>
 
 #include <Eigen/SVD>
 
@@ -90,61 +90,93 @@ softShare(double place, int bin, int count, double softness)
   return above_lower - above_upper;
 }
 
-/** \brief surfacePlaces() with every point offered to every bin. */
-inline std::vector<double>
-slowPlaces(const std::vector<OrientedPoint>& points,
-           double scale,
-           const PlaceBins& bins)
+/** \brief A real spherical harmonic of mean square 1, from the standard library's
+ * associated Legendre functions, sine for m < 0. */
+inline double
+slowHarmonic(int l, int m, const Eigen::Vector3d& direction)
 {
-  Eigen::MatrixXd offsets(3, points.size());
-  for (std::size_t k = 0; k < points.size(); ++k)
-    offsets.col(static_cast<Eigen::Index>(k)) = points[k].position.cast<double>();
-  const Eigen::Vector3d center = offsets.rowwise().mean();
-  offsets.colwise() -= center;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(offsets, Eigen::ComputeThinU);
-  const int counts[] = {bins.longest, bins.middle, bins.shortest};
-  std::vector<double> places(bins.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Eigen::Vector3d offset = offsets.col(static_cast<Eigen::Index>(k));
-    const Eigen::Vector3d place = svd.matrixU().transpose() * offset;
-    Eigen::Vector3d normal = points[k].normal.cast<double>();
-    if (normal.dot(offset) < 0.0)
-      normal = -normal;
-    normal = svd.matrixU().transpose() * normal;
-    for (std::size_t bin = 0; bin < places.size(); ++bin) {
-      const int direction = static_cast<int>(bin % 6);
-      const int cell = static_cast<int>(bin / 6);
-      const int along[] = {
-          cell / counts[2] / counts[1], cell / counts[2] % counts[1], cell % counts[2]};
-      const int axis = direction / 2;
-      const bool is_inward = normal[axis] * place[axis] < 0.0;
-      double part = is_inward == (direction % 2 == 1) ? normal[axis] * normal[axis] : 0;
-      for (int a = 0; a < 3; ++a)
-        part *= softShare(
-            std::abs(place[a]) / (scale / 2) * counts[a], along[a], counts[a], 1.0);
-      places[bin] += part / static_cast<double>(points.size());
-    }
-  }
-  return places;
+  const auto order = static_cast<unsigned int>(std::abs(m));
+  const double theta = std::acos(std::clamp(direction.z(), -1.0, 1.0));
+  const double phi = std::atan2(direction.y(), direction.x());
+  const double value = std::sqrt(4.0 * pi) *
+                       std::sph_legendre(static_cast<unsigned int>(l), order, theta);
+  if (m == 0)
+    return value;
+  return std::sqrt(2.0) * value *
+         (m > 0 ? std::cos(order * phi) : std::sin(order * phi));
 }
 
-/** \brief The sum of pairs brought to 1, or to 2 / 3 beside places. */
+/** \brief surfaceHarmonics() around the centre that lies middle_share of the way from
+ * the mean to the middle of the extents, with every point offered to every shell. */
 inline std::vector<double>
-withPlaces(std::vector<double> pairs,
-           const std::vector<OrientedPoint>& points,
-           double scale,
-           const EPPFOptions& options)
+slowHarmonics(const std::vector<OrientedPoint>& points,
+              double middle_share,
+              double scale,
+              const HarmonicBins& bins)
 {
-  const bool has_places = options.features.places && options.bins.places.size() > 0;
+  const auto count = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd offsets(3, count);
+  for (Eigen::Index k = 0; k < count; ++k)
+    offsets.col(k) = points[static_cast<std::size_t>(k)].position.cast<double>();
+  offsets.colwise() -= offsets.rowwise().mean().eval();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(offsets, Eigen::ComputeFullU);
+  Eigen::MatrixXd places = svd.matrixU().transpose() * offsets;
+  places.colwise() -=
+      (middle_share * (places.rowwise().minCoeff() + places.rowwise().maxCoeff()) / 2)
+          .eval();
+  const std::size_t functions = bins.functionCount();
+  const auto shell_share = [&](const Eigen::Vector3d& place, int shell, int shells) {
+    return softShare(place.norm() / (0.6 * scale) * shells, shell, shells, 1.0);
+  };
+  std::vector<double> values(bins.size());
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Vector3d place = places.col(k);
+    const Eigen::Vector3d normal =
+        svd.matrixU().transpose() *
+        points[static_cast<std::size_t>(k)].normal.cast<double>();
+    for (int shell = 0; shell < bins.shells; ++shell)
+      for (int l = 0; l <= bins.degree; ++l)
+        for (int m = -l; m <= l; ++m)
+          for (int axis = 0; axis < 4; ++axis) {
+            const double share = axis < 3 ? normal[axis] * normal[axis] : 1.0;
+            values[(4 * shell + axis) * functions + l * l + l + m] +=
+                share * shell_share(place, shell, bins.shells) *
+                slowHarmonic(l, m, place.normalized()) / static_cast<double>(count);
+          }
+    for (int near = 0; near < bins.distances; ++near)
+      values[4 * bins.shells * functions + near] +=
+          shell_share(place, near, bins.distances) / static_cast<double>(count);
+  }
+  double sum = 0.0;
+  for (auto& value : values) {
+    value = std::abs(value) + 0.002;
+    sum += value;
+  }
+  for (auto& value : values)
+    value /= sum;
+  return values;
+}
+
+/** \brief The sum of pairs brought to 1, or to 1 / 3 beside harmonics. */
+inline std::vector<double>
+withHarmonics(std::vector<double> pairs,
+              const std::vector<OrientedPoint>& surface,
+              double evidence,
+              double scale,
+              const EPPFOptions& options)
+{
+  const bool has_harmonics =
+      options.features.harmonics && options.bins.harmonics.size() > 0;
   const double sum = std::accumulate(pairs.begin(), pairs.end(), 0.0);
   for (auto& value : pairs)
-    value *= (has_places ? 2.0 / 3.0 : 1.0) / sum;
+    value *= (has_harmonics ? 1.0 / 3.0 : 1.0) / sum;
   pairs.resize(options.bins.size());
-  if (!has_places)
+  if (!has_harmonics)
     return pairs;
-  const auto places = slowPlaces(points, scale, options.bins.places);
-  for (std::size_t bin = 0; bin < places.size(); ++bin)
-    pairs[options.bins.pairSize() + bin] = places[bin] / 3.0;
+  const auto harmonics =
+      slowHarmonics(surface, 0.5 * (1.0 - evidence), scale, options.bins.harmonics);
+  for (std::size_t bin = 0; bin < harmonics.size(); ++bin)
+    pairs[options.bins.pairSize() + bin] = harmonics[bin] * 2.0 / 3.0;
   return pairs;
 }
 
@@ -205,7 +237,7 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
                   bins.occupancy +
               i4] += weight;
   }
-  return withPlaces(std::move(histogram), points, scale, options);
+  return withHarmonics(std::move(histogram), given, 0.0, scale, options);
 }
 
 /** \brief eppfHistogram() of an object with noise: outward normals, stratified pairs,
@@ -265,7 +297,7 @@ slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& o
                     i4] += weight * share;
         }
   }
-  return withPlaces(std::move(histogram), points, scale, options);
+  return withHarmonics(std::move(histogram), given, noise.evidence, scale, options);
 }
 
 } // namespace indoor

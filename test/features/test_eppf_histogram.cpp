@@ -110,7 +110,7 @@ TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
     const auto histogram = eppfHistogram(points, options);
     EXPECT_LT(difference(histogram, slowHistogram(points, options)), rounding);
     const std::size_t counts[] = {4, 15, 5, 2, 2};
-    const std::size_t strides[] = {150, 10, 2, 1, 600}; // places are the second half
+    const std::size_t strides[] = {150, 10, 2, 1, 600}; // harmonics are the second half
     const std::size_t last = off < 4 ? 600 : 1200;
     for (std::size_t bin = 0; bin < last; ++bin)
       EXPECT_TRUE(histogram[bin] == 0.0f || (bin / strides[off]) % counts[off] == 0);
@@ -124,7 +124,7 @@ TEST(EPPFHistogram, SumIsOneAndSeedsDiffer)
   const auto histogram = eppfHistogram(points, options);
   EXPECT_EQ(histogram.size(), 1200u);
   EXPECT_NEAR(
-      std::accumulate(histogram.begin(), histogram.begin() + 600, 0.0), 2.0 / 3, 1e-6);
+      std::accumulate(histogram.begin(), histogram.begin() + 600, 0.0), 1.0 / 3, 1e-6);
   // 1,200 roundings to single precision of values that add up to 1.
   EXPECT_NEAR(std::accumulate(histogram.begin(), histogram.end(), 0.0), 1.0, 1e-6);
   EXPECT_EQ(histogram, eppfHistogram(points, options));
@@ -246,7 +246,7 @@ TEST(EPPFHistogram, NoisyObjectsEqualTheFormulas)
       EXPECT_LT(difference(histogram, slowNoisyHistogram(points, options)), rounding);
       EXPECT_NEAR(std::accumulate(histogram.begin(), histogram.end(), 0.0), 1.0, 1e-6);
       options.denoising = false;
-      EXPECT_GT(difference(histogram, eppfHistogram(points, options)), 0.2);
+      EXPECT_GT(difference(histogram, eppfHistogram(points, options)), 0.1);
       for (options.number_of_threads = 1; options.number_of_threads < 4;
            ++options.number_of_threads) {
         options.denoising = true;
@@ -275,14 +275,18 @@ TEST(EPPFHistogram, DegenerateObjectsGiveADefinedResult)
   for (auto& point : same)
     point = {{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 1.0f}};
   EXPECT_TRUE(std::isnan(eppfHistogram(same, {}).front()));
-  // Two points: one distance, the longest; both normals along it; all in one bin, and
-  // of places in the one of the ends of the longest axis.
+  // Two points: one distance, the longest; both normals along it; all in one bin.
+  // Beside them two points at the ends of the longest axis, 2.5 shells from its middle:
+  // in the middle of the third shell, and facing along the axis.
   std::vector<OrientedPoint> two = {same[0], same[1]};
   two[1].position.z() = 4.0f;
   const auto histogram = eppfHistogram(two, {});
-  const auto places = histogram.begin() + 600;
-  EXPECT_NEAR(*std::max_element(histogram.begin(), places), 2.0 / 3, 1e-6);
-  EXPECT_NEAR(places[4 * 5 * 4 * 6], 1.0 / 3, 1e-6);
+  const auto harmonics = histogram.begin() + 600;
+  EXPECT_NEAR(*std::max_element(histogram.begin(), harmonics), 1.0 / 3, 1e-6);
+  EXPECT_NEAR(std::accumulate(harmonics, histogram.end(), 0.0), 2.0 / 3, 1e-6);
+  EXPECT_NEAR(harmonics[4 * 49], harmonics[8 * 49] * 0.002 / 1.002, 1e-6);
+  EXPECT_NEAR(harmonics[8 * 49], harmonics[11 * 49], 1e-6);
+  EXPECT_NEAR(harmonics[9 * 49], harmonics[4 * 49], 1e-6);
   // A flat object: surface angles and normal angles all 0.
   auto flat = boxSurface({1.0f, 1.0f, 0.0f}, 500, 9);
   for (auto& point : flat)
@@ -327,8 +331,10 @@ TEST(EPPFHistogram, RefusesEveryParameterOutOfRange)
   refuses([](auto& o) { o.bins.surface_angle = -1; });
   refuses([](auto& o) { o.bins.normal_angle = 65; });
   refuses([](auto& o) { o.bins.occupancy = 0; });
-  refuses([](auto& o) { o.bins.places = {5, -5, 4}; });
-  refuses([](auto& o) { o.bins.places = {5, 5, 65}; });
+  refuses([](auto& o) { o.bins.harmonics = {3, -1, 4}; });
+  refuses([](auto& o) { o.bins.harmonics = {3, 9, 4}; });
+  refuses([](auto& o) { o.bins.harmonics = {-1, 6, 4}; });
+  refuses([](auto& o) { o.bins.harmonics = {3, 6, 65}; });
   refuses([](auto& o) { o.pair_count = 0; });
   refuses([](auto& o) { o.scale = -1.0; });
   refuses([](auto& o) { o.scale = std::nan(""); });

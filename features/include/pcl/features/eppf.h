@@ -14,9 +14,9 @@ namespace pcl {
  *
  * Draws pairs of oriented points and counts their distance, surface angle, normal angle
  * and the occupancy of the line between them in one four-dimensional histogram, and
- * beside it where in the object's own axes the points lie and which way they face: a
- * global descriptor, one output point whatever the number of input points, that stays
- * the same when the object is turned.
+ * beside it, by spherical harmonics in the object's own axes, where the points lie and
+ * which way they face: a global descriptor, one output point whatever the number of
+ * input points, that stays the same when the object is turned.
  *
  * Only points and normals of the indices are read; one that is not finite is skipped,
  * and a normal of another length than 1 is brought to it. A search surface or search
@@ -65,8 +65,8 @@ public:
 
   /** \brief Set or get the number of bins of each feature.
    * \param[in] bins as many in all as PointOutT has (default 4 x 15 x 5 x 2 of pairs
-   * and 5 x 5 x 4 x 6 of places, for the short signature 5 x 6 x 5 x 2 and 5 x 4 x 2 x
-   * 6)
+   * and harmonics up to degree 6 in 3 shells and 12 distances, for the short signature
+   * 5 x 6 x 5 x 2, degree 4, 2 shells and 40 distances)
    */
   void
   setBins(const indoor::EPPFBins& bins)

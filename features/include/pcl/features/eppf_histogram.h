@@ -15,14 +15,12 @@ namespace indoor {
 /** \brief The enhanced point pair feature (EPPF) histogram of an object, Sec. 5.2.
  *
  * The bin of a pair is ((i1 * N_f2 + i2) * N_f3 + i3) * N_f4 + i4. Where options.bins
- * has places, they follow after the pairs and are a third of the sum, see
- * surfacePlaces(). Time is linear in pairs and points. The same options give the same
- * bits for any number of threads.
- * \param[in] points finite points with normals of unit length, near the origin
- * \param[in] options see EPPFOptions
- * \return options.bins.size() values that add up to 1; all NaN if fewer than two points
- * differ in position
- * \throws pcl::BadArgumentException if an option is out of its range
+ * has harmonics, they follow after the pairs and are two thirds of the sum, see
+ * surfaceHarmonics(). Time is linear in pairs and points. The same options give the
+ * same bits for any number of threads. \param[in] points finite points with normals of
+ * unit length, near the origin \param[in] options see EPPFOptions \return
+ * options.bins.size() values that add up to 1; all NaN if fewer than two points differ
+ * in position \throws pcl::BadArgumentException if an option is out of its range
  */
 std::vector<float>
 eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& options);

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl/features/pair_sampling.h>
-#include <pcl/features/surface_places.h>
+#include <pcl/features/surface_harmonics.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -39,11 +39,11 @@ enum class NormalSides {
  * the middle of a bin, where rounding and noise do not matter.
  */
 struct EPPFBins {
-  int distance = 1;      ///< of f1, N_f1 of the thesis
-  int surface_angle = 1; ///< of f2, N_f2; for Joint 1, 3, 6, 10, 15, ...
-  int normal_angle = 1;  ///< of f3, N_f3
-  int occupancy = 1;     ///< of f4, N_f4
-  PlaceBins places{};    ///< of single points beside the pairs; none in the thesis
+  int distance = 1;         ///< of f1, N_f1 of the thesis
+  int surface_angle = 1;    ///< of f2, N_f2; for Joint 1, 3, 6, 10, 15, ...
+  int normal_angle = 1;     ///< of f3, N_f3
+  int occupancy = 1;        ///< of f4, N_f4
+  HarmonicBins harmonics{}; ///< of the surface beside the pairs; none in the thesis
 
   /** \brief Bins of pairs, which come first. */
   std::size_t
@@ -57,7 +57,7 @@ struct EPPFBins {
   std::size_t
   size() const
   {
-    return pairSize() + places.size();
+    return pairSize() + harmonics.size();
   }
 };
 
@@ -67,14 +67,14 @@ struct EPPFFeatures {
   bool surface_angle = true;
   bool normal_angle = true;
   bool occupancy = true;
-  bool places = true; ///< if not, the bins of places are all 0
+  bool harmonics = true; ///< if not, their bins are all 0
 };
 
 /** \brief Parameters of eppfHistogram(). */
 struct EPPFOptions {
-  EPPFBins bins{4, 15, 5, 2, {5, 5, 4}}; ///< each at least 1, those of places 0, too
-  EPPFFeatures features;                 ///< which features are used
-  std::size_t pair_count = 20000;        ///< pairs drawn, at least 1
+  EPPFBins bins{4, 15, 5, 2, {3, 6, 12}}; ///< each at least 1, of harmonics 0, too
+  EPPFFeatures features;                  ///< which features are used
+  std::size_t pair_count = 20000;         ///< pairs drawn, at least 1
   double scale = 0.0;         ///< metres that f1 spreads over; 0: the object's extent
   std::uint32_t seed = 5489u; ///< same seed, same pairs
   unsigned int number_of_threads = 1; ///< 0: as many as the machine has
@@ -97,8 +97,8 @@ thesisEPPFOptions();
 
 /** \brief The short form of an option set: 540 bins.
  *
- * 5 x 6 x 5 x 2 and places of 5 x 4 x 2 x 6 for the joint rule, the thesis's 15 x 3 x 4
- * x 3 for the others.
+ * 5 x 6 x 5 x 2 and harmonics up to degree 4 in 2 shells beside 40 distances for the
+ * joint rule, the thesis's 15 x 3 x 4 x 3 for the others.
  */
 EPPFBins
 shortEPPFBins(SurfaceAngleRule rule);
