@@ -121,9 +121,10 @@ TEST(SurfaceHarmonics, ACenteredBallHasNoneButTheFirst)
   EXPECT_NEAR(values[2 * 16 + 6] / unit, std::sqrt(5.0) / 3 + 0.002, 1e-5);
 }
 
-TEST(SurfaceHarmonics, OddFunctionsTellASlantFromABox)
+TEST(SurfaceHarmonics, OddFunctionsTellWhatIsNotSymmetric)
 {
-  // Half a box more on one side: nothing that is symmetric tells where it is.
+  // In the right half what lies low is lifted to the other side: as much along each
+  // axis, but no longer the same in all eight octants.
   const auto box = boxSurface(box_size, 4000, 5);
   auto uneven = box;
   for (auto& point : uneven)
