@@ -24,7 +24,7 @@ struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "auto", camera = "auto";
   std::string orientation = "auto", structure = "auto", things = "auto", gaps = "auto",
-              frames = "auto";
+              seams = "auto", frames = "auto", racks = "auto";
   double union_air = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
@@ -106,6 +106,17 @@ addPartition(OptionParser& parser, Settings& settings)
             settings.gaps,
             "both sides of a narrow upright gap without points (z is up); auto: apart "
             "for rooms",
+            {"auto", "apart", "joined"})
+      .text(
+          "-seams",
+          settings.seams,
+          "closed bodies that stand against each other, as kitchen cabinets (z is up); "
+          "auto: apart for rooms",
+          {"auto", "apart", "joined"})
+      .text("-racks",
+            settings.racks,
+            "for -partition graph: the boards of racks and of bookcases without a back "
+            "(z is up); auto: joined for rooms",
             {"auto", "apart", "joined"})
       .text(
           "-frames",
@@ -214,6 +225,10 @@ chosenOptions(const Settings& settings, bool organised)
       settings.things == "auto" ? preset.separate_things : settings.things == "apart";
   options.separate_gaps =
       settings.gaps == "auto" ? preset.separate_gaps : settings.gaps == "apart";
+  options.separate_seams =
+      settings.seams == "auto" ? preset.separate_seams : settings.seams == "apart";
+  options.join_racks =
+      settings.racks == "auto" ? preset.join_racks : settings.racks == "joined";
   options.join_frames =
       settings.frames == "auto" ? preset.join_frames : settings.frames == "joined";
   options.max_union_air =

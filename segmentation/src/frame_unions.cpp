@@ -5,56 +5,30 @@
 #include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/frame_unions.h>
 
-#include "quantile.h"
+#include "segment_boxes.h"
 
 #include <pcl/exceptions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace {
 
 using pcl::indoor::FrameUnionOptions;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr double outlier_share = 0.03; // of a piece's voxels, cut off at either end
-
-/** A segment between two values along each axis. */
+/** A segment, and of a frame of which thin axis it may be a part. */
 struct Piece {
-  std::size_t size = 0; ///< voxels; 0 = there is no such segment
-  Eigen::Array3d low = Eigen::Array3d::Zero(), high = Eigen::Array3d::Zero();
-  std::array<bool, 3> is_part{}; ///< of a frame that is thin along this axis
-
-  Eigen::Array3d
-  extent() const
-  {
-    return high - low;
-  }
+  pcl::indoor::SegmentBox box;
+  std::array<bool, 3> is_part{};
 };
-
-Piece
-pieceOf(const std::vector<Eigen::Vector3f>& places, const FrameUnionOptions& options)
-{
-  Piece piece;
-  piece.size = places.size();
-  std::vector<double> heights;
-  for (int axis = 0; axis < 3; ++axis) {
-    heights.clear();
-    for (const auto& place : places)
-      heights.push_back(options.axes.col(axis).dot(place));
-    piece.low[axis] =
-        pcl::indoor::quantile(heights, outlier_share) - options.voxel_size / 2;
-    piece.high[axis] =
-        pcl::indoor::quantile(heights, 1 - outlier_share) + options.voxel_size / 2;
-  }
-  return piece;
-}
 
 /** A narrow bar or an open shape, thin along the axis. */
 bool
-isPartOfFrame(const Piece& piece, int axis, const FrameUnionOptions& options)
+isPartOfFrame(const pcl::indoor::SegmentBox& piece,
+              int axis,
+              const FrameUnionOptions& options)
 {
   if (std::abs(options.axes.col(axis).dot(options.up)) > 0.5f)
     return false;
@@ -77,10 +51,10 @@ areOneFrame(const Piece& a, const Piece& b, const FrameUnionOptions& options)
   for (int axis = 0; axis < 3; ++axis) {
     if (!a.is_part[axis] || !b.is_part[axis])
       continue;
-    const double common =
-        std::min(a.high[axis], b.high[axis]) - std::max(a.low[axis], b.low[axis]);
-    const double both =
-        std::max(a.high[axis], b.high[axis]) - std::min(a.low[axis], b.low[axis]);
+    const double common = std::min(a.box.high[axis], b.box.high[axis]) -
+                          std::max(a.box.low[axis], b.box.low[axis]);
+    const double both = std::max(a.box.high[axis], b.box.high[axis]) -
+                        std::min(a.box.low[axis], b.box.low[axis]);
     if (common >= options.min_overlap * both)
       return true;
   }
@@ -93,18 +67,12 @@ makePieces(const SurfaceVoxels& voxels,
            const std::vector<std::uint32_t>& segment_of_voxel,
            const FrameUnionOptions& options)
 {
-  const auto last = *std::max_element(segment_of_voxel.begin(), segment_of_voxel.end());
-  std::vector<std::vector<Eigen::Vector3f>> places(last + 1);
-  for (std::size_t v = 0; v < voxels.size(); ++v)
-    if (!left_out[v])
-      places[segment_of_voxel[v]].push_back(voxels.centroids[v]);
-  std::vector<Piece> pieces(places.size());
-  for (std::size_t s = 0; s < places.size(); ++s) {
-    if (places[s].empty())
-      continue;
-    pieces[s] = pieceOf(places[s], options);
-    for (int axis = 0; axis < 3; ++axis)
-      pieces[s].is_part[axis] = isPartOfFrame(pieces[s], axis, options);
+  std::vector<Piece> pieces;
+  for (const auto& box : pcl::indoor::segmentBoxes(
+           voxels, left_out, segment_of_voxel, options.axes, options.voxel_size)) {
+    pieces.push_back({box, {}});
+    for (int axis = 0; axis < 3 && box.size > 0; ++axis)
+      pieces.back().is_part[axis] = isPartOfFrame(box, axis, options);
   }
   return pieces;
 }
@@ -144,19 +112,8 @@ joinFrames(const SurfaceVoxels& voxels,
   if (voxels.size() == 0)
     return;
   const auto pieces = makePieces(voxels, left_out, segment_of_voxel, options);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching;
-  for (std::size_t v = 0; v < voxels.size(); ++v)
-    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
-         ++j) {
-      const auto other = voxels.neighbors.targets[j];
-      if (!left_out[v] && !left_out[other] &&
-          segment_of_voxel[v] < segment_of_voxel[other])
-        touching.emplace_back(segment_of_voxel[v], segment_of_voxel[other]);
-    }
-  std::sort(touching.begin(), touching.end());
-  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
   DisjointSets frames(pieces.size());
-  for (const auto& [a, b] : touching)
+  for (const auto& [a, b] : touchingSegments(voxels, left_out, segment_of_voxel))
     if (areOneFrame(pieces[a], pieces[b], options))
       frames.merge(frames.find(a), frames.find(b));
   for (std::size_t v = 0; v < voxels.size(); ++v)

@@ -5,7 +5,7 @@
 #include <pcl/segmentation/object_gaps.h>
 
 #include "ground_frame.h"
-#include "thread_count.h"
+#include "segment_parts.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/filters/point_cells.h>
@@ -15,13 +15,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace {
 
 using pcl::indoor::ObjectGapOptions;
 
-using Members = std::vector<std::uint32_t>;
+using Members = pcl::indoor::SegmentMembers;
 
 constexpr double farthest = 1 << 20; // extent of a segment, halves of voxels
 
@@ -153,17 +152,8 @@ public:
   {
     if (!isLargeEnough(members) || !isDense(members))
       return {members};
-    std::vector<Members> open(1, members), parts;
-    while (!open.empty()) {
-      auto whole = std::move(open.back());
-      open.pop_back();
-      auto cut = cutOnce(whole);
-      if (cut.size() == 1)
-        parts.push_back(std::move(cut.front()));
-      else
-        std::move(cut.begin(), cut.end(), std::back_inserter(open));
-    }
-    return parts;
+    return pcl::indoor::cutRepeatedly(
+        members, [this](const Members& whole) { return cutOnce(whole); });
   }
 
 private:
@@ -310,22 +300,12 @@ partAtGaps(const std::vector<Eigen::Vector3f>& points,
   requireValid(points.size(), left_out.size(), segment_of_point.size(), options);
   if (points.empty())
     return;
-  auto next = 1 + *std::max_element(segment_of_point.begin(), segment_of_point.end());
-  std::vector<Members> segments(next);
-  for (std::uint32_t i = 0; i < points.size(); ++i)
-    if (!left_out[i])
-      segments[segment_of_point[i]].push_back(i);
   const GapCutter cutter(points, options);
-  std::vector<std::vector<Members>> parts(segments.size());
-  const auto count = static_cast<std::ptrdiff_t>(segments.size());
-#pragma omp parallel for schedule(dynamic, 1)                                          \
-    num_threads(threadCount(static_cast <int>(options.threads)))
-  for (std::ptrdiff_t s = 0; s < count; ++s)
-    parts[s] = cutter.partsOf(segments[s]);
-  for (const auto& cut : parts)
-    for (std::size_t part = 1; part < cut.size(); ++part, ++next)
-      for (const auto i : cut[part])
-        segment_of_point[i] = next;
+  partSegments(
+      left_out,
+      options.threads,
+      [&cutter](const Members& members) { return cutter.partsOf(members); },
+      segment_of_point);
 }
 
 } // namespace indoor

@@ -12,6 +12,8 @@
 #include <pcl/segmentation/flat_things.h>
 #include <pcl/segmentation/frame_unions.h>
 #include <pcl/segmentation/object_gaps.h>
+#include <pcl/segmentation/object_seams.h>
+#include <pcl/segmentation/rack_unions.h>
 #include <pcl/segmentation/room_structure.h>
 #include <pcl/segmentation/structure_contacts.h>
 
@@ -240,13 +242,20 @@ joinSegments(const SurfaceVoxels& voxels,
   unions.voxel_size = options.voxel_size;
   unions.axes = axes;
   pcl::indoor::joinConvexUnions(voxels, in_plane, unions, segment_of_voxel);
-  if (!options.join_frames)
-    return;
-  pcl::indoor::FrameUnionOptions frames;
-  frames.voxel_size = options.voxel_size;
-  frames.axes = axes;
-  frames.up = options.up;
-  pcl::indoor::joinFrames(voxels, in_plane, frames, segment_of_voxel);
+  if (options.join_racks) {
+    pcl::indoor::RackUnionOptions racks;
+    racks.voxel_size = options.voxel_size;
+    racks.axes = axes;
+    racks.up = options.up;
+    pcl::indoor::joinRacks(voxels, in_plane, racks, segment_of_voxel);
+  }
+  if (options.join_frames) {
+    pcl::indoor::FrameUnionOptions frames;
+    frames.voxel_size = options.voxel_size;
+    frames.axes = axes;
+    frames.up = options.up;
+    pcl::indoor::joinFrames(voxels, in_plane, frames, segment_of_voxel);
+  }
 }
 
 /** Segments of voxels, parted where points tell more than voxels. */
@@ -270,16 +279,25 @@ segmentsOfPoints(const ObjectSegmentationInput& input,
     for (const auto voxel : voxels.cells.cell_of_point)
       segments.push_back(segment_of_voxel[voxel]);
   }
-  if (options.separate_gaps && !input.single_camera) {
+  if (input.single_camera || (!options.separate_gaps && !options.separate_seams))
+    return segments;
+  std::vector<std::uint8_t> left_out;
+  left_out.reserve(input.points.size());
+  for (const auto voxel : voxels.cells.cell_of_point)
+    left_out.push_back(in_plane[voxel]);
+  if (options.separate_gaps) {
     pcl::indoor::ObjectGapOptions gaps;
     gaps.up = options.up;
     gaps.voxel_size = options.voxel_size;
     gaps.threads = options.threads;
-    std::vector<std::uint8_t> left_out;
-    left_out.reserve(input.points.size());
-    for (const auto voxel : voxels.cells.cell_of_point)
-      left_out.push_back(in_plane[voxel]);
     pcl::indoor::partAtGaps(input.points, left_out, gaps, segments);
+  }
+  if (options.separate_seams) {
+    pcl::indoor::ObjectSeamOptions seams;
+    seams.up = options.up;
+    seams.voxel_size = options.voxel_size;
+    seams.threads = options.threads;
+    pcl::indoor::partAtSeams(input.points, voxels, left_out, seams, segments);
   }
   return segments;
 }

@@ -108,8 +108,10 @@ singleViewOptions()
   options.separate_structure = false;
   options.separate_things = false;
   options.separate_gaps = false;
+  options.separate_seams = false;
   options.max_union_air = 0;
   options.join_frames = false;
+  options.join_racks = false;
   return options;
 }
 
@@ -120,6 +122,7 @@ thesisOptions()
   options.separate_structure = false;
   options.separate_things = false;
   options.separate_gaps = false;
+  options.separate_seams = false;
   options.plane_tolerance = 0;
   options.partition = Partition::FelzenszwalbHuttenlocher;
   options.min_segment_size = 3;

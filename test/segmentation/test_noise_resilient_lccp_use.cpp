@@ -134,7 +134,9 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_TRUE(segmentation.getOptions().separate_structure);
   EXPECT_TRUE(segmentation.getOptions().separate_things);
   EXPECT_TRUE(segmentation.getOptions().separate_gaps);
+  EXPECT_TRUE(segmentation.getOptions().separate_seams);
   EXPECT_TRUE(segmentation.getOptions().join_frames);
+  EXPECT_TRUE(segmentation.getOptions().join_racks);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
   EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_air, 5);
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
@@ -193,6 +195,57 @@ TEST(NoiseResilientLCCPUse, PartsBoxesAtANarrowGap)
   segmentation.setOptions(options);
   segmentation.segment(labels);
   EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.2);
+}
+
+TEST(NoiseResilientLCCPUse, PartsCabinetsThatStandAgainstEachOther)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(8);
+  for (const std::uint32_t cabinet : {1u, 2u})
+    scene.addBox({cabinet == 1 ? 0 : 0.608f, 0, 0},
+                 {0.6f, 0.6f, 0.87f},
+                 cabinet,
+                 0.012f,
+                 0.004f,
+                 rng);
+  scene.removeIf([](const Eigen::Vector3f& p) { // not seen
+    return p.y() > 0.58f ||
+           (p.x() > 0.5f && p.x() < 0.7f && p.y() > 0.3f && p.z() < 0.85f);
+  });
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  segmentation.setViewPoint(0.6f, -2, 2);
+  Labels labels;
+  segmentation.segment(labels);
+  EXPECT_LT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.05);
+  auto options = segmentation.getOptions();
+  options.separate_seams = false;
+  segmentation.setOptions(options);
+  segmentation.segment(labels);
+  EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.5);
+}
+
+TEST(NoiseResilientLCCPUse, JoinsTheBoardsOfABookcase)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(8);
+  for (const float z : {0.2f, 0.6f, 1.0f, 1.4f})
+    scene.addBox({0, 0, z}, {1, 0.35f, 0.02f}, 1, 0.012f, 0.003f, rng);
+  for (const float x : {-0.02f, 1.0f})
+    scene.addBox({x, 0, 0}, {0.02f, 0.35f, 1.6f}, 1, 0.012f, 0.003f, rng);
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  segmentation.setViewPoint(-1, -3, 2);
+  Labels labels;
+  segmentation.segment(labels);
+  const auto joined = richtsfeldErrors(countOverlaps(scene.objects, labels)).over;
+  auto options = segmentation.getOptions();
+  options.join_racks = false;
+  segmentation.setOptions(options);
+  segmentation.segment(labels);
+  const auto apart = richtsfeldErrors(countOverlaps(scene.objects, labels)).over;
+  EXPECT_GT(apart, 0.4);
+  EXPECT_LT(joined, 0.7 * apart);
 }
 
 TEST(NoiseResilientLCCPUse, TheThesisKeepsWallsInTheGraph)

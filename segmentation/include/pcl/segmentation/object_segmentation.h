@@ -41,6 +41,8 @@ struct ObjectSegmentationOptions {
   /** part segments at empty gaps narrower than voxels, see partAtGaps(); never for a
    * single camera */
   bool separate_gaps = true;
+  /** part bodies that stand against each other, see partAtSeams() */
+  bool separate_seams = true;
   /** against gravity, unit length; for flat things, gaps and frames */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   unsigned normal_rings = 1; ///< reach of normals and curvature, voxels (>= 1)
@@ -67,6 +69,8 @@ struct ObjectSegmentationOptions {
   /** join the touching pieces of upright frames, see joinFrames(); for Partition::Graph
    */
   bool join_frames = true;
+  /** join the boards of racks, see joinRacks(); for Partition::Graph */
+  bool join_racks = true;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */

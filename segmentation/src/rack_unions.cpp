@@ -1,0 +1,217 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/disjoint_sets.h>
+#include <pcl/segmentation/rack_unions.h>
+
+#include "segment_boxes.h"
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace {
+
+using pcl::indoor::RackUnionOptions;
+using pcl::indoor::SegmentBox;
+using pcl::indoor::SurfaceVoxels;
+
+using Numbers = std::vector<std::uint32_t>;
+
+/** Finds racks among segments that touch. */
+class RackJoiner {
+public:
+  RackJoiner(std::vector<SegmentBox> boxes,
+             const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touching,
+             const RackUnionOptions& options)
+  : boxes_(std::move(boxes))
+  , neighbors_(boxes_.size())
+  , options_(options)
+  {
+    (options.axes.transpose() * options.up).cwiseAbs().maxCoeff(&up_);
+    for (const auto& [a, b] : touching) {
+      neighbors_[a].push_back(b);
+      neighbors_[b].push_back(a);
+    }
+  }
+
+  /** \return for each segment the one whose number its rack gets */
+  Numbers
+  rackOfSegments() const
+  {
+    auto rack = racksOfBoards();
+    const auto outlines = outlinesOf(rack);
+    auto joined = rack;
+    for (std::uint32_t s = 0; s < boxes_.size(); ++s)
+      if (boxes_[s].size > 0 && outlines.count(rack[s]) == 0)
+        joined[s] = rackOfUpright(s, rack, outlines);
+    return joined;
+  }
+
+private:
+  using Outlines = std::map<std::uint32_t, SegmentBox>;
+
+  int
+  level(int axis) const // 0, 1
+  {
+    return (up_ + 1 + axis) % 3;
+  }
+
+  bool
+  isBoard(const SegmentBox& box) const
+  {
+    const auto extent = box.extent();
+    const double first = extent[level(0)], second = extent[level(1)];
+    return box.size > 0 && extent[up_] <= options_.max_thickness &&
+           std::min(first, second) >= options_.min_width &&
+           std::max(first, second) >= options_.min_length;
+  }
+
+  /** Area, from above, in common over that of both. */
+  double
+  overlap(const SegmentBox& a, const SegmentBox& b) const
+  {
+    double common = 1, of_a = 1, of_b = 1;
+    for (const int axis : {level(0), level(1)}) {
+      common *= std::max(0.0,
+                         std::min(a.high[axis], b.high[axis]) -
+                             std::max(a.low[axis], b.low[axis]));
+      of_a *= a.extent()[axis];
+      of_b *= b.extent()[axis];
+    }
+    return common / (of_a + of_b - common);
+  }
+
+  Numbers
+  racksOfBoards() const
+  {
+    pcl::indoor::DisjointSets racks(boxes_.size());
+    for (std::uint32_t s = 0; s < boxes_.size(); ++s) {
+      auto group = neighbors_[s];
+      group.push_back(s);
+      for (const auto board : group)
+        if (isBoard(boxes_[board]))
+          for (const auto other : group)
+            if (racks.find(board) != racks.find(other) &&
+                overlap(boxes_[board], boxes_[other]) >= options_.min_overlap)
+              racks.merge(racks.find(board), racks.find(other));
+    }
+    Numbers rack;
+    for (std::uint32_t s = 0; s < boxes_.size(); ++s)
+      rack.push_back(racks.find(s));
+    return rack;
+  }
+
+  /** The boxes of those racks that have two pieces or more. */
+  Outlines
+  outlinesOf(const Numbers& rack) const
+  {
+    Outlines outlines;
+    std::map<std::uint32_t, unsigned> pieces;
+    for (std::uint32_t s = 0; s < boxes_.size(); ++s) {
+      if (boxes_[s].size == 0)
+        continue;
+      auto& outline = outlines.emplace(rack[s], boxes_[s]).first->second;
+      outline.low = outline.low.min(boxes_[s].low);
+      outline.high = outline.high.max(boxes_[s].high);
+      ++pieces[rack[s]];
+    }
+    for (const auto& [number, count] : pieces)
+      if (count < 2)
+        outlines.erase(number);
+    return outlines;
+  }
+
+  /** \return the rack that the segment is an upright of; itself if there is none */
+  std::uint32_t
+  rackOfUpright(std::uint32_t segment,
+                const Numbers& rack,
+                const Outlines& outlines) const
+  {
+    const auto& box = boxes_[segment];
+    if (std::min(box.extent()[level(0)], box.extent()[level(1)]) >
+        options_.max_thickness)
+      return segment;
+    std::map<std::uint32_t, unsigned> boards; // that it touches, of each rack around it
+    for (const auto other : neighbors_[segment]) {
+      const auto outline = outlines.find(rack[other]);
+      if (outline != outlines.end() && isWithin(box, outline->second))
+        ++boards[rack[other]];
+    }
+    const auto most = std::max_element(
+        boards.begin(), boards.end(), [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        });
+    return most == boards.end() ? segment : most->first;
+  }
+
+  /** Seen from above; an upright may stand beside the ends of the boards. */
+  bool
+  isWithin(const SegmentBox& upright, const SegmentBox& outline) const
+  {
+    for (const int axis : {level(0), level(1)}) {
+      const double beside = upright.extent()[axis];
+      const double reach =
+          2 * options_.voxel_size + (beside <= options_.max_thickness ? beside : 0);
+      if (upright.low[axis] < outline.low[axis] - reach ||
+          upright.high[axis] > outline.high[axis] + reach)
+        return false;
+    }
+    return true;
+  }
+
+  std::vector<SegmentBox> boxes_;
+  std::vector<Numbers> neighbors_;
+  const RackUnionOptions& options_;
+  int up_ = 2;
+};
+
+void
+requireValid(const SurfaceVoxels& voxels,
+             const std::vector<std::uint8_t>& left_out,
+             const std::vector<std::uint32_t>& segment_of_voxel,
+             const RackUnionOptions& options)
+{
+  if (left_out.size() != voxels.size() || segment_of_voxel.size() != voxels.size())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        voxels.size()
+                            << " voxels have " << left_out.size() << " flags and "
+                            << segment_of_voxel.size() << " segments.");
+  if (!(options.voxel_size > 0) || !(options.max_thickness > 0) ||
+      !(options.min_width >= 0) || !(options.min_length >= 0) ||
+      !(options.min_overlap > 0) || !(std::abs(options.up.norm() - 1) < 1e-3f))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "Racks need positive sizes, a positive overlap and a unit "
+                        "vector up.");
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+void
+joinRacks(const SurfaceVoxels& voxels,
+          const std::vector<std::uint8_t>& left_out,
+          const RackUnionOptions& options,
+          std::vector<std::uint32_t>& segment_of_voxel)
+{
+  requireValid(voxels, left_out, segment_of_voxel, options);
+  if (voxels.size() == 0)
+    return;
+  const RackJoiner joiner(
+      segmentBoxes(
+          voxels, left_out, segment_of_voxel, options.axes, options.voxel_size),
+      touchingSegments(voxels, left_out, segment_of_voxel),
+      options);
+  const auto rack = joiner.rackOfSegments();
+  for (std::size_t v = 0; v < voxels.size(); ++v)
+    if (!left_out[v])
+      segment_of_voxel[v] = rack[segment_of_voxel[v]];
+}
+
+} // namespace indoor
+} // namespace pcl

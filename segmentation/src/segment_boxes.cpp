@@ -1,0 +1,67 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "segment_boxes.h"
+
+#include "quantile.h"
+
+#include <algorithm>
+
+namespace {
+
+constexpr double outlier_share = 0.03; // of a segment's voxels, cut off at either end
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+std::vector<SegmentBox>
+segmentBoxes(const SurfaceVoxels& voxels,
+             const std::vector<std::uint8_t>& left_out,
+             const std::vector<std::uint32_t>& segment_of_voxel,
+             const Eigen::Matrix3f& axes,
+             double voxel_size)
+{
+  const auto last = *std::max_element(segment_of_voxel.begin(), segment_of_voxel.end());
+  std::vector<std::vector<Eigen::Vector3f>> places(last + 1);
+  for (std::size_t v = 0; v < voxels.size(); ++v)
+    if (!left_out[v])
+      places[segment_of_voxel[v]].push_back(voxels.centroids[v]);
+  std::vector<SegmentBox> boxes(places.size());
+  std::vector<double> heights;
+  for (std::size_t s = 0; s < places.size(); ++s) {
+    boxes[s].size = places[s].size();
+    for (int axis = 0; axis < 3 && !places[s].empty(); ++axis) {
+      heights.clear();
+      for (const auto& place : places[s])
+        heights.push_back(axes.col(axis).dot(place));
+      boxes[s].low[axis] = quantile(heights, outlier_share) - voxel_size / 2;
+      boxes[s].high[axis] = quantile(heights, 1 - outlier_share) + voxel_size / 2;
+    }
+  }
+  return boxes;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>>
+touchingSegments(const SurfaceVoxels& voxels,
+                 const std::vector<std::uint8_t>& left_out,
+                 const std::vector<std::uint32_t>& segment_of_voxel)
+{
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching;
+  for (std::size_t v = 0; v < voxels.size(); ++v)
+    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
+         ++j) {
+      const auto other = voxels.neighbors.targets[j];
+      if (!left_out[v] && !left_out[other] &&
+          segment_of_voxel[v] < segment_of_voxel[other])
+        touching.emplace_back(segment_of_voxel[v], segment_of_voxel[other]);
+    }
+  std::sort(touching.begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  return touching;
+}
+
+} // namespace indoor
+} // namespace pcl

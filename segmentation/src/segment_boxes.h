@@ -1,0 +1,45 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/surface_voxels.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** The box of a segment along three axes, without its outermost voxels. */
+struct SegmentBox {
+  std::size_t size = 0; ///< voxels; 0 = there is no such segment
+  Eigen::Array3d low = Eigen::Array3d::Zero(), high = Eigen::Array3d::Zero();
+
+  Eigen::Array3d
+  extent() const
+  {
+    return high - low;
+  }
+};
+
+/** One per number of a segment; flagged voxels do not count. REQUIRES: voxels. */
+std::vector<SegmentBox>
+segmentBoxes(const SurfaceVoxels& voxels,
+             const std::vector<std::uint8_t>& left_out,
+             const std::vector<std::uint32_t>& segment_of_voxel,
+             const Eigen::Matrix3f& axes,
+             double voxel_size);
+
+/** The pairs of segments that touch, smaller number first, ascending. */
+std::vector<std::pair<std::uint32_t, std::uint32_t>>
+touchingSegments(const SurfaceVoxels& voxels,
+                 const std::vector<std::uint8_t>& left_out,
+                 const std::vector<std::uint32_t>& segment_of_voxel);
+
+} // namespace indoor
+} // namespace pcl
