@@ -5,6 +5,7 @@
 #include <pcl/segmentation/object_seams.h>
 
 #include "ground_frame.h"
+#include "seam_profile.h"
 #include "seam_section.h"
 #include "segment_parts.h"
 
@@ -13,13 +14,14 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 namespace {
 
 using pcl::indoor::ObjectSeamOptions;
 using pcl::indoor::SeamSection;
+using Profile = pcl::indoor::SeamProfile;
 
 using Members = pcl::indoor::SegmentMembers;
 
@@ -33,142 +35,6 @@ struct Seam {
   float place = 0;                                   ///< along the direction
   Eigen::Vector2f normal = Eigen::Vector2f::UnitX(); ///< of the plane of its points
   Eigen::Vector2f middle = Eigen::Vector2f::Zero();  ///< mean of its points
-};
-
-/** The points of a segment along one level direction, counted in thin slices. */
-class Profile {
-public:
-  static constexpr std::ptrdiff_t per_voxel = 8; // slices
-
-  Profile(const std::vector<Eigen::Vector3f>& places,
-          const Eigen::Vector2f& direction,
-          const ObjectSeamOptions& options)
-  : options_(options)
-  , direction_(direction)
-  {
-    float low = std::numeric_limits<float>::infinity(), high = -low;
-    along_.reserve(places.size());
-    for (const auto& place : places) {
-      along_.push_back(direction.dot(place.head<2>()));
-      low = std::min(low, along_.back());
-      high = std::max(high, along_.back());
-    }
-    low_ = low;
-    sums_.assign(sliceAt(high) + 2, 0);
-    for (const auto place : along_)
-      ++sums_[sliceAt(place) + 1];
-    for (std::size_t i = 1; i < sums_.size(); ++i)
-      sums_[i] += sums_[i - 1];
-  }
-
-  const Eigen::Vector2f&
-  direction() const
-  {
-    return direction_;
-  }
-
-  float
-  along(std::size_t point) const
-  {
-    return along_[point];
-  }
-
-  /** Where slice i begins. */
-  float
-  placeOf(std::ptrdiff_t i) const
-  {
-    return static_cast<float>(low_ + static_cast<double>(i) * width());
-  }
-
-  std::ptrdiff_t
-  sliceAt(float place) const
-  {
-    return static_cast<std::ptrdiff_t>((place - low_) / width());
-  }
-
-  /** Points that the sheet about the beginning of slice i has more than the slices of
-   * its width beside it. */
-  double
-  excess(std::ptrdiff_t i) const
-  {
-    return sheet(i) - std::max(before(i), behind(i));
-  }
-
-  /** Beginnings of slices about which more points lie than beside them. */
-  std::vector<std::ptrdiff_t>
-  peaks() const
-  {
-    const auto margin =
-        std::max(beside_end,
-                 static_cast<std::ptrdiff_t>(std::ceil(options_.min_side / width())));
-    std::vector<std::ptrdiff_t> found;
-    for (auto i = margin; i + margin < size(); ++i)
-      if (isPeak(i))
-        found.push_back(i);
-    return found;
-  }
-
-private:
-  static constexpr std::ptrdiff_t beside_begin = per_voxel, beside_end = 3 * per_voxel;
-  static constexpr double deviations = 3; // of a count, that are chance
-
-  double
-  width() const
-  {
-    return options_.voxel_size / per_voxel;
-  }
-
-  std::ptrdiff_t
-  size() const
-  {
-    return static_cast<std::ptrdiff_t>(sums_.size()) - 1;
-  }
-
-  double
-  held(std::ptrdiff_t begin, std::ptrdiff_t end) const
-  {
-    begin = std::max<std::ptrdiff_t>(begin, 0);
-    end = std::min(end, size());
-    return begin < end ? static_cast<double>(sums_[end] - sums_[begin]) : 0;
-  }
-
-  double
-  sheet(std::ptrdiff_t i) const
-  {
-    return held(i - per_voxel / 2, i + per_voxel / 2);
-  }
-
-  double
-  before(std::ptrdiff_t i) const // per voxel
-  {
-    return held(i - beside_end, i - beside_begin) / 2;
-  }
-
-  double
-  behind(std::ptrdiff_t i) const
-  {
-    return held(i + beside_begin, i + beside_end) / 2;
-  }
-
-  bool
-  isPeak(std::ptrdiff_t i) const
-  {
-    const double here = sheet(i);
-    const double more = std::max(before(i), behind(i));
-    if (here < options_.density * more + deviations * std::sqrt(more) ||
-        std::min(before(i), behind(i)) < options_.balance * more)
-      return false;
-    for (auto other = i - per_voxel; other <= i + per_voxel; ++other)
-      if (sheet(other) > here || (sheet(other) == here && other < i))
-        return false; // the first of equal ones counts
-    return true;
-  }
-
-  const ObjectSeamOptions& options_;
-  Eigen::Vector2f direction_;
-  double low_ = 0;
-  std::vector<float> along_;
-  std::vector<std::uint64_t> sums_; // of all slices before
 };
 
 /** Looks for a seam through one segment. */
