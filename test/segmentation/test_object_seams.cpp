@@ -141,6 +141,17 @@ TEST(ObjectSeams, LeaveTheCompartmentsOfAnOpenShelfTogether)
       << "it is the normals that tell";
 }
 
+TEST(ObjectSeams, LeaveATableOnItsPanelWhole)
+{
+  LabelledPoints table;
+  std::mt19937 rng(3);
+  table.addRectangle(
+      {0, 0, 0.7f}, {1.6f, 0, 0}, {0, 0.8f, 0}, {0, 0, 1}, 1, spacing, noise, rng);
+  table.addRectangle(
+      {0.8f, 0.05f, 0}, {0, 0.7f, 0}, {0, 0, 0.68f}, {1, 0, 0}, 1, spacing, noise, rng);
+  EXPECT_EQ(segmentCount(parted(table)), 1u) << "what is below it is open";
+}
+
 TEST(ObjectSeams, NeedBodiesOnBothSides)
 {
   ObjectSeamOptions options;
