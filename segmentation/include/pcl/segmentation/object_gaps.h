@@ -23,8 +23,8 @@ struct ObjectGapOptions {
   /** and this many standard deviations of its number of points fewer (>= 0) */
   double deviations = 2;
   /** a gap is this many times as wide as any other stretch on either side that is as
-   * empty, as far as four times its least width (>= 0), so that the gaps between the lines of a
-   * scanner do not count */
+   * empty, as far as four times its least width (>= 0), so that the gaps between the
+   * lines of a scanner do not count */
   double prominence = 1.5;
   /** segments are looked at only if they occupy this many cells of half a voxel for
    * each voxel (>= 0), for the same reason: lines that bend leave no empty stretches */
