@@ -5,6 +5,8 @@
 #include <pcl/segmentation/convex_unions.h>
 #include <pcl/segmentation/direction_hull.h>
 
+#include "segment_boxes.h"
+
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -279,11 +281,7 @@ joinConvexUnions(const SurfaceVoxels& voxels,
                  const ConvexUnionOptions& options,
                  std::vector<std::uint32_t>& segment_of_voxel)
 {
-  if (left_out.size() != voxels.size() || segment_of_voxel.size() != voxels.size())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        voxels.size()
-                            << " voxels have " << left_out.size() << " flags and "
-                            << segment_of_voxel.size() << " segments.");
+  requireOnePerVoxel(voxels, left_out, segment_of_voxel);
   requireValid(options);
   if (voxels.size() == 0 || options.air_per_contact == 0)
     return;

@@ -78,16 +78,8 @@ makePieces(const SurfaceVoxels& voxels,
 }
 
 void
-requireValid(const SurfaceVoxels& voxels,
-             const std::vector<std::uint8_t>& left_out,
-             const std::vector<std::uint32_t>& segment_of_voxel,
-             const FrameUnionOptions& options)
+requireValid(const FrameUnionOptions& options)
 {
-  if (left_out.size() != voxels.size() || segment_of_voxel.size() != voxels.size())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        voxels.size()
-                            << " voxels have " << left_out.size() << " flags and "
-                            << segment_of_voxel.size() << " segments.");
   if (!(options.voxel_size > 0) || !(options.max_thickness > 0) ||
       !(options.min_length >= 0) || !(options.min_elongation >= 1) ||
       !(options.max_fill >= 0) || !(options.min_overlap >= 0) ||
@@ -108,7 +100,8 @@ joinFrames(const SurfaceVoxels& voxels,
            const FrameUnionOptions& options,
            std::vector<std::uint32_t>& segment_of_voxel)
 {
-  requireValid(voxels, left_out, segment_of_voxel, options);
+  requireOnePerVoxel(voxels, left_out, segment_of_voxel);
+  requireValid(options);
   if (voxels.size() == 0)
     return;
   const auto pieces = makePieces(voxels, left_out, segment_of_voxel, options);

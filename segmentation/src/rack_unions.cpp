@@ -17,7 +17,6 @@ namespace {
 
 using pcl::indoor::RackUnionOptions;
 using pcl::indoor::SegmentBox;
-using pcl::indoor::SurfaceVoxels;
 
 using Numbers = std::vector<std::uint32_t>;
 
@@ -170,16 +169,8 @@ private:
 };
 
 void
-requireValid(const SurfaceVoxels& voxels,
-             const std::vector<std::uint8_t>& left_out,
-             const std::vector<std::uint32_t>& segment_of_voxel,
-             const RackUnionOptions& options)
+requireValid(const RackUnionOptions& options)
 {
-  if (left_out.size() != voxels.size() || segment_of_voxel.size() != voxels.size())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        voxels.size()
-                            << " voxels have " << left_out.size() << " flags and "
-                            << segment_of_voxel.size() << " segments.");
   if (!(options.voxel_size > 0) || !(options.max_thickness > 0) ||
       !(options.min_width >= 0) || !(options.min_length >= 0) ||
       !(options.min_overlap > 0) || !(std::abs(options.up.norm() - 1) < 1e-3f))
@@ -199,7 +190,8 @@ joinRacks(const SurfaceVoxels& voxels,
           const RackUnionOptions& options,
           std::vector<std::uint32_t>& segment_of_voxel)
 {
-  requireValid(voxels, left_out, segment_of_voxel, options);
+  requireOnePerVoxel(voxels, left_out, segment_of_voxel);
+  requireValid(options);
   if (voxels.size() == 0)
     return;
   const RackJoiner joiner(

@@ -6,6 +6,8 @@
 
 #include "quantile.h"
 
+#include <pcl/exceptions.h>
+
 #include <algorithm>
 
 namespace {
@@ -16,6 +18,18 @@ constexpr double outlier_share = 0.03; // of a segment's voxels, cut off at eith
 
 namespace pcl {
 namespace indoor {
+
+void
+requireOnePerVoxel(const SurfaceVoxels& voxels,
+                   const std::vector<std::uint8_t>& left_out,
+                   const std::vector<std::uint32_t>& segment_of_voxel)
+{
+  if (left_out.size() != voxels.size() || segment_of_voxel.size() != voxels.size())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        voxels.size()
+                            << " voxels have " << left_out.size() << " flags and "
+                            << segment_of_voxel.size() << " segments.");
+}
 
 std::vector<SegmentBox>
 segmentBoxes(const SurfaceVoxels& voxels,

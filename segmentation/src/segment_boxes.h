@@ -15,6 +15,13 @@
 namespace pcl {
 namespace indoor {
 
+/** \throws pcl::BadArgumentException unless there is one flag and one segment per voxel
+ */
+void
+requireOnePerVoxel(const SurfaceVoxels& voxels,
+                   const std::vector<std::uint8_t>& left_out,
+                   const std::vector<std::uint32_t>& segment_of_voxel);
+
 /** The box of a segment along three axes, without its outermost voxels. */
 struct SegmentBox {
   std::size_t size = 0; ///< voxels; 0 = there is no such segment
