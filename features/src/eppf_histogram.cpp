@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace pcl {
@@ -180,14 +181,19 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
   if (is_stratified)
     along_order = arranged(points, order);
   const auto& used = is_stratified ? along_order : points;
-  const PairCounter counter(used, std::move(sampler), scale, options);
-  return histogramOf(used,
-                     frameOf(used, 0.0f, options),
-                     scale,
-                     options,
-                     [&](std::size_t first, std::size_t last, auto& own) {
-                       counter.count(first, last, own);
-                     });
+  std::optional<PairCounter> counter;
+  PrincipalFrame frame;
+#pragma omp parallel sections num_threads(threads) if (threads > 1)
+  {
+#pragma omp section
+    counter.emplace(used, std::move(sampler), scale, options);
+#pragma omp section
+    frame = frameOf(used, 0.0f, options);
+  }
+  return histogramOf(
+      used, frame, scale, options, [&](std::size_t first, std::size_t last, auto& own) {
+        counter->count(first, last, own);
+      });
 }
 
 } // namespace indoor
