@@ -260,11 +260,14 @@ scoreCoverage(const std::vector<Overlap>& overlaps,
     of_predicted[overlap.predicted] =
         std::max(of_predicted[overlap.predicted], overlap.count);
   }
-  for (const auto& [label, size] : truth)
-    score.recall += static_cast<double>(of_true[label]) / size / truth.size();
-  for (const auto& [label, size] : predicted)
-    score.precision +=
-        static_cast<double>(of_predicted[label]) / size / predicted.size();
+  const auto meanShare = [](const Sizes& sizes, Sizes& covered) {
+    double sum = 0; // divided at last, so that all of all is exactly 1
+    for (const auto& [label, size] : sizes)
+      sum += static_cast<double>(covered[label]) / static_cast<double>(size);
+    return sizes.empty() ? 0.0 : sum / static_cast<double>(sizes.size());
+  };
+  score.recall = meanShare(truth, of_true);
+  score.precision = meanShare(predicted, of_predicted);
 }
 
 } // namespace

@@ -114,6 +114,16 @@ TEST(SegmentationMetrics, DetectionsByHand)
   EXPECT_DOUBLE_EQ(score.precision, (1 + 0.5) / 2);
 }
 
+TEST(SegmentationMetrics, AllOfAllIsExactlyOne)
+{
+  SegmentLabels labels;
+  for (std::uint32_t i = 0; i < 18201; ++i)
+    labels.push_back(i + 1);
+  const auto score = scoreDetections(countOverlaps(labels, labels));
+  EXPECT_EQ(score.recall, 1);
+  EXPECT_EQ(score.precision, 1);
+}
+
 TEST(SegmentationMetrics, EmptyIsPerfectAndSizesMustAgree)
 {
   const auto overlaps = countOverlaps({}, {});
