@@ -155,19 +155,18 @@ private:
             Seam& seam) const
   {
     std::vector<float> along;
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    std::vector<Eigen::Vector2d> inside;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const auto i : sheet)
       if (section.isInside(inSection(profile, places_[i]))) {
         along.push_back(profile.along(i));
-        sum += places_[i].head<2>().cast<double>();
+        inside.emplace_back(places_[i].head<2>().cast<double>());
+        mean += inside.back();
       }
-    const Eigen::Vector2d mean = sum / static_cast<double>(along.size());
+    mean /= static_cast<double>(inside.size());
     Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-    for (const auto i : sheet)
-      if (section.isInside(inSection(profile, places_[i]))) {
-        const Eigen::Vector2d offset = places_[i].head<2>().cast<double>() - mean;
-        scatter += offset * offset.transpose();
-      }
+    for (const auto& place : inside)
+      scatter += (place - mean) * (place - mean).transpose();
     seam.middle = mean.cast<float>();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scatter);
     const Eigen::Vector2f normal = solver.eigenvectors().col(0).cast<float>();
@@ -207,13 +206,14 @@ cutOnce(const Members& members,
   Eigen::AlignedBox3f box;
   for (const auto i : members) {
     places.emplace_back(frame * points[i]);
-    normals.emplace_back(frame * voxels.normals[voxels.cells.cell_of_point[i]]);
     box.extend(places.back());
   }
-  const double level_extent = std::max(box.sizes().x(), box.sizes().y());
-  if (members.size() < options.min_cells || level_extent < options.min_side ||
+  if (members.size() < options.min_cells ||
+      box.sizes().head<2>().norm() < 2 * options.min_side ||
       box.sizes().maxCoeff() > farthest * options.voxel_size)
     return {members};
+  for (const auto i : members)
+    normals.emplace_back(frame * voxels.normals[voxels.cells.cell_of_point[i]]);
   const auto seam = SeamFinder(places, normals, options).find();
   if (!(seam.excess > 0))
     return {members};
@@ -243,7 +243,8 @@ requireValid(std::size_t point_count,
   if (!(options.voxel_size > 0) || !(options.density >= 1) || options.directions < 1 ||
       !is_share(options.balance) || !is_share(options.cover) ||
       !is_share(options.outward) || !(options.min_side >= 0) ||
-      !(options.min_depth >= 0) || !(std::abs(options.up.norm() - 1) < 1e-3f))
+      !(options.min_depth >= 0) || options.min_cells < 1 ||
+      !(std::abs(options.up.norm() - 1) < 1e-3f))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "Seams need positive sizes, a density of at least 1, shares "
                         "from 0 to 1 and a unit vector up.");

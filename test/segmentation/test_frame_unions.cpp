@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/object_scene.h"
+#include "support/joined_segments.h"
 
 #include <pcl/segmentation/frame_unions.h>
 
@@ -57,15 +57,7 @@ joined(const LabelledPoints& scene,
        const FrameUnionOptions& options = {},
        bool leave_out = false)
 {
-  const auto voxels = surfaceVoxels(scene.points, {}, options.voxel_size);
-  std::vector<std::uint32_t> segments(voxels.size(), 0), labels;
-  for (std::size_t i = 0; i < scene.points.size(); ++i)
-    segments[voxels.cells.cell_of_point[i]] = scene.objects[i];
-  joinFrames(
-      voxels, std::vector<std::uint8_t>(voxels.size(), leave_out), options, segments);
-  for (const auto voxel : voxels.cells.cell_of_point)
-    labels.push_back(segments[voxel]);
-  return labels;
+  return joinedSegments(scene, options, leave_out, joinFrames);
 }
 
 /** Whether the points of two objects are in one segment now. */

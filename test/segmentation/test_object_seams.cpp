@@ -241,6 +241,9 @@ TEST(ObjectSeams, RefuseWrongInput)
   options.cover = 1.5;
   refused(options);
   options = {};
+  options.min_cells = 0;
+  refused(options);
+  options = {};
   options.directions = 0;
   refused(options);
   options = {};

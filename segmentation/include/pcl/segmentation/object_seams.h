@@ -27,7 +27,7 @@ struct ObjectSeamOptions {
   double min_side = 0.3;  ///< the segment reaches this far on both sides, metres (>= 0)
   double cover = 0.3;     ///< share of the inside that a seam fills, from 0 to 1
   double min_depth = 2;   ///< of the inside, cells of a voxel (>= 0)
-  unsigned min_cells = 8; ///< of a voxel that a seam fills there
+  unsigned min_cells = 8; ///< of a voxel that a seam fills there (>= 1)
   /** share of the points on either side whose normals point away from the inside, from
    * 0 to 1 */
   double outward = 0.35;

@@ -41,9 +41,10 @@ struct ObjectSegmentationOptions {
   /** part segments at empty gaps narrower than voxels, see partAtGaps(); never for a
    * single camera */
   bool separate_gaps = true;
-  /** part bodies that stand against each other, see partAtSeams() */
+  /** part bodies that stand against each other, see partAtSeams(); never for a single
+   * camera */
   bool separate_seams = true;
-  /** against gravity, unit length; for flat things, gaps and frames */
+  /** against gravity, unit length; for flat things, gaps, seams, racks and frames */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   unsigned normal_rings = 1; ///< reach of normals and curvature, voxels (>= 1)
   /** which way estimated normals are turned */
