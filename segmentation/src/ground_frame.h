@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 namespace pcl {
 namespace indoor {
 
@@ -20,6 +22,14 @@ groundFrame(const Eigen::Vector3f& up)
   frame.row(0) = along.transpose();
   frame.row(1) = frame.row(2).cross(frame.row(0));
   return frame;
+}
+
+/** \brief The direction number i of count ones in 180 degrees, along the ground. */
+inline Eigen::Vector2f
+levelDirection(unsigned i, unsigned count)
+{
+  const double angle = M_PI * i / count;
+  return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
 } // namespace indoor

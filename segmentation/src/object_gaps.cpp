@@ -6,6 +6,7 @@
 
 #include "ground_frame.h"
 #include "segment_parts.h"
+#include "slice_counts.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/filters/point_cells.h>
@@ -14,11 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace {
 
 using pcl::indoor::ObjectGapOptions;
+using pcl::indoor::SliceCounts;
 
 using Members = pcl::indoor::SegmentMembers;
 
@@ -26,8 +27,8 @@ constexpr double farthest = 1 << 20; // extent of a segment, halves of voxels
 
 /** Gaps across one direction: where to cut, and how clear the clearest is. */
 struct Cuts {
-  double clearness = 0; ///< points fewer than allowed; 0 = there is no gap
-  double low = 0;       ///< where the first slice begins, along the direction
+  double clearness = 0;            ///< points fewer than allowed; 0 = there is no gap
+  pcl::indoor::SliceGrid grid;     ///< along the direction
   std::vector<std::size_t> slices; ///< ascending; the cuts lie at their beginnings
 };
 
@@ -36,13 +37,10 @@ class Slices {
 public:
   static constexpr std::ptrdiff_t per_gap = 4;
 
-  Slices(const std::vector<std::uint32_t>& counts, const ObjectGapOptions& options)
+  Slices(const SliceCounts& counts, const ObjectGapOptions& options)
   : options_(options)
-  , sums_(1, 0)
-  {
-    for (const auto count : counts)
-      sums_.push_back(sums_.back() + count);
-  }
+  , counts_(counts)
+  {}
 
   /** The middle of the clearest place of each gap; sets how clear the clearest is. */
   std::vector<std::size_t>
@@ -69,13 +67,13 @@ private:
   std::ptrdiff_t
   size() const
   {
-    return static_cast<std::ptrdiff_t>(sums_.size()) - 1;
+    return counts_.size();
   }
 
   double
   held(std::ptrdiff_t begin, std::ptrdiff_t end) const
   {
-    return static_cast<double>(sums_[end] - sums_[begin]);
+    return counts_.held(begin, end);
   }
 
   /** Points that a gap's width from slice i on lacks below what a gap may hold; 0 if it
@@ -134,7 +132,7 @@ private:
   }
 
   const ObjectGapOptions& options_;
-  std::vector<std::uint64_t> sums_; // of all slices before
+  const SliceCounts& counts_;
 };
 
 /** Cuts segments at their gaps, one after the other. */
@@ -199,9 +197,7 @@ private:
     Cuts best;
     Eigen::Vector2f best_direction = Eigen::Vector2f::Zero();
     for (unsigned d = 0; d < options_.directions; ++d) {
-      const double angle = M_PI * d / options_.directions;
-      const Eigen::Vector2f direction(static_cast<float>(std::cos(angle)),
-                                      static_cast<float>(std::sin(angle)));
+      const auto direction = pcl::indoor::levelDirection(d, options_.directions);
       auto cuts = cutsAcross(places, direction);
       if (cuts.clearness > best.clearness) {
         best = std::move(cuts);
@@ -211,35 +207,18 @@ private:
     return cutAt(members, places, best_direction, best);
   }
 
-  double
-  sliceWidth() const
-  {
-    return options_.width * options_.voxel_size / Slices::per_gap;
-  }
-
-  std::size_t
-  sliceOf(const Eigen::Vector2f& place,
-          const Eigen::Vector2f& direction,
-          double low) const
-  {
-    return static_cast<std::size_t>((direction.dot(place) - low) / sliceWidth());
-  }
-
   Cuts
   cutsAcross(const std::vector<Eigen::Vector2f>& places,
              const Eigen::Vector2f& direction) const
   {
-    float low = std::numeric_limits<float>::infinity(), high = -low;
-    for (const auto& place : places) {
-      low = std::min(low, direction.dot(place));
-      high = std::max(high, direction.dot(place));
-    }
-    Cuts cuts;
-    cuts.low = low;
-    std::vector<std::uint32_t> counts(
-        static_cast<std::size_t>((high - cuts.low) / sliceWidth()) + 1, 0);
+    std::vector<float> along;
+    along.reserve(places.size());
     for (const auto& place : places)
-      ++counts[sliceOf(place, direction, cuts.low)];
+      along.push_back(direction.dot(place));
+    const SliceCounts counts(along,
+                             options_.width * options_.voxel_size / Slices::per_gap);
+    Cuts cuts;
+    cuts.grid = counts.grid();
     cuts.slices = Slices(counts, options_).findGaps(cuts.clearness);
     return cuts;
   }
@@ -252,7 +231,8 @@ private:
   {
     std::vector<Members> parts(cuts.slices.size() + 1);
     for (std::size_t i = 0; i < members.size(); ++i) {
-      const auto slice = sliceOf(places[i], direction, cuts.low);
+      const auto slice =
+          static_cast<std::size_t>(cuts.grid.sliceAt(direction.dot(places[i])));
       const auto after =
           std::upper_bound(cuts.slices.begin(), cuts.slices.end(), slice);
       parts[static_cast<std::size_t>(after - cuts.slices.begin())].push_back(

@@ -54,11 +54,8 @@ public:
   {
     Seam best;
     for (unsigned d = 0; d < options_.directions; ++d) {
-      const double angle = M_PI * d / options_.directions;
       const Profile profile(
-          places_,
-          {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))},
-          options_);
+          places_, pcl::indoor::levelDirection(d, options_.directions), options_);
       for (const auto peak : profile.peaks()) {
         auto seam = seamAt(profile, peak);
         if (!(seam.excess > 0))
@@ -84,7 +81,7 @@ private:
   turned(const Seam& seam) const
   {
     const Profile profile(places_, seam.normal, options_);
-    const auto middle = profile.sliceAt(seam.normal.dot(seam.middle));
+    const auto middle = profile.grid().sliceAt(seam.normal.dot(seam.middle));
     Seam best = seam;
     for (const auto peak : profile.peaks())
       if (std::abs(peak - middle) <= Profile::per_voxel) {
@@ -99,7 +96,7 @@ private:
   seamAt(const Profile& profile, std::ptrdiff_t peak) const
   {
     const auto voxel = static_cast<float>(options_.voxel_size);
-    const float centre = profile.placeOf(peak);
+    const float centre = profile.grid().placeOf(peak);
     std::vector<std::uint32_t> sheet, sides;
     Eigen::AlignedBox2f box;
     for (std::uint32_t i = 0; i < places_.size(); ++i) {

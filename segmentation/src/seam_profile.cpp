@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace {
 
@@ -15,6 +14,17 @@ constexpr std::ptrdiff_t beside_begin = pcl::indoor::SeamProfile::per_voxel;
 constexpr std::ptrdiff_t beside_end = 3 * pcl::indoor::SeamProfile::per_voxel;
 constexpr double voxels_beside = 2;
 constexpr double deviations = 3; // of a count, that are chance
+
+std::vector<float>
+placesAlong(const std::vector<Eigen::Vector3f>& places,
+            const Eigen::Vector2f& direction)
+{
+  std::vector<float> along;
+  along.reserve(places.size());
+  for (const auto& place : places)
+    along.push_back(direction.dot(place.head<2>()));
+  return along;
+}
 
 } // namespace
 
@@ -26,21 +36,9 @@ SeamProfile::SeamProfile(const std::vector<Eigen::Vector3f>& places,
                          const ObjectSeamOptions& options)
 : options_(options)
 , direction_(direction)
-{
-  float low = std::numeric_limits<float>::infinity(), high = -low;
-  along_.reserve(places.size());
-  for (const auto& place : places) {
-    along_.push_back(direction.dot(place.head<2>()));
-    low = std::min(low, along_.back());
-    high = std::max(high, along_.back());
-  }
-  low_ = low;
-  sums_.assign(sliceAt(high) + 2, 0);
-  for (const auto place : along_)
-    ++sums_[sliceAt(place) + 1];
-  for (std::size_t i = 1; i < sums_.size(); ++i)
-    sums_[i] += sums_[i - 1];
-}
+, along_(placesAlong(places, direction))
+, counts_(along_, options.voxel_size / per_voxel)
+{}
 
 double
 SeamProfile::excess(std::ptrdiff_t i) const
@@ -52,38 +50,31 @@ std::vector<std::ptrdiff_t>
 SeamProfile::peaks() const
 {
   const auto margin = std::max(
-      beside_end, static_cast<std::ptrdiff_t>(std::ceil(options_.min_side / width())));
+      beside_end,
+      static_cast<std::ptrdiff_t>(std::ceil(options_.min_side / grid().width)));
   std::vector<std::ptrdiff_t> found;
-  for (auto i = margin; i + margin < size(); ++i)
+  for (auto i = margin; i + margin < counts_.size(); ++i)
     if (isPeak(i))
       found.push_back(i);
   return found;
 }
 
 double
-SeamProfile::held(std::ptrdiff_t begin, std::ptrdiff_t end) const
-{
-  begin = std::max<std::ptrdiff_t>(begin, 0);
-  end = std::min(end, size());
-  return begin < end ? static_cast<double>(sums_[end] - sums_[begin]) : 0;
-}
-
-double
 SeamProfile::sheet(std::ptrdiff_t i) const
 {
-  return held(i - per_voxel / 2, i + per_voxel / 2);
+  return counts_.held(i - per_voxel / 2, i + per_voxel / 2);
 }
 
 double
 SeamProfile::before(std::ptrdiff_t i) const
 {
-  return held(i - beside_end, i - beside_begin) / voxels_beside;
+  return counts_.held(i - beside_end, i - beside_begin) / voxels_beside;
 }
 
 double
 SeamProfile::behind(std::ptrdiff_t i) const
 {
-  return held(i + beside_begin, i + beside_end) / voxels_beside;
+  return counts_.held(i + beside_begin, i + beside_end) / voxels_beside;
 }
 
 bool

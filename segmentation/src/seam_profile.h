@@ -4,12 +4,13 @@
  */
 #pragma once
 
+#include "slice_counts.h"
+
 #include <pcl/segmentation/object_seams.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -37,17 +38,10 @@ public:
     return along_[point];
   }
 
-  /** Where slice i begins. */
-  float
-  placeOf(std::ptrdiff_t i) const
+  const SliceGrid&
+  grid() const
   {
-    return static_cast<float>(low_ + static_cast<double>(i) * width());
-  }
-
-  std::ptrdiff_t
-  sliceAt(float place) const
-  {
-    return static_cast<std::ptrdiff_t>((place - low_) / width());
+    return counts_.grid();
   }
 
   /** Points that the sheet about the beginning of slice i, one voxel wide, has more
@@ -60,21 +54,6 @@ public:
   peaks() const;
 
 private:
-  double
-  width() const
-  {
-    return options_.voxel_size / per_voxel;
-  }
-
-  std::ptrdiff_t
-  size() const
-  {
-    return static_cast<std::ptrdiff_t>(sums_.size()) - 1;
-  }
-
-  double
-  held(std::ptrdiff_t begin, std::ptrdiff_t end) const;
-
   double
   sheet(std::ptrdiff_t i) const;
 
@@ -89,9 +68,8 @@ private:
 
   const ObjectSeamOptions& options_;
   Eigen::Vector2f direction_;
-  double low_ = 0;
   std::vector<float> along_;
-  std::vector<std::uint64_t> sums_; // of all slices before
+  SliceCounts counts_;
 };
 
 } // namespace indoor
