@@ -9,6 +9,7 @@
 #include <pcl/filters/non_convex_points.h>
 #include <pcl/filters/point_resolution.h>
 #include <pcl/segmentation/convex_unions.h>
+#include <pcl/segmentation/enclosed_structure.h>
 #include <pcl/segmentation/flat_things.h>
 #include <pcl/segmentation/frame_unions.h>
 #include <pcl/segmentation/object_gaps.h>
@@ -67,9 +68,9 @@ findNormals(const ObjectSegmentationInput& input,
 }
 
 /** Voxels with normals; floor, walls and ceiling are apart from all else.
- * \return directions of the room
+ * \return floor, walls and ceiling
  */
-Eigen::Matrix3f
+std::vector<pcl::indoor::StructurePlane>
 makeVoxels(const ObjectSegmentationInput& input,
            const ObjectSegmentationOptions& options,
            ObjectSegmentation& result)
@@ -89,7 +90,7 @@ makeVoxels(const ObjectSegmentationInput& input,
     planes = pcl::indoor::findRoomStructure(voxels, structure);
   if (planes.empty()) {
     result.voxels = std::move(voxels);
-    return Eigen::Matrix3f::Identity();
+    return planes;
   }
   const auto plane_of_point =
       pcl::indoor::pointsOfStructure(input.points, voxels, planes, structure);
@@ -110,7 +111,7 @@ makeVoxels(const ObjectSegmentationInput& input,
                              options.voxel_size,
                              result.plane_of_voxel,
                              result.voxels);
-  return pcl::indoor::axesOf(planes).cast<float>();
+  return planes;
 }
 
 /** Eq. (4.2) for voxels: the points of the voxels around are counted. */
@@ -233,10 +234,11 @@ firstFreeLabel(const ObjectSegmentation& result)
 void
 joinSegments(const SurfaceVoxels& voxels,
              const std::vector<std::uint8_t>& in_plane,
-             const Eigen::Matrix3f& axes,
+             const std::vector<pcl::indoor::StructurePlane>& planes,
              const ObjectSegmentationOptions& options,
              std::vector<std::uint32_t>& segment_of_voxel)
 {
+  const Eigen::Matrix3f axes = pcl::indoor::axesOf(planes).cast<float>();
   pcl::indoor::ConvexUnionOptions unions;
   unions.air_per_contact = options.max_union_air;
   unions.voxel_size = options.voxel_size;
@@ -252,9 +254,11 @@ joinSegments(const SurfaceVoxels& voxels,
   if (options.join_frames) {
     pcl::indoor::FrameUnionOptions frames;
     frames.voxel_size = options.voxel_size;
-    frames.axes = axes;
     frames.up = options.up;
-    pcl::indoor::joinFrames(voxels, in_plane, frames, segment_of_voxel);
+    for (const auto& wall_axes : pcl::indoor::axesOfWalls(planes)) {
+      frames.axes = wall_axes.cast<float>();
+      pcl::indoor::joinFrames(voxels, in_plane, frames, segment_of_voxel);
+    }
   }
 }
 
@@ -348,7 +352,7 @@ segmentObjects(const ObjectSegmentationInput& input,
 
   ObjectSegmentation result;
   result.voxel_size = options.voxel_size;
-  const auto axes = makeVoxels(input, options, result);
+  const auto planes = makeVoxels(input, options, result);
   const auto in_plane = flagsOf(result.plane_of_voxel);
   result.removed = findNonConvexVoxels(result.voxels, in_plane, options);
   auto left_out = in_plane;
@@ -370,9 +374,15 @@ segmentObjects(const ObjectSegmentationInput& input,
                 segment_of_voxel);
   labelRemainder(result.voxels.neighbors, firstFreeLabel(result), segment_of_voxel);
   if (options.partition == Partition::Graph)
-    joinSegments(result.voxels, in_plane, axes, options, segment_of_voxel);
+    joinSegments(result.voxels, in_plane, planes, options, segment_of_voxel);
   result.segment_of_point =
       segmentsOfPoints(input, options, result.voxels, in_plane, segment_of_voxel);
+  yieldEnclosed(input.points,
+                result.voxels,
+                planes,
+                options.voxel_size,
+                result.plane_of_voxel,
+                result.segment_of_point);
   numberSegments(result);
   return result;
 }

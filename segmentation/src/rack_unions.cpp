@@ -46,7 +46,7 @@ public:
     auto joined = rack;
     for (std::uint32_t s = 0; s < boxes_.size(); ++s)
       if (boxes_[s].size > 0 && outlines.count(rack[s]) == 0)
-        joined[s] = rackOfUpright(s, rack, outlines);
+        joined[s] = rackAround(s, rack, outlines);
     return joined;
   }
 
@@ -59,14 +59,19 @@ private:
     return (up_ + 1 + axis) % 3;
   }
 
+  /** A board, or a compartment, or a chest. */
+  bool
+  isWide(const SegmentBox& box) const
+  {
+    const double first = box.extent()[level(0)], second = box.extent()[level(1)];
+    return box.size > 0 && std::min(first, second) >= options_.min_width &&
+           std::max(first, second) >= options_.min_length;
+  }
+
   bool
   isBoard(const SegmentBox& box) const
   {
-    const auto extent = box.extent();
-    const double first = extent[level(0)], second = extent[level(1)];
-    return box.size > 0 && extent[up_] <= options_.max_thickness &&
-           std::min(first, second) >= options_.min_width &&
-           std::max(first, second) >= options_.min_length;
+    return isWide(box) && box.extent()[up_] <= options_.max_thickness;
   }
 
   /** Area, from above, in common over that of both. */
@@ -88,15 +93,19 @@ private:
   racksOfBoards() const
   {
     pcl::indoor::DisjointSets racks(boxes_.size());
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+      if (racks.find(a) != racks.find(b) &&
+          overlap(boxes_[a], boxes_[b]) >= options_.min_overlap)
+        racks.merge(racks.find(a), racks.find(b));
+    };
     for (std::uint32_t s = 0; s < boxes_.size(); ++s) {
-      auto group = neighbors_[s];
-      group.push_back(s);
-      for (const auto board : group)
+      if (isWide(boxes_[s]))
+        for (const auto other : neighbors_[s])
+          join(s, other);
+      for (const auto board : neighbors_[s])
         if (isBoard(boxes_[board]))
-          for (const auto other : group)
-            if (racks.find(board) != racks.find(other) &&
-                overlap(boxes_[board], boxes_[other]) >= options_.min_overlap)
-              racks.merge(racks.find(board), racks.find(other));
+          for (const auto other : neighbors_[s])
+            join(board, other);
     }
     Numbers rack;
     for (std::uint32_t s = 0; s < boxes_.size(); ++s)
@@ -124,16 +133,11 @@ private:
     return outlines;
   }
 
-  /** \return the rack that the segment is an upright of; itself if there is none */
+  /** \return the rack that the segment is within; itself if there is none */
   std::uint32_t
-  rackOfUpright(std::uint32_t segment,
-                const Numbers& rack,
-                const Outlines& outlines) const
+  rackAround(std::uint32_t segment, const Numbers& rack, const Outlines& outlines) const
   {
     const auto& box = boxes_[segment];
-    if (std::min(box.extent()[level(0)], box.extent()[level(1)]) >
-        options_.max_thickness)
-      return segment;
     std::map<std::uint32_t, unsigned> boards; // that it touches, of each rack around it
     for (const auto other : neighbors_[segment]) {
       const auto outline = outlines.find(rack[other]);
@@ -147,16 +151,17 @@ private:
     return most == boards.end() ? segment : most->first;
   }
 
-  /** Seen from above; an upright may stand beside the ends of the boards. */
+  /** Within two voxels; an upright board may stand beside the ends of level ones. */
   bool
-  isWithin(const SegmentBox& upright, const SegmentBox& outline) const
+  isWithin(const SegmentBox& piece, const SegmentBox& rack) const
   {
-    for (const int axis : {level(0), level(1)}) {
-      const double beside = upright.extent()[axis];
+    for (int axis = 0; axis < 3; ++axis) {
+      const double beside = piece.extent()[axis];
       const double reach =
-          2 * options_.voxel_size + (beside <= options_.max_thickness ? beside : 0);
-      if (upright.low[axis] < outline.low[axis] - reach ||
-          upright.high[axis] > outline.high[axis] + reach)
+          2 * options_.voxel_size +
+          (axis != up_ && beside <= options_.max_thickness ? beside : 0);
+      if (piece.low[axis] < rack.low[axis] - reach ||
+          piece.high[axis] > rack.high[axis] + reach)
         return false;
     }
     return true;

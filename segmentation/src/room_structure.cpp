@@ -5,6 +5,7 @@
 #include <pcl/segmentation/room_structure.h>
 
 #include "plane_growing.h"
+#include "plane_raster.h"
 
 #include <pcl/exceptions.h>
 
@@ -14,11 +15,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
-#include <utility>
 
 namespace {
 
+using pcl::indoor::PlaneRaster;
 using pcl::indoor::RoomStructureOptions;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
@@ -73,89 +73,6 @@ extentOf(const SurfaceVoxels& voxels,
       add(v);
   return spreadOf(heights);
 }
-
-/** The raster of a plane: which of its cells it covers, and behind which something
- * lies. In tiles, because parts of one plane may lie kilometres apart.
- */
-class PlaneRaster {
-public:
-  PlaneRaster(const SurfaceVoxels& voxels,
-              const StructurePlane& plane,
-              double cell_size)
-  : plane_(plane)
-  , u_(plane.normal.unitOrthogonal())
-  , v_(plane.normal.cross(u_))
-  , cell_size_(cell_size)
-  {
-    low_.setConstant(std::numeric_limits<double>::infinity());
-    for (const auto i : plane.voxels)
-      low_ = low_.min(placeOf(voxels.centroids[i].cast<double>()));
-    for (const auto i : plane.voxels) {
-      const auto [tile, cell] = cellOf(voxels.centroids[i].cast<double>());
-      tiles_[tile][cell] |= covered;
-    }
-  }
-
-  /** Note what lies farther than the margin behind the plane. */
-  void
-  look(const SurfaceVoxels& voxels, double margin)
-  {
-    for (const auto& centroid : voxels.centroids) {
-      const Eigen::Vector3d position = centroid.cast<double>();
-      if (!(plane_.offset - plane_.normal.dot(position) > margin))
-        continue;
-      const auto [number, cell] = cellOf(position);
-      const auto tile = tiles_.find(number);
-      if (tile != tiles_.end())
-        tile->second[cell] |= behind;
-    }
-  }
-
-  /** The share of the plane with nothing behind it. */
-  double
-  freeShare() const
-  {
-    std::size_t all = 0, free = 0;
-    for (const auto& tile : tiles_)
-      for (const auto cell : tile.second)
-        if (cell & covered) {
-          ++all;
-          free += (cell & behind) == 0;
-        }
-    return static_cast<double>(free) /
-           static_cast<double>(std::max<std::size_t>(all, 1));
-  }
-
-private:
-  enum : std::uint8_t { covered = 1, behind = 2 };
-  static constexpr std::int64_t tile_size = 64; // cells in each direction
-  using Tile = std::array<std::uint8_t, tile_size * tile_size>;
-
-  Eigen::Array2d
-  placeOf(const Eigen::Vector3d& position) const
-  {
-    return {u_.dot(position), v_.dot(position)};
-  }
-
-  /** The number of a cell's tile, and its place there. */
-  std::pair<std::int64_t, std::size_t>
-  cellOf(const Eigen::Vector3d& position) const
-  {
-    const Eigen::Array2d place = ((placeOf(position) - low_) / cell_size_).floor();
-    const auto x = static_cast<std::int64_t>(place.x());
-    const auto y = static_cast<std::int64_t>(place.y());
-    const auto row = (x % tile_size + tile_size) % tile_size;
-    const auto column = (y % tile_size + tile_size) % tile_size;
-    return {(x - row) / tile_size * (std::int64_t{1} << 32) + (y - column) / tile_size,
-            static_cast<std::size_t>(row * tile_size + column)};
-  }
-
-  const StructurePlane& plane_;
-  Eigen::Vector3d u_, v_;
-  double cell_size_;
-  Eigen::Array2d low_;
-  std::unordered_map<std::int64_t, Tile> tiles_;
-};
 
 /** The standard deviation of a plane's points, from their median distance. */
 double
@@ -256,6 +173,31 @@ axesOf(const std::vector<StructurePlane>& planes)
   Eigen::Matrix3d axes;
   axes << first, second, first.cross(second);
   return axes;
+}
+
+std::vector<Eigen::Matrix3d>
+axesOfWalls(const std::vector<StructurePlane>& planes)
+{
+  constexpr double same = 0.985; // cosine of 10 degrees
+  std::vector<Eigen::Matrix3d> all(1, axesOf(planes));
+  const auto is_known = [&](const Eigen::Vector3d& normal) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& axes) {
+      return (axes.transpose() * normal).cwiseAbs().maxCoeff() > same;
+    });
+  };
+  for (const auto& plane : planes) {
+    if (is_known(plane.normal))
+      continue;
+    int least = 0;
+    (all.front().transpose() * plane.normal).cwiseAbs().minCoeff(&least);
+    const Eigen::Vector3d common = all.front().col(least);
+    const Eigen::Vector3d across =
+        (plane.normal - plane.normal.dot(common) * common).normalized();
+    Eigen::Matrix3d axes;
+    axes << across, common.cross(across), common;
+    all.push_back(axes);
+  }
+  return all;
 }
 
 std::vector<StructurePlane>

@@ -19,19 +19,19 @@ struct RackUnionOptions {
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< against gravity, unit length
   double max_thickness = 0.25; ///< of a board, level or upright, metres (> 0)
-  double min_width = 0.15;     ///< of a level board, metres (>= 0)
-  double min_length = 0.3;     ///< of a level board, metres (>= 0)
-  /** the area, seen from above, that two boards share, over that of both together */
+  double min_width = 0.15;     ///< of its pieces, from above, metres (>= 0)
+  double min_length = 0.3;     ///< of its pieces, from above, metres (>= 0)
+  /** the area, seen from above, that two pieces share, over that of both together */
   double min_overlap = 0.7;
 };
 
-/** \brief Join the boards of racks. Level boards lie above each other with the same
- * outline, held by the same uprights, with much air between them. Two segments that
- * touch each other or the same third one are of one rack, if one is a level board and
- * both have nearly the same outline from above; so may the other be a compartment. An
- * upright board that touches a rack is of it, too, if it lies within two voxels of its
- * outline, or of its ends. No step of the thesis. The cost is linear in the number of
- * voxels, and in the pairs of a board and another neighbour of the same segment.
+/** \brief Join the pieces of racks. Level boards and compartments lie above each other
+ * with the same outline, held by the same uprights, with much air between them. Two
+ * segments are of one rack if they have nearly the same outline from above, and touch
+ * each other, or one is a level board and both touch the same third one. What touches a
+ * rack and lies within its box, by two voxels, is of it, too; so is an upright board
+ * beside its ends. No step of the thesis. The cost is linear in the number of voxels,
+ * and in the pairs of a board and another neighbour of the same segment.
  * \param[in] left_out one flag per voxel; segments of flagged voxels are not joined
  * \param[in,out] segment_of_voxel numbered from 0
  * \throws pcl::BadArgumentException if sizes differ or an option is out of range

@@ -1,0 +1,60 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "plane_shadow.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace indoor {
+
+PlaneShadow::PlaneShadow(const PlaneCell& low, const PlaneCell& high)
+: low_(low)
+, columns_(high[0] - low[0] + 1)
+, rows_(high[1] - low[1] + 1)
+, flags_(static_cast<std::size_t>(columns_ * rows_), 0)
+{}
+
+void
+PlaneShadow::mark(const PlaneCell& cell, Flag flag)
+{
+  const auto column = cell[0] - low_[0], row = cell[1] - low_[1];
+  for (auto r = std::max<std::int64_t>(row - 1, 0); r <= std::min(row + 1, rows_ - 1);
+       ++r)
+    for (auto c = std::max<std::int64_t>(column - 1, 0);
+         c <= std::min(column + 1, columns_ - 1);
+         ++c)
+      flags_[indexOf(c, r)] |= flag;
+}
+
+std::vector<PlaneCell>
+PlaneShadow::enclosed() const
+{
+  std::vector<std::uint8_t> closed_sides(flags_.size(), 0);
+  const auto walk = [&](std::size_t cell, std::ptrdiff_t step, std::int64_t count) {
+    bool closed = false;
+    for (; count > 0; --count, cell += static_cast<std::size_t>(step)) {
+      closed = (flags_[cell] & closing) || (closed && (flags_[cell] & covered));
+      closed_sides[cell] += closed;
+    }
+  };
+  for (std::int64_t row = 0; row < rows_; ++row) {
+    walk(indexOf(0, row), 1, columns_);
+    walk(indexOf(columns_ - 1, row), -1, columns_);
+  }
+  for (std::int64_t column = 0; column < columns_; ++column) {
+    walk(indexOf(column, 0), columns_, rows_);
+    walk(indexOf(column, rows_ - 1), -columns_, rows_);
+  }
+  std::vector<PlaneCell> cells;
+  for (std::int64_t row = 0; row < rows_; ++row)
+    for (std::int64_t column = 0; column < columns_; ++column)
+      if ((flags_[indexOf(column, row)] & covered) &&
+          closed_sides[indexOf(column, row)] == 4)
+        cells.push_back({low_[0] + column, low_[1] + row});
+  return cells;
+}
+
+} // namespace indoor
+} // namespace pcl
