@@ -24,9 +24,14 @@ using pcl::indoor::StructurePlane;
 using Members = std::vector<std::uint32_t>; // indices of points
 using Box = Eigen::AlignedBox3f;
 
-constexpr double touch = 2;     // voxels from a plane: what is nearer touches it
-constexpr double min_depth = 2; // voxels: what is farther covers what is behind
-constexpr std::size_t cells_per_point = 20; // a shadow with more has holes only
+enum class Side { Front, Back }; // of a plane: towards the room, or within the wall
+
+constexpr double touch = 2; // voxels from a plane: what is nearer touches it
+constexpr double cover = 1; // voxels: what is farther hides the plane
+/** Share of a segment that is across the plane: what lies along it is no closed object,
+ * but a picture, or the double of a wall. */
+constexpr double min_across = 0.1;
+constexpr double cells_per_point = 20; // a shadow with more has holes only
 
 /** Cells of a plane, a voxel wide, along two directions of the room. */
 class PlaneFrame {
@@ -45,9 +50,16 @@ public:
 
   /** In front of the plane, voxels. */
   double
-  depthOf(const Eigen::Vector3f& point) const
+  heightOf(const Eigen::Vector3f& point) const
   {
     return (normal_.dot(point.cast<double>()) - offset_) / cell_size_;
+  }
+
+  /** 45 degrees or more from the normal. */
+  bool
+  isAcross(const Eigen::Vector3f& normal) const
+  {
+    return !normal.isZero() && std::abs(normal_.dot(normal.cast<double>())) < 0.7;
   }
 
   PlaneCell
@@ -122,40 +134,66 @@ markOtherPlanes(const PlaneFrame& frame,
     }
 }
 
-/** The cells of a plane that a segment encloses. */
+/** A point seen along the normal of a plane. */
+struct Projection {
+  PlaneCell cell;
+  double depth; // from the plane, voxels
+  bool is_across;
+};
+
+/** The points on one side of a plane, and those that lie in it. */
+std::vector<Projection>
+project(const std::vector<Eigen::Vector3f>& points,
+        const pcl::indoor::SurfaceVoxels& voxels,
+        const Members& members,
+        const PlaneFrame& frame,
+        Side side)
+{
+  std::vector<Projection> projected;
+  for (const auto i : members) {
+    const double height = frame.heightOf(points[i]);
+    const double depth = side == Side::Front ? height : -height;
+    if (depth >= -1)
+      projected.push_back(
+          {frame.cellOf(points[i]),
+           depth,
+           frame.isAcross(voxels.normals[voxels.cells.cell_of_point[i]])});
+  }
+  return projected;
+}
+
+/** The cells of a plane that a segment encloses from one side. */
 std::vector<PlaneCell>
-cellsEnclosedBy(const std::vector<Eigen::Vector3f>& points,
-                const Members& members,
+cellsEnclosedBy(const std::vector<Projection>& segment,
                 const PlaneFrame& frame,
                 const std::vector<const StructurePlane*>& others,
                 double voxel_size)
 {
-  auto low = frame.cellOf(points[members.front()]), high = low;
-  bool touches = false, covers = false;
-  for (const auto i : members) {
-    const auto depth = frame.depthOf(points[i]);
-    touches |= depth < touch;
-    covers |= depth > min_depth;
-    const auto cell = frame.cellOf(points[i]);
+  if (segment.empty())
+    return {};
+  auto low = segment.front().cell, high = low;
+  std::size_t touching = 0, deep = 0, across = 0;
+  for (const auto& [cell, depth, is_across] : segment) {
+    touching += depth < touch;
+    deep += depth > cover;
+    across += is_across;
     for (int k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], cell[k]);
       high[k] = std::max(high[k], cell[k]);
     }
   }
+  const auto size = static_cast<double>(segment.size());
   const auto cells = static_cast<double>(high[0] - low[0] + 1) *
                      static_cast<double>(high[1] - low[1] + 1);
-  if (!touches || !covers ||
-      cells > static_cast<double>(cells_per_point * members.size()))
+  if (touching == 0 || deep == 0 || static_cast<double>(across) < min_across * size ||
+      cells > cells_per_point * size)
     return {};
   PlaneShadow shadow(low, high);
-  for (const auto i : members) {
-    const auto depth = frame.depthOf(points[i]);
-    if (depth < -1) // behind the plane
-      continue;
+  for (const auto& [cell, depth, is_across] : segment) {
     if (depth < touch)
-      shadow.mark(frame.cellOf(points[i]), PlaneShadow::closing);
-    if (depth > min_depth)
-      shadow.mark(frame.cellOf(points[i]), PlaneShadow::covered);
+      shadow.mark(cell, PlaneShadow::closing);
+    if (depth > cover)
+      shadow.mark(cell, PlaneShadow::covered);
   }
   markOtherPlanes(frame, low, high, others, voxel_size, shadow);
   return shadow.enclosed();
@@ -174,6 +212,7 @@ using SegmentOfCell = std::unordered_map<PlaneCell, std::uint32_t, CellHash>;
 /** Who encloses which cells of a plane; of several, the first of the order. */
 SegmentOfCell
 segmentsAround(const std::vector<Eigen::Vector3f>& points,
+               const pcl::indoor::SurfaceVoxels& voxels,
                const std::vector<StructurePlane>& planes,
                std::size_t plane,
                const PlaneFrame& frame,
@@ -193,9 +232,13 @@ segmentsAround(const std::vector<Eigen::Vector3f>& points,
       if (std::abs(planes[q].normal.dot(planes[plane].normal)) < 0.3 &&
           widened(structure.boxes[q], reach).intersects(objects.boxes[s]))
         others.push_back(&planes[q]);
-    for (const auto& cell :
-         cellsEnclosedBy(points, objects.members[s], frame, others, voxel_size))
-      segments.emplace(cell, s);
+    for (const auto side : {Side::Front, Side::Back})
+      for (const auto& cell :
+           cellsEnclosedBy(project(points, voxels, objects.members[s], frame, side),
+                           frame,
+                           others,
+                           voxel_size))
+        segments.emplace(cell, s);
   }
   return segments;
 }
@@ -229,13 +272,14 @@ yieldEnclosed(const std::vector<Eigen::Vector3f>& points,
   const auto& voxel_of_point = voxels.cells.cell_of_point;
   if (voxel_of_point.size() != points.size() ||
       segment_of_point.size() != points.size() ||
-      plane_of_voxel.size() != voxels.size())
+      plane_of_voxel.size() != voxels.size() || voxels.normals.size() != voxels.size())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         points.size()
                             << " points are " << voxel_of_point.size()
                             << " in voxels, with " << segment_of_point.size()
                             << " segments; " << voxels.size() << " voxels have "
-                            << plane_of_voxel.size() << " numbers of planes.");
+                            << plane_of_voxel.size() << " numbers of planes and "
+                            << voxels.normals.size() << " normals.");
   if (points.empty() || planes.empty())
     return 0;
   Groups objects(1 +
@@ -253,8 +297,8 @@ yieldEnclosed(const std::vector<Eigen::Vector3f>& points,
   std::size_t yielded = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const PlaneFrame frame(planes[p], axes, voxel_size);
-    const auto segment_of_cell =
-        segmentsAround(points, planes, p, frame, structure, objects, order, voxel_size);
+    const auto segment_of_cell = segmentsAround(
+        points, voxels, planes, p, frame, structure, objects, order, voxel_size);
     for (const auto i : structure.members[p]) {
       const auto found = segment_of_cell.find(frame.cellOf(points[i]));
       if (found == segment_of_cell.end())

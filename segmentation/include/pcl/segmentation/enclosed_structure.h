@@ -12,22 +12,21 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Give what lies between an object and the wall or floor that it stands against
- * to the object. The back of a wardrobe is flat against the wall and was taken for it;
- * but a wall that a closed object covers cannot have been seen. A cell of a plane, a
- * voxel wide, is enclosed by a segment if the segment covers it, at least two voxels in
- * front of the plane, and if on each of the four sides, over cells that are covered,
- * one comes to a cell where the segment touches the plane or that lies at another plane
- * of the structure. So a wall that is seen through an open shelf, or under a table,
- * remains a wall. Where several segments enclose a cell, the smallest one gets it. No
- * step of the thesis. The cost is linear in the points and in the cells of the segments
- * that touch planes.
- * \param[in] points as given to separateVoxels()
- * \param[in] voxels as given by separateVoxels(); only their cells are used
- * \param[in] planes as given by findRoomStructure()
- * \param[in] voxel_size metres
- * \param[in] plane_of_voxel the number of its plane, from 1; 0 for objects
- * \param[in,out] segment_of_point numbered from 0
+/** \brief Give what closed objects hide of a plane back to them. The back of a wardrobe
+ * is flat against the wall and was taken for it, but a wall behind a closed object
+ * cannot have been seen; nor can a wall in front of a window that stands in it: that is
+ * the window's own face. A cell of a plane, a voxel wide, is enclosed by a segment,
+ * from either side, if the segment covers it, at least one voxel from the plane, and if
+ * on each of the four sides, over cells that are covered, one comes to a cell where the
+ * segment is less than two voxels from the plane or that lies at another plane of the
+ * structure. So a wall that is seen through an open shelf, or under a table, remains a
+ * wall. Segments of which less than a tenth is across the plane are no closed objects,
+ * but doubles of it. Where several segments enclose a cell, the smallest one gets it.
+ * No step of the thesis. The cost is linear in the points and in the cells of the
+ * segments that reach planes. \param[in] points as given to separateVoxels() \param[in]
+ * voxels as given by separateVoxels(); with normals \param[in] planes as given by
+ * findRoomStructure() \param[in] voxel_size metres \param[in] plane_of_voxel the number
+ * of its plane, from 1; 0 for objects \param[in,out] segment_of_point numbered from 0
  * \return how many points changed sides
  * \throws pcl::BadArgumentException if sizes differ
  */
