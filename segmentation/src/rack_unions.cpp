@@ -151,20 +151,28 @@ private:
     return most == boards.end() ? segment : most->first;
   }
 
-  /** Within two voxels; an upright board may stand beside the ends of level ones. */
+  /** Within two voxels; an upright board may stand beside the ends of level ones, and
+   * be higher than the highest. */
   bool
   isWithin(const SegmentBox& piece, const SegmentBox& rack) const
   {
-    for (int axis = 0; axis < 3; ++axis) {
+    const double reach = 2 * options_.voxel_size;
+    bool is_upright = false;
+    for (const int axis : {level(0), level(1)}) {
       const double beside = piece.extent()[axis];
-      const double reach =
-          2 * options_.voxel_size +
-          (axis != up_ && beside <= options_.max_thickness ? beside : 0);
-      if (piece.low[axis] < rack.low[axis] - reach ||
-          piece.high[axis] > rack.high[axis] + reach)
+      const bool is_thin = beside <= options_.max_thickness;
+      is_upright |= is_thin;
+      if (!isWithin(piece, rack, axis, reach + (is_thin ? beside : 0)))
         return false;
     }
-    return true;
+    return is_upright || isWithin(piece, rack, up_, reach);
+  }
+
+  static bool
+  isWithin(const SegmentBox& piece, const SegmentBox& rack, int axis, double reach)
+  {
+    return piece.low[axis] >= rack.low[axis] - reach &&
+           piece.high[axis] <= rack.high[axis] + reach;
   }
 
   std::vector<SegmentBox> boxes_;

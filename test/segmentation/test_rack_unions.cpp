@@ -95,18 +95,64 @@ TEST(RackUnions, LeaveBoardsThatNothingHoldsApart)
   EXPECT_EQ(segmentCount(joined(boards)), 4u);
 }
 
-TEST(RackUnions, LeaveThickBodiesAndLeftOutVoxelsAlone)
+/** Two boxes, the second on the first, further to the back or not. */
+LabelledPoints
+boxOnBox(float shift)
 {
   LabelledPoints boxes;
   std::mt19937 rng(7);
-  for (const std::uint32_t i : {0u, 1u}) // cartons on each other
-    boxes.addBox({0, 0, 0.43f * static_cast<float>(i)},
-                 {0.5f, 0.4f, 0.4f},
-                 i + 1,
-                 0.01f,
-                 0,
-                 rng);
-  EXPECT_EQ(segmentCount(joined(boxes)), 2u);
+  const Eigen::Vector3f size(0.5f, 0.4f, 0.4f);
+  boxes.addBox({0, 0, 0}, size, 1, 0.01f, 0, rng);
+  boxes.addBox({0, shift, 0.43f}, size, 2, 0.01f, 0, rng);
+  return boxes;
+}
+
+TEST(RackUnions, JoinCompartmentsOfOneOutlineThatTouch)
+{
+  EXPECT_EQ(segmentCount(joined(boxOnBox(0))), 1u);
+  EXPECT_EQ(segmentCount(joined(boxOnBox(0.04f))), 1u);
+  EXPECT_EQ(segmentCount(joined(boxOnBox(0.12f))), 2u) << "0.28 m of 0.52 m are common";
+  RackUnionOptions options;
+  options.min_overlap = 0.5;
+  EXPECT_EQ(segmentCount(joined(boxOnBox(0.12f), options)), 1u);
+}
+
+TEST(RackUnions, LeaveCompartmentsApartThatOnlyShareANeighbor)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(8);
+  for (const std::uint32_t i : {1u, 2u})
+    scene.addBox({0, 0, i == 1 ? 0 : 0.6f}, {0.5f, 0.4f, 0.4f}, i, 0.01f, 0, rng);
+  scene.addBox({0.53f, 0, 0}, {0.5f, 0.4f, 1}, 3, 0.01f, 0, rng); // beside both
+  EXPECT_EQ(segmentCount(joined(scene)), 3u);
+  scene.removeIf([](const Eigen::Vector3f& p) { // a level board instead of the upper
+    return p.x() < 0.52f && p.z() > 0.5f && p.z() < 0.9f;
+  });
+  EXPECT_EQ(segmentCount(joined(scene)), 2u);
+}
+
+TEST(RackUnions, JoinWhatLiesWithinTheirBox)
+{
+  const auto with_body = [](float height) { // between boards of 0.4 m distance
+    auto scene = rack();
+    std::mt19937 rng(9);
+    scene.addBox({0.2f, 0.02f, 0.63f}, {0.5f, 0.3f, height}, 7, 0.01f, 0, rng);
+    return scene;
+  };
+  EXPECT_EQ(segmentCount(joined(with_body(0.3f))), 1u);
+  const auto on_top = [](float height, float depth) {
+    auto scene = rack();
+    std::mt19937 rng(9);
+    scene.addBox({0.2f, 0, 1.44f}, {0.5f, depth, height}, 7, 0.01f, 0, rng);
+    return scene;
+  };
+  EXPECT_EQ(segmentCount(joined(on_top(0.02f, 0.3f))), 1u);
+  EXPECT_EQ(segmentCount(joined(on_top(0.12f, 0.3f))), 2u) << "sticks out above";
+  EXPECT_EQ(segmentCount(joined(on_top(0.02f, 0.6f))), 2u) << "sticks out in front";
+}
+
+TEST(RackUnions, LeaveLeftOutVoxelsAlone)
+{
   EXPECT_EQ(segmentCount(joined(rack(), {}, true)), 6u);
 }
 

@@ -196,7 +196,7 @@ public:
   getRemovedIndices() const;
 
   /** \brief Get the points of floor, ceiling and walls that the last segment() kept out
-   * of the graph. */
+   * of the graph. Those that an object encloses have its label, see yieldEnclosed(). */
   Indices
   getStructureIndices() const;
 

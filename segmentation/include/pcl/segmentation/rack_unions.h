@@ -30,8 +30,8 @@ struct RackUnionOptions {
  * segments are of one rack if they have nearly the same outline from above, and touch
  * each other, or one is a level board and both touch the same third one. What touches a
  * rack and lies within its box, by two voxels, is of it, too; so is an upright board
- * beside its ends. No step of the thesis. The cost is linear in the number of voxels,
- * and in the pairs of a board and another neighbour of the same segment.
+ * beside its ends, however high. No step of the thesis. The cost is linear in the
+ * number of voxels, and in the pairs of a board and another neighbour of the same one.
  * \param[in] left_out one flag per voxel; segments of flagged voxels are not joined
  * \param[in,out] segment_of_voxel numbered from 0
  * \throws pcl::BadArgumentException if sizes differ or an option is out of range

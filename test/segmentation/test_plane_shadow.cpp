@@ -1,0 +1,127 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "plane_shadow.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+#include <utility>
+
+using namespace pcl::indoor;
+
+namespace {
+
+struct Mark {
+  PlaneCell cell;
+  PlaneShadow::Flag flag;
+};
+
+/** A small raster with marks, some of them outside. */
+struct Scene {
+  PlaneCell low{}, high{};
+  std::vector<Mark> marks;
+
+  bool
+  isMarked(const PlaneCell& cell, PlaneShadow::Flag flag) const
+  {
+    return std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) {
+      return mark.flag == flag && std::abs(mark.cell[0] - cell[0]) <= 1 &&
+             std::abs(mark.cell[1] - cell[1]) <= 1;
+    });
+  }
+
+  bool
+  isWithin(const PlaneCell& cell) const
+  {
+    return cell[0] >= low[0] && cell[0] <= high[0] && cell[1] >= low[1] &&
+           cell[1] <= high[1];
+  }
+};
+
+Scene
+randomScene(std::mt19937& rng)
+{
+  const auto random = [&](std::int64_t low, std::int64_t high) {
+    return low + static_cast<std::int64_t>(rng() % static_cast<unsigned>(high - low));
+  };
+  Scene scene;
+  for (int k = 0; k < 2; ++k) {
+    scene.low[k] = random(-20, 20);
+    scene.high[k] = scene.low[k] + random(0, 16);
+  }
+  const auto add = [&](std::int64_t count, PlaneShadow::Flag flag) {
+    for (; count > 0; --count)
+      scene.marks.push_back({{random(scene.low[0] - 3, scene.high[0] + 4),
+                              random(scene.low[1] - 3, scene.high[1] + 4)},
+                             flag});
+  };
+  add(random(0, 40), PlaneShadow::covered);
+  add(random(0, 16), PlaneShadow::closing);
+  return scene;
+}
+
+/** By a walk to each side from each cell. */
+std::vector<PlaneCell>
+enclosedByWalking(const Scene& scene)
+{
+  const auto leads_to_an_end = [&](PlaneCell cell, int column, int row) {
+    for (; scene.isWithin(cell); cell[0] += column, cell[1] += row) {
+      if (scene.isMarked(cell, PlaneShadow::closing))
+        return true;
+      if (!scene.isMarked(cell, PlaneShadow::covered))
+        return false;
+    }
+    return false;
+  };
+  std::vector<PlaneCell> cells;
+  for (auto row = scene.low[1]; row <= scene.high[1]; ++row)
+    for (auto column = scene.low[0]; column <= scene.high[0]; ++column) {
+      const PlaneCell cell{column, row};
+      if (scene.isMarked(cell, PlaneShadow::covered) && leads_to_an_end(cell, 1, 0) &&
+          leads_to_an_end(cell, -1, 0) && leads_to_an_end(cell, 0, 1) &&
+          leads_to_an_end(cell, 0, -1))
+        cells.push_back(cell);
+    }
+  return cells;
+}
+
+} // namespace
+
+TEST(PlaneShadow, EnclosedCellsAreThoseThatWalksFind)
+{
+  std::mt19937 rng(11);
+  std::size_t enclosed = 0, covered = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto scene = randomScene(rng);
+    PlaneShadow shadow(scene.low, scene.high);
+    for (const auto& mark : scene.marks)
+      shadow.mark(mark.cell, mark.flag);
+    const auto expected = enclosedByWalking(scene);
+    auto found = shadow.enclosed();
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+      return std::make_pair(a[1], a[0]) < std::make_pair(b[1], b[0]);
+    });
+    ASSERT_EQ(found, expected) << trial;
+    enclosed += found.size();
+    for (auto row = scene.low[1]; row <= scene.high[1]; ++row)
+      for (auto column = scene.low[0]; column <= scene.high[0]; ++column)
+        covered += scene.isMarked({column, row}, PlaneShadow::covered);
+  }
+  EXPECT_GT(enclosed, 10000u);
+  EXPECT_GT(covered, 3 * enclosed / 2) << "there are open sides, too";
+}
+
+TEST(PlaneShadow, NothingIsEnclosedWithoutMarks)
+{
+  PlaneShadow shadow({-1, 5}, {3, 7});
+  EXPECT_TRUE(shadow.enclosed().empty());
+  shadow.mark({1, 6}, PlaneShadow::covered);
+  EXPECT_TRUE(shadow.enclosed().empty());
+  shadow.mark({1, 6}, PlaneShadow::closing);
+  EXPECT_EQ(shadow.enclosed().size(), 9u) << "a cell and those around it";
+}
