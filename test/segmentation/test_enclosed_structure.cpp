@@ -179,6 +179,26 @@ TEST(EnclosedStructure, WhatLiesFlatOnAPlaneDoesNotCoverIt)
   EXPECT_EQ(count, 0u);
 }
 
+TEST(EnclosedStructure, NorDoesTheDoubleOfAWall)
+{
+  Scene scene; // 1.5 voxels from it, with nothing across
+  scene.addFaces(boxAt({0.6f, 0, 0.5f}, {0.8f, 0.045f, 0.7f}), front);
+  std::size_t count = 1;
+  scene.yielded(&count);
+  EXPECT_EQ(count, 0u);
+}
+
+TEST(EnclosedStructure, WhatStandsWithinAWallGetsItsFaceBack)
+{
+  Scene scene;
+  const Box niche = boxAt({0.6f, -0.4f, 0.5f}, {0.8f, 0.4f, 0.7f});
+  scene.addFaces(niche, tube | back);
+  expectWithin(scene, scene.labelled.points, cabinet, scene.yielded());
+  Scene hole;
+  hole.addFaces(niche, tube);
+  EXPECT_LE(farthestTaken(hole, hole.yielded()), 2 * voxel_size);
+}
+
 TEST(EnclosedStructure, WhatLiesBehindAPlaneDoesNotCloseABox)
 {
   Scene scene;
