@@ -68,6 +68,16 @@ public:
     return {indexOf(u_, point), indexOf(v_, point)};
   }
 
+  /** On which side of the cells a plane with this normal, into the room, stands. */
+  PlaneShadow::Side
+  sideOf(const Eigen::Vector3d& normal) const
+  {
+    const double u = u_.dot(normal), v = v_.dot(normal);
+    if (std::abs(u) > std::abs(v))
+      return u > 0 ? PlaneShadow::LowColumns : PlaneShadow::HighColumns;
+    return v > 0 ? PlaneShadow::LowRows : PlaneShadow::HighRows;
+  }
+
   /** The middle of a cell, in the plane. */
   Eigen::Vector3d
   placeOf(const PlaneCell& cell) const
@@ -113,25 +123,23 @@ widened(Box box, double by)
   return Box(box.min() - margin, box.max() + margin);
 }
 
-/** Cells at planes that stand on this one close a shadow. */
+/** The plane ends where others begin, which stand on it. */
 void
-markOtherPlanes(const PlaneFrame& frame,
-                const PlaneCell& low,
-                const PlaneCell& high,
-                const std::vector<const StructurePlane*>& others,
-                double voxel_size,
-                PlaneShadow& shadow)
+markEnds(const PlaneFrame& frame,
+         const PlaneCell& low,
+         const PlaneCell& high,
+         const std::vector<const StructurePlane*>& others,
+         double voxel_size,
+         PlaneShadow& shadow)
 {
-  for (auto row = low[1]; row <= high[1]; ++row)
-    for (auto column = low[0]; column <= high[0]; ++column) {
-      const PlaneCell cell{column, row};
-      const auto place = frame.placeOf(cell);
-      for (const auto* other : others)
-        if (std::abs(other->normal.dot(place) - other->offset) < touch * voxel_size) {
-          shadow.mark(cell, PlaneShadow::closing);
-          break;
-        }
-    }
+  for (const auto* other : others) {
+    const auto side = frame.sideOf(other->normal);
+    for (auto row = low[1]; row <= high[1]; ++row)
+      for (auto column = low[0]; column <= high[0]; ++column)
+        if (std::abs(other->normal.dot(frame.placeOf({column, row})) - other->offset) <
+            touch * voxel_size)
+          shadow.end({column, row}, side);
+  }
 }
 
 /** A point seen along the normal of a plane. */
@@ -195,7 +203,7 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
     if (depth > cover)
       shadow.mark(cell, PlaneShadow::covered);
   }
-  markOtherPlanes(frame, low, high, others, voxel_size, shadow);
+  markEnds(frame, low, high, others, voxel_size, shadow);
   return shadow.enclosed();
 }
 

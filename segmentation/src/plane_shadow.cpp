@@ -6,6 +6,12 @@
 
 #include <algorithm>
 
+namespace {
+
+constexpr std::uint8_t seen = 4; // the object has points in the cell itself
+
+} // namespace
+
 namespace pcl {
 namespace indoor {
 
@@ -25,35 +31,60 @@ PlaneShadow::mark(const PlaneCell& cell, Flag flag)
     for (auto c = std::max<std::int64_t>(column - 1, 0);
          c <= std::min(column + 1, columns_ - 1);
          ++c)
-      flags_[indexOf(c, r)] |= flag;
+      flags_[indexOf(c, r)] |= flag | (c == column && r == row ? seen : 0);
+}
+
+void
+PlaneShadow::end(const PlaneCell& cell, Side side)
+{
+  flags_[indexOf(cell[0] - low_[0], cell[1] - low_[1])] |= side;
 }
 
 std::vector<PlaneCell>
 PlaneShadow::enclosed() const
 {
   std::vector<std::uint8_t> closed_sides(flags_.size(), 0);
-  const auto walk = [&](std::size_t cell, std::ptrdiff_t step, std::int64_t count) {
-    bool closed = false;
-    for (; count > 0; --count, cell += static_cast<std::size_t>(step)) {
-      closed = (flags_[cell] & closing) || (closed && (flags_[cell] & covered));
-      closed_sides[cell] += closed;
-    }
-  };
+  const auto walk =
+      [&](std::size_t cell, std::ptrdiff_t step, std::int64_t count, Side from) {
+        bool closed = false;
+        for (; count > 0; --count, cell += static_cast<std::size_t>(step)) {
+          const auto flags = flags_[cell];
+          closed = (flags & (closing | from)) || (closed && (flags & covered));
+          closed_sides[cell] += closed;
+        }
+      };
   for (std::int64_t row = 0; row < rows_; ++row) {
-    walk(indexOf(0, row), 1, columns_);
-    walk(indexOf(columns_ - 1, row), -1, columns_);
+    walk(indexOf(0, row), 1, columns_, LowColumns);
+    walk(indexOf(columns_ - 1, row), -1, columns_, HighColumns);
   }
   for (std::int64_t column = 0; column < columns_; ++column) {
-    walk(indexOf(column, 0), columns_, rows_);
-    walk(indexOf(column, rows_ - 1), -columns_, rows_);
+    walk(indexOf(column, 0), columns_, rows_, LowRows);
+    walk(indexOf(column, rows_ - 1), -columns_, rows_, HighRows);
   }
+  auto& enclosed = closed_sides;
+  for (std::size_t cell = 0; cell < flags_.size(); ++cell)
+    enclosed[cell] = (flags_[cell] & covered) && closed_sides[cell] == 4;
   std::vector<PlaneCell> cells;
   for (std::int64_t row = 0; row < rows_; ++row)
     for (std::int64_t column = 0; column < columns_; ++column)
-      if ((flags_[indexOf(column, row)] & covered) &&
-          closed_sides[indexOf(column, row)] == 4)
+      if (enclosed[indexOf(column, row)] &&
+          ((flags_[indexOf(column, row)] & seen) || isAmong(enclosed, column, row)))
         cells.push_back({low_[0] + column, low_[1] + row});
   return cells;
+}
+
+bool
+PlaneShadow::isAmong(const std::vector<std::uint8_t>& enclosed,
+                     std::int64_t column,
+                     std::int64_t row) const
+{
+  if (column == 0 || row == 0 || column == columns_ - 1 || row == rows_ - 1)
+    return false;
+  for (auto r = row - 1; r <= row + 1; ++r)
+    for (auto c = column - 1; c <= column + 1; ++c)
+      if (!enclosed[indexOf(c, r)])
+        return false;
+  return true;
 }
 
 } // namespace indoor

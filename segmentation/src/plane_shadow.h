@@ -20,15 +20,29 @@ class PlaneShadow {
 public:
   enum Flag : std::uint8_t { covered = 1, closing = 2 };
 
+  /** Towards lower or higher numbers. */
+  enum Side : std::uint8_t {
+    LowColumns = 16,
+    HighColumns = 32,
+    LowRows = 64,
+    HighRows = 128
+  };
+
   /** \param[in] low, high the outermost cells, inclusive */
   PlaneShadow(const PlaneCell& low, const PlaneCell& high);
 
-  /** Mark a cell and those that touch it, as far as they are within. */
+  /** Mark a cell that the object has points in, and those that touch it, as far as they
+   * are within. */
   void
   mark(const PlaneCell& cell, Flag flag);
 
+  /** The plane ends at this cell, which must be within, on that side. */
+  void
+  end(const PlaneCell& cell, Side side);
+
   /** The covered cells from which, on each of the four sides, covered cells lead to one
-   * that closes. */
+   * that closes, or at which the plane ends there. Of those that the object has no
+   * points in, only those with such cells all around. */
   std::vector<PlaneCell>
   enclosed() const;
 
@@ -38,6 +52,11 @@ private:
   {
     return static_cast<std::size_t>(row * columns_ + column);
   }
+
+  bool
+  isAmong(const std::vector<std::uint8_t>& enclosed,
+          std::int64_t column,
+          std::int64_t row) const;
 
   PlaneCell low_;
   std::int64_t columns_, rows_;

@@ -67,15 +67,14 @@ expectWithin(const Scene& scene, const Box& box)
 }
 
 /** How far the points that planes have yielded are from the thing that has them, at
- * most, along any axis. What lies at two planes, up to three voxels, does not count. */
+ * most, along any axis. */
 float
 farthestTaken(const Scene& scene, const Labels& segments)
 {
   float farthest = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const auto& place = scene.labelled.points[i];
-    const bool is_in_corner = (place.array() < 3.1 * voxel_size).count() > 1;
-    if (segments[i] == scene.labelled.objects[i] || is_in_corner)
+    if (segments[i] == scene.labelled.objects[i])
       continue;
     float nearest = std::numeric_limits<float>::infinity();
     for (std::size_t j = 0; j < segments.size(); ++j)

@@ -18,15 +18,18 @@ namespace indoor {
  * the window's own face. A cell of a plane, a voxel wide, is enclosed by a segment,
  * from either side, if the segment covers it, at least one voxel from the plane, and if
  * on each of the four sides, over cells that are covered, one comes to a cell where the
- * segment is less than two voxels from the plane or that lies at another plane of the
- * structure. So a wall that is seen through an open shelf, or under a table, remains a
- * wall. Segments of which less than a tenth is across the plane are no closed objects,
- * but doubles of it. Where several segments enclose a cell, the smallest one gets it.
- * No step of the thesis. The cost is linear in the points and in the cells of the
- * segments that reach planes. \param[in] points as given to separateVoxels() \param[in]
- * voxels as given by separateVoxels(); with normals \param[in] planes as given by
- * findRoomStructure() \param[in] voxel_size metres \param[in] plane_of_voxel the number
- * of its plane, from 1; 0 for objects \param[in,out] segment_of_point numbered from 0
+ * segment is less than two voxels from the plane, or where another plane of the
+ * structure begins. So a wall that is seen through an open shelf, or under a table,
+ * remains a wall. Segments of which less than a tenth is across the plane are no closed
+ * objects, but doubles of it. Where several segments enclose a cell, the smallest one
+ * gets it. No step of the thesis. The cost is linear in the points and in the cells of
+ * the segments that reach planes.
+ * \param[in] points as given to separateVoxels()
+ * \param[in] voxels as given by separateVoxels(); their cells and normals are used
+ * \param[in] planes as given by findRoomStructure()
+ * \param[in] voxel_size metres
+ * \param[in] plane_of_voxel the number of its plane, from 1; 0 for objects
+ * \param[in,out] segment_of_point numbered from 0
  * \return how many points changed sides
  * \throws pcl::BadArgumentException if sizes differ
  */
