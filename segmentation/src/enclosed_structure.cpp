@@ -24,8 +24,6 @@ using pcl::indoor::StructurePlane;
 using Members = std::vector<std::uint32_t>; // indices of points
 using Box = Eigen::AlignedBox3f;
 
-enum class Side { Front, Back }; // of a plane: towards the room, or within the wall
-
 constexpr double touch = 2; // voxels from a plane: what is nearer touches it
 constexpr double cover = 1; // voxels: what is farther hides the plane
 /** Share of a segment that is across the plane: what lies along it is no closed object,
@@ -149,27 +147,6 @@ struct Projection {
   bool is_across;
 };
 
-/** The points on one side of a plane, and those that lie in it. */
-std::vector<Projection>
-project(const std::vector<Eigen::Vector3f>& points,
-        const pcl::indoor::SurfaceVoxels& voxels,
-        const Members& members,
-        const PlaneFrame& frame,
-        Side side)
-{
-  std::vector<Projection> projected;
-  for (const auto i : members) {
-    const double height = frame.heightOf(points[i]);
-    const double depth = side == Side::Front ? height : -height;
-    if (depth >= -1)
-      projected.push_back(
-          {frame.cellOf(points[i]),
-           depth,
-           frame.isAcross(voxels.normals[voxels.cells.cell_of_point[i]])});
-  }
-  return projected;
-}
-
 /** The cells of a plane that a segment encloses from one side. */
 std::vector<PlaneCell>
 cellsEnclosedBy(const std::vector<Projection>& segment,
@@ -217,40 +194,6 @@ struct CellHash {
 
 using SegmentOfCell = std::unordered_map<PlaneCell, std::uint32_t, CellHash>;
 
-/** Who encloses which cells of a plane; of several, the first of the order. */
-SegmentOfCell
-segmentsAround(const std::vector<Eigen::Vector3f>& points,
-               const pcl::indoor::SurfaceVoxels& voxels,
-               const std::vector<StructurePlane>& planes,
-               std::size_t plane,
-               const PlaneFrame& frame,
-               const Groups& structure,
-               const Groups& objects,
-               const Members& order,
-               double voxel_size)
-{
-  const double reach = touch * voxel_size;
-  const auto box = widened(structure.boxes[plane], reach);
-  SegmentOfCell segments;
-  for (const auto s : order) {
-    if (!box.intersects(objects.boxes[s]))
-      continue;
-    std::vector<const StructurePlane*> others;
-    for (std::size_t q = 0; q < planes.size(); ++q)
-      if (std::abs(planes[q].normal.dot(planes[plane].normal)) < 0.3 &&
-          widened(structure.boxes[q], reach).intersects(objects.boxes[s]))
-        others.push_back(&planes[q]);
-    for (const auto side : {Side::Front, Side::Back})
-      for (const auto& cell :
-           cellsEnclosedBy(project(points, voxels, objects.members[s], frame, side),
-                           frame,
-                           others,
-                           voxel_size))
-        segments.emplace(cell, s);
-  }
-  return segments;
-}
-
 Members
 smallestFirst(const Groups& objects)
 {
@@ -263,6 +206,91 @@ smallestFirst(const Groups& objects)
   });
   return order;
 }
+
+/** Looks for the segments around cells of planes. */
+class EnclosureFinder {
+public:
+  EnclosureFinder(const std::vector<Eigen::Vector3f>& points,
+                  const pcl::indoor::SurfaceVoxels& voxels,
+                  const std::vector<StructurePlane>& planes,
+                  const Groups& structure,
+                  const Groups& objects,
+                  double voxel_size)
+  : points_(points)
+  , voxels_(voxels)
+  , planes_(planes)
+  , objects_(objects)
+  , smallest_first_(smallestFirst(objects))
+  , voxel_size_(voxel_size)
+  {
+    for (const auto& box : structure.boxes)
+      reach_.push_back(widened(box, touch * voxel_size));
+  }
+
+  /** Who encloses which cells of a plane; of several, the smallest. */
+  SegmentOfCell
+  segmentsAround(std::size_t plane, const PlaneFrame& frame) const
+  {
+    SegmentOfCell segments;
+    for (const auto s : smallest_first_) {
+      if (!reach_[plane].intersects(objects_.boxes[s]) ||
+          !touches(objects_.members[s], frame))
+        continue;
+      const auto others = planesAcross(plane, objects_.boxes[s]);
+      for (const auto& side : project(objects_.members[s], frame))
+        for (const auto& cell : cellsEnclosedBy(side, frame, others, voxel_size_))
+          segments.emplace(cell, s);
+    }
+    return segments;
+  }
+
+private:
+  bool
+  touches(const Members& members, const PlaneFrame& frame) const
+  {
+    return std::any_of(members.begin(), members.end(), [&](std::uint32_t i) {
+      return std::abs(frame.heightOf(points_[i])) < touch;
+    });
+  }
+
+  /** Those that a segment reaches, and that stand on the plane. */
+  std::vector<const StructurePlane*>
+  planesAcross(std::size_t plane, const Box& segment) const
+  {
+    std::vector<const StructurePlane*> others;
+    for (std::size_t q = 0; q < planes_.size(); ++q)
+      if (std::abs(planes_[q].normal.dot(planes_[plane].normal)) < 0.3 &&
+          reach_[q].intersects(segment))
+        others.push_back(&planes_[q]);
+    return others;
+  }
+
+  /** The points before a plane and those behind it, both with those that lie in it. */
+  std::array<std::vector<Projection>, 2>
+  project(const Members& members, const PlaneFrame& frame) const
+  {
+    std::array<std::vector<Projection>, 2> sides;
+    for (const auto i : members) {
+      const double height = frame.heightOf(points_[i]);
+      const auto cell = frame.cellOf(points_[i]);
+      const bool is_across =
+          frame.isAcross(voxels_.normals[voxels_.cells.cell_of_point[i]]);
+      if (height >= -1)
+        sides[0].push_back({cell, height, is_across});
+      if (height <= 1)
+        sides[1].push_back({cell, -height, is_across});
+    }
+    return sides;
+  }
+
+  const std::vector<Eigen::Vector3f>& points_;
+  const pcl::indoor::SurfaceVoxels& voxels_;
+  const std::vector<StructurePlane>& planes_;
+  const Groups& objects_;
+  Members smallest_first_;
+  double voxel_size_;
+  std::vector<Box> reach_; // of the planes
+};
 
 } // namespace
 
@@ -300,13 +328,12 @@ yieldEnclosed(const std::vector<Eigen::Vector3f>& points,
     else
       structure.add(plane - 1, i, points[i]);
   }
-  const auto order = smallestFirst(objects);
+  const EnclosureFinder finder(points, voxels, planes, structure, objects, voxel_size);
   const auto axes = axesOf(planes);
   std::size_t yielded = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const PlaneFrame frame(planes[p], axes, voxel_size);
-    const auto segment_of_cell = segmentsAround(
-        points, voxels, planes, p, frame, structure, objects, order, voxel_size);
+    const auto segment_of_cell = finder.segmentsAround(p, frame);
     for (const auto i : structure.members[p]) {
       const auto found = segment_of_cell.find(frame.cellOf(points[i]));
       if (found == segment_of_cell.end())

@@ -41,7 +41,7 @@ public:
   Numbers
   rackOfSegments() const
   {
-    auto rack = racksOfBoards();
+    auto rack = racksOfPieces();
     const auto outlines = outlinesOf(rack);
     auto joined = rack;
     for (std::uint32_t s = 0; s < boxes_.size(); ++s)
@@ -90,7 +90,7 @@ private:
   }
 
   Numbers
-  racksOfBoards() const
+  racksOfPieces() const
   {
     pcl::indoor::DisjointSets racks(boxes_.size());
     const auto join = [&](std::uint32_t a, std::uint32_t b) {
@@ -138,17 +138,17 @@ private:
   rackAround(std::uint32_t segment, const Numbers& rack, const Outlines& outlines) const
   {
     const auto& box = boxes_[segment];
-    std::map<std::uint32_t, unsigned> boards; // that it touches, of each rack around it
+    std::map<std::uint32_t, unsigned> touched; // pieces of each rack around it
     for (const auto other : neighbors_[segment]) {
       const auto outline = outlines.find(rack[other]);
       if (outline != outlines.end() && isWithin(box, outline->second))
-        ++boards[rack[other]];
+        ++touched[rack[other]];
     }
     const auto most = std::max_element(
-        boards.begin(), boards.end(), [](const auto& a, const auto& b) {
+        touched.begin(), touched.end(), [](const auto& a, const auto& b) {
           return a.second < b.second;
         });
-    return most == boards.end() ? segment : most->first;
+    return most == touched.end() ? segment : most->first;
   }
 
   /** Within two voxels; an upright board may stand beside the ends of level ones, and
