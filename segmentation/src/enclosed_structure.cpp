@@ -29,7 +29,9 @@ constexpr double cover = 1; // voxels: what is farther hides the plane
 /** Share of a segment that is across the plane: what lies along it is no closed object,
  * but a picture, or the double of a wall. */
 constexpr double min_across = 0.1;
-constexpr double cells_per_point = 20; // a shadow with more has holes only
+constexpr double cells_per_point = 20;   // a shadow with more has holes only
+constexpr double max_frame_depth = 0.25; // metres
+constexpr double max_outliers = 0.05; // share of a frame's points that are farther off
 
 /** Cells of a plane, a voxel wide, along two directions of the room. */
 class PlaneFrame {
@@ -147,9 +149,11 @@ struct Projection {
   bool is_across;
 };
 
-/** The cells of a plane that a segment encloses from one side. */
+/** The cells of a plane that a segment encloses from one side.
+ * \param[in] is_frame what is within its outline is its own, covered or not */
 std::vector<PlaneCell>
 cellsEnclosedBy(const std::vector<Projection>& segment,
+                bool is_frame,
                 const PlaneFrame& frame,
                 const std::vector<const StructurePlane*>& others,
                 double voxel_size)
@@ -170,8 +174,8 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
   const auto size = static_cast<double>(segment.size());
   const auto cells = static_cast<double>(high[0] - low[0] + 1) *
                      static_cast<double>(high[1] - low[1] + 1);
-  if (touching == 0 || deep == 0 || static_cast<double>(across) < min_across * size ||
-      cells > cells_per_point * size)
+  if (touching == 0 || (deep == 0 && !is_frame) ||
+      static_cast<double>(across) < min_across * size || cells > cells_per_point * size)
     return {};
   PlaneShadow shadow(low, high);
   for (const auto& [cell, depth, is_across] : segment) {
@@ -180,6 +184,8 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
     if (depth > cover)
       shadow.mark(cell, PlaneShadow::covered);
   }
+  if (is_frame)
+    shadow.coverAll();
   markEnds(frame, low, high, others, voxel_size, shadow);
   return shadow.enclosed();
 }
@@ -193,6 +199,28 @@ struct CellHash {
 };
 
 using SegmentOfCell = std::unordered_map<PlaneCell, std::uint32_t, CellHash>;
+using MembersOfCell = std::unordered_map<PlaneCell, Members, CellHash>;
+
+MembersOfCell
+membersOfCells(const std::vector<Eigen::Vector3f>& points,
+               const Members& members,
+               const PlaneFrame& frame)
+{
+  MembersOfCell members_of_cell;
+  for (const auto i : members)
+    members_of_cell[frame.cellOf(points[i])].push_back(i);
+  return members_of_cell;
+}
+
+std::size_t
+countMembers(const std::vector<PlaneCell>& cells, const MembersOfCell& members_of_cell)
+{
+  std::size_t count = 0;
+  for (const auto& cell : cells)
+    if (const auto found = members_of_cell.find(cell); found != members_of_cell.end())
+      count += found->second.size();
+  return count;
+}
 
 Members
 smallestFirst(const Groups& objects)
@@ -225,21 +253,30 @@ public:
   {
     for (const auto& box : structure.boxes)
       reach_.push_back(widened(box, touch * voxel_size));
+    for (const auto& members : structure.members)
+      max_opening_.push_back(members.size() / 2);
   }
 
   /** Who encloses which cells of a plane; of several, the smallest. */
   SegmentOfCell
-  segmentsAround(std::size_t plane, const PlaneFrame& frame) const
+  segmentsAround(std::size_t plane,
+                 const PlaneFrame& frame,
+                 const MembersOfCell& members_of_cell) const
   {
     SegmentOfCell segments;
     for (const auto s : smallest_first_) {
-      if (!reach_[plane].intersects(objects_.boxes[s]) ||
-          !touches(objects_.members[s], frame))
+      const auto& members = objects_.members[s];
+      if (!reach_[plane].intersects(objects_.boxes[s]) || !touches(members, frame))
         continue;
       const auto others = planesAcross(plane, objects_.boxes[s]);
-      for (const auto& side : project(objects_.members[s], frame))
-        for (const auto& cell : cellsEnclosedBy(side, frame, others, voxel_size_))
+      const bool is_frame = isThin(members, frame);
+      for (const auto& side : project(members, frame)) {
+        const auto cells = cellsEnclosedBy(side, is_frame, frame, others, voxel_size_);
+        if (is_frame && countMembers(cells, members_of_cell) > max_opening_[plane])
+          continue;
+        for (const auto& cell : cells)
           segments.emplace(cell, s);
+      }
     }
     return segments;
   }
@@ -251,6 +288,17 @@ private:
     return std::any_of(members.begin(), members.end(), [&](std::uint32_t i) {
       return std::abs(frame.heightOf(points_[i])) < touch;
     });
+  }
+
+  /** Nowhere far from the plane, as frames of doors and windows. */
+  bool
+  isThin(const Members& members, const PlaneFrame& frame) const
+  {
+    const auto far = std::count_if(members.begin(), members.end(), [&](auto i) {
+      return std::abs(frame.heightOf(points_[i])) * voxel_size_ > max_frame_depth;
+    });
+    return static_cast<double>(far) <=
+           max_outliers * static_cast<double>(members.size());
   }
 
   /** Those that a segment reaches, and that stand on the plane. */
@@ -289,7 +337,8 @@ private:
   const Groups& objects_;
   Members smallest_first_;
   double voxel_size_;
-  std::vector<Box> reach_; // of the planes
+  std::vector<Box> reach_;               // of the planes
+  std::vector<std::size_t> max_opening_; // in the planes, points
 };
 
 } // namespace
@@ -333,13 +382,15 @@ yieldEnclosed(const std::vector<Eigen::Vector3f>& points,
   std::size_t yielded = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const PlaneFrame frame(planes[p], axes, voxel_size);
-    const auto segment_of_cell = finder.segmentsAround(p, frame);
-    for (const auto i : structure.members[p]) {
-      const auto found = segment_of_cell.find(frame.cellOf(points[i]));
-      if (found == segment_of_cell.end())
+    const auto members_of_cell = membersOfCells(points, structure.members[p], frame);
+    for (const auto& [cell, segment] :
+         finder.segmentsAround(p, frame, members_of_cell)) {
+      const auto members = members_of_cell.find(cell);
+      if (members == members_of_cell.end())
         continue;
-      segment_of_point[i] = found->second;
-      ++yielded;
+      yielded += members->second.size();
+      for (const auto i : members->second)
+        segment_of_point[i] = segment;
     }
   }
   return yielded;

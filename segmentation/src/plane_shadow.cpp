@@ -40,30 +40,57 @@ PlaneShadow::end(const PlaneCell& cell, Side side)
   flags_[indexOf(cell[0] - low_[0], cell[1] - low_[1])] |= side;
 }
 
+void
+PlaneShadow::coverAll()
+{
+  for (auto& flags : flags_)
+    flags |= covered;
+}
+
+/** Those that a way leads to from what is not covered or from outside. */
+std::vector<std::uint8_t>
+PlaneShadow::openCells() const
+{
+  std::vector<std::uint8_t> open(flags_.size(), 0);
+  std::vector<PlaneCell> reached;
+  const auto enter = [&](std::int64_t column, std::int64_t row, std::uint8_t side) {
+    if (column < 0 || row < 0 || column >= columns_ || row >= rows_)
+      return;
+    const auto cell = indexOf(column, row);
+    if (open[cell] || (flags_[cell] & (closing | side)))
+      return;
+    open[cell] = 1;
+    reached.push_back({column, row});
+  };
+  for (std::int64_t row = 0; row < rows_; ++row) {
+    enter(0, row, LowColumns);
+    enter(columns_ - 1, row, HighColumns);
+    for (std::int64_t column = 0; column < columns_; ++column)
+      if (!(flags_[indexOf(column, row)] & covered))
+        enter(column, row, 0);
+  }
+  for (std::int64_t column = 0; column < columns_; ++column) {
+    enter(column, 0, LowRows);
+    enter(column, rows_ - 1, HighRows);
+  }
+  while (!reached.empty()) {
+    const auto [column, row] = reached.back();
+    reached.pop_back();
+    enter(column + 1, row, LowColumns);
+    enter(column - 1, row, HighColumns);
+    enter(column, row + 1, LowRows);
+    enter(column, row - 1, HighRows);
+  }
+  return open;
+}
+
 std::vector<PlaneCell>
 PlaneShadow::enclosed() const
 {
-  std::vector<std::uint8_t> closed_sides(flags_.size(), 0);
-  const auto walk =
-      [&](std::size_t cell, std::ptrdiff_t step, std::int64_t count, Side from) {
-        bool closed = false;
-        for (; count > 0; --count, cell += static_cast<std::size_t>(step)) {
-          const auto flags = flags_[cell];
-          closed = (flags & (closing | from)) || (closed && (flags & covered));
-          closed_sides[cell] += closed;
-        }
-      };
-  for (std::int64_t row = 0; row < rows_; ++row) {
-    walk(indexOf(0, row), 1, columns_, LowColumns);
-    walk(indexOf(columns_ - 1, row), -1, columns_, HighColumns);
-  }
-  for (std::int64_t column = 0; column < columns_; ++column) {
-    walk(indexOf(column, 0), columns_, rows_, LowRows);
-    walk(indexOf(column, rows_ - 1), -columns_, rows_, HighRows);
-  }
-  auto& enclosed = closed_sides;
+  const auto open = openCells();
+  std::vector<std::uint8_t> enclosed(flags_.size());
   for (std::size_t cell = 0; cell < flags_.size(); ++cell)
-    enclosed[cell] = (flags_[cell] & covered) && closed_sides[cell] == 4;
+    enclosed[cell] = !open[cell] && (flags_[cell] & covered);
   std::vector<PlaneCell> cells;
   for (std::int64_t row = 0; row < rows_; ++row)
     for (std::int64_t column = 0; column < columns_; ++column)

@@ -36,13 +36,18 @@ public:
   void
   mark(const PlaneCell& cell, Flag flag);
 
+  /** Let the object cover all cells. */
+  void
+  coverAll();
+
   /** The plane ends at this cell, which must be within, on that side. */
   void
   end(const PlaneCell& cell, Side side);
 
-  /** The covered cells from which, on each of the four sides, covered cells lead to one
-   * that closes, or at which the plane ends there. Of those that the object has no
-   * points in, only those with such cells all around. */
+  /** The cells that are closed off: every way over the four sides of cells, from what
+   * is not covered or from outside, leads over one that closes, or over an end of the
+   * plane. Of those that the object has no points in, only those with such cells all
+   * around. */
   std::vector<PlaneCell>
   enclosed() const;
 
@@ -52,6 +57,9 @@ private:
   {
     return static_cast<std::size_t>(row * columns_ + column);
   }
+
+  std::vector<std::uint8_t>
+  openCells() const;
 
   bool
   isAmong(const std::vector<std::uint8_t>& enclosed,

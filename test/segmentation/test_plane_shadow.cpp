@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <random>
+#include <set>
 #include <utility>
 
 using namespace pcl::indoor;
@@ -71,7 +72,7 @@ struct Scene {
 };
 
 Scene
-randomScene(std::mt19937& rng)
+randomScene(std::int64_t max_size, std::mt19937& rng)
 {
   const auto random = [&](std::int64_t low, std::int64_t high) {
     return low + static_cast<std::int64_t>(rng() % static_cast<unsigned>(high - low));
@@ -79,7 +80,7 @@ randomScene(std::mt19937& rng)
   Scene scene;
   for (int k = 0; k < 2; ++k) {
     scene.low[k] = random(-20, 20);
-    scene.high[k] = scene.low[k] + random(0, 16);
+    scene.high[k] = scene.low[k] + random(0, max_size);
   }
   const auto add = [&](std::int64_t count, PlaneShadow::Flag flag) {
     for (; count > 0; --count)
@@ -96,33 +97,57 @@ randomScene(std::mt19937& rng)
   return scene;
 }
 
-/** By a walk to each side. */
-bool
-isEnclosed(const Scene& scene, const PlaneCell& start)
-{
-  const auto leads_to_an_end = [&](int column, int row, PlaneShadow::Side side) {
-    for (auto cell = start; scene.isWithin(cell); cell[0] += column, cell[1] += row) {
-      if (scene.isMarked(cell, PlaneShadow::closing) || scene.endsAt(cell, side))
-        return true;
-      if (!scene.isMarked(cell, PlaneShadow::covered))
-        return false;
+/** The cells of a raster that are open, found by looking at all until none changes. */
+class OpenCells {
+public:
+  explicit OpenCells(const Scene& scene)
+  : scene_(scene)
+  {
+    for (bool changes = true; changes;) {
+      changes = false;
+      for (auto row = scene.low[1]; row <= scene.high[1]; ++row)
+        for (auto column = scene.low[0]; column <= scene.high[0]; ++column)
+          if (isOpened({column, row}) && open_.insert({column, row}).second)
+            changes = true;
     }
-    return false;
-  };
-  return scene.isWithin(start) && scene.isMarked(start, PlaneShadow::covered) &&
-         leads_to_an_end(-1, 0, PlaneShadow::LowColumns) &&
-         leads_to_an_end(1, 0, PlaneShadow::HighColumns) &&
-         leads_to_an_end(0, -1, PlaneShadow::LowRows) &&
-         leads_to_an_end(0, 1, PlaneShadow::HighRows);
-}
+  }
+
+  bool
+  contain(const PlaneCell& cell) const
+  {
+    return !scene_.isWithin(cell) || open_.count(cell) > 0;
+  }
+
+private:
+  bool
+  isOpened(const PlaneCell& cell) const
+  {
+    if (scene_.isMarked(cell, PlaneShadow::closing))
+      return false;
+    const auto opens = [&](int column, int row, PlaneShadow::Side side) {
+      return contain({cell[0] + column, cell[1] + row}) && !scene_.endsAt(cell, side);
+    };
+    return !scene_.isMarked(cell, PlaneShadow::covered) ||
+           opens(-1, 0, PlaneShadow::LowColumns) ||
+           opens(1, 0, PlaneShadow::HighColumns) ||
+           opens(0, -1, PlaneShadow::LowRows) || opens(0, 1, PlaneShadow::HighRows);
+  }
+
+  const Scene& scene_;
+  std::set<PlaneCell> open_;
+};
 
 std::vector<PlaneCell>
-enclosedByWalking(const Scene& scene)
+enclosedCells(const Scene& scene)
 {
+  const OpenCells open(scene);
+  const auto is_enclosed = [&](const PlaneCell& cell) {
+    return !open.contain(cell) && scene.isMarked(cell, PlaneShadow::covered);
+  };
   const auto is_among = [&](const PlaneCell& cell) {
     for (int row = -1; row <= 1; ++row)
       for (int column = -1; column <= 1; ++column)
-        if (!isEnclosed(scene, {cell[0] + column, cell[1] + row}))
+        if (!is_enclosed({cell[0] + column, cell[1] + row}))
           return false;
     return true;
   };
@@ -130,7 +155,7 @@ enclosedByWalking(const Scene& scene)
   for (auto row = scene.low[1]; row <= scene.high[1]; ++row)
     for (auto column = scene.low[0]; column <= scene.high[0]; ++column) {
       const PlaneCell cell{column, row};
-      if (isEnclosed(scene, cell) && (scene.isSeen(cell) || is_among(cell)))
+      if (is_enclosed(cell) && (scene.isSeen(cell) || is_among(cell)))
         cells.push_back(cell);
     }
   return cells;
@@ -138,18 +163,18 @@ enclosedByWalking(const Scene& scene)
 
 } // namespace
 
-TEST(PlaneShadow, EnclosedCellsAreThoseThatWalksFind)
+TEST(PlaneShadow, EnclosedCellsAreThoseThatNoWayLeadsTo)
 {
   std::mt19937 rng(11);
   std::size_t enclosed = 0, covered = 0;
   for (int trial = 0; trial < 2000; ++trial) {
-    const auto scene = randomScene(rng);
+    const auto scene = randomScene(trial % 2 ? 16 : 4, rng);
     PlaneShadow shadow(scene.low, scene.high);
     for (const auto& mark : scene.marks)
       shadow.mark(mark.cell, mark.flag);
     for (const auto& end : scene.ends)
       shadow.end(end.cell, end.side);
-    const auto expected = enclosedByWalking(scene);
+    const auto expected = enclosedCells(scene);
     auto found = shadow.enclosed();
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
       return std::make_pair(a[1], a[0]) < std::make_pair(b[1], b[0]);
@@ -173,4 +198,25 @@ TEST(PlaneShadow, NothingIsEnclosedWithoutMarks)
   shadow.mark({1, 6}, PlaneShadow::closing);
   EXPECT_EQ(shadow.enclosed().size(), 1u) << "nothing was seen around it";
   EXPECT_EQ(shadow.enclosed().front(), (PlaneCell{1, 6}));
+}
+
+TEST(PlaneShadow, WhatIsCoveredAllOverIsEnclosedByARing)
+{
+  const auto enclosed_by = [](const std::vector<PlaneCell>& ring) {
+    PlaneShadow shadow({0, 0}, {10, 8});
+    shadow.coverAll();
+    for (const auto& cell : ring)
+      shadow.mark(cell, PlaneShadow::closing);
+    return shadow.enclosed().size();
+  };
+  std::vector<PlaneCell> ring;
+  for (std::int64_t k = 1; k <= 9; ++k)
+    for (std::int64_t row : {1, 7})
+      ring.push_back({k, row});
+  for (std::int64_t k = 2; k <= 6; ++k)
+    for (std::int64_t column : {1, 9})
+      ring.push_back({column, k});
+  EXPECT_EQ(enclosed_by(ring), 9u * 7u);
+  ring.resize(ring.size() - 6); // their neighbours leave one cell open on both sides
+  EXPECT_LT(enclosed_by(ring), 40u);
 }

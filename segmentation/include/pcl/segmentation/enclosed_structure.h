@@ -17,10 +17,12 @@ namespace indoor {
  * cannot have been seen; nor can a wall in front of a window that stands in it: that is
  * the window's own face. A cell of a plane, a voxel wide, is enclosed by a segment,
  * from either side, if the segment covers it, at least one voxel from the plane, and if
- * on each of the four sides, over cells that are covered, one comes to a cell where the
- * segment is less than two voxels from the plane, or where another plane of the
- * structure begins. So a wall that is seen through an open shelf, or under a table,
- * remains a wall. Segments of which less than a tenth is across the plane are no closed
+ * no way over cells that are covered leads out of it but over cells where the segment is
+ * less than two voxels from the plane, or where another plane of the structure begins.
+ * So a wall that is seen through an open shelf, or under a table, remains a wall. Frames
+ * of doors and windows, nowhere more than 0.25 m from the plane, cover all within them:
+ * what lies there in the plane of the wall is a leaf or a pane; but not more than half
+ * of the wall. Segments of which less than a tenth is across the plane are no closed
  * objects, but doubles of it. Where several segments enclose a cell, the smallest one
  * gets it. No step of the thesis. The cost is linear in the points and in the cells of
  * the segments that reach planes.
