@@ -24,7 +24,7 @@ struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "auto", camera = "auto";
   std::string orientation = "auto", structure = "auto", things = "auto", gaps = "auto",
-              seams = "auto", frames = "auto", racks = "auto";
+              seams = "auto", frames = "auto", racks = "auto", uprights = "auto";
   double union_air = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
@@ -117,6 +117,12 @@ addPartition(OptionParser& parser, Settings& settings)
             settings.racks,
             "for -partition graph: the boards of racks and of bookcases without a back "
             "(z is up); auto: joined for rooms",
+            {"auto", "apart", "joined"})
+      .text("-uprights",
+            settings.uprights,
+            "for -partition graph: legs, end boards and backs of what is level (z is "
+            "up); "
+            "auto: joined for rooms",
             {"auto", "apart", "joined"})
       .text(
           "-frames",
@@ -229,6 +235,8 @@ chosenOptions(const Settings& settings, bool organised)
       settings.seams == "auto" ? preset.separate_seams : settings.seams == "apart";
   options.join_racks =
       settings.racks == "auto" ? preset.join_racks : settings.racks == "joined";
+  options.join_uprights = settings.uprights == "auto" ? preset.join_uprights
+                                                      : settings.uprights == "joined";
   options.join_frames =
       settings.frames == "auto" ? preset.join_frames : settings.frames == "joined";
   options.max_union_air =

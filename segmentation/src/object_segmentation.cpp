@@ -17,6 +17,7 @@
 #include <pcl/segmentation/rack_unions.h>
 #include <pcl/segmentation/room_structure.h>
 #include <pcl/segmentation/structure_contacts.h>
+#include <pcl/segmentation/upright_unions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -250,6 +251,12 @@ joinSegments(const SurfaceVoxels& voxels,
     racks.axes = axes;
     racks.up = options.up;
     pcl::indoor::joinRacks(voxels, in_plane, racks, segment_of_voxel);
+  }
+  if (options.join_uprights) {
+    pcl::indoor::UprightUnionOptions uprights;
+    uprights.voxel_size = options.voxel_size;
+    uprights.up = options.up;
+    pcl::indoor::joinUprights(voxels, in_plane, uprights, segment_of_voxel);
   }
   if (options.join_frames) {
     pcl::indoor::FrameUnionOptions frames;

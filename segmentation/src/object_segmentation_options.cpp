@@ -112,6 +112,7 @@ singleViewOptions()
   options.max_union_air = 0;
   options.join_frames = false;
   options.join_racks = false;
+  options.join_uprights = false;
   return options;
 }
 

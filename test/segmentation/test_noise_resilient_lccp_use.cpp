@@ -72,6 +72,17 @@ largestShareOf(std::uint32_t object, const LabelledPoints& scene, const Labels& 
   return largest / all;
 }
 
+Labels
+segmentedWithout(bool ObjectSegmentationOptions::*step, Segmentation& segmentation)
+{
+  auto options = segmentation.getOptions();
+  options.*step = false;
+  segmentation.setOptions(options);
+  Labels labels;
+  segmentation.segment(labels);
+  return labels;
+}
+
 } // namespace
 
 TEST(NoiseResilientLCCPUse, SmallInputs)
@@ -202,6 +213,8 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_TRUE(segmentation.getOptions().separate_seams);
   EXPECT_TRUE(segmentation.getOptions().join_frames);
   EXPECT_TRUE(segmentation.getOptions().join_racks);
+  EXPECT_TRUE(segmentation.getOptions().join_uprights);
+  EXPECT_FALSE(singleViewOptions().join_uprights);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
   EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_air, 5);
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
@@ -255,10 +268,7 @@ TEST(NoiseResilientLCCPUse, PartsBoxesAtANarrowGap)
   Labels labels;
   segmentation.segment(labels);
   EXPECT_LT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.01);
-  auto options = segmentation.getOptions();
-  options.separate_gaps = false;
-  segmentation.setOptions(options);
-  segmentation.segment(labels);
+  labels = segmentedWithout(&ObjectSegmentationOptions::separate_gaps, segmentation);
   EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.2);
 }
 
@@ -283,10 +293,7 @@ TEST(NoiseResilientLCCPUse, PartsCabinetsThatStandAgainstEachOther)
   Labels labels;
   segmentation.segment(labels);
   EXPECT_LT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.05);
-  auto options = segmentation.getOptions();
-  options.separate_seams = false;
-  segmentation.setOptions(options);
-  segmentation.segment(labels);
+  labels = segmentedWithout(&ObjectSegmentationOptions::separate_seams, segmentation);
   EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.5);
 }
 
@@ -301,16 +308,31 @@ TEST(NoiseResilientLCCPUse, JoinsTheBoardsOfABookcase)
   Segmentation segmentation;
   segmentation.setInputCloud(cloudOf(scene.points));
   segmentation.setViewPoint(-1, -3, 2);
-  Labels labels;
-  segmentation.segment(labels);
+  auto labels =
+      segmentedWithout(&ObjectSegmentationOptions::join_uprights, segmentation);
   const auto joined = richtsfeldErrors(countOverlaps(scene.objects, labels)).over;
-  auto options = segmentation.getOptions();
-  options.join_racks = false;
-  segmentation.setOptions(options);
-  segmentation.segment(labels);
+  labels = segmentedWithout(&ObjectSegmentationOptions::join_racks, segmentation);
   const auto apart = richtsfeldErrors(countOverlaps(scene.objects, labels)).over;
   EXPECT_GT(apart, 0.4);
   EXPECT_LT(joined, 0.7 * apart);
+}
+
+TEST(NoiseResilientLCCPUse, JoinsTheEndBoardsOfADeskThatIsSeenFromBelow)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(8);
+  const Eigen::Vector3f x(1.4f, 0, 0), y(0, 0.7f, 0), z(0, 0, 0.7f), right(1, 0, 0);
+  scene.addRectangle(z, x, y, {0, 0, -1}, 1, 0.012f, 0.002f, rng);
+  scene.addRectangle({0, 0, 0}, y, z, right, 1, 0.012f, 0.002f, rng);
+  scene.addRectangle(x, y, z, -right, 1, 0.012f, 0.002f, rng);
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  segmentation.setInputNormals(normalsOf(scene));
+  Labels labels;
+  segmentation.segment(labels);
+  EXPECT_GT(largestShareOf(1, scene, labels), 0.97);
+  labels = segmentedWithout(&ObjectSegmentationOptions::join_uprights, segmentation);
+  EXPECT_LT(largestShareOf(1, scene, labels), 0.6);
 }
 
 TEST(NoiseResilientLCCPUse, JoinsTheFrameOfADoorInAWallThatStandsAskew)
@@ -328,9 +350,7 @@ TEST(NoiseResilientLCCPUse, JoinsTheFrameOfADoorInAWallThatStandsAskew)
   Labels labels;
   segmentation.segment(labels);
   EXPECT_GT(largestShareOf(2, scene, labels), 0.97);
-  options.join_frames = false;
-  segmentation.setOptions(options);
-  segmentation.segment(labels);
+  labels = segmentedWithout(&ObjectSegmentationOptions::join_frames, segmentation);
   EXPECT_LT(largestShareOf(2, scene, labels), 0.6);
 }
 

@@ -72,6 +72,9 @@ struct ObjectSegmentationOptions {
   bool join_frames = true;
   /** join the boards of racks, see joinRacks(); for Partition::Graph */
   bool join_racks = true;
+  /** join legs, end boards and backs to what they carry or end, see joinUprights(); for
+   * Partition::Graph */
+  bool join_uprights = true;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
