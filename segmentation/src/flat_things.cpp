@@ -207,8 +207,9 @@ requireValid(const std::vector<Eigen::Vector3f>& points,
                             << left_out.size() << " flags.");
   if (!(options.voxel_size > 0) || !(options.max_height > 0) ||
       !(options.min_surface >= 1) || !(options.min_area >= 1) ||
-      !(options.deviations > 0) || !(options.min_rise > 0) ||
-      !(std::abs(options.up.norm() - 1) < 1e-3f))
+      !(options.max_area_share > 0) || !(options.min_surrounded >= 0) ||
+      !(options.min_surrounded <= 1) || !(options.deviations > 0) ||
+      !(options.min_rise > 0) || !(std::abs(options.up.norm() - 1) < 1e-3f))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "Flat things need positive sizes and a unit vector up.");
 }

@@ -114,6 +114,7 @@ HeightMap::measureSurface(double tolerance, double min_cells)
     if (height <= surface_)
       depths.push_back(surface_ - height);
   deviation_ = deviation_per_median * quantile(depths, 0.5);
+  surface_cells_ = near.size();
   return true;
 }
 
@@ -161,6 +162,21 @@ HeightMap::largestAbove(double outline, const Cells& raised)
   return largest;
 }
 
+double
+HeightMap::shareAround(const Cells& thing) const
+{
+  auto inside = thing;
+  std::sort(inside.begin(), inside.end());
+  std::size_t around = 0, occupied = 0;
+  for (const auto cell : thing)
+    forNeighbors(cell, [&](std::uint32_t other) {
+      const bool is_around = !std::binary_search(inside.begin(), inside.end(), other);
+      around += is_around;
+      occupied += is_around && counts_[other] > 0;
+    });
+  return static_cast<double>(occupied) / static_cast<double>(around);
+}
+
 bool
 HeightMap::isThing(const Cells& thing, const FlatThingOptions& options) const
 {
@@ -169,8 +185,10 @@ HeightMap::isThing(const Cells& thing, const FlatThingOptions& options) const
     points += counts_[cell] + high_counts_[cell];
     high_points += high_counts_[cell];
   }
-  return static_cast<double>(thing.size()) >= options.min_area &&
-         high_points <= most_high_points * points;
+  const auto area = static_cast<double>(thing.size());
+  return area >= options.min_area && high_points <= most_high_points * points &&
+         area <= options.max_area_share * static_cast<double>(surface_cells_) &&
+         shareAround(thing) >= options.min_surrounded;
 }
 
 std::vector<std::uint32_t>

@@ -89,6 +89,11 @@ private:
   Cells
   largestAbove(double outline, const Cells& raised);
 
+  /** Of the cells around a thing, counted once for each that they touch, those with
+   * points. */
+  double
+  shareAround(const Cells& thing) const;
+
   bool
   isThing(const Cells& thing, const FlatThingOptions& options) const;
 
@@ -100,7 +105,7 @@ private:
   std::vector<std::uint32_t> counts_, high_counts_;
   std::vector<State> states_;
   double surface_ = 0, deviation_ = 0;
-  std::size_t thing_count_ = 0;
+  std::size_t surface_cells_ = 0, thing_count_ = 0;
 };
 
 } // namespace indoor

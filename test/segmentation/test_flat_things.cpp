@@ -22,10 +22,15 @@ namespace {
 
 constexpr double voxel_size = 0.03;
 
+using Area = Eigen::AlignedBox2f;
+
 /** A desk's top, 1.5 m x 0.8 m, with a gap where a thing of this height (object 2)
- * hides it; at x = 0.5 ... 0.9, y = 0.3 ... 0.5. */
+ * hides it. */
 LabelledPoints
-deskWithThing(float height, float noise)
+deskWithThing(float height,
+              float noise,
+              const Area& area = Area(Eigen::Vector2f(0.5f, 0.3f),
+                                      Eigen::Vector2f(0.9f, 0.5f)))
 {
   LabelledPoints scene;
   std::mt19937 rng(5);
@@ -33,7 +38,7 @@ deskWithThing(float height, float noise)
       {0, 0, 0}, {1.5f, 0, 0}, {0, 0.8f, 0}, {0, 0, 1}, 1, 0.007f, noise, rng);
   for (std::size_t i = 0; i < scene.points.size(); ++i) {
     auto& point = scene.points[i];
-    if (point.x() > 0.5f && point.x() < 0.9f && point.y() > 0.3f && point.y() < 0.5f) {
+    if (area.contains(point.head<2>())) {
       point.z() += height;
       scene.objects[i] = 2;
     }
@@ -97,6 +102,36 @@ TEST(FlatThings, LeavesWhatIsHigherThanAThing)
   FlatThingOptions higher;
   higher.max_height = 0.3;
   EXPECT_EQ(segmentCount(parted(tower, higher)), 2u);
+}
+
+TEST(FlatThings, LeavesWhatIsNoSmallerThanTheSurface)
+{
+  const auto desk_with = [](float width) {
+    return deskWithThing(
+        0.03f,
+        0.003f,
+        Area(Eigen::Vector2f(0.4f, 0.1f), Eigen::Vector2f(0.4f + width, 0.7f)));
+  };
+  EXPECT_EQ(segmentCount(parted(desk_with(0.35f))), 2u) << "18 % of the desk";
+  EXPECT_EQ(segmentCount(parted(desk_with(0.6f))), 1u) << "30 % of the desk";
+  FlatThingOptions options;
+  options.max_area_share = 1;
+  EXPECT_EQ(segmentCount(parted(desk_with(0.6f), options)), 2u);
+}
+
+TEST(FlatThings, LeavesWhatTheSurfaceIsNotAround)
+{
+  const auto desk_with_strip = [](float from) { // a board's edge, or a ruler
+    return deskWithThing(
+        0.03f,
+        0.003f,
+        Area(Eigen::Vector2f(-1, from), Eigen::Vector2f(2, from + 0.1f)));
+  };
+  EXPECT_EQ(segmentCount(parted(desk_with_strip(0.3f))), 2u);
+  EXPECT_EQ(segmentCount(parted(desk_with_strip(-0.02f))), 1u);
+  FlatThingOptions options;
+  options.min_surrounded = 0.2;
+  EXPECT_EQ(segmentCount(parted(desk_with_strip(-0.02f), options)), 2u);
 }
 
 TEST(FlatThings, TakesWhatStandsOnAThingAlong)

@@ -20,8 +20,10 @@ struct FlatThingOptions {
   /** metres (> 0); a thing with more than 30 % of its points above this has sides that
    * part it */
   double max_height = 0.12;
-  double min_surface = 64; ///< area of the surface, voxels (>= 1)
-  double min_area = 4;     ///< area of a thing, voxels (>= 1)
+  double min_surface = 64;      ///< area of the surface, voxels (>= 1)
+  double min_area = 4;          ///< area of a thing, voxels (>= 1)
+  double max_area_share = 0.25; ///< area of a thing over that of the surface (> 0)
+  double min_surrounded = 0.5; ///< share of its rim that the surface is beside (0 to 1)
   /** a thing rises this many standard deviations of the surface's heights (> 0) */
   double deviations = 3;
   double min_rise = 0.1; ///< and at least this, voxels (> 0)
@@ -30,7 +32,8 @@ struct FlatThingOptions {
 /** \brief Part flat things from the horizontal surface that they lie on: keyboards,
  * stacks of paper, the foot of a monitor. They are lower than a few voxels, so that
  * their sides bend no normals; but the mean height of the many points of a cell tells
- * them from the surface. The largest horizontal surface of each segment is looked at;
+ * them from the surface. They lie on it: it goes on around them, and is larger. The
+ * largest horizontal surface of each segment is looked at;
  * one whose box holds more than 2^22 cells is left as it is. No step of the thesis.
  * The cost is linear in the number of points, but for a sort of heights.
  * \param[in] points that the voxels were made of
