@@ -66,6 +66,9 @@ TEST(NoiseResilientLCCP, UsesGivenNormals)
   Segmentation segmentation;
   segmentation.setInputCloud(cloudOf(scene.points));
   segmentation.setInputNormals(normals);
+  auto options = segmentation.getOptions();
+  options.join_uprights = false; // which would mend it
+  segmentation.setOptions(options);
   Labels labels;
   segmentation.segment(labels);
   EXPECT_EQ(scoreDetections(countOverlaps(scene.objects, labels)).right_count, 3u);
