@@ -93,7 +93,10 @@ public:
   double
   cost(const Piece& a, const Piece& b, const Contact& contact) const
   {
-    if (contact.length < options_.min_contact_length)
+    const auto [smaller, larger] = std::minmax(a.size, b.size);
+    if (contact.length < options_.min_contact_length ||
+        static_cast<double>(smaller) >
+            options_.max_size_ratio * static_cast<double>(larger))
       return never;
     const auto both = hullOfBoth(a.reach, b.reach);
     const double volume = hulls_.volume(both);
@@ -264,6 +267,10 @@ requireValid(const ConvexUnionOptions& options)
   require(options.box_air_per_contact, "air of boxes per contact");
   require(options.max_air, "a limit of the air");
   require(options.min_contact_length, "a length of contact");
+  if (!(options.max_size_ratio > 0))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "Convex unions need a positive ratio of sizes, not "
+                            << options.max_size_ratio << ".");
   if (!(options.voxel_size > 0))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "Convex unions need a positive voxel size, not "

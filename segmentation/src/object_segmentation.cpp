@@ -4,20 +4,18 @@
  */
 #include <pcl/segmentation/object_segmentation.h>
 
+#include "object_unions.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_orientation.h>
 #include <pcl/filters/non_convex_points.h>
 #include <pcl/filters/point_resolution.h>
-#include <pcl/segmentation/convex_unions.h>
 #include <pcl/segmentation/enclosed_structure.h>
 #include <pcl/segmentation/flat_things.h>
-#include <pcl/segmentation/frame_unions.h>
 #include <pcl/segmentation/object_gaps.h>
 #include <pcl/segmentation/object_seams.h>
-#include <pcl/segmentation/rack_unions.h>
 #include <pcl/segmentation/room_structure.h>
 #include <pcl/segmentation/structure_contacts.h>
-#include <pcl/segmentation/upright_unions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -229,44 +227,6 @@ firstFreeLabel(const ObjectSegmentation& result)
   const auto last = std::max_element(planes.begin(), planes.end());
   return static_cast<std::uint32_t>(result.supervoxels.size()) +
          (last == planes.end() ? 0 : *last);
-}
-
-/** Join segments that have the shape of one thing. */
-void
-joinSegments(const SurfaceVoxels& voxels,
-             const std::vector<std::uint8_t>& in_plane,
-             const std::vector<pcl::indoor::StructurePlane>& planes,
-             const ObjectSegmentationOptions& options,
-             std::vector<std::uint32_t>& segment_of_voxel)
-{
-  const Eigen::Matrix3f axes = pcl::indoor::axesOf(planes).cast<float>();
-  pcl::indoor::ConvexUnionOptions unions;
-  unions.air_per_contact = options.max_union_air;
-  unions.voxel_size = options.voxel_size;
-  unions.axes = axes;
-  pcl::indoor::joinConvexUnions(voxels, in_plane, unions, segment_of_voxel);
-  if (options.join_racks) {
-    pcl::indoor::RackUnionOptions racks;
-    racks.voxel_size = options.voxel_size;
-    racks.axes = axes;
-    racks.up = options.up;
-    pcl::indoor::joinRacks(voxels, in_plane, racks, segment_of_voxel);
-  }
-  if (options.join_uprights) {
-    pcl::indoor::UprightUnionOptions uprights;
-    uprights.voxel_size = options.voxel_size;
-    uprights.up = options.up;
-    pcl::indoor::joinUprights(voxels, in_plane, uprights, segment_of_voxel);
-  }
-  if (options.join_frames) {
-    pcl::indoor::FrameUnionOptions frames;
-    frames.voxel_size = options.voxel_size;
-    frames.up = options.up;
-    for (const auto& wall_axes : pcl::indoor::axesOfWalls(planes)) {
-      frames.axes = wall_axes.cast<float>();
-      pcl::indoor::joinFrames(voxels, in_plane, frames, segment_of_voxel);
-    }
-  }
 }
 
 /** Segments of voxels, parted where points tell more than voxels. */

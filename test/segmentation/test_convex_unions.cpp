@@ -36,7 +36,8 @@ std::vector<std::uint32_t>
 joined(const LabelledPoints& scene,
        double air_per_contact = 5,
        const Eigen::Matrix3f& axes = Eigen::Matrix3f::Identity(),
-       std::uint32_t left_out_object = 0)
+       std::uint32_t left_out_object = 0,
+       double max_size_ratio = 1)
 {
   const auto voxels = surfaceVoxels(scene.points, {}, voxel_size);
   auto segments = segmentsOf(scene, voxels);
@@ -48,6 +49,7 @@ joined(const LabelledPoints& scene,
   options.max_air = std::max(options.max_air, air_per_contact);
   options.voxel_size = voxel_size;
   options.axes = axes;
+  options.max_size_ratio = max_size_ratio;
   joinConvexUnions(voxels, left_out, options, segments);
   std::vector<std::uint32_t> labels;
   for (std::size_t i = 0; i < scene.points.size(); ++i)
@@ -156,6 +158,22 @@ TEST(ConvexUnions, ALargeContactMayHaveMoreAir)
   EXPECT_EQ(segmentCount(joined(armchair(), 0.2)), 4u);
 }
 
+TEST(ConvexUnions, ARatioOfSizesKeepsWholeThingsApart)
+{
+  const auto count = [](float depth, double max_size_ratio) { // of two boxes
+    LabelledPoints scene;
+    std::mt19937 rng(8);
+    scene.addBox({0, 0, 0}, {0.8f, 0.6f, 0.4f}, 1, 0.02f, 0, rng);
+    scene.addBox({0, 0.62f, 0}, {0.8f, depth, 0.4f}, 2, 0.02f, 0, rng);
+    return segmentCount(
+        joined(scene, 5, Eigen::Matrix3f::Identity(), 0, max_size_ratio));
+  };
+  EXPECT_EQ(count(0.6f, 1), 1u);
+  EXPECT_EQ(count(0.6f, 0.7), 2u);
+  EXPECT_EQ(count(0.1f, 0.7), 1u) << "a fragment";
+  EXPECT_EQ(count(0.1f, 0.1), 2u);
+}
+
 TEST(ConvexUnions, NarrowEndsAreNoContact)
 {
   EXPECT_EQ(segmentCount(joined(beam())), 3u);
@@ -244,6 +262,10 @@ TEST(ConvexUnions, RejectWrongInput)
     EXPECT_THROW(joinConvexUnions(voxels, flags, options, segments),
                  pcl::BadArgumentException);
   }
+  options = ConvexUnionOptions();
+  options.max_size_ratio = 0;
+  EXPECT_THROW(joinConvexUnions(voxels, flags, options, segments),
+               pcl::BadArgumentException);
   options = ConvexUnionOptions();
   options.voxel_size = 0;
   EXPECT_THROW(joinConvexUnions(voxels, flags, options, segments),

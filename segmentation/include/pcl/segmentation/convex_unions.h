@@ -27,6 +27,9 @@ struct ConvexUnionOptions {
   /** least length of the contact, as a multiple of the side of a square as large as the
    * segment: pieces that touch with a corner or a narrow end are not joined (>= 0) */
   double min_contact_length = 1;
+  /** voxels of the smaller segment over those of the larger, at most (> 0; 1 for any):
+   * less than 1 joins fragments, but no two whole things */
+  double max_size_ratio = 1;
   double voxel_size = 0.03; ///< of the voxels, metres (> 0)
   /** three orthogonal directions, one per column, that boxes and hulls follow */
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
