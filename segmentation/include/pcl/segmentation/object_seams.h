@@ -30,7 +30,7 @@ struct ObjectSeamOptions {
   unsigned min_cells = 8; ///< of a voxel that a seam fills there (>= 1)
   /** share of the points on either side whose normals point away from the inside, from
    * 0 to 1 */
-  double outward = 0.35;
+  double outward = 0.5;
   unsigned directions = 60; ///< of upright planes that are tried, in 180 degrees (>= 1)
   unsigned threads = 0;     ///< 0 = automatic; the result does not depend on it
 };
