@@ -81,17 +81,11 @@ addLengths(OptionParser& parser, Settings& settings)
               Range::between(0, 180));
 }
 
+/** What is joined or apart because of its shape. */
 void
-addPartition(OptionParser& parser, Settings& settings)
+addShapes(OptionParser& parser, Settings& settings)
 {
-  auto& options = settings.others;
   parser
-      .text("-partition",
-            settings.partition,
-            "how supervoxels are joined: by whole borders, by the thesis's graph "
-            "segmentation, or over all convex edges; auto: graph, for -preset thesis "
-            "felzenszwalb",
-            {"auto", "graph", "felzenszwalb", "lccp"})
       .text("-structure",
             settings.structure,
             "floor, ceiling and walls; apart: nothing is joined through them; auto: "
@@ -121,15 +115,27 @@ addPartition(OptionParser& parser, Settings& settings)
       .text("-uprights",
             settings.uprights,
             "for -partition graph: legs, end boards and backs of what is level (z is "
-            "up); "
-            "auto: joined for rooms",
+            "up); auto: joined for rooms",
             {"auto", "apart", "joined"})
       .text(
           "-frames",
           settings.frames,
           "for -partition graph: jambs and heads of doors, bars of windows (z is up); "
           "auto: joined for rooms",
-          {"auto", "apart", "joined"})
+          {"auto", "apart", "joined"});
+}
+
+void
+addPartition(OptionParser& parser, Settings& settings)
+{
+  auto& options = settings.others;
+  parser
+      .text("-partition",
+            settings.partition,
+            "how supervoxels are joined: by whole borders, by the thesis's graph "
+            "segmentation, or over all convex edges; auto: graph, for -preset thesis "
+            "felzenszwalb",
+            {"auto", "graph", "felzenszwalb", "lccp"})
       .number(
           "-union_air",
           settings.union_air,
@@ -284,6 +290,7 @@ main(int argc, char** argv)
                   "the input with the field object, 0 = not finite or an outlier");
   addLengths(parser, settings);
   addPartition(parser, settings);
+  addShapes(parser, settings);
   addOthers(parser, settings);
   return parser.run(argc, argv, [&](Progress& progress) {
     requireWritable(settings.output);

@@ -117,6 +117,12 @@ public:
     return cost <= 1 ? cost : never;
   }
 
+  bool
+  limitsSizes() const
+  {
+    return options_.max_size_ratio < 1;
+  }
+
 private:
   void
   measure(Piece& piece) const
@@ -240,8 +246,9 @@ private:
       touching_[other][kept] += touching_[other].at(gone);
       touching_[other].erase(gone);
     }
-    // What a segment proposed before holds on if only its inside was filled.
-    for (const auto& entry : grows ? touching_[kept] : moved)
+    // What a segment proposed before holds on if only its inside was filled; but it may
+    // be large enough now for what was too large beside it.
+    for (const auto& entry : grows || rule_.limitsSizes() ? touching_[kept] : moved)
       propose(kept, entry.first);
   }
 

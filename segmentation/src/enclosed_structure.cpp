@@ -4,7 +4,7 @@
  */
 #include <pcl/segmentation/enclosed_structure.h>
 
-#include "plane_shadow.h"
+#include "plane_frame.h"
 
 #include <pcl/exceptions.h>
 
@@ -18,6 +18,7 @@
 namespace {
 
 using pcl::indoor::PlaneCell;
+using pcl::indoor::PlaneFrame;
 using pcl::indoor::PlaneShadow;
 using pcl::indoor::StructurePlane;
 
@@ -29,74 +30,9 @@ constexpr double cover = 1; // voxels: what is farther hides the plane
 /** Share of a segment that is across the plane: what lies along it is no closed object,
  * but a picture, or the double of a wall. */
 constexpr double min_across = 0.1;
-constexpr double cells_per_point = 20;   // a shadow with more has holes only
-constexpr double max_frame_depth = 0.25; // metres
+constexpr double cells_per_point = 20;  // with more, a segment is too sparse
+constexpr double max_frame_depth = 0.2; // metres
 constexpr double max_outliers = 0.05; // share of a frame's points that are farther off
-
-/** Cells of a plane, a voxel wide, along two directions of the room. */
-class PlaneFrame {
-public:
-  PlaneFrame(const StructurePlane& plane, const Eigen::Matrix3d& axes, double cell_size)
-  : normal_(plane.normal)
-  , offset_(plane.offset)
-  , cell_size_(cell_size)
-  {
-    int across = 0;
-    (axes.transpose() * normal_).cwiseAbs().maxCoeff(&across);
-    const Eigen::Vector3d along = axes.col((across + 1) % 3);
-    u_ = (along - along.dot(normal_) * normal_).normalized();
-    v_ = normal_.cross(u_);
-  }
-
-  /** In front of the plane, voxels. */
-  double
-  heightOf(const Eigen::Vector3f& point) const
-  {
-    return (normal_.dot(point.cast<double>()) - offset_) / cell_size_;
-  }
-
-  /** 45 degrees or more from the normal. */
-  bool
-  isAcross(const Eigen::Vector3f& normal) const
-  {
-    return !normal.isZero() && std::abs(normal_.dot(normal.cast<double>())) < 0.7;
-  }
-
-  PlaneCell
-  cellOf(const Eigen::Vector3f& point) const
-  {
-    return {indexOf(u_, point), indexOf(v_, point)};
-  }
-
-  /** On which side of the cells a plane with this normal, into the room, stands. */
-  PlaneShadow::Side
-  sideOf(const Eigen::Vector3d& normal) const
-  {
-    const double u = u_.dot(normal), v = v_.dot(normal);
-    if (std::abs(u) > std::abs(v))
-      return u > 0 ? PlaneShadow::LowColumns : PlaneShadow::HighColumns;
-    return v > 0 ? PlaneShadow::LowRows : PlaneShadow::HighRows;
-  }
-
-  /** The middle of a cell, in the plane. */
-  Eigen::Vector3d
-  placeOf(const PlaneCell& cell) const
-  {
-    return offset_ * normal_ + cell_size_ * ((static_cast<double>(cell[0]) + 0.5) * u_ +
-                                             (static_cast<double>(cell[1]) + 0.5) * v_);
-  }
-
-private:
-  std::int64_t
-  indexOf(const Eigen::Vector3d& direction, const Eigen::Vector3f& point) const
-  {
-    return static_cast<std::int64_t>(
-        std::floor(direction.dot(point.cast<double>()) / cell_size_));
-  }
-
-  Eigen::Vector3d normal_, u_, v_;
-  double offset_, cell_size_;
-};
 
 /** The points of planes and of other segments, and the boxes around them. */
 struct Groups {

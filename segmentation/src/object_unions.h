@@ -13,8 +13,8 @@
 namespace pcl {
 namespace indoor {
 
-/** Join segments that have the shape of one thing, then, in a second round, things and
- * their fragments: what is less than half as large. */
+/** Join segments that have the shape of one thing, in two rounds. In the second, convex
+ * unions take up fragments only, at most half as large: not one whole thing another. */
 void
 joinSegments(const SurfaceVoxels& voxels,
              const std::vector<std::uint8_t>& in_plane,

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -182,7 +181,8 @@ private:
     Upright upright;
     upright.along = longestLevel(members);
     const auto [front, back] = rangeOf(members, options_.up.cross(upright.along));
-    if (back - front + options_.voxel_size > options_.max_thickness)
+    if (back - front + options_.voxel_size > options_.max_thickness ||
+        back - front > top - bottom)
       return {};
     std::tie(upright.first, upright.last) = rangeOf(members, upright.along);
     upright.top = top;
@@ -190,11 +190,11 @@ private:
   }
 
   /** The column of the upright that a voxel is in, a voxel wide. */
-  int
+  std::int64_t
   columnOf(std::uint32_t voxel, const Upright& upright) const
   {
     const double place = upright.along.dot(voxels_.centroids[voxel]);
-    return static_cast<int>(
+    return static_cast<std::int64_t>(
         std::floor((place - upright.first) / options_.voxel_size + 0.5));
   }
 
@@ -202,7 +202,7 @@ private:
   Numbers
   ownersOf(std::uint32_t segment, const Upright& upright) const
   {
-    std::map<int, double> top_of_column;
+    std::map<std::int64_t, double> top_of_column;
     for (const auto v : voxels_of_segment_[segment]) {
       auto& top =
           top_of_column.emplace(columnOf(v, upright), heightOf(v)).first->second;
@@ -222,11 +222,12 @@ private:
   std::map<std::uint32_t, Contact>
   contactsOf(std::uint32_t segment,
              const Upright& upright,
-             const std::map<int, double>& top_of_column) const
+             const std::map<std::int64_t, double>& top_of_column) const
   {
-    std::map<std::pair<std::uint32_t, int>, bool> is_at_top; // by segment and column
+    std::map<std::pair<std::uint32_t, std::int64_t>, bool>
+        is_at_top; // by segment and column
     for (const auto v : voxels_of_segment_[segment]) {
-      const int column = columnOf(v, upright);
+      const auto column = columnOf(v, upright);
       const bool at_top =
           heightOf(v) >= top_of_column.at(column) - 1.5 * options_.voxel_size;
       const auto& around = voxels_.neighbors;

@@ -96,6 +96,17 @@ TEST(UprightUnions, LeaveWhatIsLowApart)
   EXPECT_EQ(countOf(with_strip(4), options), 2u);
 }
 
+TEST(UprightUnions, LeaveWhatLiesApart)
+{
+  const auto with_bar = [](int height) { // 0.16 m wide, under the top
+    auto scene = deskTop();
+    addBlock(scene, {0, 4, 20 - height}, {5, 16, 20}, along_x, 2);
+    return scene;
+  };
+  EXPECT_EQ(countOf(with_bar(6)), 1u);
+  EXPECT_EQ(countOf(with_bar(4)), 2u) << "0.12 m high";
+}
+
 TEST(UprightUnions, LeaveApartWhatTouchesALittleOfTheUpperEdge)
 {
   // Voxels touch those beside them, too: one column more than is below the top.

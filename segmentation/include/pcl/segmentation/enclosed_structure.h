@@ -20,17 +20,21 @@ namespace indoor {
  * no way over cells that are covered leads out of it but over cells where the segment
  * is less than two voxels from the plane, or where another plane of the structure
  * begins. So a wall that is seen through an open shelf, or under a table, remains a
- * wall. Frames of doors and windows, nowhere more than 0.25 m from the plane, cover all
- * within them: what lies there in the plane of the wall is a leaf or a pane; but not
- * more than half of the wall. Segments of which less than a tenth is across the plane
- * are no closed objects, but doubles of it. Where several segments enclose a cell, the
- * smallest one gets it. No step of the thesis. The cost is linear in the points and in
- * the cells of the segments that reach planes. \param[in] points as given to
- * separateVoxels() \param[in] voxels as given by separateVoxels(); their cells and
- * normals are used \param[in] planes as given by findRoomStructure() \param[in]
- * voxel_size metres \param[in] plane_of_voxel the number of its plane, from 1; 0 for
- * objects \param[in,out] segment_of_point numbered from 0 \return how many points
- * changed sides \throws pcl::BadArgumentException if sizes differ
+ * wall. Frames of doors and windows, all but a twentieth of them within 0.2 m of the
+ * plane, cover what is within them: what lies there in the plane of the wall is a leaf
+ * or a pane; but not more than half of the wall. A shelf as flat as that is taken for a
+ * frame. Segments of which less than a tenth is across the plane are no closed objects,
+ * but doubles of it. Where several segments enclose a cell, the smallest one gets it.
+ * No step of the thesis. The cost is linear in the points and in the cells of the
+ * segments that reach planes.
+ * \param[in] points as given to separateVoxels()
+ * \param[in] voxels as given by separateVoxels(); their cells and normals are used
+ * \param[in] planes as given by findRoomStructure()
+ * \param[in] voxel_size metres
+ * \param[in] plane_of_voxel the number of its plane, from 1; 0 for objects
+ * \param[in,out] segment_of_point numbered from 0
+ * \return how many points changed sides
+ * \throws pcl::BadArgumentException if sizes differ
  */
 std::size_t
 yieldEnclosed(const std::vector<Eigen::Vector3f>& points,

@@ -20,10 +20,11 @@ struct FlatThingOptions {
   /** metres (> 0); a thing with more than 30 % of its points above this has sides that
    * part it */
   double max_height = 0.12;
-  double min_surface = 64;      ///< area of the surface, voxels (>= 1)
-  double min_area = 4;          ///< area of a thing, voxels (>= 1)
-  double max_area_share = 0.25; ///< area of a thing over that of the surface (> 0)
-  double min_surrounded = 0.5; ///< share of its rim that the surface is beside (0 to 1)
+  double min_surface = 64; ///< area of the surface, voxels (>= 1)
+  double min_area = 4;     ///< area of a thing, voxels (>= 1)
+  /** area of a thing over that of the surface, with what is lower than a voxel (> 0) */
+  double max_area_share = 0.25;
+  double min_surrounded = 0.5; ///< share of the cells at its rim with points (0 to 1)
   /** a thing rises this many standard deviations of the surface's heights (> 0) */
   double deviations = 3;
   double min_rise = 0.1; ///< and at least this, voxels (> 0)
