@@ -277,19 +277,21 @@ TEST(ConvexUnions, RejectWrongInput)
 
 TEST(ConvexUnions, WhatHasGrownMayTakeUpWhatWasTooLarge)
 {
-  LabelledPoints scene; // a patch in the front of one box completes it
+  LabelledPoints scene; // a patch in the front of one box
   std::mt19937 rng(9);
   scene.addBox({0, 0, 0}, {0.8f, 0.6f, 0.4f}, 1, 0.02f, 0, rng);
   scene.addBox({0, 0.62f, 0}, {0.8f, 0.3f, 0.4f}, 2, 0.02f, 0, rng);
+  const Eigen::AlignedBox3f patch(Eigen::Vector3f(0.2f, -0.01f, 0.1f),
+                                  Eigen::Vector3f(0.6f, 0.01f, 0.3f));
   for (std::size_t i = 0; i < scene.points.size(); ++i)
-    if (scene.objects[i] == 1 && scene.points[i].y() < 0.01f)
+    if (patch.contains(scene.points[i]))
       scene.objects[i] = 3;
   const auto voxels = surfaceVoxels(scene.points, {}, voxel_size);
   const auto segments = segmentsOf(scene, voxels);
   const auto size = [&](std::uint32_t segment) {
     return static_cast<double>(std::count(segments.begin(), segments.end(), segment));
   };
-  const double ratio = size(2) / (size(1) + size(3)) + 0.01;
+  const double ratio = 1.01 * size(2) / (size(1) + size(3));
   ASSERT_GT(size(2), ratio * size(1));
   ASSERT_LT(size(3), ratio * size(1));
   EXPECT_EQ(segmentCount(joined(scene, 5, Eigen::Matrix3f::Identity(), 0, ratio)), 1u);
