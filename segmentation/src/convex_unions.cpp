@@ -301,9 +301,8 @@ joinConvexUnions(const SurfaceVoxels& voxels,
     return;
   Unions unions(voxels, left_out, segment_of_voxel, options);
   unions.joinAll();
-  for (std::size_t v = 0; v < voxels.size(); ++v)
-    if (!left_out[v])
-      segment_of_voxel[v] = unions.find(segment_of_voxel[v]);
+  renumberSegments(
+      left_out, [&](auto s) { return unions.find(s); }, segment_of_voxel);
 }
 
 } // namespace indoor

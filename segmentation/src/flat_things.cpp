@@ -7,6 +7,7 @@
 #include "ground_frame.h"
 #include "height_map.h"
 #include "quantile.h"
+#include "segment_boxes.h"
 
 #include <pcl/exceptions.h>
 
@@ -232,11 +233,8 @@ partFlatThings(const std::vector<Eigen::Vector3f>& points,
     segment_of_point[i] = segment_of_voxel[voxels.cells.cell_of_point[i]];
   if (voxels.size() == 0)
     return segment_of_point;
-  auto next = 1 + *std::max_element(segment_of_voxel.begin(), segment_of_voxel.end());
-  std::vector<std::vector<std::uint32_t>> members(next);
-  for (std::uint32_t v = 0; v < voxels.size(); ++v)
-    if (!left_out[v])
-      members[segment_of_voxel[v]].push_back(v);
+  const auto members = voxelsOfSegments(left_out, segment_of_voxel);
+  auto next = static_cast<std::uint32_t>(members.size());
   const ThingFinder finder(points, voxels, options);
   for (const auto& segment : members) {
     for (const auto& thing : finder.thingsOn(segment)) {

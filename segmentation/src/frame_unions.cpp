@@ -109,9 +109,8 @@ joinFrames(const SurfaceVoxels& voxels,
   for (const auto& [a, b] : touchingSegments(voxels, left_out, segment_of_voxel))
     if (areOneFrame(pieces[a], pieces[b], options))
       frames.merge(frames.find(a), frames.find(b));
-  for (std::size_t v = 0; v < voxels.size(); ++v)
-    if (!left_out[v])
-      segment_of_voxel[v] = frames.find(segment_of_voxel[v]);
+  renumberSegments(
+      left_out, [&](auto s) { return frames.find(s); }, segment_of_voxel);
 }
 
 } // namespace indoor

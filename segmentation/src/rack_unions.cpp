@@ -213,9 +213,8 @@ joinRacks(const SurfaceVoxels& voxels,
       touchingSegments(voxels, left_out, segment_of_voxel),
       options);
   const auto rack = joiner.rackOfSegments();
-  for (std::size_t v = 0; v < voxels.size(); ++v)
-    if (!left_out[v])
-      segment_of_voxel[v] = rack[segment_of_voxel[v]];
+  renumberSegments(
+      left_out, [&](auto s) { return rack[s]; }, segment_of_voxel);
 }
 
 } // namespace indoor

@@ -10,12 +10,6 @@
 
 #include <algorithm>
 
-namespace {
-
-constexpr double outlier_share = 0.03; // of a segment's voxels, cut off at either end
-
-} // namespace
-
 namespace pcl {
 namespace indoor {
 
@@ -31,6 +25,18 @@ requireOnePerVoxel(const SurfaceVoxels& voxels,
                             << segment_of_voxel.size() << " segments.");
 }
 
+std::vector<std::vector<std::uint32_t>>
+voxelsOfSegments(const std::vector<std::uint8_t>& left_out,
+                 const std::vector<std::uint32_t>& segment_of_voxel)
+{
+  std::vector<std::vector<std::uint32_t>> voxels(
+      1 + *std::max_element(segment_of_voxel.begin(), segment_of_voxel.end()));
+  for (std::uint32_t v = 0; v < segment_of_voxel.size(); ++v)
+    if (!left_out[v])
+      voxels[segment_of_voxel[v]].push_back(v);
+  return voxels;
+}
+
 std::vector<SegmentBox>
 segmentBoxes(const SurfaceVoxels& voxels,
              const std::vector<std::uint8_t>& left_out,
@@ -38,19 +44,15 @@ segmentBoxes(const SurfaceVoxels& voxels,
              const Eigen::Matrix3f& axes,
              double voxel_size)
 {
-  const auto last = *std::max_element(segment_of_voxel.begin(), segment_of_voxel.end());
-  std::vector<std::vector<Eigen::Vector3f>> places(last + 1);
-  for (std::size_t v = 0; v < voxels.size(); ++v)
-    if (!left_out[v])
-      places[segment_of_voxel[v]].push_back(voxels.centroids[v]);
-  std::vector<SegmentBox> boxes(places.size());
+  const auto members = voxelsOfSegments(left_out, segment_of_voxel);
+  std::vector<SegmentBox> boxes(members.size());
   std::vector<double> heights;
-  for (std::size_t s = 0; s < places.size(); ++s) {
-    boxes[s].size = places[s].size();
-    for (int axis = 0; axis < 3 && !places[s].empty(); ++axis) {
+  for (std::size_t s = 0; s < members.size(); ++s) {
+    boxes[s].size = members[s].size();
+    for (int axis = 0; axis < 3 && !members[s].empty(); ++axis) {
       heights.clear();
-      for (const auto& place : places[s])
-        heights.push_back(axes.col(axis).dot(place));
+      for (const auto v : members[s])
+        heights.push_back(axes.col(axis).dot(voxels.centroids[v]));
       boxes[s].low[axis] = quantile(heights, outlier_share) - voxel_size / 2;
       boxes[s].high[axis] = quantile(heights, 1 - outlier_share) + voxel_size / 2;
     }

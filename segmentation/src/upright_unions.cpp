@@ -21,14 +21,14 @@
 
 namespace {
 
+using pcl::indoor::outlier_share;
 using pcl::indoor::quantile;
 using pcl::indoor::SurfaceVoxels;
 using pcl::indoor::UprightUnionOptions;
 
 using Numbers = std::vector<std::uint32_t>;
 
-constexpr double outlier_share = 0.03; // of a segment's voxels, cut off at either end
-constexpr float level_cosine = 0.7f;   // steeper is not level
+constexpr float level_cosine = 0.7f; // steeper is not level
 
 /** The heights of a segment's voxels, and which of them are level. */
 class HeightProfile {
@@ -57,14 +57,28 @@ public:
     return levelShare(0, static_cast<std::ptrdiff_t>(heights_.size()));
   }
 
+  /** REQUIRES: voxels. */
+  double
+  bottom() const
+  {
+    return heightAt(outlier_share);
+  }
+
+  /** REQUIRES: voxels. */
   double
   top() const
   {
-    return heights_[static_cast<std::size_t>((1 - outlier_share) *
-                                             static_cast<double>(heights_.size() - 1))];
+    return heightAt(1 - outlier_share);
   }
 
 private:
+  double
+  heightAt(double share) const
+  {
+    return heights_[static_cast<std::size_t>(share *
+                                             static_cast<double>(heights_.size() - 1))];
+  }
+
   double
   levelShare(std::ptrdiff_t first, std::ptrdiff_t end) const
   {
@@ -100,12 +114,8 @@ public:
   , left_out_(left_out)
   , segment_of_voxel_(segment_of_voxel)
   , options_(options)
+  , voxels_of_segment_(pcl::indoor::voxelsOfSegments(left_out, segment_of_voxel))
   {
-    voxels_of_segment_.resize(
-        1 + *std::max_element(segment_of_voxel.begin(), segment_of_voxel.end()));
-    for (std::uint32_t v = 0; v < voxels.size(); ++v)
-      if (!left_out[v])
-        voxels_of_segment_[segment_of_voxel[v]].push_back(v);
     for (const auto& members : voxels_of_segment_) {
       std::vector<std::pair<double, bool>> heights;
       for (const auto v : members)
@@ -175,14 +185,15 @@ private:
     const auto& members = voxels_of_segment_[segment];
     if (members.empty())
       return {};
-    const auto [bottom, top] = rangeOf(members, options_.up);
-    if (top - bottom + options_.voxel_size < options_.min_height)
+    const double top = profiles_[segment].top();
+    const double height = top - profiles_[segment].bottom();
+    if (height + options_.voxel_size < options_.min_height)
       return {};
     Upright upright;
     upright.along = longestLevel(members);
     const auto [front, back] = rangeOf(members, options_.up.cross(upright.along));
     if (back - front + options_.voxel_size > options_.max_thickness ||
-        back - front > top - bottom)
+        back - front > height)
       return {};
     std::tie(upright.first, upright.last) = rangeOf(members, upright.along);
     upright.top = top;
@@ -311,9 +322,8 @@ joinUprights(const SurfaceVoxels& voxels,
     return;
   const auto numbers =
       UprightJoiner(voxels, left_out, segment_of_voxel, options).joinedSegments();
-  for (std::size_t v = 0; v < voxels.size(); ++v)
-    if (!left_out[v])
-      segment_of_voxel[v] = numbers[segment_of_voxel[v]];
+  renumberSegments(
+      left_out, [&](auto s) { return numbers[s]; }, segment_of_voxel);
 }
 
 } // namespace indoor

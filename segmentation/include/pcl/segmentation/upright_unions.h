@@ -35,10 +35,11 @@ struct UprightUnionOptions {
  * rises little above it is a leg or an end board of that; and one that touches a level
  * segment of its own width is a back or a head board. No step of the thesis. The cost
  * is n log n in the number of voxels, and linear in those of each segment that an
- * upright may end. \param[in] voxels their normals tell what is level \param[in]
- * left_out one flag per voxel; segments of flagged voxels are not joined \param[in,out]
- * segment_of_voxel numbered from 0 \throws pcl::BadArgumentException if sizes differ or
- * an option is out of range
+ * upright may end.
+ * \param[in] voxels their normals tell what is level
+ * \param[in] left_out one flag per voxel; segments of flagged voxels are not joined
+ * \param[in,out] segment_of_voxel numbered from 0
+ * \throws pcl::BadArgumentException if sizes differ or an option is out of range
  */
 void
 joinUprights(const SurfaceVoxels& voxels,
