@@ -5,6 +5,7 @@
 #include <pcl/segmentation/enclosed_structure.h>
 
 #include "plane_frame.h"
+#include "wall_frames.h"
 
 #include <pcl/exceptions.h>
 
@@ -30,9 +31,7 @@ constexpr double cover = 1; // voxels: what is farther hides the plane
 /** Share of a segment that is across the plane: what lies along it is no closed object,
  * but a picture, or the double of a wall. */
 constexpr double min_across = 0.1;
-constexpr double cells_per_point = 20;  // with more, a segment is too sparse
-constexpr double max_frame_depth = 0.2; // metres
-constexpr double max_outliers = 0.05; // share of a frame's points that are farther off
+constexpr double cells_per_point = 20; // with more, a segment is too sparse
 
 /** The points of planes and of other segments, and the boxes around them. */
 struct Groups {
@@ -205,7 +204,7 @@ public:
       if (!reach_[plane].intersects(objects_.boxes[s]) || !touches(members, frame))
         continue;
       const auto others = planesAcross(plane, objects_.boxes[s]);
-      const bool is_frame = isThin(members, frame);
+      const bool is_frame = isThinAlong(planes_[plane], points_, members);
       for (const auto& side : project(members, frame)) {
         const auto cells = cellsEnclosedBy(side, is_frame, frame, others, voxel_size_);
         if (is_frame && countMembers(cells, members_of_cell) > max_opening_[plane])
@@ -224,17 +223,6 @@ private:
     return std::any_of(members.begin(), members.end(), [&](std::uint32_t i) {
       return std::abs(frame.heightOf(points_[i])) < touch;
     });
-  }
-
-  /** Nowhere far from the plane, as frames of doors and windows. */
-  bool
-  isThin(const Members& members, const PlaneFrame& frame) const
-  {
-    const auto far = std::count_if(members.begin(), members.end(), [&](auto i) {
-      return std::abs(frame.heightOf(points_[i])) * voxel_size_ > max_frame_depth;
-    });
-    return static_cast<double>(far) <=
-           max_outliers * static_cast<double>(members.size());
   }
 
   /** Those that a segment reaches, and that stand on the plane. */

@@ -5,6 +5,7 @@
 #include <pcl/segmentation/object_segmentation.h>
 
 #include "object_unions.h"
+#include "wall_frames.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_orientation.h>
@@ -235,6 +236,7 @@ segmentsOfPoints(const ObjectSegmentationInput& input,
                  const ObjectSegmentationOptions& options,
                  const SurfaceVoxels& voxels,
                  const std::vector<std::uint8_t>& in_plane,
+                 const std::vector<pcl::indoor::StructurePlane>& planes,
                  const std::vector<std::uint32_t>& segment_of_voxel)
 {
   std::vector<std::uint32_t> segments;
@@ -256,6 +258,8 @@ segmentsOfPoints(const ObjectSegmentationInput& input,
   left_out.reserve(input.points.size());
   for (const auto voxel : voxels.cells.cell_of_point)
     left_out.push_back(in_plane[voxel]);
+  pcl::indoor::leaveOutWallFrames(
+      input.points, planes, options.up, options.voxel_size, segments, left_out);
   if (options.separate_gaps) {
     pcl::indoor::ObjectGapOptions gaps;
     gaps.up = options.up;
@@ -342,8 +346,8 @@ segmentObjects(const ObjectSegmentationInput& input,
   labelRemainder(result.voxels.neighbors, firstFreeLabel(result), segment_of_voxel);
   if (options.partition == Partition::Graph)
     joinSegments(result.voxels, in_plane, planes, options, segment_of_voxel);
-  result.segment_of_point =
-      segmentsOfPoints(input, options, result.voxels, in_plane, segment_of_voxel);
+  result.segment_of_point = segmentsOfPoints(
+      input, options, result.voxels, in_plane, planes, segment_of_voxel);
   yieldEnclosed(input.points,
                 result.voxels,
                 planes,

@@ -18,6 +18,20 @@ namespace indoor {
 /** The points of a segment, by their indices. */
 using SegmentMembers = std::vector<std::uint32_t>;
 
+/** The points of each number of a segment, ascending; those that are left out do not
+ * count. REQUIRES: points. */
+inline std::vector<SegmentMembers>
+membersOfSegments(const std::vector<std::uint8_t>& left_out,
+                  const std::vector<std::uint32_t>& segment_of_point)
+{
+  std::vector<SegmentMembers> segments(
+      1 + *std::max_element(segment_of_point.begin(), segment_of_point.end()));
+  for (std::uint32_t i = 0; i < segment_of_point.size(); ++i)
+    if (!left_out[i])
+      segments[segment_of_point[i]].push_back(i);
+  return segments;
+}
+
 /** Cut a segment, and its parts, as long as cut_once returns more than one part. */
 template <typename CutOnce>
 std::vector<SegmentMembers>
@@ -45,11 +59,8 @@ partSegments(const std::vector<std::uint8_t>& left_out,
              const PartsOf& parts_of,
              std::vector<std::uint32_t>& segment_of_point)
 {
-  auto next = 1 + *std::max_element(segment_of_point.begin(), segment_of_point.end());
-  std::vector<SegmentMembers> segments(next);
-  for (std::uint32_t i = 0; i < segment_of_point.size(); ++i)
-    if (!left_out[i])
-      segments[segment_of_point[i]].push_back(i);
+  const auto segments = membersOfSegments(left_out, segment_of_point);
+  auto next = static_cast<std::uint32_t>(segments.size());
   std::vector<std::vector<SegmentMembers>> parts(segments.size());
   const auto count = static_cast<std::ptrdiff_t>(segments.size());
 #pragma omp parallel for schedule(dynamic, 1)                                          \

@@ -24,7 +24,7 @@ struct ObjectSeamOptions {
   /** the slices beside it hold at least this share of each other, from 0 to 1: the
    * segment goes on, on both sides */
   double balance = 0.5;
-  double min_side = 0.3;  ///< the segment reaches this far on both sides, metres (>= 0)
+  double min_side = 0.35; ///< the segment reaches this far on both sides, metres (>= 0)
   double cover = 0.3;     ///< share of the inside that a seam fills, from 0 to 1
   double min_depth = 2;   ///< of the inside, cells of a voxel (>= 0)
   unsigned min_cells = 8; ///< of a voxel that a seam fills there (>= 1)
