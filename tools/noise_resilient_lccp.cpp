@@ -24,7 +24,8 @@ struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "auto", camera = "auto";
   std::string orientation = "auto", structure = "auto", things = "auto", gaps = "auto",
-              seams = "auto", frames = "auto", racks = "auto", uprights = "auto";
+              seams = "auto", frames = "auto", racks = "auto", uprights = "auto",
+              shadows = "auto";
   double union_air = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
@@ -122,7 +123,12 @@ addShapes(OptionParser& parser, Settings& settings)
           settings.frames,
           "for -partition graph: jambs and heads of doors, bars of windows (z is up); "
           "auto: joined for rooms",
-          {"auto", "apart", "joined"});
+          {"auto", "apart", "joined"})
+      .text("-shadows",
+            settings.shadows,
+            "for -partition graph: fronts that the shadow of something before them "
+            "cuts in two (z is up); auto: joined for rooms",
+            {"auto", "apart", "joined"});
 }
 
 void
@@ -245,6 +251,8 @@ chosenOptions(const Settings& settings, bool organised)
                                                       : settings.uprights == "joined";
   options.join_frames =
       settings.frames == "auto" ? preset.join_frames : settings.frames == "joined";
+  options.join_shadowed =
+      settings.shadows == "auto" ? preset.join_shadowed : settings.shadows == "joined";
   options.max_union_air =
       settings.union_air < 0 ? preset.max_union_air : settings.union_air;
   options.adapt_to_resolution = !(settings.voxel_resolution > 0);

@@ -16,6 +16,7 @@
 #include <pcl/segmentation/object_gaps.h>
 #include <pcl/segmentation/object_seams.h>
 #include <pcl/segmentation/room_structure.h>
+#include <pcl/segmentation/shadow_unions.h>
 #include <pcl/segmentation/structure_contacts.h>
 
 #include <algorithm>
@@ -348,6 +349,13 @@ segmentObjects(const ObjectSegmentationInput& input,
     joinSegments(result.voxels, in_plane, planes, options, segment_of_voxel);
   result.segment_of_point = segmentsOfPoints(
       input, options, result.voxels, in_plane, planes, segment_of_voxel);
+  if (options.join_shadowed && options.partition == Partition::Graph) {
+    ShadowUnionOptions shadows;
+    shadows.voxel_size = options.voxel_size;
+    shadows.up = options.up;
+    joinAcrossShadows(
+        input.points, result.voxels, in_plane, shadows, result.segment_of_point);
+  }
   yieldEnclosed(input.points,
                 result.voxels,
                 planes,

@@ -113,6 +113,7 @@ singleViewOptions()
   options.join_frames = false;
   options.join_racks = false;
   options.join_uprights = false;
+  options.join_shadowed = false;
   return options;
 }
 

@@ -7,83 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::test;
-
-namespace {
-
-/** A wall (1) along x, into y, with the frame of a door (2) before it. */
-LabelledPoints
-frameAtWall()
-{
-  LabelledPoints scene;
-  std::mt19937 rng(9);
-  scene.addRectangle(
-      {0, 0, 0}, {3, 0, 0}, {0, 0, 2.5f}, {0, 1, 0}, 1, 0.015f, 0.003f, rng);
-  scene.removeIf([](const Eigen::Vector3f& p) { // the frame and the opening
-    return p.x() > 1 && p.x() < 2 && p.z() < 2.1f;
-  });
-  for (const float x : {1.0f, 1.92f})
-    scene.addBox({x, 0, 0}, {0.08f, 0.1f, 2}, 2, 0.012f, 0.003f, rng);
-  scene.addBox({0.97f, 0, 2.01f}, {1.06f, 0.14f, 0.09f}, 2, 0.012f, 0.003f, rng);
-  return scene;
-}
-
-/** Floor (3) and two walls (4, 5) before a wall that was turned by 30 degrees. */
-void
-addRoomBefore(LabelledPoints& scene)
-{
-  std::mt19937 rng(10);
-  const auto add = [&](const Eigen::Vector3f& corner,
-                       const Eigen::Vector3f& u,
-                       const Eigen::Vector3f& v,
-                       const Eigen::Vector3f& normal,
-                       std::uint32_t object) {
-    scene.addRectangle(corner, u, v, normal, object, 0.015f, 0.003f, rng);
-  };
-  const float width = 3 * std::cos(static_cast<float>(M_PI) / 6);
-  add({0, 0, 0}, {width, 0, 0}, {0, 4, 0}, {0, 0, 1}, 3);
-  scene.removeIf([](const Eigen::Vector3f& p) { // of the floor, what is behind the wall
-    return p.z() < 0.05f &&
-           p.y() < std::tan(static_cast<float>(M_PI) / 6) * p.x() - 0.05f;
-  });
-  add({0, 0, 0}, {0, 4, 0}, {0, 0, 2.5f}, {1, 0, 0}, 4);
-  add({0, 4, 0}, {width, 0, 0}, {0, 0, 2.5f}, {0, -1, 0}, 5);
-}
-
-/** Of the points of an object, the share that is in its largest segment. */
-double
-largestShareOf(std::uint32_t object, const LabelledPoints& scene, const Labels& labels)
-{
-  std::map<std::uint32_t, double> counts;
-  double all = 0, largest = 0;
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (scene.objects[i] == object) {
-      ++all;
-      largest = std::max(largest, ++counts[labels[i]]);
-    }
-  return largest / all;
-}
-
-Labels
-segmentedWithout(bool ObjectSegmentationOptions::*step, Segmentation& segmentation)
-{
-  auto options = segmentation.getOptions();
-  options.*step = false;
-  segmentation.setOptions(options);
-  Labels labels;
-  segmentation.segment(labels);
-  return labels;
-}
-
-} // namespace
 
 TEST(NoiseResilientLCCPUse, SmallInputs)
 {
@@ -214,144 +143,14 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_TRUE(segmentation.getOptions().join_frames);
   EXPECT_TRUE(segmentation.getOptions().join_racks);
   EXPECT_TRUE(segmentation.getOptions().join_uprights);
+  EXPECT_TRUE(segmentation.getOptions().join_shadowed);
   EXPECT_FALSE(singleViewOptions().join_uprights);
+  EXPECT_FALSE(singleViewOptions().join_shadowed);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
   EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_air, 5);
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
   EXPECT_EQ(segmentation.getPartition(), Segmentation::Partition::Graph);
   EXPECT_FALSE(segmentation.getInputNormals());
-}
-
-TEST(NoiseResilientLCCPUse, PartsABookFromTheBoxThatItLiesOn)
-{
-  auto scene = floorWithTwoBoxes();
-  for (std::size_t i = 0; i < scene.points.size(); ++i) {
-    auto& point = scene.points[i];
-    if (scene.objects[i] == 2 && point.z() > 0.58f && point.x() > 0.75f &&
-        point.x() < 1.05f && point.y() > 1 && point.y() < 1.2f) {
-      point.z() += 0.025f;
-      scene.objects[i] = 4;
-    }
-  }
-  Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setViewPoint(2, 1, 3);
-  Labels labels;
-  segmentation.segment(labels);
-  const auto errors = richtsfeldErrors(countOverlaps(scene.objects, labels));
-  EXPECT_LT(errors.over, 0.02);
-  EXPECT_LT(errors.under, 0.02);
-  auto options = segmentation.getOptions();
-  options.separate_things = false;
-  segmentation.setOptions(options);
-  segmentation.segment(labels);
-  EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.05);
-  options.up = {0, 0, 0};
-  segmentation.setOptions(options);
-  segmentation.segment(labels);
-  EXPECT_TRUE(labels.empty());
-}
-
-TEST(NoiseResilientLCCPUse, PartsBoxesAtANarrowGap)
-{
-  LabelledPoints scene;
-  std::mt19937 rng(7);
-  scene.addBox({0, 0, 0}, {0.8f, 0.5f, 0.7f}, 1, 0.012f, 0.003f, rng);
-  scene.addBox({0.83f, 0, 0}, {0.8f, 0.5f, 0.7f}, 2, 0.012f, 0.003f, rng);
-  scene.removeIf([](const Eigen::Vector3f& p) { // not seen
-    return p.x() > 0.79f && p.x() < 0.84f && p.y() > 0.02f && p.y() < 0.48f &&
-           p.z() < 0.68f;
-  });
-  Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setViewPoint(0.8f, -1, 2);
-  Labels labels;
-  segmentation.segment(labels);
-  EXPECT_LT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.01);
-  labels = segmentedWithout(&ObjectSegmentationOptions::separate_gaps, segmentation);
-  EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.2);
-}
-
-TEST(NoiseResilientLCCPUse, PartsCabinetsThatStandAgainstEachOther)
-{
-  LabelledPoints scene;
-  std::mt19937 rng(8);
-  for (const std::uint32_t cabinet : {1u, 2u})
-    scene.addBox({cabinet == 1 ? 0 : 0.608f, 0, 0},
-                 {0.6f, 0.6f, 0.87f},
-                 cabinet,
-                 0.012f,
-                 0.004f,
-                 rng);
-  scene.removeIf([](const Eigen::Vector3f& p) { // not seen
-    return p.y() > 0.58f ||
-           (p.x() > 0.5f && p.x() < 0.7f && p.y() > 0.3f && p.z() < 0.85f);
-  });
-  Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setViewPoint(0.6f, -2, 2);
-  Labels labels;
-  segmentation.segment(labels);
-  EXPECT_LT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.05);
-  labels = segmentedWithout(&ObjectSegmentationOptions::separate_seams, segmentation);
-  EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.5);
-}
-
-TEST(NoiseResilientLCCPUse, JoinsTheBoardsOfABookcase)
-{
-  LabelledPoints scene;
-  std::mt19937 rng(8);
-  for (const float z : {0.2f, 0.6f, 1.0f, 1.4f})
-    scene.addBox({0, 0, z}, {1, 0.35f, 0.02f}, 1, 0.012f, 0.003f, rng);
-  for (const float x : {-0.02f, 1.0f})
-    scene.addBox({x, 0, 0}, {0.02f, 0.35f, 1.6f}, 1, 0.012f, 0.003f, rng);
-  Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setViewPoint(-1, -3, 2);
-  auto labels =
-      segmentedWithout(&ObjectSegmentationOptions::join_uprights, segmentation);
-  const auto joined = richtsfeldErrors(countOverlaps(scene.objects, labels)).over;
-  labels = segmentedWithout(&ObjectSegmentationOptions::join_racks, segmentation);
-  const auto apart = richtsfeldErrors(countOverlaps(scene.objects, labels)).over;
-  EXPECT_GT(apart, 0.4);
-  EXPECT_LT(joined, 0.7 * apart);
-}
-
-TEST(NoiseResilientLCCPUse, JoinsTheEndBoardsOfADeskThatIsSeenFromBelow)
-{
-  LabelledPoints scene;
-  std::mt19937 rng(8);
-  const Eigen::Vector3f x(1.4f, 0, 0), y(0, 0.7f, 0), z(0, 0, 0.7f), right(1, 0, 0);
-  scene.addRectangle(z, x, y, {0, 0, -1}, 1, 0.012f, 0.002f, rng);
-  scene.addRectangle({0, 0, 0}, y, z, right, 1, 0.012f, 0.002f, rng);
-  scene.addRectangle(x, y, z, -right, 1, 0.012f, 0.002f, rng);
-  Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setInputNormals(normalsOf(scene));
-  Labels labels;
-  segmentation.segment(labels);
-  EXPECT_GT(largestShareOf(1, scene, labels), 0.97);
-  labels = segmentedWithout(&ObjectSegmentationOptions::join_uprights, segmentation);
-  EXPECT_LT(largestShareOf(1, scene, labels), 0.6);
-}
-
-TEST(NoiseResilientLCCPUse, JoinsTheFrameOfADoorInAWallThatStandsAskew)
-{
-  constexpr float angle = static_cast<float>(M_PI) / 6;
-  auto scene = frameAtWall();
-  scene.turn(Eigen::AngleAxisf(angle, Eigen::Vector3f::UnitZ()).toRotationMatrix());
-  addRoomBefore(scene);
-  Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setViewPoint(0.5f, 2, 1.4f);
-  auto options = segmentation.getOptions();
-  options.separate_gaps = false; // parts the jambs from a head that is so much deeper
-  segmentation.setOptions(options);
-  Labels labels;
-  segmentation.segment(labels);
-  EXPECT_GT(largestShareOf(2, scene, labels), 0.97);
-  labels = segmentedWithout(&ObjectSegmentationOptions::join_frames, segmentation);
-  EXPECT_LT(largestShareOf(2, scene, labels), 0.6);
 }
 
 TEST(NoiseResilientLCCPUse, TheThesisKeepsWallsInTheGraph)

@@ -44,7 +44,8 @@ struct ObjectSegmentationOptions {
   /** part bodies that stand against each other, see partAtSeams(); never for a single
    * camera */
   bool separate_seams = true;
-  /** against gravity, unit length; for flat things, gaps, seams, racks and frames */
+  /** against gravity, unit length; for flat things, gaps, seams and all that is joined
+   */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   unsigned normal_rings = 1; ///< reach of normals and curvature, voxels (>= 1)
   /** which way estimated normals are turned */
@@ -75,6 +76,9 @@ struct ObjectSegmentationOptions {
   /** join legs, end boards and backs to what they carry or end, see joinUprights(); for
    * Partition::Graph */
   bool join_uprights = true;
+  /** join the pieces of a front that a shadow cuts in two, see joinAcrossShadows(); for
+   * Partition::Graph */
+  bool join_shadowed = true;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
