@@ -235,11 +235,12 @@ firstFreeLabel(const ObjectSegmentation& result)
 std::vector<std::uint32_t>
 segmentsOfPoints(const ObjectSegmentationInput& input,
                  const ObjectSegmentationOptions& options,
-                 const SurfaceVoxels& voxels,
+                 const ObjectSegmentation& result,
                  const std::vector<std::uint8_t>& in_plane,
                  const std::vector<pcl::indoor::StructurePlane>& planes,
                  const std::vector<std::uint32_t>& segment_of_voxel)
 {
+  const auto& voxels = result.voxels;
   std::vector<std::uint32_t> segments;
   if (options.separate_things && !input.single_camera) {
     pcl::indoor::FlatThingOptions things;
@@ -255,12 +256,13 @@ segmentsOfPoints(const ObjectSegmentationInput& input,
   }
   if (input.single_camera || (!options.separate_gaps && !options.separate_seams))
     return segments;
-  std::vector<std::uint8_t> left_out;
-  left_out.reserve(input.points.size());
-  for (const auto voxel : voxels.cells.cell_of_point)
-    left_out.push_back(in_plane[voxel]);
-  pcl::indoor::leaveOutWallFrames(
-      input.points, planes, options.up, options.voxel_size, segments, left_out);
+  const auto left_out = pcl::indoor::flagStructureAndFrames(input.points,
+                                                            voxels,
+                                                            planes,
+                                                            result.plane_of_voxel,
+                                                            options.voxel_size,
+                                                            options.up,
+                                                            segments);
   if (options.separate_gaps) {
     pcl::indoor::ObjectGapOptions gaps;
     gaps.up = options.up;
@@ -347,14 +349,14 @@ segmentObjects(const ObjectSegmentationInput& input,
   labelRemainder(result.voxels.neighbors, firstFreeLabel(result), segment_of_voxel);
   if (options.partition == Partition::Graph)
     joinSegments(result.voxels, in_plane, planes, options, segment_of_voxel);
-  result.segment_of_point = segmentsOfPoints(
-      input, options, result.voxels, in_plane, planes, segment_of_voxel);
-  if (options.join_shadowed && options.partition == Partition::Graph) {
+  result.segment_of_point =
+      segmentsOfPoints(input, options, result, in_plane, planes, segment_of_voxel);
+  if (options.join_shadowed && options.partition == Partition::Graph &&
+      !input.single_camera) {
     ShadowUnionOptions shadows;
     shadows.voxel_size = options.voxel_size;
     shadows.up = options.up;
-    joinAcrossShadows(
-        input.points, result.voxels, in_plane, shadows, result.segment_of_point);
+    joinAcrossShadows(result.voxels, in_plane, shadows, result.segment_of_point);
   }
   yieldEnclosed(input.points,
                 result.voxels,

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace {
 
@@ -25,7 +26,7 @@ using pcl::indoor::ShadowUnionOptions;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr double max_tilt = 0.3; // of an upright plane, sine
+constexpr double max_tilt = 0.1; // of an upright plane, sine: 6 degrees
 
 /** Where something is on a level or upright axis. */
 struct Interval {
@@ -53,7 +54,6 @@ struct Interval {
 /** What a segment has of an upright plane. */
 struct Front {
   std::uint32_t segment = 0;
-  double area = 0; // square metres
   Interval along, height;
 };
 
@@ -96,15 +96,40 @@ private:
   double offset_ = 0;
 };
 
-/** The points that a segment has in a plane. */
+/** Cells of a voxel's size that are marked, each counted once. */
+class MarkedCells {
+public:
+  explicit MarkedCells(double cell_size)
+  : cell_size_(cell_size)
+  {}
+
+  void
+  mark(double along, double height)
+  {
+    cells_.emplace_back(std::floor(along / cell_size_),
+                        std::floor(height / cell_size_));
+  }
+
+  double
+  count()
+  {
+    std::sort(cells_.begin(), cells_.end());
+    cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
+    return static_cast<double>(cells_.size());
+  }
+
+private:
+  double cell_size_;
+  std::vector<std::pair<double, double>> cells_;
+};
+
+/** The voxels that a segment has in a plane. */
 struct Patch {
-  std::size_t voxels = 0;
-  std::uint32_t last_voxel = 0;
   std::vector<double> along, height;
 };
 
 Interval
-trimmed(std::vector<double>& places, double voxel_size)
+trimmed(std::vector<double> places, double voxel_size)
 {
   const Interval interval{quantile(places, outlier_share),
                           quantile(places, 1 - outlier_share)};
@@ -114,44 +139,35 @@ trimmed(std::vector<double>& places, double voxel_size)
 /** Finds fronts in planes, and what hides the gaps between them. */
 class ShadowFinder {
 public:
-  ShadowFinder(const std::vector<Eigen::Vector3f>& points,
-               const SurfaceVoxels& voxels,
+  ShadowFinder(const SurfaceVoxels& voxels,
                const std::vector<std::uint8_t>& left_out,
+               const std::vector<std::uint32_t>& segment_of_point,
                const ShadowUnionOptions& options)
-  : points_(points)
-  , voxels_(voxels)
+  : voxels_(voxels)
   , left_out_(left_out)
+  , segment_of_point_(segment_of_point)
   , options_(options)
   {}
 
   /** Those that are large and full enough, in the order of their segments. */
   std::vector<Front>
-  frontsIn(const StructurePlane& plane,
-           const PlaneView& view,
-           const std::vector<std::uint32_t>& segment_of_point) const
+  frontsIn(const StructurePlane& plane, const PlaneView& view) const
   {
     std::map<std::uint32_t, Patch> patches;
-    const auto& cells = voxels_.cells;
     for (const auto v : plane.voxels)
-      for (auto j = cells.offsets[v]; !left_out_[v] && j < cells.offsets[v + 1]; ++j) {
-        const auto& point = points_[cells.points[j]];
-        auto& patch = patches[segment_of_point[cells.points[j]]];
-        patch.voxels += patch.voxels == 0 || patch.last_voxel != v;
-        patch.last_voxel = v;
-        patch.along.push_back(view.along(point));
-        patch.height.push_back(view.height(point));
+      for (const auto segment : segmentsIn(v)) {
+        auto& patch = patches[segment];
+        patch.along.push_back(view.along(voxels_.centroids[v]));
+        patch.height.push_back(view.height(voxels_.centroids[v]));
       }
     std::vector<Front> fronts;
-    for (auto& [segment, patch] : patches) {
-      Front front;
-      front.segment = segment;
-      front.along = trimmed(patch.along, options_.voxel_size);
-      front.height = trimmed(patch.height, options_.voxel_size);
-      const double outline = front.along.length() * front.height.length();
-      const double area = static_cast<double>(patch.voxels) * cellArea();
+    for (const auto& [segment, patch] : patches) {
+      const Front front{segment,
+                        trimmed(patch.along, options_.voxel_size),
+                        trimmed(patch.height, options_.voxel_size)};
       if (front.along.length() >= options_.min_width &&
           front.height.length() >= options_.min_height &&
-          area >= options_.min_fill * outline)
+          filledShare(patch, front) >= options_.min_fill)
         fronts.push_back(front);
     }
     return fronts;
@@ -161,9 +177,11 @@ public:
   bool
   areOne(const Front& a, const Front& b, const PlaneView& view) const
   {
-    const double tolerance = options_.max_offset * options_.voxel_size;
-    if (std::abs(a.height.low - b.height.low) > tolerance ||
-        std::abs(a.height.high - b.height.high) > tolerance)
+    const Interval height{std::max(a.height.low, b.height.low),
+                          std::min(a.height.high, b.height.high)};
+    const double both =
+        std::max(a.height.high, b.height.high) - std::min(a.height.low, b.height.low);
+    if (height.length() < options_.min_overlap * both)
       return false;
     const Interval gap{std::min(a.along.high, b.along.high),
                        std::max(a.along.low, b.along.low)};
@@ -172,77 +190,111 @@ public:
         gap.length() > options_.max_gap ||
         gap.length() > options_.max_gap_share * width)
       return false;
-    const Interval height{std::max(a.height.low, b.height.low),
-                          std::min(a.height.high, b.height.high)};
-    return isHidden(gap, height, view);
+    return isHidden(gap, height, view, a.segment, b.segment);
   }
 
 private:
-  double
-  cellArea() const
+  /** The segments of a voxel's points; none if it is left out. */
+  std::vector<std::uint32_t>
+  segmentsIn(std::uint32_t voxel) const
   {
-    return options_.voxel_size * options_.voxel_size;
+    std::vector<std::uint32_t> segments;
+    const auto& cells = voxels_.cells;
+    for (auto j = cells.offsets[voxel];
+         !left_out_[voxel] && j < cells.offsets[voxel + 1];
+         ++j) {
+      const auto segment = segment_of_point_[cells.points[j]];
+      if (std::find(segments.begin(), segments.end(), segment) == segments.end())
+        segments.push_back(segment);
+    }
+    return segments;
   }
 
-  /** Nothing is seen in the gap or through it, but something before it. */
-  bool
-  isHidden(const Interval& gap, const Interval& height, const PlaneView& view) const
+  double
+  filledShare(const Patch& patch, const Front& front) const
   {
-    const double margin = 2 * options_.voxel_size;
-    const auto within = gap.widened(-options_.voxel_size);
-    const auto around = gap.widened(gap.length());
-    const auto level = height.widened(-margin);
+    MarkedCells cells(options_.voxel_size);
+    for (std::size_t i = 0; i < patch.along.size(); ++i)
+      cells.mark(patch.along[i], patch.height[i]);
+    return cells.count() / cellsIn(front.along, front.height);
+  }
+
+  double
+  cellsIn(const Interval& along, const Interval& height) const
+  {
+    return along.length() * height.length() /
+           (options_.voxel_size * options_.voxel_size);
+  }
+
+  /** Nothing is seen in the gap or through it, nor the sides of bodies beside it, but
+   * something before it that is not of the pieces. */
+  bool
+  isHidden(const Interval& gap,
+           const Interval& height,
+           const PlaneView& view,
+           std::uint32_t a,
+           std::uint32_t b) const
+  {
+    const double voxel = options_.voxel_size, margin = 2 * voxel;
+    const auto within = gap.widened(-voxel), beside = gap.widened(voxel),
+               around = gap.widened(gap.length()), level = height.widened(-margin);
     if (!(level.length() > 0))
       return false;
-    std::size_t filled = 0, seen = 0, hiding = 0;
-    for (const auto& centroid : voxels_.centroids) {
-      const double along = view.along(centroid), before = view.before(centroid);
-      if (!around.holds(along) || !level.holds(view.height(centroid)) ||
-          std::abs(before) > options_.reach)
+    MarkedCells filled(voxel), seen(voxel), hiding(voxel);
+    for (std::uint32_t v = 0; v < voxels_.size(); ++v) {
+      const auto& place = voxels_.centroids[v];
+      const double along = view.along(place), up = view.height(place),
+                   before = view.before(place);
+      if (!around.holds(along) || !level.holds(up) || std::abs(before) > options_.reach)
         continue;
-      filled += std::abs(before) < margin && within.holds(along);
-      seen += before <= -margin && within.holds(along);
-      hiding += before >= margin;
+      if (before >= margin) {
+        const auto segments = segmentsIn(v);
+        if (std::none_of(segments.begin(), segments.end(), [&](auto segment) {
+              return segment == a || segment == b;
+            }))
+          hiding.mark(along, up);
+      }
+      else if (before <= -margin && beside.holds(along))
+        seen.mark(along, up);
+      else if (before > -margin && within.holds(along))
+        filled.mark(along, up);
     }
-    const double cells = within.length() * level.length() / cellArea();
-    return static_cast<double>(filled) <= options_.max_filled * cells &&
-           static_cast<double>(seen) <= options_.max_seen * cells &&
-           static_cast<double>(hiding) >= options_.min_hiding * cells;
+    const double cells = cellsIn(within, level);
+    return filled.count() <= options_.max_filled * cells &&
+           seen.count() <= options_.max_seen * cells &&
+           hiding.count() >= options_.min_hiding * cells;
   }
 
-  const std::vector<Eigen::Vector3f>& points_;
   const SurfaceVoxels& voxels_;
   const std::vector<std::uint8_t>& left_out_;
+  const std::vector<std::uint32_t>& segment_of_point_;
   const ShadowUnionOptions& options_;
 };
 
 void
-requireValid(std::size_t point_count,
-             const SurfaceVoxels& voxels,
+requireValid(const SurfaceVoxels& voxels,
              std::size_t flag_count,
              std::size_t segment_count,
              const ShadowUnionOptions& options)
 {
-  if (voxels.cells.cell_of_point.size() != point_count ||
-      segment_count != point_count || flag_count != voxels.size() ||
-      voxels.normals.size() != voxels.size() ||
+  if (segment_count != voxels.cells.cell_of_point.size() ||
+      flag_count != voxels.size() || voxels.normals.size() != voxels.size() ||
       voxels.curvatures.size() != voxels.size())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        point_count << " points have " << segment_count << " segments, "
-                                    << voxels.cells.cell_of_point.size()
-                                    << " of them are in " << voxels.size()
-                                    << " voxels with " << flag_count << " flags, "
-                                    << voxels.normals.size() << " normals and "
-                                    << voxels.curvatures.size() << " curvatures.");
+                        voxels.cells.cell_of_point.size()
+                            << " points have " << segment_count << " segments, their "
+                            << voxels.size() << " voxels " << flag_count << " flags, "
+                            << voxels.normals.size() << " normals and "
+                            << voxels.curvatures.size() << " curvatures.");
   if (!(options.voxel_size > 0) || !(options.min_width >= 0) ||
-      !(options.min_height >= 0) || !(options.min_fill >= 0) ||
-      !(options.max_offset >= 0) || !(options.min_gap >= 2) ||
+      !(options.min_height >= 0) || !(options.min_fill >= 0 && options.min_fill <= 1) ||
+      !(options.min_overlap >= 0) || !(options.min_gap > 2) ||
       !(options.max_gap >= 0) || !(options.max_gap_share >= 0) ||
       !(options.max_filled >= 0) || !(options.max_seen >= 0) ||
       !(options.min_hiding >= 0) || !(options.reach >= 0) ||
       !(std::abs(options.up.norm() - 1) < 1e-3f))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "Shadows need positive sizes, a gap of at least two voxels, "
+                        "Shadows need positive sizes, a gap of more than two voxels, "
                         "shares of at least 0 and a unit vector up.");
 }
 
@@ -252,26 +304,24 @@ namespace pcl {
 namespace indoor {
 
 std::size_t
-joinAcrossShadows(const std::vector<Eigen::Vector3f>& points,
-                  const SurfaceVoxels& voxels,
+joinAcrossShadows(const SurfaceVoxels& voxels,
                   const std::vector<std::uint8_t>& left_out,
                   const ShadowUnionOptions& options,
                   std::vector<std::uint32_t>& segment_of_point)
 {
-  requireValid(
-      points.size(), voxels, left_out.size(), segment_of_point.size(), options);
-  if (points.empty())
+  requireValid(voxels, left_out.size(), segment_of_point.size(), options);
+  if (segment_of_point.empty())
     return 0;
   DisjointSets sets(
       1 + *std::max_element(segment_of_point.begin(), segment_of_point.end()));
-  const ShadowFinder finder(points, voxels, left_out, options);
+  const ShadowFinder finder(voxels, left_out, segment_of_point, options);
   std::size_t joined = 0;
   for (const auto& plane :
        growPlanes(voxels, options.voxel_size, RoomStructureOptions().flat_curvature)) {
     if (std::abs(plane.normal.dot(options.up.cast<double>())) > max_tilt)
       continue;
     const PlaneView view(plane, options.up, voxels);
-    const auto fronts = finder.frontsIn(plane, view, segment_of_point);
+    const auto fronts = finder.frontsIn(plane, view);
     for (std::size_t i = 0; i < fronts.size(); ++i)
       for (std::size_t j = i + 1; j < fronts.size(); ++j) {
         const auto a = sets.find(fronts[i].segment), b = sets.find(fronts[j].segment);
@@ -281,7 +331,7 @@ joinAcrossShadows(const std::vector<Eigen::Vector3f>& points,
         ++joined;
       }
   }
-  for (std::size_t i = 0; joined > 0 && i < points.size(); ++i)
+  for (std::size_t i = 0; joined > 0 && i < segment_of_point.size(); ++i)
     if (!left_out[voxels.cells.cell_of_point[i]])
       segment_of_point[i] = sets.find(segment_of_point[i]);
   return joined;

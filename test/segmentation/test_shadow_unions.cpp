@@ -73,8 +73,7 @@ joined(const LabelledPoints& scene, const ShadowUnionOptions& options = {})
     if (scene.objects[i] >= left_out_from)
       left_out[voxels.cells.cell_of_point[i]] = 1;
   auto segments = scene.objects;
-  const auto count =
-      joinAcrossShadows(scene.points, voxels, left_out, options, segments);
+  const auto count = joinAcrossShadows(voxels, left_out, options, segments);
   EXPECT_EQ(segmentCount(segments) + count, segmentCount(scene.objects));
   return segments;
 }
@@ -115,9 +114,12 @@ TEST(ShadowUnions, StandAtAnyAngleAndFollowUp)
     EXPECT_TRUE(isJoined(scene, options)) << angle;
     options.up = turn.col(1);
     EXPECT_FALSE(isJoined(scene, options)) << "a level surface";
-    const Eigen::AngleAxisf lean(0.5f, turn.col(0)); // 29 degrees
-    options.up = lean * turn.col(2);
-    EXPECT_FALSE(isJoined(scene, options)) << "a desk";
+    const auto leaning = [&](float by) {
+      options.up = Eigen::AngleAxisf(by, turn.col(0)) * turn.col(2);
+      return isJoined(scene, options);
+    };
+    EXPECT_TRUE(leaning(0.05f));  // 3 degrees
+    EXPECT_FALSE(leaning(0.15f)); // 9 degrees
   }
 }
 
@@ -139,6 +141,17 @@ TEST(ShadowUnions, NeedSomethingBeforeTheGap)
   scene = pieces();
   addFront(scene, 0.4f, 0.75f, -0.5f, 0, 0.1f, 3);
   EXPECT_FALSE(isJoined(scene)) << "too little";
+  scene = pieces();
+  std::mt19937 rng(4);
+  scene.addRectangle({0.3f, -0.9f, 0.4f},
+                     {0.6f, 0, 0},
+                     {0, 0.7f, 0},
+                     Eigen::Vector3f::UnitZ(),
+                     3,
+                     0.012f,
+                     0.002f,
+                     rng);
+  EXPECT_FALSE(isJoined(scene)) << "a level board, which hides a line";
 }
 
 TEST(ShadowUnions, AreNotWhereOneSeesThroughTheGap)
@@ -154,19 +167,57 @@ TEST(ShadowUnions, AreNotWhereOneSeesThroughTheGap)
   EXPECT_FALSE(isJoined(scene)) << "another thing between them";
 }
 
-TEST(ShadowUnions, NeedEdgesAtTheSameHeights)
+/** The side of a body that begins at the front. */
+void
+addSide(LabelledPoints& scene, float x, float y0, float y1, std::uint32_t object)
 {
-  for (const float step : {0.02f, -0.02f, 0.07f, -0.07f}) {
-    LabelledPoints higher, shifted;
-    for (auto* scene : {&higher, &shifted}) {
-      addFront(*scene, 0, 0.5f, 0, 0, 0.6f, 1);
-      const float low = scene == &higher ? 0 : step;
-      addFront(*scene, 0.7f, 1.2f, 0, low, 0.6f + (scene == &higher ? step : 0), 2);
-      addFront(*scene, 0.4f, 0.75f, -0.5f, 0, 0.6f, 3);
-    }
-    EXPECT_EQ(isJoined(higher), std::abs(step) < voxel_size) << step;
-    EXPECT_EQ(isJoined(shifted), std::abs(step) < voxel_size) << step;
+  std::mt19937 rng(2);
+  scene.addRectangle({x, y0, 0},
+                     {0, y1 - y0, 0},
+                     {0, 0, 0.6f},
+                     Eigen::Vector3f::UnitX(),
+                     object,
+                     0.012f,
+                     0.002f,
+                     rng);
+}
+
+TEST(ShadowUnions, AreNotBetweenBodiesWhoseSidesAreSeen)
+{
+  for (const float x : {0.5f, 0.7f}) {
+    auto scene = shadowedFront();
+    addSide(scene, x, 0, 0.5f, x < 0.6f ? 1 : 2);
+    EXPECT_FALSE(isJoined(scene)) << x;
   }
+}
+
+TEST(ShadowUnions, AreNotCastByThePiecesThemselves)
+{
+  for (const std::uint32_t piece : {1u, 2u}) { // the back of an open bookcase
+    auto scene = pieces();
+    const float x = piece == 1 ? 0.35f : 0.7f;
+    addSide(scene, x, -0.3f, 0, piece);
+    addSide(scene, x + 0.15f, -0.3f, 0, piece);
+    addFront(scene, x, x + 0.15f, -0.3f, 0, 0.6f, piece);
+    EXPECT_FALSE(isJoined(scene)) << piece;
+  }
+}
+
+TEST(ShadowUnions, NeedTheSameHeight)
+{
+  const auto cut = [](float low, float high) {
+    LabelledPoints scene;
+    addFront(scene, 0, 0.5f, 0, 0, 0.6f, 1);
+    addFront(scene, 0.7f, 1.2f, 0, low, high, 2);
+    addFront(scene, 0.4f, 0.75f, -0.5f, 0, 0.6f, 3);
+    return isJoined(scene);
+  };
+  EXPECT_TRUE(cut(0, 0.7f));
+  EXPECT_FALSE(cut(0, 0.8f)) << "higher";
+  EXPECT_TRUE(cut(0, 0.53f));
+  EXPECT_FALSE(cut(0, 0.43f)) << "lower";
+  EXPECT_TRUE(cut(0.05f, 0.65f));
+  EXPECT_FALSE(cut(0.1f, 0.7f)) << "shifted";
 }
 
 TEST(ShadowUnions, NeedOnePlane)
@@ -260,7 +311,7 @@ TEST(ShadowUnions, RefuseWrongInput)
   for (const auto option : {&Options::min_width,
                             &Options::min_height,
                             &Options::min_fill,
-                            &Options::max_offset,
+                            &Options::min_overlap,
                             &Options::max_gap,
                             &Options::max_gap_share,
                             &Options::max_filled,
@@ -271,16 +322,27 @@ TEST(ShadowUnions, RefuseWrongInput)
     refuses(option, std::numeric_limits<double>::quiet_NaN());
   }
   ShadowUnionOptions options;
+  refuses(&Options::min_fill, 1.1);
   options.up = {0, 0, 2};
   EXPECT_THROW(joined(scene, options), pcl::BadArgumentException);
   auto voxels = surfaceVoxels(scene.points, {}, voxel_size);
-  std::vector<std::uint8_t> flags(voxels.size(), 0);
+  averageNormals(scene.normals, voxels);
+  voxels.curvatures.assign(voxels.size(), 0);
+  const std::vector<std::uint8_t> flags(voxels.size(), 0);
   auto segments = scene.objects;
-  EXPECT_THROW(joinAcrossShadows(scene.points, voxels, flags, {}, segments),
-               pcl::BadArgumentException)
-      << "no normals";
+  EXPECT_EQ(joinAcrossShadows(voxels, flags, {}, segments), 1u);
   segments.pop_back();
-  EXPECT_THROW(joinAcrossShadows(scene.points, voxels, flags, {}, segments),
+  EXPECT_THROW(joinAcrossShadows(voxels, flags, {}, segments),
+               pcl::BadArgumentException);
+  segments.push_back(0);
+  EXPECT_THROW(joinAcrossShadows(voxels, {}, {}, segments), pcl::BadArgumentException);
+  auto wrong = voxels;
+  wrong.curvatures.clear();
+  EXPECT_THROW(joinAcrossShadows(wrong, flags, {}, segments),
+               pcl::BadArgumentException);
+  wrong = voxels;
+  wrong.normals.clear();
+  EXPECT_THROW(joinAcrossShadows(wrong, flags, {}, segments),
                pcl::BadArgumentException);
 }
 

@@ -77,7 +77,7 @@ struct ObjectSegmentationOptions {
    * Partition::Graph */
   bool join_uprights = true;
   /** join the pieces of a front that a shadow cuts in two, see joinAcrossShadows(); for
-   * Partition::Graph */
+   * Partition::Graph, never for a single camera */
   bool join_shadowed = true;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
