@@ -59,7 +59,8 @@ segmentOurs(const Cloud::Ptr& cloud,
   return labels;
 }
 
-/** Upstream at its example's defaults and tuned, ours by LCCP's partition, and ours. */
+/** Upstream at its example's defaults and tuned, ours by other partitions, and ours; of
+ * rooms also with the preset for laser scans. */
 std::vector<Method>
 methodsFor(bool single_view, const Settings& settings)
 {
@@ -81,16 +82,22 @@ methodsFor(bool single_view, const Settings& settings)
     return
         [options](const Cloud::Ptr& cloud) { return segmentUpstream(*cloud, options); };
   };
-  const auto own = [ours, settings](Partition partition) {
-    return [ours, settings, partition](const Cloud::Ptr& cloud) {
-      return segmentOurs(cloud, ours, settings, partition);
+  const auto own = [settings](const ObjectSegmentationOptions& options,
+                              Partition partition) {
+    return [options, settings, partition](const Cloud::Ptr& cloud) {
+      return segmentOurs(cloud, options, settings, partition);
     };
   };
-  return {{"LCCP, example's defaults", true, upstream(plain), {}},
-          {"LCCP, tuned", true, upstream(tuned), {}},
-          {"ours + LCCP", true, own(Partition::Lccp), {}},
-          {"ours + Felzenszwalb", false, own(Partition::FelzenszwalbHuttenlocher), {}},
-          {"ours", true, own(Partition::Graph), {}}};
+  const auto thesis = Partition::FelzenszwalbHuttenlocher;
+  std::vector<Method> methods{{"LCCP, example's defaults", true, upstream(plain), {}},
+                              {"LCCP, tuned", true, upstream(tuned), {}},
+                              {"ours + LCCP", true, own(ours, Partition::Lccp), {}},
+                              {"ours + Felzenszwalb", false, own(ours, thesis), {}},
+                              {"ours", true, own(ours, Partition::Graph), {}}};
+  if (!single_view)
+    methods.push_back(
+        {"ours, laser_scan", false, own(laserScanOptions(), Partition::Graph), {}});
+  return methods;
 }
 
 nlohmann::json

@@ -59,9 +59,10 @@ addLengths(OptionParser& parser, Settings& settings)
       .text(
           "-preset",
           settings.preset,
-          "defaults for what was scanned; auto: single_view if the input is organised; "
-          "thesis: the graph segmentation of the thesis with its parameters",
-          {"auto", "room", "single_view", "thesis"})
+          "defaults for what was scanned; auto: single_view if the input is organised, "
+          "else room; laser_scan: fewer and larger segments of a room; thesis: the "
+          "graph segmentation of the thesis with its parameters",
+          {"auto", "room", "laser_scan", "single_view", "thesis"})
       .number("-voxel_resolution",
               settings.voxel_resolution,
               withPresets("edge of a voxel", room.voxel_size, view.voxel_size) +
@@ -213,6 +214,8 @@ presetOptions(const std::string& preset, bool organised)
 {
   if (preset == "thesis")
     return pcl::indoor::thesisOptions();
+  if (preset == "laser_scan")
+    return pcl::indoor::laserScanOptions();
   if (preset == "single_view" || (preset == "auto" && organised))
     return pcl::indoor::singleViewOptions();
   return {};

@@ -118,6 +118,15 @@ singleViewOptions()
 }
 
 ObjectSegmentationOptions
+laserScanOptions()
+{
+  ObjectSegmentationOptions options;
+  options.separate_things = false;
+  options.min_segment_size = 6;
+  return options;
+}
+
+ObjectSegmentationOptions
 thesisOptions()
 {
   ObjectSegmentationOptions options;

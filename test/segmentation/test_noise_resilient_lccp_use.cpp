@@ -146,6 +146,10 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_TRUE(segmentation.getOptions().join_shadowed);
   EXPECT_FALSE(singleViewOptions().join_uprights);
   EXPECT_FALSE(singleViewOptions().join_shadowed);
+  EXPECT_FALSE(laserScanOptions().separate_things);
+  EXPECT_EQ(laserScanOptions().min_segment_size, 6u);
+  EXPECT_EQ(laserScanOptions().join_uprights,
+            ObjectSegmentationOptions().join_uprights);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
   EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_air, 5);
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);

@@ -127,6 +127,17 @@ TEST_F(ToolResults, NoiseResilientLccpKeepsWallsApartUnlessToldOtherwise)
   EXPECT_EQ(results.size(), 3u); // the first two are the same
 }
 
+TEST_F(ToolResults, NoiseResilientLccpPresetsSetTheirOptions)
+{
+  pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
+  const auto objects = [&](const std::string& options) {
+    run("pcl_noise_resilient_lccp", path("in.pcd") + " " + path("out.pcd") + options);
+    return readLabels(loadCloud(path("out.pcd")), "object");
+  };
+  EXPECT_EQ(objects(" -preset laser_scan"), objects(" -things joined -min_segment 6"));
+  EXPECT_EQ(objects(" -preset room"), objects(""));
+}
+
 TEST_F(ToolResults, PipelineNumbersObjectsThroughTheRooms)
 {
   pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());

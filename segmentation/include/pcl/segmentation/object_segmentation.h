@@ -89,6 +89,13 @@ struct ObjectSegmentationOptions {
   unsigned threads = 0; ///< 0 = automatic; the result does not depend on it
 };
 
+/** \brief Fewer and larger segments, for laser scans of rooms full of things, whose
+ * surfaces undulate with the noise and the registration: flat things stay with what
+ * they lie on, and C = 6. There is less oversegmentation, and more undersegmentation.
+ */
+ObjectSegmentationOptions
+laserScanOptions();
+
 /** \brief The thesis's own choice: its graph segmentation with C = 3, and no more.
  */
 ObjectSegmentationOptions
