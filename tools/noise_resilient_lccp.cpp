@@ -239,23 +239,18 @@ chosenOptions(const Settings& settings, bool organised)
   options.plane_tolerance = preset.plane_tolerance;
   options.min_segment_size =
       settings.min_segment > 0 ? settings.min_segment : preset.min_segment_size;
-  options.separate_structure = settings.structure == "auto"
-                                   ? preset.separate_structure
-                                   : settings.structure == "apart";
-  options.separate_things =
-      settings.things == "auto" ? preset.separate_things : settings.things == "apart";
-  options.separate_gaps =
-      settings.gaps == "auto" ? preset.separate_gaps : settings.gaps == "apart";
-  options.separate_seams =
-      settings.seams == "auto" ? preset.separate_seams : settings.seams == "apart";
-  options.join_racks =
-      settings.racks == "auto" ? preset.join_racks : settings.racks == "joined";
-  options.join_uprights = settings.uprights == "auto" ? preset.join_uprights
-                                                      : settings.uprights == "joined";
-  options.join_frames =
-      settings.frames == "auto" ? preset.join_frames : settings.frames == "joined";
-  options.join_shadowed =
-      settings.shadows == "auto" ? preset.join_shadowed : settings.shadows == "joined";
+  const auto is = [](const std::string& given, const char* word, bool of_preset) {
+    return given == "auto" ? of_preset : given == word;
+  };
+  options.separate_structure =
+      is(settings.structure, "apart", preset.separate_structure);
+  options.separate_things = is(settings.things, "apart", preset.separate_things);
+  options.separate_gaps = is(settings.gaps, "apart", preset.separate_gaps);
+  options.separate_seams = is(settings.seams, "apart", preset.separate_seams);
+  options.join_racks = is(settings.racks, "joined", preset.join_racks);
+  options.join_uprights = is(settings.uprights, "joined", preset.join_uprights);
+  options.join_frames = is(settings.frames, "joined", preset.join_frames);
+  options.join_shadowed = is(settings.shadows, "joined", preset.join_shadowed);
   options.max_union_air =
       settings.union_air < 0 ? preset.max_union_air : settings.union_air;
   options.adapt_to_resolution = !(settings.voxel_resolution > 0);

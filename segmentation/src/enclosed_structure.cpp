@@ -5,6 +5,7 @@
 #include <pcl/segmentation/enclosed_structure.h>
 
 #include "plane_frame.h"
+#include "point_groups.h"
 #include "wall_frames.h"
 
 #include <pcl/exceptions.h>
@@ -21,10 +22,11 @@ namespace {
 using pcl::indoor::PlaneCell;
 using pcl::indoor::PlaneFrame;
 using pcl::indoor::PlaneShadow;
+using pcl::indoor::PointGroups;
 using pcl::indoor::StructurePlane;
 
-using Members = std::vector<std::uint32_t>; // indices of points
-using Box = Eigen::AlignedBox3f;
+using Members = pcl::indoor::SegmentMembers;
+using Box = pcl::indoor::PointBox;
 
 constexpr double touch = 2; // voxels from a plane: what is nearer touches it
 constexpr double cover = 1; // voxels: what is farther hides the plane
@@ -32,31 +34,6 @@ constexpr double cover = 1; // voxels: what is farther hides the plane
  * but a picture, or the double of a wall. */
 constexpr double min_across = 0.1;
 constexpr double cells_per_point = 20; // with more, a segment is too sparse
-
-/** The points of planes and of other segments, and the boxes around them. */
-struct Groups {
-  std::vector<Members> members;
-  std::vector<Box> boxes;
-
-  explicit Groups(std::size_t count)
-  : members(count)
-  , boxes(count)
-  {}
-
-  void
-  add(std::uint32_t group, std::uint32_t index, const Eigen::Vector3f& point)
-  {
-    members[group].push_back(index);
-    boxes[group].extend(point);
-  }
-};
-
-Box
-widened(Box box, double by)
-{
-  const Eigen::Vector3f margin = Eigen::Vector3f::Constant(static_cast<float>(by));
-  return Box(box.min() - margin, box.max() + margin);
-}
 
 /** The plane ends where others begin, which stand on it. */
 void
@@ -71,7 +48,7 @@ markEnds(const PlaneFrame& frame,
     const auto side = frame.sideOf(other->normal);
     for (auto row = low[1]; row <= high[1]; ++row)
       for (auto column = low[0]; column <= high[0]; ++column)
-        if (std::abs(other->normal.dot(frame.placeOf({column, row})) - other->offset) <
+        if (std::abs(other->heightOf(frame.placeOf({column, row}))) <
             touch * voxel_size)
           shadow.end({column, row}, side);
   }
@@ -158,7 +135,7 @@ countMembers(const std::vector<PlaneCell>& cells, const MembersOfCell& members_o
 }
 
 Members
-smallestFirst(const Groups& objects)
+smallestFirst(const PointGroups& objects)
 {
   Members order;
   for (std::uint32_t s = 0; s < objects.members.size(); ++s)
@@ -176,8 +153,8 @@ public:
   EnclosureFinder(const std::vector<Eigen::Vector3f>& points,
                   const pcl::indoor::SurfaceVoxels& voxels,
                   const std::vector<StructurePlane>& planes,
-                  const Groups& structure,
-                  const Groups& objects,
+                  const PointGroups& structure,
+                  const PointGroups& objects,
                   double voxel_size)
   : points_(points)
   , voxels_(voxels)
@@ -187,7 +164,7 @@ public:
   , voxel_size_(voxel_size)
   {
     for (const auto& box : structure.boxes)
-      reach_.push_back(widened(box, touch * voxel_size));
+      reach_.push_back(pcl::indoor::widened(box, touch * voxel_size));
     for (const auto& members : structure.members)
       max_opening_.push_back(members.size() / 2);
   }
@@ -258,7 +235,7 @@ private:
   const std::vector<Eigen::Vector3f>& points_;
   const pcl::indoor::SurfaceVoxels& voxels_;
   const std::vector<StructurePlane>& planes_;
-  const Groups& objects_;
+  const PointGroups& objects_;
   Members smallest_first_;
   double voxel_size_;
   std::vector<Box> reach_;               // of the planes
@@ -291,22 +268,16 @@ yieldEnclosed(const std::vector<Eigen::Vector3f>& points,
                             << voxels.normals.size() << " normals.");
   if (points.empty() || planes.empty())
     return 0;
-  Groups objects(1 +
-                 *std::max_element(segment_of_point.begin(), segment_of_point.end()));
-  Groups structure(planes.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const auto plane = plane_of_voxel[voxel_of_point[i]];
-    if (plane == 0)
-      objects.add(segment_of_point[i], i, points[i]);
-    else
-      structure.add(plane - 1, i, points[i]);
-  }
-  const EnclosureFinder finder(points, voxels, planes, structure, objects, voxel_size);
+  const auto groups =
+      groupPoints(points, voxels, planes.size(), plane_of_voxel, segment_of_point);
+  const EnclosureFinder finder(
+      points, voxels, planes, groups.planes, groups.objects, voxel_size);
   const auto axes = axesOf(planes);
   std::size_t yielded = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const PlaneFrame frame(planes[p], axes, voxel_size);
-    const auto members_of_cell = membersOfCells(points, structure.members[p], frame);
+    const auto members_of_cell =
+        membersOfCells(points, groups.planes.members[p], frame);
     for (const auto& [cell, segment] :
          finder.segmentsAround(p, frame, members_of_cell)) {
       const auto members = members_of_cell.find(cell);

@@ -7,7 +7,7 @@
 #include "ground_frame.h"
 #include "height_map.h"
 #include "quantile.h"
-#include "segment_boxes.h"
+#include "segment_members.h"
 
 #include <pcl/exceptions.h>
 
@@ -233,7 +233,7 @@ partFlatThings(const std::vector<Eigen::Vector3f>& points,
     segment_of_point[i] = segment_of_voxel[voxels.cells.cell_of_point[i]];
   if (voxels.size() == 0)
     return segment_of_point;
-  const auto members = voxelsOfSegments(left_out, segment_of_voxel);
+  const auto members = membersOfSegments(left_out, segment_of_voxel);
   auto next = static_cast<std::uint32_t>(members.size());
   const ThingFinder finder(points, voxels, options);
   for (const auto& segment : members) {

@@ -5,6 +5,7 @@
 #include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/frame_unions.h>
 
+#include "interval.h"
 #include "segment_boxes.h"
 
 #include <pcl/exceptions.h>
@@ -16,6 +17,7 @@
 namespace {
 
 using pcl::indoor::FrameUnionOptions;
+using pcl::indoor::Interval;
 using pcl::indoor::SurfaceVoxels;
 
 /** A segment, and of a frame of which thin axis it may be a part. */
@@ -51,11 +53,9 @@ areOneFrame(const Piece& a, const Piece& b, const FrameUnionOptions& options)
   for (int axis = 0; axis < 3; ++axis) {
     if (!a.is_part[axis] || !b.is_part[axis])
       continue;
-    const double common = std::min(a.box.high[axis], b.box.high[axis]) -
-                          std::max(a.box.low[axis], b.box.low[axis]);
-    const double both = std::max(a.box.high[axis], b.box.high[axis]) -
-                        std::min(a.box.low[axis], b.box.low[axis]);
-    if (common >= options.min_overlap * both)
+    const Interval layer_a{a.box.low[axis], a.box.high[axis]},
+        layer_b{b.box.low[axis], b.box.high[axis]};
+    if (commonShare(layer_a, layer_b) >= options.min_overlap)
       return true;
   }
   return false;

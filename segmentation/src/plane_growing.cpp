@@ -46,12 +46,6 @@ struct PositionSums {
   }
 };
 
-double
-distanceTo(const StructurePlane& plane, const Eigen::Vector3d& position)
-{
-  return std::abs(plane.normal.dot(position) - plane.offset);
-}
-
 /** Grow one region from a voxel; the plane is fitted anew whenever it has doubled. */
 StructurePlane
 growRegion(const SurfaceVoxels& voxels,
@@ -81,7 +75,7 @@ growRegion(const SurfaceVoxels& voxels,
       const auto other = voxels.neighbors.targets[j];
       const double cosine = voxels.normals[other].cast<double>().dot(plane.normal);
       if (taken[other] || std::abs(cosine) < region_cosine ||
-          distanceTo(plane, place(other)) > tolerance)
+          std::abs(plane.heightOf(place(other))) > tolerance)
         continue;
       taken[other] = 1;
       plane.voxels.push_back(other);
@@ -119,7 +113,7 @@ uniteCoplanar(const SurfaceVoxels& voxels,
     middle /= static_cast<double>(region.voxels.size());
     const auto same = std::find_if(sheets.begin(), sheets.end(), [&](const auto& s) {
       return s.normal.dot(region.normal) > sheet_cosine &&
-             distanceTo(s, middle) < tolerance;
+             std::abs(s.heightOf(middle)) < tolerance;
     });
     if (same == sheets.end())
       sheets.push_back(region);

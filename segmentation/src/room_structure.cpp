@@ -250,9 +250,8 @@ pointsOfStructure(const std::vector<Eigen::Vector3f>& points,
     for (const auto v : withSurroundings(voxels, plane))
       for (auto i = voxels.cells.offsets[v]; i < voxels.cells.offsets[v + 1]; ++i) {
         const auto point = voxels.cells.points[i];
-        const double distance =
-            plane.normal.dot(points[point].cast<double>()) - plane.offset;
-        if (plane_of_point[point] == 0 && std::abs(distance) <= tolerance)
+        if (plane_of_point[point] == 0 &&
+            std::abs(plane.heightOf(points[point].cast<double>())) <= tolerance)
           plane_of_point[point] = static_cast<std::uint32_t>(p + 1);
       }
   }

@@ -4,7 +4,8 @@
  */
 #include "segment_boxes.h"
 
-#include "quantile.h"
+#include "interval.h"
+#include "segment_members.h"
 
 #include <pcl/exceptions.h>
 
@@ -25,18 +26,6 @@ requireOnePerVoxel(const SurfaceVoxels& voxels,
                             << segment_of_voxel.size() << " segments.");
 }
 
-std::vector<std::vector<std::uint32_t>>
-voxelsOfSegments(const std::vector<std::uint8_t>& left_out,
-                 const std::vector<std::uint32_t>& segment_of_voxel)
-{
-  std::vector<std::vector<std::uint32_t>> voxels(
-      1 + *std::max_element(segment_of_voxel.begin(), segment_of_voxel.end()));
-  for (std::uint32_t v = 0; v < segment_of_voxel.size(); ++v)
-    if (!left_out[v])
-      voxels[segment_of_voxel[v]].push_back(v);
-  return voxels;
-}
-
 std::vector<SegmentBox>
 segmentBoxes(const SurfaceVoxels& voxels,
              const std::vector<std::uint8_t>& left_out,
@@ -44,7 +33,7 @@ segmentBoxes(const SurfaceVoxels& voxels,
              const Eigen::Matrix3f& axes,
              double voxel_size)
 {
-  const auto members = voxelsOfSegments(left_out, segment_of_voxel);
+  const auto members = membersOfSegments(left_out, segment_of_voxel);
   std::vector<SegmentBox> boxes(members.size());
   std::vector<double> heights;
   for (std::size_t s = 0; s < members.size(); ++s) {
@@ -53,8 +42,9 @@ segmentBoxes(const SurfaceVoxels& voxels,
       heights.clear();
       for (const auto v : members[s])
         heights.push_back(axes.col(axis).dot(voxels.centroids[v]));
-      boxes[s].low[axis] = quantile(heights, outlier_share) - voxel_size / 2;
-      boxes[s].high[axis] = quantile(heights, 1 - outlier_share) + voxel_size / 2;
+      const auto range = trimmedRange(heights).widened(voxel_size / 2);
+      boxes[s].low[axis] = range.low;
+      boxes[s].high[axis] = range.high;
     }
   }
   return boxes;

@@ -22,12 +22,6 @@ requireOnePerVoxel(const SurfaceVoxels& voxels,
                    const std::vector<std::uint8_t>& left_out,
                    const std::vector<std::uint32_t>& segment_of_voxel);
 
-/** The voxels of each number of a segment, ascending; flagged ones do not count.
- * REQUIRES: voxels. */
-std::vector<std::vector<std::uint32_t>>
-voxelsOfSegments(const std::vector<std::uint8_t>& left_out,
-                 const std::vector<std::uint32_t>& segment_of_voxel);
-
 /** Give the voxels of segments that were joined the same number.
  * \param[in] number_of the number for that of a segment; flagged voxels keep theirs */
 template <typename NumberOf>
@@ -40,9 +34,6 @@ renumberSegments(const std::vector<std::uint8_t>& left_out,
     if (!left_out[v])
       segment_of_voxel[v] = number_of(segment_of_voxel[v]);
 }
-
-/** Share of a segment's voxels that is cut off at either end. */
-constexpr double outlier_share = 0.03;
 
 /** The box of a segment along three axes, without its outermost voxels. */
 struct SegmentBox {

@@ -4,9 +4,9 @@
  */
 #pragma once
 
+#include "segment_members.h"
 #include "thread_count.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <iterator>
 #include <utility>
@@ -14,23 +14,6 @@
 
 namespace pcl {
 namespace indoor {
-
-/** The points of a segment, by their indices. */
-using SegmentMembers = std::vector<std::uint32_t>;
-
-/** The points of each number of a segment, ascending; those that are left out do not
- * count. REQUIRES: points. */
-inline std::vector<SegmentMembers>
-membersOfSegments(const std::vector<std::uint8_t>& left_out,
-                  const std::vector<std::uint32_t>& segment_of_point)
-{
-  std::vector<SegmentMembers> segments(
-      1 + *std::max_element(segment_of_point.begin(), segment_of_point.end()));
-  for (std::uint32_t i = 0; i < segment_of_point.size(); ++i)
-    if (!left_out[i])
-      segments[segment_of_point[i]].push_back(i);
-  return segments;
-}
 
 /** Cut a segment, and its parts, as long as cut_once returns more than one part. */
 template <typename CutOnce>

@@ -5,9 +5,8 @@
 #include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/shadow_unions.h>
 
+#include "interval.h"
 #include "plane_growing.h"
-#include "quantile.h"
-#include "segment_boxes.h"
 
 #include <pcl/exceptions.h>
 
@@ -20,36 +19,12 @@
 
 namespace {
 
-using pcl::indoor::outlier_share;
-using pcl::indoor::quantile;
+using pcl::indoor::Interval;
 using pcl::indoor::ShadowUnionOptions;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
 constexpr double max_tilt = 0.1; // of an upright plane, sine: 6 degrees
-
-/** Where something is on a level or upright axis. */
-struct Interval {
-  double low = 0, high = 0;
-
-  double
-  length() const
-  {
-    return high - low;
-  }
-
-  bool
-  holds(double place) const
-  {
-    return place > low && place < high;
-  }
-
-  Interval
-  widened(double by) const
-  {
-    return {low - by, high + by};
-  }
-};
 
 /** What a segment has of an upright plane. */
 struct Front {
@@ -128,14 +103,6 @@ struct Patch {
   std::vector<double> along, height;
 };
 
-Interval
-trimmed(std::vector<double> places, double voxel_size)
-{
-  const Interval interval{quantile(places, outlier_share),
-                          quantile(places, 1 - outlier_share)};
-  return interval.widened(voxel_size / 2);
-}
-
 /** Finds fronts in planes, and what hides the gaps between them. */
 class ShadowFinder {
 public:
@@ -161,13 +128,15 @@ public:
         patch.height.push_back(view.height(voxels_.centroids[v]));
       }
     std::vector<Front> fronts;
-    for (const auto& [segment, patch] : patches) {
+    for (auto& [segment, patch] : patches) {
+      const double filled = filledCells(patch);
+      const double half = options_.voxel_size / 2;
       const Front front{segment,
-                        trimmed(patch.along, options_.voxel_size),
-                        trimmed(patch.height, options_.voxel_size)};
+                        pcl::indoor::trimmedRange(patch.along).widened(half),
+                        pcl::indoor::trimmedRange(patch.height).widened(half)};
       if (front.along.length() >= options_.min_width &&
           front.height.length() >= options_.min_height &&
-          filledShare(patch, front) >= options_.min_fill)
+          filled >= options_.min_fill * cellsIn(front.along, front.height))
         fronts.push_back(front);
     }
     return fronts;
@@ -177,20 +146,16 @@ public:
   bool
   areOne(const Front& a, const Front& b, const PlaneView& view) const
   {
-    const Interval height{std::max(a.height.low, b.height.low),
-                          std::min(a.height.high, b.height.high)};
-    const double both =
-        std::max(a.height.high, b.height.high) - std::min(a.height.low, b.height.low);
-    if (height.length() < options_.min_overlap * both)
+    if (commonShare(a.height, b.height) < options_.min_overlap)
       return false;
-    const Interval gap{std::min(a.along.high, b.along.high),
-                       std::max(a.along.low, b.along.low)};
+    const auto common = commonPart(a.along, b.along); // the gap, turned around
+    const Interval gap{common.high, common.low};
     const double width = std::min(a.along.length(), b.along.length());
     if (gap.length() < options_.min_gap * options_.voxel_size ||
         gap.length() > options_.max_gap ||
         gap.length() > options_.max_gap_share * width)
       return false;
-    return isHidden(gap, height, view, a.segment, b.segment);
+    return isHidden(gap, commonPart(a.height, b.height), view, a.segment, b.segment);
   }
 
 private:
@@ -211,12 +176,12 @@ private:
   }
 
   double
-  filledShare(const Patch& patch, const Front& front) const
+  filledCells(const Patch& patch) const
   {
     MarkedCells cells(options_.voxel_size);
     for (std::size_t i = 0; i < patch.along.size(); ++i)
       cells.mark(patch.along[i], patch.height[i]);
-    return cells.count() / cellsIn(front.along, front.height);
+    return cells.count();
   }
 
   double

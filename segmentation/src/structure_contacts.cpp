@@ -84,7 +84,7 @@ nearestSurface(const Eigen::Vector3f& point,
                double voxel_size)
 {
   auto nearest = own;
-  double least = std::abs(plane.normal.dot(point.cast<double>()) - plane.offset);
+  double least = std::abs(plane.heightOf(point.cast<double>()));
   for (const auto v : around) {
     const Eigen::Vector3d way = (point - voxels.centroids[v]).cast<double>();
     const double distance = std::abs(voxels.normals[v].cast<double>().dot(way));

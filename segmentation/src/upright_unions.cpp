@@ -5,8 +5,9 @@
 #include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/upright_unions.h>
 
-#include "quantile.h"
+#include "interval.h"
 #include "segment_boxes.h"
+#include "segment_members.h"
 
 #include <pcl/exceptions.h>
 
@@ -16,13 +17,12 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace {
 
+using pcl::indoor::Interval;
 using pcl::indoor::outlier_share;
-using pcl::indoor::quantile;
 using pcl::indoor::SurfaceVoxels;
 using pcl::indoor::UprightUnionOptions;
 
@@ -94,7 +94,7 @@ private:
 /** A thin piece that stands upright. */
 struct Upright {
   Eigen::Vector3f along; // level
-  double first, last;    // along it
+  Interval width;        // along it
   double top;
 };
 
@@ -114,7 +114,7 @@ public:
   , left_out_(left_out)
   , segment_of_voxel_(segment_of_voxel)
   , options_(options)
-  , voxels_of_segment_(pcl::indoor::voxelsOfSegments(left_out, segment_of_voxel))
+  , voxels_of_segment_(pcl::indoor::membersOfSegments(left_out, segment_of_voxel))
   {
     for (const auto& members : voxels_of_segment_) {
       std::vector<std::pair<double, bool>> heights;
@@ -148,14 +148,13 @@ private:
   }
 
   /** From one end to the other, without outliers and half voxels. */
-  std::pair<double, double>
+  Interval
   rangeOf(const Numbers& members, const Eigen::Vector3f& direction) const
   {
     std::vector<double> places;
     for (const auto v : members)
       places.push_back(direction.dot(voxels_.centroids[v]));
-    const double first = quantile(places, outlier_share);
-    return {first, quantile(places, 1 - outlier_share)};
+    return pcl::indoor::trimmedRange(places);
   }
 
   /** The level direction in which the voxels reach farthest. */
@@ -191,11 +190,11 @@ private:
       return {};
     Upright upright;
     upright.along = longestLevel(members);
-    const auto [front, back] = rangeOf(members, options_.up.cross(upright.along));
-    if (back - front + options_.voxel_size > options_.max_thickness ||
-        back - front > height)
+    const double thickness =
+        rangeOf(members, options_.up.cross(upright.along)).length();
+    if (thickness + options_.voxel_size > options_.max_thickness || thickness > height)
       return {};
-    std::tie(upright.first, upright.last) = rangeOf(members, upright.along);
+    upright.width = rangeOf(members, upright.along);
     upright.top = top;
     return upright;
   }
@@ -206,7 +205,7 @@ private:
   {
     const double place = upright.along.dot(voxels_.centroids[voxel]);
     return static_cast<std::int64_t>(
-        std::floor((place - upright.first) / options_.voxel_size + 0.5));
+        std::floor((place - upright.width.low) / options_.voxel_size + 0.5));
   }
 
   /** \return the segments that the upright carries or ends */
@@ -273,11 +272,10 @@ private:
   {
     if (profiles_[segment].levelShare() < options_.min_level)
       return false;
-    const auto [first, last] = rangeOf(voxels_of_segment_[segment], upright.along);
-    const double common = std::min(last, upright.last) - std::max(first, upright.first);
-    const double both = std::max(last, upright.last) - std::min(first, upright.first);
-    return common + options_.voxel_size >=
-           options_.min_overlap * (both + options_.voxel_size);
+    const double half = options_.voxel_size / 2;
+    const auto width = rangeOf(voxels_of_segment_[segment], upright.along);
+    return commonShare(width.widened(half), upright.width.widened(half)) >=
+           options_.min_overlap;
   }
 
   const SurfaceVoxels& voxels_;

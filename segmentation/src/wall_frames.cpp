@@ -4,9 +4,7 @@
  */
 #include "wall_frames.h"
 
-#include "segment_parts.h"
-
-#include <Eigen/Geometry>
+#include "point_groups.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +13,11 @@ namespace {
 
 using pcl::indoor::SegmentMembers;
 using pcl::indoor::StructurePlane;
-using Box = Eigen::AlignedBox3f;
 
 constexpr double max_depth = 0.2;     // metres, on either side of the wall
 constexpr double max_outliers = 0.05; // share of a frame's points that are farther off
 constexpr double min_behind = 0.05;   // share of a frame's points behind the wall
 constexpr double max_tilt = 0.3;      // of a wall, sine
-
-double
-heightOf(const StructurePlane& plane, const Eigen::Vector3f& point)
-{
-  return plane.normal.dot(point.cast<double>()) - plane.offset;
-}
 
 bool
 reachesBehind(const StructurePlane& wall,
@@ -34,9 +25,10 @@ reachesBehind(const StructurePlane& wall,
               const SegmentMembers& members,
               double voxel_size)
 {
-  const auto behind = std::count_if(members.begin(), members.end(), [&](auto i) {
-    return heightOf(wall, points[i]) < -voxel_size;
-  });
+  const auto behind =
+      std::count_if(members.begin(), members.end(), [&](std::uint32_t i) {
+        return wall.heightOf(points[i].cast<double>()) < -voxel_size;
+      });
   return static_cast<double>(behind) >=
          min_behind * static_cast<double>(members.size());
 }
@@ -53,8 +45,8 @@ isThinAlong(const StructurePlane& plane,
 {
   const double allowed = max_outliers * static_cast<double>(members.size());
   double far = 0;
-  return std::all_of(members.begin(), members.end(), [&](auto i) {
-    far += std::abs(heightOf(plane, points[i])) > max_depth;
+  return std::all_of(members.begin(), members.end(), [&](std::uint32_t i) {
+    far += std::abs(plane.heightOf(points[i].cast<double>())) > max_depth;
     return far <= allowed;
   });
 }
@@ -71,29 +63,25 @@ flagStructureAndFrames(const std::vector<Eigen::Vector3f>& points,
   std::vector<std::uint8_t> flags(points.size(), 0);
   if (points.empty() || planes.empty())
     return flags;
-  std::vector<Box> around(planes.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (const auto plane = plane_of_voxel[voxels.cells.cell_of_point[i]]; plane != 0) {
+  const auto groups =
+      groupPoints(points, voxels, planes.size(), plane_of_voxel, segment_of_point);
+  const auto flag = [&flags](const SegmentMembers& members) {
+    for (const auto i : members)
       flags[i] = 1;
-      around[plane - 1].extend(points[i]);
+  };
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const auto& plane = planes[p];
+    flag(groups.planes.members[p]);
+    if (std::abs(plane.normal.dot(up.cast<double>())) >= max_tilt)
+      continue;
+    const auto reach = widened(groups.planes.boxes[p], max_depth);
+    for (std::size_t s = 0; s < groups.objects.members.size(); ++s) {
+      const auto& members = groups.objects.members[s];
+      if (reach.intersects(groups.objects.boxes[s]) &&
+          isThinAlong(plane, points, members) &&
+          reachesBehind(plane, points, members, voxel_size))
+        flag(members);
     }
-  const Eigen::Vector3f margin =
-      Eigen::Vector3f::Constant(static_cast<float>(max_depth));
-  for (auto& box : around)
-    box = Box(box.min() - margin, box.max() + margin);
-  for (const auto& members : membersOfSegments(flags, segment_of_point)) {
-    Box segment;
-    for (const auto i : members)
-      segment.extend(points[i]);
-    bool is_frame = false;
-    for (std::size_t p = 0; p < planes.size() && !members.empty(); ++p)
-      is_frame =
-          is_frame || (around[p].intersects(segment) &&
-                       std::abs(planes[p].normal.dot(up.cast<double>())) < max_tilt &&
-                       isThinAlong(planes[p], points, members) &&
-                       reachesBehind(planes[p], points, members, voxel_size));
-    for (const auto i : members)
-      flags[i] = static_cast<std::uint8_t>(is_frame);
   }
   return flags;
 }

@@ -44,18 +44,11 @@ roomWithTwoBoxes()
   auto scene = floorWithTwoBoxes();
   std::mt19937 rng(8);
   const Eigen::Vector3f x(4, 0, 0), y(0, 2.5f, 0), z(0, 0, 2.4f);
-  const auto add = [&](const Eigen::Vector3f& corner,
-                       const Eigen::Vector3f& u,
-                       const Eigen::Vector3f& v,
-                       const Eigen::Vector3f& normal,
-                       std::uint32_t object) {
-    scene.addRectangle(corner, u, v, normal, object, 0.015f, 0.003f, rng);
-  };
-  add(z, x, y, {0, 0, -1}, 4);
-  add({0, 0, 0}, x, z, {0, 1, 0}, 5);
-  add(y, x, z, {0, -1, 0}, 6);
-  add({0, 0, 0}, y, z, {1, 0, 0}, 7);
-  add(x, y, z, {-1, 0, 0}, 8);
+  scene.addRoomSide(z, x, y, {0, 0, -1}, 4, rng);
+  scene.addRoomSide({0, 0, 0}, x, z, {0, 1, 0}, 5, rng);
+  scene.addRoomSide(y, x, z, {0, -1, 0}, 6, rng);
+  scene.addRoomSide({0, 0, 0}, y, z, {1, 0, 0}, 7, rng);
+  scene.addRoomSide(x, y, z, {-1, 0, 0}, 8, rng);
   return scene;
 }
 

@@ -171,12 +171,7 @@ TEST(FlatThings, DoesNotDependOnTheOrderOfThePoints)
   const auto scene = deskWithThing(0.02f, 0.005f);
   std::mt19937 rng(8);
   const auto order = shuffledOrder(scene.points.size(), rng);
-  LabelledPoints shuffled;
-  for (const auto i : order) {
-    shuffled.points.push_back(scene.points[i]);
-    shuffled.objects.push_back(scene.objects[i]);
-  }
-  const auto labels = parted(scene), other = parted(shuffled);
+  const auto labels = parted(scene), other = parted(scene.reordered(order));
   for (std::size_t i = 0; i < order.size(); ++i)
     ASSERT_EQ(other[i], labels[order[i]]);
 }

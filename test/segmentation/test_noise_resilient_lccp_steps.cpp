@@ -40,21 +40,14 @@ void
 addRoomBefore(LabelledPoints& scene)
 {
   std::mt19937 rng(10);
-  const auto add = [&](const Eigen::Vector3f& corner,
-                       const Eigen::Vector3f& u,
-                       const Eigen::Vector3f& v,
-                       const Eigen::Vector3f& normal,
-                       std::uint32_t object) {
-    scene.addRectangle(corner, u, v, normal, object, 0.015f, 0.003f, rng);
-  };
   const float width = 3 * std::cos(static_cast<float>(M_PI) / 6);
-  add({0, 0, 0}, {width, 0, 0}, {0, 4, 0}, {0, 0, 1}, 3);
+  scene.addRoomSide({0, 0, 0}, {width, 0, 0}, {0, 4, 0}, {0, 0, 1}, 3, rng);
   scene.removeIf([](const Eigen::Vector3f& p) { // of the floor, what is behind the wall
     return p.z() < 0.05f &&
            p.y() < std::tan(static_cast<float>(M_PI) / 6) * p.x() - 0.05f;
   });
-  add({0, 0, 0}, {0, 4, 0}, {0, 0, 2.5f}, {1, 0, 0}, 4);
-  add({0, 4, 0}, {width, 0, 0}, {0, 0, 2.5f}, {0, -1, 0}, 5);
+  scene.addRoomSide({0, 0, 0}, {0, 4, 0}, {0, 0, 2.5f}, {1, 0, 0}, 4, rng);
+  scene.addRoomSide({0, 4, 0}, {width, 0, 0}, {0, 0, 2.5f}, {0, -1, 0}, 5, rng);
 }
 
 /** A room of 3 m x 3 m before a wall along x (1), with two leaves (2, 3), closed boxes
@@ -65,20 +58,13 @@ leavesInWall(float into_room)
   LabelledPoints scene;
   std::mt19937 rng(11);
   const Eigen::Vector3f x(3, 0, 0), y(0, 3, 0), z(0, 0, 2.5f);
-  const auto add = [&](const Eigen::Vector3f& corner,
-                       const Eigen::Vector3f& u,
-                       const Eigen::Vector3f& v,
-                       const Eigen::Vector3f& normal,
-                       std::uint32_t object) {
-    scene.addRectangle(corner, u, v, normal, object, 0.015f, 0.003f, rng);
-  };
-  add({0, 0, 0}, x, z, {0, 1, 0}, 1);
+  scene.addRoomSide({0, 0, 0}, x, z, {0, 1, 0}, 1, rng);
   scene.removeIf([](const Eigen::Vector3f& p) {
     return p.x() > 0.9f && p.x() < 2.1f && p.z() > 0.6f && p.z() < 1.8f;
   });
-  add({0, 0, 0}, x, y, {0, 0, 1}, 4);
-  add({0, 0, 0}, y, z, {1, 0, 0}, 5);
-  add(x, y, z, {-1, 0, 0}, 6);
+  scene.addRoomSide({0, 0, 0}, x, y, {0, 0, 1}, 4, rng);
+  scene.addRoomSide({0, 0, 0}, y, z, {1, 0, 0}, 5, rng);
+  scene.addRoomSide(x, y, z, {-1, 0, 0}, 6, rng);
   for (const std::uint32_t leaf : {2u, 3u})
     scene.addBox({leaf == 2 ? 0.9f : 1.505f, into_room - 0.19f, 0.6f},
                  {0.6f, 0.19f, 1.2f},
@@ -118,6 +104,25 @@ largestShareOf(std::uint32_t object, const LabelledPoints& scene, const Labels& 
   return largest / all;
 }
 
+/** Sets the scene as input. */
+Labels
+segmentedFrom(const Eigen::Vector3f& viewpoint,
+              const LabelledPoints& scene,
+              Segmentation& segmentation)
+{
+  segmentation.setInputCloud(cloudOf(scene.points));
+  segmentation.setViewPoint(viewpoint.x(), viewpoint.y(), viewpoint.z());
+  Labels labels;
+  segmentation.segment(labels);
+  return labels;
+}
+
+SegmentationErrors
+errorsOf(const LabelledPoints& scene, const Labels& labels)
+{
+  return richtsfeldErrors(countOverlaps(scene.objects, labels));
+}
+
 Labels
 segmentedWithout(bool ObjectSegmentationOptions::*step, Segmentation& segmentation)
 {
@@ -143,18 +148,15 @@ TEST(NoiseResilientLCCPSteps, PartsABookFromTheBoxThatItLiesOn)
     }
   }
   Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setViewPoint(2, 1, 3);
-  Labels labels;
-  segmentation.segment(labels);
-  const auto errors = richtsfeldErrors(countOverlaps(scene.objects, labels));
+  auto labels = segmentedFrom({2, 1, 3}, scene, segmentation);
+  const auto errors = errorsOf(scene, labels);
   EXPECT_LT(errors.over, 0.02);
   EXPECT_LT(errors.under, 0.02);
   auto options = segmentation.getOptions();
   options.separate_things = false;
   segmentation.setOptions(options);
   segmentation.segment(labels);
-  EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.05);
+  EXPECT_GT(errorsOf(scene, labels).under, 0.05);
   options.up = {0, 0, 0};
   segmentation.setOptions(options);
   segmentation.segment(labels);
@@ -172,13 +174,10 @@ TEST(NoiseResilientLCCPSteps, PartsBoxesAtANarrowGap)
            p.z() < 0.68f;
   });
   Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setViewPoint(0.8f, -1, 2);
-  Labels labels;
-  segmentation.segment(labels);
-  EXPECT_LT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.01);
+  auto labels = segmentedFrom({0.8f, -1, 2}, scene, segmentation);
+  EXPECT_LT(errorsOf(scene, labels).under, 0.01);
   labels = segmentedWithout(&ObjectSegmentationOptions::separate_gaps, segmentation);
-  EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.2);
+  EXPECT_GT(errorsOf(scene, labels).under, 0.2);
 }
 
 TEST(NoiseResilientLCCPSteps, PartsCabinetsThatStandAgainstEachOther)
@@ -197,13 +196,10 @@ TEST(NoiseResilientLCCPSteps, PartsCabinetsThatStandAgainstEachOther)
            (p.x() > 0.5f && p.x() < 0.7f && p.y() > 0.3f && p.z() < 0.85f);
   });
   Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setViewPoint(0.6f, -2, 2);
-  Labels labels;
-  segmentation.segment(labels);
-  EXPECT_LT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.05);
+  auto labels = segmentedFrom({0.6f, -2, 2}, scene, segmentation);
+  EXPECT_LT(errorsOf(scene, labels).under, 0.05);
   labels = segmentedWithout(&ObjectSegmentationOptions::separate_seams, segmentation);
-  EXPECT_GT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.5);
+  EXPECT_GT(errorsOf(scene, labels).under, 0.5);
 }
 
 TEST(NoiseResilientLCCPSteps, JoinsTheBoardsOfABookcase)
@@ -219,9 +215,9 @@ TEST(NoiseResilientLCCPSteps, JoinsTheBoardsOfABookcase)
   segmentation.setViewPoint(-1, -3, 2);
   auto labels =
       segmentedWithout(&ObjectSegmentationOptions::join_uprights, segmentation);
-  const auto joined = richtsfeldErrors(countOverlaps(scene.objects, labels)).over;
+  const auto joined = errorsOf(scene, labels).over;
   labels = segmentedWithout(&ObjectSegmentationOptions::join_racks, segmentation);
-  const auto apart = richtsfeldErrors(countOverlaps(scene.objects, labels)).over;
+  const auto apart = errorsOf(scene, labels).over;
   EXPECT_GT(apart, 0.4);
   EXPECT_LT(joined, 0.7 * apart);
 }
@@ -266,12 +262,9 @@ TEST(NoiseResilientLCCPSteps, JoinsTheFrameOfADoorInAWallThatStandsAskew)
 TEST(NoiseResilientLCCPSteps, LeavesAWindowInItsWallWhole)
 {
   Segmentation segmentation;
-  segmentation.setViewPoint(1.5f, 2, 1.4f);
   const auto largestOfBoth = [&](float into_room) {
     auto scene = leavesInWall(into_room);
-    segmentation.setInputCloud(cloudOf(scene.points));
-    Labels labels;
-    segmentation.segment(labels);
+    const auto labels = segmentedFrom({1.5f, 2, 1.4f}, scene, segmentation);
     for (auto& object : scene.objects)
       object = object == 3 ? 2 : object;
     return largestShareOf(2, scene, labels);
@@ -284,12 +277,9 @@ TEST(NoiseResilientLCCPSteps, JoinsAFrontThatAShadowCuts)
 {
   const auto scene = cupboardInShadow();
   Segmentation segmentation;
-  segmentation.setInputCloud(cloudOf(scene.points));
-  segmentation.setViewPoint(0.8f, -3, 2);
-  Labels labels;
-  segmentation.segment(labels);
+  auto labels = segmentedFrom({0.8f, -3, 2}, scene, segmentation);
   EXPECT_GT(largestShareOf(1, scene, labels), 0.97);
-  EXPECT_LT(richtsfeldErrors(countOverlaps(scene.objects, labels)).under, 0.01);
+  EXPECT_LT(errorsOf(scene, labels).under, 0.01);
   labels = segmentedWithout(&ObjectSegmentationOptions::join_shadowed, segmentation);
   EXPECT_LT(largestShareOf(1, scene, labels), 0.6);
 }

@@ -246,12 +246,9 @@ TEST(ObjectGaps, DependsNeitherOnTheOrderNorOnThreads)
   const auto scene = bookcases(4, 0.04f);
   std::mt19937 rng(8);
   const auto order = shuffledOrder(scene.points.size(), rng);
-  LabelledPoints shuffled;
-  for (const auto i : order)
-    shuffled.points.push_back(scene.points[i]);
   ObjectGapOptions serial;
   serial.threads = 1;
-  const auto labels = parted(scene, serial), other = parted(shuffled);
+  const auto labels = parted(scene, serial), other = parted(scene.reordered(order));
   for (std::size_t i = 0; i < order.size(); ++i)
     ASSERT_EQ(other[i], labels[order[i]]);
   ObjectGapOptions parallel;

@@ -64,6 +64,21 @@ struct LabelledPoints {
     *this = std::move(kept);
   }
 
+  /** \param[in] order indices of points; some may have no normals or objects */
+  LabelledPoints
+  reordered(const std::vector<std::size_t>& order) const
+  {
+    LabelledPoints result;
+    for (const auto i : order) {
+      result.points.push_back(points[i]);
+      if (!normals.empty())
+        result.normals.push_back(normals[i]);
+      if (!objects.empty())
+        result.objects.push_back(objects[i]);
+    }
+    return result;
+  }
+
   void
   turn(const Eigen::Matrix3f& rotation)
   {
@@ -71,6 +86,18 @@ struct LabelledPoints {
       point = rotation * point;
     for (auto& normal : normals)
       normal = rotation * normal;
+  }
+
+  /** A side of a room, with the noise of a scan. */
+  void
+  addRoomSide(const Eigen::Vector3f& corner,
+              const Eigen::Vector3f& u,
+              const Eigen::Vector3f& v,
+              const Eigen::Vector3f& normal,
+              std::uint32_t object,
+              std::mt19937& rng)
+  {
+    addRectangle(corner, u, v, normal, object, 0.015f, 0.003f, rng);
   }
 
   /** The top and the four sides of a box. */

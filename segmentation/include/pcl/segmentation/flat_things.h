@@ -34,9 +34,9 @@ struct FlatThingOptions {
  * stacks of paper, the foot of a monitor. They are lower than a few voxels, so that
  * their sides bend no normals; but the mean height of the many points of a cell tells
  * them from the surface. They lie on it: it goes on around them, and is larger. The
- * largest horizontal surface of each segment is looked at;
- * one whose box holds more than 2^22 cells is left as it is. No step of the thesis.
- * The cost is linear in the number of points, but for a sort of heights.
+ * largest horizontal surface of each segment is looked at; one whose box holds more
+ * than 2^22 cells is left as it is. No step of the thesis. The cost is linear in the
+ * number of points, but for a sort of heights.
  * \param[in] points that the voxels were made of
  * \param[in] voxels with normals
  * \param[in] segment_of_voxel numbered from 0

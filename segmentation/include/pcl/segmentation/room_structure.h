@@ -32,6 +32,13 @@ struct StructurePlane {
   Eigen::Vector3d normal;            ///< unit length, into the room
   double offset = 0;                 ///< normal * x = offset for x in the plane
   std::vector<std::uint32_t> voxels; ///< that it was fitted to
+
+  /** \brief Get the signed distance, positive on the side of the room. */
+  double
+  heightOf(const Eigen::Vector3d& position) const
+  {
+    return normal.dot(position) - offset;
+  }
 };
 
 /** \brief Find the planes that enclose a room: floor, ceiling and walls.
