@@ -347,12 +347,10 @@ segmentObjects(const ObjectSegmentationInput& input,
                 options.recovery,
                 segment_of_voxel);
   labelRemainder(result.voxels.neighbors, firstFreeLabel(result), segment_of_voxel);
-  if (options.partition == Partition::Graph)
-    joinSegments(result.voxels, in_plane, planes, options, segment_of_voxel);
+  joinSegments(result.voxels, in_plane, planes, options, segment_of_voxel);
   result.segment_of_point =
       segmentsOfPoints(input, options, result, in_plane, planes, segment_of_voxel);
-  if (options.join_shadowed && options.partition == Partition::Graph &&
-      !input.single_camera) {
+  if (options.join_shadowed && !input.single_camera) {
     ShadowUnionOptions shadows;
     shadows.voxel_size = options.voxel_size;
     shadows.up = options.up;

@@ -137,6 +137,10 @@ thesisOptions()
   options.plane_tolerance = 0;
   options.partition = Partition::FelzenszwalbHuttenlocher;
   options.min_segment_size = 3;
+  options.join_frames = false;
+  options.join_racks = false;
+  options.join_uprights = false;
+  options.join_shadowed = false;
   return options;
 }
 

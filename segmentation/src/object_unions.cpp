@@ -22,12 +22,14 @@ joinSegments(const SurfaceVoxels& voxels,
   const Eigen::Matrix3f axes = axesOf(planes).cast<float>();
   const auto wall_axes = axesOfWalls(planes);
   for (const double max_size_ratio : {1.0, 0.5}) {
-    ConvexUnionOptions unions;
-    unions.air_per_contact = options.max_union_air;
-    unions.voxel_size = options.voxel_size;
-    unions.axes = axes;
-    unions.max_size_ratio = max_size_ratio;
-    joinConvexUnions(voxels, in_plane, unions, segment_of_voxel);
+    if (options.partition == Partition::Graph) {
+      ConvexUnionOptions unions;
+      unions.air_per_contact = options.max_union_air;
+      unions.voxel_size = options.voxel_size;
+      unions.axes = axes;
+      unions.max_size_ratio = max_size_ratio;
+      joinConvexUnions(voxels, in_plane, unions, segment_of_voxel);
+    }
     if (options.join_racks) {
       RackUnionOptions racks;
       racks.voxel_size = options.voxel_size;
