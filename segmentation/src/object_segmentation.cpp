@@ -17,6 +17,7 @@
 #include <pcl/segmentation/object_seams.h>
 #include <pcl/segmentation/room_structure.h>
 #include <pcl/segmentation/shadow_unions.h>
+#include <pcl/segmentation/straight_bars.h>
 #include <pcl/segmentation/structure_contacts.h>
 
 #include <algorithm>
@@ -254,7 +255,8 @@ segmentsOfPoints(const ObjectSegmentationInput& input,
     for (const auto voxel : voxels.cells.cell_of_point)
       segments.push_back(segment_of_voxel[voxel]);
   }
-  if (input.single_camera || (!options.separate_gaps && !options.separate_seams))
+  if (input.single_camera ||
+      (!options.separate_gaps && !options.separate_seams && !options.separate_bars))
     return segments;
   const auto left_out = pcl::indoor::flagStructureAndFrames(input.points,
                                                             voxels,
@@ -276,6 +278,15 @@ segmentsOfPoints(const ObjectSegmentationInput& input,
     seams.voxel_size = options.voxel_size;
     seams.threads = options.threads;
     pcl::indoor::partAtSeams(input.points, voxels, left_out, seams, segments);
+  }
+  if (options.separate_bars) {
+    pcl::indoor::StraightBarOptions bars;
+    bars.up = options.up;
+    bars.voxel_size = options.voxel_size;
+    for (const auto& axes : pcl::indoor::axesOfWalls(planes)) {
+      bars.axes = axes.cast<float>();
+      pcl::indoor::partAtBars(input.points, voxels, left_out, bars, segments);
+    }
   }
   return segments;
 }

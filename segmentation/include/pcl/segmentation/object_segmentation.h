@@ -44,6 +44,9 @@ struct ObjectSegmentationOptions {
   /** part bodies that stand against each other, see partAtSeams(); never for a single
    * camera */
   bool separate_seams = true;
+  /** take straight bars out of what they run through, see partAtBars(); never for a
+   * single camera */
+  bool separate_bars = true;
   /** against gravity, unit length; for flat things, gaps, seams and all that is joined
    */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
