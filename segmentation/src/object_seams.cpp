@@ -113,7 +113,9 @@ private:
       section.add(profile.along(i) < centre ? SeamSection::Before : SeamSection::Behind,
                   inSection(profile, places_[i]));
     section.close();
-    if (section.filled() < options_.min_cells || section.cover() < options_.cover ||
+    const auto filled = static_cast<double>(section.filled());
+    if (filled < options_.min_cells || section.cover() < options_.cover ||
+        filled < options_.enclosed * static_cast<double>(section.sheet()) ||
         section.depth() < options_.min_depth ||
         outwardShare(profile, section, sides, centre) < options_.outward)
       return {};
@@ -239,7 +241,7 @@ requireValid(std::size_t point_count,
   const auto is_share = [](double value) { return value >= 0 && value <= 1; };
   if (!(options.voxel_size > 0) || !(options.density >= 1) || options.directions < 1 ||
       !is_share(options.balance) || !is_share(options.cover) ||
-      !is_share(options.outward) || !(options.min_side >= 0) ||
+      !is_share(options.outward) || !is_share(options.enclosed) || !(options.min_side >= 0) ||
       !(options.min_depth >= 0) || options.min_cells < 1 ||
       !(std::abs(options.up.norm() - 1) < 1e-3f))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,

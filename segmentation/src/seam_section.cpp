@@ -74,8 +74,10 @@ SeamSection::close()
         if (holds(Sheet, cell) && !holds(side, cell) && !encloses)
           ++exposed_[side];
       }
-      if (holds(Before, cell) || holds(Behind, cell) || !(both[0] || both[1]) ||
-          !(both[2] || both[3]))
+      if (holds(Before, cell) || holds(Behind, cell))
+        continue;
+      sheet_ += holds(Sheet, cell) ? 1 : 0;
+      if (!(both[0] || both[1]) || !(both[2] || both[3]))
         continue;
       inside_[cell] = 1;
       ++enclosed_;

@@ -48,6 +48,13 @@ public:
     return filled_;
   }
 
+  /** Cells in which the sheet has points, but neither side. */
+  std::size_t
+  sheet() const
+  {
+    return sheet_;
+  }
+
   /** Filled over all inside cells, from 0 to 1. */
   double
   cover() const;
@@ -91,7 +98,8 @@ private:
   int columns_, rows_;
   std::vector<std::uint8_t> parts_; // one bit each
   std::vector<std::uint8_t> inside_;
-  std::size_t filled_ = 0, enclosed_ = 0, enclosed_rows_ = 0, enclosed_columns_ = 0;
+  std::size_t sheet_ = 0, filled_ = 0, enclosed_ = 0;
+  std::size_t enclosed_rows_ = 0, enclosed_columns_ = 0;
   Eigen::Vector2f filled_sum_ = Eigen::Vector2f::Zero();
   std::array<std::size_t, 2> exposed_{};
 };

@@ -27,6 +27,10 @@ struct ObjectSeamOptions {
   double min_side = 0.35; ///< the segment reaches this far on both sides, metres (>= 0)
   double cover = 0.3;     ///< share of the inside that a seam fills, from 0 to 1
   double min_depth = 2;   ///< of the inside, cells of a voxel (>= 0)
+  /** share of a seam's cells, outside of what either side fills, that are inside: the
+   * side of a desk's drawers is not, but for strays in the space for the knees; from 0
+   * to 1 */
+  double enclosed = 0.15;
   unsigned min_cells = 8; ///< of a voxel that a seam fills there (>= 1)
   /** share of the points on either side whose normals point away from the inside, from
    * 0 to 1 */
