@@ -24,8 +24,8 @@ struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "auto", camera = "auto";
   std::string orientation = "auto", structure = "auto", things = "auto", gaps = "auto",
-              seams = "auto", frames = "auto", racks = "auto", uprights = "auto",
-              shadows = "auto";
+              seams = "auto", bars = "auto", frames = "auto", racks = "auto",
+              uprights = "auto", shadows = "auto";
   double union_air = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
@@ -109,25 +109,29 @@ addShapes(OptionParser& parser, Settings& settings)
           "closed bodies that stand against each other, as kitchen cabinets (z is up); "
           "auto: apart for rooms",
           {"auto", "apart", "joined"})
+      .text("-bars",
+            settings.bars,
+            "straight level bars and the things that they run through, as a rail and "
+            "its posts (z is up); auto: apart for rooms",
+            {"auto", "apart", "joined"})
       .text("-racks",
             settings.racks,
-            "for -partition graph: the boards of racks and of bookcases without a back "
+            "the boards of racks and of bookcases without a back "
             "(z is up); auto: joined for rooms",
             {"auto", "apart", "joined"})
       .text("-uprights",
             settings.uprights,
-            "for -partition graph: legs, end boards and backs of what is level (z is "
+            "legs, end boards and backs of what is level (z is "
             "up); auto: joined for rooms",
             {"auto", "apart", "joined"})
-      .text(
-          "-frames",
-          settings.frames,
-          "for -partition graph: jambs and heads of doors, bars of windows (z is up); "
-          "auto: joined for rooms",
-          {"auto", "apart", "joined"})
+      .text("-frames",
+            settings.frames,
+            "jambs and heads of doors, bars of windows (z is up); "
+            "auto: joined for rooms",
+            {"auto", "apart", "joined"})
       .text("-shadows",
             settings.shadows,
-            "for -partition graph: fronts that the shadow of something before them "
+            "fronts that the shadow of something before them "
             "cuts in two (z is up); auto: joined for rooms",
             {"auto", "apart", "joined"});
 }
@@ -247,6 +251,7 @@ chosenOptions(const Settings& settings, bool organised)
   options.separate_things = is(settings.things, "apart", preset.separate_things);
   options.separate_gaps = is(settings.gaps, "apart", preset.separate_gaps);
   options.separate_seams = is(settings.seams, "apart", preset.separate_seams);
+  options.separate_bars = is(settings.bars, "apart", preset.separate_bars);
   options.join_racks = is(settings.racks, "joined", preset.join_racks);
   options.join_uprights = is(settings.uprights, "joined", preset.join_uprights);
   options.join_frames = is(settings.frames, "joined", preset.join_frames);

@@ -74,7 +74,8 @@ namespace indoor {
 std::vector<CellBox>
 thinRuns(const std::vector<GridCell>& cells, int axis, double min_length)
 {
-  const auto along = linesAlong(cells, axis), across = linesAlong(cells, (axis + 1) % 3),
+  const auto along = linesAlong(cells, axis),
+             across = linesAlong(cells, (axis + 1) % 3),
              third = linesAlong(cells, (axis + 2) % 3);
   std::vector<CellBox> runs;
   std::uint32_t begin = 0;

@@ -241,8 +241,8 @@ requireValid(std::size_t point_count,
   const auto is_share = [](double value) { return value >= 0 && value <= 1; };
   if (!(options.voxel_size > 0) || !(options.density >= 1) || options.directions < 1 ||
       !is_share(options.balance) || !is_share(options.cover) ||
-      !is_share(options.outward) || !is_share(options.enclosed) || !(options.min_side >= 0) ||
-      !(options.min_depth >= 0) || options.min_cells < 1 ||
+      !is_share(options.outward) || !is_share(options.enclosed) ||
+      !(options.min_side >= 0) || !(options.min_depth >= 0) || options.min_cells < 1 ||
       !(std::abs(options.up.norm() - 1) < 1e-3f))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "Seams need positive sizes, a density of at least 1, shares "

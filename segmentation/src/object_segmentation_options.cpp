@@ -109,6 +109,7 @@ singleViewOptions()
   options.separate_things = false;
   options.separate_gaps = false;
   options.separate_seams = false;
+  options.separate_bars = false;
   options.max_union_air = 0;
   options.join_frames = false;
   options.join_racks = false;
@@ -134,6 +135,7 @@ thesisOptions()
   options.separate_things = false;
   options.separate_gaps = false;
   options.separate_seams = false;
+  options.separate_bars = false;
   options.plane_tolerance = 0;
   options.partition = Partition::FelzenszwalbHuttenlocher;
   options.min_segment_size = 3;

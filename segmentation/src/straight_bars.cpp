@@ -26,9 +26,9 @@ using pcl::indoor::SegmentMembers;
 using pcl::indoor::StraightBarOptions;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr float max_tilt = 0.1f;     // of a level bar, sine: 6 degrees
-constexpr double min_overlap = 0.5;  // of the widths of stretches in line
-constexpr int nearest = 2;           // cells away from a bar is beside it
+constexpr float max_tilt = 0.1f;    // of a level bar, sine: 6 degrees
+constexpr double min_overlap = 0.5; // of the widths of stretches in line
+constexpr int nearest = 2;          // cells away from a bar is beside it
 constexpr int farthest = 3;
 constexpr double min_plan_share = 0.5; // of the smaller part, below another
 
@@ -73,8 +73,8 @@ public:
         });
     auto bars = united(stretches, [&](const CellBox& a, const CellBox& b) {
       const int gap = -a.common(b, axis);
-      const int width = std::max({a.length(across), a.length(third),
-                                  b.length(across), b.length(third)});
+      const int width = std::max(
+          {a.length(across), a.length(third), b.length(across), b.length(third)});
       return gap >= 0 && gap <= options_.max_break * width &&
              commonWidth(a, b, across) >= min_overlap &&
              commonWidth(a, b, third) >= min_overlap;
@@ -138,8 +138,8 @@ public:
   : voxels_(voxels)
   , options_(options)
   , segment_of_point_(segment_of_point)
-  , next_segment_(
-        1 + *std::max_element(segment_of_point.begin(), segment_of_point.end()))
+  , next_segment_(1 +
+                  *std::max_element(segment_of_point.begin(), segment_of_point.end()))
   {
     for (std::uint32_t i = 0; i < points.size(); ++i)
       if (!left_out[i]) {
@@ -164,7 +164,7 @@ public:
     return cells;
   }
 
-  /** 
+  /**
 eturn whether the bar was taken out */
   bool
   takeOut(const CellBox& bar)
@@ -286,7 +286,7 @@ private:
   const StraightBarOptions& options_;
   std::vector<std::uint32_t>& segment_of_point_;
   std::uint32_t next_segment_;
-  SegmentMembers members_; // points that are not left out
+  SegmentMembers members_;              // points that are not left out
   std::vector<Eigen::Vector3d> places_; // of the members, along the axes, voxels
 };
 
@@ -301,9 +301,9 @@ requireValid(std::size_t point_count,
       segment_count != point_count)
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         point_count << " points have "
-                                    << voxels.cells.cell_of_point.size()
-                                    << " voxels, " << flag_count << " flags and "
-                                    << segment_count << " segments.");
+                                    << voxels.cells.cell_of_point.size() << " voxels, "
+                                    << flag_count << " flags and " << segment_count
+                                    << " segments.");
   if (!(options.voxel_size > 0) || !(options.min_length >= 0) ||
       !(options.min_elongation >= 1) || !(options.max_flatness >= 1) ||
       !(options.min_clear >= 0 && options.min_clear <= 1) ||
@@ -328,7 +328,8 @@ partAtBars(const std::vector<Eigen::Vector3f>& points,
            const StraightBarOptions& options,
            std::vector<std::uint32_t>& segment_of_point)
 {
-  requireValid(points.size(), voxels, left_out.size(), segment_of_point.size(), options);
+  requireValid(
+      points.size(), voxels, left_out.size(), segment_of_point.size(), options);
   if (points.empty())
     return 0;
   BarCutter cutter(points, voxels, left_out, options, segment_of_point);

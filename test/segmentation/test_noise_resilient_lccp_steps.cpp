@@ -90,6 +90,18 @@ cupboardInShadow()
   return scene;
 }
 
+/** A column (2) of 0.5 m that a beam (1) of 6.5 m x 0.4 m x 0.4 m runs through. */
+LabelledPoints
+beamThroughColumn()
+{
+  LabelledPoints scene;
+  std::mt19937 rng(12);
+  scene.addBox({0, 0.05f, 2.6f}, {6.5f, 0.4f, 0.4f}, 1, 0.015f, 0.003f, rng);
+  scene.removeIf([](const Eigen::Vector3f& p) { return p.x() > 3 && p.x() < 3.5f; });
+  scene.addBox({3, 0, 0}, {0.5f, 0.5f, 3.3f}, 2, 0.015f, 0.003f, rng);
+  return scene;
+}
+
 /** Of the points of an object, the share that is in its largest segment. */
 double
 largestShareOf(std::uint32_t object, const LabelledPoints& scene, const Labels& labels)
@@ -233,11 +245,16 @@ TEST(NoiseResilientLCCPSteps, JoinsTheEndBoardsOfADeskThatIsSeenFromBelow)
   Segmentation segmentation;
   segmentation.setInputCloud(cloudOf(scene.points));
   segmentation.setInputNormals(normalsOf(scene));
-  Labels labels;
-  segmentation.segment(labels);
-  EXPECT_GT(largestShareOf(1, scene, labels), 0.97);
-  labels = segmentedWithout(&ObjectSegmentationOptions::join_uprights, segmentation);
-  EXPECT_LT(largestShareOf(1, scene, labels), 0.6);
+  for (const auto partition : {Partition::Graph, Partition::Lccp}) {
+    segmentation.setPartition(partition);
+    Labels labels;
+    segmentation.segment(labels);
+    EXPECT_GT(largestShareOf(1, scene, labels), 0.97);
+    auto options = segmentation.getOptions();
+    labels = segmentedWithout(&ObjectSegmentationOptions::join_uprights, segmentation);
+    EXPECT_LT(largestShareOf(1, scene, labels), 0.6);
+    segmentation.setOptions(options);
+  }
 }
 
 TEST(NoiseResilientLCCPSteps, JoinsTheFrameOfADoorInAWallThatStandsAskew)
@@ -281,5 +298,19 @@ TEST(NoiseResilientLCCPSteps, JoinsAFrontThatAShadowCuts)
   EXPECT_GT(largestShareOf(1, scene, labels), 0.97);
   EXPECT_LT(errorsOf(scene, labels).under, 0.01);
   labels = segmentedWithout(&ObjectSegmentationOptions::join_shadowed, segmentation);
+  EXPECT_LT(largestShareOf(1, scene, labels), 0.6);
+}
+
+TEST(NoiseResilientLCCPSteps, TakesABeamOutOfTheColumnThatItRunsThrough)
+{
+  const auto scene = beamThroughColumn();
+  Segmentation segmentation;
+  auto options = segmentation.getOptions();
+  options.separate_structure = false; // the beam reaches through the whole scene
+  segmentation.setOptions(options);
+  auto labels = segmentedFrom({2, -4, 1.5f}, scene, segmentation);
+  EXPECT_GT(largestShareOf(1, scene, labels), 0.97);
+  EXPECT_LT(errorsOf(scene, labels).under, 0.05);
+  labels = segmentedWithout(&ObjectSegmentationOptions::separate_bars, segmentation);
   EXPECT_LT(largestShareOf(1, scene, labels), 0.6);
 }

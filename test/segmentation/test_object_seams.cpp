@@ -152,6 +152,30 @@ TEST(ObjectSeams, LeaveATableOnItsPanelWhole)
   EXPECT_EQ(segmentCount(parted(table)), 1u) << "what is below it is open";
 }
 
+TEST(ObjectSeams, LeaveADeskWithDrawersWholeInSpiteOfStrays)
+{
+  LabelledPoints desk;
+  std::mt19937 rng(3);
+  const auto add = [&](const Eigen::Vector3f& corner,
+                       const Eigen::Vector3f& u,
+                       const Eigen::Vector3f& v,
+                       const Eigen::Vector3f& normal) {
+    desk.addRectangle(corner, u, v, normal, 1, spacing, noise, rng);
+  };
+  const Eigen::Vector3f depth(0, 0.7f, 0), height(0, 0, 0.7f);
+  add({0, 0, 0.7f}, {1.5f, 0, 0}, depth, {0, 0, 1});
+  add({0, 0, 0}, {0.45f, 0, 0}, height, {0, -1, 0}); // the drawers
+  add({0, 0, 0}, depth, height, {-1, 0, 0});
+  add({0.45f, 0, 0}, depth, height, {1, 0, 0});
+  add({1.5f, 0, 0}, depth, height, {1, 0, 0}); // the end board
+  for (const float z : {0.13f, 0.16f})         // strays
+    add({0.5f, 0.01f, z}, {0.05f, 0, 0}, {0, 0, 0.02f}, {0, -1, 0});
+  EXPECT_EQ(segmentCount(parted(desk)), 1u);
+  ObjectSeamOptions options;
+  options.enclosed = 0;
+  EXPECT_EQ(segmentCount(parted(desk, options)), 2u);
+}
+
 TEST(ObjectSeams, NeedBodiesOnBothSides)
 {
   ObjectSeamOptions options;

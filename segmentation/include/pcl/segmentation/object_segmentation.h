@@ -47,7 +47,8 @@ struct ObjectSegmentationOptions {
   /** take straight bars out of what they run through, see partAtBars(); never for a
    * single camera */
   bool separate_bars = true;
-  /** against gravity, unit length; for flat things, gaps, seams and all that is joined
+  /** against gravity, unit length; for flat things, gaps, seams, bars and all that is
+   * joined
    */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   unsigned normal_rings = 1; ///< reach of normals and curvature, voxels (>= 1)
@@ -71,16 +72,14 @@ struct ObjectSegmentationOptions {
   /** join segments whose hulls leave little air between them for their contact, see
    * ConvexUnionOptions::air_per_contact; for Partition::Graph (>= 0, 0 = never) */
   double max_union_air = 5;
-  /** join the touching pieces of upright frames, see joinFrames(); for Partition::Graph
-   */
+  /** join the touching pieces of upright frames, see joinFrames() */
   bool join_frames = true;
-  /** join the boards of racks, see joinRacks(); for Partition::Graph */
+  /** join the boards of racks, see joinRacks() */
   bool join_racks = true;
-  /** join legs, end boards and backs to what they carry or end, see joinUprights(); for
-   * Partition::Graph */
+  /** join legs, end boards and backs to what they carry or end, see joinUprights() */
   bool join_uprights = true;
-  /** join the pieces of a front that a shadow cuts in two, see joinAcrossShadows(); for
-   * Partition::Graph, never for a single camera */
+  /** join the pieces of a front that a shadow cuts in two, see joinAcrossShadows();
+   * never for a single camera */
   bool join_shadowed = true;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;

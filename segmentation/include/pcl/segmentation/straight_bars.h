@@ -21,7 +21,7 @@ struct StraightBarOptions {
   /** bars run along those of these directions, orthonormal columns, that are level */
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< against gravity, unit length
-  double min_length = 1.5;    ///< metres (>= 0)
+  double min_length = 1.5;                       ///< metres (>= 0)
   double min_elongation = 10; ///< length over the larger of the two widths (>= 1)
   double max_flatness = 1.75; ///< larger over smaller width; boards are flatter (>= 1)
   /** share of the length beside which there is nothing, from 0 to 1 */
