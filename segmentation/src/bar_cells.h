@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -43,14 +44,40 @@ struct CellBox {
   }
 };
 
-/** The straight runs of occupied cells along an axis that are thin.
- * A run goes on over up to two empty cells. It is thin if across it the runs through at
- * least a third of its cells are at most a fifth as long as it is.
- * \param[in] cells each once
- * \param[in] min_length of a run, cells
- */
-std::vector<CellBox>
-thinRuns(const std::vector<GridCell>& cells, int axis, double min_length);
+/** Occupied cells, and the straight runs that they form along the axes of their grid. A
+ * run goes on over up to two empty cells. */
+class CellRuns {
+public:
+  /** \param[in] cells each once */
+  explicit CellRuns(std::vector<GridCell> cells);
+
+  const std::vector<GridCell>&
+  cells() const
+  {
+    return cells_;
+  }
+
+  /** The runs along an axis that are thin: across it, the runs through at least a third
+   * of their cells are at most a fifth as long.
+   * \param[in] min_length of a run, cells
+   */
+  std::vector<CellBox>
+  thinAlong(int axis, double min_length) const;
+
+private:
+  /** Along one axis. */
+  struct Lines {
+    std::vector<std::uint32_t> order; // of cells, line by line
+    std::vector<std::uint32_t> ends;  // of runs, exclusive, in that order
+    std::vector<int> length_at;       // of the run through each cell
+  };
+
+  void
+  findRuns(int axis);
+
+  std::vector<GridCell> cells_;
+  std::array<Lines, 3> lines_;
+};
 
 } // namespace indoor
 } // namespace pcl

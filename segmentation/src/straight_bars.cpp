@@ -56,7 +56,7 @@ united(const std::vector<CellBox>& boxes, const Related& are_related)
 class BarFinder {
 public:
   BarFinder(std::vector<GridCell> cells, const StraightBarOptions& options)
-  : cells_(std::move(cells))
+  : runs_(std::move(cells))
   , options_(options)
   {}
 
@@ -64,13 +64,13 @@ public:
   barsAlong(int axis) const
   {
     const int across = (axis + 1) % 3, third = (axis + 2) % 3;
-    auto stretches = united(
-        pcl::indoor::thinRuns(cells_, axis, options_.min_stretch / options_.voxel_size),
-        [&](const CellBox& a, const CellBox& b) {
-          const int shorter = std::min(a.length(axis), b.length(axis));
-          return a.common(b, across) >= 0 && a.common(b, third) >= 0 &&
-                 2 * a.common(b, axis) >= shorter;
-        });
+    auto stretches =
+        united(runs_.thinAlong(axis, options_.min_stretch / options_.voxel_size),
+               [&](const CellBox& a, const CellBox& b) {
+                 const int shorter = std::min(a.length(axis), b.length(axis));
+                 return a.common(b, across) >= 0 && a.common(b, third) >= 0 &&
+                        2 * a.common(b, axis) >= shorter;
+               });
     auto bars = united(stretches, [&](const CellBox& a, const CellBox& b) {
       const int gap = -a.common(b, axis);
       const int width = std::max(
@@ -113,7 +113,7 @@ private:
   {
     const int across = (axis + 1) % 3, third = (axis + 2) % 3;
     std::vector<std::uint8_t> is_clear(static_cast<std::size_t>(box.length(axis)), 1);
-    for (const auto& cell : cells_) {
+    for (const auto& cell : runs_.cells()) {
       const CellBox single{cell, cell};
       const int away =
           1 - std::min(box.common(single, across), box.common(single, third));
@@ -123,7 +123,7 @@ private:
     return static_cast<double>(std::count(is_clear.begin(), is_clear.end(), 1));
   }
 
-  std::vector<GridCell> cells_;
+  pcl::indoor::CellRuns runs_;
   const StraightBarOptions& options_;
 };
 
@@ -141,7 +141,7 @@ public:
   , next_segment_(1 +
                   *std::max_element(segment_of_point.begin(), segment_of_point.end()))
   {
-    for (std::uint32_t i = 0; i < points.size(); ++i)
+    for (const auto i : voxels.cells.points)
       if (!left_out[i]) {
         members_.push_back(i);
         places_.push_back((options.axes.transpose() * points[i]).cast<double>() /
@@ -153,19 +153,23 @@ public:
   std::vector<GridCell>
   cells() const
   {
+    constexpr std::ptrdiff_t last = 8; // a voxel may lie in as many
     std::vector<GridCell> cells;
-    cells.reserve(places_.size());
-    for (const auto& place : places_)
-      cells.push_back({static_cast<int>(std::floor(place[0])),
-                       static_cast<int>(std::floor(place[1])),
-                       static_cast<int>(std::floor(place[2]))});
+    for (const auto& place : places_) {
+      const GridCell cell{static_cast<int>(std::floor(place[0])),
+                          static_cast<int>(std::floor(place[1])),
+                          static_cast<int>(std::floor(place[2]))};
+      const auto count = static_cast<std::ptrdiff_t>(cells.size());
+      const auto recent = cells.end() - std::min(last, count);
+      if (std::find(recent, cells.end(), cell) == cells.end())
+        cells.push_back(cell);
+    }
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return cells;
   }
 
-  /**
-eturn whether the bar was taken out */
+  /** \return whether the bar was taken out */
   bool
   takeOut(const CellBox& bar)
   {
