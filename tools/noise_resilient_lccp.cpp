@@ -25,7 +25,7 @@ struct Settings {
   std::string preset = "auto", partition = "auto", camera = "auto";
   std::string orientation = "auto", structure = "auto", things = "auto", gaps = "auto",
               seams = "auto", bars = "auto", frames = "auto", racks = "auto",
-              uprights = "auto", shadows = "auto";
+              uprights = "auto", shadows = "auto", doors = "auto";
   double union_air = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
@@ -133,6 +133,10 @@ addShapes(OptionParser& parser, Settings& settings)
             settings.shadows,
             "fronts that the shadow of something before them "
             "cuts in two (z is up); auto: joined for rooms",
+            {"auto", "apart", "joined"})
+      .text("-doors",
+            settings.doors,
+            "the open leaf of a door and its frame (z is up); auto: joined for rooms",
             {"auto", "apart", "joined"});
 }
 
@@ -256,6 +260,7 @@ chosenOptions(const Settings& settings, bool organised)
   options.join_uprights = is(settings.uprights, "joined", preset.join_uprights);
   options.join_frames = is(settings.frames, "joined", preset.join_frames);
   options.join_shadowed = is(settings.shadows, "joined", preset.join_shadowed);
+  options.join_doors = is(settings.doors, "joined", preset.join_doors);
   options.max_union_air =
       settings.union_air < 0 ? preset.max_union_air : settings.union_air;
   options.adapt_to_resolution = !(settings.voxel_resolution > 0);

@@ -11,6 +11,7 @@
 #include <pcl/features/normal_orientation.h>
 #include <pcl/filters/non_convex_points.h>
 #include <pcl/filters/point_resolution.h>
+#include <pcl/segmentation/door_unions.h>
 #include <pcl/segmentation/enclosed_structure.h>
 #include <pcl/segmentation/flat_things.h>
 #include <pcl/segmentation/object_gaps.h>
@@ -366,6 +367,17 @@ segmentObjects(const ObjectSegmentationInput& input,
     shadows.voxel_size = options.voxel_size;
     shadows.up = options.up;
     joinAcrossShadows(result.voxels, in_plane, shadows, result.segment_of_point);
+  }
+  if (options.join_doors && !input.single_camera) {
+    DoorUnionOptions doors;
+    doors.voxel_size = options.voxel_size;
+    doors.up = options.up;
+    joinDoorLeaves(input.points,
+                   result.voxels,
+                   planes,
+                   result.plane_of_voxel,
+                   doors,
+                   result.segment_of_point);
   }
   yieldEnclosed(input.points,
                 result.voxels,

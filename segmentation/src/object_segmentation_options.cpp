@@ -115,6 +115,7 @@ singleViewOptions()
   options.join_racks = false;
   options.join_uprights = false;
   options.join_shadowed = false;
+  options.join_doors = false;
   return options;
 }
 
@@ -143,6 +144,7 @@ thesisOptions()
   options.join_racks = false;
   options.join_uprights = false;
   options.join_shadowed = false;
+  options.join_doors = false;
   return options;
 }
 

@@ -4,8 +4,6 @@
  */
 #include "wall_frames.h"
 
-#include "point_groups.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +12,6 @@ namespace {
 using pcl::indoor::SegmentMembers;
 using pcl::indoor::StructurePlane;
 
-constexpr double max_depth = 0.2;     // metres, on either side of the wall
 constexpr double max_outliers = 0.05; // share of a frame's points that are farther off
 constexpr double min_behind = 0.05;   // share of a frame's points behind the wall
 constexpr double max_tilt = 0.3;      // of a wall, sine
@@ -46,9 +43,33 @@ isThinAlong(const StructurePlane& plane,
   const double allowed = max_outliers * static_cast<double>(members.size());
   double far = 0;
   return std::all_of(members.begin(), members.end(), [&](std::uint32_t i) {
-    far += std::abs(plane.heightOf(points[i].cast<double>())) > max_depth;
+    far += std::abs(plane.heightOf(points[i].cast<double>())) > frame_depth;
     return far <= allowed;
   });
+}
+
+std::vector<WallFrame>
+framesInWalls(const std::vector<Eigen::Vector3f>& points,
+              const std::vector<StructurePlane>& planes,
+              const PlanesAndObjects& groups,
+              double voxel_size,
+              const Eigen::Vector3f& up)
+{
+  std::vector<WallFrame> frames;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const auto& plane = planes[p];
+    if (std::abs(plane.normal.dot(up.cast<double>())) >= max_tilt)
+      continue;
+    const auto reach = widened(groups.planes.boxes[p], frame_depth);
+    for (std::uint32_t s = 0; s < groups.objects.members.size(); ++s) {
+      const auto& members = groups.objects.members[s];
+      if (reach.intersects(groups.objects.boxes[s]) &&
+          isThinAlong(plane, points, members) &&
+          reachesBehind(plane, points, members, voxel_size))
+        frames.push_back({p, s});
+    }
+  }
+  return frames;
 }
 
 std::vector<std::uint8_t>
@@ -69,20 +90,10 @@ flagStructureAndFrames(const std::vector<Eigen::Vector3f>& points,
     for (const auto i : members)
       flags[i] = 1;
   };
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const auto& plane = planes[p];
-    flag(groups.planes.members[p]);
-    if (std::abs(plane.normal.dot(up.cast<double>())) >= max_tilt)
-      continue;
-    const auto reach = widened(groups.planes.boxes[p], max_depth);
-    for (std::size_t s = 0; s < groups.objects.members.size(); ++s) {
-      const auto& members = groups.objects.members[s];
-      if (reach.intersects(groups.objects.boxes[s]) &&
-          isThinAlong(plane, points, members) &&
-          reachesBehind(plane, points, members, voxel_size))
-        flag(members);
-    }
-  }
+  for (const auto& plane : groups.planes.members)
+    flag(plane);
+  for (const auto& frame : framesInWalls(points, planes, groups, voxel_size, up))
+    flag(groups.objects.members[frame.segment]);
   return flags;
 }
 

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "point_groups.h"
+
 #include <pcl/segmentation/room_structure.h>
 
 #include <Eigen/Core>
@@ -14,17 +16,37 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Tell whether all but a twentieth of some points are within 0.2 m of a plane,
- * as are those of the frames of doors and windows; none are. */
+constexpr double frame_depth = 0.2; ///< of a frame on either side of its wall, metres
+
+/** \brief Tell whether all but a twentieth of some points are within the depth of a
+ * frame from a plane, as are those of the frames of doors and windows; none are. */
 bool
 isThinAlong(const StructurePlane& plane,
             const std::vector<Eigen::Vector3f>& points,
             const std::vector<std::uint32_t>& members);
 
+/** A frame of a door or window, by the numbers of its plane, from 0, and segment. */
+struct WallFrame {
+  std::size_t wall = 0;
+  std::uint32_t segment = 0;
+};
+
+/** \brief Find the frames in upright planes. A frame is a segment that is thin along a
+ * wall, not beside it, and has a twentieth of its points more than a voxel behind it; a
+ * wall cabinet is as thin, but before its wall.
+ * \param[in] planes whose normals point into the room
+ * \param[in] groups the points of the planes, and of all other segments
+ * \param[in] up against gravity, unit length
+ */
+std::vector<WallFrame>
+framesInWalls(const std::vector<Eigen::Vector3f>& points,
+              const std::vector<StructurePlane>& planes,
+              const PlanesAndObjects& groups,
+              double voxel_size,
+              const Eigen::Vector3f& up);
+
 /** \brief Flag the points that stay in one segment: those of the structure, and those
- * of the frames of doors and windows. A frame is a segment that is thin along a wall,
- * not beside it, and has a twentieth of its points more than a voxel behind it; a wall
- * cabinet is as thin, but before its wall.
+ * of the frames of doors and windows.
  * \param[in] voxels of the points
  * \param[in] planes whose normals point into the room
  * \param[in] plane_of_voxel the number of its plane, from 1; 0 for objects

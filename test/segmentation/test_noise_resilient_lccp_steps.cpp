@@ -50,21 +50,31 @@ addRoomBefore(LabelledPoints& scene)
   scene.addRoomSide({0, 4, 0}, {width, 0, 0}, {0, 0, 2.5f}, {0, -1, 0}, 5, rng);
 }
 
-/** A room of 3 m x 3 m before a wall along x (1), with two leaves (2, 3), closed boxes
- * 1.2 m high that stand against each other, that far into the room. */
+/** A room of 3 m x 3 m (4, 5, 6) before a wall along x (1). */
 LabelledPoints
-leavesInWall(float into_room)
+roomBeforeWall()
 {
   LabelledPoints scene;
   std::mt19937 rng(11);
   const Eigen::Vector3f x(3, 0, 0), y(0, 3, 0), z(0, 0, 2.5f);
   scene.addRoomSide({0, 0, 0}, x, z, {0, 1, 0}, 1, rng);
-  scene.removeIf([](const Eigen::Vector3f& p) {
-    return p.x() > 0.9f && p.x() < 2.1f && p.z() > 0.6f && p.z() < 1.8f;
-  });
   scene.addRoomSide({0, 0, 0}, x, y, {0, 0, 1}, 4, rng);
   scene.addRoomSide({0, 0, 0}, y, z, {1, 0, 0}, 5, rng);
   scene.addRoomSide(x, y, z, {-1, 0, 0}, 6, rng);
+  return scene;
+}
+
+/** The room with two leaves (2, 3) in the wall, closed boxes 1.2 m high that stand
+ * against each other, that far into the room. */
+LabelledPoints
+leavesInWall(float into_room)
+{
+  auto scene = roomBeforeWall();
+  std::mt19937 rng(11);
+  scene.removeIf([](const Eigen::Vector3f& p) {
+    return p.y() < 0.05f && p.x() > 0.9f && p.x() < 2.1f && p.z() > 0.6f &&
+           p.z() < 1.8f;
+  });
   for (const std::uint32_t leaf : {2u, 3u})
     scene.addBox({leaf == 2 ? 0.9f : 1.505f, into_room - 0.19f, 0.6f},
                  {0.6f, 0.19f, 1.2f},
@@ -72,6 +82,25 @@ leavesInWall(float into_room)
                  0.012f,
                  0.003f,
                  rng);
+  return scene;
+}
+
+/** The room with a door (2) in the wall, whose leaf stands open. */
+LabelledPoints
+openDoor()
+{
+  auto scene = roomBeforeWall();
+  std::mt19937 rng(13);
+  const auto add = [&](const Eigen::Vector3f& low, const Eigen::Vector3f& size) {
+    scene.addBox(low, size, 2, 0.012f, 0.003f, rng);
+  };
+  scene.removeIf([](const Eigen::Vector3f& p) {
+    return p.y() < 0.05f && p.x() > 1 && p.x() < 2 && p.z() < 2.06f;
+  });
+  add({1, -0.12f, 0}, {0.06f, 0.15f, 2});
+  add({1.94f, -0.12f, 0}, {0.06f, 0.15f, 2});
+  add({1, -0.12f, 2}, {1, 0.15f, 0.06f});
+  add({1.02f, 0.03f, 0.01f}, {0.04f, 0.88f, 1.99f});
   return scene;
 }
 
@@ -313,4 +342,15 @@ TEST(NoiseResilientLCCPSteps, TakesABeamOutOfTheColumnThatItRunsThrough)
   EXPECT_LT(errorsOf(scene, labels).under, 0.05);
   labels = segmentedWithout(&ObjectSegmentationOptions::separate_bars, segmentation);
   EXPECT_LT(largestShareOf(1, scene, labels), 0.6);
+}
+
+TEST(NoiseResilientLCCPSteps, JoinsTheLeafOfAnOpenDoorWithItsFrame)
+{
+  const auto scene = openDoor();
+  Segmentation segmentation;
+  auto labels = segmentedFrom({1.7f, 2, 1.4f}, scene, segmentation);
+  EXPECT_GT(largestShareOf(2, scene, labels), 0.95);
+  EXPECT_LT(errorsOf(scene, labels).under, 0.05);
+  labels = segmentedWithout(&ObjectSegmentationOptions::join_doors, segmentation);
+  EXPECT_LT(largestShareOf(2, scene, labels), 0.85);
 }

@@ -81,6 +81,9 @@ struct ObjectSegmentationOptions {
   /** join the pieces of a front that a shadow cuts in two, see joinAcrossShadows();
    * never for a single camera */
   bool join_shadowed = true;
+  /** join the open leaves of doors with their frames, see joinDoorLeaves(); never for a
+   * single camera */
+  bool join_doors = true;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
