@@ -174,15 +174,16 @@ public:
   takeOut(const CellBox& bar)
   {
     SegmentMembers inside;
-    std::map<std::uint32_t, std::size_t> points_of;
+    std::map<std::uint32_t, double> points_of;
     for (std::size_t k = 0; k < members_.size(); ++k)
       if (holds(bar, places_[k])) {
         inside.push_back(members_[k]);
         ++points_of[segment_of_point_[members_[k]]];
       }
-    for (const auto& entry : points_of)
-      if (static_cast<double>(entry.second) >
-          options_.max_share * static_cast<double>(inside.size()))
+    const bool is_beam = thicknessOf(bar) * options_.voxel_size >= options_.min_beam;
+    for (const auto& [segment, count] : points_of)
+      if (count > options_.max_share * static_cast<double>(inside.size()) &&
+          (!is_beam || count > options_.max_share * sizeOf(segment)))
         return false;
     for (const auto i : inside)
       segment_of_point_[i] = next_segment_;
@@ -193,6 +194,21 @@ public:
   }
 
 private:
+  static int
+  thicknessOf(const CellBox& bar)
+  {
+    return std::min({bar.length(0), bar.length(1), bar.length(2)});
+  }
+
+  double
+  sizeOf(std::uint32_t segment) const
+  {
+    return static_cast<double>(
+        std::count_if(members_.begin(), members_.end(), [&](std::uint32_t i) {
+          return segment_of_point_[i] == segment;
+        }));
+  }
+
   /** The surface may be up to half a cell outside of the cells. */
   static bool
   holds(const CellBox& bar, const Eigen::Vector3d& place)
@@ -312,7 +328,7 @@ requireValid(std::size_t point_count,
       !(options.min_elongation >= 1) || !(options.max_flatness >= 1) ||
       !(options.min_clear >= 0 && options.min_clear <= 1) ||
       !(options.min_stretch >= 0) || !(options.max_break >= 0) ||
-      !(options.max_share >= 0 && options.max_share <= 1) ||
+      !(options.max_share >= 0 && options.max_share <= 1) || !(options.min_beam >= 0) ||
       !(std::abs(options.up.norm() - 1) < 1e-3f) ||
       !(options.axes.transpose() * options.axes).isIdentity(1e-3f))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,

@@ -31,6 +31,9 @@ struct StraightBarOptions {
   /** a bar with a larger share of its points in one segment is left there, from 0 to 1
    */
   double max_share = 0.9;
+  /** but a thicker one, a beam, only if it is as large a share of that segment; metres
+   * (>= 0) */
+  double min_beam = 0.2;
 };
 
 /** \brief Make a segment of each straight level bar that runs through several segments:
