@@ -46,6 +46,42 @@ balustrade(float rail_depth = 0.08f, float rail_height = 0.08f, float rail_z = 0
   return scene;
 }
 
+/** A beam of 8.5 m (object 100) through two columns (1, 2), 0.1 m wider than it. */
+LabelledPoints
+beamThroughColumns()
+{
+  LabelledPoints scene;
+  std::mt19937 rng(4);
+  scene.addBox({0, 0.05f, 2.6f}, {8.5f, 0.4f, 0.4f}, rail, spacing, noise, rng);
+  scene.removeIf([](const Eigen::Vector3f& p) {
+    return (p.x() > 2.5f && p.x() < 3) || (p.x() > 5.5f && p.x() < 6);
+  });
+  const Eigen::Vector3f size(0.5f, 0.5f, 3.3f);
+  scene.addBox({2.5f, 0, 0}, size, 1, spacing, noise, rng);
+  scene.addBox({5.5f, 0, 0}, size, 2, spacing, noise, rng);
+  return scene;
+}
+
+std::size_t
+pointCount(std::uint32_t object, const LabelledPoints& scene)
+{
+  return static_cast<std::size_t>(
+      std::count(scene.objects.begin(), scene.objects.end(), object));
+}
+
+std::size_t
+largestPieceOf(std::uint32_t object,
+               const LabelledPoints& scene,
+               const std::vector<std::uint32_t>& labels)
+{
+  std::map<std::uint32_t, std::size_t> pieces;
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (scene.objects[i] == object)
+      largest = std::max(largest, ++pieces[labels[i]]);
+  return largest;
+}
+
 /** Every post with its piece of the rail, but for the last two, which share theirs. */
 std::vector<std::uint32_t>
 inPieces(const LabelledPoints& scene)
@@ -129,32 +165,30 @@ TEST(StraightBars, FollowTheAxes)
 
 TEST(StraightBars, RunThroughColumns)
 {
-  LabelledPoints scene;
-  std::mt19937 rng(4);
-  const Eigen::Vector3f size(0.5f, 0.5f, 3.3f);
-  scene.addBox({2.5f, 0, 0}, size, 1, spacing, noise, rng);
-  scene.addBox({5.5f, 0, 0}, size, 2, spacing, noise, rng);
-  scene.addBox({0, 0.05f, 2.6f}, {8.5f, 0.4f, 0.4f}, rail, spacing, noise, rng);
-  scene.removeIf([](const Eigen::Vector3f& p) { // within the columns
-    return p.y() > 0.02f && p.y() < 0.48f && p.z() < 3.1f &&
-           ((p.x() > 2.52f && p.x() < 2.98f) || (p.x() > 5.52f && p.x() < 5.98f));
-  });
+  const auto scene = beamThroughColumns();
   std::vector<std::uint32_t> segments;
   for (const auto& point : scene.points)
     segments.push_back(point.x() < 3.1f ? 1 : point.x() < 6.1f ? 2 : 3);
   const auto labels = parted(scene, segments);
   EXPECT_EQ(segmentCount(labels), 3u);
-  std::map<std::uint32_t, std::size_t> of_beam;
-  std::size_t beam = 0, most = 0;
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (scene.objects[i] == rail) {
-      ++beam;
-      most = std::max(most, ++of_beam[labels[i]]);
-    }
-  EXPECT_EQ(most, beam);
+  EXPECT_EQ(largestPieceOf(rail, scene, labels), pointCount(rail, scene));
   StraightBarOptions options;
   options.max_break = 0.5;
   parted(scene, segments, options, 0);
+}
+
+TEST(StraightBars, AreBeamsIfThick)
+{
+  const auto scene = beamThroughColumns();
+  const std::vector<std::uint32_t> one(scene.points.size(), 0);
+  const auto labels = parted(scene, one);
+  EXPECT_EQ(segmentCount(labels), 3u) << "the columns are apart, too";
+  EXPECT_EQ(largestPieceOf(rail, scene, labels), pointCount(rail, scene));
+  StraightBarOptions options;
+  options.min_beam = 0.6;
+  parted(scene, one, options, 0);
+  EXPECT_EQ(parted(scene, scene.objects, {}, 0), scene.objects)
+      << "it is a segment already";
 }
 
 TEST(StraightBars, StayPartOfOneThing)
@@ -171,15 +205,44 @@ TEST(StraightBars, StayPartOfOneThing)
 
 TEST(StraightBars, AreNeitherBoardsNorShort)
 {
-  const auto board = balustrade(0.3f, 0.04f);
-  parted(board, inPieces(board), {}, 0);
-  const auto scene = balustrade();
+  const auto board = balustrade(0.12f, 0.02f);
   StraightBarOptions options;
+  parted(board, inPieces(board), options, 0);
+  options.max_flatness = 10;
+  parted(board, inPieces(board), options);
+  const auto scene = balustrade();
+  options = {};
   options.min_length = 2.2;
   parted(scene, inPieces(scene), options, 0);
   options = {};
   options.min_elongation = 30;
   parted(scene, inPieces(scene), options, 0);
+  options = {};
+  options.min_stretch = 2.2;
+  parted(scene, inPieces(scene), options, 0);
+}
+
+TEST(StraightBars, AreOneEachAboveAnother)
+{
+  auto scene = balustrade();
+  std::mt19937 rng(8);
+  scene.addBox({0, 0, 0.4f}, {2, 0.08f, 0.08f}, rail + 1, spacing, noise, rng);
+  const auto labels = parted(scene, inPieces(scene), {}, 2);
+  EXPECT_EQ(segmentCount(labels), 7u);
+  EXPECT_EQ(largestPieceOf(rail, scene, labels), pointCount(rail, scene));
+  EXPECT_EQ(largestPieceOf(rail + 1, scene, labels), pointCount(rail + 1, scene));
+}
+
+TEST(StraightBars, OfOtherWidthAreNotInLine)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(8);
+  scene.addBox({0, 0, 1}, {1.3f, 0.08f, 0.08f}, 1, spacing, noise, rng);
+  scene.addBox({1.4f, 0, 1}, {1.3f, 0.08f, 0.08f}, 2, spacing, noise, rng);
+  parted(scene, scene.objects, {}, 1);
+  scene.removeIf([](const Eigen::Vector3f& p) { return p.x() > 1.35f; });
+  scene.addBox({1.4f, 0, 1}, {1.3f, 0.24f, 0.24f}, 2, spacing, noise, rng);
+  parted(scene, scene.objects, {}, 0);
 }
 
 TEST(StraightBars, AreClearOfOtherThings)
@@ -252,6 +315,7 @@ TEST(StraightBars, RefuseWhatDoesNotFit)
   refused([](auto& o) { o.min_stretch = -1; });
   refused([](auto& o) { o.max_break = -1; });
   refused([](auto& o) { o.max_share = -1; });
+  refused([](auto& o) { o.min_beam = -1; });
   segments.clear();
   EXPECT_EQ(partAtBars({}, surfaceVoxels({}, {}, 0.03), {}, {}, segments), 0u);
 }
