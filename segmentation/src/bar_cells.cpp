@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr int max_empty = 2; // cells in a run
+constexpr int max_empty = 1; // cells in a run
 constexpr int thinness = 5;  // length of a run over that of those across it
 constexpr int thin_part = 3; // one of so many cells of a run is thin
 

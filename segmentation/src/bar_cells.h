@@ -45,7 +45,7 @@ struct CellBox {
 };
 
 /** Occupied cells, and the straight runs that they form along the axes of their grid. A
- * run goes on over up to two empty cells. */
+ * run goes on over single empty cells. */
 class CellRuns {
 public:
   /** \param[in] cells each once */

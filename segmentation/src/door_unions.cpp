@@ -8,6 +8,7 @@
 #include "ground_frame.h"
 #include "interval.h"
 #include "point_groups.h"
+#include "quantile.h"
 #include "wall_frames.h"
 
 #include <pcl/exceptions.h>
@@ -29,6 +30,8 @@ using pcl::indoor::StructurePlane;
 constexpr double max_before = 2;     // voxels before the wall that are still within it
 constexpr double max_apart = 2;      // voxels between the edge of a leaf and its frame
 constexpr std::size_t min_edge = 20; // points
+constexpr double jamb_width = 0.05;  // metres, at the least
+constexpr double parallel = 0.99;    // cosine of 8 degrees: a leaf that is shut
 
 /** Finds the leaves of frames. */
 class LeafFinder {
@@ -58,10 +61,10 @@ public:
         edge_box.extend(points_[i]);
     }
     if (edge.size() < min_edge || before.size() < edge.size() ||
-        edge_box.exteriorDistance(frame_box) > max_apart * voxel)
+        edge_box.exteriorDistance(frame_box) > max_apart * voxel ||
+        !hasHeightOf(frame, edge, leaf))
       return false;
-    return hasHeightOf(frame, edge, leaf) &&
-           hasWidthOf(wall, frame, edge, before, leaf);
+    return fitsOpening(wall, frame, edge, before, leaf);
   }
 
 private:
@@ -89,25 +92,61 @@ private:
            height <= options_.max_ratio * leaf_height;
   }
 
-  /** Of a leaf that is flat; what is before the wall tells where it stands. */
+  /** Of a leaf that is flat and stands out of the wall, as what is before the wall
+   * tells, and whose edge is in the opening. */
   bool
-  hasWidthOf(const StructurePlane& wall,
-             const SegmentMembers& frame,
-             const SegmentMembers& edge,
-             const SegmentMembers& before,
-             const SegmentMembers& leaf) const
+  fitsOpening(const StructurePlane& wall,
+              const SegmentMembers& frame,
+              const SegmentMembers& edge,
+              const SegmentMembers& before,
+              const SegmentMembers& leaf) const
   {
     const Eigen::Vector3d up = ground_.row(2), normal = normalOf(before),
                           along_wall = up.cross(wall.normal).normalized();
-    if (rangeOf(before, normal).length() > options_.max_thickness)
+    if (rangeOf(before, normal).length() > options_.max_thickness ||
+        std::abs(normal.dot(wall.normal)) > parallel)
       return false;
     const double width = rangeOf(leaf, up.cross(normal)).length();
+    if (isBeside(frame, edge, along_wall, width))
+      return false;
     SegmentMembers opening = frame;
     opening.insert(opening.end(), edge.begin(), edge.end());
     const double frame_width = rangeOf(opening, along_wall).length();
-    return width <= options_.max_width &&
-           width >= options_.min_width_ratio * frame_width &&
-           width <= options_.max_ratio * frame_width;
+    return width <= options_.max_width && width <= options_.max_ratio * frame_width &&
+           width >= options_.min_width_ratio * frame_width;
+  }
+
+  /** Whether the edge is on the outer side of a jamb of the frame, nearer to it than to
+   * the other end of an opening. If the jamb went with the leaf, there is none. */
+  bool
+  isBeside(const SegmentMembers& frame,
+           const SegmentMembers& edge,
+           const Eigen::Vector3d& along_wall,
+           double width) const
+  {
+    const auto range = rangeOf(frame, along_wall);
+    const double middle = middleOf(edge, along_wall);
+    if (range.widened(options_.voxel_size / 2).holds(middle))
+      return false;
+    const double end = middle < range.low ? range.low : range.high;
+    if (std::abs(middle - end) > width / 2)
+      return false;
+    SegmentMembers jamb;
+    for (const auto i : frame)
+      if (std::abs(along_wall.dot(points_[i].cast<double>()) - end) < jamb_width)
+        jamb.push_back(i);
+    const Eigen::Vector3d up = ground_.row(2);
+    return !jamb.empty() && rangeOf(jamb, up).length() >=
+                                options_.min_hinge * rangeOf(frame, up).length();
+  }
+
+  double
+  middleOf(const SegmentMembers& members, const Eigen::Vector3d& direction) const
+  {
+    std::vector<double> places;
+    for (const auto i : members)
+      places.push_back(direction.dot(points_[i].cast<double>()));
+    return pcl::indoor::quantile(places, 0.5);
   }
 
   /** The level direction across which the points reach least. */
@@ -178,23 +217,25 @@ joinDoorLeaves(const std::vector<Eigen::Vector3f>& points,
   const auto groups =
       groupPoints(points, voxels, planes.size(), plane_of_voxel, segment_of_point);
   const auto& [members, boxes] = groups.objects;
-  const LeafFinder finder(points, options);
+  const auto frames =
+      framesInWalls(points, planes, groups, options.voxel_size, options.up);
+  std::vector<std::uint8_t> is_frame(members.size(), 0), is_joined(members.size(), 0);
+  for (const auto& frame : frames)
+    is_frame[frame.segment] = 1;
   DisjointSets doors(members.size());
-  std::size_t joined = 0;
-  for (const auto& [wall, frame] :
-       framesInWalls(points, planes, groups, options.voxel_size, options.up)) {
+  const LeafFinder finder(points, options);
+  for (const auto& [wall, frame] : frames) {
     const auto reach = widened(boxes[frame], options.max_width);
     for (std::uint32_t leaf = 0; leaf < members.size(); ++leaf)
-      if (doors.find(leaf) != doors.find(frame) && reach.intersects(boxes[leaf]) &&
+      if (!is_frame[leaf] && reach.intersects(boxes[leaf]) &&
           finder.isLeafOf(planes[wall], members[frame], boxes[frame], members[leaf])) {
         doors.merge(doors.find(frame), doors.find(leaf));
-        ++joined;
+        is_joined[leaf] = 1;
       }
   }
-  if (joined > 0)
-    for (auto& segment : segment_of_point)
-      segment = doors.find(segment);
-  return joined;
+  for (auto& segment : segment_of_point)
+    segment = doors.find(segment);
+  return static_cast<std::size_t>(std::count(is_joined.begin(), is_joined.end(), 1));
 }
 
 } // namespace indoor

@@ -5,7 +5,7 @@
 #include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/straight_bars.h>
 
-#include "bar_cells.h"
+#include "bar_finder.h"
 #include "segment_members.h"
 
 #include <pcl/exceptions.h>
@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -26,106 +27,9 @@ using pcl::indoor::SegmentMembers;
 using pcl::indoor::StraightBarOptions;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr float max_tilt = 0.1f;    // of a level bar, sine: 6 degrees
-constexpr double min_overlap = 0.5; // of the widths of stretches in line
-constexpr int nearest = 2;          // cells away from a bar is beside it
-constexpr int farthest = 3;
+constexpr float max_tilt = 0.1f;       // of a level bar, sine: 6 degrees
 constexpr double min_plan_share = 0.5; // of the smaller part, below another
-
-/** One box for all that a relation of pairs puts together. */
-template <typename Related>
-std::vector<CellBox>
-united(const std::vector<CellBox>& boxes, const Related& are_related)
-{
-  DisjointSets sets(boxes.size());
-  for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    for (std::uint32_t j = i + 1; j < boxes.size(); ++j)
-      if (are_related(boxes[i], boxes[j]))
-        sets.merge(sets.find(i), sets.find(j));
-  const auto labels = sets.labels();
-  std::vector<CellBox> unions;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    if (labels[i] == unions.size())
-      unions.push_back(boxes[i]);
-    unions[labels[i]].include(boxes[i]);
-  }
-  return unions;
-}
-
-/** Finds the bars along the axes of a grid of cells. */
-class BarFinder {
-public:
-  BarFinder(std::vector<GridCell> cells, const StraightBarOptions& options)
-  : runs_(std::move(cells))
-  , options_(options)
-  {}
-
-  std::vector<CellBox>
-  barsAlong(int axis) const
-  {
-    const int across = (axis + 1) % 3, third = (axis + 2) % 3;
-    auto stretches =
-        united(runs_.thinAlong(axis, options_.min_stretch / options_.voxel_size),
-               [&](const CellBox& a, const CellBox& b) {
-                 const int shorter = std::min(a.length(axis), b.length(axis));
-                 return a.common(b, across) >= 0 && a.common(b, third) >= 0 &&
-                        2 * a.common(b, axis) >= shorter;
-               });
-    auto bars = united(stretches, [&](const CellBox& a, const CellBox& b) {
-      const int gap = -a.common(b, axis);
-      const int width = std::max(
-          {a.length(across), a.length(third), b.length(across), b.length(third)});
-      return gap >= 0 && gap <= options_.max_break * width &&
-             commonWidth(a, b, across) >= min_overlap &&
-             commonWidth(a, b, third) >= min_overlap;
-    });
-    bars.erase(std::remove_if(bars.begin(),
-                              bars.end(),
-                              [&](const CellBox& box) { return !isBar(box, axis); }),
-               bars.end());
-    return bars;
-  }
-
-private:
-  static double
-  commonWidth(const CellBox& a, const CellBox& b, int axis)
-  {
-    const double both =
-        std::max(a.high[axis], b.high[axis]) - std::min(a.low[axis], b.low[axis]) + 1;
-    return a.common(b, axis) / both;
-  }
-
-  bool
-  isBar(const CellBox& box, int axis) const
-  {
-    const auto [narrow, wide] =
-        std::minmax({box.length((axis + 1) % 3), box.length((axis + 2) % 3)});
-    const double length = box.length(axis);
-    return length * options_.voxel_size >= options_.min_length &&
-           length >= options_.min_elongation * wide &&
-           wide <= options_.max_flatness * narrow &&
-           clearLength(box, axis) >= options_.min_clear * length;
-  }
-
-  /** How many cells of its length have nothing beside them. */
-  double
-  clearLength(const CellBox& box, int axis) const
-  {
-    const int across = (axis + 1) % 3, third = (axis + 2) % 3;
-    std::vector<std::uint8_t> is_clear(static_cast<std::size_t>(box.length(axis)), 1);
-    for (const auto& cell : runs_.cells()) {
-      const CellBox single{cell, cell};
-      const int away =
-          1 - std::min(box.common(single, across), box.common(single, third));
-      if (box.common(single, axis) == 1 && away >= nearest && away <= farthest)
-        is_clear[static_cast<std::size_t>(cell[axis] - box.low[axis])] = 0;
-    }
-    return static_cast<double>(std::count(is_clear.begin(), is_clear.end(), 1));
-  }
-
-  pcl::indoor::CellRuns runs_;
-  const StraightBarOptions& options_;
-};
+constexpr std::uint32_t min_part = 8;  // voxels
 
 /** Takes bars out of segments, and parts what they held together. */
 class BarCutter {
@@ -140,13 +44,20 @@ public:
   , segment_of_point_(segment_of_point)
   , next_segment_(1 +
                   *std::max_element(segment_of_point.begin(), segment_of_point.end()))
+  , is_held_(voxels.size(), 0)
   {
+    const Eigen::Matrix3d to_axes =
+        options.axes.transpose().cast<double>() / options.voxel_size;
+    Eigen::Array3d lowest =
+        Eigen::Array3d::Constant(std::numeric_limits<double>::max());
     for (const auto i : voxels.cells.points)
       if (!left_out[i]) {
         members_.push_back(i);
-        places_.push_back((options.axes.transpose() * points[i]).cast<double>() /
-                          options.voxel_size);
+        places_.emplace_back(to_axes * points[i].cast<double>());
+        lowest = lowest.min(places_.back().array());
       }
+    for (auto& place : places_) // cells are numbered by small integers
+      place.array() -= lowest.floor();
   }
 
   /** The cells with points, each once, ascending. */
@@ -173,23 +84,23 @@ public:
   bool
   takeOut(const CellBox& bar)
   {
-    SegmentMembers inside;
     std::map<std::uint32_t, double> points_of;
+    double count = 0;
     for (std::size_t k = 0; k < members_.size(); ++k)
       if (holds(bar, places_[k])) {
-        inside.push_back(members_[k]);
         ++points_of[segment_of_point_[members_[k]]];
+        ++count;
       }
     const bool is_beam = thicknessOf(bar) * options_.voxel_size >= options_.min_beam;
-    for (const auto& [segment, count] : points_of)
-      if (count > options_.max_share * static_cast<double>(inside.size()) &&
-          (!is_beam || count > options_.max_share * sizeOf(segment)))
+    for (const auto& [segment, its_count] : points_of)
+      if (its_count > options_.max_share * count &&
+          (!is_beam || its_count > options_.max_share * sizeOf(segment)))
         return false;
-    for (const auto i : inside)
-      segment_of_point_[i] = next_segment_;
-    ++next_segment_;
+    const auto voxels = moveOut(bar);
+    markHeld(voxels, 1);
     for (const auto& entry : points_of)
       partLoose(entry.first);
+    markHeld(voxels, 0);
     return true;
   }
 
@@ -219,7 +130,41 @@ private:
     return true;
   }
 
-  /** Make segments of the parts that neither touch nor lie above one another. */
+  /** Make a segment of the bar's points; no other takes part of it.
+   * \return their voxels, some more than once */
+  SegmentMembers
+  moveOut(const CellBox& bar)
+  {
+    SegmentMembers voxels;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+      if (holds(bar, places_[k])) {
+        segment_of_point_[members_[k]] = next_segment_;
+        voxels.push_back(voxels_.cells.cell_of_point[members_[k]]);
+        continue;
+      }
+      members_[kept] = members_[k];
+      places_[kept++] = places_[k];
+    }
+    members_.resize(kept);
+    places_.resize(kept);
+    ++next_segment_;
+    return voxels;
+  }
+
+  /** Flag voxels and all around them. */
+  void
+  markHeld(const SegmentMembers& voxels, std::uint8_t flag)
+  {
+    const auto& neighbors = voxels_.neighbors;
+    for (const auto v : voxels) {
+      is_held_[v] = flag;
+      for (auto j = neighbors.offsets[v]; j < neighbors.offsets[v + 1]; ++j)
+        is_held_[neighbors.targets[j]] = flag;
+    }
+  }
+
+  /** Make segments of the parts that the bar held together. */
   void
   partLoose(std::uint32_t segment)
   {
@@ -245,10 +190,59 @@ private:
     }
   }
 
-  /** \param[in] voxels ascending
+  /** Voxels that touch, seen from above. */
+  struct Part {
+    std::uint32_t size = 0;
+    bool is_held = false; ///< next to the bar
+    Eigen::AlignedBox2f plan;
+
+    float
+    area() const
+    {
+      return plan.isEmpty() ? 0 : plan.volume();
+    }
+
+    bool
+    isAboveOrBelow(const Part& other) const
+    {
+      const auto common = plan.intersection(other.plan);
+      return !common.isEmpty() &&
+             common.volume() >= min_plan_share * std::min(area(), other.area());
+    }
+  };
+
+  /** Those that touch, or lie above one another, are one part; crumbs, and what was not
+   * next to the bar, go with the largest.
+   * \param[in] voxels ascending
    * \return the number of its part for each voxel */
   std::vector<std::uint32_t>
   partsOf(const SegmentMembers& voxels) const
+  {
+    const auto touching = touchingParts(voxels);
+    const auto parts = describe(voxels, touching);
+    const auto largest = static_cast<std::uint32_t>(
+        std::max_element(parts.begin(),
+                         parts.end(),
+                         [](const Part& a, const Part& b) { return a.size < b.size; }) -
+        parts.begin());
+    DisjointSets sets(parts.size());
+    for (std::uint32_t a = 0; a < parts.size(); ++a)
+      for (std::uint32_t b = a + 1; b < parts.size() && parts[a].size >= min_part; ++b)
+        if (parts[b].size >= min_part && parts[a].isAboveOrBelow(parts[b]))
+          sets.merge(sets.find(a), sets.find(b));
+    for (std::uint32_t part = 0; part < parts.size(); ++part)
+      if (parts[part].size < min_part ||
+          (!parts[part].is_held && sets.size(sets.find(part)) == 1))
+        sets.merge(sets.find(part), sets.find(largest));
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(touching.size());
+    for (const auto part : touching)
+      numbers.push_back(sets.find(part));
+    return numbers;
+  }
+
+  std::vector<std::uint32_t>
+  touchingParts(const SegmentMembers& voxels) const
   {
     DisjointSets sets(voxels.size());
     const auto& neighbors = voxels_.neighbors;
@@ -261,53 +255,39 @@ private:
           sets.merge(sets.find(k),
                      sets.find(static_cast<std::uint32_t>(other - voxels.begin())));
       }
-    const auto touching = sets.labels();
-    const auto plans = plansOf(voxels, touching);
-    DisjointSets stacks(plans.size());
-    for (std::uint32_t a = 0; a < plans.size(); ++a)
-      for (std::uint32_t b = a + 1; b < plans.size(); ++b)
-        if (areaOf(plans[a].intersection(plans[b])) >=
-            min_plan_share * std::min(areaOf(plans[a]), areaOf(plans[b])))
-          stacks.merge(stacks.find(a), stacks.find(b));
-    std::vector<std::uint32_t> parts;
-    parts.reserve(touching.size());
-    for (const auto part : touching)
-      parts.push_back(stacks.find(part));
-    return parts;
+    return sets.labels();
   }
 
-  /** The boxes around parts, seen from above. */
-  std::vector<Eigen::AlignedBox2f>
-  plansOf(const SegmentMembers& voxels, const std::vector<std::uint32_t>& parts) const
+  std::vector<Part>
+  describe(const SegmentMembers& voxels,
+           const std::vector<std::uint32_t>& part_of_voxel) const
   {
     int upright = 0;
     (options_.axes.transpose() * options_.up).cwiseAbs().maxCoeff(&upright);
     const Eigen::Vector2f half =
         Eigen::Vector2f::Constant(static_cast<float>(options_.voxel_size) / 2);
-    std::vector<Eigen::AlignedBox2f> plans;
+    std::vector<Part> parts;
     for (std::size_t k = 0; k < voxels.size(); ++k) {
-      if (parts[k] == plans.size())
-        plans.emplace_back();
+      if (part_of_voxel[k] == parts.size())
+        parts.emplace_back();
+      auto& part = parts[part_of_voxel[k]];
       const Eigen::Vector3f place =
           options_.axes.transpose() * voxels_.centroids[voxels[k]];
       const Eigen::Vector2f level(place[(upright + 1) % 3], place[(upright + 2) % 3]);
-      plans[parts[k]].extend(level - half).extend(level + half);
+      part.plan.extend(level - half).extend(level + half);
+      part.is_held = part.is_held || is_held_[voxels[k]] != 0;
+      ++part.size;
     }
-    return plans;
-  }
-
-  static float
-  areaOf(const Eigen::AlignedBox2f& plan)
-  {
-    return plan.isEmpty() ? 0 : plan.volume();
+    return parts;
   }
 
   const SurfaceVoxels& voxels_;
   const StraightBarOptions& options_;
   std::vector<std::uint32_t>& segment_of_point_;
   std::uint32_t next_segment_;
-  SegmentMembers members_;              // points that are not left out
+  SegmentMembers members_;              // points that are in no bar, nor left out
   std::vector<Eigen::Vector3d> places_; // of the members, along the axes, voxels
+  std::vector<std::uint8_t> is_held_;   // voxels next to the bar that is taken out
 };
 
 void

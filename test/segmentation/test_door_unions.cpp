@@ -171,6 +171,75 @@ TEST(DoorUnions, LeaveWhatIsNoLeaf)
   expectApart("shut", [](auto& o) { o.angle = 0; });
 }
 
+TEST(DoorUnions, HangOnMostOfTheirHeight)
+{
+  auto scene = frameInWall();
+  Leaf screen;
+  screen.hinge.y() = 0.1f;
+  add(scene, screen);
+  addBody(scene, {1.02f, 0, 0}, {0.04f, 0.1f, 0.9f}, leaf);
+  joined(scene, 0);
+  DoorUnionOptions options;
+  options.min_hinge = 0.4;
+  joined(scene, 1, options);
+}
+
+TEST(DoorUnions, AreNotWiderThanDoorsAre)
+{
+  auto scene = frameInWall();
+  add(scene, {});
+  DoorUnionOptions options;
+  options.max_width = 0.8;
+  joined(scene, 0, options);
+}
+
+TEST(DoorUnions, LeaveWhatIsFlatOnTheWall)
+{
+  auto scene = frameInWall();
+  std::mt19937 rng(7);
+  const float thickness = 0.1f, height = 2;
+  const auto add = [&](const Eigen::Vector3f& corner, const Eigen::Vector3f& u) {
+    scene.addRectangle(corner, u, {0, 0, height}, {0, 1, 0}, leaf, 0.02f, 0.002f, rng);
+  };
+  add({2.03f, thickness, 0}, {0.9f, 0, 0});
+  add({2.03f, 0, 0}, {0, thickness, 0});
+  add({2.93f, 0, 0}, {0, thickness, 0});
+  joined(scene, 0);
+}
+
+TEST(DoorUnions, LeaveAPanelBesideTheFrame)
+{
+  auto scene = frameInWall();
+  addBody(scene, {0.87f, 0, 0}, {0.1f, 0.9f, 2}, leaf);
+  joined(scene, 0);
+  addBody(scene, {1.06f, 0, 0}, {0.1f, 0.9f, 2}, second_leaf);
+  const auto segments = joined(scene, 1);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    ASSERT_EQ(segments[i] == leaf, scene.objects[i] == leaf)
+        << "the other one is in the opening";
+}
+
+TEST(DoorUnions, JoinOnlyTheFrameOfTheLeaf)
+{
+  constexpr std::uint32_t second_frame = 4;
+  auto scene = frameInWall();
+  const auto one = scene.points.size();
+  scene.removeIf([](const Eigen::Vector3f& p) { return p.x() > 2.01f; });
+  for (std::size_t i = 0; i < std::min(one, scene.points.size()); ++i)
+    if (scene.objects[i] == frame) {
+      scene.points.emplace_back(scene.points[i] + Eigen::Vector3f(1.05f, 0, 0));
+      scene.normals.emplace_back(scene.normals[i]);
+      scene.objects.push_back(second_frame);
+    }
+  Leaf open;
+  open.hinge.x() = 1.94f;
+  open.angle = right_angle;
+  add(scene, open);
+  const auto segments = joined(scene, 1);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    ASSERT_EQ(segments[i] == second_frame, scene.objects[i] == second_frame);
+}
+
 TEST(DoorUnions, NeedAFrame)
 {
   for (const float height : {0.9f, 2.05f}) {

@@ -233,16 +233,57 @@ TEST(StraightBars, AreOneEachAboveAnother)
   EXPECT_EQ(largestPieceOf(rail + 1, scene, labels), pointCount(rail + 1, scene));
 }
 
+TEST(StraightBars, AreNotJoinedAcrossAir)
+{
+  LabelledPoints lamps;
+  std::mt19937 rng(8);
+  for (std::uint32_t i = 0; i < 3; ++i)
+    lamps.addBox({1.33f * static_cast<float>(i), 0, 2},
+                 {1.2f, 0.1f, 0.08f},
+                 i,
+                 spacing,
+                 noise,
+                 rng);
+  parted(lamps, lamps.objects, {}, 0);
+  auto beam = beamThroughColumns();
+  std::size_t i = 0;
+  beam.removeIf([&](const Eigen::Vector3f&) { return beam.objects[i++] != rail; });
+  std::vector<std::uint32_t> segments;
+  for (const auto& point : beam.points)
+    segments.push_back(static_cast<std::uint32_t>(point.x() / 2.9f));
+  parted(beam, segments, {}, 0);
+}
+
 TEST(StraightBars, OfOtherWidthAreNotInLine)
+{
+  auto scene = beamThroughColumns();
+  std::mt19937 rng(8);
+  scene.removeIf([](const Eigen::Vector3f& p) { return p.x() > 6.02f; });
+  scene.addBox({6, 0.2f, 2.7f}, {2.6f, 0.2f, 0.2f}, rail + 1, spacing, noise, rng);
+  parted(scene, scene.objects, {}, 0);
+}
+
+TEST(StraightBars, MayCross)
 {
   LabelledPoints scene;
   std::mt19937 rng(8);
-  scene.addBox({0, 0, 1}, {1.3f, 0.08f, 0.08f}, 1, spacing, noise, rng);
-  scene.addBox({1.4f, 0, 1}, {1.3f, 0.08f, 0.08f}, 2, spacing, noise, rng);
-  parted(scene, scene.objects, {}, 1);
-  scene.removeIf([](const Eigen::Vector3f& p) { return p.x() > 1.35f; });
-  scene.addBox({1.4f, 0, 1}, {1.3f, 0.24f, 0.24f}, 2, spacing, noise, rng);
-  parted(scene, scene.objects, {}, 0);
+  scene.addBox({-2, -0.04f, 1}, {4, 0.08f, 0.08f}, rail, spacing, noise, rng);
+  scene.addBox({-0.04f, -2, 1}, {0.08f, 4, 0.08f}, rail + 1, spacing, noise, rng);
+  std::vector<std::uint32_t> quadrants;
+  for (const auto& point : scene.points)
+    quadrants.push_back((point.x() > point.y()) + 2 * (point.x() > -point.y()));
+  const auto labels = parted(scene, quadrants, {}, 2);
+  for (const auto bar : {rail, rail + 1})
+    EXPECT_GT(largestPieceOf(bar, scene, labels), 0.95 * pointCount(bar, scene));
+}
+
+TEST(StraightBars, PartOnlyWhatTheyHeldTogether)
+{
+  auto scene = balustrade();
+  std::mt19937 rng(8);
+  scene.addBox({0.05f, 1.2f, 0}, {0.3f, 0.3f, 0.3f}, 1, spacing, noise, rng);
+  const auto labels = parted(scene, inPieces(scene));
+  EXPECT_EQ(segmentCount(labels), 6u) << "the box was with a post without touching it";
 }
 
 TEST(StraightBars, AreClearOfOtherThings)

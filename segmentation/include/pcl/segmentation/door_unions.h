@@ -21,9 +21,10 @@ struct DoorUnionOptions {
   double voxel_size = 0.03;                      ///< of the voxels, metres (> 0)
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< against gravity, unit length
   double min_height = 1;                         ///< of a frame, metres (>= 0)
-  double max_thickness = 0.15; ///< of a leaf with its handles, metres (>= 0)
-  double max_width = 1.5;      ///< of a leaf, metres (>= 0)
-  /** width of a leaf over that of its frame: half or all of it (0 to 1) */
+  double max_thickness = 0.15; ///< of a leaf and its handles, metres (>= 0)
+  double max_width =
+      1.5; ///< of a leaf, and how far from its frame it may be; metres (>= 0)
+  /** width of a leaf over that of its frame; half or less, for two of them (0 to 1) */
   double min_width_ratio = 0.4;
   /** how much larger than its frame a leaf may be, in width and height, and how much
    * lower; ratio (>= 1) */
@@ -35,16 +36,19 @@ struct DoorUnionOptions {
 
 /** \brief Join the open leaf of a door with its frame, as a door is one thing. The leaf
  * stands out of the wall, so it bends away from the frame, but for the jamb in which it
- * hangs; that often goes with the leaf. A leaf is an upright flat segment, half of
- * which is before the wall, with an edge within the wall, beside a frame of its height;
- * this edge and the frame together are as wide as the leaf, or as two of them. No step
- * of the thesis. The cost is linear in the number of points times that of frames near
- * them.
+ * hangs; that often goes with the leaf. A leaf is an upright segment, at least half of
+ * which is before the wall, flat there and at 8 degrees to the wall or more. It has an
+ * edge within the wall, beside a frame of its height and in its opening; edge and frame
+ * together are as wide as the leaf, or, for doors with several leaves, wider. If the
+ * frame is in pieces, all that the leaf fits into are joined with it. Leaves that open
+ * away from the room are not found. No step of the thesis. The cost is linear in the
+ * number of points, and in that of the points within the width of a leaf of each frame.
  * \param[in] points metres, local frame
  * \param[in] voxels of the points
  * \param[in] planes whose normals point into the room
  * \param[in] plane_of_voxel the number of its plane, from 1; 0 for objects
- * \param[in,out] segment_of_point numbered from 0; a leaf gets the number of its frame
+ * \param[in,out] segment_of_point numbered from 0; what is joined gets the number of
+ * one of them
  * \return how many leaves were joined
  * \throws pcl::BadArgumentException if sizes differ or an option is out of range
  */
