@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace {
@@ -212,7 +213,7 @@ private:
   };
 
   /** Those that touch, or lie above one another, are one part; crumbs, and what was not
-   * next to the bar, go with the largest.
+   * next to the bar, go with the largest that was.
    * \param[in] voxels ascending
    * \return the number of its part for each voxel */
   std::vector<std::uint32_t>
@@ -223,7 +224,10 @@ private:
     const auto largest = static_cast<std::uint32_t>(
         std::max_element(parts.begin(),
                          parts.end(),
-                         [](const Part& a, const Part& b) { return a.size < b.size; }) -
+                         [](const Part& a, const Part& b) {
+                           return std::tie(a.is_held, a.size) <
+                                  std::tie(b.is_held, b.size);
+                         }) -
         parts.begin());
     DisjointSets sets(parts.size());
     for (std::uint32_t a = 0; a < parts.size(); ++a)
