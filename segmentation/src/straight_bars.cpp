@@ -31,6 +31,7 @@ using pcl::indoor::SurfaceVoxels;
 constexpr float max_tilt = 0.1f;       // of a level bar, sine: 6 degrees
 constexpr double min_plan_share = 0.5; // of the smaller part, below another
 constexpr std::uint32_t min_part = 8;  // voxels
+constexpr double min_of_others = 0.01; // of a bar, in what it runs through
 
 /** Takes bars out of segments, and parts what they held together. */
 class BarCutter {
@@ -43,8 +44,7 @@ public:
   : voxels_(voxels)
   , options_(options)
   , segment_of_point_(segment_of_point)
-  , next_segment_(1 +
-                  *std::max_element(segment_of_point.begin(), segment_of_point.end()))
+  , size_of_(1 + *std::max_element(segment_of_point.begin(), segment_of_point.end()), 0)
   , is_held_(voxels.size(), 0)
   {
     const Eigen::Matrix3d to_axes =
@@ -54,6 +54,7 @@ public:
     for (const auto i : voxels.cells.points)
       if (!left_out[i]) {
         members_.push_back(i);
+        ++size_of_[segment_of_point[i]];
         places_.emplace_back(to_axes * points[i].cast<double>());
         lowest = lowest.min(places_.back().array());
       }
@@ -93,10 +94,15 @@ public:
         ++count;
       }
     const bool is_beam = thicknessOf(bar) * options_.voxel_size >= options_.min_beam;
-    for (const auto& [segment, its_count] : points_of)
-      if (its_count > options_.max_share * count &&
-          (!is_beam || its_count > options_.max_share * sizeOf(segment)))
+    double of_others = 0; // points of segments that are not just the bar
+    for (const auto& [segment, its_count] : points_of) {
+      const bool is_bar = its_count > options_.max_share * size_of_[segment];
+      if (its_count > options_.max_share * count && (!is_beam || is_bar))
         return false;
+      of_others += is_bar ? 0 : its_count;
+    }
+    if (of_others < min_of_others * count)
+      return false;
     const auto voxels = moveOut(bar);
     markHeld(voxels, 1);
     for (const auto& entry : points_of)
@@ -112,13 +118,12 @@ private:
     return std::min({bar.length(0), bar.length(1), bar.length(2)});
   }
 
-  double
-  sizeOf(std::uint32_t segment) const
+  /** A new segment, of points that were in another. */
+  std::uint32_t
+  partOf(std::uint32_t segment)
   {
-    return static_cast<double>(
-        std::count_if(members_.begin(), members_.end(), [&](std::uint32_t i) {
-          return segment_of_point_[i] == segment;
-        }));
+    size_of_.push_back(size_of_[segment]);
+    return static_cast<std::uint32_t>(size_of_.size()) - 1;
   }
 
   /** The surface may be up to half a cell outside of the cells. */
@@ -136,11 +141,13 @@ private:
   SegmentMembers
   moveOut(const CellBox& bar)
   {
+    size_of_.push_back(0);
+    const auto number = static_cast<std::uint32_t>(size_of_.size()) - 1;
     SegmentMembers voxels;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < members_.size(); ++k) {
       if (holds(bar, places_[k])) {
-        segment_of_point_[members_[k]] = next_segment_;
+        segment_of_point_[members_[k]] = number;
         voxels.push_back(voxels_.cells.cell_of_point[members_[k]]);
         continue;
       }
@@ -149,7 +156,6 @@ private:
     }
     members_.resize(kept);
     places_.resize(kept);
-    ++next_segment_;
     return voxels;
   }
 
@@ -183,10 +189,8 @@ private:
       const auto at = std::lower_bound(
           voxels.begin(), voxels.end(), voxels_.cells.cell_of_point[i]);
       const auto part = part_of_voxel[static_cast<std::size_t>(at - voxels.begin())];
-      if (number.empty())
-        number.emplace(part, segment);
-      else if (number.emplace(part, next_segment_).second)
-        ++next_segment_;
+      if (number.find(part) == number.end())
+        number[part] = number.empty() ? segment : partOf(segment);
       segment_of_point_[i] = number[part];
     }
   }
@@ -288,8 +292,8 @@ private:
   const SurfaceVoxels& voxels_;
   const StraightBarOptions& options_;
   std::vector<std::uint32_t>& segment_of_point_;
-  std::uint32_t next_segment_;
-  SegmentMembers members_;              // points that are in no bar, nor left out
+  std::vector<double> size_of_; // points of segments, when no bar had been taken out
+  SegmentMembers members_;      // points that are in no bar, nor left out
   std::vector<Eigen::Vector3d> places_; // of the members, along the axes, voxels
   std::vector<std::uint8_t> is_held_;   // voxels next to the bar that is taken out
 };

@@ -254,6 +254,23 @@ TEST(StraightBars, AreNotJoinedAcrossAir)
   parted(beam, segments, {}, 0);
 }
 
+TEST(StraightBars, AreNotThingsInLine)
+{
+  LabelledPoints heaters;
+  std::mt19937 rng(8);
+  for (const std::uint32_t object : {1u, 2u})
+    heaters.addBox({1.03f * static_cast<float>(object), 0, 0.1f},
+                   {1, 0.1f, 0.1f},
+                   object,
+                   spacing,
+                   noise,
+                   rng);
+  parted(heaters, heaters.objects, {}, 0);
+  auto post = heaters;
+  post.addBox({1.1f, 0, -0.4f}, {0.1f, 0.1f, 0.5f}, 1, spacing, noise, rng);
+  parted(post, post.objects, {}, 1);
+}
+
 TEST(StraightBars, OfOtherWidthAreNotInLine)
 {
   auto scene = beamThroughColumns();
@@ -269,10 +286,10 @@ TEST(StraightBars, MayCross)
   std::mt19937 rng(8);
   scene.addBox({-2, -0.04f, 1}, {4, 0.08f, 0.08f}, rail, spacing, noise, rng);
   scene.addBox({-0.04f, -2, 1}, {0.08f, 4, 0.08f}, rail + 1, spacing, noise, rng);
-  std::vector<std::uint32_t> quadrants;
+  std::vector<std::uint32_t> segments; // two arms, and the other two
   for (const auto& point : scene.points)
-    quadrants.push_back((point.x() > point.y()) + 2 * (point.x() > -point.y()));
-  const auto labels = parted(scene, quadrants, {}, 2);
+    segments.push_back(point.x() > 0.5f ? 1 : point.y() > 0.5f ? 2 : 0);
+  const auto labels = parted(scene, segments, {}, 2);
   for (const auto bar : {rail, rail + 1})
     EXPECT_GT(largestPieceOf(bar, scene, labels), 0.95 * pointCount(bar, scene));
 }

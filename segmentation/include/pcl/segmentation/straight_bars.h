@@ -39,9 +39,12 @@ struct StraightBarOptions {
 /** \brief Make a segment of each straight level bar that runs through several segments:
  * a rail over its posts, a beam through columns. Each of them has got a piece of it,
  * but it goes on straight from one to the next, much longer than wide, with little
- * beside it. What the bar held together falls into the parts that touch; parts above
- * one another, where it ran through, stay one. No step of the thesis. The cost is
- * linear in the number of points, but for sorting, and once more for each bar.
+ * beside it. Only beams go on behind a break, and only if something fills it. Bars that
+ * hardly have anything in what is no bar itself are things in line, as lamps, and stay
+ * apart. What the bar held together falls into the parts that touch; parts above one
+ * another, where it ran through, stay one, and crumbs go with the largest. No step of
+ * the thesis. The cost is linear in the number of points, but for sorting, and once
+ * more for each bar and each segment that it runs through.
  * \param[in] points metres, local frame
  * \param[in] voxels of the points
  * \param[in] left_out one flag per point; such points are in no bar
