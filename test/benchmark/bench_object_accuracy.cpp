@@ -113,14 +113,12 @@ makeMethods(unsigned threads)
       return segmentOurs(points, options, threads);
     };
   };
-  ObjectSegmentationOptions lccp, old_lccp, no_unions;
-  lccp.partition = old_lccp.partition = Partition::Lccp;
-  old_lccp.separate_structure = false;
+  ObjectSegmentationOptions lccp, no_unions;
+  lccp.partition = Partition::Lccp;
   no_unions.max_union_air = 0;
   return {{"LCCP, example's defaults", upstream(plain)},
           {"LCCP, tuned", upstream(tuned)},
           {"the thesis's setting", own(thesisOptions())},
-          {"ours + LCCP, walls joined", own(old_lccp)},
           {"ours + LCCP", own(lccp)},
           {"ours, no convex unions", own(no_unions)},
           {"ours", own(ObjectSegmentationOptions())}};
