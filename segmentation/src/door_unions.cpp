@@ -68,13 +68,20 @@ public:
   }
 
 private:
-  Interval
-  rangeOf(const SegmentMembers& members, const Eigen::Vector3d& direction) const
+  std::vector<double>
+  placesOf(const SegmentMembers& members, const Eigen::Vector3d& direction) const
   {
     std::vector<double> places;
     places.reserve(members.size());
     for (const auto i : members)
       places.push_back(direction.dot(points_[i].cast<double>()));
+    return places;
+  }
+
+  Interval
+  rangeOf(const SegmentMembers& members, const Eigen::Vector3d& direction) const
+  {
+    auto places = placesOf(members, direction);
     return pcl::indoor::trimmedRange(places);
   }
 
@@ -125,7 +132,8 @@ private:
            double width) const
   {
     const auto range = rangeOf(frame, along_wall);
-    const double middle = middleOf(edge, along_wall);
+    auto places = placesOf(edge, along_wall);
+    const double middle = pcl::indoor::quantile(places, 0.5);
     if (range.widened(options_.voxel_size / 2).holds(middle))
       return false;
     const double end = middle < range.low ? range.low : range.high;
@@ -138,15 +146,6 @@ private:
     const Eigen::Vector3d up = ground_.row(2);
     return !jamb.empty() && rangeOf(jamb, up).length() >=
                                 options_.min_hinge * rangeOf(frame, up).length();
-  }
-
-  double
-  middleOf(const SegmentMembers& members, const Eigen::Vector3d& direction) const
-  {
-    std::vector<double> places;
-    for (const auto i : members)
-      places.push_back(direction.dot(points_[i].cast<double>()));
-    return pcl::indoor::quantile(places, 0.5);
   }
 
   /** The level direction across which the points reach least. */
