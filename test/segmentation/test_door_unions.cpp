@@ -114,14 +114,17 @@ TEST(DoorUnions, JoinALeafThatIsOpen)
   }
 }
 
-TEST(DoorUnions, JoinALeafThatHasAJamb)
+TEST(DoorUnions, JoinALeafThatHasAJambAndMore)
 {
-  auto scene = frameInWall();
-  add(scene, {});
-  for (std::size_t i = 0; i < scene.points.size(); ++i)
-    if (scene.objects[i] == frame && scene.points[i].x() < 1.08f)
-      scene.objects[i] = leaf;
-  joined(scene, 1);
+  for (const float part_of_leaf : {1.08f, 1.6f, 1.92f}) { // the last leaves one jamb
+    auto scene = frameInWall();
+    add(scene, {});
+    for (std::size_t i = 0; i < scene.points.size(); ++i)
+      if (scene.objects[i] == frame && scene.points[i].x() < part_of_leaf)
+        scene.objects[i] = leaf;
+    SCOPED_TRACE(part_of_leaf);
+    joined(scene, 1);
+  }
 }
 
 TEST(DoorUnions, JoinBothLeavesOfADoubleDoor)
@@ -204,6 +207,18 @@ TEST(DoorUnions, LeaveWhatIsFlatOnTheWall)
   add({2.03f, thickness, 0}, {0.9f, 0, 0});
   add({2.03f, 0, 0}, {0, thickness, 0});
   add({2.93f, 0, 0}, {0, thickness, 0});
+  joined(scene, 0);
+}
+
+TEST(DoorUnions, LeaveABlindBeforeTheFrame)
+{
+  auto scene = frameInWall();
+  std::mt19937 rng(7);
+  const Eigen::Vector3f up(0, 0, 2);
+  scene.addRectangle(
+      {1.06f, 0.1f, 0}, {0.88f, 0, 0}, up, {0, 1, 0}, leaf, 0.02f, 0.002f, rng);
+  scene.addRectangle(
+      {1.06f, 0, 0}, {0, 0.1f, 0}, up, {1, 0, 0}, leaf, 0.02f, 0.002f, rng);
   joined(scene, 0);
 }
 
