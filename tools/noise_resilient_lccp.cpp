@@ -87,57 +87,57 @@ addLengths(OptionParser& parser, Settings& settings)
 void
 addShapes(OptionParser& parser, Settings& settings)
 {
-  parser
-      .text("-structure",
-            settings.structure,
-            "floor, ceiling and walls; apart: nothing is joined through them; auto: "
-            "apart for rooms",
-            {"auto", "apart", "joined"})
-      .text("-things",
-            settings.things,
-            "flat things, up to about 0.12 m high, and the horizontal surface "
-            "they lie on (z is up); auto: apart for rooms",
-            {"auto", "apart", "joined"})
-      .text("-gaps",
-            settings.gaps,
-            "both sides of a narrow upright gap without points (z is up); auto: apart "
-            "for rooms",
-            {"auto", "apart", "joined"})
-      .text(
-          "-seams",
-          settings.seams,
-          "closed bodies that stand against each other, as kitchen cabinets (z is up); "
-          "auto: apart for rooms",
-          {"auto", "apart", "joined"})
-      .text("-bars",
-            settings.bars,
-            "straight level bars and the things that they run through, as a rail and "
-            "its posts (z is up); auto: apart for rooms",
-            {"auto", "apart", "joined"})
-      .text("-racks",
-            settings.racks,
-            "the boards of racks and of bookcases without a back "
-            "(z is up); auto: joined for rooms",
-            {"auto", "apart", "joined"})
-      .text("-uprights",
-            settings.uprights,
-            "legs, end boards and backs of what is level (z is "
-            "up); auto: joined for rooms",
-            {"auto", "apart", "joined"})
-      .text("-frames",
-            settings.frames,
-            "jambs and heads of doors, bars of windows (z is up); "
-            "auto: joined for rooms",
-            {"auto", "apart", "joined"})
-      .text("-shadows",
-            settings.shadows,
-            "fronts that the shadow of something before them "
-            "cuts in two (z is up); auto: joined for rooms",
-            {"auto", "apart", "joined"})
-      .text("-doors",
-            settings.doors,
-            "the open leaf of a door and its frame (z is up); auto: joined for rooms",
-            {"auto", "apart", "joined"});
+  const auto add = [&parser](const std::string& name,
+                             std::string& variable,
+                             const std::string& meaning,
+                             const std::string& of_rooms) {
+    parser.text(name,
+                variable,
+                meaning + "; auto: " + of_rooms + " for rooms",
+                {"auto", "apart", "joined"});
+  };
+  add("-structure",
+      settings.structure,
+      "floor, ceiling and walls; apart: nothing is joined through them",
+      "apart");
+  add("-things",
+      settings.things,
+      "flat things, up to about 0.12 m high, and the horizontal surface they lie on (z "
+      "is up)",
+      "apart");
+  add("-gaps",
+      settings.gaps,
+      "both sides of a narrow upright gap without points (z is up)",
+      "apart");
+  add("-seams",
+      settings.seams,
+      "closed bodies that stand against each other, as kitchen cabinets (z is up)",
+      "apart");
+  add("-bars",
+      settings.bars,
+      "straight level bars and the things that they run through, as a rail and its "
+      "posts (z is up)",
+      "apart");
+  add("-racks",
+      settings.racks,
+      "the boards of racks and of bookcases without a back (z is up)",
+      "joined");
+  add("-uprights",
+      settings.uprights,
+      "legs, end boards and backs of what is level (z is up)",
+      "joined");
+  add("-frames",
+      settings.frames,
+      "jambs and heads of doors, bars of windows (z is up)",
+      "joined");
+  add("-shadows",
+      settings.shadows,
+      "fronts that the shadow of something before them cuts in two (z is up)",
+      "joined");
+  add("-doors",
+      settings.doors,
+      "the open leaf of a door and its frame (z is up)",
+      "joined");
 }
 
 void

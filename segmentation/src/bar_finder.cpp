@@ -4,6 +4,8 @@
  */
 #include "bar_finder.h"
 
+#include "interval.h"
+
 #include <pcl/segmentation/disjoint_sets.h>
 
 #include <algorithm>
@@ -44,13 +46,10 @@ united(std::vector<CellBox> boxes, int axis, const Related& are_related)
   return unions;
 }
 
-/** What two boxes have in common of their width along an axis, over that of both. */
-double
-commonWidth(const CellBox& a, const CellBox& b, int axis)
+pcl::indoor::Interval
+widthOf(const CellBox& box, int axis)
 {
-  const double both =
-      std::max(a.high[axis], b.high[axis]) - std::min(a.low[axis], b.low[axis]) + 1;
-  return a.common(b, axis) / both;
+  return {static_cast<double>(box.low[axis]), box.high[axis] + 1.0};
 }
 
 } // namespace
@@ -94,7 +93,8 @@ BarFinder::areOneBeam(const CellBox& a, const CellBox& b, int axis) const
   const int gap = -a.common(b, axis);
   if (gap <= 0 || gap > options_.max_break * wide ||
       narrow * options_.voxel_size < options_.min_beam ||
-      commonWidth(a, b, across) < min_overlap || commonWidth(a, b, third) < min_overlap)
+      commonShare(widthOf(a, across), widthOf(b, across)) < min_overlap ||
+      commonShare(widthOf(a, third), widthOf(b, third)) < min_overlap)
     return false;
   CellBox between = a;
   between.include(b);

@@ -201,18 +201,13 @@ private:
     bool is_held = false; ///< next to the bar
     Eigen::AlignedBox2f plan;
 
-    float
-    area() const
-    {
-      return plan.isEmpty() ? 0 : plan.volume();
-    }
-
     bool
     isAboveOrBelow(const Part& other) const
     {
       const auto common = plan.intersection(other.plan);
       return !common.isEmpty() &&
-             common.volume() >= min_plan_share * std::min(area(), other.area());
+             common.volume() >=
+                 min_plan_share * std::min(plan.volume(), other.plan.volume());
     }
   };
 
