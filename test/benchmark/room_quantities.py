@@ -160,7 +160,8 @@ def measure(arguments, scan, folder, row):
                     *shlex.split(arguments.options)], check=True, stdout=subprocess.DEVNULL)
     with open(report, encoding="utf-8") as file:
         result = json.load(file)
-    x, y, z, truth, predicted = read_fields(segmented, ["x", "y", "z", arguments.truth_field, "room"])
+    x, y, z, truth = read_fields(scan, ["x", "y", "z", arguments.truth_field])
+    predicted, = read_fields(segmented, ["room"])
     points = numpy.stack([x, y, z], axis=1).astype(float)
     rooms = {room["id"]: room for room in scene["rooms"] if room.get("room", True) and not room.get("outdoor")}
     matched = matched_rooms(truth, predicted, rooms)
