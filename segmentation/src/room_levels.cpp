@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace indoor {
@@ -21,10 +22,12 @@ heightOfLayer(const BuildingRooms& building, double layer)
   return grid.origin.z() + grid.voxel_size * layer;
 }
 
-/** The heights of points of one column in the two highest layers, as whole micrometres
- * so that their order does not matter. */
+constexpr double crowd = 0.04; // metres: two standard deviations of a scanner's noise
+
+/** What is seen of the ceiling in one column. */
 struct ColumnTop {
-  std::int64_t sum = 0;
+  float lowest = std::numeric_limits<float>::infinity();
+  std::int64_t sum = 0; ///< heights near the lowest point, micrometres: in any order
   std::int64_t count = 0;
 };
 
@@ -38,19 +41,25 @@ public:
       tops_.emplace_back(map.labels.size());
   }
 
-  /** Look at a point of a room. */
+  /** Look at a point of a room, all points for the first time ... */
+  void
+  findLowest(const Eigen::Vector3f& point, std::int32_t cell, const Room& room)
+  {
+    if (isCeiling(cell, room)) {
+      ColumnTop& top = topOf(cell, room);
+      top.lowest = std::min(top.lowest, point.z());
+    }
+  }
+
+  /** ... and then for the second time: a thin slab is seen from above, too. */
   void
   add(const Eigen::Vector3f& point, std::int32_t cell, const Room& room)
   {
-    const RoomMap& map = building_.storeys[room.storey];
-    const std::int32_t nz = building_.occupancy.grid.shape.nz;
-    const std::int32_t pixel = cell / nz;
-    const std::int32_t label = map.free_labels.values[pixel];
-    const int below = map.ceiling.values[pixel] + map.first_layer - cell % nz;
-    if (label <= 0 || building_.room_of[room.storey][label] != room.label ||
-        below < 0 || below > 1)
+    if (!isCeiling(cell, room))
       return;
-    ColumnTop& top = tops_[room.storey][pixel];
+    ColumnTop& top = topOf(cell, room);
+    if (point.z() - top.lowest > 2.0 * crowd)
+      return;
     top.sum += std::llround(1e6 * static_cast<double>(point.z()));
     ++top.count;
   }
@@ -86,6 +95,26 @@ public:
   }
 
 private:
+  /** Whether a point is in free space of its room, above the slab that is free there.
+   */
+  bool
+  isCeiling(std::int32_t cell, const Room& room) const
+  {
+    const RoomMap& map = building_.storeys[room.storey];
+    const std::int32_t nz = building_.occupancy.grid.shape.nz;
+    const std::int32_t pixel = cell / nz;
+    const std::int32_t label = map.free_labels.values[pixel];
+    const int below = map.ceiling.values[pixel] + map.first_layer - cell % nz;
+    return label > 0 && building_.room_of[room.storey][label] == room.label &&
+           below >= 0 && below < map.slab.first;
+  }
+
+  ColumnTop&
+  topOf(std::int32_t cell, const Room& room)
+  {
+    return tops_[room.storey][cell / building_.occupancy.grid.shape.nz];
+  }
+
   const BuildingRooms& building_;
   std::vector<std::vector<ColumnTop>> tops_; ///< per storey and pixel
 };
@@ -95,7 +124,6 @@ private:
 std::vector<RoomLevels>
 roomLevels(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
 {
-  constexpr double crowd = 0.04; // metres: two standard deviations of a scanner's noise
   const double size = building.occupancy.grid.voxel_size;
   std::vector<RoomLevels> levels(building.rooms.size() + 1);
   std::vector<PlaceProfile> floors(1, {0.0, 0.0, crowd});
@@ -109,11 +137,18 @@ roomLevels(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& buil
                         crowd);
   }
   Ceilings ceilings(building);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (const std::uint32_t label = building.point_labels[i]; label > 0) {
-      floors[label].add(points[i].z());
-      ceilings.add(points[i], building.occupancy.cells[i], building.rooms[label - 1]);
-    }
+  const auto eachPoint = [&](const auto& look) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (const std::uint32_t label = building.point_labels[i]; label > 0)
+        look(points[i], building.occupancy.cells[i], building.rooms[label - 1]);
+  };
+  eachPoint([&](const auto& point, std::int32_t cell, const Room& room) {
+    floors[room.label].add(point.z());
+    ceilings.findLowest(point, cell, room);
+  });
+  eachPoint([&](const auto& point, std::int32_t cell, const Room& room) {
+    ceilings.add(point, cell, room);
+  });
   ceilings.measure(levels);
   for (std::size_t k = 1; k < levels.size(); ++k)
     levels[k].floor = floors[k].firstFace(1).value_or(levels[k].floor);
