@@ -8,7 +8,13 @@
 #include "opening_posts.h"
 #include "room_levels.h"
 
+#include <pcl/segmentation/room_footprint.h>
 #include <pcl/segmentation/room_outline.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
 
 #include <vector>
 
@@ -37,29 +43,109 @@ private:
   double layer_; ///< middle of the floor's voxels
 };
 
-/** Where the points of each room lie on the map in the slab below the ceiling, where
- * nearly all that is seen is wall; pixels, per label of a room. */
-std::vector<std::vector<Eigen::Vector2d>>
-wallPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
+/** Columns of which at least half is occupied between the floor and the slab, in
+ * themselves or beside them: walls, also behind low furniture, but nothing that hangs.
+ */
+PixelMap<std::uint8_t>
+uprightColumns(const OccupancyGrid& occupancy, const RoomMap& map)
+{
+  const GridShape& shape = occupancy.grid.shape;
+  PixelMap<std::uint8_t> upright{shape.nx, shape.ny, {}};
+  upright.values.assign(upright.size(), 0);
+  for (int x = 1; x + 1 < shape.nx; ++x)
+    for (int y = 1; y + 1 < shape.ny; ++y) {
+      if (!map.blocked.at(x, y))
+        continue;
+      const int begin = map.first_layer + map.range.begin + 1;
+      const int end = map.first_layer + map.ceiling.at(x, y) - map.slab.last;
+      int occupied = 0;
+      for (int z = begin; z < end; ++z) {
+        bool is_occupied = false;
+        for (int u = x - 1; u <= x + 1; ++u)
+          for (int v = y - 1; v <= y + 1; ++v)
+            is_occupied |= occupancy.grid.at(u, v, z) != 0;
+        occupied += is_occupied;
+      }
+      upright.at(x, y) = 2 * occupied >= end - begin;
+    }
+  return upright;
+}
+
+/** Points on the map, pixels, per label of a room. */
+struct SlabPoints {
+  std::vector<std::vector<Eigen::Vector2d>> walls, all;
+};
+
+/** Where the points of each room lie in the slab below the ceiling, where nearly all
+ * that is seen is wall. */
+SlabPoints
+slabPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
 {
   const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
   const Eigen::Matrix2d turn = building.occupancy.turn();
-  std::vector<std::vector<Eigen::Vector2d>> places(building.rooms.size() + 1);
+  std::vector<PixelMap<std::uint8_t>> upright;
+  for (const RoomMap& map : building.storeys)
+    upright.push_back(uprightColumns(building.occupancy, map));
+  SlabPoints places;
+  places.walls.resize(building.rooms.size() + 1);
+  places.all.resize(building.rooms.size() + 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t label = building.point_labels[i];
     if (label == 0)
       continue;
-    const RoomMap& map = building.storeys[building.rooms[label - 1].storey];
+    const std::uint32_t storey = building.rooms[label - 1].storey;
+    const RoomMap& map = building.storeys[storey];
     const std::int32_t cell = building.occupancy.cells[i];
-    const int below = map.ceiling.values[cell / grid.shape.nz] + map.first_layer -
-                      cell % grid.shape.nz;
+    const std::int32_t pixel = cell / grid.shape.nz;
+    const int below =
+        map.ceiling.values[pixel] + map.first_layer - cell % grid.shape.nz;
     if (below < map.slab.first || below > map.slab.last)
       continue;
     const Eigen::Vector2d place =
-        turn * points[i].head<2>().cast<double>() - grid.origin.head<2>();
-    places[label].push_back(place / grid.voxel_size);
+        (turn * points[i].head<2>().cast<double>() - grid.origin.head<2>()) /
+        grid.voxel_size;
+    places.all[label].push_back(place);
+    if (upright[storey].values[pixel])
+      places.walls[label].push_back(place);
   }
   return places;
+}
+
+/** Whether a place lies within a ring: a ray from it crosses the ring oddly often. */
+bool
+isWithin(const Eigen::Vector2d& place, const std::vector<Eigen::Vector2d>& ring)
+{
+  bool within = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if ((a.y() > place.y()) != (b.y() > place.y()) &&
+        place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      within = !within;
+  }
+  return within;
+}
+
+/** Whether a part of the map holds no free space of other rooms. */
+bool
+isFreeOfOthers(const std::vector<Eigen::Vector2d>& part,
+               const PixelMap<std::int32_t>& free_labels,
+               std::int32_t label)
+{
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : part)
+    box.extend(corner);
+  const Eigen::Vector2i first = box.min().array().floor().max(0.0).cast<int>();
+  const int end_x =
+      std::min(free_labels.nx, static_cast<int>(std::ceil(box.max().x())));
+  const int end_y =
+      std::min(free_labels.ny, static_cast<int>(std::ceil(box.max().y())));
+  for (int x = first.x(); x < end_x; ++x)
+    for (int y = first.y(); y < end_y; ++y) {
+      const std::int32_t here = free_labels.at(x, y);
+      if (here > 0 && here != label && isWithin({x + 0.5, y + 0.5}, part))
+        return false;
+    }
+  return true;
 }
 
 } // namespace
@@ -96,8 +182,9 @@ void
 addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& building)
 {
   constexpr double tolerance = 1.5; // pixels: straight walls at any angle become lines
+  constexpr double reach = 1.0;     // metres: cupboards and ducts are hardly deeper
   const double size = building.occupancy.grid.voxel_size;
-  const auto walls = wallPoints(points, building);
+  const SlabPoints places = slabPoints(points, building);
   const auto levels = roomLevels(points, building);
   for (std::size_t s = 0; s < building.storeys.size(); ++s) {
     const RoomMap& map = building.storeys[s];
@@ -106,9 +193,17 @@ addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& buildin
     for (std::int32_t label = 1; label <= map.room_count; ++label) {
       Room& room = building.rooms[building.room_of[s][label] - 1];
       room.area = 0.0;
-      const WallPoints of_room(walls[room.label]);
+      FootprintWalls behind;
+      behind.walls = WallPoints(places.walls[room.label]);
+      behind.others = WallPoints(places.all[room.label]);
+      behind.reach = reach / size;
+      behind.may_cover = [&](const auto& part) {
+        return isFreeOfOthers(part, map.free_labels, label);
+      };
       for (const auto& ring : outlines[label]) {
-        const auto corners = moveToWalls(simplifyOutline(ring, tolerance), of_room);
+        const auto corners = moveToWalls(simplifyOutline(ring, tolerance), behind);
+        if (corners.empty())
+          continue;
         room.area += size * size * signedArea(corners);
         std::vector<Eigen::Vector3d> line;
         for (const auto& corner : corners) {
