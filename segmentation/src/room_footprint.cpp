@@ -96,7 +96,30 @@ public:
     return pointsOn(turned) > pointsOn(moved) ? turned : moved;
   }
 
+  /** Whether enough of a side lies on a line: half of it, or half of a metre. What
+   * crosses it covers a piece. */
+  bool
+  covers(const Line& line) const
+  {
+    constexpr double enough = 5.0; // pixels
+    const double begin = margin_, end = length_ - margin_;
+    std::vector<std::uint8_t> is_covered(static_cast<std::size_t>(end - begin) + 1, 0);
+    for (const auto& point : near_) {
+      const double place = line.along.dot(point - line.point);
+      if (place >= begin && place <= end && isOn(line, point))
+        is_covered[static_cast<std::size_t>(place - begin)] = 1;
+    }
+    return std::count(is_covered.begin(), is_covered.end(), 1) >=
+           std::min(enough, 0.5 * static_cast<double>(is_covered.size()));
+  }
+
 private:
+  static bool
+  isOn(const Line& line, const Eigen::Vector2d& point)
+  {
+    return std::abs(line.distance(point)) <= 0.5 * crowd;
+  }
+
   /** How far behind a part of a line the first face is. */
   std::optional<double>
   face(const Line& line, double begin, double end) const
@@ -116,8 +139,7 @@ private:
   {
     return std::count_if(near_.begin(), near_.end(), [&](const auto& point) {
       const double place = line.along.dot(point - line.point);
-      return place >= margin_ && place <= length_ - margin_ &&
-             std::abs(line.distance(point)) <= 0.5 * crowd;
+      return place >= margin_ && place <= length_ - margin_ && isOn(line, point);
     });
   }
 
@@ -135,10 +157,12 @@ fittedSides(const Ring& ring, const FootprintWalls& behind)
     if (next == ring[k])
       continue;
     Side side{ring[k], {ring[k], (next - ring[k]).normalized()}};
-    const auto wall = FaceFit(ring[k], next, behind.walls).fit();
-    side.is_wall = wall.has_value();
-    side.line =
-        wall ? *wall : FaceFit(ring[k], next, behind.others).fit().value_or(side.line);
+    const FaceFit walls(ring[k], next, behind.walls);
+    const auto wall = walls.fit();
+    side.is_wall = wall && walls.covers(*wall);
+    side.line = side.is_wall
+                    ? *wall
+                    : FaceFit(ring[k], next, behind.others).fit().value_or(side.line);
     sides.push_back(side);
   }
   return sides;
