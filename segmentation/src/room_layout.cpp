@@ -66,7 +66,7 @@ uprightColumns(const OccupancyGrid& occupancy, const RoomMap& map)
             is_occupied |= occupancy.grid.at(u, v, z) != 0;
         occupied += is_occupied;
       }
-      upright.at(x, y) = 2 * occupied >= end - begin;
+      upright.at(x, y) = 4 * occupied >= 3 * (end - begin);
     }
   return upright;
 }
