@@ -102,15 +102,14 @@ public:
   covers(const Line& line) const
   {
     constexpr double enough = 5.0; // pixels
-    const double begin = margin_, end = length_ - margin_;
-    std::vector<std::uint8_t> is_covered(static_cast<std::size_t>(end - begin) + 1, 0);
+    std::vector<std::uint8_t> is_covered(static_cast<std::size_t>(length_) + 1, 0);
     for (const auto& point : near_) {
       const double place = line.along.dot(point - line.point);
-      if (place >= begin && place <= end && isOn(line, point))
-        is_covered[static_cast<std::size_t>(place - begin)] = 1;
+      if (place >= 0.0 && place <= length_ && isOn(line, point))
+        is_covered[static_cast<std::size_t>(place)] = 1;
     }
     return std::count(is_covered.begin(), is_covered.end(), 1) >=
-           std::min(enough, 0.5 * static_cast<double>(is_covered.size()));
+           std::min(enough, 2.0 / 3.0 * static_cast<double>(is_covered.size()));
   }
 
 private:
