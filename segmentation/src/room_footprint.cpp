@@ -54,7 +54,7 @@ struct Side {
 
 constexpr double before = 0.7, behind_side = 2.0; // where walls are looked for, pixels
 constexpr double crowd = 0.4; // pixels: two standard deviations of a scanner's noise
-constexpr double long_enough = 8.0; // pixels; shorter sides tell no direction
+constexpr double long_enough = 4.0; // pixels; shorter sides tell no direction
 
 /** Fits a line to the face behind a side. */
 class FaceFit {
