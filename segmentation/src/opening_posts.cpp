@@ -19,7 +19,8 @@ namespace {
 constexpr double lowest = 0.3, highest = 1.6, deepest = 0.6;
 constexpr double crowd = 0.04;      // metres: two standard deviations of noise
 constexpr std::uint32_t least = 6;  // fewer points are outliers
-constexpr double along_reach = 2.0; // pixels from the ends that the voxels say
+constexpr double along_reach = 4.0; // pixels from the ends that voxels say: things
+                                    // beside a post close some
 
 } // namespace
 
@@ -99,8 +100,7 @@ OpeningPosts::wall(const Seen& seen) const
   const double reach = 2.0 * occupancy_.grid.voxel_size;
   if (!one || -*other - *one < 0.5 * crowd) // no lintel, or one side of it only
     return {-reach, reach};
-  const double margin = std::min(0.5 * crowd, 0.25 * (-*other - *one));
-  return {*one + margin, -*other - margin}; // without the faces themselves
+  return {*one, -*other};
 }
 
 std::pair<double, double>
@@ -109,13 +109,19 @@ OpeningPosts::ends(std::size_t opening) const
   const Seen& seen = seen_[opening];
   const double half = 0.5 * openings_[opening].width;
   const double reach = along_reach * occupancy_.grid.voxel_size;
-  const auto [begin, end] = wall(seen);
-  const auto post = [&, begin = begin, end = end](int side) {
-    PlaceProfile profile(half - reach, half + reach, crowd);
-    for (const auto& place : seen.posts[side])
-      if (place.y() >= begin && place.y() <= end)
-        profile.add(place.x());
-    return profile.firstFace(least).value_or(half);
+  const auto [one, other] = wall(seen);
+  // The faces of the wall itself tell only roughly where it ends.
+  const double margin = std::min(0.5 * crowd, 0.25 * (other - one));
+  const auto post = [&, one = one, other = other](int side) {
+    for (const double beside : {-margin, 0.5 * crowd}) {
+      PlaceProfile profile(half - reach, half + reach, crowd);
+      for (const auto& place : seen.posts[side])
+        if (place.y() >= one - beside && place.y() <= other + beside)
+          profile.add(place.x());
+      if (const auto face = profile.firstFace(least))
+        return *face;
+    }
+    return half;
   };
   return {post(1), post(0)};
 }
