@@ -5,6 +5,8 @@
 
 #include "slab_levels.h"
 
+#include "map_regions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -29,8 +31,8 @@ public:
   : shape_(occupancy.shape)
   , clearance_(std::max(
         1, static_cast<int>(std::lround(options.min_clearance / occupancy.voxel_size))))
-  , max_height_(
-        1 + static_cast<int>(std::lround(options.max_slab / occupancy.voxel_size)))
+  , max_height_(1 +
+                static_cast<int>(std::lround(options.max_slab / occupancy.voxel_size)))
   {
     for (int x = 0; x < shape_.nx; ++x)
       for (int y = 0; y < shape_.ny; ++y)
@@ -177,6 +179,37 @@ takeMostFrequent(std::vector<SlabGroup>& groups, int layers, int reach)
   return taken;
 }
 
+/** \brief Drop the groups that do not lie with enough others: galleries. What lies in
+ * neighbouring tiles lies together, also across walls. */
+void
+dropSmallParts(const GridShape& shape,
+               int tile,
+               double min_groups,
+               std::vector<SlabGroup>& groups)
+{
+  PixelMap<std::uint8_t> tiles{
+      (shape.nx - 1) / tile + 1, (shape.ny - 1) / tile + 1, {}};
+  tiles.values.assign(tiles.size(), 0);
+  std::vector<std::size_t> counts(tiles.size(), 0);
+  const auto tileOf = [&](const SlabGroup& group) {
+    return tiles.index(group.x / tile, group.y / tile);
+  };
+  for (const auto& group : groups) {
+    tiles.values[tileOf(group)] = 1;
+    ++counts[tileOf(group)];
+  }
+  forEachRegion(tiles, Neighbours::Eight, [&](const auto& part) {
+    std::size_t count = 0;
+    for (const std::size_t pixel : part)
+      count += counts[pixel];
+    if (static_cast<double>(count) < min_groups)
+      for (const std::size_t pixel : part)
+        tiles.values[pixel] = 0;
+  });
+  const auto is_small = [&](const auto& group) { return !tiles.values[tileOf(group)]; };
+  groups.erase(std::remove_if(groups.begin(), groups.end(), is_small), groups.end());
+}
+
 void
 setHeights(SlabLevel& level)
 {
@@ -195,18 +228,21 @@ std::vector<SlabLevel>
 findSlabLevels(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& options)
 {
   constexpr double level_difference = 1.0; // slabs at one level differ by less, metres
+  constexpr double wall_thickness = 0.5;   // a slab goes on behind walls, metres
   const double size = occupancy.voxel_size;
+  const int tile = std::max(1, static_cast<int>(std::lround(wall_thickness / size)));
   auto groups = levelGroups(SlabColumns(occupancy, options), size);
   const int reach = static_cast<int>(std::lround(level_difference / size)); // 0.5 m
   std::vector<SlabLevel> found;
   while (!groups.empty()) {
     SlabLevel level;
     level.groups = takeMostFrequent(groups, occupancy.shape.nz, reach);
+    dropSmallParts(
+        occupancy.shape, tile, options.min_slab_area / (size * size), level.groups);
     if (level.groups.empty())
-      break;
+      continue;
     setHeights(level);
-    if (static_cast<double>(level.groups.size()) * size * size >= options.min_slab_area)
-      found.push_back(std::move(level));
+    found.push_back(std::move(level));
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return a.middle() < b.middle();
