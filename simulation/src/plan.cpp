@@ -292,6 +292,13 @@ setLean(Plan& plan, double angle)
     wall.angle = std::copysign(angle, wall.angle);
 }
 
+void
+setLean(Plan& plan, const LeanPlan& lean)
+{
+  plan.lean = lean;
+  plan.leaning_walls.clear();
+}
+
 Plan
 readPlan(const std::string& file_name)
 {

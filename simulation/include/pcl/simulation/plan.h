@@ -154,6 +154,10 @@ struct Plan {
 void
 setLean(Plan& plan, double angle);
 
+/** \brief Let the whole building lean, and no wall by itself. */
+void
+setLean(Plan& plan, const LeanPlan& lean);
+
 /** \brief Read a plan from JSON text.
  * \param[in] text the JSON document
  * \param[in] source what error messages call the document, for example its file name
