@@ -79,7 +79,6 @@ std::vector<RoomInfo>
 makeRooms(const Plan& plan, const std::string& source)
 {
   std::vector<RoomInfo> rooms;
-  requireLeaningWallsUsed(plan, source);
   for (std::size_t s = 0; s < plan.storeys.size(); ++s)
     for (const auto& room : plan.storeys[s].rooms) {
       RoomInfo info;
@@ -95,6 +94,7 @@ makeRooms(const Plan& plan, const std::string& source)
       requireSound(room, info, source);
       rooms.push_back(info);
     }
+  requireLeaningWallsUsed(plan, source);
   return rooms;
 }
 

@@ -6,7 +6,6 @@
 #include "room_shell.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl {
 namespace indoor {
@@ -24,24 +23,19 @@ struct UprightPlane {
     return start + u * along;
   }
 
+  // On a parallel line, so much to the left.
   HalfPlane
-  restricted(const HalfPlane& border) const
+  restricted(const HalfPlane& border, double left = 0.0) const
   {
-    return {{border.normal.dot(along), 0.0}, border.offset - border.normal.dot(start)};
+    const Eigen::Vector2d beside =
+        start + left * Eigen::Vector2d(-along.y(), along.x());
+    return {{border.normal.dot(along), 0.0}, border.offset - border.normal.dot(beside)};
   }
 
   HalfPlane
   below(const CeilingPlane& plane) const
   {
     return {{-plane.slope.dot(along), 1.0}, floor + plane.heightAt(start)};
-  }
-
-  bool
-  liesOn(const HalfPlane& border) const
-  {
-    const double near = 1e-6 * border.normal.norm(); // metres: rounding
-    return std::abs(border.offset - border.normal.dot(at(0))) <= near &&
-           std::abs(border.offset - border.normal.dot(at(length))) <= near;
   }
 };
 
@@ -59,12 +53,14 @@ addStep(std::vector<ShellPiece>& pieces,
         const CeilingFacet& higher,
         const CeilingFacet& lower,
         const Polygon& room_piece,
-        bool seen_from_left)
+        bool higher_on_left)
 {
-  for (const auto* facet : {&higher, &lower})
-    for (const auto& border : facet->borders)
-      if (!plane.liesOn(border))
-        step = clip(step, plane.restricted(border));
+  constexpr double beside = 1e-6; // metres: more than rounding
+  const double left = higher_on_left ? beside : -beside;
+  for (const auto& border : higher.borders)
+    step = clip(step, plane.restricted(border, left));
+  for (const auto& border : lower.borders)
+    step = clip(step, plane.restricted(border, -left));
   step = clip(step, plane.below(higher.plane));
   step = clip(step, opposite(plane.below(lower.plane)));
   for (std::size_t i = 0; i < room_piece.size(); ++i)
@@ -76,7 +72,7 @@ addStep(std::vector<ShellPiece>& pieces,
     const Eigen::Vector2d at = plane.at(p.x());
     corners.emplace_back(at.x(), at.y(), p.y());
   }
-  if (seen_from_left) // u to the right, z up: the corners run around the right side
+  if (higher_on_left) // u to the right, z up: the corners run around the right side
     std::reverse(corners.begin(), corners.end());
   addFace(pieces, ShellPiece::Face::Ceiling, corners);
 }

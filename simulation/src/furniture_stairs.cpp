@@ -25,7 +25,7 @@ addFlight(PartMaker& make, const Flight& f)
   constexpr double thickness = 0.04; // metres, of the rail
   const double run = (f.y1 - f.y0) / f.steps;
   const auto ends = [&](int i) {
-    return std::minmax(f.y0 + i * run, f.y0 + (i + 1) * run);
+    return std::minmax({f.y0 + i * run, f.y0 + (i + 1) * run});
   };
   for (int i = 0; i < f.steps; ++i) {
     const auto [low, high] = ends(i);
