@@ -131,6 +131,8 @@ TEST(CeilingParts, StepUpAndDown)
   expectCeiling(building, height);
   EXPECT_NEAR(
       shellVolume(building, 1), 8 * 6 * 3.0 - 0.6 * 2 * 6 + 0.6 * 9 - 1.0 * 4, 1e-3);
+  for (const auto& t : building.triangles)
+    EXPECT_LE(std::max({t.a.z(), t.b.z(), t.c.z()}), 3.6f + 1e-5f);
   // The step between the parts of 2.4 and 3.6 m faces the higher part.
   const Prober probe(building);
   EXPECT_NEAR(probe.distance({4, 2, 2.8}, {-1, 0, 0}), 2.0, rounding);
@@ -302,6 +304,14 @@ TEST(Arcs, RoundWallsLieOnTheirCircle)
   const auto& niche = plan.storeys[0].rooms[1].polygon;
   ASSERT_EQ(niche.size(), 6u + 15u);
   EXPECT_NEAR(signedArea(niche), 72 - 0.5 * 9 * 16 * std::sin(M_PI / 16), 1e-9);
+  const auto most = parsePlan(R"({"name": "", "wall_thickness": 0.2, "storeys": [
+    {"name": "", "elevation": 0, "ceiling_height": 3.0, "rooms": [{"name": "most",
+     "polygon": [[3, 0], {"around": [0, 0], "sides": 12, "turn": "right"}, [0, 3]]}]}]})",
+                              "test");
+  EXPECT_NEAR(
+      signedArea(most.storeys[0].rooms[0].polygon), // three quarters to the right
+      0.5 * 9 * (12 * std::sin(M_PI / 8) + 1),
+      1e-9);
   const auto building = buildBuilding(plan);
   RandomDraw draw(3);
   const Prober probe(building);
