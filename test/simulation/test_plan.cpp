@@ -149,20 +149,27 @@ TEST(Plan, RefusesWhatContradictsItself)
   }
 }
 
-TEST(Plan, RefusesLevelsAndLeansThatCannotBe)
+// A key that is added to the good plan behind another, and what the message must
+// contain; empty: the plan stays good.
+struct Addition {
+  std::string behind, added;
+  const char* mention;
+};
+
+void
+expectAdded(const Addition& c)
 {
-  const std::string room = "\"name\": \"left\"", storey = "\"passages\": []";
-  const std::string plan = "\"seed\": 4", item = "\"rotation\": 30";
-  const std::string part =
-      "\"ceiling_parts\": [{\"polygon\": [[0, 1], [2, 1], [2, 2]], \"ceiling\": 2}";
+  const auto message = errorOf(with(c.behind, c.behind + ", " + c.added));
+  EXPECT_EQ(message.empty(), *c.mention == 0) << c.added << ": " << message;
+  EXPECT_NE(message.find(c.mention), std::string::npos) << c.added << ": " << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+TEST(Plan, RefusesLeansThatCannotBe)
+{
+  const std::string plan = "\"seed\": 4";
   const std::string wall = "\"leaning_walls\": [{\"from\": [4, 0], \"to\": ";
-  const std::string leant = wall + "[4, 3], \"angle\": 10}]";
-  const std::string square = "[{\"polygon\": [[1, 1], [2, 1], [2, 2], [1, 2]]";
-  const std::string hole = "[{\"polygon\": [[1, 1], [9, 1], [9, 2], [1, 2]]";
-  const struct {
-    std::string key, more;
-    const char* mention;
-  } cases[] = {
+  const Addition cases[] = {
       {plan, "\"lean\": 10", "lean must be an object"},
       {plan, "\"lean\": {\"angle\": 50, \"towards\": 0}", "lean.angle"},
       {plan, "\"lean\": {\"angle\": -5, \"towards\": 0}", "lean.angle"},
@@ -171,6 +178,32 @@ TEST(Plan, RefusesLevelsAndLeansThatCannotBe)
       {plan, wall + "[4, 0], \"angle\": 5}]", "leaning_walls[0] must be at least"},
       {plan, wall + "[4, 2], \"angle\": 5}]", "covers only a part of a wall"},
       {plan, wall + "[6, 3], \"angle\": 5}]", "lies on no wall"},
+  };
+  for (const auto& c : cases)
+    expectAdded(c);
+  const auto apart = R"({"name": "", "wall_thickness": 0.2, "leaning_walls": [
+    {"from": [0, 0], "to": [2, 0], "angle": 5}], "storeys": [{"name": "", "elevation":
+    0, "ceiling_height": 2.6, "rooms": [{"name": "a", "polygon": [[0, 0], [2, 0],
+    [4, 0], [4, 3], [0, 3]]}]}]})";
+  const auto narrow = R"({"name": "", "wall_thickness": 0.2, "leaning_walls": [
+    {"from": [0, 0], "to": [2, 0], "angle": 40}], "storeys": [{"name": "", "elevation":
+    0, "ceiling_height": 2.6, "rooms": [{"name": "a", "polygon": [[0, 0], [2, 0],
+    [2, 2], [0, 2]]}]}]})";
+  EXPECT_NE(errorOf(narrow).find("closes below its ceiling"), std::string::npos)
+      << errorOf(narrow);
+  EXPECT_NE(errorOf(apart).find("lean apart at (2, 0)"), std::string::npos)
+      << errorOf(apart);
+}
+
+TEST(Plan, RefusesLevelsThatCannotBe)
+{
+  const std::string room = "\"name\": \"left\"", storey = "\"passages\": []";
+  const std::string item = "\"rotation\": 30";
+  const std::string part =
+      "\"ceiling_parts\": [{\"polygon\": [[0, 1], [2, 1], [2, 2]], \"ceiling\": 2}";
+  const std::string square = "[{\"polygon\": [[1, 1], [2, 1], [2, 2], [1, 2]]";
+  const std::string hole = "[{\"polygon\": [[1, 1], [9, 1], [9, 2], [1, 2]]";
+  const Addition cases[] = {
       {room, part + "]", ""},
       {room, part + ", " + part.substr(18) + "]", "ceiling_parts[1] overlaps"},
       {room, part + "], \"ceiling\": []", "ceiling must hold at least one"},
@@ -208,24 +241,8 @@ TEST(Plan, RefusesLevelsAndLeansThatCannotBe)
        "wells[0].polygon must be convex"},
       {item, "\"turn\": \"half\"", "only stairs"},
   };
-  for (const auto& c : cases) {
-    const auto message = errorOf(with(c.key, c.key + ", " + c.more));
-    EXPECT_EQ(message.empty(), *c.mention == 0) << c.more << ": " << message;
-    EXPECT_NE(message.find(c.mention), std::string::npos) << c.more << ": " << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  }
-  const auto apart = R"({"name": "", "wall_thickness": 0.2, "leaning_walls": [
-    {"from": [0, 0], "to": [2, 0], "angle": 5}], "storeys": [{"name": "", "elevation":
-    0, "ceiling_height": 2.6, "rooms": [{"name": "a", "polygon": [[0, 0], [2, 0],
-    [4, 0], [4, 3], [0, 3]]}]}]})";
-  const auto narrow = R"({"name": "", "wall_thickness": 0.2, "leaning_walls": [
-    {"from": [0, 0], "to": [2, 0], "angle": 40}], "storeys": [{"name": "", "elevation":
-    0, "ceiling_height": 2.6, "rooms": [{"name": "a", "polygon": [[0, 0], [2, 0],
-    [2, 2], [0, 2]]}]}]})";
-  EXPECT_NE(errorOf(narrow).find("closes below its ceiling"), std::string::npos)
-      << errorOf(narrow);
-  EXPECT_NE(errorOf(apart).find("lean apart at (2, 0)"), std::string::npos)
-      << errorOf(apart);
+  for (const auto& c : cases)
+    expectAdded(c);
 }
 
 TEST(Plan, RefusesArcsThatCannotBe)
