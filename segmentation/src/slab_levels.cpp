@@ -153,9 +153,11 @@ median(std::vector<int> values)
 
 /** \brief Take the groups at the most frequent height, in half voxels, out of others.
  * \param[in] reach groups so far from it belong to it
+ * \param[in] least so many must be at that very height, which those of a ramp are not
+ * \return nothing if there are too few
  */
 std::vector<SlabGroup>
-takeMostFrequent(std::vector<SlabGroup>& groups, int layers, int reach)
+takeMostFrequent(std::vector<SlabGroup>& groups, int layers, int reach, double least)
 {
   std::vector<std::size_t> counts(2 * layers + 1, 0);
   for (const auto& group : groups)
@@ -170,6 +172,8 @@ takeMostFrequent(std::vector<SlabGroup>& groups, int layers, int reach)
   for (int height = 1; height <= 2 * layers; ++height)
     if (near(height) > near(best))
       best = height;
+  if (static_cast<double>(near(best)) < least)
+    return {};
   const auto rest =
       std::stable_partition(groups.begin(), groups.end(), [&](const SlabGroup& group) {
         return std::abs(group.low + group.high - best) > reach;
@@ -234,11 +238,13 @@ findSlabLevels(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& op
   auto groups = levelGroups(SlabColumns(occupancy, options), size);
   const int reach = static_cast<int>(std::lround(level_difference / size)); // 0.5 m
   std::vector<SlabLevel> found;
-  while (!groups.empty()) {
+  const double least = options.min_slab_area / (size * size);
+  while (true) {
     SlabLevel level;
-    level.groups = takeMostFrequent(groups, occupancy.shape.nz, reach);
-    dropSmallParts(
-        occupancy.shape, tile, options.min_slab_area / (size * size), level.groups);
+    level.groups = takeMostFrequent(groups, occupancy.shape.nz, reach, 0.5 * least);
+    if (level.groups.empty())
+      break;
+    dropSmallParts(occupancy.shape, tile, least, level.groups);
     if (level.groups.empty())
       continue;
     setHeights(level);

@@ -212,6 +212,15 @@ TEST(PersistentBasins, PassOnEitherSideOfTheThreshold)
   }
 }
 
+TEST(PersistentBasins, DoorsAreNarrowUpToTheirWidth)
+{
+  // The lower maximum is 8, so that the pass of 5 is narrow for a door alone.
+  const auto field = twoDiscs(5.0f);
+  EXPECT_EQ(countOf(persistentBasins(field, {0.5, 5.0, 0.75})), 2);
+  EXPECT_EQ(countOf(persistentBasins(field, {0.5, 4.9, 0.75})), 1);
+  EXPECT_EQ(countOf(persistentBasins(field, {0.5, 5.0, 0.62})), 1);
+}
+
 TEST(PersistentBasins, EmptyAndOnePixel)
 {
   EXPECT_TRUE(persistentBasins({}, {0.5}).values.empty());
