@@ -11,6 +11,7 @@
 #include <pcl/simulation/scene_description.h>
 #include <pcl/simulation/trajectory.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -23,6 +24,8 @@ struct Options {
   pcl::indoor::TrajectoryOptions trajectory;
   pcl::indoor::RangeSensorOptions sensor;
   double leaf_size = 0.04;
+  double lean = -1.0;         // degrees; -1: as the plan says
+  double lean_towards = -1.0; // degrees; -1: the walls that the plan names
 };
 
 void
@@ -96,6 +99,17 @@ makeParser(Options& options)
               "keep one point per cube of this edge, 0 = all",
               "m",
               Range::atLeast(0.0))
+      .number("-lean",
+              options.lean,
+              "angle of all that leans in the plan, -1 = as the plan says",
+              "degrees",
+              Range::between(-1.0, 45.0))
+      .number("-lean_towards",
+              options.lean_towards,
+              "direction in which the whole building leans, counter-clockwise from +x, "
+              "-1 = the walls that the plan names lean",
+              "degrees",
+              Range::between(-1.0, 360.0))
       .text("-json", options.json_file, "file for the names of rooms and objects");
   addSensorOptions(parser, options.sensor);
   return parser;
@@ -124,6 +138,12 @@ requireUsable(const Options& options)
   if (options.leaf_size > 0 && options.leaf_size < 0.001)
     throw ToolError("-leaf must be 0 or at least 0.001 m, not " +
                     std::to_string(options.leaf_size) + " m");
+  for (const double angle : {options.lean, options.lean_towards})
+    if (angle < 0 && angle != -1)
+      throw ToolError("-lean and -lean_towards must be -1 or at least 0 degrees, not " +
+                      std::to_string(angle) + " degrees");
+  if (options.lean_towards >= 0 && options.lean < 0)
+    throw ToolError("-lean_towards needs -lean");
   requireWritable(options.output_file);
   if (!options.json_file.empty())
     requireWritable(options.json_file);
@@ -134,7 +154,12 @@ simulate(Options& options, Progress& progress)
 {
   requireUsable(options);
   progress.start("Building " + options.plan_file);
-  const auto plan = pcl::indoor::readPlan(options.plan_file);
+  auto plan = pcl::indoor::readPlan(options.plan_file);
+  if (options.lean >= 0 && options.lean_towards >= 0)
+    pcl::indoor::setLean(
+        plan, {options.lean * M_PI / 180, options.lean_towards * M_PI / 180});
+  else if (options.lean >= 0)
+    pcl::indoor::setLean(plan, options.lean * M_PI / 180);
   const auto building = pcl::indoor::buildBuilding(plan, options.plan_file);
   progress.done(std::to_string(building.rooms.size()) + " rooms, " +
                 std::to_string(building.objects.size()) + " objects, " +

@@ -66,6 +66,25 @@ shareOfLevel(const PixelMap<int>& top, int x, int y, int radius)
   return static_cast<double>(same) / all;
 }
 
+/** Whether something occupied goes on up to the ceiling, in its column or one beside
+ * it: a wall or a lintel does, the tread of a stair or a cabinet does not. */
+bool
+reachesUpTo(int ceiling, const VoxelGrid<std::uint8_t>& occupancy, int x, int y, int z)
+{
+  const GridShape& shape = occupancy.shape;
+  const auto isOccupiedAround = [&](int layer) {
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, shape.nx - 1); ++u)
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, shape.ny - 1); ++v)
+        if (occupancy.at(u, v, layer))
+          return true;
+    return false;
+  };
+  for (++z; z < ceiling; ++z)
+    if (!isOccupiedAround(z))
+      return false;
+  return true;
+}
+
 } // namespace
 
 PixelMap<int>
@@ -138,13 +157,15 @@ blockedColumns(const VoxelGrid<std::uint8_t>& occupancy,
 {
   PixelMap<std::uint8_t> blocked{ceiling.nx, ceiling.ny, {}};
   blocked.values.assign(blocked.size(), 0);
-  for (std::size_t i = 0; i < ceiling.size(); ++i) {
-    const auto* column = &occupancy.values[i * occupancy.shape.nz];
-    const int top = ceiling.values[i] - slab.first;
-    const int bottom = std::max(storey.begin, ceiling.values[i] - slab.last);
-    for (int z = bottom; z <= top && !blocked.values[i]; ++z)
-      blocked.values[i] = column[z] != 0;
-  }
+  for (int x = 0; x < ceiling.nx; ++x)
+    for (int y = 0; y < ceiling.ny; ++y) {
+      const int top = ceiling.at(x, y);
+      const int bottom = std::max(storey.begin, top - slab.last);
+      int z = std::min(top - slab.first, occupancy.shape.nz - 1);
+      while (z >= bottom && !occupancy.at(x, y, z))
+        --z;
+      blocked.at(x, y) = z >= bottom && reachesUpTo(top, occupancy, x, y, z);
+    }
   return blocked;
 }
 

@@ -30,15 +30,18 @@ descending(const std::vector<float>& values)
  * smaller number has the higher maximum and takes in the others. */
 class Basins {
 public:
-  explicit Basins(const PixelMap<float>& field)
+  Basins(const PixelMap<float>& field, const BasinOptions& options)
   : field_(field)
+  , persistence_(static_cast<float>(options.persistence))
+  , door_(static_cast<float>(options.door))
+  , door_persistence_(static_cast<float>(options.door_persistence))
   , basin_of_(field.size(), -1)
   {}
 
   /** Add the next lower pixel: it opens a basin, or joins its highest neighbour and
    * lets that one take in the others behind a wide pass. */
   void
-  add(std::int32_t pixel, float persistence)
+  add(std::int32_t pixel)
   {
     findNeighbours(pixel);
     const float level = field_.values[pixel];
@@ -50,7 +53,7 @@ public:
     }
     basin_of_[pixel] = steepest_;
     for (const std::int32_t other : neighbours_)
-      if (level >= persistence * peak_[other])
+      if (!isNarrow(level, peak_[other]))
         parent_[other] = neighbours_.front();
   }
 
@@ -61,6 +64,13 @@ public:
   }
 
 private:
+  bool
+  isNarrow(float pass, float peak) const
+  {
+    return pass < persistence_ * peak ||
+           (pass <= door_ && pass < door_persistence_ * peak);
+  }
+
   std::int32_t
   find(std::int32_t basin)
   {
@@ -93,6 +103,7 @@ private:
   }
 
   const PixelMap<float>& field_;
+  float persistence_, door_, door_persistence_;
   std::vector<std::int32_t> basin_of_; // per pixel, -1 = not flooded yet
   std::vector<std::int32_t> parent_;   // per basin
   std::vector<float> peak_;            // per basin
@@ -103,11 +114,11 @@ private:
 } // namespace
 
 PixelMap<std::int32_t>
-persistentBasins(const PixelMap<float>& field, float persistence)
+persistentBasins(const PixelMap<float>& field, const BasinOptions& options)
 {
-  Basins basins(field);
+  Basins basins(field, options);
   for (const std::int32_t pixel : descending(field.values))
-    basins.add(pixel, persistence);
+    basins.add(pixel);
 
   PixelMap<std::int32_t> labels{field.nx, field.ny, {}};
   labels.values.assign(field.size(), 0);

@@ -199,13 +199,16 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
               const PixelMap<std::int32_t>& free_labels)
 {
   const double size = occupancy.voxel_size;
+  const auto ny = static_cast<std::size_t>(labels.ny);
   std::map<RegionPair, RegionBorder> borders;
   const auto add = [&](std::size_t p, std::size_t q, int height, int open) {
     RegionBorder& border = borders[std::minmax(labels.values[p], labels.values[q])];
     border.border_area += size * size * height;
     border.open_area += size * size * open;
-    if (open * size >= passage_height)
+    if (open * size >= passage_height) {
       border.opening_area += size * size * height;
+      border.opening_run[p / ny == q / ny] += size;
+    }
   };
   walkBorders(
       occupancy, storey, ceiling, labels, free_labels, BorderTop::HigherCeiling, add);
@@ -275,11 +278,14 @@ mergeOpenRegions(std::vector<RegionBorder> borders,
     const auto share = [&](const RegionBorder& border) {
       const bool below_lintel =
           border.open_area < options.open_height * border.opening_area;
-      return below_lintel || apart.count({border.a, border.b}) > 0
+      const bool is_door = border.opening_run.norm() < options.door_width;
+      const double part =
+          border.open_area /
+          std::max(border.border_area, std::min(section[border.a], section[border.b]));
+      return below_lintel || apart.count({border.a, border.b}) > 0 ||
+                     (is_door && part <= options.door_share)
                  ? 0.0
-                 : border.open_area /
-                       std::max(border.border_area,
-                                std::min(section[border.a], section[border.b]));
+                 : part;
     };
     const auto widest = std::max_element(
         borders.begin(), borders.end(), [&](const auto& first, const auto& second) {
@@ -313,6 +319,7 @@ mergeOpenRegions(std::vector<RegionBorder> borders,
       sum.b = border.b;
       sum.border_area += border.border_area;
       sum.opening_area += border.opening_area;
+      sum.opening_run += border.opening_run;
       sum.open_area += border.open_area;
     }
     borders.clear();

@@ -9,6 +9,8 @@
 #include <pcl/segmentation/potential_field.h>
 #include <pcl/segmentation/room_map.h>
 
+#include "inner_walls.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -119,7 +121,7 @@ freeDistance(const PixelMap<std::uint8_t>& blocked,
  * also those between the two faces of a wall, neither are rooms nor join them. */
 PixelMap<std::int32_t>
 basinsOfWidth(const PixelMap<float>& field,
-              double persistence,
+              const BasinOptions& basins,
               double pixel_size,
               const RoomMapOptions& options)
 {
@@ -128,8 +130,7 @@ basinsOfWidth(const PixelMap<float>& field,
   for (auto& distance : centers.values)
     if (distance < radius)
       distance = 0.0f;
-  PixelMap<std::int32_t> labels =
-      persistentBasins(centers, static_cast<float>(persistence));
+  PixelMap<std::int32_t> labels = persistentBasins(centers, basins);
   growLabels(labels, radius / pixel_size);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (!(field.values[i] > 0))
@@ -221,10 +222,10 @@ divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap
     walls.values.push_back(room == 0);
   const auto field = distanceTo(walls, size);
   std::vector<std::int32_t> room_of;
+  BasinOptions open_plan;
+  open_plan.persistence = options.open_plan.persistence;
   const auto pieces =
-      piecesOfRooms(rooms,
-                    basinsOfWidth(field, options.open_plan.persistence, size, options),
-                    room_of);
+      piecesOfRooms(rooms, basinsOfWidth(field, open_plan, size, options), room_of);
   const OpenPlan plan(pieces, field, size, options.open_plan);
   PixelMap<std::int32_t> grown = pieces;
   growLabels(grown, options.reach / size);
@@ -294,7 +295,10 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
                static_cast<int>(std::lround(options.slab.min_wall / size)));
   map.field = freeDistance(map.blocked, insideColumns(space, map.ceiling), size);
   if (options.method == RoomMethod::CeilingSlab) {
-    map.free_labels = basinsOfWidth(map.field, options.persistence, size, options);
+    BasinOptions basins;
+    basins.persistence = options.persistence;
+    basins.door = 0.5 * options.door_width;
+    map.free_labels = basinsOfWidth(map.field, basins, size, options);
     dropSmallRegions(map.free_labels, size, options);
   }
   else {
@@ -306,6 +310,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   map.labels = map.free_labels;
   growLabels(map.labels, options.reach / size);
   MergeOptions merging = options.merging;
+  merging.door_width = options.door_width;
   if (options.method == RoomMethod::PotentialField)
     merging.open_share = std::numeric_limits<double>::infinity(); // HDBSCAN decides
   const auto merged = mergeOpenRegions(
@@ -318,8 +323,18 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   for (auto& label : map.labels.values)
     label = number[label];
   map.room_count = *std::max_element(number.begin(), number.end());
-  if (options.method == RoomMethod::CeilingSlab)
+  if (options.method == RoomMethod::CeilingSlab) {
+    constexpr double thickest_wall = 0.5; // metres
+    divideAtInnerWalls(map.free_labels,
+                       map.room_count,
+                       space.interior.directions,
+                       static_cast<int>(std::lround(thickest_wall / size)),
+                       options.open_plan.min_wall_share,
+                       options.open_plan.habitable_area / (size * size));
+    map.labels = map.free_labels;
+    growLabels(map.labels, options.reach / size);
     divideOpenPlans(space, options, map);
+  }
   return map;
 }
 

@@ -5,6 +5,7 @@
 
 #include "storey_openings.h"
 
+#include "map_regions.h"
 #include "rectangle_sums.h"
 
 #include <algorithm>
@@ -39,6 +40,19 @@ closed(const PixelMap<float>& map, int radius)
 
 enum State : std::uint8_t { UNKNOWN, CUT, OPEN, OPEN_BELOW_CEILING };
 
+/** \brief Whether there is room for a storey in a column above a layer. */
+bool
+hasStoreyAbove(const std::uint8_t* column, int nz, int layer, int clearance)
+{
+  int free = 0;
+  for (int z = layer; z < nz; ++z) {
+    if (column[z] && free >= clearance)
+      return true;
+    free = column[z] ? 0 : free + 1;
+  }
+  return false;
+}
+
 /** \brief Whether a column has a free space at a level whose floor is clearly lower.
  * \return OPEN, or OPEN_BELOW_CEILING if there is no room for a storey above; UNKNOWN
  * if the column has no such space
@@ -51,41 +65,53 @@ openness(const std::uint8_t* column, int nz, int level, int depth, int clearance
   if (level + 1 >= nz || std::any_of(column + low, column + level + 2, occupied) ||
       std::none_of(column, column + low, occupied))
     return UNKNOWN;
-  const auto* ceiling = std::find_if(column + level + 2, column + nz, occupied);
-  if (ceiling == column + nz)
+  if (std::none_of(column + level + 2, column + nz, occupied))
     return UNKNOWN;
-  return ceiling - (column + level) < clearance ? OPEN_BELOW_CEILING : OPEN;
+  return hasStoreyAbove(column, nz, level, clearance) ? OPEN : OPEN_BELOW_CEILING;
 }
 
-/** \brief Turn the open regions smaller than a number of columns into cut ones. */
+/** \brief Cut the open regions that are too small, columns.
+ * \param[in] min_hall if there is room for a storey above
+ * \param[in] min_room if not
+ */
 void
-cutSmallOpenings(Mask& states, double min_columns)
+cutSmallOpenings(Mask& states, double min_hall, double min_room)
 {
-  Mask seen = states;
-  std::fill(seen.values.begin(), seen.values.end(), std::uint8_t{0});
-  std::vector<std::size_t> region;
-  for (std::size_t start = 0; start < states.values.size(); ++start) {
-    if (states.values[start] != OPEN || seen.values[start])
-      continue;
-    region.assign(1, start);
-    seen.values[start] = 1;
-    for (std::size_t next = 0; next < region.size(); ++next) {
-      const int x = static_cast<int>(region[next] / states.ny);
-      const int y = static_cast<int>(region[next] % states.ny);
-      for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-        if (!states.contains(x + dx, y + dy))
-          continue;
-        const std::size_t other = states.index(x + dx, y + dy);
-        if (states.values[other] == OPEN && !seen.values[other]) {
-          seen.values[other] = 1;
-          region.push_back(other);
-        }
-      }
-    }
-    if (static_cast<double>(region.size()) < min_columns)
+  forEachRegion(states, Neighbours::Four, [&](const auto& region) {
+    const double least = states.values[region.front()] == OPEN ? min_hall : min_room;
+    if (static_cast<double>(region.size()) < least)
       for (const std::size_t pixel : region)
         states.values[pixel] = CUT;
-  }
+  });
+}
+
+/** \brief Cut the openings in the ceilings of rooms most of which lies below the slab:
+ * these are galleries. A hall is open over most of its floor.
+ * \param[in] low the layers right below the slab begin there, with lintels in them
+ */
+void
+cutGalleries(const VoxelGrid<std::uint8_t>& occupancy, int low, int high, Mask& states)
+{
+  const GridShape& shape = occupancy.shape;
+  Mask rooms = states;
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y) {
+      const std::uint8_t* column = &occupancy.values[shape.index(x, y, 0)];
+      const auto occupied = [](std::uint8_t value) { return value != 0; };
+      rooms.at(x, y) =
+          states.at(x, y) != UNKNOWN && std::none_of(column + std::max(0, low),
+                                                     column + std::max(0, high + 1),
+                                                     occupied);
+    }
+  forEachRegion(rooms, Neighbours::Four, [&](const auto& room) {
+    const auto open = std::count_if(room.begin(), room.end(), [&](std::size_t pixel) {
+      return states.values[pixel] != CUT;
+    });
+    if (2 * static_cast<std::size_t>(open) >= room.size())
+      return;
+    for (const std::size_t pixel : room)
+      states.values[pixel] = CUT;
+  });
 }
 
 /** \brief Give unknown columns (walls, outside) the state of the nearest known one. */
@@ -138,7 +164,14 @@ openColumns(const VoxelGrid<std::uint8_t>& occupancy,
                                        level,
                                        depth,
                                        clearance);
-  cutSmallOpenings(states, options.min_opening_area / (size * size));
+  constexpr double lintel_low = 0.7, lintel_high = 0.5; // below the level, metres
+  cutGalleries(occupancy,
+               level - static_cast<int>(std::lround(lintel_low / size)),
+               level - static_cast<int>(std::lround(lintel_high / size)),
+               states);
+  constexpr double least_room = 2.0; // m^2; smaller ones are gaps in what was seen
+  cutSmallOpenings(
+      states, options.min_opening_area / (size * size), least_room / (size * size));
   for (auto& state : states.values)
     state = state == OPEN_BELOW_CEILING ? OPEN : State{state};
   spread(states);

@@ -6,7 +6,7 @@
 #include <pcl/segmentation/storeys.h>
 
 #include "rectangle_sums.h"
-#include "slab_sheets.h"
+#include "slab_levels.h"
 #include "storey_openings.h"
 
 #include <pcl/exceptions.h>
@@ -20,8 +20,6 @@ namespace pcl {
 namespace indoor {
 
 namespace {
-
-constexpr double level_difference = 1.0; // slabs at one level differ by less, metres
 
 void
 requireValid(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& options)
@@ -43,55 +41,12 @@ requireValid(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& opti
                         "A length or area of the storeys is out of range.");
 }
 
-/** \brief Slabs of similar height, lowest first. */
-struct Level {
-  std::vector<const SlabSheet*> sheets;
-  double low = 0.0; // means over the columns, in voxels
-  double high = 0.0;
-  double columns = 0.0;
-
-  double
-  middle() const
-  {
-    return 0.5 * (low + high);
-  }
-
-  void
-  add(const SlabSheet& sheet)
-  {
-    const auto more = static_cast<double>(sheet.groups.size());
-    low = (low * columns + sheet.low * more) / (columns + more);
-    high = (high * columns + sheet.high * more) / (columns + more);
-    columns += more;
-    sheets.push_back(&sheet);
-  }
-};
-
-std::vector<Level>
-groupByHeight(const std::vector<SlabSheet>& sheets, double voxel_size)
-{
-  std::vector<const SlabSheet*> sorted;
-  for (const auto& sheet : sheets)
-    sorted.push_back(&sheet);
-  std::stable_sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) {
-    return a->middle() < b->middle();
-  });
-  std::vector<Level> levels;
-  for (const SlabSheet* sheet : sorted) {
-    if (levels.empty() ||
-        (sheet->middle() - levels.back().middle()) * voxel_size > level_difference)
-      levels.emplace_back();
-    levels.back().add(*sheet);
-  }
-  return levels;
-}
-
 /** \brief The border at a level: halfway between the ceiling below and the floor above
  * as they are nearby.
  */
 PixelMap<float>
 borderOf(const VoxelGrid<std::uint8_t>& occupancy,
-         const Level& level,
+         const SlabLevel& level,
          const StoreyOptions& options)
 {
   constexpr double nearby = 1.0; // metres
@@ -101,14 +56,13 @@ borderOf(const VoxelGrid<std::uint8_t>& occupancy,
   votes.values.assign(votes.size(), 0.0f);
   PixelMap<float> thin = votes;
   PixelMap<float> middles = votes;
-  for (const SlabSheet* sheet : level.sheets)
-    for (const auto& group : sheet->groups) {
-      votes.at(group.x, group.y) = 1.0f;
-      if (group.high - group.low > sheet->high - sheet->low + 1.0)
-        continue; // with furniture or lamps
-      thin.at(group.x, group.y) = 1.0f;
-      middles.at(group.x, group.y) = 0.5f * static_cast<float>(group.low + group.high);
-    }
+  for (const auto& group : level.groups) {
+    votes.at(group.x, group.y) = 1.0f;
+    if (group.high - group.low > level.high - level.low + 1.0)
+      continue; // with furniture or lamps
+    thin.at(group.x, group.y) = 1.0f;
+    middles.at(group.x, group.y) = static_cast<float>(group.middle());
+  }
   const auto open = openColumns(
       occupancy, votes, static_cast<int>(std::lround(level.middle())), options);
   RectangleSums counts(thin);
@@ -212,15 +166,14 @@ findStoreys(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& optio
     result.storeys.emplace_back();
     return result;
   }
-  const auto sheets = findSlabSheets(occupancy, options);
-  const auto levels = groupByHeight(sheets, occupancy.voxel_size);
+  const auto levels = findSlabLevels(occupancy, options);
   const auto heightOf = [&](double voxel) {
     return occupancy.origin.z() + (voxel + 0.5) * occupancy.voxel_size;
   };
   const auto [lowest, highest] = outerLevels(occupancy);
   Storey storey;
   storey.floor = heightOf(lowest);
-  for (const Level& level : levels) {
+  for (const SlabLevel& level : levels) {
     storey.ceiling = heightOf(level.low);
     result.storeys.push_back(storey);
     storey.floor = heightOf(level.high);

@@ -2,6 +2,10 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "ceiling_facets.h"
+#include "furniture_placement.h"
+#include "leaning_walls.h"
+#include "platforms.h"
 #include "room_shell.h"
 
 #include <pcl/simulation/building.h>
@@ -43,6 +47,34 @@ vanishes(const Polygon& outline, const Polygon& inner)
   return crossesItself(inner) || signedArea(inner) < smallest;
 }
 
+void
+requireSound(const RoomPlan& plan, const RoomInfo& room, const std::string& source)
+{
+  const auto fail = [&](const std::string& problem) {
+    throw PlanError(source + ": rooms: room '" + room.name + "' " + problem);
+  };
+  if (vanishes(plan.polygon, room.polygon))
+    fail("vanishes between its walls (wall_thickness)");
+  const double top = room.floor + ceilingRange(room.ceiling, room.polygon).second;
+  if (vanishes(plan.polygon, room.polygonAt(top)))
+    fail("closes below its ceiling: its walls lean too much (leaning_walls)");
+  for (const auto& facet : ceilingFacets(room.ceiling))
+    for (const auto& drift : room.drift)
+      if (drift != Eigen::Vector2d::Zero() &&
+          (facet.part >= 0 || facet.plane.slope.dot(drift) > 0.9))
+        fail("has a wall that leans by itself below a ceiling of parts, or along its "
+             "slope (leaning_walls)");
+  for (std::size_t i = 0; i < room.polygon.size(); ++i) {
+    const auto& p = room.polygon[i];
+    if (room.ceiling.heightAt(p) < -1e-6) {
+      std::ostringstream problem;
+      problem << "has its ceiling below its floor at (" << p.x() << ", " << p.y()
+              << ")";
+      fail(problem.str());
+    }
+  }
+}
+
 std::vector<RoomInfo>
 makeRooms(const Plan& plan, const std::string& source)
 {
@@ -53,24 +85,30 @@ makeRooms(const Plan& plan, const std::string& source)
       info.name = room.name;
       info.storey_name = plan.storeys[s].name;
       info.storey = static_cast<std::uint32_t>(s);
+      info.drift = cornerDrifts(plan, room, source);
       info.polygon = inset(room.polygon, plan.wall_thickness / 2);
       info.floor = plan.storeys[s].elevation;
+      for (std::size_t i = 0; i < info.polygon.size(); ++i)
+        info.polygon[i] += info.floor * info.drift[i]; // drawn at height 0
       info.ceiling = room.ceiling;
-      if (vanishes(room.polygon, info.polygon))
-        throw PlanError(source + ": rooms: room '" + room.name +
-                        "' vanishes between its walls (wall_thickness)");
+      requireSound(room, info, source);
       rooms.push_back(info);
     }
+  requireLeaningWallsUsed(plan, source);
   return rooms;
 }
 
-double
-highestCeiling(const RoomInfo& room)
+// Do the rooms overlap at the lowest or the highest level that both have?
+bool
+overlapSomewhere(const RoomInfo& a, const RoomInfo& b)
 {
-  double highest = 0;
-  for (const auto& p : room.polygon)
-    highest = std::max(highest, room.ceiling.heightAt(p));
-  return room.floor + highest;
+  const double a_top = a.floor + ceilingRange(a.ceiling, a.polygon).second;
+  const double b_top = b.floor + ceilingRange(b.ceiling, b.polygon).second;
+  const double low = std::max(a.floor, b.floor), high = std::min(a_top, b_top);
+  if (low >= high)
+    return false;
+  return overlap(a.polygonAt(low), b.polygonAt(low)) ||
+         overlap(a.polygonAt(high), b.polygonAt(high));
 }
 
 void
@@ -78,95 +116,9 @@ requireApart(const std::vector<RoomInfo>& rooms, const std::string& source)
 {
   for (std::size_t i = 0; i < rooms.size(); ++i)
     for (std::size_t j = i + 1; j < rooms.size(); ++j)
-      if (rooms[i].floor < highestCeiling(rooms[j]) &&
-          rooms[j].floor < highestCeiling(rooms[i]) &&
-          overlap(rooms[i].polygon, rooms[j].polygon))
+      if (overlapSomewhere(rooms[i], rooms[j]))
         throw PlanError(source + ": rooms: '" + rooms[i].name + "' and '" +
                         rooms[j].name + "' overlap");
-}
-
-// Where furniture stands: in its room, with its size known and its height settled.
-struct Placement {
-  std::uint32_t room = 0; // number, from 1
-  double elevation = 0;   // of its lowest point, metres
-  FurnitureModel model;
-  std::array<Eigen::Vector2d, 4> corners;
-};
-
-std::array<Eigen::Vector2d, 4>
-footprint(const FurniturePlan& item, const Eigen::Vector3d& size)
-{
-  const Eigen::Rotation2Dd turn(item.rotation);
-  const double x = size.x() / 2, y = size.y() / 2;
-  return {item.at + turn * Eigen::Vector2d(-x, -y),
-          item.at + turn * Eigen::Vector2d(x, -y),
-          item.at + turn * Eigen::Vector2d(x, y),
-          item.at + turn * Eigen::Vector2d(-x, y)};
-}
-
-[[noreturn]] void
-failFurniture(const std::string& source,
-              const StoreyPlan& storey,
-              const FurniturePlan& item,
-              const std::string& problem)
-{
-  std::ostringstream message;
-  message << source << ": furniture of storey '" << storey.name << "': the "
-          << item.category << " at (" << item.at.x() << ", " << item.at.y() << ") "
-          << problem;
-  throw PlanError(message.str());
-}
-
-std::uint32_t
-roomOf(const std::vector<RoomInfo>& rooms,
-       std::size_t storey,
-       const Eigen::Vector2d& at)
-{
-  for (std::size_t r = 0; r < rooms.size(); ++r)
-    if (rooms[r].storey == storey && contains(rooms[r].polygon, at))
-      return static_cast<std::uint32_t>(r + 1);
-  return 0;
-}
-
-Placement
-place(const FurniturePlan& item,
-      std::uint32_t seed,
-      const std::vector<RoomInfo>& rooms,
-      std::size_t storey_number,
-      const StoreyPlan& storey,
-      const std::string& source)
-{
-  constexpr double into_wall = 0.05; // metres that furniture may reach into a wall
-  Placement result;
-  result.room = roomOf(rooms, storey_number, item.at);
-  if (result.room == 0)
-    failFurniture(source, storey, item, "stands in no room");
-  const auto& room = rooms[result.room - 1];
-  result.model = makeFurniture(item.category, seed, item.size);
-  result.corners = footprint(item, result.model.size);
-  double lowest = room.ceiling.heightAt(item.at), highest = lowest;
-  for (const auto& corner : result.corners) {
-    if (!contains(room.polygon, corner) &&
-        distanceToBoundary(room.polygon, corner) > into_wall)
-      failFurniture(
-          source, storey, item, "reaches through a wall of room '" + room.name + "'");
-    lowest = std::min(lowest, room.ceiling.heightAt(corner));
-    highest = std::max(highest, room.ceiling.heightAt(corner));
-  }
-  if (item.category == "column" && !item.size) {
-    Eigen::Vector3d size = result.model.size;
-    size.z() = highest;
-    result.model = makeFurniture(item.category, seed, size);
-  }
-  const bool hangs = item.category == "beam" || item.category == "ceiling_lamp";
-  const double height = result.model.size.z();
-  const double above = item.elevation.value_or(hangs ? lowest - height : 0.0);
-  result.elevation = room.floor + above;
-  if (above < 0)
-    failFurniture(source, storey, item, "stands below the floor (elevation)");
-  if (above + height > highest + 0.02)
-    failFurniture(source, storey, item, "is higher than its room");
-  return result;
 }
 
 // Puts triangles with their labels into a building.
@@ -187,17 +139,20 @@ public:
       surface.labels.room = room;
       surface.labels.category = categories[static_cast<int>(piece.face)];
       surface.kind = SurfaceKind::Shell;
-      building_.triangles.push_back(piece.triangle);
+      const auto& t = piece.triangle;
+      building_.triangles.push_back({leant(t.a), leant(t.b), leant(t.c)});
       building_.surfaces.push_back(surface);
     }
   }
 
-  // Parts on the far side of y = 0 of the object's frame belong to room_behind.
+  // Parts on the far side of y = 0 of the object's frame belong to room_behind. Points
+  // move sideways with their height by drift.
   void
   addObject(const FurnitureModel& model,
             const ObjectInfo& info,
             std::uint32_t room_behind,
-            SurfaceKind glass)
+            SurfaceKind glass,
+            const Eigen::Vector2d& drift)
   {
     building_.objects.push_back(info);
     auto& object = building_.objects.back();
@@ -217,7 +172,9 @@ public:
         const bool behind = t.a.y() + t.b.y() + t.c.y() < 0;
         surface.labels.room = behind ? room_behind : info.room;
         const auto moved = [&](const Eigen::Vector3f& p) -> Eigen::Vector3f {
-          return (pose * p.cast<double>()).cast<float>();
+          Eigen::Vector3d at = pose * p.cast<double>();
+          at.head<2>() += p.z() * drift;
+          return at.cast<float>();
         };
         building_.triangles.push_back({moved(t.a), moved(t.b), moved(t.c)});
         building_.surfaces.push_back(surface);
@@ -226,6 +183,12 @@ public:
   }
 
 private:
+  Eigen::Vector3f
+  leant(const Eigen::Vector3f& drawn) const
+  {
+    return building_.leant(drawn.cast<double>()).cast<float>();
+  }
+
   Building& building_;
   std::uint32_t next_part_ = 1;
 };
@@ -244,15 +207,17 @@ addOpening(Assembler& assemble,
   if (back > 0)
     assemble.addShell(reveal(opening, -wall_thickness / 2), back);
   const auto& plan = opening.plan;
+  const Eigen::Vector3d origin = building.leant(opening.origin);
+  const Eigen::Vector2d drift = opening.lean * opening.towards + building.lean;
   if (back > 0 && plan.sill == 0 && plan.kind != OpeningKind::Window &&
       (plan.kind == OpeningKind::Passage || plan.leaf_angle >= passable))
-    building.doorways.push_back({opening.origin, plan.width});
+    building.doorways.push_back({origin, plan.width, drift});
   if (plan.kind == OpeningKind::Passage)
     return;
   ObjectInfo info;
   info.category = plan.kind == OpeningKind::Door ? "door" : "window";
-  info.room = front;
-  info.position = opening.origin;
+  info.room = info.stands_in = front;
+  info.position = origin;
   info.rotation = std::atan2(opening.along.y(), opening.along.x());
   const auto model = plan.kind == OpeningKind::Door
                          ? makeDoor(plan.width,
@@ -264,8 +229,39 @@ addOpening(Assembler& assemble,
   assemble.addObject(model,
                      info,
                      back,
-                     back > 0 ? SurfaceKind::InteriorGlass
-                              : SurfaceKind::ExteriorGlass);
+                     back > 0 ? SurfaceKind::InteriorGlass : SurfaceKind::ExteriorGlass,
+                     drift);
+}
+
+void
+addRooms(Assembler& assemble, const Building& building, const WallHoles& walls)
+{
+  for (std::size_t r = 0; r < building.rooms.size(); ++r) {
+    const auto number = static_cast<std::uint32_t>(r + 1);
+    ShellHoles holes;
+    for (const auto& hole : walls.holes)
+      if (hole.room == static_cast<int>(r))
+        holes.walls.push_back(hole);
+    for (const auto& well : building.wells) {
+      if (well.upper == number)
+        holes.floor.push_back(well.polygon);
+      if (well.lower == number)
+        holes.ceiling.push_back(well.polygon);
+    }
+    assemble.addShell(roomShell(building.rooms[r], holes), number);
+  }
+}
+
+// What joins storeys, and what can be walked on besides floors.
+void
+addLevels(Assembler& assemble, const Building& building)
+{
+  for (const auto& well : building.wells)
+    for (const bool upper : {false, true})
+      assemble.addShell(wellReveal(building, well, upper),
+                        upper ? well.upper : well.lower);
+  for (const auto& platform : building.platforms)
+    assemble.addShell(platformShell(building, platform), platform.room);
 }
 
 } // namespace
@@ -284,31 +280,31 @@ buildBuilding(const Plan& plan, const std::string& source)
 {
   Building building;
   building.categories = categoryNames();
+  building.lean = driftOf(plan);
   building.rooms = makeRooms(plan, source);
   requireApart(building.rooms, source);
   const auto walls = placeOpenings(plan, building.rooms, source);
+  building.wells = placeWells(plan, building.rooms, source);
+  building.platforms = placePlatforms(plan, building.rooms, source);
   Assembler assemble(building);
-  for (std::size_t r = 0; r < building.rooms.size(); ++r) {
-    std::vector<WallHole> holes;
-    for (const auto& hole : walls.holes)
-      if (hole.room == static_cast<int>(r))
-        holes.push_back(hole);
-    assemble.addShell(roomShell(building.rooms[r], holes),
-                      static_cast<std::uint32_t>(r + 1));
-  }
+  addRooms(assemble, building, walls);
   for (const auto& opening : walls.openings)
     addOpening(assemble, building, opening, plan.wall_thickness);
+  addLevels(assemble, building);
   std::uint32_t item_number = 0;
   for (std::size_t s = 0; s < plan.storeys.size(); ++s)
     for (const auto& item : plan.storeys[s].furniture) {
       const std::uint32_t seed = item.seed.value_or(mixSeed(plan.seed, item_number++));
-      const auto placed = place(item, seed, building.rooms, s, plan.storeys[s], source);
+      const auto placed =
+          placeFurniture(item, seed, building, s, plan.storeys[s], source);
       ObjectInfo info;
       info.category = item.category;
       info.room = placed.room;
-      info.position << item.at, placed.elevation;
+      info.stands_in = placed.stands_in;
+      info.position = placed.position;
       info.rotation = item.rotation;
-      assemble.addObject(placed.model, info, placed.room, SurfaceKind::Solid);
+      assemble.addObject(
+          placed.model, info, placed.room, SurfaceKind::Solid, Eigen::Vector2d::Zero());
     }
   return building;
 }

@@ -47,6 +47,12 @@ public:
     return value_.is_object();
   }
 
+  bool
+  isList() const
+  {
+    return value_.is_array();
+  }
+
   JsonReader
   at(const std::string& key) const;
 

@@ -2,10 +2,10 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "json_reader.h"
+#include "ceiling_facets.h"
+#include "shape_reader.h"
 
 #include <pcl/simulation/furniture.h>
-#include <pcl/simulation/polygon.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,47 +20,31 @@ namespace {
 
 constexpr double radians_per_degree = M_PI / 180;
 
-CeilingPlan
-readCeiling(const JsonReader& json)
-{
-  CeilingPlan ceiling;
-  if (!json.isObject()) {
-    ceiling.height = json.positive();
-    return ceiling;
-  }
-  json.requireKeys({"height", "at", "slope"});
-  ceiling.height = json.at("height").positive();
-  ceiling.at = json.at("at").vector<2>();
-  ceiling.slope = json.at("slope").vector<2>();
-  return ceiling;
-}
-
 RoomPlan
-readRoom(const JsonReader& json, double ceiling_height)
+readRoom(const JsonReader& json, const std::vector<CeilingPlane>& storey_ceiling)
 {
   constexpr double lowest = 1.8; // metres: nobody stands below
-  json.requireKeys({"name", "polygon", "ceiling"});
+  json.requireKeys({"name", "polygon", "ceiling", "ceiling_parts"});
   RoomPlan room;
   room.name = json.at("name").text();
-  room.ceiling.height = ceiling_height;
-  if (json.has("ceiling"))
-    room.ceiling = readCeiling(json.at("ceiling"));
-  const auto polygon = json.at("polygon");
-  for (const auto& vertex : polygon.values())
-    room.polygon.push_back(vertex.vector<2>());
-  if (room.polygon.size() < 3)
-    polygon.fail("needs at least 3 vertices");
-  if (crossesItself(room.polygon))
-    polygon.fail("crosses or touches itself");
-  if (signedArea(room.polygon) < 0)
-    std::reverse(room.polygon.begin(), room.polygon.end());
-  for (const auto& vertex : room.polygon)
-    if (!(room.ceiling.heightAt(vertex) >= lowest)) {
-      std::ostringstream problem;
-      problem << "leaves only " << room.ceiling.heightAt(vertex) << " m at ("
-              << vertex.x() << ", " << vertex.y() << "); it needs " << lowest << " m";
-      (json.has("ceiling") ? json.at("ceiling") : json).fail(problem.str());
-    }
+  room.polygon = readPolygon(json.at("polygon"));
+  room.ceiling.planes =
+      json.has("ceiling") ? readCeiling(json.at("ceiling")) : storey_ceiling;
+  for (const auto& part : json.list("ceiling_parts")) {
+    part.requireKeys({"polygon", "ceiling"});
+    room.ceiling.parts.push_back(
+        {readConvexPolygon(part.at("polygon")), readCeiling(part.at("ceiling"))});
+    for (std::size_t i = 0; i + 1 < room.ceiling.parts.size(); ++i)
+      if (overlap(room.ceiling.parts[i].polygon, room.ceiling.parts.back().polygon))
+        part.fail("overlaps another part of the ceiling");
+  }
+  const double highest = ceilingRange(room.ceiling, room.polygon).second;
+  if (!(highest >= lowest)) {
+    std::ostringstream problem;
+    problem << "leaves at most " << highest << " m; a room needs " << lowest
+            << " m somewhere";
+    (json.has("ceiling") ? json.at("ceiling") : json).fail(problem.str());
+  }
   return room;
 }
 
@@ -109,7 +93,8 @@ readOpening(const JsonReader& json, OpeningKind kind)
 FurniturePlan
 readFurniture(const JsonReader& json)
 {
-  json.requireKeys({"class", "at", "rotation", "elevation", "size", "seed"});
+  json.requireKeys(
+      {"class", "at", "rotation", "elevation", "size", "seed", "room", "turn"});
   FurniturePlan item;
   item.category = json.at("class").text();
   const auto known = furnitureCategories();
@@ -131,7 +116,72 @@ readFurniture(const JsonReader& json)
   }
   if (json.has("seed"))
     item.seed = json.at("seed").seed();
+  if (json.has("room"))
+    item.room = json.at("room").text();
+  if (json.has("turn")) {
+    if (item.category != "stairs" || json.at("turn").text() != "half")
+      json.at("turn").fail("must be 'half', and only stairs have it");
+    if (!item.size || item.size->x() < 1.2 || item.size->y() < item.size->x() ||
+        item.size->z() < 1.7)
+      json.at("turn").fail("needs a size of at least [1.2, width, 1.7]");
+    item.half_turn = true;
+  }
   return item;
+}
+
+PlatformPlan
+readPlatform(const JsonReader& json)
+{
+  json.requireKeys({"polygon", "height", "thickness", "room"});
+  PlatformPlan platform;
+  platform.polygon = readPolygon(json.at("polygon"));
+  platform.top = readPlane(json.at("height"));
+  if (json.has("thickness"))
+    platform.thickness = json.at("thickness").positive();
+  if (json.has("room"))
+    platform.room = json.at("room").text();
+  return platform;
+}
+
+WellPlan
+readWell(const JsonReader& json)
+{
+  json.requireKeys({"polygon"});
+  return {readConvexPolygon(json.at("polygon"))};
+}
+
+double
+readLeanAngle(const JsonReader& json, double lowest)
+{
+  constexpr double most = 45.0; // degrees: beyond, walls are rather roofs
+  const double angle = json.number();
+  if (!(angle >= lowest && angle <= most)) {
+    std::ostringstream problem;
+    problem << "must lie within " << lowest << " and " << most << " degrees";
+    json.fail(problem.str());
+  }
+  return angle * radians_per_degree;
+}
+
+LeaningWallPlan
+readLeaningWall(const JsonReader& json)
+{
+  json.requireKeys({"from", "to", "angle"});
+  LeaningWallPlan wall;
+  wall.from = json.at("from").vector<2>();
+  wall.to = json.at("to").vector<2>();
+  wall.angle = readLeanAngle(json.at("angle"), -45.0);
+  if ((wall.to - wall.from).norm() < 0.1)
+    json.fail("must be at least 0.1 m long");
+  return wall;
+}
+
+LeanPlan
+readLean(const JsonReader& json)
+{
+  json.requireKeys({"angle", "towards"});
+  return {readLeanAngle(json.at("angle"), 0.0),
+          json.at("towards").number() * radians_per_degree};
 }
 
 StoreyPlan
@@ -140,17 +190,26 @@ readStorey(const JsonReader& json)
   json.requireKeys({"name",
                     "elevation",
                     "ceiling_height",
+                    "ceiling",
                     "rooms",
                     "doors",
                     "windows",
                     "passages",
+                    "platforms",
+                    "wells",
                     "furniture"});
   StoreyPlan storey;
   storey.name = json.at("name").text();
   storey.elevation = json.at("elevation").number();
-  const double height = json.at("ceiling_height").positive();
+  if (json.has("ceiling") && json.has("ceiling_height"))
+    json.fail("gives both ceiling and ceiling_height");
+  std::vector<CeilingPlane> ceiling(1);
+  if (json.has("ceiling"))
+    ceiling = readCeiling(json.at("ceiling"));
+  else
+    ceiling[0].height = json.at("ceiling_height").positive();
   for (const auto& room : json.at("rooms").values())
-    storey.rooms.push_back(readRoom(room, height));
+    storey.rooms.push_back(readRoom(room, ceiling));
   if (storey.rooms.empty())
     json.at("rooms").fail("must hold at least one room");
   for (const auto& door : json.list("doors"))
@@ -159,6 +218,10 @@ readStorey(const JsonReader& json)
     storey.openings.push_back(readOpening(window, OpeningKind::Window));
   for (const auto& passage : json.list("passages"))
     storey.openings.push_back(readOpening(passage, OpeningKind::Passage));
+  for (const auto& platform : json.list("platforms"))
+    storey.platforms.push_back(readPlatform(platform));
+  for (const auto& well : json.list("wells"))
+    storey.wells.push_back(readWell(well));
   for (const auto& item : json.list("furniture"))
     storey.furniture.push_back(readFurniture(item));
   return storey;
@@ -189,7 +252,13 @@ parsePlan(const std::string& text, const std::string& source)
     throw PlanError(source + ": line " + std::to_string(line) + " is not valid JSON");
   }
   const JsonReader json(document, source);
-  json.requireKeys({"name", "wall_thickness", "seed", "storeys", "trajectory"});
+  json.requireKeys({"name",
+                    "wall_thickness",
+                    "seed",
+                    "lean",
+                    "leaning_walls",
+                    "storeys",
+                    "trajectory"});
   Plan plan;
   plan.name = json.at("name").text();
   plan.wall_thickness = json.at("wall_thickness").positive();
@@ -197,6 +266,10 @@ parsePlan(const std::string& text, const std::string& source)
     json.at("wall_thickness").fail("must be at most 1 m");
   if (json.has("seed"))
     plan.seed = json.at("seed").seed();
+  if (json.has("lean"))
+    plan.lean = readLean(json.at("lean"));
+  for (const auto& wall : json.list("leaning_walls"))
+    plan.leaning_walls.push_back(readLeaningWall(wall));
   for (const auto& storey : json.at("storeys").values())
     plan.storeys.push_back(readStorey(storey));
   if (plan.storeys.empty())
@@ -205,6 +278,25 @@ parsePlan(const std::string& text, const std::string& source)
     plan.trajectory.push_back(position.vector<3>());
   requireDistinctNames(plan, source);
   return plan;
+}
+
+void
+setLean(Plan& plan, double angle)
+{
+  if (!plan.lean && plan.leaning_walls.empty())
+    throw PlanError("the plan '" + plan.name +
+                    "' says neither that it leans nor which walls do");
+  if (plan.lean)
+    plan.lean->angle = angle;
+  for (auto& wall : plan.leaning_walls)
+    wall.angle = std::copysign(angle, wall.angle);
+}
+
+void
+setLean(Plan& plan, const LeanPlan& lean)
+{
+  plan.lean = lean;
+  plan.leaning_walls.clear();
 }
 
 Plan

@@ -191,6 +191,56 @@ inset(const Polygon& polygon, double distance)
   return result;
 }
 
+HalfPlane
+leftOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  const Eigen::Vector2d right(b.y() - a.y(), a.x() - b.x());
+  return {right, right.dot(a)};
+}
+
+Polygon
+clip(const Polygon& convex, const HalfPlane& half_plane)
+{
+  Polygon kept;
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    const auto& p = convex[i];
+    const auto& q = convex[(i + 1) % convex.size()];
+    const double p_side = half_plane.offset - half_plane.normal.dot(p);
+    const double q_side = half_plane.offset - half_plane.normal.dot(q);
+    if (p_side >= 0)
+      kept.push_back(p);
+    if ((p_side > 0 && q_side < 0) || (p_side < 0 && q_side > 0))
+      kept.push_back(p + (q - p) * (p_side / (p_side - q_side)));
+  }
+  return kept.size() < 3 ? Polygon() : kept;
+}
+
+std::vector<Polygon>
+subtract(const Polygon& convex, const Polygon& hole)
+{
+  std::vector<Polygon> pieces;
+  Polygon left = convex;
+  for (std::size_t i = 0; i < hole.size() && !left.empty(); ++i) {
+    const auto& a = hole[i];
+    const auto& b = hole[(i + 1) % hole.size()];
+    const auto outside = clip(left, leftOf(b, a));
+    if (!outside.empty())
+      pieces.push_back(outside);
+    left = clip(left, leftOf(a, b));
+  }
+  return left.empty() ? std::vector<Polygon>{convex} : pieces;
+}
+
+bool
+isConvex(const Polygon& polygon)
+{
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (turn(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < -1e-9)
+      return false;
+  return true;
+}
+
 std::vector<std::array<int, 3>>
 triangulate(const Polygon& polygon)
 {

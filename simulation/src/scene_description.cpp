@@ -32,10 +32,11 @@ listOf(const Vector& vector)
 }
 
 Json
-describeRoom(const RoomInfo& room, std::size_t number)
+describeRoom(const Building& building, std::size_t index)
 {
+  const auto& room = building.rooms[index];
   Json json;
-  json["number"] = number;
+  json["number"] = index + 1;
   json["name"] = room.name;
   json["storey"] = room.storey;
   json["storey_name"] = room.storey_name;
@@ -43,7 +44,8 @@ describeRoom(const RoomInfo& room, std::size_t number)
   json["area"] = millimetres(signedArea(room.polygon));
   json["polygon"] = Json::array();
   for (const auto& vertex : room.polygon)
-    json["polygon"].push_back(listOf(vertex));
+    json["polygon"].push_back(
+        listOf(Eigen::Vector2d(vertex + room.floor * building.lean)));
   return json;
 }
 
@@ -81,7 +83,7 @@ describeScene(const Building& building, const std::vector<Eigen::Vector3d>& traj
 {
   Json rooms = Json::array(), objects = Json::array(), positions = Json::array();
   for (std::size_t i = 0; i < building.rooms.size(); ++i)
-    rooms.push_back(describeRoom(building.rooms[i], i + 1));
+    rooms.push_back(describeRoom(building, i));
   for (std::size_t i = 0; i < building.objects.size(); ++i)
     objects.push_back(describeObject(building.objects[i], i + 1));
   for (const auto& position : trajectory)

@@ -30,27 +30,82 @@ distanceToObject(const ObjectInfo& object, const Eigen::Vector2d& at)
   return beyond.norm();
 }
 
+// What the sensor's carrier walks on: the floor of a room, or a platform in it.
+struct Level {
+  const Building& building;
+  std::uint32_t room_number;
+  const PlatformInfo* platform; // none: the floor
+
+  const RoomInfo&
+  room() const
+  {
+    return building.rooms[room_number - 1];
+  }
+
+  double
+  heightAt(const Eigen::Vector2d& at) const
+  {
+    return platform ? platform->elevation + platform->top.heightAt(at) : room().floor;
+  }
+
+  double
+  headroomAt(const Eigen::Vector2d& at) const
+  {
+    return room().floor + room().ceiling.heightAt(at) - heightAt(at);
+  }
+};
+
+// Holes in the level, and platforms in the way of somebody of this height.
+std::vector<const Polygon*>
+gapsIn(const Level& level, double height)
+{
+  std::vector<const Polygon*> gaps;
+  for (const auto& well : level.building.wells)
+    if (well.upper == level.room_number && !level.platform)
+      gaps.push_back(&well.polygon);
+  for (const auto& other : level.building.platforms) {
+    if (other.room != level.room_number || &other == level.platform)
+      continue;
+    const auto blocks = [&](const Eigen::Vector2d& p) {
+      const double top = other.elevation + other.top.heightAt(p);
+      const double bottom =
+          other.thickness ? top - *other.thickness : level.room().floor;
+      const double here = level.heightAt(p);
+      return bottom < here + height + 0.2 && top > here + 0.1;
+    };
+    if (std::any_of(other.polygon.begin(), other.polygon.end(), blocks))
+      gaps.push_back(&other.polygon);
+  }
+  return gaps;
+}
+
 // Furniture that stands where the sensor's carrier would walk.
 std::vector<const ObjectInfo*>
-obstaclesIn(const Building& building, std::uint32_t room_number, double height)
+obstaclesOn(const Level& level, double height)
 {
-  const double floor = building.rooms[room_number - 1].floor;
   std::vector<const ObjectInfo*> obstacles;
-  for (const auto& object : building.objects) {
+  for (const auto& object : level.building.objects) {
+    const Eigen::Vector2d at =
+        object.position.head<2>() - object.position.z() * level.building.lean;
+    const double floor = level.heightAt(at);
     const double low = object.position.z() - floor, high = low + object.size.z();
     const bool in_wall = object.category == "door" || object.category == "window";
-    if (object.room == room_number && !in_wall && low < height + 0.2 && high > 0.1)
+    if (object.stands_in == level.room_number && !in_wall && low < height + 0.2 &&
+        high > 0.1)
       obstacles.push_back(&object);
   }
   return obstacles;
 }
 
 std::vector<Candidate>
-candidatesIn(const Building& building, std::uint32_t room_number, double height)
+candidatesOn(const Level& level, double height)
 {
-  constexpr double step = 0.2; // metres
-  const auto& polygon = building.rooms[room_number - 1].polygon;
-  const auto obstacles = obstaclesIn(building, room_number, height);
+  constexpr double step = 0.2;     // metres
+  constexpr double headroom = 1.8; // metres: nobody walks below
+  const auto walls = level.room().polygonAt(level.room().floor + height);
+  const auto& polygon = level.platform ? level.platform->polygon : walls;
+  const auto obstacles = obstaclesOn(level, height);
+  const auto gaps = gapsIn(level, height);
   Eigen::AlignedBox2d box;
   for (const auto& p : polygon)
     box.extend(p);
@@ -58,11 +113,17 @@ candidatesIn(const Building& building, std::uint32_t room_number, double height)
   for (double x = box.min().x() + step / 2; x < box.max().x(); x += step)
     for (double y = box.min().y() + step / 2; y < box.max().y(); y += step) {
       const Eigen::Vector2d at(x, y);
-      if (!contains(polygon, at))
+      const auto inGap = [&](const Polygon* gap) { return contains(*gap, at); };
+      if (!contains(polygon, at) || level.headroomAt(at) < headroom ||
+          std::any_of(gaps.begin(), gaps.end(), inGap))
         continue;
       double free = distanceToBoundary(polygon, at);
+      const Eigen::Vector2d leant =
+          at + (level.heightAt(at) + height) * level.building.lean;
       for (const auto* obstacle : obstacles)
-        free = std::min(free, distanceToObject(*obstacle, at));
+        free = std::min(free, distanceToObject(*obstacle, leant));
+      for (const auto* gap : gaps)
+        free = std::min(free, distanceToBoundary(*gap, at));
       if (free > 0)
         candidates.push_back({at, free});
     }
@@ -133,19 +194,25 @@ planTrajectory(const Building& building, const TrajectoryOptions& options)
                             << options.spacing << ", " << options.sensor_height
                             << " and " << options.clearance << " m");
   std::vector<Eigen::Vector3d> positions;
-  for (std::uint32_t r = 1; r <= building.rooms.size(); ++r) {
-    const auto& room = building.rooms[r - 1];
-    const auto candidates = candidatesIn(building, r, options.sensor_height);
-    for (const auto& at : spread(candidates, options.spacing, options.clearance)) {
-      const double below_ceiling = room.ceiling.heightAt(at) - 0.2;
-      positions.emplace_back(
-          at.x(), at.y(), room.floor + std::min(options.sensor_height, below_ceiling));
+  const auto addLevel = [&](const Level& level) {
+    const double height = options.sensor_height;
+    for (const auto& at :
+         spread(candidatesOn(level, height), options.spacing, options.clearance)) {
+      const double below_ceiling = level.headroomAt(at) - 0.2;
+      positions.push_back(building.leant(
+          {at.x(), at.y(), level.heightAt(at) + std::min(height, below_ceiling)}));
     }
-  }
+  };
+  for (std::uint32_t r = 1; r <= building.rooms.size(); ++r)
+    addLevel({building, r, nullptr});
+  for (const auto& platform : building.platforms)
+    addLevel({building, platform.room, &platform});
   for (const auto& doorway : building.doorways)
-    if (doorway.width > 2 * 0.35)
-      positions.push_back(doorway.position +
-                          Eigen::Vector3d(0, 0, options.sensor_height));
+    if (doorway.width > 2 * 0.35) {
+      Eigen::Vector3d up(0, 0, options.sensor_height);
+      up.head<2>() = options.sensor_height * doorway.drift;
+      positions.push_back(doorway.position + up);
+    }
   return inWalkingOrder(std::move(positions));
 }
 

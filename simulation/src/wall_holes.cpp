@@ -3,9 +3,11 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "wall_holes.h"
+#include "wall_frame.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace pcl {
@@ -19,7 +21,8 @@ constexpr double tolerance =
 struct Match {
   WallHole hole;
   Eigen::Vector2d inwards; // from the wall into the room
-  Eigen::Vector2d at;      // middle of the hole on the centre line
+  Eigen::Vector2d at;      // middle of the hole on the centre line, at height 0
+  double lean = 0.0;       // metres inwards per metre up
 };
 
 const char*
@@ -57,46 +60,48 @@ wallsAt(const OpeningPlan& opening,
 {
   std::vector<Match> matches;
   for (std::size_t r = 0; r < rooms.size(); ++r) {
-    const auto& polygon = rooms[r].polygon;
-    for (std::size_t e = 0; e < polygon.size(); ++e) {
-      const auto& a = polygon[e];
-      const Eigen::Vector2d edge = polygon[(e + 1) % polygon.size()] - a;
-      const Eigen::Vector2d along = edge.normalized();
-      const Eigen::Vector2d inwards(-along.y(), along.x());
-      const double middle = (opening.at - a).dot(along);
-      const double off = (opening.at - a).dot(inwards) + half_thickness;
-      if (std::abs(off) > tolerance || middle < 0 || middle > edge.norm())
+    const double low = floor + opening.sill;
+    for (std::size_t e = 0; e < rooms[r].polygon.size(); ++e) {
+      const auto wall = wallFrame(rooms[r], e);
+      const Eigen::Vector2d from_start = opening.at - wall.at(0, 0);
+      const double middle = from_start.dot(wall.along);
+      const double off = from_start.dot(wall.inwards) + half_thickness;
+      if (std::abs(off) > tolerance || middle < wall.first(low) ||
+          middle > wall.last(low))
         continue;
       Match match;
       match.hole = {static_cast<int>(r),
                     static_cast<int>(e),
                     middle - opening.width / 2,
                     middle + opening.width / 2,
-                    floor + opening.sill,
-                    floor + opening.sill + opening.height};
-      match.inwards = inwards;
-      match.at = opening.at - off * inwards;
+                    low,
+                    low + opening.height};
+      match.inwards = wall.inwards;
+      match.at = opening.at - off * wall.inwards;
+      match.lean = wall.lean;
       matches.push_back(match);
     }
   }
   return matches;
 }
 
-double
-edgeLength(const RoomInfo& room, int edge)
+bool
+isWithinWall(const RoomInfo& room, const WallHole& hole)
 {
-  return (room.polygon[(edge + 1) % room.polygon.size()] - room.polygon[edge]).norm();
+  const auto wall = wallFrame(room, hole.edge);
+  return hole.s0 >= std::max(wall.first(hole.z0), wall.first(hole.z1)) - 1e-9 &&
+         hole.s1 <= std::min(wall.last(hole.z0), wall.last(hole.z1)) + 1e-9;
 }
 
 // The lowest ceiling over the hole.
 double
 ceilingOver(const RoomInfo& room, const WallHole& hole)
 {
-  const auto& a = room.polygon[hole.edge];
-  const auto& b = room.polygon[(hole.edge + 1) % room.polygon.size()];
-  const Eigen::Vector2d along = (b - a).normalized();
-  return room.floor + std::min(room.ceiling.heightAt(a + hole.s0 * along),
-                               room.ceiling.heightAt(a + hole.s1 * along));
+  const auto wall = wallFrame(room, hole.edge);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const double s : {hole.s0, (hole.s0 + hole.s1) / 2, hole.s1})
+    lowest = std::min(lowest, room.ceiling.heightAt(wall.at(s, hole.z1)));
+  return room.floor + lowest;
 }
 
 bool
@@ -126,7 +131,7 @@ requireFitting(const std::vector<Match>& matches,
              "'");
   for (const auto& match : fitting) {
     const auto& hole = match.hole;
-    if (hole.s0 < -1e-9 || hole.s1 > edgeLength(rooms[hole.room], hole.edge) + 1e-9)
+    if (!isWithinWall(rooms[hole.room], hole))
       fail(source,
            storey,
            opening,
@@ -191,7 +196,10 @@ placeOpenings(const Plan& plan,
       PlacedOpening placed;
       placed.plan = opening;
       placed.storey = static_cast<int>(s);
-      placed.origin << fitting[front].at, storey.elevation + opening.sill;
+      const auto& wall = fitting[front];
+      const double low = storey.elevation + opening.sill;
+      placed.origin << wall.at + low * wall.lean * wall.inwards, low;
+      placed.lean = wall.lean;
       placed.towards = fitting[front].inwards;
       placed.along = Eigen::Vector2d(placed.towards.y(), -placed.towards.x());
       placed.front_room = fitting[front].hole.room;

@@ -13,7 +13,8 @@ namespace indoor {
 struct WallHole {
   int room = 0; ///< index into Building::rooms
   int edge = 0; ///< the edge that starts at this vertex of the room's polygon
-  double s0 = 0.0, s1 = 0.0; ///< along the edge from that vertex, metres
+  double s0 = 0.0, s1 = 0.0; ///< along the edge from that vertex, metres; lines of
+                             ///< equal s lean with the wall
   double z0 = 0.0, z1 = 0.0; ///< height, metres
 };
 
@@ -24,6 +25,7 @@ struct PlacedOpening {
   Eigen::Vector3d origin;  ///< middle of the sill, in the middle of the wall
   Eigen::Vector2d along;   ///< unit vector, x of the opening's frame
   Eigen::Vector2d towards; ///< unit vector, y of the opening's frame, into front_room
+  double lean = 0.0;       ///< metres towards per metre up
   int front_room = -1;     ///< index into Building::rooms
   int back_room = -1;      ///< -1: outside
 };

@@ -218,11 +218,12 @@ TEST(SlabLayers, FewNoisyVoxelsDoNotMoveIt)
   EXPECT_EQ(slabLayers(grid, {0, 30}, ceiling, {}).first, 2);
 }
 
-TEST(BlockedColumns, WallsAndTallCabinetsButNoTables)
+TEST(BlockedColumns, WallsAndWhatReachesTheCeilingButNoTablesAndCabinets)
 {
   Grid grid = boxRoom();
   fill(grid, 10, 19, 10, 17, 1, 8);
-  fill(grid, 30, 33, 5, 9, 1, 23);
+  fill(grid, 20, 23, 5, 9, 1, 22); // free layers above it
+  fill(grid, 30, 33, 5, 9, 1, 29);
   const VerticalRange storey{0, 30};
   const auto ceiling = ceilingLayers(grid, storey, {});
   const auto blocked =
@@ -249,8 +250,16 @@ TEST(BlockedColumns, EqualsBruteForce)
         bool expected = false;
         for (int z = storey.begin; z < storey.end; ++z) {
           const int below = ceiling.at(x, y) - z;
-          expected = expected || (ceiling.at(x, y) >= 0 && below >= slab.first &&
-                                  below <= slab.last && grid.at(x, y, z));
+          bool blocks = ceiling.at(x, y) >= 0 && below >= slab.first &&
+                        below <= slab.last && grid.at(x, y, z);
+          for (int w = z + 1; w < ceiling.at(x, y); ++w) {
+            bool any = false;
+            for (int u = x - 1; u <= x + 1; ++u)
+              for (int v = y - 1; v <= y + 1; ++v)
+                any = any || (grid.shape.contains(u, v, w) && grid.at(u, v, w));
+            blocks = blocks && any;
+          }
+          expected = expected || blocks;
         }
         ASSERT_EQ(blocked.at(x, y), expected) << "trial " << trial;
       }

@@ -157,7 +157,7 @@ TEST(PersistentBasins, EqualsSlowFlooding)
   for (int trial = 0; trial < 300; ++trial) {
     const auto field = randomField(false, rng);
     const float persistence = static_cast<float>(rng() % 21) / 20;
-    EXPECT_EQ(persistentBasins(field, persistence).values,
+    EXPECT_EQ(persistentBasins(field, {persistence}).values,
               floodedSlowly(field, persistence))
         << "trial " << trial;
   }
@@ -168,7 +168,7 @@ TEST(PersistentBasins, PersistenceZeroGivesConnectedComponents)
   std::mt19937 rng(2);
   for (int trial = 0; trial < 100; ++trial) {
     const auto field = randomField(trial % 2 == 0, rng);
-    EXPECT_EQ(persistentBasins(field, 0.0f).values, componentsBruteForce(field))
+    EXPECT_EQ(persistentBasins(field, {0.0}).values, componentsBruteForce(field))
         << "trial " << trial;
   }
 }
@@ -180,7 +180,7 @@ TEST(PersistentBasins, LargerPersistenceGivesNotFewerBasins)
     const auto field = randomField(trial % 2 == 0, rng);
     std::int32_t last = 0;
     for (const float persistence : {0.0f, 0.3f, 0.6f, 0.8f, 1.0f}) {
-      const auto count = countOf(persistentBasins(field, persistence));
+      const auto count = countOf(persistentBasins(field, {persistence}));
       EXPECT_GE(count, last) << "trial " << trial << ", persistence " << persistence;
       last = count;
     }
@@ -189,9 +189,9 @@ TEST(PersistentBasins, LargerPersistenceGivesNotFewerBasins)
 
 TEST(PersistentBasins, PlateausAreOneBasin)
 {
-  EXPECT_EQ(persistentBasins({2, 3, {1, 1, 1, 1, 1, 1}}, 1.0f).values, Labels(6, 1));
+  EXPECT_EQ(persistentBasins({2, 3, {1, 1, 1, 1, 1, 1}}, {1.0}).values, Labels(6, 1));
   // equal maxima with a pass as high as they are
-  EXPECT_EQ(persistentBasins({1, 5, {2, 2, 2, 0, 2}}, 1.0f).values,
+  EXPECT_EQ(persistentBasins({1, 5, {2, 2, 2, 0, 2}}, {1.0}).values,
             (Labels{1, 1, 1, 0, 2}));
 }
 
@@ -200,8 +200,8 @@ TEST(PersistentBasins, PassOnEitherSideOfTheThreshold)
   for (const float pass : {2.0f, 3.0f, 4.0f, 6.0f}) {
     const auto field = twoDiscs(pass);
     const float share = pass / 8.0f; // of the lower maximum, not of the higher
-    const auto joined = persistentBasins(field, share - 0.01f);
-    const auto split = persistentBasins(field, share + 0.01f);
+    const auto joined = persistentBasins(field, {share - 0.01});
+    const auto split = persistentBasins(field, {share + 0.01});
     EXPECT_EQ(countOf(joined), 1) << "pass " << pass;
     EXPECT_EQ(countOf(split), 2) << "pass " << pass;
     EXPECT_EQ(split.at(12, 12), 1);
@@ -212,9 +212,18 @@ TEST(PersistentBasins, PassOnEitherSideOfTheThreshold)
   }
 }
 
+TEST(PersistentBasins, DoorsAreNarrowUpToTheirWidth)
+{
+  // The lower maximum is 8, so that the pass of 5 is narrow for a door alone.
+  const auto field = twoDiscs(5.0f);
+  EXPECT_EQ(countOf(persistentBasins(field, {0.5, 5.0, 0.75})), 2);
+  EXPECT_EQ(countOf(persistentBasins(field, {0.5, 4.9, 0.75})), 1);
+  EXPECT_EQ(countOf(persistentBasins(field, {0.5, 5.0, 0.62})), 1);
+}
+
 TEST(PersistentBasins, EmptyAndOnePixel)
 {
-  EXPECT_TRUE(persistentBasins({}, 0.5f).values.empty());
-  EXPECT_EQ(persistentBasins({1, 1, {0.0f}}, 0.5f).values, Labels{0});
-  EXPECT_EQ(persistentBasins({1, 1, {2.0f}}, 1.0f).values, Labels{1});
+  EXPECT_TRUE(persistentBasins({}, {0.5}).values.empty());
+  EXPECT_EQ(persistentBasins({1, 1, {0.0f}}, {0.5}).values, Labels{0});
+  EXPECT_EQ(persistentBasins({1, 1, {2.0f}}, {1.0}).values, Labels{1});
 }

@@ -270,6 +270,21 @@ TEST(MergeOpenRegions, NotBelowALintel)
   EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, options), (Labels{0, 1, 1}));
 }
 
+TEST(MergeOpenRegions, DoorsNeedALargerShare)
+{
+  RegionBorder narrow = border(1, 2, 4.0, 3.0); // 0.6 of the smaller section, 5 m^2
+  narrow.opening_run = {0.6, 0.8};              // 1 m wide
+  MergeOptions options;
+  options.open_share = 0.5;
+  options.door_width = 1.1;
+  options.door_share = 0.59;
+  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options), (Labels{0, 1, 1}));
+  options.door_share = 0.61;
+  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options), (Labels{0, 1, 2}));
+  options.door_width = 0.9;
+  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options), (Labels{0, 1, 1}));
+}
+
 TEST(MergeOpenRegions, HeightsOfOpeningsAddUp)
 {
   // The lintel between 1 and 3 counts for the space that 1 and 2 make.

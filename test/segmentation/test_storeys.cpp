@@ -66,6 +66,19 @@ public:
     points.swap(rest);
   }
 
+  /** \brief A straight flight along x: treads 27 cm deep and a level underside below
+   * each. */
+  void
+  addFlight(double x, double y0, double y1, double low, double high)
+  {
+    const int treads = static_cast<int>(std::lround((high - low) / 0.18));
+    for (int k = 1; k < treads; ++k) {
+      const double z = low + k * (high - low) / treads;
+      addFloor(x + 0.27 * k, y0, x + 0.27 * (k + 1), y1, z);
+      addFloor(x + 0.27 * k, y0, x + 0.27 * (k + 1), y1, z - 0.15);
+    }
+  }
+
   void
   shake(double noise)
   {
@@ -236,6 +249,87 @@ TEST(FindStoreys, LevelsThatDifferBetweenWings)
   EXPECT_NE(split.at(12, 4, 1.0), split.at(12, 4, 5.5));
   EXPECT_EQ(split.at(12, 4, 0.1), split.at(12, 4, 3.9)); // not cut at 2.75
   EXPECT_EQ(split.at(4, 4, 3.0), split.at(4, 4, 5.4));
+}
+
+/** \brief Three storeys, 10 m x 8 m, with an opening of 1.2 m x 5 m in both slabs. */
+Building
+threeStoreysWithWells()
+{
+  Building building;
+  for (const double floor : {0.0, 2.9, 5.8})
+    building.addRoom({0, 0, floor}, {10, 8, floor + 2.6});
+  for (const double slab : {2.6, 5.5})
+    building.clear({2.0, 3.0, slab - 0.1}, {7.0, 4.2, slab + 0.4});
+  return building;
+}
+
+void
+expectThreeStoreys(const Split& split)
+{
+  ASSERT_EQ(split.count(), 3u);
+  for (const double y : {1.5, 3.6, 6.0}) { // beside and in the well
+    EXPECT_EQ(split.at(8, y, 1.0), 0);
+    EXPECT_EQ(split.at(4, y, 2.3), 0);
+    EXPECT_EQ(split.at(4, y, 3.3), 1);
+    EXPECT_EQ(split.at(4, y, 5.2), 1);
+    EXPECT_EQ(split.at(4, y, 6.3), 2);
+  }
+}
+
+TEST(FindStoreys, StairsDoNotChainSlabs)
+{
+  Building building = threeStoreysWithWells();
+  for (const double floor : {0.0, 2.9})
+    building.addFlight(2.2, 3.1, 4.1, floor, floor + 2.9);
+  expectThreeStoreys(Split(building));
+}
+
+TEST(FindStoreys, StairsWithLandingsDoNotChainSlabs)
+{
+  Building building = threeStoreysWithWells();
+  for (const double floor : {0.0, 2.9}) {
+    building.addFlight(2.2, 3.0, 3.6, floor, floor + 1.45);
+    building.addFloor(4.4, 3.0, 5.6, 4.2, floor + 1.45);
+    building.addFloor(4.4, 3.0, 5.6, 4.2, floor + 1.25);
+    building.addFlight(2.2, 3.6, 4.2, floor + 1.45, floor + 2.9);
+  }
+  expectThreeStoreys(Split(building));
+}
+
+TEST(FindStoreys, ARampDoesNotChainSlabs)
+{
+  Building building = threeStoreysWithWells();
+  for (const double floor : {0.0, 2.9}) {
+    building.addFloor(10, 3.0, 34, 4.2, floor, 2.9 / 24);
+    building.addFloor(10, 3.0, 34, 4.2, floor - 0.25, 2.9 / 24);
+  }
+  building.addFloor(10, 3.0, 34, 4.2, 8.4);
+  expectThreeStoreys(Split(building));
+}
+
+TEST(FindStoreys, FurnitureAndLampsDoNotMoveALevel)
+{
+  Building building = threeStoreysWithWells();
+  for (double x = 0.5; x < 9.0; x += 1.5) {
+    building.addFloor(x, 0.5, x + 1.2, 2.5, 2.9 + 0.75); // tables
+    building.addFloor(x, 5.5, x + 0.3, 5.8, 2.3);        // lamps
+  }
+  expectThreeStoreys(Split(building));
+}
+
+TEST(FindStoreys, AnOpeningBesideAGalleryIsCutAHallIsNot)
+{
+  for (const double edge : {2.0, 6.5}) { // of 10 m, up to where the slab goes
+    Building building;
+    building.addRoom({0, 0, 0}, {10, 8, 5.5});
+    building.addFloor(0, 0, edge, 8, 2.6);
+    building.addFloor(0, 0, edge, 8, 2.9);
+    const Split split(building);
+    ASSERT_EQ(split.count(), 2u);
+    EXPECT_EQ(split.at(1, 4, 4.0), 1);
+    EXPECT_EQ(split.at(9, 4, 1.0), 0);
+    EXPECT_EQ(split.at(9, 4, 4.0), edge > 5 ? 1 : 0);
+  }
 }
 
 TEST(FindStoreys, AMezzanineIsAStoreyAGalleryIsNot)

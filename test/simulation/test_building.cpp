@@ -52,8 +52,8 @@ TEST(Building, TheOfficeIsLargeEnough)
   bool sloped = false, double_height = false;
   for (const auto& room : building.rooms) {
     storeys.insert(room.storey);
-    sloped |= room.ceiling.slope.norm() > 0.1;
-    double_height |= room.ceiling.height > 5.0;
+    sloped |= room.ceiling.planes[0].slope.norm() > 0.1;
+    double_height |= room.ceiling.planes[0].height > 5.0;
   }
   EXPECT_EQ(storeys.size(), 2u);
   EXPECT_TRUE(sloped);

@@ -72,7 +72,8 @@ slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
            const PixelMap<int>& ceiling,
            const CeilingSlabOptions& options);
 
-/** \brief The columns that have an occupied voxel in the slab below their ceiling.
+/** \brief The columns that have an occupied voxel in the slab below their ceiling from
+ * which, upwards, no layer up to the ceiling is free in all of 3 x 3 columns.
  * \param[in] ceiling as ceilingLayers() gives it; pixels without ceiling are not
  * blocked \param[in] slab as slabLayers() gives it \return 1 = blocked, 0 = free
  */

@@ -22,6 +22,9 @@ struct OpenPlanOptions {
                                 ///< corridors, whose arms are one room
   double persistence = 0.85;    ///< width of the passage between them over the width of
                                 ///< the narrower one, at most, 0 ... 1
+  double min_wall_share = 0.4;  ///< of a straight line through a room, the share that
+                                ///< walls fill which part it, 0 ... 1; larger gives
+                                ///< fewer rooms
   double max_shared_view = 0.7; ///< of the straight lines between the two, the share
                                 ///< that nothing blocks, 0 ... 1
 };

@@ -25,6 +25,8 @@ struct RegionBorder {
   double open_area = 0.0;   ///< the part of it through which one region sees the other
   double opening_area =
       0.0; ///< area from floor to ceiling where a person can pass, m^2
+  Eigen::Vector2d opening_run = Eigen::Vector2d::Zero(); ///< length of the same along y
+                                                         ///< and along x, metres
 };
 
 /** \brief Find the borders between regions and how far they are open.
@@ -76,6 +78,9 @@ struct MergeOptions {
   double open_share = 0.55; ///< the open area is more than this share of the border and
                             ///< of the smaller region's section, 0 ... 1; larger gives
                             ///< more rooms
+  double door_width = 0.0;  ///< narrower openings are doors, also without a lintel,
+                            ///< metres (>= 0); spaces beyond them are joined
+  double door_share = 0.75; ///< above this share only, 0 ... 1
   double open_height = 0.9; ///< the opening reaches over at least this share of the
                             ///< height: beams may be above it, lintels not, 0 ... 1;
                             ///< larger gives more rooms

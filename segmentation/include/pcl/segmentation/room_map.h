@@ -30,7 +30,9 @@ struct RoomMapOptions {
   RoomMethod method = RoomMethod::CeilingSlab;
   FieldRoomsOptions field_rooms; ///< of RoomMethod::PotentialField
   CeilingSlabOptions slab;
-  double persistence = 0.5;  ///< see persistentBasins()
+  double persistence = 0.5;  ///< see BasinOptions
+  double door_width = 1.15;  ///< narrower passages are doors, also without a lintel,
+                             ///< metres (>= 0); see BasinOptions, MergeOptions
   MergeOptions merging;      ///< see mergeOpenRegions()
   OpenPlanOptions open_plan; ///< which open spaces are two rooms
   double min_width = 0.5;    ///< narrower spaces are no rooms, metres

@@ -41,14 +41,43 @@ struct RoomInfo {
   std::string name;
   std::string storey_name;
   std::uint32_t storey = 0; ///< index into the plan's storeys
-  Polygon polygon;          ///< inner faces of the walls, counter-clockwise, metres
+  Polygon polygon;          ///< inner faces of the walls at the floor,
+                            ///< counter-clockwise, metres
   double floor = 0.0;       ///< height of the floor, metres
   CeilingPlan ceiling;
+  /** How each corner moves, metres sideways per metre up: single walls may lean. */
+  std::vector<Eigen::Vector2d> drift;
+
+  /** \brief Inner faces of the walls at a height. */
+  Polygon
+  polygonAt(double z) const
+  {
+    Polygon moved = polygon;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      moved[i] += (z - floor) * drift[i];
+    return moved;
+  }
+};
+
+/** \brief A slab or block to walk on. */
+struct PlatformInfo {
+  std::uint32_t room = 0;          ///< where it lies
+  Polygon polygon;                 ///< counter-clockwise, metres
+  CeilingPlane top;                ///< above \a elevation
+  double elevation = 0.0;          ///< floor of its storey, metres
+  std::optional<double> thickness; ///< none: down to the room's floor
+};
+
+/** \brief A hole between two rooms above each other. */
+struct WellInfo {
+  std::uint32_t upper = 0, lower = 0; ///< numbers of the rooms
+  Polygon polygon;                    ///< convex, counter-clockwise, metres
 };
 
 struct ObjectInfo {
   std::string category;
   std::uint32_t room = 0;              ///< for a door or window: one of its two rooms
+  std::uint32_t stands_in = 0;         ///< the plan may give it to another room
   std::uint32_t first_part = 0;        ///< number of its first part
   std::vector<std::string> part_names; ///< of first_part, first_part + 1, ...
   Eigen::Vector3d position;            ///< middle of its bottom, metres
@@ -60,9 +89,14 @@ struct ObjectInfo {
 struct Doorway {
   Eigen::Vector3d position; ///< on the floor in the middle of the hole
   double width = 0.0;
+  Eigen::Vector2d drift = Eigen::Vector2d::Zero(); ///< sideways per metre up
 };
 
-/** \brief A building as triangles, each with its labels. */
+/** \brief A building as triangles, each with its labels.
+ *
+ * Triangles, objects and doorways are where they are; rooms, platforms and wells are as
+ * drawn, before the whole building leans.
+ */
 struct Building {
   std::vector<std::string> categories; ///< name of each category number; [0] is "none"
   std::vector<RoomInfo> rooms;         ///< room number i + 1
@@ -70,6 +104,16 @@ struct Building {
   std::vector<Triangle> triangles;     ///< metres
   std::vector<Surface> surfaces;       ///< one for each triangle
   std::vector<Doorway> doorways;       ///< between two rooms, not closed by a leaf
+  std::vector<PlatformInfo> platforms;
+  std::vector<WellInfo> wells;
+  Eigen::Vector2d lean = Eigen::Vector2d::Zero(); ///< metres sideways per metre up
+
+  /** \brief Where a point of the drawn building is. */
+  Eigen::Vector3d
+  leant(const Eigen::Vector3d& drawn) const
+  {
+    return drawn + drawn.z() * Eigen::Vector3d(lean.x(), lean.y(), 0.0);
+  }
 
   /** \brief Number of a category.
    * \throws BadArgumentException if there is none of that name
@@ -78,14 +122,17 @@ struct Building {
   category(const std::string& name) const;
 };
 
-/** \brief Build walls, floors, ceilings, doors, windows and furniture.
+/** \brief Build walls, floors, ceilings, platforms, doors, windows and furniture.
  *
  * Every room gets a shell of its own: its polygon moved inwards by half the thickness
  * of the walls. A hole in a wall joins the shells of both rooms by a reveal, of which
- * each room owns the half on its side. \param[in] plan the building \param[in] source
- * what error messages call the plan, for example its file name \throws PlanError if
- * rooms overlap, a room vanishes between its walls, an opening lies in no wall,
- * overlaps another or reaches above the ceiling, or furniture stands in no room
+ * each room owns the half on its side; so does a hole in a floor. Furniture stays
+ * upright where walls lean, and is moved off walls that lean over it.
+ * \param[in] plan the building
+ * \param[in] source what error messages call the plan, for example its file name
+ * \throws PlanError if rooms overlap, a room vanishes between its walls, an opening
+ * lies in no wall, overlaps another or reaches above the ceiling, or furniture stands
+ * in no room
  */
 Building
 buildBuilding(const Plan& plan, const std::string& source = "plan");

@@ -47,6 +47,15 @@ makeFurniture(const std::string& category,
               std::uint32_t seed,
               const std::optional<Eigen::Vector3d>& size = std::nullopt);
 
+/** \brief Build stairs of two flights side by side with a landing between them.
+ *
+ * They begin at the front (+y) on the right (+x), turn to the left on a landing along
+ * the rear, and end at the front on the left. \param[in] size width, depth and height
+ * of all, metres; the handrail ends 1 m above the last step
+ */
+FurnitureModel
+makeHalfTurnStairs(const Eigen::Vector3d& size);
+
 /** \brief Build a door: a frame that lines the hole, a leaf and two handles.
  *
  * The hole spans |x| <= width / 2 and the wall |y| <= depth / 2; the leaf turns

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <Eigen/Core>
+#include <pcl/simulation/polygon.h>
 
 #include <optional>
 #include <string>
@@ -35,9 +35,8 @@ private:
   std::string message_;
 };
 
-/** \brief A ceiling: height above the floor at one point, and how it rises from there.
- */
-struct CeilingPlan {
+/** \brief A flat ceiling: height above the floor at one point, and how it rises. */
+struct CeilingPlane {
   double height = 2.8; ///< metres above the floor at \a at
   Eigen::Vector2d slope =
       Eigen::Vector2d::Zero();                  ///< metres of rise per metre in x and y
@@ -50,10 +49,26 @@ struct CeilingPlan {
   }
 };
 
+/** \brief A part of a room with a ceiling of its own. */
+struct CeilingPart {
+  Polygon polygon;                  ///< convex, counter-clockwise, metres
+  std::vector<CeilingPlane> planes; ///< of which the lowest counts, at least one
+};
+
+/** \brief The ceiling of a room: a roof or vault is the lowest of several planes. */
+struct CeilingPlan {
+  std::vector<CeilingPlane> planes{1}; ///< of which the lowest counts, at least one
+  std::vector<CeilingPart> parts;      ///< which do not overlap
+
+  /** \brief Metres above the floor. */
+  double
+  heightAt(const Eigen::Vector2d& point) const;
+};
+
 /** \brief A room: the centre lines of its walls, counter-clockwise, in metres. */
 struct RoomPlan {
   std::string name;
-  std::vector<Eigen::Vector2d> polygon;
+  Polygon polygon;
   CeilingPlan ceiling;
 };
 
@@ -81,6 +96,21 @@ struct FurniturePlan {
   std::optional<double> elevation;     ///< metres above the floor of the storey
   std::optional<Eigen::Vector3d> size; ///< width, depth, height, metres
   std::optional<std::uint32_t> seed;   ///< default: from the plan's seed
+  std::string room;       ///< that its points belong to; empty: where it stands
+  bool half_turn = false; ///< stairs: two flights side by side and a landing
+};
+
+/** \brief A slab or block to walk on within a room: a mezzanine, a landing, a ramp. */
+struct PlatformPlan {
+  Polygon polygon;                 ///< counter-clockwise, metres
+  CeilingPlane top;                ///< above the floor of the storey
+  std::optional<double> thickness; ///< metres; default: down to the floor
+  std::string room;                ///< empty: the one where it lies
+};
+
+/** \brief A hole in the floor of a storey and in the ceiling below it. */
+struct WellPlan {
+  Polygon polygon; ///< convex, counter-clockwise, metres
 };
 
 struct StoreyPlan {
@@ -88,7 +118,21 @@ struct StoreyPlan {
   double elevation = 0.0; ///< height of the floor, metres
   std::vector<RoomPlan> rooms;
   std::vector<OpeningPlan> openings;
+  std::vector<PlatformPlan> platforms;
+  std::vector<WellPlan> wells;
   std::vector<FurniturePlan> furniture;
+};
+
+/** \brief A lean of the whole building: nothing moves at height 0. */
+struct LeanPlan {
+  double angle = 0.0;   ///< radians from the vertical
+  double towards = 0.0; ///< radians from +x, counter-clockwise
+};
+
+/** \brief A wall that leans: at height 0 its middle line is where it is drawn. */
+struct LeaningWallPlan {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();
+  double angle = 0.0; ///< radians from the vertical; positive: to the left of the way
 };
 
 /** \brief Description of a building, as read from a plan file (docs/simulation.md). */
@@ -96,9 +140,23 @@ struct Plan {
   std::string name;
   double wall_thickness = 0.2; ///< metres
   std::uint32_t seed = 1;
+  std::optional<LeanPlan> lean;               ///< of the whole building
+  std::vector<LeaningWallPlan> leaning_walls; ///< these do not follow \a lean
   std::vector<StoreyPlan> storeys;
   std::vector<Eigen::Vector3d> trajectory; ///< sensor positions; empty: automatic
 };
+
+/** \brief Let all that leans in a plan lean by another angle, each to its side.
+ * \param[in,out] plan the plan
+ * \param[in] angle radians, at least 0
+ * \throws PlanError if nothing leans in the plan
+ */
+void
+setLean(Plan& plan, double angle);
+
+/** \brief Let the whole building lean, and no wall by itself. */
+void
+setLean(Plan& plan, const LeanPlan& lean);
 
 /** \brief Read a plan from JSON text.
  * \param[in] text the JSON document

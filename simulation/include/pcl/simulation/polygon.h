@@ -47,6 +47,30 @@ overlap(const Polygon& a, const Polygon& b);
 Polygon
 inset(const Polygon& polygon, double distance);
 
+/** \brief The points p with normal.dot(p) <= offset. */
+struct HalfPlane {
+  Eigen::Vector2d normal = Eigen::Vector2d::Zero();
+  double offset = 0.0;
+};
+
+/** \brief What lies to the left of the way from \a a to \a b. */
+HalfPlane
+leftOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+
+/** \brief The part of a convex polygon that lies in a half-plane; empty if none does.
+ */
+Polygon
+clip(const Polygon& convex, const HalfPlane& half_plane);
+
+/** \brief A convex polygon without a convex, counter-clockwise hole, in convex pieces.
+ */
+std::vector<Polygon>
+subtract(const Polygon& convex, const Polygon& hole);
+
+/** \brief True if a counter-clockwise polygon turns to the right nowhere. */
+bool
+isConvex(const Polygon& polygon);
+
 /** \brief Cut a simple counter-clockwise polygon into triangles by clipping ears.
  * \return vertex numbers, counter-clockwise; polygon.size() - 2 triangles
  */
