@@ -27,11 +27,14 @@ constexpr double crowd = 0.04; // metres: two standard deviations of a scanner's
 /** What is seen of the ceiling in one column. */
 struct ColumnTop {
   float lowest = std::numeric_limits<float>::infinity();
+  bool is_level = false; ///< whether the room's main ceiling is seen
+  std::int32_t count = 0;
   std::int64_t sum = 0; ///< heights near the lowest point, micrometres: in any order
-  std::int64_t count = 0;
 };
 
-/** Ceilings of the rooms, column by column of their free space. */
+/** Ceilings of the rooms, column by column of their free space. A thin slab is seen
+ * from above, too, and things hang from it: what counts is the lowest face that many
+ * points of the room share, and elsewhere, as below a slope, what is lowest. */
 class Ceilings {
 public:
   explicit Ceilings(const BuildingRooms& building)
@@ -39,36 +42,41 @@ public:
   {
     for (const RoomMap& map : building.storeys)
       tops_.emplace_back(map.labels.size());
+    profiles_.emplace_back(0.0, 0.0, crowd);
+    for (const Room& room : building.rooms)
+      profiles_.emplace_back(room.point_count > 0 ? room.lower.z() : 0.0,
+                             room.point_count > 0 ? room.upper.z() + crowd : 0.0,
+                             crowd);
   }
 
-  /** Look at a point of a room, all points for the first time ... */
+  /** Look at a point of a room. */
   void
-  findLowest(const Eigen::Vector3f& point, std::int32_t cell, const Room& room)
+  add(std::size_t point, double height, std::int32_t cell, const Room& room)
   {
-    if (isCeiling(cell, room)) {
-      ColumnTop& top = topOf(cell, room);
-      top.lowest = std::min(top.lowest, point.z());
-    }
-  }
-
-  /** ... and then for the second time: a thin slab is seen from above, too. */
-  void
-  add(const Eigen::Vector3f& point, std::int32_t cell, const Room& room)
-  {
-    if (!isCeiling(cell, room))
+    const RoomMap& map = building_.storeys[room.storey];
+    const std::int32_t nz = building_.occupancy.grid.shape.nz;
+    const std::int32_t pixel = cell / nz;
+    const int below = map.ceiling.values[pixel] + map.first_layer - cell % nz;
+    if (below < 0 || below >= map.slab.first) // in the slab itself nothing is there
       return;
-    ColumnTop& top = topOf(cell, room);
-    if (point.z() - top.lowest > 2.0 * crowd)
+    const std::int32_t label = map.free_labels.values[pixel];
+    if (label <= 0 || building_.room_of[room.storey][label] != room.label)
       return;
-    top.sum += std::llround(1e6 * static_cast<double>(point.z()));
-    ++top.count;
+    ColumnTop& top = tops_[room.storey][pixel];
+    top.lowest = std::min(top.lowest, static_cast<float>(height));
+    profiles_[room.label].add(height);
+    seen_.push_back(point);
   }
 
   /** Set the ceilings: the layers say how high they are on average, and the columns in
    * which points are seen how far they are from the middle of the layer. */
   void
-  measure(std::vector<RoomLevels>& levels) const
+  measure(const std::vector<Eigen::Vector3f>& points, std::vector<RoomLevels>& levels)
   {
+    std::vector<double> main(levels.size(), 0.0);
+    for (std::size_t k = 1; k < levels.size(); ++k)
+      main[k] = profiles_[k].firstFace(1).value_or(0.0);
+    addToColumns(points, main);
     std::vector<double> layers(levels.size(), 0.0), offset(levels.size(), 0.0);
     std::vector<std::size_t> columns(levels.size(), 0), seen(levels.size(), 0);
     for (std::size_t s = 0; s < building_.storeys.size(); ++s)
@@ -82,11 +90,12 @@ public:
             heightOfLayer(building_, map.first_layer + map.ceiling.values[i] + 0.5);
         layers[room] += middle;
         ++columns[room];
-        if (tops_[s][i].count == 0)
+        const ColumnTop& top = tops_[s][i];
+        if (top.count == 0)
           continue;
-        offset[room] += 1e-6 * static_cast<double>(tops_[s][i].sum) /
-                            static_cast<double>(tops_[s][i].count) -
-                        middle;
+        const double height =
+            top.is_level ? main[room] : 1e-6 * static_cast<double>(top.sum) / top.count;
+        offset[room] += height - middle;
         ++seen[room];
       }
     for (std::size_t k = 1; k < levels.size(); ++k)
@@ -95,28 +104,27 @@ public:
   }
 
 private:
-  /** Whether a point is in free space of its room, above the slab that is free there.
-   */
-  bool
-  isCeiling(std::int32_t cell, const Room& room) const
+  void
+  addToColumns(const std::vector<Eigen::Vector3f>& points,
+               const std::vector<double>& main)
   {
-    const RoomMap& map = building_.storeys[room.storey];
-    const std::int32_t nz = building_.occupancy.grid.shape.nz;
-    const std::int32_t pixel = cell / nz;
-    const std::int32_t label = map.free_labels.values[pixel];
-    const int below = map.ceiling.values[pixel] + map.first_layer - cell % nz;
-    return label > 0 && building_.room_of[room.storey][label] == room.label &&
-           below >= 0 && below < map.slab.first;
-  }
-
-  ColumnTop&
-  topOf(std::int32_t cell, const Room& room)
-  {
-    return tops_[room.storey][cell / building_.occupancy.grid.shape.nz];
+    for (const std::size_t i : seen_) {
+      const Room& room = building_.rooms[building_.point_labels[i] - 1];
+      const std::int32_t cell = building_.occupancy.cells[i];
+      ColumnTop& top = tops_[room.storey][cell / building_.occupancy.grid.shape.nz];
+      const double height = points[i].z();
+      top.is_level |= std::abs(height - main[room.label]) <= 0.5 * crowd;
+      if (height - top.lowest > 2.0 * crowd)
+        continue;
+      top.sum += std::llround(1e6 * height);
+      ++top.count;
+    }
   }
 
   const BuildingRooms& building_;
   std::vector<std::vector<ColumnTop>> tops_; ///< per storey and pixel
+  std::vector<PlaceProfile> profiles_;       ///< per label of a room
+  std::vector<std::size_t> seen_;            ///< points that were taken
 };
 
 } // namespace
@@ -137,19 +145,13 @@ roomLevels(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& buil
                         crowd);
   }
   Ceilings ceilings(building);
-  const auto eachPoint = [&](const auto& look) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (const std::uint32_t label = building.point_labels[i]; label > 0)
-        look(points[i], building.occupancy.cells[i], building.rooms[label - 1]);
-  };
-  eachPoint([&](const auto& point, std::int32_t cell, const Room& room) {
-    floors[room.label].add(point.z());
-    ceilings.findLowest(point, cell, room);
-  });
-  eachPoint([&](const auto& point, std::int32_t cell, const Room& room) {
-    ceilings.add(point, cell, room);
-  });
-  ceilings.measure(levels);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const std::uint32_t label = building.point_labels[i]; label > 0) {
+      const double height = points[i].z();
+      floors[label].add(height);
+      ceilings.add(i, height, building.occupancy.cells[i], building.rooms[label - 1]);
+    }
+  ceilings.measure(points, levels);
   for (std::size_t k = 1; k < levels.size(); ++k)
     levels[k].floor = floors[k].firstFace(1).value_or(levels[k].floor);
   return levels;

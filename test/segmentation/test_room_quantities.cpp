@@ -127,9 +127,9 @@ TEST(RoomQuantities, ALeafThatStandsOpenDoesNotNarrowTheDoor)
   for (const float degrees : {0.0f, 33.0f}) {
     TwoRooms scene;
     scene.build();
-    // at right angles to the wall, its hinge at the post, 4 cm thick
+    // at right angles to the wall, its hinge at the post, 6 cm thick
     scene.points.addBox(
-        {4.13f - 0.8f, 1.1f, 0.01f}, {0.8f, 0.04f, 2.0f}, 1, spacing, noise, scene.rng);
+        {4.13f - 0.8f, 1.1f, 0.01f}, {0.8f, 0.06f, 2.0f}, 1, spacing, noise, scene.rng);
     scene.expectExact(scene.segmented(degrees));
   }
 }
