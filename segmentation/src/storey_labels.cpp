@@ -1,0 +1,179 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "storey_labels.h"
+
+#include <pcl/segmentation/potential_field.h>
+#include <pcl/segmentation/wall_lean.h>
+
+#include "thread_count.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** Pixels beside one of another room. */
+PixelMap<std::uint8_t>
+borderPixels(const PixelMap<std::int32_t>& labels)
+{
+  PixelMap<std::uint8_t> border{labels.nx, labels.ny, {}};
+  border.values.assign(border.size(), 0);
+  const auto compare = [&](std::size_t a, std::size_t b) {
+    if (labels.values[a] == labels.values[b])
+      return;
+    border.values[a] |= labels.values[b] != 0;
+    border.values[b] |= labels.values[a] != 0;
+  };
+  for (int x = 0; x < labels.nx; ++x)
+    for (int y = 0; y < labels.ny; ++y) {
+      if (x + 1 < labels.nx)
+        compare(labels.index(x, y), labels.index(x + 1, y));
+      if (y + 1 < labels.ny)
+        compare(labels.index(x, y), labels.index(x, y + 1));
+    }
+  return border;
+}
+
+} // namespace
+
+StoreyLabels::StoreyLabels(const std::vector<Eigen::Vector3f>& points,
+                           const OccupancyGrid& occupancy,
+                           const StoreySpace& space,
+                           const RoomMap& map,
+                           const BuildingRoomsOptions& options)
+: points_(points), occupancy_(occupancy), map_(map), options_(options)
+{
+  WallLeanOptions lean;
+  lean.threads = options.threads;
+  lean_ = leanMap(wallStretches(
+                      space.occupancy, map.range, map.ceiling, map.slab, map.blocked, lean),
+                  map.labels.nx,
+                  map.labels.ny,
+                  occupancy.grid.voxel_size);
+  if (lean_.values.empty())
+    return;
+  slab_ = {map.labels.nx, map.labels.ny, {}};
+  for (const int ceiling : map.ceiling.values)
+    slab_.values.push_back(
+        static_cast<float>((ceiling < 0 ? map.range.end - 1 : ceiling) + 0.5 -
+                           0.5 * (map.slab.first + map.slab.last) + map.first_layer));
+}
+
+void
+StoreyLabels::assign(const std::vector<std::uint8_t>& storey_of,
+                     std::uint8_t storey,
+                     const std::vector<std::uint32_t>& room_of,
+                     std::vector<std::uint32_t>& point_labels) const
+{
+  // Only near borders are there sides to choose, and walls to fit in the slab around.
+  const auto to_border =
+      squaredDistanceMap(borderPixels(map_.labels), options_.threads);
+  const double radius =
+      0.5 * options_.walls.window / occupancy_.grid.voxel_size + 2.0;
+  const double reach = 2.0 * radius * radius; // to the corner of the window, squared
+  const auto count = static_cast<std::ptrdiff_t>(points_.size());
+  const int threads = threadCount(options_.threads);
+  std::vector<std::uint8_t> is_near(points_.size(), 0);
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    if (occupancy_.cells[i] < 0 || storey_of[i] != storey)
+      continue;
+    const std::size_t pixel = pixelOf(i);
+    is_near[i] = to_border.values[pixel] <= (inSlab(i, pixel) ? 4 * reach : reach);
+    if (!is_near[i])
+      point_labels[i] = room_of[map_.labels.values[pixel]];
+  }
+  std::vector<std::uint32_t> first(map_.labels.nx + 1, 0); // per row of pixels
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (is_near[i])
+      ++first[rowOf(i) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> near(first.back());
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (is_near[i])
+      near[next[rowOf(i)]++] = static_cast<std::uint32_t>(i);
+
+  // Strip by strip, so that large buildings need no more memory than others.
+  constexpr std::uint32_t enough = 1 << 22; // points
+  const int margin = static_cast<int>(std::ceil(radius));
+  for (int begin = 0, end = 0; begin < map_.labels.nx; begin = end) {
+    while (end < map_.labels.nx && first[end] <= first[begin] + enough)
+      ++end;
+    const int from = std::max(0, begin - margin);
+    const int to = std::min(map_.labels.nx, end + margin);
+    const auto labels = wallLabels(near.data() + first[from], near.data() + first[to]);
+    for (std::uint32_t k = first[begin]; k < first[end]; ++k)
+      point_labels[near[k]] = room_of[labels[k - first[from]]];
+  }
+}
+
+/** Where a point lies on the map, pixels. */
+Eigen::Vector2d
+StoreyLabels::placeOf(std::size_t i) const
+{
+  const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
+  const Eigen::Vector3d place =
+      (occupancy_.toGrid(points_[i].cast<double>()) - grid.origin) / grid.voxel_size;
+  if (lean_.values.empty())
+    return place.head<2>();
+  // The places at the border of the map stand for those beyond it.
+  return straightened(lean_, slab_, place)
+      .cwiseMax(0.0)
+      .cwiseMin(Eigen::Vector2d(lean_.nx - 0.5, lean_.ny - 0.5));
+}
+
+std::size_t
+StoreyLabels::pixelOf(std::size_t i) const
+{
+  if (lean_.values.empty())
+    return occupancy_.cells[i] / occupancy_.grid.shape.nz;
+  const Eigen::Vector2d place = placeOf(i);
+  return map_.labels.index(static_cast<int>(place.x()), static_cast<int>(place.y()));
+}
+
+std::size_t
+StoreyLabels::rowOf(std::size_t i) const
+{
+  return pixelOf(i) / map_.labels.ny;
+}
+
+bool
+StoreyLabels::inSlab(std::size_t i, std::size_t pixel) const
+{
+  const int layer = occupancy_.cells[i] % occupancy_.grid.shape.nz;
+  const int below = map_.ceiling.values[pixel] + map_.first_layer - layer;
+  return below >= map_.slab.first && below <= map_.slab.last;
+}
+
+/** Labels on the map of some of the points, told apart by the faces of walls. */
+std::vector<std::int32_t>
+StoreyLabels::wallLabels(const std::uint32_t* begin, const std::uint32_t* end) const
+{
+  const double size = occupancy_.grid.voxel_size;
+  const std::ptrdiff_t count = end - begin;
+  const int threads = threadCount(options_.threads);
+  std::vector<Eigen::Vector2f> position(count);
+  std::vector<std::uint8_t> is_wall(count);
+  std::vector<std::int32_t> labels(count);
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    const std::uint32_t i = begin[k];
+    const std::size_t pixel = pixelOf(i);
+    position[k] = (size * placeOf(i)).cast<float>();
+    is_wall[k] = inSlab(i, pixel);
+    labels[k] = map_.labels.values[pixel];
+  }
+  assignWallSides(
+      position, is_wall, size, map_.labels, map_.free_labels, options_.walls, labels);
+  return labels;
+}
+
+} // namespace indoor
+} // namespace pcl
