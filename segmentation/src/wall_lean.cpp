@@ -9,7 +9,6 @@
 
 #include <pcl/exceptions.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -106,82 +105,80 @@ sectionAt(const VoxelGrid<std::uint8_t>& occupancy,
     }
 }
 
-/** The line that most voxels lie on, one voxel wide; an upright one unless another is
- * clearly better. */
-class LineVote {
+/** The lean that gathers the voxels of a section best: sheared upright by it, they make
+ * the sharpest profile across the wall (the greatest sum of squares, as both faces of a
+ * wall lean alike). Upright unless another lean is clearly better. */
+class LeanSearch {
 public:
-  LineVote(double max_slope, double half_thickness)
+  LeanSearch(double max_slope, double half_thickness)
   : slopes_(static_cast<int>(std::ceil(max_slope / slope_step)))
-  , offsets_(static_cast<int>(std::ceil(half_thickness / offset_step)))
-  , votes_((2 * offsets_ + 1) * width())
+  , profile_(2 * static_cast<int>(std::ceil(half_thickness / bin)))
   {}
 
   /** \return no line unless voxels fill half of one's \a area, as those of a wall do */
   std::optional<SectionLine>
   best(const std::vector<SectionVoxel>& section, double area)
   {
-    std::fill(votes_.begin(), votes_.end(), 0);
-    for (const auto& voxel : section)
-      if (voxel.depth > 0)
-        cast(voxel);
-    int most = 0;
-    SectionLine line;
-    int upright_most = 0;
-    SectionLine upright;
-    for (int row = 0; row <= 2 * offsets_; ++row) {
-      int sum = 0;
-      for (int k = 0; k <= 2 * slopes_; ++k) {
-        sum += votes_[row * width() + k];
-        const double offset = (row - offsets_) * offset_step;
-        if (k == slopes_ && sum > upright_most) {
-          upright_most = sum;
-          upright.offset = offset;
-        }
-        if (sum > most) {
-          most = sum;
-          line.lean = (k - slopes_) * slope_step;
-          line.offset = offset;
-        }
-      }
+    double best = energyAt(section, 0.0) / upright_share;
+    SectionLine line = strongest(0.0);
+    int filled = most_;
+    for (int k = -slopes_; k <= slopes_; ++k) {
+      const double energy = energyAt(section, k * slope_step);
+      if (k == 0 || energy <= best)
+        continue;
+      best = energy;
+      line = strongest(k * slope_step);
+      filled = most_;
     }
-    if (most < 0.5 * area)
-      return std::nullopt;
-    return upright_most >= upright_share * most ? upright : line;
+    return filled < 0.5 * area ? std::nullopt : std::optional<SectionLine>(line);
   }
 
 private:
   static constexpr double slope_step = 0.02; // half a voxel over the height of a storey
-  static constexpr double offset_step = 0.5; // voxels
-  // Of a wall that moves by a voxel over its height, three quarters are on an upright
-  // line of one voxel's width; less than that cannot be told from noise.
+  static constexpr double bin = 0.5;         // voxels
   static constexpr double upright_share = 0.9;
 
-  int
-  width() const
+  /** Sum of squares of the profile, smoothed to one voxel. */
+  double
+  energyAt(const std::vector<SectionVoxel>& section, double lean)
   {
-    return 2 * slopes_ + 2; // one more, for the end of the last interval
-  }
-
-  /** Add 1 to the slopes of the lines that pass within half a voxel, per offset. */
-  void
-  cast(const SectionVoxel& voxel)
-  {
-    const double scale = 1.0 / (voxel.depth * slope_step);
-    for (int row = 0; row <= 2 * offsets_; ++row) {
-      const double across = voxel.across - (row - offsets_) * offset_step;
-      const int first = static_cast<int>(
-          std::ceil(std::clamp((across - 0.5) * scale + slopes_, 0.0, width() - 1.0)));
-      const int last = static_cast<int>(std::floor(
-          std::clamp((across + 0.5) * scale + slopes_, -1.0, width() - 2.0)));
-      if (first > last)
-        continue;
-      ++votes_[row * width() + first];
-      --votes_[row * width() + last + 1];
+    std::fill(profile_.begin(), profile_.end(), 0);
+    const auto count = static_cast<int>(profile_.size());
+    const float scale = static_cast<float>(1.0 / bin);
+    const float slope = static_cast<float>(lean);
+    for (const auto& voxel : section) {
+      const float place = (voxel.across - slope * voxel.depth) * scale + 0.5f * count;
+      const int at = static_cast<int>(place);
+      if (place >= 0.0f && at < count)
+        ++profile_[at];
     }
+    double sum = 0.0;
+    most_ = 0;
+    for (int i = 0; i + 1 < count; ++i) {
+      const int both = profile_[i] + profile_[i + 1];
+      sum += static_cast<double>(both) * both;
+      if (both > most_) {
+        most_ = both;
+        most_at_ = i;
+      }
+    }
+    return sum;
   }
 
-  int slopes_, offsets_; // on each side of 0
-  std::vector<int> votes_;
+  /** The line of the profile's peak. */
+  SectionLine
+  strongest(double lean) const
+  {
+    SectionLine line;
+    line.lean = lean;
+    line.offset = (most_at_ + 1 - 0.5 * static_cast<double>(profile_.size())) * bin;
+    return line;
+  }
+
+  int slopes_;               // on each side of 0
+  std::vector<int> profile_; // per bin across the wall, its middle in the middle
+  int most_ = 0;             // voxels of the peak
+  int most_at_ = 0;          // its first bin
 };
 
 /** The line through the voxels near one. */
@@ -254,7 +251,7 @@ wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
   std::vector<WallStretch> found(places.size());
 #pragma omp parallel num_threads(threadCount(options.threads))
   {
-    LineVote vote(slope, 0.5 * radius);
+    LeanSearch search(slope, 0.5 * radius);
     std::vector<SectionVoxel> section;
 #pragma omp for schedule(dynamic, 16)
     for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(places.size()); ++i) {
@@ -273,7 +270,7 @@ wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
                 *wall,
                 section);
       auto line =
-          vote.best(section, 2.0 * radius * std::max(0.0, middle - storey.begin - 2));
+          search.best(section, 2.0 * radius * std::max(0.0, middle - storey.begin - 2));
       if (!line)
         continue;
       const bool is_upright = line->lean == 0.0;
@@ -290,67 +287,6 @@ wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
                              [](const auto& wall) { return !(wall.weight > 0); }),
               found.end());
   return found;
-}
-
-PixelMap<Eigen::Vector2f>
-leanMap(const std::vector<WallStretch>& stretches, int nx, int ny, double pixel_size)
-{
-  PixelMap<Eigen::Vector2f> lean{nx, ny, {}};
-  if (std::all_of(stretches.begin(), stretches.end(), [](const auto& wall) {
-        return wall.lean == 0.0;
-      }))
-    return lean;
-  struct Equations { // of the shift: a symmetric matrix and the right side
-    float xx = 1.0f, xy = 0.0f, yy = 1.0f, x = 0.0f, y = 0.0f;
-  };
-  // A voxel of scatter and a lean of up to 1 to start from weigh 1 each: far from walls
-  // nothing is known to lean.
-  std::vector<Equations> equations(lean.size());
-  const double sigma = 0.5 / pixel_size;
-  const int radius = static_cast<int>(std::ceil(3.0 * sigma));
-  for (const auto& wall : stretches) {
-    const int x0 = static_cast<int>(wall.place.x());
-    const int y0 = static_cast<int>(wall.place.y());
-    for (int x = std::max(0, x0 - radius); x <= std::min(nx - 1, x0 + radius); ++x)
-      for (int y = std::max(0, y0 - radius); y <= std::min(ny - 1, y0 + radius); ++y) {
-        const double squared =
-            (Eigen::Vector2d(x + 0.5, y + 0.5) - wall.place).squaredNorm();
-        const double weight =
-            wall.weight * std::exp(-0.5 * squared / (sigma * sigma));
-        Equations& sums = equations[lean.index(x, y)];
-        const Eigen::Vector2d& n = wall.normal;
-        sums.xx += static_cast<float>(weight * n.x() * n.x());
-        sums.xy += static_cast<float>(weight * n.x() * n.y());
-        sums.yy += static_cast<float>(weight * n.y() * n.y());
-        sums.x += static_cast<float>(weight * n.x() * wall.lean);
-        sums.y += static_cast<float>(weight * n.y() * wall.lean);
-      }
-  }
-  lean.values.reserve(lean.size());
-  for (const auto& sums : equations) {
-    Eigen::Matrix2d matrix;
-    matrix << sums.xx, sums.xy, sums.xy, sums.yy;
-    const Eigen::Vector2d shift = matrix.ldlt().solve(Eigen::Vector2d(sums.x, sums.y));
-    lean.values.push_back(shift.cast<float>());
-  }
-  return lean;
-}
-
-Eigen::Vector2d
-straightened(const PixelMap<Eigen::Vector2f>& lean,
-             const PixelMap<float>& slab,
-             const Eigen::Vector3d& place)
-{
-  Eigen::Vector2d upright = place.head<2>();
-  for (int turn = 0; turn < 3; ++turn) { // the lean is that of the place above
-    const int x = static_cast<int>(std::floor(upright.x()));
-    const int y = static_cast<int>(std::floor(upright.y()));
-    if (!lean.contains(x, y))
-      return upright;
-    const double depth = slab.at(x, y) - place.z();
-    upright = place.head<2>() - depth * lean.at(x, y).cast<double>();
-  }
-  return upright;
 }
 
 } // namespace indoor

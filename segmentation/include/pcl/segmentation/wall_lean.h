@@ -33,12 +33,11 @@ struct WallStretch {
 
 /** \brief Measure how much the walls below a slab lean.
  *
- * Walls are found in the slab below the ceiling. Each stretch of one votes with its
- * occupied voxels, from the slab to the floor, for the straight line that most of them
- * lie on in the vertical section across the wall (a Hough transform), and a line is
- * fitted to those. So furniture, doors and the curve of a vault do not matter as long
- * as most of the wall is straight. A lean that moves the wall by less than half a voxel
- * is none. Linear in the length of walls.
+ * Walls are found in the slab below the ceiling. For each stretch of one the lean is
+ * taken that gathers its occupied voxels, from the slab to the floor, best in the
+ * vertical section across the wall, and a line is fitted to those near it. So furniture
+ * and the curve of a vault do not matter as long as most of the wall is straight; below
+ * lintels there is no stretch. Linear in the length of walls.
  * \param[in] occupancy of a storey; non-zero = occupied
  * \param[in] storey the layers that count
  * \param[in] ceiling as ceilingLayers() gives it
