@@ -52,7 +52,8 @@ nearness(double squared_distance, double sigma)
 class StretchTiles {
 public:
   StretchTiles(const std::vector<WallStretch>& walls, int nx, int ny, double side)
-  : side_(side), tiles_{tileOf(nx) + 1, tileOf(ny) + 1, {}}
+  : side_(side)
+  , tiles_{tileOf(nx) + 1, tileOf(ny) + 1, {}}
   {
     tiles_.values.resize(tiles_.size());
     for (std::size_t i = 0; i < walls.size(); ++i)
@@ -100,8 +101,7 @@ agreement(const std::vector<WallStretch>& walls, int nx, int ny, double sigma)
         sums.add(walls[k], agrees[k] * walls[k].weight * nearness(squared, sigma));
       });
       const Eigen::Vector2d shift = sums.solution();
-      const double residual =
-          (walls[i].lean - walls[i].normal.dot(shift)) / least_lean;
+      const double residual = (walls[i].lean - walls[i].normal.dot(shift)) / least_lean;
       next[i] = 1.0 / (1.0 + residual * residual);
       greatest = std::max(greatest, shift.norm());
     }
@@ -136,8 +136,8 @@ leanMap(const std::vector<WallStretch>& walls, int nx, int ny, double pixel_size
     const double weight = agrees[i] * walls[i].weight;
     for (int x = std::max(0, x0); x < std::min(nx, x0 + side); ++x)
       for (int y = std::max(0, y0); y < std::min(ny, y0 + side); ++y)
-        equations[lean.index(x, y)].add(
-            walls[i], weight * kernel[(x - x0) * side + y - y0]);
+        equations[lean.index(x, y)].add(walls[i],
+                                        weight * kernel[(x - x0) * side + y - y0]);
   }
   lean.values.reserve(lean.size());
   for (const auto& sums : equations) {

@@ -47,15 +47,19 @@ StoreyLabels::StoreyLabels(const std::vector<Eigen::Vector3f>& points,
                            const StoreySpace& space,
                            const RoomMap& map,
                            const BuildingRoomsOptions& options)
-: points_(points), occupancy_(occupancy), map_(map), options_(options)
+: points_(points)
+, occupancy_(occupancy)
+, map_(map)
+, options_(options)
 {
   WallLeanOptions lean;
   lean.threads = options.threads;
-  lean_ = leanMap(wallStretches(
-                      space.occupancy, map.range, map.ceiling, map.slab, map.blocked, lean),
-                  map.labels.nx,
-                  map.labels.ny,
-                  occupancy.grid.voxel_size);
+  lean_ =
+      leanMap(wallStretches(
+                  space.occupancy, map.range, map.ceiling, map.slab, map.blocked, lean),
+              map.labels.nx,
+              map.labels.ny,
+              occupancy.grid.voxel_size);
   if (lean_.values.empty())
     return;
   slab_ = {map.labels.nx, map.labels.ny, {}};
@@ -74,8 +78,7 @@ StoreyLabels::assign(const std::vector<std::uint8_t>& storey_of,
   // Only near borders are there sides to choose, and walls to fit in the slab around.
   const auto to_border =
       squaredDistanceMap(borderPixels(map_.labels), options_.threads);
-  const double radius =
-      0.5 * options_.walls.window / occupancy_.grid.voxel_size + 2.0;
+  const double radius = 0.5 * options_.walls.window / occupancy_.grid.voxel_size + 2.0;
   const double reach = 2.0 * radius * radius; // to the corner of the window, squared
   const auto count = static_cast<std::ptrdiff_t>(points_.size());
   const int threads = threadCount(options_.threads);

@@ -100,8 +100,7 @@ sectionAt(const VoxelGrid<std::uint8_t>& occupancy,
       const std::uint8_t* column = &occupancy.values[shape.index(x, y, 0)];
       for (int z = floor; z <= end; ++z)
         if (column[z])
-          section.push_back(
-              {static_cast<float>(across), static_cast<float>(slab - z)});
+          section.push_back({static_cast<float>(across), static_cast<float>(slab - z)});
     }
 }
 
@@ -115,7 +114,7 @@ public:
   , profile_(2 * static_cast<int>(std::ceil(half_thickness / bin)))
   {}
 
-  /** \return no line unless voxels fill half of one's \a area, as those of a wall do */
+  /** \return no line unless voxels fill most of its \a area, as those of a wall do */
   std::optional<SectionLine>
   best(const std::vector<SectionVoxel>& section, double area)
   {
@@ -130,13 +129,14 @@ public:
       line = strongest(k * slope_step);
       filled = most_;
     }
-    return filled < 0.5 * area ? std::nullopt : std::optional<SectionLine>(line);
+    return filled < full_share * area ? std::nullopt : std::optional<SectionLine>(line);
   }
 
 private:
   static constexpr double slope_step = 0.02; // half a voxel over the height of a storey
   static constexpr double bin = 0.5;         // voxels
-  static constexpr double upright_share = 0.9;
+  static constexpr double upright_share = 0.9; // within this it cannot be told apart
+  static constexpr double full_share = 0.7;    // fewer are lintels, posts and furniture
 
   /** Sum of squares of the profile, smoothed to one voxel. */
   double
@@ -241,10 +241,9 @@ wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
   if (!(options.max_lean > 0.0) || !(options.max_lean < 0.5 * M_PI) ||
       !(options.window > 0.0))
     PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The lean of walls, " << options.max_lean
-                                              << " rad, or the window, "
-                                              << options.window
-                                              << " m, is out of range.");
+                        "The lean of walls, "
+                            << options.max_lean << " rad, or the window, "
+                            << options.window << " m, is out of range.");
   const double radius = std::max(2.0, 0.5 * options.window / occupancy.voxel_size);
   const double slope = std::tan(options.max_lean);
   const auto places = spreadOver(blocked, static_cast<int>(radius));
