@@ -146,7 +146,7 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
     return {};
   const auto storey_of = storeysOfPoints(points, building, options.threads);
   for (std::size_t s = 0; s < building.storeys.size(); ++s)
-    StoreyLabels(points, building.occupancy, spaces[s], building.storeys[s], options)
+    StoreyLabels(points, building.occupancy, building.storeys[s], options)
         .assign(storey_of,
                 static_cast<std::uint8_t>(s),
                 building.room_of[s],

@@ -149,6 +149,19 @@ leanMap(const std::vector<WallStretch>& walls, int nx, int ny, double pixel_size
   return lean;
 }
 
+PixelMap<float>
+slabHeights(const VerticalRange& storey,
+            const PixelMap<int>& ceiling,
+            const SlabLayers& slab)
+{
+  PixelMap<float> heights{ceiling.nx, ceiling.ny, {}};
+  heights.values.reserve(ceiling.size());
+  for (const int layer : ceiling.values)
+    heights.values.push_back(static_cast<float>((layer < 0 ? storey.end - 1 : layer) +
+                                                0.5 - 0.5 * (slab.first + slab.last)));
+  return heights;
+}
+
 Eigen::Vector2d
 straightened(const PixelMap<Eigen::Vector2f>& lean,
              const PixelMap<float>& slab,
@@ -164,6 +177,29 @@ straightened(const PixelMap<Eigen::Vector2f>& lean,
     upright = place.head<2>() - depth * lean.at(x, y).cast<double>();
   }
   return upright;
+}
+
+PixelMap<std::uint8_t>
+straightenedColumns(const VoxelGrid<std::uint8_t>& occupancy,
+                    const PixelMap<Eigen::Vector2f>& lean,
+                    const PixelMap<float>& slab)
+{
+  PixelMap<std::uint8_t> columns{lean.nx, lean.ny, {}};
+  columns.values.assign(columns.size(), 0);
+  const GridShape& shape = occupancy.shape;
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y)
+      for (int z = 0; z < shape.nz; ++z) {
+        if (!occupancy.at(x, y, z))
+          continue;
+        const Eigen::Vector2d place =
+            straightened(lean, slab, Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5));
+        const int u = static_cast<int>(std::floor(place.x()));
+        const int v = static_cast<int>(std::floor(place.y()));
+        if (columns.contains(u, v))
+          columns.at(u, v) = 1;
+      }
+  return columns;
 }
 
 } // namespace indoor

@@ -44,7 +44,6 @@ borderPixels(const PixelMap<std::int32_t>& labels)
 
 StoreyLabels::StoreyLabels(const std::vector<Eigen::Vector3f>& points,
                            const OccupancyGrid& occupancy,
-                           const StoreySpace& space,
                            const RoomMap& map,
                            const BuildingRoomsOptions& options)
 : points_(points)
@@ -52,21 +51,8 @@ StoreyLabels::StoreyLabels(const std::vector<Eigen::Vector3f>& points,
 , map_(map)
 , options_(options)
 {
-  WallLeanOptions lean;
-  lean.threads = options.threads;
-  lean_ =
-      leanMap(wallStretches(
-                  space.occupancy, map.range, map.ceiling, map.slab, map.blocked, lean),
-              map.labels.nx,
-              map.labels.ny,
-              occupancy.grid.voxel_size);
-  if (lean_.values.empty())
-    return;
-  slab_ = {map.labels.nx, map.labels.ny, {}};
-  for (const int ceiling : map.ceiling.values)
-    slab_.values.push_back(
-        static_cast<float>((ceiling < 0 ? map.range.end - 1 : ceiling) + 0.5 -
-                           0.5 * (map.slab.first + map.slab.last) + map.first_layer));
+  if (!map.lean.values.empty())
+    slab_ = slabHeights(map.range, map.ceiling, map.slab);
 }
 
 void
@@ -122,20 +108,21 @@ Eigen::Vector2d
 StoreyLabels::placeOf(std::size_t i) const
 {
   const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
-  const Eigen::Vector3d place =
+  Eigen::Vector3d place =
       (occupancy_.toGrid(points_[i].cast<double>()) - grid.origin) / grid.voxel_size;
-  if (lean_.values.empty())
+  place.z() -= map_.first_layer;
+  if (map_.lean.values.empty())
     return place.head<2>();
   // The places at the border of the map stand for those beyond it.
-  return straightened(lean_, slab_, place)
+  return straightened(map_.lean, slab_, place)
       .cwiseMax(0.0)
-      .cwiseMin(Eigen::Vector2d(lean_.nx - 0.5, lean_.ny - 0.5));
+      .cwiseMin(Eigen::Vector2d(map_.labels.nx - 0.5, map_.labels.ny - 0.5));
 }
 
 std::size_t
 StoreyLabels::pixelOf(std::size_t i) const
 {
-  if (lean_.values.empty())
+  if (map_.lean.values.empty())
     return occupancy_.cells[i] / occupancy_.grid.shape.nz;
   const Eigen::Vector2d place = placeOf(i);
   return map_.labels.index(static_cast<int>(place.x()), static_cast<int>(place.y()));

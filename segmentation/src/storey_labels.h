@@ -6,7 +6,6 @@
 #pragma once
 
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/storey_space.h>
 
 #include <Eigen/Core>
 
@@ -24,7 +23,6 @@ class StoreyLabels {
 public:
   StoreyLabels(const std::vector<Eigen::Vector3f>& points,
                const OccupancyGrid& occupancy,
-               const StoreySpace& space,
                const RoomMap& map,
                const BuildingRoomsOptions& options);
 
@@ -59,8 +57,7 @@ private:
   const OccupancyGrid& occupancy_;
   const RoomMap& map_;
   const BuildingRoomsOptions& options_;
-  PixelMap<Eigen::Vector2f> lean_; ///< without values if all walls are upright
-  PixelMap<float> slab_;           ///< height of its middle, voxels of the grid
+  PixelMap<float> slab_; ///< its height, if walls lean
 };
 
 } // namespace indoor

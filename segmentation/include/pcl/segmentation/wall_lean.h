@@ -63,15 +63,30 @@ wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
 PixelMap<Eigen::Vector2f>
 leanMap(const std::vector<WallStretch>& stretches, int nx, int ny, double pixel_size);
 
+/** \brief The height of the slab's middle over each pixel, in layers; where there is no
+ * ceiling, that below the storey's highest layer. */
+PixelMap<float>
+slabHeights(const VerticalRange& storey,
+            const PixelMap<int>& ceiling,
+            const SlabLayers& slab);
+
 /** \brief Where something would be at the height of the slab if it stood upright.
  * \param[in] lean as leanMap() gives it
- * \param[in] slab height of the slab's middle over each pixel, in voxels
- * \param[in] place where it is, in pixels and voxels
+ * \param[in] slab as slabHeights() gives it
+ * \param[in] place where it is, in pixels and layers
  */
 Eigen::Vector2d
 straightened(const PixelMap<Eigen::Vector2f>& lean,
              const PixelMap<float>& slab,
              const Eigen::Vector3d& place);
+
+/** \brief The columns that would hold something if all stood upright: 1, others 0.
+ * \param[in] occupancy of a storey; non-zero = occupied
+ */
+PixelMap<std::uint8_t>
+straightenedColumns(const VoxelGrid<std::uint8_t>& occupancy,
+                    const PixelMap<Eigen::Vector2f>& lean,
+                    const PixelMap<float>& slab);
 
 } // namespace indoor
 } // namespace pcl
