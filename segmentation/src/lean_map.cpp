@@ -173,8 +173,10 @@ straightened(const PixelMap<Eigen::Vector2f>& lean,
     const int y = static_cast<int>(std::floor(upright.y()));
     if (!lean.contains(x, y))
       return upright;
-    const double depth = slab.at(x, y) - place.z();
-    upright = place.head<2>() - depth * lean.at(x, y).cast<double>();
+    const Eigen::Vector2d shift = lean.at(x, y).cast<double>();
+    if (shift.isZero(0.0) && turn == 0)
+      return upright;
+    upright = place.head<2>() - (slab.at(x, y) - place.z()) * shift;
   }
   return upright;
 }

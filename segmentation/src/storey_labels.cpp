@@ -50,6 +50,7 @@ StoreyLabels::StoreyLabels(const std::vector<Eigen::Vector3f>& points,
 , occupancy_(occupancy)
 , map_(map)
 , options_(options)
+, turn_(occupancy.turn())
 {
   if (!map.lean.values.empty())
     slab_ = slabHeights(map.range, map.ceiling, map.slab);
@@ -108,8 +109,10 @@ Eigen::Vector2d
 StoreyLabels::placeOf(std::size_t i) const
 {
   const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
-  Eigen::Vector3d place =
-      (occupancy_.toGrid(points_[i].cast<double>()) - grid.origin) / grid.voxel_size;
+  const Eigen::Vector3d point = points_[i].cast<double>();
+  Eigen::Vector3d place;
+  place << turn_ * point.head<2>(), point.z();
+  place = (place - grid.origin) / grid.voxel_size;
   place.z() -= map_.first_layer;
   if (map_.lean.values.empty())
     return place.head<2>();
@@ -122,8 +125,9 @@ StoreyLabels::placeOf(std::size_t i) const
 std::size_t
 StoreyLabels::pixelOf(std::size_t i) const
 {
-  if (map_.lean.values.empty())
-    return occupancy_.cells[i] / occupancy_.grid.shape.nz;
+  const std::size_t pixel = occupancy_.cells[i] / occupancy_.grid.shape.nz;
+  if (map_.lean.values.empty() || map_.lean.values[pixel].isZero(0.0f))
+    return pixel;
   const Eigen::Vector2d place = placeOf(i);
   return map_.labels.index(static_cast<int>(place.x()), static_cast<int>(place.y()));
 }

@@ -57,7 +57,8 @@ private:
   const OccupancyGrid& occupancy_;
   const RoomMap& map_;
   const BuildingRoomsOptions& options_;
-  PixelMap<float> slab_; ///< its height, if walls lean
+  const Eigen::Matrix2d turn_; ///< into the frame of the grid
+  PixelMap<float> slab_;       ///< its height, if walls lean
 };
 
 } // namespace indoor

@@ -120,15 +120,20 @@ public:
   {
     double best = energyAt(section, 0.0) / upright_share;
     SectionLine line = strongest(0.0);
-    int filled = most_;
-    for (int k = -slopes_; k <= slopes_; ++k) {
+    int filled = most_, at = 0;
+    const auto attempt = [&](int k) {
       const double energy = energyAt(section, k * slope_step);
       if (k == 0 || energy <= best)
-        continue;
+        return;
       best = energy;
       line = strongest(k * slope_step);
       filled = most_;
-    }
+      at = k;
+    };
+    for (int k = -slopes_; k <= slopes_; k += 2)
+      attempt(k);
+    for (const int k : {at - 1, at + 1})
+      attempt(k);
     return filled < full_share * area ? std::nullopt : std::optional<SectionLine>(line);
   }
 
