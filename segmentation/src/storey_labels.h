@@ -44,14 +44,13 @@ private:
   std::size_t
   pixelOf(std::size_t i) const;
 
-  std::size_t
-  rowOf(std::size_t i) const;
-
   bool
   inSlab(std::size_t i, std::size_t pixel) const;
 
   std::vector<std::int32_t>
-  wallLabels(const std::uint32_t* begin, const std::uint32_t* end) const;
+  wallLabels(const std::uint32_t* begin,
+             const std::uint32_t* end,
+             const std::vector<std::int32_t>& pixel_of) const;
 
   const std::vector<Eigen::Vector3f>& points_;
   const OccupancyGrid& occupancy_;
