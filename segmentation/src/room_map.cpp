@@ -8,6 +8,7 @@
 #include <pcl/segmentation/persistent_basins.h>
 #include <pcl/segmentation/potential_field.h>
 #include <pcl/segmentation/room_map.h>
+#include <pcl/segmentation/wall_lean.h>
 
 #include "inner_walls.h"
 
@@ -31,15 +32,24 @@ holdsSomething(const VoxelGrid<std::uint8_t>& grid, std::size_t pixel)
       column, column + grid.shape.nz, [](auto value) { return value != 0; });
 }
 
-/** Columns with something in them, and the gaps between those (closing by a disc). */
+/** Columns with something in them. */
 PixelMap<std::uint8_t>
-coveredColumns(const VoxelGrid<std::uint8_t>& occupancy, double radius)
+heldColumns(const VoxelGrid<std::uint8_t>& occupancy)
 {
-  PixelMap<std::uint8_t> covered{occupancy.shape.nx, occupancy.shape.ny, {}};
-  covered.values.resize(covered.size());
-  for (std::size_t i = 0; i < covered.size(); ++i)
-    covered.values[i] = holdsSomething(occupancy, i);
-  const double reach = std::pow(radius / occupancy.voxel_size, 2);
+  PixelMap<std::uint8_t> held{occupancy.shape.nx, occupancy.shape.ny, {}};
+  held.values.resize(held.size());
+  for (std::size_t i = 0; i < held.size(); ++i)
+    held.values[i] = holdsSomething(occupancy, i);
+  return held;
+}
+
+/** Columns with something in them, and the gaps between those (closing by a disc; there
+ * is nothing beyond the map). */
+PixelMap<std::uint8_t>
+closed(const PixelMap<std::uint8_t>& held, double radius, double pixel_size)
+{
+  const double reach = std::pow(radius / pixel_size, 2);
+  const int margin = static_cast<int>(radius / pixel_size) + 1;
   const auto beyond = [&](const PixelMap<std::uint8_t>& map) {
     PixelMap<std::uint8_t> far = map;
     const auto squared = squaredDistanceMap(map);
@@ -47,7 +57,17 @@ coveredColumns(const VoxelGrid<std::uint8_t>& occupancy, double radius)
       far.values[i] = squared.values[i] > reach;
     return far;
   };
-  return beyond(beyond(covered));
+  PixelMap<std::uint8_t> wide{held.nx + 2 * margin, held.ny + 2 * margin, {}};
+  wide.values.assign(wide.size(), 0);
+  for (int x = 0; x < held.nx; ++x)
+    for (int y = 0; y < held.ny; ++y)
+      wide.at(x + margin, y + margin) = held.at(x, y);
+  wide = beyond(beyond(wide));
+  PixelMap<std::uint8_t> result = held;
+  for (int x = 0; x < held.nx; ++x)
+    for (int y = 0; y < held.ny; ++y)
+      result.at(x, y) = wide.at(x + margin, y + margin);
+  return result;
 }
 
 /** Whether enough of the columns with something in them are inside, 40 %: a basement
@@ -88,7 +108,7 @@ insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
       inside.at(x, y) = ceiling.at(x, y) >= 0 && surplus >= 0;
     }
   if (!coversEnough(inside, space.occupancy))
-    return coveredColumns(space.occupancy, 0.5);
+    return closed(heldColumns(space.occupancy), 0.5, space.occupancy.voxel_size);
   return inside;
 }
 
@@ -293,7 +313,20 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   map.blocked = blockedColumns(occupancy, map.range, map.ceiling, map.slab);
   removeSpecks(map.blocked,
                static_cast<int>(std::lround(options.slab.min_wall / size)));
-  map.field = freeDistance(map.blocked, insideColumns(space, map.ceiling), size);
+  auto inside = insideColumns(space, map.ceiling);
+  map.lean =
+      leanMap(wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked),
+              map.blocked.nx,
+              map.blocked.ny,
+              size);
+  if (!map.lean.values.empty()) { // above a wall that leans, the slab may be outside
+    const auto held = straightenedColumns(
+        occupancy, map.lean, slabHeights(map.range, map.ceiling, map.slab));
+    const auto covered = closed(held, 0.5, size);
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      inside.values[i] &= covered.values[i];
+  }
+  map.field = freeDistance(map.blocked, inside, size);
   if (options.method == RoomMethod::CeilingSlab) {
     BasinOptions basins;
     basins.persistence = options.persistence;
