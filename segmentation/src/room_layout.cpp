@@ -5,12 +5,17 @@
 
 #include "room_layout.h"
 
+#include "opening_posts.h"
+#include "room_levels.h"
+
+#include <pcl/segmentation/room_footprint.h>
 #include <pcl/segmentation/room_outline.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
+
 #include <vector>
 
 namespace pcl {
@@ -38,126 +43,110 @@ private:
   double layer_; ///< middle of the floor's voxels
 };
 
-/** Where the points of each room lie on the map in the slab below the ceiling, where
- * nearly all that is seen is wall; pixels, per label of a room. */
-std::vector<std::vector<Eigen::Vector2d>>
-wallPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
+/** Columns of which at least half is occupied between the floor and the slab, in
+ * themselves or beside them: walls, also behind low furniture, but nothing that hangs.
+ */
+PixelMap<std::uint8_t>
+uprightColumns(const OccupancyGrid& occupancy, const RoomMap& map)
+{
+  const GridShape& shape = occupancy.grid.shape;
+  PixelMap<std::uint8_t> upright{shape.nx, shape.ny, {}};
+  upright.values.assign(upright.size(), 0);
+  for (int x = 1; x + 1 < shape.nx; ++x)
+    for (int y = 1; y + 1 < shape.ny; ++y) {
+      if (!map.blocked.at(x, y))
+        continue;
+      const int begin = map.first_layer + map.range.begin + 1;
+      const int end = map.first_layer + map.ceiling.at(x, y) - map.slab.last;
+      int occupied = 0;
+      for (int z = begin; z < end; ++z) {
+        bool is_occupied = false;
+        for (int u = x - 1; u <= x + 1; ++u)
+          for (int v = y - 1; v <= y + 1; ++v)
+            is_occupied |= occupancy.grid.at(u, v, z) != 0;
+        occupied += is_occupied;
+      }
+      upright.at(x, y) = 4 * occupied >= 3 * (end - begin);
+    }
+  return upright;
+}
+
+/** Points on the map, pixels, per label of a room. */
+struct SlabPoints {
+  std::vector<std::vector<Eigen::Vector2d>> walls, all;
+};
+
+/** Where the points of each room lie in the slab below the ceiling, where nearly all
+ * that is seen is wall. */
+SlabPoints
+slabPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
 {
   const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
   const Eigen::Matrix2d turn = building.occupancy.turn();
-  std::vector<std::vector<Eigen::Vector2d>> places(building.rooms.size() + 1);
+  std::vector<PixelMap<std::uint8_t>> upright;
+  for (const RoomMap& map : building.storeys)
+    upright.push_back(uprightColumns(building.occupancy, map));
+  SlabPoints places;
+  places.walls.resize(building.rooms.size() + 1);
+  places.all.resize(building.rooms.size() + 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t label = building.point_labels[i];
     if (label == 0)
       continue;
-    const RoomMap& map = building.storeys[building.rooms[label - 1].storey];
+    const std::uint32_t storey = building.rooms[label - 1].storey;
+    const RoomMap& map = building.storeys[storey];
     const std::int32_t cell = building.occupancy.cells[i];
-    const int below = map.ceiling.values[cell / grid.shape.nz] + map.first_layer -
-                      cell % grid.shape.nz;
+    const std::int32_t pixel = cell / grid.shape.nz;
+    const int below =
+        map.ceiling.values[pixel] + map.first_layer - cell % grid.shape.nz;
     if (below < map.slab.first || below > map.slab.last)
       continue;
     const Eigen::Vector2d place =
-        turn * points[i].head<2>().cast<double>() - grid.origin.head<2>();
-    places[label].push_back(place / grid.voxel_size);
+        (turn * points[i].head<2>().cast<double>() - grid.origin.head<2>()) /
+        grid.voxel_size;
+    places.all[label].push_back(place);
+    if (upright[storey].values[pixel])
+      places.walls[label].push_back(place);
   }
   return places;
 }
 
-/** Tells how wide openings are by the points of their posts: a voxel is clear or not,
- * and each post takes up to one of a door's width. */
-class OpeningPosts {
-public:
-  OpeningPosts(const std::vector<RegionOpening>& openings,
-               const OccupancyGrid& occupancy,
-               const RoomMap& map)
-  : openings_(openings)
-  , occupancy_(occupancy)
-  , turn_(occupancy.turn())
-  , floor_(map.first_layer + map.range.begin)
-  , is_near_(map.labels.size(), 0)
-  , ends_(openings.size())
-  {
-    const GridShape& shape = occupancy.grid.shape;
-    for (std::size_t k = 0; k < openings.size(); ++k) {
-      const auto& [x, y] = std::make_pair(openings[k].x, openings[k].y);
-      const double radius = std::hypot(halfWidth(k) + reach, reach);
-      for (int u = std::max(0, int(x - radius)); u < shape.nx && u <= x + radius; ++u)
-        for (int v = std::max(0, int(y - radius)); v < shape.ny && v <= y + radius;
-             ++v) {
-          const std::size_t pixel = static_cast<std::size_t>(u) * shape.ny + v;
-          is_near_[pixel] = 1;
-          near_.emplace_back(pixel, k);
-        }
+/** Whether a place lies within a ring: a ray from it crosses the ring oddly often. */
+bool
+isWithin(const Eigen::Vector2d& place, const std::vector<Eigen::Vector2d>& ring)
+{
+  bool within = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if ((a.y() > place.y()) != (b.y() > place.y()) &&
+        place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      within = !within;
+  }
+  return within;
+}
+
+/** Whether a part of the map holds no free space of other rooms. */
+bool
+isFreeOfOthers(const std::vector<Eigen::Vector2d>& part,
+               const PixelMap<std::int32_t>& free_labels,
+               std::int32_t label)
+{
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : part)
+    box.extend(corner);
+  const Eigen::Vector2i first = box.min().array().floor().max(0.0).cast<int>();
+  const int end_x =
+      std::min(free_labels.nx, static_cast<int>(std::ceil(box.max().x())));
+  const int end_y =
+      std::min(free_labels.ny, static_cast<int>(std::ceil(box.max().y())));
+  for (int x = first.x(); x < end_x; ++x)
+    for (int y = first.y(); y < end_y; ++y) {
+      const std::int32_t here = free_labels.at(x, y);
+      if (here > 0 && here != label && isWithin({x + 0.5, y + 0.5}, part))
+        return false;
     }
-    std::sort(near_.begin(), near_.end());
-  }
-
-  /** Look at a point of the building. */
-  void
-  add(const Eigen::Vector3f& point, std::int32_t cell)
-  {
-    const std::size_t pixel = cell / occupancy_.grid.shape.nz;
-    if (cell < 0 || !is_near_[pixel])
-      return;
-    const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
-    const double height = point.z() - grid.origin.z() - floor_ * grid.voxel_size;
-    if (height < lowest || height > highest)
-      return;
-    const Eigen::Vector2d place =
-        (turn_ * point.head<2>().cast<double>() - grid.origin.head<2>()) /
-        grid.voxel_size;
-    for (auto it = std::lower_bound(
-             near_.begin(), near_.end(), std::make_pair(pixel, std::size_t{0}));
-         it != near_.end() && it->first == pixel;
-         ++it) {
-      const RegionOpening& opening = openings_[it->second];
-      const Eigen::Vector2d from(place.x() - opening.x, place.y() - opening.y);
-      const double along = opening.along.dot(from);
-      const double beside = from.x() * opening.along.y() - from.y() * opening.along.x();
-      const double beyond = std::abs(along) - halfWidth(it->second);
-      if (std::abs(beside) <= reach && std::abs(beyond) <= reach)
-        ends_[it->second][along > 0].push_back(std::abs(along));
-    }
-  }
-
-  /** The ends of an opening, pixels from its middle along it and against it. */
-  std::pair<double, double>
-  ends(std::size_t opening)
-  {
-    return {end(opening, 1), end(opening, 0)};
-  }
-
-private:
-  // Posts are looked for up to 2 pixels beside the border and from the clear width's
-  // ends, between 0.3 m and 1.6 m above the floor.
-  static constexpr double reach = 2.0, lowest = 0.3, highest = 1.6;
-
-  double
-  halfWidth(std::size_t opening) const
-  {
-    return 0.5 * openings_[opening].width / occupancy_.grid.voxel_size;
-  }
-
-  /** Where the post begins: only some outliers lie before it. */
-  double
-  end(std::size_t opening, int side)
-  {
-    constexpr std::size_t outliers = 5;
-    auto& places = ends_[opening][side];
-    if (places.size() <= outliers)
-      return halfWidth(opening);
-    std::nth_element(places.begin(), places.begin() + outliers, places.end());
-    return places[outliers];
-  }
-
-  const std::vector<RegionOpening>& openings_;
-  const OccupancyGrid& occupancy_;
-  Eigen::Matrix2d turn_;
-  double floor_;                                          ///< layers
-  std::vector<std::uint8_t> is_near_;                     ///< per pixel
-  std::vector<std::pair<std::size_t, std::size_t>> near_; ///< pixels and openings
-  std::vector<std::array<std::vector<double>, 2>> ends_;
-};
+  return true;
+}
 
 } // namespace
 
@@ -167,6 +156,7 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
             BuildingRooms& building)
 {
   const RoomMap& map = building.storeys.back();
+  const double size = building.occupancy.grid.voxel_size;
   const auto& room_of = building.room_of.back();
   const FloorPlane on_floor(building.occupancy, map);
   const auto found = regionOpenings(
@@ -177,12 +167,12 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
   for (std::size_t k = 0; k < found.size(); ++k) {
     const auto [along, against] = posts.ends(k);
     const Eigen::Vector2d middle = Eigen::Vector2d(found[k].x, found[k].y) +
-                                   0.5 * (along - against) * found[k].along;
+                                   0.5 * (along - against) / size * found[k].along;
     RoomOpening opening;
     opening.room_a = room_of[found[k].a];
     opening.room_b = room_of[found[k].b];
     opening.position = on_floor(middle.x(), middle.y());
-    opening.width = (along + against) * building.occupancy.grid.voxel_size;
+    opening.width = along + against;
     opening.area = found[k].area * opening.width / found[k].width;
     building.openings.push_back(opening);
   }
@@ -192,8 +182,10 @@ void
 addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& building)
 {
   constexpr double tolerance = 1.5; // pixels: straight walls at any angle become lines
+  constexpr double reach = 1.0;     // metres: cupboards and ducts are hardly deeper
   const double size = building.occupancy.grid.voxel_size;
-  const auto walls = wallPoints(points, building);
+  const SlabPoints places = slabPoints(points, building);
+  const auto levels = roomLevels(points, building);
   for (std::size_t s = 0; s < building.storeys.size(); ++s) {
     const RoomMap& map = building.storeys[s];
     const FloorPlane on_floor(building.occupancy, map);
@@ -201,15 +193,26 @@ addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& buildin
     for (std::int32_t label = 1; label <= map.room_count; ++label) {
       Room& room = building.rooms[building.room_of[s][label] - 1];
       room.area = 0.0;
-      const WallPoints of_room(walls[room.label]);
+      FootprintWalls behind;
+      behind.walls = WallPoints(places.walls[room.label]);
+      behind.others = WallPoints(places.all[room.label]);
+      behind.reach = reach / size;
+      behind.may_cover = [&](const auto& part) {
+        return isFreeOfOthers(part, map.free_labels, label);
+      };
       for (const auto& ring : outlines[label]) {
-        const auto corners = moveToWalls(simplifyOutline(ring, tolerance), of_room);
+        const auto corners = moveToWalls(simplifyOutline(ring, tolerance), behind);
+        if (corners.empty())
+          continue;
         room.area += size * size * signedArea(corners);
         std::vector<Eigen::Vector3d> line;
-        for (const auto& corner : corners)
+        for (const auto& corner : corners) {
           line.push_back(on_floor(corner.x(), corner.y()));
+          line.back().z() = levels[room.label].floor;
+        }
         room.footprint.push_back(line);
       }
+      room.height = levels[room.label].ceiling - levels[room.label].floor;
       room.volume = room.area * room.height;
     }
   }

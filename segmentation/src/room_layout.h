@@ -23,7 +23,8 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
             const StoreySpace& space,
             BuildingRooms& building);
 
-/** \brief Add the footprints of all rooms, and set their areas and volumes by them.
+/** \brief Add the footprints of all rooms, and measure their heights; areas and volumes
+ * follow.
  * \param[in] points those of the building; their labels are known
  */
 void

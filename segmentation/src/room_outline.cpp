@@ -229,37 +229,6 @@ fittedCorners(const OutlineRing& ring,
   return corners;
 }
 
-/** How far behind a side from a to b its wall is, pixels. */
-double
-distanceToWall(const Eigen::Vector2d& a,
-               const Eigen::Vector2d& b,
-               const WallPoints& wall_points)
-{
-  constexpr double before = 0.7, behind = 2.0; // where walls are looked for, pixels
-  const double length = (b - a).norm();
-  if (!(length > 0.0))
-    return 0.0;
-  const Eigen::Vector2d along = (b - a) / length;
-  const Eigen::Vector2d outward(along.y(), -along.x());
-  const double end = length > 3.0 ? 1.0 : 0.0; // there the next wall begins
-  std::vector<Eigen::Vector2d> near;
-  wall_points.alongLine(a, b, behind, near);
-  std::vector<double> distances;
-  for (const auto& point : near) {
-    const Eigen::Vector2d from = point - a;
-    const double distance = outward.dot(from);
-    const double place = along.dot(from);
-    if (distance >= -before && distance <= behind && place >= end &&
-        place <= length - end)
-      distances.push_back(distance);
-  }
-  if (distances.size() < std::max(3.0, length))
-    return 0.0;
-  const auto middle = distances.begin() + distances.size() / 2;
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
-}
-
 } // namespace
 
 double
@@ -343,28 +312,6 @@ simplifyOutline(const OutlineRing& ring, double tolerance)
     return same;
   }
   return fittedCorners(turned, places, tolerance);
-}
-
-std::vector<Eigen::Vector2d>
-moveToWalls(const std::vector<Eigen::Vector2d>& ring, const WallPoints& wall_points)
-{
-  std::vector<Side> sides;
-  std::vector<Eigen::Vector2d> moves;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Eigen::Vector2d& next = ring[(k + 1) % ring.size()];
-    const Eigen::Vector2d along = (next - ring[k]).normalized();
-    const double distance = distanceToWall(ring[k], next, wall_points);
-    moves.emplace_back(distance * along.y(), -distance * along.x());
-    sides.push_back({ring[k] + moves.back(), along});
-  }
-  std::vector<Eigen::Vector2d> corners;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const std::size_t before = (k + ring.size() - 1) % ring.size();
-    const Eigen::Vector2d moved = ring[k] + 0.5 * (moves[before] + moves[k]);
-    corners.push_back(meetingNear(moved, sides[before], sides[k], 3.0));
-  }
-  // Both sides of a thin wall may have been moved to, or past, its middle.
-  return signedArea(corners) * signedArea(ring) > 0.0 ? corners : ring;
 }
 
 } // namespace indoor

@@ -4,6 +4,7 @@
  */
 
 #include <pcl/segmentation/room_outline.h>
+#include <pcl/segmentation/wall_points.h>
 
 #include <Eigen/Geometry>
 
@@ -222,90 +223,7 @@ namespace {
 
 using Line = std::vector<Eigen::Vector2d>;
 
-/** Points on the sides of a rectangle, with noise across, turned about the origin. */
-Line
-wallsOf(const Eigen::AlignedBox2d& box, double noise, double yaw, std::mt19937& rng)
-{
-  std::normal_distribution<double> across(0.0, noise);
-  std::uniform_real_distribution<double> part(0.0, 1.0);
-  const Eigen::Rotation2Dd turn(yaw);
-  Line points;
-  for (int i = 0; i < 4000; ++i) {
-    Eigen::Vector2d point = box.min() + part(rng) * box.sizes();
-    const int axis = i % 2;
-    point[axis] = (i % 4 < 2 ? box.min() : box.max())[axis] + across(rng);
-    point[1 - axis] = box.min()[1 - axis] + part(rng) * box.sizes()[1 - axis];
-    points.push_back(turn * point);
-  }
-  return points;
-}
-
 } // namespace
-
-TEST(RoomOutline, SidesMoveToTheirWalls)
-{
-  std::mt19937 rng(5);
-  for (int degrees = 0; degrees < 90; degrees += 10) {
-    const Eigen::AlignedBox2d box(Eigen::Vector2d(30.3, 4.6),
-                                  Eigen::Vector2d(67.9, 27.2));
-    const double yaw = degrees * M_PI / 180.0;
-    const auto walls = wallsOf(box, 0.1, yaw, rng);
-    auto map = emptyMap(120, 100);
-    for (int x = 0; x < 120; ++x)
-      for (int y = 0; y < 100; ++y) {
-        const Eigen::Vector2d middle =
-            Eigen::Rotation2Dd(-yaw) * Eigen::Vector2d(x + 0.5 - 40, y + 0.5);
-        map.at(x, y) = box.contains(middle);
-      }
-    Line shifted = walls; // the map begins at x = -40
-    for (auto& point : shifted) {
-      point.x() += 40;
-      const int x = static_cast<int>(point.x()), y = static_cast<int>(point.y());
-      if (map.contains(x, y))
-        map.at(x, y) = 0;
-    }
-    const auto ring = traceOutlines(map, 1)[1].at(0);
-    const auto simple = simplifyOutline(ring, 1.5);
-    const auto moved = moveToWalls(simple, shifted);
-    const double area = box.volume();
-    EXPECT_LT(signedArea(simple), 0.97 * area) << degrees; // without the walls' pixels
-    EXPECT_NEAR(signedArea(moved), area, 0.01 * area) << degrees;
-    EXPECT_EQ(moved.size(), simple.size());
-  }
-}
-
-TEST(RoomOutline, SidesWithoutAWallStay)
-{
-  const Line ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-  EXPECT_EQ(moveToWalls(ring, {}), ring);
-  Line walls;
-  for (int i = 0; i <= 100; ++i) {
-    walls.emplace_back(10.5, 0.1 * i);         // behind the second side
-    walls.emplace_back(0.1 * i, 13.0);         // too far behind the third one
-    walls.emplace_back(-0.4, 4.5 + 0.001 * i); // a lot, but a short piece is a wall too
-  }
-  walls.emplace_back(5.0, -0.5); // a lone point
-  const auto moved = moveToWalls(ring, walls);
-  const Line expected{{-0.4, 0}, {10.5, 0}, {10.5, 10}, {-0.4, 10}};
-  ASSERT_EQ(moved.size(), 4u);
-  for (std::size_t k = 0; k < 4; ++k)
-    EXPECT_LT((moved[k] - expected[k]).norm(), 1e-12);
-  EXPECT_NEAR(signedArea(moved), 109.0, 1e-9);
-  EXPECT_TRUE(moveToWalls({}, walls).empty());
-}
-
-TEST(RoomOutline, AThinWallInARoomKeepsItsSides)
-{
-  const Line hole{{0, 0}, {0, 2}, {20, 2}, {20, 0}};
-  ASSERT_LT(signedArea(hole), 0.0);
-  Line walls;
-  for (int i = 0; i <= 200; ++i) // two faces, both of them behind both long sides
-    for (int k = 0; k < 5; ++k) {
-      walls.emplace_back(0.1 * i, 0.2 + 0.02 * k);
-      walls.emplace_back(0.1 * i, 1.8 - 0.02 * k);
-    }
-  EXPECT_LE(signedArea(moveToWalls(hole, walls)), 0.0);
-}
 
 TEST(RoomOutline, WallPointsAreFoundAlongLines)
 {

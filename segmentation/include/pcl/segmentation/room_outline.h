@@ -6,7 +6,6 @@
 #pragma once
 
 #include <pcl/segmentation/voxel_grid.h>
-#include <pcl/segmentation/wall_points.h>
 
 #include <Eigen/Core>
 
@@ -53,18 +52,6 @@ traceOutlines(const PixelMap<std::int32_t>& labels, std::int32_t region_count);
  */
 std::vector<Eigen::Vector2d>
 simplifyOutline(const OutlineRing& ring, double tolerance);
-
-/** \brief Move the sides of a ring to the faces of the walls behind them.
- *
- * A side ends where the last pixel without any point of a wall does: up to a pixel
- * before the wall. It is moved to the median of what lies behind it, at most
- * 2 pixels, and stays where less than a point per pixel does, such as in doorways.
- * \param[in] ring corners, pixels; the region is on the left
- * \param[in] wall_points points of the region's walls, pixels
- * \return the ring as it is where the new one would turn over or vanish
- */
-std::vector<Eigen::Vector2d>
-moveToWalls(const std::vector<Eigen::Vector2d>& ring, const WallPoints& wall_points);
 
 } // namespace indoor
 } // namespace pcl
