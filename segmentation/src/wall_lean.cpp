@@ -118,9 +118,16 @@ public:
   std::optional<SectionLine>
   best(const std::vector<SectionVoxel>& section, double area)
   {
-    double best = energyAt(section, 0.0) / upright_share;
+    const double upright = energyAt(section, 0.0);
     SectionLine line = strongest(0.0);
     int filled = most_, at = 0;
+    bool is_upright = filled >= full_share * area; // as most walls are
+    for (int k = 4; k <= slopes_ && is_upright; k += 4)
+      is_upright = energyAt(section, -k * slope_step) < upright &&
+                   energyAt(section, k * slope_step) < upright;
+    if (is_upright)
+      return line;
+    double best = upright / upright_share;
     const auto attempt = [&](int k) {
       const double energy = energyAt(section, k * slope_step);
       if (k == 0 || energy <= best)
