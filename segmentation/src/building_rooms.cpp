@@ -280,6 +280,8 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
   const auto stopped = [&](double share, const char* stage) {
     return progress && !progress(share, stage);
   };
+  if (points.empty())
+    return {};
   BuildingRooms building;
   OccupancyGridOptions grid_options;
   grid_options.threads = options.threads;

@@ -18,26 +18,27 @@ constexpr double foot = 0.3048;
 
 struct Unit {
   double metres;
+  const char* text; ///< of these
   const char* name;
   const char* option;
 };
 
-constexpr Unit units[] = {{1.0, "metres", "m"},
-                          {foot, "feet", "ft"},
-                          {0.0254, "inches", "in"},
-                          {0.01, "centimetres", "cm"},
-                          {0.001, "millimetres", "mm"}};
+constexpr Unit units[] = {{1.0, "1", "metres", "m"},
+                          {foot, "0.3048", "feet", "ft"},
+                          {0.0254, "0.0254", "inches", "in"},
+                          {0.01, "0.01", "centimetres", "cm"},
+                          {0.001, "0.001", "millimetres", "mm"}};
 
 std::string
 unitLine(double metres, double height)
 {
   std::ostringstream line;
-  line.precision(3);
   for (const Unit& unit : units)
     if (unit.metres == metres)
       line << "The scan is probably in " << unit.name << ": its rooms seem to be "
-           << height << " m high; set " << unit.metres << " metres per unit (-unit "
-           << unit.option << ").";
+           << (height < 10.0 ? 0.1 * std::round(10.0 * height) : std::round(height))
+           << " m high; set " << unit.text << " metres per unit (-unit " << unit.option
+           << ").";
   return line.str();
 }
 
@@ -67,27 +68,29 @@ feetWarning(const std::vector<Room>& rooms,
             const std::vector<RoomOpening>& openings,
             double metres_per_unit)
 {
-  // What people build: rooms of 2 to 3.5 m with doors of 1.9 to 2.4 m.
+  // What people build: rooms of 2 to 3.5 m with doors of 1.8 to 2.5 m. In feet taken
+  // for metres, furniture is taken for storeys in parts, so not all rooms will fit.
   const auto is_room = [](double height) { return isBetween(2.0, height, 3.5); };
   const auto is_door = [](double height) { return isBetween(1.8, height, 2.5); };
-  constexpr std::size_t several = 3;
+  constexpr int several = 5; // more than the aisles of a church
   double area = 0.0, fitting = 0.0, height = 0.0;
+  int high_rooms = 0, high_doors = 0, doors = 0;
   for (const Room& room : rooms) {
     area += room.area;
+    if (!is_room(foot * room.height))
+      continue;
+    ++high_rooms;
+    fitting += room.area;
     height += room.area * room.height;
-    if (is_room(foot * room.height) && !is_room(room.height))
-      fitting += room.area;
   }
-  std::vector<double> doors;
-  for (const RoomOpening& opening : openings)
-    if (opening.width > 0.0)
-      doors.push_back(opening.area / opening.width);
-  if (metres_per_unit != 1.0 || rooms.size() < several || doors.size() < several ||
-      fitting < 0.9 * area)
-    return {};
-  const auto middle = doors.begin() + doors.size() / 2;
-  std::nth_element(doors.begin(), middle, doors.end());
-  return is_door(foot * *middle) ? unitLine(foot, height / area) : std::string();
+  for (const RoomOpening& opening : openings) {
+    high_doors += is_door(foot * opening.area / opening.width);
+    doors += is_door(opening.area / opening.width);
+  }
+  const bool in_feet = high_rooms >= several && 3.0 * fitting > 2.0 * area &&
+                       high_doors >= several && high_doors > 2 * doors;
+  return in_feet && metres_per_unit == 1.0 ? unitLine(foot, height / fitting)
+                                           : std::string();
 }
 
 std::string

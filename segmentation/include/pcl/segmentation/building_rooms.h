@@ -87,7 +87,8 @@ struct BuildingRooms {
 /** \brief Find the rooms of a building.
  * \param[in] points finite points near the origin, z up, metres
  * \param[in] progress called before each stage and at the end with 1; may be empty
- * \return nothing at all (no storeys, no labels) if \a progress returned false
+ * \return nothing at all (no storeys, no labels) if \a progress returned false or there
+ * are no points
  * \throws pcl::BadArgumentException if an option is out of range
  */
 BuildingRooms

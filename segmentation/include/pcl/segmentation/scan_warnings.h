@@ -35,9 +35,10 @@ struct ScanReport {
 std::string
 unitWarning(const ScanSigns& signs, double metres_per_unit);
 
-/** \brief Whether the rooms tell of feet: all of them too high for metres, and the
- * doors, too, while both are right for feet. Halls and churches have low doors.
- * \return one line; empty if metres are plausible
+/** \brief Whether the rooms tell of feet: most of them and of their doors are too high
+ * for metres and right for feet. Halls and churches have few rooms, and low doors; so
+ * have small homes, which are not told from these. \return one line; empty if metres
+ * are plausible
  */
 std::string
 feetWarning(const std::vector<Room>& rooms,
