@@ -204,7 +204,7 @@ TEST_F(RoomResults, UnitsAreNamedAndTaken)
   EXPECT_EQ(json["unit"], "metre");
   EXPECT_EQ(json["coordinate_unit"], "mm");
   EXPECT_EQ(json["voxel_size"], 0.1);
-  EXPECT_EQ(json["points_outside"], 0);
+  EXPECT_LT(json["points_outside"], file.points->size() / 100); // beyond the windows
   ASSERT_EQ(json["rooms"].size(), 3u);
   for (int i = 0; i < 3; ++i) {
     const auto& room = json["rooms"][i];
@@ -244,6 +244,9 @@ TEST_F(RoomResults, FarPointsAndAnotherFrameDoNotStopThePipeline)
   save("flat_only.pcd", 1.0, false, false);
   const auto plain = segmented("flat_only.pcd", "");
   const auto rooms = readLabels(plain, "room"), objects = readLabels(plain, "object");
+  const std::size_t outside =
+      nlohmann::json::parse(bytesOf(path("scene/scene.json")))["points_outside"];
+  EXPECT_LT(outside, rooms.size() / 100); // seen through the windows
   EXPECT_GT(*std::max_element(objects.begin(), objects.end()), 3u);
 
   save("far.pcd", 1.0, false, true);
@@ -251,7 +254,7 @@ TEST_F(RoomResults, FarPointsAndAnotherFrameDoNotStopThePipeline)
   auto far_rooms = readLabels(with_far, "room"),
        far_objects = readLabels(with_far, "object");
   const auto json = nlohmann::json::parse(bytesOf(path("scene/scene.json")));
-  EXPECT_EQ(json["points_outside"], 3);
+  EXPECT_EQ(json["points_outside"], outside + 3);
   for (std::size_t i = rooms.size(); i < far_rooms.size(); ++i)
     EXPECT_EQ(far_rooms[i] + far_objects[i], 0u);
   far_rooms.resize(rooms.size());
