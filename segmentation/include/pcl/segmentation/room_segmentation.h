@@ -286,7 +286,7 @@ private:
    * \param[out] indices of these points in the cloud
    */
   std::vector<Eigen::Vector3f>
-  pointsOfBuilding(Indices& indices);
+  pointsOfBuilding(IndicesConstPtr& indices);
 
   /** \brief Report what the segmentation has shown of its points. */
   void

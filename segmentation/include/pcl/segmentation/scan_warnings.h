@@ -22,9 +22,7 @@ namespace indoor {
 struct ScanReport {
   std::vector<std::string> warnings; ///< a line each: what is wrong, and what mends it
   double voxel_size = 0.0;           ///< that was used, metres
-  std::vector<std::size_t>
-      outside; ///< points beyond the extent of the building, which
-               ///< get no room: their places in the cloud, ascending
+  Indices outside; ///< points beyond the extent of the building, in no room; ascending
 };
 
 /** \brief Whether rooms as high as they seem to be tell of another unit.

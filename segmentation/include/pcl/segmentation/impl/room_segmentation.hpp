@@ -68,16 +68,14 @@ RoomSegmentation<PointT>::warn(const std::string& line)
 
 template <typename PointT>
 std::vector<Eigen::Vector3f>
-RoomSegmentation<PointT>::pointsOfBuilding(Indices& indices)
+RoomSegmentation<PointT>::pointsOfBuilding(IndicesConstPtr& indices)
 {
   std::vector<Eigen::Vector3f> points;
   points.reserve(indices_->size());
-  indices.reserve(indices_->size());
+  indices = indices_;
   for (const auto index : *indices_)
-    if (isFinite((*input_)[index])) {
+    if (isFinite((*input_)[index]))
       points.push_back((*input_)[index].getVector3fMap());
-      indices.push_back(index);
-    }
   if (points.empty())
     return points;
   pose_ = indoor::moveIntoBuildingFrame(points, up_axis_, metres_per_unit_);
@@ -89,16 +87,20 @@ RoomSegmentation<PointT>::pointsOfBuilding(Indices& indices)
   warn(indoor::stepWarning(indoor::floatStep(farthest) * metres_per_unit_,
                            options_.voxel_size));
   const auto far = indoor::takeOutFarPoints(points);
+  if (points.size() == indices_->size())
+    return points;
+  const auto used = pcl::make_shared<Indices>();
+  used->reserve(points.size());
   auto next = far.begin();
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    if (next != far.end() && *next == i) {
-      report_.outside.push_back(indices[i]);
-      ++next;
-    }
-    else
-      indices[kept++] = indices[i];
-  indices.resize(kept);
+  std::size_t finite = 0;
+  for (const auto index : *indices_) {
+    if (!isFinite((*input_)[index]))
+      continue;
+    const bool is_far = next != far.end() && *next == finite++;
+    (is_far ? report_.outside : *used).push_back(index);
+    next += is_far;
+  }
+  indices = used;
   return points;
 }
 
@@ -108,7 +110,7 @@ RoomSegmentation<PointT>::describeInput(const Indices& indices)
 {
   report_.voxel_size = building_.occupancy.grid.voxel_size;
   const std::size_t all = indices.size() + report_.outside.size();
-  for (std::size_t i = 0; i < indices.size(); ++i)
+  for (std::size_t i = 0; i < building_.occupancy.cells.size(); ++i)
     if (building_.occupancy.cells[i] < 0)
       report_.outside.push_back(indices[i]);
   std::sort(report_.outside.begin(), report_.outside.end());
@@ -130,7 +132,7 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
   if (!initCompute())
     return;
 
-  Indices indices; // of the points
+  IndicesConstPtr indices; // of the points
   const auto points = pointsOfBuilding(indices);
   if (points.empty() && report_.outside.empty()) {
     PCL_ERROR("[pcl::RoomSegmentation::segment] No point is finite.\n");
@@ -150,16 +152,16 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     return;
   }
   if (goes_on) {
-    describeInput(indices);
+    describeInput(*indices);
     rooms_ = building_.rooms;
     openings_ = building_.openings;
     std::vector<Eigen::AlignedBox3f> boxes(rooms_.size());
     labels.assign(input_->size(), 0);
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      const std::uint32_t label = building_.point_labels[i];
-      labels[indices[i]] = label;
-      if (label > 0)
-        boxes[label - 1].extend((*input_)[indices[i]].getVector3fMap());
+    for (std::size_t i = 0; i < indices->size(); ++i) {
+      const auto index = (*indices)[i];
+      labels[index] = building_.point_labels[i];
+      if (labels[index] > 0)
+        boxes[labels[index] - 1].extend((*input_)[index].getVector3fMap());
     }
     indoor::placeInCloud(pose_, metres_per_unit_, boxes, rooms_, openings_);
   }
