@@ -6,9 +6,12 @@
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/storey_space.h>
 
+#include "closed_surfaces.h"
 #include "room_layout.h"
 #include "storey_labels.h"
 #include "thread_count.h"
+
+#include <pcl/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +99,25 @@ yawAlong(const std::vector<Eigen::Vector2d>& directions)
   return std::abs(yaw) < 1.0 ? 0.0 : 0.1 * degree * std::round(10.0 * yaw);
 }
 
+/** The points' grid, not turned; an automatic voxel size is found from it.
+ * \param[in] voxel_size metres, 0 = automatic
+ * \param[in,out] options the voxel size is filled in
+ */
+OccupancyGrid
+gridOf(const std::vector<Eigen::Vector3f>& points,
+       double voxel_size,
+       OccupancyGridOptions& options)
+{
+  options.voxel_size = voxel_size > 0.0 ? voxel_size : smallest_automatic_voxel;
+  OccupancyGrid grid = occupancyGrid(points, options);
+  if (voxel_size > 0.0)
+    return grid;
+  options.voxel_size = closedVoxelSize(grid.grid, largest_automatic_voxel);
+  if (options.voxel_size > grid.grid.voxel_size)
+    grid = occupancyGrid(points, options);
+  return grid;
+}
+
 } // namespace
 
 BuildingRooms
@@ -103,19 +125,23 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 BuildingRoomsOptions options,
                 const ProgressCallback& progress)
 {
+  const std::string problem = findInvalidOption(options);
+  if (!problem.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException, problem);
   options.interior.threads = options.threads;
   options.map.field_rooms.threads = options.threads;
   options.walls.threads = options.threads;
   const auto stopped = [&](double share, const char* stage) {
     return progress && !progress(share, stage);
   };
+  if (points.empty())
+    return {};
   BuildingRooms building;
   OccupancyGridOptions grid_options;
-  grid_options.voxel_size = options.voxel_size;
   grid_options.threads = options.threads;
   if (stopped(0.0, "occupancy grid"))
     return {};
-  building.occupancy = occupancyGrid(points, grid_options);
+  building.occupancy = gridOf(points, options.voxel_size, grid_options);
   building.point_labels.assign(points.size(), 0);
   const auto directions = wallDirections(points, building.occupancy, options.interior);
   grid_options.yaw = yawAlong(directions);
