@@ -142,11 +142,14 @@ checkMap(const RoomMapOptions& map, Check& check)
   check.length("least wall", slab.min_wall);
   check.positiveLength("depth of the slab", slab.depth);
   check.share("persistence", map.persistence);
+  check.length("width of a door", map.door_width);
   check.share("open share", map.merging.open_share);
+  check.share("open share of a door", map.merging.door_share);
   check.share("open height", map.merging.open_height);
   check.area("habitable area", map.open_plan.habitable_area);
   check.between(0, infinity, "elongation of a room", map.open_plan.max_elongation, "");
   check.share("persistence of an open plan", map.open_plan.persistence);
+  check.share("share of an inner wall", map.open_plan.min_wall_share);
   check.share("shared view", map.open_plan.max_shared_view);
   check.length("smallest room width", map.min_width);
   check.area("smallest room area", map.min_area);

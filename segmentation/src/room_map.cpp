@@ -46,13 +46,16 @@ heldColumns(const VoxelGrid<std::uint8_t>& occupancy)
 /** Columns with something in them, and the gaps between those (closing by a disc; there
  * is nothing beyond the map). */
 PixelMap<std::uint8_t>
-closed(const PixelMap<std::uint8_t>& held, double radius, double pixel_size)
+closed(const PixelMap<std::uint8_t>& held,
+       double radius,
+       double pixel_size,
+       int threads)
 {
   const double reach = std::pow(radius / pixel_size, 2);
   const int margin = static_cast<int>(radius / pixel_size) + 1;
   const auto beyond = [&](const PixelMap<std::uint8_t>& map) {
     PixelMap<std::uint8_t> far = map;
-    const auto squared = squaredDistanceMap(map);
+    const auto squared = squaredDistanceMap(map, threads);
     for (std::size_t i = 0; i < far.size(); ++i)
       far.values[i] = squared.values[i] > reach;
     return far;
@@ -88,7 +91,7 @@ coversEnough(const PixelMap<std::uint8_t>& inside, const VoxelGrid<std::uint8_t>
  * floor and the ceiling. A scan in which these are few (such as one room whose floor
  * and ceiling were cut away) gives no evidence of enclosure: then all its columns. */
 PixelMap<std::uint8_t>
-insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
+insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling, int threads)
 {
   const InteriorSpace& interior = space.interior;
   const int factor = interior.factor;
@@ -108,15 +111,16 @@ insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
       inside.at(x, y) = ceiling.at(x, y) >= 0 && surplus >= 0;
     }
   if (!coversEnough(inside, space.occupancy))
-    return closed(heldColumns(space.occupancy), 0.5, space.occupancy.voxel_size);
+    return closed(
+        heldColumns(space.occupancy), 0.5, space.occupancy.voxel_size, threads);
   return inside;
 }
 
 /** Distance of each pixel to the next obstacle, metres; 0 on it. */
 PixelMap<float>
-distanceTo(const PixelMap<std::uint8_t>& obstacles, double pixel_size)
+distanceTo(const PixelMap<std::uint8_t>& obstacles, double pixel_size, int threads)
 {
-  const PixelMap<std::uint32_t> squared = squaredDistanceMap(obstacles);
+  const PixelMap<std::uint32_t> squared = squaredDistanceMap(obstacles, threads);
   PixelMap<float> field{obstacles.nx, obstacles.ny, {}};
   field.values.resize(field.size());
   for (std::size_t i = 0; i < field.size(); ++i)
@@ -129,12 +133,13 @@ distanceTo(const PixelMap<std::uint8_t>& obstacles, double pixel_size)
 PixelMap<float>
 freeDistance(const PixelMap<std::uint8_t>& blocked,
              const PixelMap<std::uint8_t>& inside,
-             double pixel_size)
+             double pixel_size,
+             int threads)
 {
   PixelMap<std::uint8_t> obstacles = blocked;
   for (std::size_t i = 0; i < obstacles.size(); ++i)
     obstacles.values[i] |= !inside.values[i];
-  return distanceTo(obstacles, pixel_size);
+  return distanceTo(obstacles, pixel_size, threads);
 }
 
 /** Basins of the free pixels that a disc of the smallest room width can cover: gaps,
@@ -240,7 +245,7 @@ divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap
   PixelMap<std::uint8_t> walls{rooms.nx, rooms.ny, {}};
   for (const auto room : rooms.values)
     walls.values.push_back(room == 0);
-  const auto field = distanceTo(walls, size);
+  const auto field = distanceTo(walls, size, options.threads);
   std::vector<std::int32_t> room_of;
   BasinOptions open_plan;
   open_plan.persistence = options.open_plan.persistence;
@@ -313,20 +318,22 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   map.blocked = blockedColumns(occupancy, map.range, map.ceiling, map.slab);
   removeSpecks(map.blocked,
                static_cast<int>(std::lround(options.slab.min_wall / size)));
-  auto inside = insideColumns(space, map.ceiling);
-  map.lean =
-      leanMap(wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked),
-              map.blocked.nx,
-              map.blocked.ny,
-              size);
+  auto inside = insideColumns(space, map.ceiling, options.threads);
+  WallLeanOptions leaning;
+  leaning.threads = options.threads;
+  map.lean = leanMap(
+      wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked, leaning),
+      map.blocked.nx,
+      map.blocked.ny,
+      size);
   if (!map.lean.values.empty()) { // above a wall that leans, the slab may be outside
     const auto held = straightenedColumns(
         occupancy, map.lean, slabHeights(map.range, map.ceiling, map.slab));
-    const auto covered = closed(held, 0.5, size);
+    const auto covered = closed(held, 0.5, size, options.threads);
     for (std::size_t i = 0; i < inside.size(); ++i)
       inside.values[i] &= covered.values[i];
   }
-  map.field = freeDistance(map.blocked, inside, size);
+  map.field = freeDistance(map.blocked, inside, size, options.threads);
   if (options.method == RoomMethod::CeilingSlab) {
     BasinOptions basins;
     basins.persistence = options.persistence;

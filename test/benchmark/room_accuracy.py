@@ -8,7 +8,8 @@
 
 TOOLS_FOLDER holds pcl_room_segmentation and pcl_segmentation_evaluation; the scans have
 the room of each point in a field (default: label; 0 = not to be judged). A room is right
-if one predicted room has an intersection over union of at least 0.5 with it.
+if one predicted room has an intersection over union of at least 0.5 with it. Rooms that a
+scan.json beside the scan marks with "room": false or "outdoor": true are not judged.
 
 With -turn, each scan is segmented once per angle (degrees about its z axis), and the
 table shows per scan the mean of the angles and, in brackets, the largest difference
@@ -64,13 +65,25 @@ def sheared(scan, degrees, heading, output):
     moved(scan, lambda place: place + (place[:, 2:] - numpy.nanmin(place[:, 2])) * shift, output)
 
 
-def evaluate(tools, scan, truth_field, options, folder):
+def unscored(scan):
+    """The numbers of the rooms that scan.json, if there is one, says are no rooms or outdoors."""
+    description = os.path.splitext(scan)[0] + ".json"
+    if not os.path.exists(description):
+        return []
+    with open(description, encoding="utf-8") as file:
+        rooms = json.load(file).get("rooms", [])
+    return [str(room["id"]) for room in rooms
+            if "id" in room and (room.get("outdoor", False) or not room.get("room", True))]
+
+
+def evaluate(tools, scan, truth_field, options, folder, ignored=()):
     segmented = os.path.join(folder, "segmented.pcd")
     result = os.path.join(folder, "result.json")
     subprocess.run([os.path.join(tools, "pcl_room_segmentation"), scan, segmented, *options], check=True,
                    stdout=subprocess.DEVNULL)
     subprocess.run([os.path.join(tools, "pcl_segmentation_evaluation"), scan, segmented, "-truth_field", truth_field,
-                    "-predicted_field", "room", "-json", result], check=True, stdout=subprocess.DEVNULL)
+                    "-predicted_field", "room", "-json", result,
+                    *(["-ignore", ",".join(ignored)] if ignored else [])], check=True, stdout=subprocess.DEVNULL)
     with open(result, encoding="utf-8") as file:
         return json.load(file)
 
@@ -92,7 +105,7 @@ def print_table(arguments, options, folder):
     print("| scan | points | rooms | right | found | mean IoU | ARI |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: |")
     results = []
     for scan in arguments.scans:
-        result = evaluate(arguments.tools, scan, arguments.truth_field, options, folder)
+        result = evaluate(arguments.tools, scan, arguments.truth_field, options, folder, unscored(scan))
         results.append(result)
         print(f"| {name_of(scan)} | {result['points']} | {result['true_segments']} "
               f"| {result['right_segments']} | {result['predicted_segments']} | {result['mean_iou']:.3f} "
@@ -127,7 +140,7 @@ def print_variants(arguments, options, folder):
         copy = os.path.join(folder, "moved.pcd")
         for (_, change, angles), results in zip(variants, by_variant):
             change(scan, *angles, copy)
-            results.append(evaluate(arguments.tools, copy, arguments.truth_field, options, folder))
+            results.append(evaluate(arguments.tools, copy, arguments.truth_field, options, folder, unscored(scan)))
         row(name_of(scan), [totals(results[-1:]) for results in by_variant])
     row("all", [totals(results) for results in by_variant])
     for (name, _, _), results in zip(variants, by_variant):

@@ -122,6 +122,11 @@ TEST(BuildingRoomsOptions, FieldsOfTheMap)
   CHECK_FIELD(map.slab.depth, V{1}, bad_positive);
   CHECK_FIELD(map.persistence, (V{0, 1}), bad_share);
   CHECK_FIELD(map.merging.open_share, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.door_width, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.merging.door_width, (V{0, 1}), V{}); // that of the map is taken
+  CHECK_FIELD(map.merging.door_share, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.open_plan.min_wall_share, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.threads, V{3}, V{}); // that of the building is taken
   CHECK_FIELD(map.merging.open_height, (V{0, 1}), bad_share);
   CHECK_FIELD(map.open_plan.habitable_area, (V{0, infinity}), bad_area);
   CHECK_FIELD(map.open_plan.max_elongation, (V{0, infinity}), bad_area);

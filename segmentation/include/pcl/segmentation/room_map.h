@@ -40,6 +40,7 @@ struct RoomMapOptions {
   double min_width = 0.5;    ///< narrower spaces are no rooms, metres
   double min_area = 0.5;     ///< smaller spaces are no rooms, m^2
   double reach = 0.6; ///< how far a room's label is carried into its walls, metres
+  int threads = 0;    ///< 0 = automatic
 };
 
 /** \brief The map of one storey and every step on the way to it. */
