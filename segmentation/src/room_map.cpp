@@ -163,19 +163,24 @@ basinsOfWidth(const PixelMap<float>& field,
   return labels;
 }
 
-/** Remove labels of regions that are too small for a room. */
+/** Remove labels of regions that are no rooms: too small, or of whose columns most hold
+ * nothing, such as the hollow of a thick wall, which no scanner looks into. */
 void
-dropSmallRegions(PixelMap<std::int32_t>& labels,
-                 double pixel_size,
-                 const RoomMapOptions& options)
+dropNoRooms(const VoxelGrid<std::uint8_t>& occupancy,
+            const RoomMapOptions& options,
+            PixelMap<std::int32_t>& labels)
 {
   const std::int32_t count =
       *std::max_element(labels.values.begin(), labels.values.end());
-  std::vector<std::size_t> area(count + 1, 0);
-  for (const auto label : labels.values)
-    ++area[label];
+  std::vector<std::size_t> area(count + 1, 0), held(count + 1, 0);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels.values[i] != 0) {
+      ++area[labels.values[i]];
+      held[labels.values[i]] += holdsSomething(occupancy, i);
+    }
+  const double pixel_area = occupancy.voxel_size * occupancy.voxel_size;
   for (auto& label : labels.values)
-    if (area[label] * pixel_size * pixel_size < options.min_area)
+    if (area[label] * pixel_area < options.min_area || 2 * held[label] < area[label])
       label = 0;
 }
 
@@ -339,7 +344,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
     basins.persistence = options.persistence;
     basins.door = 0.5 * options.door_width;
     map.free_labels = basinsOfWidth(map.field, basins, size, options);
-    dropSmallRegions(map.free_labels, size, options);
+    dropNoRooms(occupancy, options, map.free_labels);
   }
   else {
     map.field_rooms = segmentFieldMap(space.interior, options.field_rooms);
