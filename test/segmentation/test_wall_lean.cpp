@@ -270,11 +270,13 @@ TEST(WallLean, PointsGetTheRoomBetweenLeaningWalls)
 
 TEST(WallLean, LeaningWallsHeadWhereUprightOnesDo)
 {
-  const TwoRooms scene(20 * degree, 30 * degree);
-  const auto directions = wallDirections(scene.points, occupancyGrid(scene.points));
-  ASSERT_GE(directions.size(), 2u);
-  for (const auto& direction : {directions[0], directions[1]})
-    EXPECT_GT(direction.cwiseAbs().maxCoeff(), std::cos(1.0 * degree));
+  for (const double heading : {0.0, 10.0, 20.0, 27.0, 45.0}) {
+    const TwoRooms scene(20 * degree, heading * degree);
+    const auto directions = wallDirections(scene.points, occupancyGrid(scene.points));
+    ASSERT_GE(directions.size(), 2u);
+    for (const auto& direction : {directions[0], directions[1]})
+      EXPECT_GT(direction.cwiseAbs().maxCoeff(), std::cos(0.5 * degree)) << heading;
+  }
 }
 
 TEST(WallLean, LabelsDependNeitherOnThreadsNorOnOrder)
