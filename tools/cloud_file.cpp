@@ -168,14 +168,31 @@ offsetOf(const std::vector<double>& values)
   return std::abs(*middle) > large ? std::floor(*middle) : 0.0;
 }
 
+/** The distance between two values of a field that are as large as this one. */
+double
+stepAt(const PCLPointCloud2& cloud, const std::string& name, double value)
+{
+  const double size = std::abs(value);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (cloud.fields[getFieldIndex(cloud, name)].datatype == PCLPointField::FLOAT64)
+    return std::nextafter(size, infinity) - size;
+  const auto real = static_cast<float>(size);
+  return std::nextafter(real, std::numeric_limits<float>::infinity()) - real;
+}
+
 void
 fillPoints(CloudFile& file)
 {
-  const std::vector<double> coordinates[3] = {readReals(file.cloud, "x"),
-                                              readReals(file.cloud, "y"),
-                                              readReals(file.cloud, "z")};
-  for (int axis = 0; axis < 3; ++axis)
+  constexpr const char* names[] = {"x", "y", "z"};
+  const std::vector<double> coordinates[3] = {readReals(file.cloud, names[0]),
+                                              readReals(file.cloud, names[1]),
+                                              readReals(file.cloud, names[2])};
+  for (int axis = 0; axis < 3; ++axis) {
     file.offset[axis] = offsetOf(coordinates[axis]);
+    if (file.offset[axis] != 0.0)
+      file.coordinate_step = std::max(
+          file.coordinate_step, stepAt(file.cloud, names[axis], file.offset[axis]));
+  }
   auto points = pcl::make_shared<PointCloud<PointXYZ>>();
   points->width = file.cloud.width;
   points->height = file.cloud.height;

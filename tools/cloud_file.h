@@ -30,9 +30,14 @@ struct CloudFile {
   /** The points in the file's order and arrangement, each coordinate minus \a offset;
    * NaN where one is not finite. */
   PointCloud<PointXYZ>::Ptr points;
-  /** Whole metres near the middle of large (for example UTM) coordinates, otherwise
+  /** Whole units near the middle of large (for example UTM) coordinates, otherwise
    * zero. */
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  /** The greatest distance between neighbouring numbers in which coordinates as large
+   * as the offset are stored: large coordinates in floats are coarse. 0 without an
+   * offset.
+   */
+  double coordinate_step = 0.0;
   std::size_t finite_count = 0; ///< points without NaN or infinity
   bool has_normals = false;     ///< the file has normal_x, normal_y, normal_z
 };

@@ -4,14 +4,15 @@
  */
 #include "cloud_file.h"
 #include "options.h"
-#include "point_spacing.h"
 #include "room_objects.h"
 #include "room_picture.h"
+#include "scan_frame.h"
 #include "scene_file.h"
 
+#include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/segmentation/room_segmentation.h>
 
-#include <algorithm>
+#include <cmath>
 
 using namespace pcl::indoor::tool;
 
@@ -20,6 +21,7 @@ namespace {
 struct Options {
   std::string input, folder;
   std::string partition = "graph";
+  ScanFrame frame;
   pcl::indoor::BuildingRoomsOptions rooms;
   pcl::indoor::ObjectSegmentationOptions objects;
   double voxel_resolution = 0.0,
@@ -35,14 +37,15 @@ makeParser(Options& options)
                       "Finds the rooms of a building's scan, then the objects in each "
                       "room; writes cloud.pcd with the fields room and object, "
                       "scene.json, rooms.png and potential_field.png.");
-  parser.positional("input", options.input, "PCD or PLY file, z up, metres")
+  parser.positional("input", options.input, "PCD or PLY file")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
-      .number("-voxel_size",
-              options.rooms.voxel_size,
-              "side of a voxel of the rooms",
-              "m",
-              Range::positive())
+      .number(
+          "-voxel_size",
+          options.rooms.voxel_size,
+          "side of a voxel of the rooms, 0 = automatic: 0.1, more for sparse points",
+          "m",
+          Range::atLeast(0))
       .number("-min_area",
               options.rooms.map.min_area,
               "smallest room",
@@ -50,14 +53,17 @@ makeParser(Options& options)
               Range::atLeast(0))
       .number("-voxel_resolution",
               options.voxel_resolution,
-              "edge of a voxel of the objects, 0 = automatic",
+              "edge of a voxel of the objects, 0 = automatic: 0.03, more in rooms with "
+              "sparse points",
               "m",
               Range::atLeast(0))
-      .number("-seed_resolution",
-              options.seed_resolution,
-              "distance of supervoxels, at least -voxel_resolution, 0 = automatic",
-              "m",
-              Range::atLeast(0))
+      .number(
+          "-seed_resolution",
+          options.seed_resolution,
+          "distance of supervoxels, at least -voxel_resolution, 0 = automatic: four "
+          "times that",
+          "m",
+          Range::atLeast(0))
       .text("-partition",
             options.partition,
             "how supervoxels are joined",
@@ -70,27 +76,66 @@ makeParser(Options& options)
               "threads, 0 = automatic",
               "",
               Range::between(0, 1024));
+  options.frame.addOptions(parser);
   return parser;
 }
 
-/** Choose what was left to the tool: a voxel wider than the gaps between points, or
- * surfaces fall apart. */
+/** Sizes that are given hold, and each gives the other; if none is, the library raises
+ * both where points are sparse. */
 void
-chooseResolution(Options& options, const CloudFile& file)
+chooseResolution(Options& options)
 {
   auto& objects = options.objects;
   const double seeds_per_voxel = objects.seed_size / objects.voxel_size;
-  if (options.voxel_resolution == 0.0)
-    options.voxel_resolution =
-        std::max(objects.voxel_size, 1.5 * pointSpacing(*file.points));
-  if (options.seed_resolution == 0.0)
-    options.seed_resolution = seeds_per_voxel * options.voxel_resolution;
-  if (options.seed_resolution < options.voxel_resolution)
-    throw ToolError("-seed_resolution: '" + std::to_string(options.seed_resolution) +
-                    "' is less than -voxel_resolution, " +
-                    std::to_string(options.voxel_resolution));
-  objects.voxel_size = options.voxel_resolution;
-  objects.seed_size = options.seed_resolution;
+  const double voxel = options.voxel_resolution, seed = options.seed_resolution;
+  if (voxel == 0.0 && seed == 0.0)
+    return;
+  objects.adapt_to_resolution = false;
+  objects.voxel_size = voxel > 0.0 ? voxel : seed / seeds_per_voxel;
+  objects.seed_size = seed > 0.0 ? seed : seeds_per_voxel * voxel;
+  if (objects.seed_size < objects.voxel_size)
+    throw ToolError("-seed_resolution: '" + std::to_string(seed) +
+                    "' is less than -voxel_resolution, " + std::to_string(voxel));
+}
+
+/** The points as the objects are looked for: z up, metres, what lies beyond the
+ * building not finite. */
+pcl::PointCloud<pcl::PointXYZ>::ConstPtr
+pointsForObjects(const CloudFile& file,
+                 const Options& options,
+                 const pcl::RoomSegmentation<pcl::PointXYZ>& rooms)
+{
+  const auto& outside = rooms.getReport().outside;
+  const bool standing = options.frame.unit == "m" && options.frame.up == "z";
+  if (standing && outside.empty())
+    return file.points;
+  auto points = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*file.points);
+  const Eigen::Matrix3d turn =
+      options.frame.metresPerUnit() * rooms.getBuildingPose().linear().transpose();
+  if (!standing)
+    for (auto& point : *points)
+      point.getVector3fMap() =
+          (turn * point.getVector3fMap().cast<double>()).cast<float>();
+  for (const auto index : outside)
+    (*points)[index].getVector3fMap().setConstant(NAN);
+  return points;
+}
+
+/** The normals of the file, turned like the points; null to have them estimated. */
+pcl::PointCloud<pcl::Normal>::Ptr
+normalsForObjects(const CloudFile& file,
+                  const Options& options,
+                  const pcl::RoomSegmentation<pcl::PointXYZ>& rooms)
+{
+  if (!file.has_normals || options.ignore_normals)
+    return nullptr;
+  auto normals = readNormals(file);
+  const Eigen::Matrix3f turn =
+      rooms.getBuildingPose().linear().transpose().cast<float>();
+  if (options.frame.up != "z")
+    for (auto& normal : *normals)
+      normal.getNormalVector3fMap() = turn * normal.getNormalVector3fMap();
+  return normals;
 }
 
 void
@@ -100,23 +145,20 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
   pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setOptions(options.rooms);
   segmentation.setNumberOfThreads(options.threads);
-  segmentation.setInputCloud(file.points);
-  segmentation.segment(scene.room_of_point);
-  if (scene.room_of_point.empty())
-    throw AlreadyReported();
+  scene.room_of_point = segmentRooms(file, options.frame, segmentation);
   scene.rooms = segmentation.getRooms();
   scene.openings = segmentation.getOpenings();
   scene.building = segmentation.getBuilding();
-  progress.done(std::to_string(scene.rooms.size()) + " rooms");
+  scene.report = segmentation.getReport();
+  progress.done(summaryOf(segmentation));
 
   progress.start("Segmenting objects");
   auto objects = options.objects;
   objects.partition = options.partition == "lccp" ? pcl::indoor::Partition::Lccp
                                                   : pcl::indoor::Partition::Graph;
-  const bool with_normals = file.has_normals && !options.ignore_normals;
   scene.object_of_point = segmentRoomObjects(
-      *file.points,
-      with_normals ? readNormals(file) : nullptr,
+      *pointsForObjects(file, options, segmentation),
+      normalsForObjects(file, options, segmentation),
       scene.room_of_point,
       objects,
       options.threads,
@@ -138,7 +180,7 @@ main(int argc, char** argv)
     progress.start("Loading " + options.input);
     CloudFile file = loadCloud(options.input);
     progress.done(std::to_string(file.points->size()) + " points");
-    chooseResolution(options, file);
+    chooseResolution(options);
 
     Scene scene;
     segment(options, file, scene, progress);
@@ -148,7 +190,8 @@ main(int argc, char** argv)
     const auto in_folder = [&](const std::string& name) {
       return options.folder + "/" + name;
     };
-    saveText(in_folder("scene.json"), sceneText(scene, file, parser.values()));
+    saveText(in_folder("scene.json"),
+             sceneText(scene, file, options.frame, parser.values()));
     savePng(in_folder("rooms.png"), drawRooms(scene.building));
     savePng(in_folder("potential_field.png"), drawPotentialField(scene.building));
     appendField(file.cloud, "room", scene.room_of_point);

@@ -42,7 +42,8 @@ addPlaceJson(nlohmann::ordered_json& json,
 }
 
 /** \brief One entry per room: number, storey, points, box, centroid, area, height,
- * volume, footprint and neighbours, in the frame of the file, metres. */
+ * volume, footprint and neighbours; positions in the frame and the unit of the file,
+ * lengths, areas and volumes in metres. */
 nlohmann::ordered_json
 roomsJson(const std::vector<Room>& rooms,
           const std::vector<RoomOpening>& openings,

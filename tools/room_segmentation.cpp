@@ -8,6 +8,7 @@
 #include "room_json.h"
 #include "room_picture.h"
 #include "room_svg.h"
+#include "scan_frame.h"
 
 #include <pcl/segmentation/room_segmentation.h>
 
@@ -19,7 +20,7 @@ namespace {
 struct Options {
   std::string input, output, map, json;
   std::string method = "slab";
-  std::string up = "z";
+  ScanFrame frame;
   pcl::indoor::BuildingRoomsOptions rooms;
 };
 
@@ -62,7 +63,7 @@ makeParser(Options& options)
   OptionParser parser("pcl_room_segmentation",
                       "Segment the scan of a building into rooms with "
                       "pcl::RoomSegmentation; adds the field room.");
-  parser.positional("input", options.input, "PCD or PLY file, metres")
+  parser.positional("input", options.input, "PCD or PLY file")
       .positional(
           "output.pcd", options.output, "the input with the field room, 0 = none")
       .text("-map",
@@ -72,12 +73,11 @@ makeParser(Options& options)
       .text("-json",
             options.json,
             "file for area, volume, footprint and neighbours of each room")
-      .text("-up", options.up, "axis that points up", {"x", "y", "z", "-x", "-y", "-z"})
       .number("-voxel_size",
               options.rooms.voxel_size,
-              "side of a voxel",
+              "side of a voxel, 0 = automatic: 0.1, more for sparse points",
               "m",
-              Range::positive())
+              Range::atLeast(0))
       .number("-min_area", map.min_area, "smallest room", "m^2", Range::atLeast(0))
       .number("-min_width", map.min_width, "narrowest room", "m", Range::atLeast(0))
       .number("-persistence",
@@ -105,16 +105,9 @@ makeParser(Options& options)
               "threads, 0 = automatic",
               "",
               Range::atLeast(0));
+  options.frame.addOptions(parser);
   addFieldOptions(parser, options.rooms);
   return parser;
-}
-
-/** The axis of a text such as "-y". */
-Eigen::Vector3f
-axisOf(const std::string& text)
-{
-  const Eigen::Vector3f axis = Eigen::Vector3f::Unit(text.back() - 'x');
-  return text.front() == '-' ? Eigen::Vector3f(-axis) : axis;
 }
 
 void
@@ -138,6 +131,7 @@ saveDescription(const Options& options,
   const auto& building = segmentation.getBuilding();
   if (!options.json.empty()) {
     auto json = inputJson(file, parameters, rooms);
+    addReportJson(json, options.frame, segmentation.getReport());
     json["storeys"] = building.storeys.size();
     json["rooms"] =
         roomsJson(segmentation.getRooms(), segmentation.getOpenings(), file.offset);
@@ -160,17 +154,12 @@ segment(const Options& options,
   progress.start("Segmenting rooms");
   Segmentation segmentation;
   segmentation.setOptions(options.rooms);
-  segmentation.setUpAxis(axisOf(options.up));
   segmentation.setProgressCallback([&progress](double share, const char*) {
     progress.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;
   });
-  segmentation.setInputCloud(file.points);
-  std::vector<std::uint32_t> rooms;
-  segmentation.segment(rooms);
-  if (rooms.empty())
-    throw AlreadyReported();
-  progress.done(std::to_string(segmentation.getRooms().size()) + " rooms");
+  auto rooms = segmentRooms(file, options.frame, segmentation);
+  progress.done(summaryOf(segmentation));
   saveDescription(options, parameters, segmentation, rooms, file);
   return rooms;
 }

@@ -41,7 +41,10 @@ measureObjects(const PointCloud<PointXYZ>& points,
 }
 
 std::string
-sceneText(const Scene& scene, const CloudFile& file, const std::string& parameters)
+sceneText(const Scene& scene,
+          const CloudFile& file,
+          const ScanFrame& frame,
+          const std::string& parameters)
 {
   std::vector<Json> objects_of_room(scene.rooms.size(), Json::array());
   Json objects = Json::array();
@@ -59,6 +62,7 @@ sceneText(const Scene& scene, const CloudFile& file, const std::string& paramete
   for (std::size_t i = 0; i < scene.rooms.size(); ++i)
     rooms[i]["objects"] = objects_of_room[i];
   Json json = inputJson(file, parameters, scene.room_of_point);
+  addReportJson(json, frame, scene.report);
   json["storeys"] = scene.building.storeys.size();
   json["rooms"] = std::move(rooms);
   json["objects"] = std::move(objects);

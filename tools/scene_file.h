@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloud_file.h"
+#include "scan_frame.h"
 
 #include <pcl/segmentation/building_rooms.h>
 
@@ -20,7 +21,7 @@ namespace pcl::indoor::tool {
 struct SceneObject {
   std::uint32_t room = 0;
   std::size_t point_count = 0;
-  Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< corner of the box, metres
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< corner of the box
   Eigen::Vector3d upper = Eigen::Vector3d::Zero();
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
 };
@@ -33,6 +34,7 @@ struct Scene {
   std::vector<RoomOpening> openings;          ///< between the rooms
   std::vector<SceneObject> objects;           ///< object i + 1 is the i-th
   BuildingRooms building;
+  ScanReport report;
 };
 
 /** \brief Box, centre and number of points of each object. */
@@ -41,10 +43,14 @@ measureObjects(const PointCloud<PointXYZ>& points,
                const std::vector<std::uint32_t>& room_of_point,
                const std::vector<std::uint32_t>& object_of_point);
 
-/** \brief The JSON text of a scene; positions in the frame of the file, metres.
- * \param[in] parameters the values that were used, for the record
+/** \brief The JSON text of a scene; positions in the frame and the unit of the file,
+ * areas and lengths in metres. \param[in] parameters the values that were used, for the
+ * record
  */
 std::string
-sceneText(const Scene& scene, const CloudFile& file, const std::string& parameters);
+sceneText(const Scene& scene,
+          const CloudFile& file,
+          const ScanFrame& frame,
+          const std::string& parameters);
 
 } // namespace pcl::indoor::tool

@@ -10,7 +10,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <sstream>
+#include <string>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
@@ -55,6 +59,25 @@ loadLabels(const std::string& path, const std::string& field, std::size_t count)
   return labels;
 }
 
+/** Set the labels that are listed, with commas between them, to 0. */
+void
+leaveOut(const std::string& list, SegmentLabels& labels)
+{
+  std::vector<std::uint32_t> ignored;
+  std::istringstream stream(list);
+  for (std::string item; std::getline(stream, item, ',');) {
+    const bool is_number = !item.empty() && item.size() < 10 &&
+                           item.find_first_not_of("0123456789") == std::string::npos;
+    if (!is_number)
+      throw ToolError("-ignore: \"" + item + "\" is no label.");
+    ignored.push_back(static_cast<std::uint32_t>(std::stoul(item)));
+  }
+  std::sort(ignored.begin(), ignored.end());
+  for (auto& label : labels)
+    if (std::binary_search(ignored.begin(), ignored.end(), label))
+      label = 0;
+}
+
 void
 print(const nlohmann::json& result)
 {
@@ -69,7 +92,7 @@ main(int argc, char** argv)
 {
   std::string truth_path, predicted_path, truth_field = "label",
                                           predicted_field = "object";
-  std::string coarse_field, coarse_path, json_path;
+  std::string coarse_field, coarse_path, json_path, ignored;
   OptionParser parser("pcl_segmentation_evaluation",
                       "Compare a segmentation with the truth, point by point. Points "
                       "whose true label is 0 are left out.");
@@ -86,12 +109,16 @@ main(int argc, char** argv)
       .text("-coarse",
             coarse_path,
             "file that holds the coarse field, if it is not truth.pcd")
+      .text("-ignore",
+            ignored,
+            "labels of the truth to leave out as if they were 0, with commas")
       .text("-json", json_path, "file to write the result to");
   return parser.run(argc, argv, [&](Progress& progress) {
     if (!json_path.empty())
       requireWritable(json_path);
     progress.start("Loading " + truth_path);
-    const auto truth = loadLabels(truth_path, truth_field, 0);
+    auto truth = loadLabels(truth_path, truth_field, 0);
+    leaveOut(ignored, truth);
     progress.done(std::to_string(truth.size()) + " points");
     progress.start("Loading " + predicted_path);
     const auto predicted = loadLabels(predicted_path, predicted_field, truth.size());

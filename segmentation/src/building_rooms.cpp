@@ -4,16 +4,18 @@
  */
 
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/potential_field.h>
 #include <pcl/segmentation/storey_space.h>
 
+#include "closed_surfaces.h"
 #include "room_layout.h"
+#include "storey_labels.h"
 #include "thread_count.h"
+
+#include <pcl/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace pcl {
@@ -40,151 +42,6 @@ storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
   }
   return storey_of;
 }
-
-/** Pixels beside one of another room. */
-PixelMap<std::uint8_t>
-borderPixels(const PixelMap<std::int32_t>& labels)
-{
-  PixelMap<std::uint8_t> border{labels.nx, labels.ny, {}};
-  border.values.assign(border.size(), 0);
-  const auto compare = [&](std::size_t a, std::size_t b) {
-    if (labels.values[a] == labels.values[b])
-      return;
-    border.values[a] |= labels.values[b] != 0;
-    border.values[b] |= labels.values[a] != 0;
-  };
-  for (int x = 0; x < labels.nx; ++x)
-    for (int y = 0; y < labels.ny; ++y) {
-      if (x + 1 < labels.nx)
-        compare(labels.index(x, y), labels.index(x + 1, y));
-      if (y + 1 < labels.ny)
-        compare(labels.index(x, y), labels.index(x, y + 1));
-    }
-  return border;
-}
-
-/** Labels the points of one storey: by the map, and at walls by the side they are on.
- */
-class StoreyLabels {
-public:
-  StoreyLabels(const std::vector<Eigen::Vector3f>& points,
-               const OccupancyGrid& occupancy,
-               const RoomMap& map,
-               const BuildingRoomsOptions& options)
-  : points_(points)
-  , occupancy_(occupancy)
-  , map_(map)
-  , options_(options)
-  {}
-
-  /** \param[in] room_of per label of the map
-   * \param[in,out] point_labels changed where \a storey_of is \a storey
-   */
-  void
-  assign(const std::vector<std::uint8_t>& storey_of,
-         std::uint8_t storey,
-         const std::vector<std::uint32_t>& room_of,
-         std::vector<std::uint32_t>& point_labels) const
-  {
-    // Only near borders are there sides to choose, and walls to fit in the slab around.
-    const auto to_border =
-        squaredDistanceMap(borderPixels(map_.labels), options_.threads);
-    const double radius =
-        0.5 * options_.walls.window / occupancy_.grid.voxel_size + 2.0;
-    const double reach = 2.0 * radius * radius; // to the corner of the window, squared
-    const auto count = static_cast<std::ptrdiff_t>(points_.size());
-    const int threads = threadCount(options_.threads);
-    std::vector<std::uint8_t> is_near(points_.size(), 0);
-#pragma omp parallel for schedule(static) num_threads(threads)
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-      if (occupancy_.cells[i] < 0 || storey_of[i] != storey)
-        continue;
-      const std::size_t pixel = pixelOf(i);
-      is_near[i] = to_border.values[pixel] <= (inSlab(i, pixel) ? 4 * reach : reach);
-      if (!is_near[i])
-        point_labels[i] = room_of[map_.labels.values[pixel]];
-    }
-    std::vector<std::uint32_t> first(map_.labels.nx + 1, 0); // per row of pixels
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (is_near[i])
-        ++first[rowOf(i) + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::uint32_t> near(first.back());
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (is_near[i])
-        near[next[rowOf(i)]++] = static_cast<std::uint32_t>(i);
-
-    // Strip by strip, so that large buildings need no more memory than others.
-    constexpr std::uint32_t enough = 1 << 22; // points
-    const int margin = static_cast<int>(std::ceil(radius));
-    for (int begin = 0, end = 0; begin < map_.labels.nx; begin = end) {
-      while (end < map_.labels.nx && first[end] <= first[begin] + enough)
-        ++end;
-      const int from = std::max(0, begin - margin);
-      const int to = std::min(map_.labels.nx, end + margin);
-      const auto labels =
-          wallLabels(near.data() + first[from], near.data() + first[to]);
-      for (std::uint32_t k = first[begin]; k < first[end]; ++k)
-        point_labels[near[k]] = room_of[labels[k - first[from]]];
-    }
-  }
-
-private:
-  std::size_t
-  pixelOf(std::size_t i) const
-  {
-    return occupancy_.cells[i] / occupancy_.grid.shape.nz;
-  }
-
-  std::size_t
-  rowOf(std::size_t i) const
-  {
-    return occupancy_.cells[i] / (occupancy_.grid.shape.ny * occupancy_.grid.shape.nz);
-  }
-
-  bool
-  inSlab(std::size_t i, std::size_t pixel) const
-  {
-    const int layer = occupancy_.cells[i] % occupancy_.grid.shape.nz;
-    const int below = map_.ceiling.values[pixel] + map_.first_layer - layer;
-    return below >= map_.slab.first && below <= map_.slab.last;
-  }
-
-  /** Labels on the map of some of the points, told apart by the faces of walls. */
-  std::vector<std::int32_t>
-  wallLabels(const std::uint32_t* begin, const std::uint32_t* end) const
-  {
-    const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
-    const std::ptrdiff_t count = end - begin;
-    const Eigen::Matrix2d turn = occupancy_.turn();
-    const int threads = threadCount(options_.threads);
-    std::vector<Eigen::Vector2f> position(count);
-    std::vector<std::uint8_t> is_wall(count);
-    std::vector<std::int32_t> labels(count);
-#pragma omp parallel for schedule(static) num_threads(threads)
-    for (std::ptrdiff_t k = 0; k < count; ++k) {
-      const std::uint32_t i = begin[k];
-      position[k] = (turn * points_[i].head<2>().cast<double>() - grid.origin.head<2>())
-                        .cast<float>();
-      is_wall[k] = inSlab(i, pixelOf(i));
-      labels[k] = map_.labels.values[pixelOf(i)];
-    }
-    assignWallSides(position,
-                    is_wall,
-                    grid.voxel_size,
-                    map_.labels,
-                    map_.free_labels,
-                    options_.walls,
-                    labels);
-    return labels;
-  }
-
-  const std::vector<Eigen::Vector3f>& points_;
-  const OccupancyGrid& occupancy_;
-  const RoomMap& map_;
-  const BuildingRoomsOptions& options_;
-};
 
 std::vector<Room>
 describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
@@ -242,6 +99,25 @@ yawAlong(const std::vector<Eigen::Vector2d>& directions)
   return std::abs(yaw) < 1.0 ? 0.0 : 0.1 * degree * std::round(10.0 * yaw);
 }
 
+/** The points' grid, not turned; an automatic voxel size is found from it.
+ * \param[in] voxel_size metres, 0 = automatic
+ * \param[in,out] options the voxel size is filled in
+ */
+OccupancyGrid
+gridOf(const std::vector<Eigen::Vector3f>& points,
+       double voxel_size,
+       OccupancyGridOptions& options)
+{
+  options.voxel_size = voxel_size > 0.0 ? voxel_size : smallest_automatic_voxel;
+  OccupancyGrid grid = occupancyGrid(points, options);
+  if (voxel_size > 0.0)
+    return grid;
+  options.voxel_size = closedVoxelSize(grid.grid, largest_automatic_voxel);
+  if (options.voxel_size > grid.grid.voxel_size)
+    grid = occupancyGrid(points, options);
+  return grid;
+}
+
 } // namespace
 
 BuildingRooms
@@ -249,19 +125,23 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 BuildingRoomsOptions options,
                 const ProgressCallback& progress)
 {
+  const std::string problem = findInvalidOption(options);
+  if (!problem.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException, problem);
   options.interior.threads = options.threads;
-  options.map.field_rooms.threads = options.threads;
+  options.map.threads = options.map.field_rooms.threads = options.threads;
   options.walls.threads = options.threads;
   const auto stopped = [&](double share, const char* stage) {
     return progress && !progress(share, stage);
   };
+  if (points.empty())
+    return {};
   BuildingRooms building;
   OccupancyGridOptions grid_options;
-  grid_options.voxel_size = options.voxel_size;
   grid_options.threads = options.threads;
   if (stopped(0.0, "occupancy grid"))
     return {};
-  building.occupancy = occupancyGrid(points, grid_options);
+  building.occupancy = gridOf(points, options.voxel_size, grid_options);
   building.point_labels.assign(points.size(), 0);
   const auto directions = wallDirections(points, building.occupancy, options.interior);
   grid_options.yaw = yawAlong(directions);

@@ -85,6 +85,18 @@ reachesUpTo(int ceiling, const VoxelGrid<std::uint8_t>& occupancy, int x, int y,
   return true;
 }
 
+/** Whether the ceiling beside a pixel is more than a voxel higher: there a column is no
+ * part of a ceiling but of a wall that leans, which is thick seen from below. */
+bool
+isSteep(const PixelMap<int>& ceiling, int x, int y)
+{
+  const int most = ceiling.at(x, y) + 1;
+  return (x > 0 && ceiling.at(x - 1, y) > most) ||
+         (x + 1 < ceiling.nx && ceiling.at(x + 1, y) > most) ||
+         (y > 0 && ceiling.at(x, y - 1) > most) ||
+         (y + 1 < ceiling.ny && ceiling.at(x, y + 1) > most);
+}
+
 } // namespace
 
 PixelMap<int>
@@ -136,6 +148,10 @@ slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
   const int depth = std::max(1, layers(options.depth));
   std::vector<std::size_t> occupied(greatest + depth + 1, 0);
   for (std::size_t i = 0; i < ceiling.size(); ++i) {
+    if (isSteep(ceiling,
+                static_cast<int>(i) / ceiling.ny,
+                static_cast<int>(i) % ceiling.ny))
+      continue;
     const auto* column = &occupancy.values[i * occupancy.shape.nz];
     const int top = ceiling.values[i];
     for (int below = 0; below <= greatest + depth && top - below >= storey.begin;

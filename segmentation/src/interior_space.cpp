@@ -79,7 +79,12 @@ wallDirections(const std::vector<Eigen::Vector3f>& points,
   sampling.threads = options.threads;
   std::vector<Eigen::Vector3f> chosen;
   const OccupancyGrid part = someTiles(points, building, chosen);
-  const WeightedNormals sample = voxelNormals(chosen, part, sampling);
+  WeightedNormals sample = voxelNormals(chosen, part, sampling);
+  for (auto& normal : sample.normals) // a wall that leans counts by where it heads
+    if (std::abs(normal.z()) < std::sin(options.max_lean)) {
+      normal.z() = 0.0;
+      normal.normalize();
+    }
   std::vector<Eigen::Vector2d> directions;
   for (const auto& found :
        horizontalDirections(manhattanFrames(sample.normals, sample.weights))) {

@@ -8,6 +8,7 @@
 #include <pcl/segmentation/persistent_basins.h>
 #include <pcl/segmentation/potential_field.h>
 #include <pcl/segmentation/room_map.h>
+#include <pcl/segmentation/wall_lean.h>
 
 #include "inner_walls.h"
 
@@ -31,23 +32,45 @@ holdsSomething(const VoxelGrid<std::uint8_t>& grid, std::size_t pixel)
       column, column + grid.shape.nz, [](auto value) { return value != 0; });
 }
 
-/** Columns with something in them, and the gaps between those (closing by a disc). */
+/** Columns with something in them. */
 PixelMap<std::uint8_t>
-coveredColumns(const VoxelGrid<std::uint8_t>& occupancy, double radius)
+heldColumns(const VoxelGrid<std::uint8_t>& occupancy)
 {
-  PixelMap<std::uint8_t> covered{occupancy.shape.nx, occupancy.shape.ny, {}};
-  covered.values.resize(covered.size());
-  for (std::size_t i = 0; i < covered.size(); ++i)
-    covered.values[i] = holdsSomething(occupancy, i);
-  const double reach = std::pow(radius / occupancy.voxel_size, 2);
+  PixelMap<std::uint8_t> held{occupancy.shape.nx, occupancy.shape.ny, {}};
+  held.values.resize(held.size());
+  for (std::size_t i = 0; i < held.size(); ++i)
+    held.values[i] = holdsSomething(occupancy, i);
+  return held;
+}
+
+/** Columns with something in them, and the gaps between those (closing by a disc; there
+ * is nothing beyond the map). */
+PixelMap<std::uint8_t>
+closed(const PixelMap<std::uint8_t>& held,
+       double radius,
+       double pixel_size,
+       int threads)
+{
+  const double reach = std::pow(radius / pixel_size, 2);
+  const int margin = static_cast<int>(radius / pixel_size) + 1;
   const auto beyond = [&](const PixelMap<std::uint8_t>& map) {
     PixelMap<std::uint8_t> far = map;
-    const auto squared = squaredDistanceMap(map);
+    const auto squared = squaredDistanceMap(map, threads);
     for (std::size_t i = 0; i < far.size(); ++i)
       far.values[i] = squared.values[i] > reach;
     return far;
   };
-  return beyond(beyond(covered));
+  PixelMap<std::uint8_t> wide{held.nx + 2 * margin, held.ny + 2 * margin, {}};
+  wide.values.assign(wide.size(), 0);
+  for (int x = 0; x < held.nx; ++x)
+    for (int y = 0; y < held.ny; ++y)
+      wide.at(x + margin, y + margin) = held.at(x, y);
+  wide = beyond(beyond(wide));
+  PixelMap<std::uint8_t> result = held;
+  for (int x = 0; x < held.nx; ++x)
+    for (int y = 0; y < held.ny; ++y)
+      result.at(x, y) = wide.at(x + margin, y + margin);
+  return result;
 }
 
 /** Whether enough of the columns with something in them are inside, 40 %: a basement
@@ -68,7 +91,7 @@ coversEnough(const PixelMap<std::uint8_t>& inside, const VoxelGrid<std::uint8_t>
  * floor and the ceiling. A scan in which these are few (such as one room whose floor
  * and ceiling were cut away) gives no evidence of enclosure: then all its columns. */
 PixelMap<std::uint8_t>
-insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
+insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling, int threads)
 {
   const InteriorSpace& interior = space.interior;
   const int factor = interior.factor;
@@ -88,15 +111,16 @@ insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
       inside.at(x, y) = ceiling.at(x, y) >= 0 && surplus >= 0;
     }
   if (!coversEnough(inside, space.occupancy))
-    return coveredColumns(space.occupancy, 0.5);
+    return closed(
+        heldColumns(space.occupancy), 0.5, space.occupancy.voxel_size, threads);
   return inside;
 }
 
 /** Distance of each pixel to the next obstacle, metres; 0 on it. */
 PixelMap<float>
-distanceTo(const PixelMap<std::uint8_t>& obstacles, double pixel_size)
+distanceTo(const PixelMap<std::uint8_t>& obstacles, double pixel_size, int threads)
 {
-  const PixelMap<std::uint32_t> squared = squaredDistanceMap(obstacles);
+  const PixelMap<std::uint32_t> squared = squaredDistanceMap(obstacles, threads);
   PixelMap<float> field{obstacles.nx, obstacles.ny, {}};
   field.values.resize(field.size());
   for (std::size_t i = 0; i < field.size(); ++i)
@@ -109,12 +133,13 @@ distanceTo(const PixelMap<std::uint8_t>& obstacles, double pixel_size)
 PixelMap<float>
 freeDistance(const PixelMap<std::uint8_t>& blocked,
              const PixelMap<std::uint8_t>& inside,
-             double pixel_size)
+             double pixel_size,
+             int threads)
 {
   PixelMap<std::uint8_t> obstacles = blocked;
   for (std::size_t i = 0; i < obstacles.size(); ++i)
     obstacles.values[i] |= !inside.values[i];
-  return distanceTo(obstacles, pixel_size);
+  return distanceTo(obstacles, pixel_size, threads);
 }
 
 /** Basins of the free pixels that a disc of the smallest room width can cover: gaps,
@@ -138,19 +163,24 @@ basinsOfWidth(const PixelMap<float>& field,
   return labels;
 }
 
-/** Remove labels of regions that are too small for a room. */
+/** Remove labels of regions that are no rooms: too small, or of whose columns most hold
+ * nothing, such as the hollow of a thick wall, which no scanner looks into. */
 void
-dropSmallRegions(PixelMap<std::int32_t>& labels,
-                 double pixel_size,
-                 const RoomMapOptions& options)
+dropNoRooms(const VoxelGrid<std::uint8_t>& occupancy,
+            const RoomMapOptions& options,
+            PixelMap<std::int32_t>& labels)
 {
   const std::int32_t count =
       *std::max_element(labels.values.begin(), labels.values.end());
-  std::vector<std::size_t> area(count + 1, 0);
-  for (const auto label : labels.values)
-    ++area[label];
+  std::vector<std::size_t> area(count + 1, 0), held(count + 1, 0);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels.values[i] != 0) {
+      ++area[labels.values[i]];
+      held[labels.values[i]] += holdsSomething(occupancy, i);
+    }
+  const double pixel_area = occupancy.voxel_size * occupancy.voxel_size;
   for (auto& label : labels.values)
-    if (area[label] * pixel_size * pixel_size < options.min_area)
+    if (area[label] * pixel_area < options.min_area || 2 * held[label] < area[label])
       label = 0;
 }
 
@@ -220,7 +250,7 @@ divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap
   PixelMap<std::uint8_t> walls{rooms.nx, rooms.ny, {}};
   for (const auto room : rooms.values)
     walls.values.push_back(room == 0);
-  const auto field = distanceTo(walls, size);
+  const auto field = distanceTo(walls, size, options.threads);
   std::vector<std::int32_t> room_of;
   BasinOptions open_plan;
   open_plan.persistence = options.open_plan.persistence;
@@ -293,13 +323,28 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   map.blocked = blockedColumns(occupancy, map.range, map.ceiling, map.slab);
   removeSpecks(map.blocked,
                static_cast<int>(std::lround(options.slab.min_wall / size)));
-  map.field = freeDistance(map.blocked, insideColumns(space, map.ceiling), size);
+  auto inside = insideColumns(space, map.ceiling, options.threads);
+  WallLeanOptions leaning;
+  leaning.threads = options.threads;
+  map.lean = leanMap(
+      wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked, leaning),
+      map.blocked.nx,
+      map.blocked.ny,
+      size);
+  if (!map.lean.values.empty()) { // above a wall that leans, the slab may be outside
+    const auto held = straightenedColumns(
+        occupancy, map.lean, slabHeights(map.range, map.ceiling, map.slab));
+    const auto covered = closed(held, 0.5, size, options.threads);
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      inside.values[i] &= covered.values[i];
+  }
+  map.field = freeDistance(map.blocked, inside, size, options.threads);
   if (options.method == RoomMethod::CeilingSlab) {
     BasinOptions basins;
     basins.persistence = options.persistence;
     basins.door = 0.5 * options.door_width;
     map.free_labels = basinsOfWidth(map.field, basins, size, options);
-    dropSmallRegions(map.free_labels, size, options);
+    dropNoRooms(occupancy, options, map.free_labels);
   }
   else {
     map.field_rooms = segmentFieldMap(space.interior, options.field_rooms);

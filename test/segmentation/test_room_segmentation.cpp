@@ -190,7 +190,6 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   using Set = std::function<void(Segmentation&)>;
   const std::vector<std::pair<const char*, Set>> table{
-      {"voxel size 0", [](auto& s) { s.setVoxelSize(0.0); }},
       {"voxel size -0.1", [](auto& s) { s.setVoxelSize(-0.1); }},
       {"voxel size NaN", [=](auto& s) { s.setVoxelSize(nan); }},
       {"voxel size infinite", [](auto& s) { s.setVoxelSize(infinity); }},
@@ -207,6 +206,9 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
       {"open share -0.1", [](auto& s) { s.setOpenShare(-0.1); }},
       {"open share 1.1", [](auto& s) { s.setOpenShare(1.1); }},
       {"open share NaN", [=](auto& s) { s.setOpenShare(nan); }},
+      {"metres per unit 0", [](auto& s) { s.setMetresPerUnit(0.0); }},
+      {"metres per unit NaN", [=](auto& s) { s.setMetresPerUnit(nan); }},
+      {"metres per unit infinite", [](auto& s) { s.setMetresPerUnit(infinity); }},
       {"up axis 0", [](auto& s) { s.setUpAxis(Eigen::Vector3f::Zero()); }},
       {"up axis NaN",
        [](auto& s) {
@@ -223,6 +225,7 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
     EXPECT_TRUE(labels.empty()) << what;
     segmentation.setOptions({}); // usable again
     segmentation.setUpAxis(Eigen::Vector3f::UnitZ());
+    segmentation.setMetresPerUnit(1.0);
     segmentation.segment(labels);
     EXPECT_EQ(roomCount(labels), 2u) << what;
   }
@@ -231,7 +234,8 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
 TEST(RoomSegmentation, DefaultsAreAsDocumented)
 {
   const Segmentation segmentation;
-  EXPECT_EQ(segmentation.getVoxelSize(), 0.1);
+  EXPECT_EQ(segmentation.getVoxelSize(), 0.0); // automatic
+  EXPECT_EQ(segmentation.getMetresPerUnit(), 1.0);
   EXPECT_EQ(segmentation.getMinRoomArea(), 0.5);
   EXPECT_EQ(segmentation.getMinRoomWidth(), 0.5);
   EXPECT_EQ(segmentation.getPersistence(), 0.5);

@@ -61,7 +61,7 @@ TEST(RoomSegmentationLayout, TheDoorIsAnOpening)
   const auto& opening = result.getOpenings()[0];
   EXPECT_EQ(opening.room_a, 1u);
   EXPECT_EQ(opening.room_b, 2u);
-  const double size = result.getVoxelSize();
+  const double size = result.getReport().voxel_size;
   const double spacing = 0.04; // of the points: the posts begin up to that much later
   EXPECT_NEAR(opening.position.x(), door.center().x(), size);
   EXPECT_NEAR(opening.position.y(), door.center().y(), spacing);
@@ -85,7 +85,7 @@ TEST(RoomSegmentationLayout, ARectangularRoomHasFourCorners)
       EXPECT_LT(corner.x(), room.upper.x() + 0.01);
       EXPECT_GT(corner.y(), room.lower.y() - 0.01);
       EXPECT_LT(corner.y(), room.upper.y() + 0.01);
-      EXPECT_NEAR(corner.z(), 0.0, result.getVoxelSize());
+      EXPECT_NEAR(corner.z(), 0.0, result.getReport().voxel_size);
     }
   }
 }

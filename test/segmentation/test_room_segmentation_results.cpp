@@ -68,7 +68,7 @@ TEST(RoomSegmentation, RoomsAreDescribedAsTheyAre)
   segmentation.segment(labels);
   const auto& rooms = segmentation.getRooms();
   ASSERT_EQ(rooms.size(), 2u);
-  const double size = segmentation.getVoxelSize();
+  const double size = segmentation.getReport().voxel_size;
   for (std::size_t r = 0; r < 2; ++r) {
     const auto& room = rooms[r];
     const double x0 = r == 0 ? 0.0 : 4.1, width = r == 0 ? 4.0 : 3.0;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <set>
 
 using namespace pcl::indoor::tool;
@@ -177,4 +178,107 @@ TEST_F(RoomResults, AnyAxisMayPointUp)
       << bytesOf(path("said"));
   EXPECT_EQ(readLabels(loadCloud(path("a.pcd")), "room"),
             readLabels(loadCloud(path("b.pcd")), "room"));
+}
+
+TEST_F(RoomResults, UnitsAreNamedAndTaken)
+{
+  const auto file = loadCloud(path("flat.pcd"));
+  pcl::PCLPointCloud2 bytes;
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (const auto& point : *file.points)
+    cloud.emplace_back(1000 * point.x, 1000 * point.y, 1000 * point.z);
+  pcl::toPCLPointCloud2(cloud, bytes);
+  saveCloud(path("mm.pcd"), bytes);
+  const auto out = " " + path("out.pcd") + " -json " + path("r.json");
+  ASSERT_EQ(run("pcl_room_segmentation", path("mm.pcd") + out), 0);
+  EXPECT_EQ(count(bytesOf(path("said")), "\n"), 1u) << bytesOf(path("said"));
+  EXPECT_EQ(count(bytesOf(path("said")), "-unit mm"), 1u);
+  const auto wrong = nlohmann::json::parse(bytesOf(path("r.json")));
+  EXPECT_EQ(wrong["warnings"].size(), 1u);
+
+  ASSERT_EQ(run("pcl_room_segmentation", path("flat.pcd") + out), 0);
+  const auto metres = nlohmann::json::parse(bytesOf(path("r.json")));
+  ASSERT_EQ(run("pcl_room_segmentation", path("mm.pcd") + out + " -unit mm"), 0);
+  EXPECT_EQ(bytesOf(path("said")), "");
+  const auto json = nlohmann::json::parse(bytesOf(path("r.json")));
+  EXPECT_EQ(json["unit"], "metre");
+  EXPECT_EQ(json["coordinate_unit"], "mm");
+  EXPECT_EQ(json["voxel_size"], 0.1);
+  EXPECT_LT(json["points_outside"], file.points->size() / 100); // beyond the windows
+  ASSERT_EQ(json["rooms"].size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    const auto& room = json["rooms"][i];
+    const auto& same = metres["rooms"][i];
+    EXPECT_NEAR(room["area"].get<double>(), same["area"].get<double>(), 0.01);
+    EXPECT_NEAR(room["box"]["upper"][0].get<double>(),
+                1000 * same["box"]["upper"][0].get<double>(),
+                1.0);
+  }
+}
+
+TEST_F(RoomResults, FarPointsAndAnotherFrameDoNotStopThePipeline)
+{
+  const auto file = loadCloud(path("flat.pcd"));
+  const auto save = [&](const std::string& name, double scale, bool lying, bool far) {
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    for (const auto& p : *file.points) {
+      const Eigen::Vector3f q = static_cast<float>(scale) * p.getVector3fMap();
+      if (lying) // up is y
+        cloud.emplace_back(q.x(), q.z(), -q.y());
+      else
+        cloud.emplace_back(q.x(), q.y(), q.z());
+    }
+    if (far)
+      for (const float value : {1e7f, 1e20f, std::numeric_limits<float>::max()})
+        cloud.emplace_back(value, 1.0f, -value);
+    pcl::PCLPointCloud2 bytes;
+    pcl::toPCLPointCloud2(cloud, bytes);
+    saveCloud(path(name), bytes);
+  };
+  const auto segmented = [&](const std::string& name, const std::string& options) {
+    EXPECT_EQ(run("pcl_indoor_pipeline", path(name) + " " + path("scene") + options), 0)
+        << bytesOf(path("said"));
+    EXPECT_EQ(bytesOf(path("said")), "");
+    return loadCloud(path("scene/cloud.pcd"));
+  };
+  save("flat_only.pcd", 1.0, false, false);
+  const auto plain = segmented("flat_only.pcd", "");
+  const auto rooms = readLabels(plain, "room"), objects = readLabels(plain, "object");
+  const std::size_t outside =
+      nlohmann::json::parse(bytesOf(path("scene/scene.json")))["points_outside"];
+  EXPECT_LT(outside, rooms.size() / 100); // seen through the windows
+  EXPECT_GT(*std::max_element(objects.begin(), objects.end()), 3u);
+
+  save("far.pcd", 1.0, false, true);
+  auto with_far = segmented("far.pcd", "");
+  auto far_rooms = readLabels(with_far, "room"),
+       far_objects = readLabels(with_far, "object");
+  const auto json = nlohmann::json::parse(bytesOf(path("scene/scene.json")));
+  EXPECT_EQ(json["points_outside"], outside + 3);
+  for (std::size_t i = rooms.size(); i < far_rooms.size(); ++i)
+    EXPECT_EQ(far_rooms[i] + far_objects[i], 0u);
+  far_rooms.resize(rooms.size());
+  far_objects.resize(rooms.size());
+  EXPECT_EQ(far_rooms, rooms);
+  EXPECT_EQ(far_objects, objects);
+
+  save("lying.pcd", 1.0, true, false);
+  EXPECT_EQ(readLabels(segmented("lying.pcd", " -up y"), "object"), objects);
+  save("cm.pcd", 100.0, false, false);
+  const auto other = segmented("cm.pcd", " -unit cm");
+  EXPECT_EQ(readLabels(other, "room"), rooms);
+}
+
+TEST_F(RoomResults, CoarseFloatsAreWarnedOf)
+{
+  const auto file = loadCloud(path("flat.pcd"));
+  pcl::PCLPointCloud2 bytes;
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (const auto& point : *file.points)
+    cloud.emplace_back(point.x, point.y + 5.8e6f, point.z);
+  pcl::toPCLPointCloud2(cloud, bytes);
+  saveCloud(path("utm.pcd"), bytes);
+  ASSERT_EQ(run("pcl_room_segmentation", path("utm.pcd") + " " + path("out.pcd")), 0);
+  EXPECT_EQ(count(bytesOf(path("said")), "\n"), 1u) << bytesOf(path("said"));
+  EXPECT_EQ(count(bytesOf(path("said")), "steps of 0.5 m"), 1u);
 }

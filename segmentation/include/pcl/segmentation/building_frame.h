@@ -10,28 +10,42 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
 
-/** \brief Turn and move the points of a cloud so that z points up and they lie near the
- * origin, as segmentBuilding() needs them.
- * No bit of a coordinate is lost where an axis of the cloud points up.
- * \param[in,out] points finite, metres
+/** \brief Turn, scale and move the points of a cloud so that z points up, their unit is
+ * the metre and they lie near the origin, as segmentBuilding() needs them.
+ * No bit of a coordinate is lost where an axis of the cloud points up and its unit is
+ * the metre. Points kilometres away do not change where the others come to lie.
+ * \param[in,out] points finite; beyond 10^6 km they come to lie there
  * \param[in] up_axis of any length but 0
- * \return turns and moves the building's frame back into the cloud's
+ * \param[in] metres_per_unit of the cloud (> 0)
+ * \return turns and moves the building's frame back into the cloud's, both in metres
  */
 Eigen::Isometry3d
 moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,
-                      const Eigen::Vector3f& up_axis);
+                      const Eigen::Vector3f& up_axis,
+                      double metres_per_unit = 1.0);
 
-/** \brief Bring rooms and openings into the frame of the cloud.
- * \param[in] boxes per room: around its points, in the cloud's frame (turned, the
- * building's boxes would be too large)
+/** \brief Take out what lies kilometres away from a building's points.
+ * \param[in,out] points in the building's frame
+ * \return where they were in \a points, ascending
+ */
+std::vector<std::size_t>
+takeOutFarPoints(std::vector<Eigen::Vector3f>& points);
+
+/** \brief Bring rooms and openings into the frame and the unit of the cloud; areas,
+ * heights, volumes and widths stay in metres.
+ * \param[in] metres_per_unit of the cloud (> 0)
+ * \param[in] boxes per room: around its points, in the cloud's frame and unit (turned,
+ * the building's boxes would be too large)
  */
 void
 placeInCloud(const Eigen::Isometry3d& pose,
+             double metres_per_unit,
              const std::vector<Eigen::AlignedBox3f>& boxes,
              std::vector<Room>& rooms,
              std::vector<RoomOpening>& openings);

@@ -15,20 +15,32 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
 
+constexpr double smallest_automatic_voxel = 0.1; ///< metres
+constexpr double largest_automatic_voxel = 0.4;  ///< metres: half as wide as a door
+
 /** \brief All parameters of the way from a building's points to its rooms. */
 struct BuildingRoomsOptions {
-  double voxel_size = 0.1; ///< side of a voxel and of a map pixel, metres (> 0)
+  double voxel_size = 0.0; ///< side of a voxel and of a map pixel, metres (>= 0); 0 =
+                           ///< automatic: 0.1, up to 0.4 where the points are so sparse
+                           ///< that their surfaces would have holes
   InteriorSpaceOptions interior;
   StoreyOptions storeys;
   RoomMapOptions map;
   WallSideOptions walls;
   int threads = 0; ///< of all stages, 0 = automatic; the result does not depend on it
 };
+
+/** \brief What is wrong with the options: one sentence with the value and the range.
+ * \return empty if all are in range
+ */
+std::string
+findInvalidOption(const BuildingRoomsOptions& options);
 
 /** \brief One room of a building. */
 struct Room {
@@ -62,7 +74,7 @@ using ProgressCallback = std::function<bool(double share, const char* stage)>;
 
 /** \brief The rooms of a building and every step on the way to them. */
 struct BuildingRooms {
-  OccupancyGrid occupancy;
+  OccupancyGrid occupancy; ///< its voxel size is the one that was used
   InteriorSpace interior;
   Storeys levels;               ///< heights of the storeys
   std::vector<RoomMap> storeys; ///< from below; each has its own labels 1 ... n
@@ -75,7 +87,8 @@ struct BuildingRooms {
 /** \brief Find the rooms of a building.
  * \param[in] points finite points near the origin, z up, metres
  * \param[in] progress called before each stage and at the end with 1; may be empty
- * \return nothing at all (no storeys, no labels) if \a progress returned false
+ * \return nothing at all (no storeys, no labels) if \a progress returned false or there
+ * are no points
  * \throws pcl::BadArgumentException if an option is out of range
  */
 BuildingRooms

@@ -24,7 +24,8 @@ struct InteriorSpaceOptions {
   double smoothness = 0.6;        ///< E_{v,u} of Eq. (3.2) where labels differ (>= 0)
   std::size_t max_directions = 4; ///< of enclosure, the best supported ones
   double min_direction_support = 0.02; ///< see HorizontalDirection
-  int threads = 0;                     ///< 0 = automatic
+  double max_lean = 0.5; ///< of a wall, radians from the vertical; farther it is a roof
+  int threads = 0;       ///< 0 = automatic
 };
 
 /** \brief The interior free space of a building, on coarser voxels than the map's. */

@@ -13,6 +13,8 @@
 #include <pcl/segmentation/voxel_grid.h>
 #include <pcl/segmentation/wall_sides.h>
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <vector>
 
@@ -38,6 +40,7 @@ struct RoomMapOptions {
   double min_width = 0.5;    ///< narrower spaces are no rooms, metres
   double min_area = 0.5;     ///< smaller spaces are no rooms, m^2
   double reach = 0.6; ///< how far a room's label is carried into its walls, metres
+  int threads = 0;    ///< 0 = automatic
 };
 
 /** \brief The map of one storey and every step on the way to it. */
@@ -47,6 +50,7 @@ struct RoomMap {
   PixelMap<int> ceiling;              ///< layer of the ceiling, -1 = none
   SlabLayers slab;                    ///< where the walls were looked for
   PixelMap<std::uint8_t> blocked;     ///< 1 = wall or lintel below the ceiling
+  PixelMap<Eigen::Vector2f> lean;     ///< see leanMap(); empty if all walls are upright
   PixelMap<float> field;              ///< distance to the next wall, metres; 0 = wall
   PixelMap<std::int32_t> free_labels; ///< room of each free pixel, 1 ... n; 0 = none
   PixelMap<std::int32_t> labels;      ///< the same, carried into the walls

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/scan_warnings.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/PointIndices.h>
@@ -13,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl {
@@ -37,7 +39,9 @@ public:
 
   /** \brief Set the side of a voxel, which is also that of a map pixel.
    * Smaller voxels separate rooms by thinner walls; sparse clouds need larger ones.
-   * \param[in] voxel_size metres, greater than 0 (default 0.1)
+   * \param[in] voxel_size metres, at least 0; 0 = automatic: 0.1, up to 0.4 where the
+   * points are so sparse that their surfaces would have holes (default 0); the size
+   * that was used is in getReport()
    */
   void
   setVoxelSize(double voxel_size)
@@ -173,6 +177,22 @@ public:
     return up_axis_;
   }
 
+  /** \brief Set the unit of the cloud. Positions of the results are in it; lengths,
+   * areas and volumes of the results and of all parameters are in metres. \param[in]
+   * metres greater than 0, for example 0.001 for millimetres (default 1)
+   */
+  void
+  setMetresPerUnit(double metres)
+  {
+    metres_per_unit_ = metres;
+  }
+
+  double
+  getMetresPerUnit() const
+  {
+    return metres_per_unit_;
+  }
+
   /** \brief Set whom segment() tells how far it is.
    * \param[in] callback given the share of the work, rising from 0 to 1, and the stage
    * that begins; if it returns false, segment() stops, prints nothing and leaves empty
@@ -211,6 +231,15 @@ public:
   void
   segment(std::vector<PointIndices>& rooms);
 
+  /** \brief The voxel size that the last run used, which points it left out, and its
+   * warnings, which were printed, too: an unlikely unit or up axis, coordinates too
+   * coarse for the voxels, many points left out. */
+  const indoor::ScanReport&
+  getReport() const
+  {
+    return report_;
+  }
+
   /** \brief The rooms of the last run, by label, in the frame of the input cloud. */
   const std::vector<indoor::Room>&
   getRooms() const
@@ -233,7 +262,7 @@ public:
     return building_;
   }
 
-  /** \brief Brings the building's frame into that of the cloud, metres. */
+  /** \brief Brings the building's frame into that of the cloud, both in metres. */
   const Eigen::Isometry3d&
   getBuildingPose() const
   {
@@ -249,9 +278,25 @@ protected:
   initCompute();
 
 private:
+  /** \brief Note and print what is wrong; empty lines are nothing. */
+  void
+  warn(const std::string& line);
+
+  /** \brief The usable points in the building's frame; what is amiss is said.
+   * \param[out] indices of these points in the cloud
+   */
+  std::vector<Eigen::Vector3f>
+  pointsOfBuilding(IndicesConstPtr& indices);
+
+  /** \brief Report what the segmentation has shown of its points. */
+  void
+  describeInput(const Indices& indices);
+
   indoor::BuildingRoomsOptions options_;
   Eigen::Vector3f up_axis_ = Eigen::Vector3f::UnitZ();
+  double metres_per_unit_ = 1.0;
   indoor::ProgressCallback progress_;
+  indoor::ScanReport report_;
   indoor::BuildingRooms building_;
   std::vector<indoor::Room> rooms_;
   std::vector<indoor::RoomOpening> openings_;

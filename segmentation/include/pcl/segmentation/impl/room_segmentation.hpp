@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace pcl {
 
@@ -42,26 +44,80 @@ RoomSegmentation<PointT>::initCompute()
               static_cast<std::size_t>(input_->size()));
     return false;
   }
-  const indoor::RoomMapOptions& map = options_.map;
-  if (!(options_.voxel_size > 0 && std::isfinite(options_.voxel_size)))
-    return refuse("The voxel size must be positive", options_.voxel_size, " m");
-  if (!(map.min_area >= 0))
-    return refuse("The smallest room area must not be negative", map.min_area, " m^2");
-  if (!(map.min_width >= 0))
-    return refuse("The smallest room width must not be negative", map.min_width, " m");
-  if (!(map.persistence >= 0 && map.persistence <= 1))
-    return refuse("The persistence must lie in 0 ... 1", map.persistence, "");
-  if (!(map.merging.open_share >= 0 && map.merging.open_share <= 1))
-    return refuse("The open share must lie in 0 ... 1", map.merging.open_share, "");
-  if (!(map.open_plan.habitable_area >= 0))
-    return refuse("The habitable area must not be negative",
-                  map.open_plan.habitable_area,
-                  " m^2");
+  const std::string problem = indoor::findInvalidOption(options_);
+  if (!problem.empty()) {
+    PCL_ERROR("[pcl::RoomSegmentation::initCompute] %s\n", problem.c_str());
+    return false;
+  }
   if (!(up_axis_.allFinite() && up_axis_.squaredNorm() > 0.0f))
     return refuse("The length of the up axis must be positive", up_axis_.norm(), "");
-  if (options_.threads < 0)
-    return refuse("The number of threads must not be negative", options_.threads, "");
+  if (!(metres_per_unit_ > 0 && std::isfinite(metres_per_unit_)))
+    return refuse("The metres per unit must be positive", metres_per_unit_, " m");
   return true;
+}
+
+template <typename PointT>
+void
+RoomSegmentation<PointT>::warn(const std::string& line)
+{
+  if (line.empty())
+    return;
+  report_.warnings.push_back(line);
+  PCL_WARN("[pcl::RoomSegmentation::segment] %s\n", line.c_str());
+}
+
+template <typename PointT>
+std::vector<Eigen::Vector3f>
+RoomSegmentation<PointT>::pointsOfBuilding(IndicesConstPtr& indices)
+{
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(indices_->size());
+  indices = indices_;
+  for (const auto index : *indices_)
+    if (isFinite((*input_)[index]))
+      points.push_back((*input_)[index].getVector3fMap());
+  if (points.empty())
+    return points;
+  pose_ = indoor::moveIntoBuildingFrame(points, up_axis_, metres_per_unit_);
+  const auto signs = indoor::scanSigns(points);
+  warn(indoor::unitWarning(signs, metres_per_unit_));
+  warn(indoor::axisWarning(signs, pose_.linear()));
+  const double farthest =
+      pose_.translation().template lpNorm<Eigen::Infinity>() / metres_per_unit_;
+  warn(indoor::stepWarning(indoor::floatStep(farthest) * metres_per_unit_,
+                           options_.voxel_size));
+  const auto far = indoor::takeOutFarPoints(points);
+  if (points.size() == indices_->size())
+    return points;
+  const auto used = pcl::make_shared<Indices>();
+  used->reserve(points.size());
+  auto next = far.begin();
+  std::size_t finite = 0;
+  for (const auto index : *indices_) {
+    if (!isFinite((*input_)[index]))
+      continue;
+    const bool is_far = next != far.end() && *next == finite++;
+    (is_far ? report_.outside : *used).push_back(index);
+    next += is_far;
+  }
+  indices = used;
+  return points;
+}
+
+template <typename PointT>
+void
+RoomSegmentation<PointT>::describeInput(const Indices& indices)
+{
+  report_.voxel_size = building_.occupancy.grid.voxel_size;
+  const std::size_t all = indices.size() + report_.outside.size();
+  for (std::size_t i = 0; i < building_.occupancy.cells.size(); ++i)
+    if (building_.occupancy.cells[i] < 0)
+      report_.outside.push_back(indices[i]);
+  std::sort(report_.outside.begin(), report_.outside.end());
+  if (!report_.warnings.empty())
+    return; // it would be no wonder then
+  warn(indoor::feetWarning(building_.rooms, building_.openings, metres_per_unit_));
+  warn(indoor::outsideWarning(report_.outside.size(), all));
 }
 
 template <typename PointT>
@@ -69,18 +125,16 @@ void
 RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
 {
   labels.clear();
+  report_ = indoor::ScanReport();
   building_ = indoor::BuildingRooms();
   rooms_.clear();
   openings_.clear();
   if (!initCompute())
     return;
 
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(indices_->size());
-  for (const auto index : *indices_)
-    if (isFinite((*input_)[index]))
-      points.push_back((*input_)[index].getVector3fMap());
-  if (points.empty()) {
+  IndicesConstPtr indices; // of the points
+  const auto points = pointsOfBuilding(indices);
+  if (points.empty() && report_.outside.empty()) {
     PCL_ERROR("[pcl::RoomSegmentation::segment] No point is finite.\n");
     this->deinitCompute();
     return;
@@ -90,7 +144,6 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     goes_on = !progress_ || progress_(share, stage);
     return goes_on;
   };
-  pose_ = indoor::moveIntoBuildingFrame(points, up_axis_);
   try {
     building_ = indoor::segmentBuilding(points, options_, progress);
   } catch (const BadArgumentException& error) { // such as far too many voxels
@@ -99,18 +152,18 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     return;
   }
   if (goes_on) {
+    describeInput(*indices);
     rooms_ = building_.rooms;
     openings_ = building_.openings;
     std::vector<Eigen::AlignedBox3f> boxes(rooms_.size());
     labels.assign(input_->size(), 0);
-    auto label = building_.point_labels.begin();
-    for (const auto index : *indices_)
-      if (isFinite((*input_)[index])) {
-        labels[index] = *label++;
-        if (labels[index] > 0)
-          boxes[labels[index] - 1].extend((*input_)[index].getVector3fMap());
-      }
-    indoor::placeInCloud(pose_, boxes, rooms_, openings_);
+    for (std::size_t i = 0; i < indices->size(); ++i) {
+      const auto index = (*indices)[i];
+      labels[index] = building_.point_labels[i];
+      if (labels[index] > 0)
+        boxes[labels[index] - 1].extend((*input_)[index].getVector3fMap());
+    }
+    indoor::placeInCloud(pose_, metres_per_unit_, boxes, rooms_, openings_);
   }
   this->deinitCompute();
 }

@@ -1,0 +1,142 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/scan_warnings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+constexpr double foot = 0.3048;
+
+struct Unit {
+  double metres;
+  const char* text; ///< of these
+  const char* name;
+  const char* option;
+};
+
+constexpr Unit units[] = {{1.0, "1", "metres", "m"},
+                          {foot, "0.3048", "feet", "ft"},
+                          {0.0254, "0.0254", "inches", "in"},
+                          {0.01, "0.01", "centimetres", "cm"},
+                          {0.001, "0.001", "millimetres", "mm"}};
+
+std::string
+unitLine(double metres, double height)
+{
+  std::ostringstream line;
+  for (const Unit& unit : units)
+    if (unit.metres == metres)
+      line << "The scan is probably in " << unit.name << ": its rooms seem to be "
+           << (height < 10.0 ? 0.1 * std::round(10.0 * height) : std::round(height))
+           << " m high; set " << unit.text << " metres per unit (-unit " << unit.option
+           << ").";
+  return line.str();
+}
+
+/** Both ends belong to it. */
+bool
+isBetween(double low, double value, double high)
+{
+  return low <= value && value <= high;
+}
+
+} // namespace
+
+std::string
+unitWarning(const ScanSigns& signs, double metres_per_unit)
+{
+  // No room is higher than the lowest is in inches; nor lower than a table's legs.
+  constexpr double highest = 50.0, lowest = 0.1; // metres
+  const double height = signs.free_length[signs.uprightAxis()];
+  if (!(height > 0.0) || isBetween(lowest, height, highest))
+    return {};
+  const double likely = likelyMetresPerUnit(height / metres_per_unit);
+  return likely == metres_per_unit ? std::string() : unitLine(likely, height);
+}
+
+std::string
+feetWarning(const std::vector<Room>& rooms,
+            const std::vector<RoomOpening>& openings,
+            double metres_per_unit)
+{
+  // What people build: rooms of 2 to 3.5 m with doors of 1.8 to 2.5 m. In feet taken
+  // for metres, furniture is taken for storeys in parts, so not all rooms will fit.
+  const auto is_room = [](double height) { return isBetween(2.0, height, 3.5); };
+  const auto is_door = [](double height) { return isBetween(1.8, height, 2.5); };
+  constexpr int several = 5; // more than the aisles of a church
+  double area = 0.0, fitting = 0.0, height = 0.0;
+  int high_rooms = 0, high_doors = 0, doors = 0;
+  for (const Room& room : rooms) {
+    area += room.area;
+    if (!is_room(foot * room.height))
+      continue;
+    ++high_rooms;
+    fitting += room.area;
+    height += room.area * room.height;
+  }
+  for (const RoomOpening& opening : openings) {
+    high_doors += is_door(foot * opening.area / opening.width);
+    doors += is_door(opening.area / opening.width);
+  }
+  const bool in_feet = high_rooms >= several && 3.0 * fitting > 2.0 * area &&
+                       high_doors >= several && high_doors > 2 * doors;
+  return in_feet && metres_per_unit == 1.0 ? unitLine(foot, height / fitting)
+                                           : std::string();
+}
+
+std::string
+axisWarning(const ScanSigns& signs, const Eigen::Matrix3d& turn)
+{
+  const int upright = signs.uprightAxis();
+  if (upright == 2)
+    return {};
+  int axis = 0; // of the cloud
+  turn.col(upright).cwiseAbs().maxCoeff(&axis);
+  const std::string name(1, static_cast<char>('x' + axis));
+  return "The scan probably lies on its side: floors and ceilings seem to lie across "
+         "its " +
+         name + " axis; set that as up axis (-up " + name + ", or -up -" + name +
+         " if the floors come out on top).";
+}
+
+double
+floatStep(double value)
+{
+  const auto size = static_cast<float>(std::abs(value));
+  return std::nextafter(size, std::numeric_limits<float>::infinity()) - size;
+}
+
+std::string
+stepWarning(double step, double voxel_size)
+{
+  const double size = voxel_size > 0.0 ? voxel_size : smallest_automatic_voxel;
+  if (!(step > size))
+    return {};
+  std::ostringstream line;
+  line << "The coordinates are stored in steps of " << step
+       << " m, coarser than voxels of " << size
+       << " m: write the cloud with double coordinates, or subtract an offset before "
+          "they become floats.";
+  return line.str();
+}
+
+std::string
+outsideWarning(std::size_t outside, std::size_t all)
+{
+  if (10 * outside < all || all == 0)
+    return {};
+  return std::to_string(outside) + " of " + std::to_string(all) +
+         " points lie beyond the extent of the building and get no room.";
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,155 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/building_rooms.h>
+
+#include <pcl/exceptions.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace pcl::indoor;
+
+namespace {
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void
+expectRefused(const BuildingRoomsOptions& options, const char* what, double value)
+{
+  EXPECT_NE(findInvalidOption(options), "") << what << ' ' << value;
+  EXPECT_THROW(segmentBuilding({{1, 1, 1}}, options), pcl::BadArgumentException)
+      << what << ' ' << value;
+}
+
+/** A field takes its legal values and refuses NaN and the others. */
+template <typename Field>
+void
+check(const char* what,
+      const Field& field,
+      const std::vector<double>& legal,
+      std::vector<double> illegal)
+{
+  using Value =
+      std::remove_reference_t<decltype(field(std::declval<BuildingRoomsOptions&>()))>;
+  if (std::is_floating_point_v<Value>)
+    illegal.push_back(nan_value);
+  for (const double value : legal) {
+    BuildingRoomsOptions options;
+    field(options) = static_cast<Value>(value);
+    EXPECT_EQ(findInvalidOption(options), "") << what << ' ' << value;
+  }
+  for (const double value : illegal) {
+    BuildingRoomsOptions options;
+    field(options) = static_cast<Value>(value);
+    expectRefused(options, what, value);
+  }
+}
+
+const std::vector<double> bad_length = {-0.1, 1001, infinity};
+const std::vector<double> bad_positive = {0, -0.1, 1001, infinity};
+const std::vector<double> bad_share = {-0.1, 1.1};
+const std::vector<double> bad_area = {-0.1};
+const std::vector<double> bad_weight = {-0.1, infinity};
+
+} // namespace
+
+#define CHECK_FIELD(FIELD, LEGAL, ILLEGAL)                                             \
+  check(                                                                               \
+      #FIELD,                                                                          \
+      [](BuildingRoomsOptions & o) -> auto& { return o.FIELD; },                       \
+      LEGAL,                                                                           \
+      ILLEGAL)
+
+TEST(BuildingRoomsOptions, DefaultsAreLegal) { EXPECT_EQ(findInvalidOption({}), ""); }
+
+TEST(BuildingRoomsOptions, TheComplaintNamesValueAndRange)
+{
+  BuildingRoomsOptions options;
+  options.map.slab.gap = -0.5;
+  EXPECT_EQ(findInvalidOption(options),
+            "The gap below the ceiling must lie in 0 ... 1000 m, not -0.5 m.");
+  options.voxel_size = nan_value;
+  EXPECT_EQ(findInvalidOption(options),
+            "The voxel size must lie in 0 ... 1000 m, not nan m.");
+}
+
+TEST(BuildingRoomsOptions, FieldsOfBuildingAndInterior)
+{
+  using V = std::vector<double>;
+  CHECK_FIELD(voxel_size, (V{0, 0.1}), bad_length);
+  CHECK_FIELD(threads, (V{0, 8}), V{-1});
+  CHECK_FIELD(interior.voxel_size, V{0.2}, bad_positive);
+  CHECK_FIELD(interior.weights.below, (V{0, 3}), bad_weight);
+  CHECK_FIELD(interior.weights.above, (V{0, 3}), bad_weight);
+  CHECK_FIELD(interior.weights.vertical, (V{0, 3}), bad_weight);
+  CHECK_FIELD(interior.weights.horizontal, (V{0, 3}), bad_weight);
+  CHECK_FIELD(interior.weights.exterior, (V{0, 3}), bad_weight);
+  CHECK_FIELD(interior.smoothness, (V{0, 3}), bad_weight);
+  CHECK_FIELD(interior.max_directions, (V{0, 6}), V{7});
+  CHECK_FIELD(interior.min_direction_support, (V{0, 1}), bad_share);
+}
+
+TEST(BuildingRoomsOptions, FieldsOfStoreysAndWalls)
+{
+  using V = std::vector<double>;
+  CHECK_FIELD(storeys.min_clearance, V{1}, bad_positive);
+  CHECK_FIELD(storeys.max_slab, (V{0, 1}), bad_length);
+  CHECK_FIELD(storeys.min_slab_area, (V{1, infinity}), (V{0, -1}));
+  CHECK_FIELD(storeys.bridge, (V{0, 1}), bad_length);
+  CHECK_FIELD(storeys.min_opening_area, (V{0, infinity}), bad_area);
+  CHECK_FIELD(walls.window, V{1}, bad_positive);
+  CHECK_FIELD(walls.max_thickness, (V{0, 1}), bad_length);
+  CHECK_FIELD(walls.reach, (V{0, 1}), bad_length);
+  CHECK_FIELD(walls.min_points, (V{0, 100}), V{}); // any number
+  CHECK_FIELD(walls.threads, V{3}, V{});           // that of the building is taken
+}
+
+TEST(BuildingRoomsOptions, FieldsOfTheMap)
+{
+  using V = std::vector<double>;
+  CHECK_FIELD(map.slab.window, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.slab.step, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.slab.level_share, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.slab.min_height, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.slab.gap, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.slab.max_gap, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.slab.min_wall, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.slab.depth, V{1}, bad_positive);
+  CHECK_FIELD(map.persistence, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.merging.open_share, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.door_width, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.merging.door_width, (V{0, 1}), V{}); // that of the map is taken
+  CHECK_FIELD(map.merging.door_share, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.open_plan.min_wall_share, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.threads, V{3}, V{}); // that of the building is taken
+  CHECK_FIELD(map.merging.open_height, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.open_plan.habitable_area, (V{0, infinity}), bad_area);
+  CHECK_FIELD(map.open_plan.max_elongation, (V{0, infinity}), bad_area);
+  CHECK_FIELD(map.open_plan.persistence, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.open_plan.max_shared_view, (V{0, 1}), bad_share);
+  CHECK_FIELD(map.min_width, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.min_area, (V{0, infinity}), bad_area);
+  CHECK_FIELD(map.reach, (V{0, 1}), bad_length);
+}
+
+TEST(BuildingRoomsOptions, FieldsOfThePotentialField)
+{
+  using V = std::vector<double>;
+  CHECK_FIELD(map.field_rooms.distance.visibility_weight, (V{0, 70}), bad_weight);
+  CHECK_FIELD(map.field_rooms.distance.euclidean_weight, (V{0, 70}), bad_weight);
+  CHECK_FIELD(map.field_rooms.distance.field_weight, (V{0, 70}), bad_weight);
+  CHECK_FIELD(map.field_rooms.distance.euclidean_scale, (V{0, 70}), bad_weight);
+  CHECK_FIELD(map.field_rooms.peaks.bins, (V{1, 64}), (V{0, -1}));
+  CHECK_FIELD(map.field_rooms.peaks.smoothing, (V{0, 1}), V{-1});
+  CHECK_FIELD(map.field_rooms.peaks.prominence, (V{0, 1}), bad_area);
+  CHECK_FIELD(map.field_rooms.dbscan_distance, (V{0, 25}), bad_weight);
+  CHECK_FIELD(map.field_rooms.min_cluster_area, V{2}, (V{0, -1, infinity}));
+  CHECK_FIELD(map.field_rooms.sample_area, V{2}, (V{0, -1, infinity}));
+  CHECK_FIELD(map.field_rooms.landmark_spacing, V{1}, bad_positive);
+  CHECK_FIELD(map.field_rooms.beta, (V{0, 100}), bad_weight);
+}

@@ -1,0 +1,208 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+// What may be wrong with the cloud: its unit, its up axis, far points, sparse points.
+#include "support/room_labels.h"
+
+#include <pcl/console/print.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace pcl::indoor::test;
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
+using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
+
+class QuietInput : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  }
+
+  void
+  TearDown() override
+  {
+    pcl::console::setVerbosityLevel(pcl::console::L_INFO);
+  }
+};
+
+Segmentation
+segmentation(const Points& points, Labels& labels, double metres_per_unit = 1.0)
+{
+  Segmentation result;
+  result.setInputCloud(cloudOf(points));
+  result.setMetresPerUnit(metres_per_unit);
+  result.segment(labels);
+  return result;
+}
+
+Points
+scaled(const Points& points, double factor)
+{
+  Points result;
+  for (const auto& point : points)
+    result.push_back((point.cast<double>() * factor).cast<float>());
+  return result;
+}
+
+std::size_t
+differing(const Labels& a, const Labels& b)
+{
+  std::size_t count = a.size() != b.size();
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    count += a[i] != b[i];
+  return count;
+}
+
+} // namespace
+
+TEST_F(QuietInput, OtherUnitsGiveTheSameRooms)
+{
+  const auto points = bentCorridorWithThreeRooms().points;
+  Labels labels;
+  const auto expected = segmentation(points, labels);
+  EXPECT_TRUE(expected.getReport().warnings.empty());
+  for (const double unit : {0.001, 0.01, 0.0254, 0.3048}) {
+    const auto other = scaled(points, 1.0 / unit);
+    Labels others;
+    const auto result = segmentation(other, others, unit);
+    EXPECT_TRUE(result.getReport().warnings.empty()) << unit;
+    // rounding may carry a point on the border of two voxels over it
+    EXPECT_LE(differing(others, labels), points.size() / 10000) << unit;
+    ASSERT_EQ(result.getRooms().size(), expected.getRooms().size()) << unit;
+    for (std::size_t i = 0; i < result.getRooms().size(); ++i) {
+      const auto& room = result.getRooms()[i];
+      const auto& same = expected.getRooms()[i];
+      EXPECT_NEAR(room.area, same.area, 0.01);
+      EXPECT_NEAR(room.height, same.height, 0.01);
+      EXPECT_LT((room.lower * unit - same.lower).norm(), 0.01);
+      EXPECT_LT((room.centroid * unit - same.centroid).norm(), 0.01);
+      EXPECT_LT((room.footprint[0][0] * unit - same.footprint[0][0]).norm(), 0.15);
+    }
+    ASSERT_EQ(result.getOpenings().size(), expected.getOpenings().size());
+    for (std::size_t i = 0; i < result.getOpenings().size(); ++i) {
+      const auto& opening = result.getOpenings()[i];
+      const auto& same = expected.getOpenings()[i];
+      EXPECT_LT((opening.position * unit - same.position).norm(), 0.15);
+      EXPECT_NEAR(opening.width, same.width, 0.05);
+    }
+  }
+}
+
+TEST_F(QuietInput, AWrongUnitIsWarnedOfOnce)
+{
+  const auto points = bentCorridorWithThreeRooms().points;
+  const std::pair<double, const char*> units[] = {{0.001, "-unit mm"},
+                                                  {0.0254, "-unit in"}};
+  for (const auto& [unit, option] : units) {
+    Labels labels;
+    const auto report = segmentation(scaled(points, 1.0 / unit), labels).getReport();
+    ASSERT_EQ(report.warnings.size(), 1u) << option;
+    EXPECT_NE(report.warnings[0].find(option), std::string::npos) << report.warnings[0];
+  }
+}
+
+TEST_F(QuietInput, AScanOnItsSideIsWarnedOfOnce)
+{
+  const auto points = bentCorridorWithThreeRooms().points;
+  Points lying;
+  for (const auto& point : points)
+    lying.emplace_back(point.x(), point.z(), -point.y());
+  Labels labels;
+  const auto report = segmentation(lying, labels).getReport();
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_NE(report.warnings[0].find("-up y"), std::string::npos);
+}
+
+TEST_F(QuietInput, FarPointsChangeNothingAndGetNoRoom)
+{
+  const auto points = twoRooms().points;
+  Labels expected;
+  segmentation(points, expected);
+  constexpr float most = std::numeric_limits<float>::max();
+  for (const float far : {5e3f, 1e7f, -1e20f, most, -most})
+    for (const int count : {1, 10}) {
+      auto with = points;
+      for (int i = 0; i < count; ++i) {
+        Eigen::Vector3f point(1, 1, 1);
+        point[i % 3] = far;
+        with.insert(with.begin() + 7 * i, point);
+      }
+      Labels labels;
+      const auto result = segmentation(with, labels);
+      EXPECT_TRUE(result.getReport().warnings.empty()) << far;
+      ASSERT_EQ(result.getReport().outside.size(), static_cast<std::size_t>(count));
+      for (int i = count - 1; i >= 0; --i) {
+        EXPECT_EQ(result.getReport().outside[i], 7 * i);
+        EXPECT_EQ(labels[7 * i], 0u);
+        labels.erase(labels.begin() + 7 * i);
+      }
+      EXPECT_EQ(labels, expected) << far << ' ' << count;
+    }
+}
+
+TEST_F(QuietInput, FarPointsDoNotStopTheCore)
+{
+  auto points = twoRooms().points;
+  const auto expected = pcl::indoor::segmentBuilding(points).point_labels;
+  for (const float far : {1e7f, 1e20f, std::numeric_limits<float>::max()})
+    points.emplace_back(far, -far, far);
+  auto labels = pcl::indoor::segmentBuilding(points).point_labels;
+  ASSERT_EQ(labels.size(), expected.size() + 3);
+  labels.resize(expected.size());
+  EXPECT_EQ(labels, expected);
+}
+
+TEST_F(QuietInput, TinyNumbersAreOrdinary)
+{
+  auto points = twoRooms().points;
+  points.emplace_back(1e-40f, -1e-42f, 1e-45f);
+  Labels labels;
+  const auto result = segmentation(points, labels);
+  EXPECT_TRUE(result.getReport().outside.empty());
+  EXPECT_EQ(roomCount(labels), 2u);
+}
+
+TEST_F(QuietInput, PointsWithNothingNearThemAreAllLeftOut)
+{
+  Labels labels;
+  const auto result = segmentation({{1e6f, 0, 0}, {0, 1e6f, 0}, {0, 0, 1e6f}}, labels);
+  EXPECT_EQ(labels, (Labels{0, 0, 0}));
+}
+
+TEST_F(QuietInput, CoarseCoordinatesAreWarnedOf)
+{
+  auto points = twoRooms().points;
+  for (auto& point : points)
+    point.y() += 5.8e6f; // a northing
+  Labels labels;
+  const auto report = segmentation(points, labels).getReport();
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_NE(report.warnings[0].find("steps of 0.5 m"), std::string::npos);
+}
+
+TEST_F(QuietInput, VoxelsFollowSparsePoints)
+{
+  const auto scene = twoRooms(0.005f, 0.05f);
+  Labels labels;
+  EXPECT_EQ(segmentation(scene.points, labels).getReport().voxel_size, 0.1);
+  const auto sparse = twoRooms(0.005f, 0.16f);
+  const auto automatic = segmentation(sparse.points, labels);
+  EXPECT_GT(automatic.getReport().voxel_size, 0.1);
+  EXPECT_LE(automatic.getReport().voxel_size, 0.2);
+  EXPECT_EQ(roomCount(labels), 2u);
+  Segmentation fixed; // a value that is given holds
+  fixed.setVoxelSize(0.1);
+  fixed.setInputCloud(cloudOf(sparse.points));
+  fixed.segment(labels);
+  EXPECT_EQ(fixed.getReport().voxel_size, 0.1);
+  EXPECT_NE(roomCount(labels), 2u);
+}
