@@ -144,6 +144,7 @@ checkMap(const RoomMapOptions& map, Check& check)
   check.share("persistence", map.persistence);
   check.length("width of a door", map.door_width);
   check.share("open share", map.merging.open_share);
+  check.length("width of a door", map.merging.door_width);
   check.share("open share of a door", map.merging.door_share);
   check.share("open height", map.merging.open_height);
   check.area("habitable area", map.open_plan.habitable_area);

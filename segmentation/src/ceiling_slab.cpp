@@ -79,10 +79,10 @@ reachesUpTo(int ceiling, const VoxelGrid<std::uint8_t>& occupancy, int x, int y,
           return true;
     return false;
   };
-  for (++z; z < ceiling; ++z)
-    if (!isOccupiedAround(z))
-      return false;
-  return true;
+  int gap = 0; // a single layer may be free where points are sparse
+  for (++z; z < ceiling && gap < 2; ++z)
+    gap = isOccupiedAround(z) ? 0 : gap + 1;
+  return gap < 2;
 }
 
 /** Whether the ceiling beside a pixel is more than a voxel higher: there a column is no

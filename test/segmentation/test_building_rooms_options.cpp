@@ -123,7 +123,7 @@ TEST(BuildingRoomsOptions, FieldsOfTheMap)
   CHECK_FIELD(map.persistence, (V{0, 1}), bad_share);
   CHECK_FIELD(map.merging.open_share, (V{0, 1}), bad_share);
   CHECK_FIELD(map.door_width, (V{0, 1}), bad_length);
-  CHECK_FIELD(map.merging.door_width, (V{0, 1}), V{}); // that of the map is taken
+  CHECK_FIELD(map.merging.door_width, (V{0, 1}), bad_length);
   CHECK_FIELD(map.merging.door_share, (V{0, 1}), bad_share);
   CHECK_FIELD(map.open_plan.min_wall_share, (V{0, 1}), bad_share);
   CHECK_FIELD(map.threads, V{3}, V{}); // that of the building is taken

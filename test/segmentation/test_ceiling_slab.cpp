@@ -252,12 +252,14 @@ TEST(BlockedColumns, EqualsBruteForce)
           const int below = ceiling.at(x, y) - z;
           bool blocks = ceiling.at(x, y) >= 0 && below >= slab.first &&
                         below <= slab.last && grid.at(x, y, z);
+          bool was_free = false;
           for (int w = z + 1; w < ceiling.at(x, y); ++w) {
             bool any = false;
             for (int u = x - 1; u <= x + 1; ++u)
               for (int v = y - 1; v <= y + 1; ++v)
                 any = any || (grid.shape.contains(u, v, w) && grid.at(u, v, w));
-            blocks = blocks && any;
+            blocks = blocks && (any || !was_free);
+            was_free = !any;
           }
           expected = expected || blocks;
         }
