@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include "grid_bricks.h"
+
 #include <pcl/segmentation/voxel_grid.h>
 
 #include <array>
@@ -14,12 +16,16 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Maximum flow between two search trees (Boykov and Kolmogorov 2004) on a
- * 6-connected grid that is never stored as a graph.
+/** \brief Maximum flow on a 6-connected grid, in phases in which all excess moves at once.
  *
- * All edges of the grid have the same capacity to and fro, K. Thus the residuals of an
- * edge sum up to 2 K, each voxel knows both of them from its own, and a neighbour is
- * read only if there is something to do.
+ * A voxel that would rather be inside begins with excess, one that would rather be
+ * outside with a deficit. Each phase takes the side with fewer voxels as goals, measures
+ * the distance of all others to the nearest goal, 64 voxels at a time, and lets the other
+ * side flow downhill, farthest first: what meets goes on together. A measurement ends
+ * when it has found more than the goals can take.
+ *
+ * All edges have the same capacity to and fro, thus one number per edge says how much
+ * fits through it in both directions.
  */
 class GridCutSolver {
 public:
@@ -31,90 +37,72 @@ public:
   std::int64_t
   run();
 
-  /** \brief Whether a voxel is reachable from the source after run(). */
-  bool
-  inside(std::size_t voxel) const
-  {
-    return nodes_[voxel].tree == SOURCE;
-  }
+  /** \brief After run(), the voxels that can be reached from excess: the fewest that
+   * can be inside.
+   */
+  std::vector<std::uint8_t>
+  inside() const;
 
 private:
-  using Index = std::uint32_t;
-  static constexpr Index none = ~Index{0};
-  enum Tree : std::uint8_t { FREE, SOURCE, SINK };
-  // A node's parent is one of its six directions or one of these.
-  static constexpr std::uint8_t terminal = 6;
-  static constexpr std::uint8_t orphan = 7;
+  using Index = GridBricks::Index;
+  using Bits = GridBricks::Bits;
 
-  struct Node {
-    std::int32_t excess;   // residual of the edge from the source, or minus to the sink
-    std::int32_t stamp;    // when distance was valid
-    std::int32_t distance; // to the terminal, along the tree
-    Index next;            // in the queue of active nodes; itself if last
-    std::int16_t residual[6]; // towards the neighbours
-    std::uint8_t links;       // bit d: there is a neighbour in direction d
-    std::uint8_t parent;
-    Tree tree;
+  /** \brief What flows: excess along the flow, or deficits against it. */
+  enum Side : std::uint8_t { EXCESS, DEFICIT };
+
+  /** \brief One bit per voxel. */
+  struct Brick {
+    Bits side[2] = {};    // where excess and deficits are that may still meet
+    Bits open[2][6] = {}; // more of a side can come from the neighbour in direction d
+    Bits downhill[6] = {}; // the neighbour in direction d is nearer to a goal
+    Bits reached = 0;      // by the measurement
+    Bits reaching = 0;     // by the level at work
   };
 
-  static int
-  opposite(int direction)
-  {
-    return direction ^ 1;
-  }
-  Index
-  neighbour(Index i, int direction) const
-  {
-    return i + offset_[direction]; // wraps around for negative offsets
-  }
-  /** \brief The residual with which flow of the tree could come over an edge: towards
-   * the neighbour for the source's tree, from the neighbour for the sink's.
-   */
-  int
-  away(const Node& node, int direction, Tree tree) const
-  {
-    return tree == SOURCE ? node.residual[direction]
-                          : two_capacities_ - node.residual[direction];
-  }
+  /** \brief Some voxels of a brick. */
+  struct Part {
+    Index brick;
+    Bits voxels;
+  };
 
   void
-  setUp(const GridShape& shape, const std::vector<std::int16_t>& gain);
+  setUp(const std::vector<std::int16_t>& gain);
   void
-  pushDirectly();
+  link();
+  Side
+  chooseFlowing() const;
   void
-  plantTrees();
+  measure(int radius);
+  std::int64_t
+  begin();
   void
-  activate(Index i);
-  Index
-  nextActive();
-  int
-  grow(Index i);
+  spread(const Part& part);
   void
-  augment(Index i, int direction);
-  int
-  bottleneckTo(Index i, int limit) const;
+  reach(Index b, Bits voxels, int direction);
+  std::int64_t
+  settle();
   void
-  pushTo(Index i, int amount);
+  forgetUnreached();
   void
-  makeOrphan(Index i);
+  flowDownhill();
   void
-  adoptOrphans();
+  discharge(Index i);
   void
-  adopt(Index i);
-  int
-  distanceToTerminal(Index i) const;
+  push(Index i, int d);
   void
-  release(Index i);
+  findInside();
 
-  std::vector<Node> nodes_;
-  std::array<Index, 6> offset_;
+  GridShape shape_;
+  GridBricks grid_;
   int capacity_;
-  int two_capacities_;
-  std::int64_t flow_ = 0;
-  std::int32_t time_ = 0;
-  Index first_ = none; // queue of active nodes
-  Index last_ = none;
-  std::vector<Index> orphans_;
+  std::vector<Brick> bricks_;
+  std::vector<std::int32_t> excess_;              // deficits are negative
+  std::vector<std::array<std::int16_t, 3>> flow_; // to the neighbours at +x, +y, +z
+
+  Side flowing_ = EXCESS;         // in this phase; the other side is the goal
+  std::vector<Part> parts_;       // in the order of their distance
+  std::vector<Index> reaching_;   // bricks of the next level
+  std::size_t reaching_count_ = 0;
 };
 
 } // namespace indoor
