@@ -16,6 +16,8 @@ namespace {
 
 /** \brief The first measurements end early: most flow goes to near places. */
 constexpr int first_radius = 4;
+/** \brief What a voxel's discharge costs, in voxels measured. */
+constexpr std::size_t discharge_cost = 8;
 
 int
 sign(int direction)
@@ -34,6 +36,8 @@ GridCutSolver::GridCutSolver(const GridShape& shape,
 , bricks_(grid_.size())
 , excess_(64 * grid_.size())
 , flow_(64 * grid_.size())
+, level_(64 * grid_.size(), far)
+, next_(64 * grid_.size())
 , reaching_(grid_.size() + 1)
 {
   setUp(gain);
@@ -88,7 +92,7 @@ GridCutSolver::run()
   for (int radius = first_radius;; radius = std::min(2 * radius, 1 << 29)) {
     flowing_ = chooseFlowing();
     measure(radius);
-    if (parts_.empty())
+    if (complete_ && highest_ < 0)
       break;
     flowDownhill();
   }
@@ -109,72 +113,70 @@ GridCutSolver::chooseFlowing() const
   return count[EXCESS] > count[DEFICIT] ? EXCESS : DEFICIT;
 }
 
-/** \brief Find the voxels from which the flowing side can come to a goal, in the order
- * of their distance, up to a radius; parts_ is empty if nothing can.
+/** \brief Give all voxels from which the flowing side can come to a goal their distance,
+ * up to a radius.
  */
 void
 GridCutSolver::measure(int radius)
 {
-  std::int64_t missing = begin();
+  const std::int64_t missing = begin();
   std::int64_t found = 0;
-  std::size_t first = 0;
-  int level = 0;
-  for (; first < parts_.size() && level < radius && found < missing; ++level) {
-    const std::size_t end = parts_.size();
-    for (; first < end; ++first)
-      spread(parts_[first]);
+  for (limit_ = 0; !front_.empty() && limit_ < radius && found < missing; ++limit_) {
+    for (const Part& part : front_)
+      spread(part);
     found += settle();
   }
-  if (first == parts_.size())
-    forgetUnreached();
+  complete_ = front_.empty();
+  forgetUnreached();
 }
 
 /** \brief Begin at the goals. \return how much they can take */
 std::int64_t
 GridCutSolver::begin()
 {
-  const Side goals = flowing_ == EXCESS ? DEFICIT : EXCESS;
   std::int64_t missing = 0;
-  parts_.clear();
+  front_.clear();
+  first_.assign(1, none);
+  highest_ = -1;
+  reached_ = 0;
   for (Index b = 0; b < bricks_.size(); ++b) {
     Brick& brick = bricks_[b];
-    std::fill_n(brick.downhill, 6, Bits{0});
-    brick.reached = brick.side[goals];
+    brick.reached = brick.side[goals()];
     if (brick.reached == 0)
       continue;
-    parts_.push_back({b, brick.reached});
+    front_.push_back({b, brick.reached});
     forEachBit(brick.reached, [&](Index v) {
       missing += std::abs(excess_[Index{64} * b + v]);
+      level_[Index{64} * b + v] = 0;
     });
   }
   return missing;
 }
 
-/** \brief Reach the voxels from which a part can be come to. No branches: nothing could
- * predict them.
- */
+/** \brief Reach the voxels from which a part can be come to. */
 void
 GridCutSolver::spread(const Part& part)
 {
   const Bits* open = bricks_[part.brick].open[flowing_];
+  Bits within = 0;
   for (int d = 0; d < 6; ++d) {
     const Bits voxels = part.voxels & open[d];
-    reach(part.brick, GridBricks::within(voxels, d), opposite(d));
-    const Bits across = GridBricks::across(voxels, d);
-    reach(across != 0 ? grid_.brick(part.brick, d) : part.brick, across, opposite(d));
+    within |= GridBricks::within(voxels, d);
+    if (const Bits across = GridBricks::across(voxels, d))
+      reach(grid_.brick(part.brick, d), across);
   }
+  reach(part.brick, within);
 }
 
-/** \brief Reach voxels of a brick whose neighbours in a direction have been reached. */
+/** \brief Reach voxels of a brick. */
 void
-GridCutSolver::reach(Index b, Bits voxels, int direction)
+GridCutSolver::reach(Index b, Bits voxels)
 {
   Brick& brick = bricks_[b];
   voxels &= ~brick.reached;
   reaching_[reaching_count_] = b;
   reaching_count_ += brick.reaching == 0 & voxels != 0;
   brick.reaching |= voxels;
-  brick.downhill[direction] |= voxels;
 }
 
 /** \brief What is being reached makes up the next level. \return how much is there */
@@ -182,13 +184,18 @@ std::int64_t
 GridCutSolver::settle()
 {
   std::int64_t found = 0;
+  front_.clear();
+  first_.push_back(none);
   for (std::size_t r = 0; r < reaching_count_; ++r) {
     const Index b = reaching_[r];
     Brick& brick = bricks_[b];
-    parts_.push_back({b, brick.reaching});
+    front_.push_back({b, brick.reaching});
     brick.reached |= brick.reaching;
+    reached_ += bitCount(brick.reaching);
+    forEachBit(brick.reaching, [&](Index v) { level_[Index{64} * b + v] = limit_ + 1; });
     forEachBit(brick.reaching & brick.side[flowing_], [&](Index v) {
       found += std::abs(excess_[Index{64} * b + v]);
+      activate(Index{64} * b + v);
     });
     brick.reaching = 0;
   }
@@ -196,48 +203,80 @@ GridCutSolver::settle()
   return found;
 }
 
-/** \brief What cannot reach a goal now never will. */
+/** \brief What cannot reach a goal, when all was measured, never will. */
 void
 GridCutSolver::forgetUnreached()
 {
-  bool any = false;
-  const Side goals = flowing_ == EXCESS ? DEFICIT : EXCESS;
-  for (Brick& brick : bricks_) {
-    brick.side[flowing_] &= brick.reached;
-    any |= brick.side[flowing_] != 0;
+  for (Index b = 0; b < bricks_.size(); ++b) {
+    Brick& brick = bricks_[b];
+    forEachBit(brick.known & ~brick.reached,
+               [&](Index v) { level_[Index{64} * b + v] = far; });
+    brick.known = brick.reached;
+    if (complete_)
+      brick.side[flowing_] &= brick.reached;
   }
-  (void)goals;
-  if (!any)
-    parts_.clear();
 }
 
-/** \brief Let all that was found flow, farthest first. */
+void
+GridCutSolver::activate(Index i)
+{
+  const std::int32_t level = level_[i];
+  next_[i] = first_[level];
+  first_[level] = i;
+  highest_ = std::max(highest_, level);
+}
+
+/** \brief Let all that was found flow, farthest first; lift what is stuck, and again,
+ * while that is cheaper than to measure again.
+ */
 void
 GridCutSolver::flowDownhill()
 {
-  for (; !parts_.empty(); parts_.pop_back()) {
-    const auto [b, voxels] = parts_.back();
-    forEachBit(voxels & bricks_[b].side[flowing_],
-               [b = b, this](Index v) { discharge(Index{64} * b + v); });
-  }
+  std::size_t discharged = 0;
+  do {
+    stuck_.clear();
+    for (; highest_ >= 0; --highest_)
+      while (first_[highest_] != none) {
+        const Index i = first_[highest_];
+        first_[highest_] = next_[i];
+        discharge(i);
+        ++discharged;
+      }
+    for (const Index i : stuck_)
+      activate(i);
+  } while (!stuck_.empty() && discharged * discharge_cost < reached_);
 }
 
-/** \brief Push what a voxel has to its lower neighbours, as far as it fits. */
+/** \brief Push what a voxel has to its lower neighbours, as far as it fits; lift it to
+ * where the rest can flow on.
+ */
 void
 GridCutSolver::discharge(Index i)
 {
-  for (int d = 0; d < 6; ++d)
-    if (bricks_[i / 64].downhill[d] >> i % 64 & 1) {
-      push(i, d);
-      if (excess_[i] == 0)
-        return;
+  const Brick& brick = bricks_[i / 64];
+  const std::int32_t level = level_[i];
+  std::int32_t lowest = far;
+  for (int d = 0; d < 6; ++d) {
+    if (!(brick.open[goals()][d] >> i % 64 & 1))
+      continue;
+    const Index j = grid_.neighbour(i, d);
+    if (level_[j] != level - 1) {
+      lowest = std::min(lowest, level_[j]);
+      continue;
     }
+    push(i, j, d);
+    if (excess_[i] == 0)
+      return;
+  }
+  if (lowest >= limit_)
+    return;
+  level_[i] = lowest + 1;
+  stuck_.push_back(i);
 }
 
 void
-GridCutSolver::push(Index i, int d)
+GridCutSolver::push(Index i, Index j, int d)
 {
-  const Index j = grid_.neighbour(i, d);
   const int direction = flowing_ == EXCESS ? 1 : -1; // of flow
   std::int16_t& flow = flow_[d % 2 == 0 ? i : j][d / 2];
   const int room = capacity_ - sign(d) * direction * flow;
@@ -247,21 +286,23 @@ GridCutSolver::push(Index i, int d)
   Brick& to = bricks_[j / 64];
   const Bits v = Bits{1} << i % 64;
   const Bits w = Bits{1} << j % 64;
-  const Side goals = flowing_ == EXCESS ? DEFICIT : EXCESS;
   from.open[flowing_][d] |= v;
-  to.open[goals][opposite(d)] |= w;
+  to.open[goals()][opposite(d)] |= w;
   if (amount == room) {
-    from.open[goals][d] &= ~v;
+    from.open[goals()][d] &= ~v;
     to.open[flowing_][opposite(d)] &= ~w;
   }
   excess_[i] -= direction * amount;
   if (excess_[i] == 0)
     from.side[flowing_] &= ~v;
+  const bool idle = direction * excess_[j] <= 0;
   excess_[j] += direction * amount;
   if (direction * excess_[j] >= 0)
-    to.side[goals] &= ~w;
-  if (direction * excess_[j] > 0)
+    to.side[goals()] &= ~w;
+  if (direction * excess_[j] > 0 && idle) {
     to.side[flowing_] |= w;
+    activate(j);
+  }
 }
 
 /** \brief Reach all that can be reached from excess. */
@@ -275,10 +316,9 @@ GridCutSolver::findInside()
   for (Brick& brick : bricks_)
     brick.side[DEFICIT] = 0;
   begin();
-  for (std::size_t first = 0; first < parts_.size();) {
-    const std::size_t end = parts_.size();
-    for (; first < end; ++first)
-      spread(parts_[first]);
+  while (!front_.empty()) {
+    for (const Part& part : front_)
+      spread(part);
     settle();
   }
 }

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -46,6 +47,8 @@ public:
 private:
   using Index = GridBricks::Index;
   using Bits = GridBricks::Bits;
+  static constexpr Index none = ~Index{0};
+  static constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
 
   /** \brief What flows: excess along the flow, or deficits against it. */
   enum Side : std::uint8_t { EXCESS, DEFICIT };
@@ -54,9 +57,9 @@ private:
   struct Brick {
     Bits side[2] = {};    // where excess and deficits are that may still meet
     Bits open[2][6] = {}; // more of a side can come from the neighbour in direction d
-    Bits downhill[6] = {}; // the neighbour in direction d is nearer to a goal
     Bits reached = 0;      // by the measurement
     Bits reaching = 0;     // by the level at work
+    Bits known = 0;        // the level is not far
   };
 
   /** \brief Some voxels of a brick. */
@@ -78,7 +81,7 @@ private:
   void
   spread(const Part& part);
   void
-  reach(Index b, Bits voxels, int direction);
+  reach(Index b, Bits voxels);
   std::int64_t
   settle();
   void
@@ -86,9 +89,16 @@ private:
   void
   flowDownhill();
   void
+  activate(Index i);
+  void
   discharge(Index i);
   void
-  push(Index i, int d);
+  push(Index i, Index j, int d);
+  Side
+  goals() const
+  {
+    return flowing_ == EXCESS ? DEFICIT : EXCESS;
+  }
   void
   findInside();
 
@@ -99,10 +109,19 @@ private:
   std::vector<std::int32_t> excess_;              // deficits are negative
   std::vector<std::array<std::int16_t, 3>> flow_; // to the neighbours at +x, +y, +z
 
-  Side flowing_ = EXCESS;         // in this phase; the other side is the goal
-  std::vector<Part> parts_;       // in the order of their distance
-  std::vector<Index> reaching_;   // bricks of the next level
+  std::vector<std::int32_t> level_; // no more than the distance to the nearest goal
+  std::vector<Index> next_;
+  std::vector<Index> first_; // per level, list of voxels that have something to push
+  int highest_ = -1;
+  std::vector<Index> stuck_;
+
+  Side flowing_ = EXCESS;       // in this phase; the other side is the goal
+  std::vector<Part> front_;     // the highest level
+  std::vector<Index> reaching_; // bricks of the next level
   std::size_t reaching_count_ = 0;
+  std::size_t reached_ = 0; // voxels
+  int limit_ = 0;           // the highest level
+  bool complete_ = false;   // all was measured
 };
 
 } // namespace indoor
