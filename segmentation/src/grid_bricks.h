@@ -98,12 +98,5 @@ forEachBit(GridBricks::Bits bits, Function function)
     function(static_cast<GridBricks::Index>(__builtin_ctzll(bits)));
 }
 
-/** \brief The number of bits that are set. */
-inline std::size_t
-bitCount(GridBricks::Bits bits)
-{
-  return static_cast<std::size_t>(__builtin_popcountll(bits));
-}
-
 } // namespace indoor
 } // namespace pcl

@@ -14,10 +14,12 @@ namespace indoor {
 
 namespace {
 
-/** \brief The first measurements end early: most flow goes to near places. */
+/** \brief The first measurements end early: most of what flows is soon there. */
 constexpr int first_radius = 4;
-/** \brief What a voxel's discharge costs, in voxels measured. */
+/** \brief What it costs to discharge a voxel, in voxels measured. */
 constexpr std::size_t discharge_cost = 8;
+/** \brief One phase in so many lets the other side flow. */
+constexpr int turn_period = 8;
 
 int
 sign(int direction)
@@ -37,8 +39,8 @@ GridCutSolver::GridCutSolver(const GridShape& shape,
 , excess_(64 * grid_.size())
 , flow_(64 * grid_.size())
 , level_(64 * grid_.size(), far)
-, next_(64 * grid_.size())
 , reaching_(grid_.size() + 1)
+, next_(64 * grid_.size())
 {
   setUp(gain);
 }
@@ -71,13 +73,18 @@ GridCutSolver::link()
   for (int x = 0; x < shape_.nx; x += 4)
     for (int y = 0; y < shape_.ny; y += 4)
       for (int z = 0; z < shape_.nz; z += 4, ++b) {
-        const bool inner[6] = {
-            x + 4 < shape_.nx, x > 0, y + 4 < shape_.ny, y > 0, z + 4 < shape_.nz, z > 0};
+        const bool inner[6] = {x + 4 < shape_.nx,
+                               x > 0,
+                               y + 4 < shape_.ny,
+                               y > 0,
+                               z + 4 < shape_.nz,
+                               z > 0};
         Brick& brick = bricks_[b];
         for (int d = 0; d < 6; ++d) {
           Bits there = GridBricks::within(brick.reached, opposite(d));
           if (inner[d])
-            there |= GridBricks::across(bricks_[grid_.brick(b, d)].reached, opposite(d));
+            there |=
+                GridBricks::across(bricks_[grid_.brick(b, d)].reached, opposite(d));
           brick.open[EXCESS][d] = brick.open[DEFICIT][d] = brick.reached & there;
         }
       }
@@ -86,46 +93,41 @@ GridCutSolver::link()
 std::int64_t
 GridCutSolver::run()
 {
-  std::int64_t energy = 0;
-  for (const std::int32_t excess : excess_)
-    energy += std::max(excess, 0);
-  for (int radius = first_radius;; radius = std::min(2 * radius, 1 << 29)) {
-    flowing_ = chooseFlowing();
+  std::int64_t energy = excess();
+  int radius = first_radius;
+  for (int phase = 1;; phase = phase % turn_period + 1) {
+    flowing_ = phase == turn_period ? EXCESS : DEFICIT;
     measure(radius);
     if (complete_ && highest_ < 0)
       break;
     flowDownhill();
+    radius = std::min(2 * radius, std::numeric_limits<int>::max() / 2);
   }
-  for (const std::int32_t excess : excess_)
-    energy -= std::max(excess, 0);
+  energy -= excess();
   findInside();
   return energy;
 }
 
-/** \brief The side with more voxels, so that there are few goals. */
-GridCutSolver::Side
-GridCutSolver::chooseFlowing() const
+/** \brief The sum of all excess. */
+std::int64_t
+GridCutSolver::excess() const
 {
-  std::size_t count[2] = {};
-  for (const Brick& brick : bricks_)
-    for (const Side side : {EXCESS, DEFICIT})
-      count[side] += bitCount(brick.side[side]);
-  return count[EXCESS] > count[DEFICIT] ? EXCESS : DEFICIT;
+  std::int64_t sum = 0;
+  for (const std::int32_t excess : excess_)
+    sum += std::max(excess, 0);
+  return sum;
 }
 
-/** \brief Give all voxels from which the flowing side can come to a goal their distance,
- * up to a radius.
+/** \brief Give all voxels from which the flowing side can come to a goal their
+ * distance, up to a radius.
  */
 void
 GridCutSolver::measure(int radius)
 {
   const std::int64_t missing = begin();
   std::int64_t found = 0;
-  for (limit_ = 0; !front_.empty() && limit_ < radius && found < missing; ++limit_) {
-    for (const Part& part : front_)
-      spread(part);
-    found += settle();
-  }
+  while (!front_.empty() && limit_ < radius && found < missing)
+    found += climb();
   complete_ = front_.empty();
   forgetUnreached();
 }
@@ -137,6 +139,7 @@ GridCutSolver::begin()
   std::int64_t missing = 0;
   front_.clear();
   first_.assign(1, none);
+  limit_ = 0;
   highest_ = -1;
   reached_ = 0;
   for (Index b = 0; b < bricks_.size(); ++b) {
@@ -151,6 +154,15 @@ GridCutSolver::begin()
     });
   }
   return missing;
+}
+
+/** \brief Measure the next level. \return how much of the flowing side is there */
+std::int64_t
+GridCutSolver::climb()
+{
+  for (const Part& part : front_)
+    spread(part);
+  return settle();
 }
 
 /** \brief Reach the voxels from which a part can be come to. */
@@ -174,9 +186,10 @@ GridCutSolver::reach(Index b, Bits voxels)
 {
   Brick& brick = bricks_[b];
   voxels &= ~brick.reached;
-  reaching_[reaching_count_] = b;
-  reaching_count_ += brick.reaching == 0 & voxels != 0;
+  const bool begins = brick.reaching == 0 && voxels != 0;
   brick.reaching |= voxels;
+  reaching_[reaching_count_] = b; // without a branch that nothing could predict
+  reaching_count_ += begins;
 }
 
 /** \brief What is being reached makes up the next level. \return how much is there */
@@ -184,6 +197,7 @@ std::int64_t
 GridCutSolver::settle()
 {
   std::int64_t found = 0;
+  ++limit_;
   front_.clear();
   first_.push_back(none);
   for (std::size_t r = 0; r < reaching_count_; ++r) {
@@ -191,8 +205,10 @@ GridCutSolver::settle()
     Brick& brick = bricks_[b];
     front_.push_back({b, brick.reaching});
     brick.reached |= brick.reaching;
-    reached_ += bitCount(brick.reaching);
-    forEachBit(brick.reaching, [&](Index v) { level_[Index{64} * b + v] = limit_ + 1; });
+    forEachBit(brick.reaching, [&](Index v) {
+      level_[Index{64} * b + v] = limit_;
+      ++reached_;
+    });
     forEachBit(brick.reaching & brick.side[flowing_], [&](Index v) {
       found += std::abs(excess_[Index{64} * b + v]);
       activate(Index{64} * b + v);
@@ -274,53 +290,54 @@ GridCutSolver::discharge(Index i)
   stuck_.push_back(i);
 }
 
+/** \brief Push as much as there is and as fits to a neighbour. */
 void
 GridCutSolver::push(Index i, Index j, int d)
 {
-  const int direction = flowing_ == EXCESS ? 1 : -1; // of flow
+  const int towards = flowing_ == EXCESS ? 1 : -1; // deficits go against the flow
+  const int along = sign(d) * towards;
   std::int16_t& flow = flow_[d % 2 == 0 ? i : j][d / 2];
-  const int room = capacity_ - sign(d) * direction * flow;
-  const int amount = std::min(direction * excess_[i], room);
-  flow = static_cast<std::int16_t>(flow + sign(d) * direction * amount);
+  const int room = capacity_ - along * flow;
+  const int amount = std::min(towards * excess_[i], room);
+  flow = static_cast<std::int16_t>(flow + along * amount);
+
   Brick& from = bricks_[i / 64];
   Brick& to = bricks_[j / 64];
   const Bits v = Bits{1} << i % 64;
   const Bits w = Bits{1} << j % 64;
-  from.open[flowing_][d] |= v;
+  from.open[flowing_][d] |= v; // it can come back
   to.open[goals()][opposite(d)] |= w;
   if (amount == room) {
     from.open[goals()][d] &= ~v;
     to.open[flowing_][opposite(d)] &= ~w;
   }
-  excess_[i] -= direction * amount;
+
+  excess_[i] -= towards * amount;
   if (excess_[i] == 0)
     from.side[flowing_] &= ~v;
-  const bool idle = direction * excess_[j] <= 0;
-  excess_[j] += direction * amount;
-  if (direction * excess_[j] >= 0)
+  const int before = towards * excess_[j];
+  excess_[j] += towards * amount;
+  if (before + amount >= 0)
     to.side[goals()] &= ~w;
-  if (direction * excess_[j] > 0 && idle) {
+  if (before <= 0 && before + amount > 0) {
     to.side[flowing_] |= w;
     activate(j);
   }
 }
 
-/** \brief Reach all that can be reached from excess. */
+/** \brief Reach all that can be reached from excess that is left. */
 void
 GridCutSolver::findInside()
 {
-  for (Index i = 0; i < excess_.size(); ++i)
-    if (excess_[i] > 0)
-      bricks_[i / 64].side[EXCESS] |= Bits{1} << i % 64;
-  flowing_ = DEFICIT;
-  for (Brick& brick : bricks_)
-    brick.side[DEFICIT] = 0;
-  begin();
-  while (!front_.empty()) {
-    for (const Part& part : front_)
-      spread(part);
-    settle();
+  for (Index b = 0; b < bricks_.size(); ++b) {
+    bricks_[b].side[EXCESS] = bricks_[b].side[DEFICIT] = 0;
+    for (Index v = 0; v < 64; ++v)
+      bricks_[b].side[EXCESS] |= static_cast<Bits>(excess_[Index{64} * b + v] > 0) << v;
   }
+  flowing_ = DEFICIT;
+  begin();
+  while (!front_.empty())
+    climb();
 }
 
 std::vector<std::uint8_t>
