@@ -103,6 +103,8 @@ private:
   void
   flowDownhill();
   void
+  prefetch(Index i) const;
+  void
   discharge(Index i);
   void
   push(Index i, Index j, int d);
