@@ -25,7 +25,9 @@ requireValid(const GridShape& shape,
     PCL_THROW_EXCEPTION(BadArgumentException,
                         gain.size() << " gains do not fill a grid of " << shape.size()
                                     << " voxels.");
-  if (gain.size() >= std::numeric_limits<std::int32_t>::max())
+  const std::size_t padded = 64 * GridBricks(shape).size();
+  if (gain.size() >= std::numeric_limits<std::int32_t>::max() ||
+      padded > std::numeric_limits<GridBricks::Index>::max())
     PCL_THROW_EXCEPTION(BadArgumentException, gain.size() << " voxels are too many.");
   if (smoothness < 0 || smoothness > GRID_CUT_MAX_SMOOTHNESS)
     PCL_THROW_EXCEPTION(BadArgumentException,
@@ -43,9 +45,7 @@ cutGrid(const GridShape& shape, const std::vector<std::int16_t>& gain, int smoot
   GridCutSolver solver(shape, gain, smoothness);
   GridCut cut;
   cut.energy = solver.run();
-  cut.inside.resize(gain.size());
-  for (std::size_t v = 0; v < gain.size(); ++v)
-    cut.inside[v] = solver.inside(v);
+  cut.inside = solver.inside();
   return cut;
 }
 

@@ -8,318 +8,364 @@
 #include <pcl/segmentation/grid_cut.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace pcl {
 namespace indoor {
 
+namespace {
+
+/** \brief The first measurements end early: most of what flows is soon there. */
+constexpr int first_radius = 4;
+/** \brief What it costs to discharge a voxel, in voxels measured. */
+constexpr std::size_t discharge_cost = 8;
+/** \brief One phase in so many lets the other side flow. */
+constexpr int turn_period = 4;
+
+int
+sign(int direction)
+{
+  return direction % 2 == 0 ? 1 : -1;
+}
+
+} // namespace
+
 GridCutSolver::GridCutSolver(const GridShape& shape,
                              const std::vector<std::int16_t>& gain,
                              int smoothness)
-: nodes_(gain.size())
+: shape_(shape)
+, grid_(shape)
 , capacity_(smoothness)
-, two_capacities_(2 * smoothness)
+, bricks_(grid_.size())
+, excess_(64 * grid_.size())
+, flow_(64 * grid_.size())
+, level_(64 * grid_.size(), far)
+, reaching_(grid_.size() + 1)
+, next_(64 * grid_.size())
 {
-  const Index x_step = static_cast<Index>(shape.ny) * shape.nz;
-  const Index y_step = shape.nz;
-  offset_ = {x_step, Index{0} - x_step, y_step, Index{0} - y_step, 1, ~Index{0}};
-  setUp(shape, gain);
+  setUp(gain);
 }
 
 void
-GridCutSolver::setUp(const GridShape& shape, const std::vector<std::int16_t>& gain)
+GridCutSolver::setUp(const std::vector<std::int16_t>& gain)
 {
   std::size_t v = 0;
-  for (int x = 0; x < shape.nx; ++x)
-    for (int y = 0; y < shape.ny; ++y)
-      for (int z = 0; z < shape.nz; ++z, ++v) {
-        Node& node = nodes_[v];
-        node.stamp = 0;
-        node.distance = 1;
-        node.next = none;
-        node.parent = terminal;
-        node.tree = FREE;
-        node.links = 0;
-        node.excess = 0;
-        std::fill_n(node.residual, 6, std::int16_t{0});
+  for (int x = 0; x < shape_.nx; ++x)
+    for (int y = 0; y < shape_.ny; ++y)
+      for (int z = 0; z < shape_.nz; ++z, ++v) {
         if (gain[v] == GRID_CUT_EXCLUDED)
           continue;
-        node.excess = gain[v];
-        if (capacity_ == 0)
-          continue;
-        const std::array<bool, 6> in_grid = {
-            x + 1 < shape.nx, x > 0, y + 1 < shape.ny, y > 0, z + 1 < shape.nz, z > 0};
-        for (int d = 0; d < 6; ++d)
-          if (in_grid[d] &&
-              gain[neighbour(static_cast<Index>(v), d)] != GRID_CUT_EXCLUDED) {
-            node.links = static_cast<std::uint8_t>(node.links | 1 << d);
-            node.residual[d] = static_cast<std::int16_t>(capacity_);
-          }
+        const std::size_t i = grid_.index(x, y, z);
+        Brick& brick = bricks_[i / 64];
+        excess_[i] = gain[v];
+        brick.side[EXCESS] |= static_cast<Bits>(gain[v] > 0) << i % 64;
+        brick.side[DEFICIT] |= static_cast<Bits>(gain[v] < 0) << i % 64;
+        brick.reached |= Bits{1} << i % 64; // takes part; for link() alone
+      }
+  if (capacity_ > 0)
+    link();
+}
+
+/** \brief Nothing flows yet: all edges between voxels that take part are open. */
+void
+GridCutSolver::link()
+{
+  Index b = 0;
+  for (int x = 0; x < shape_.nx; x += 4)
+    for (int y = 0; y < shape_.ny; y += 4)
+      for (int z = 0; z < shape_.nz; z += 4, ++b) {
+        const bool inner[6] = {x + 4 < shape_.nx,
+                               x > 0,
+                               y + 4 < shape_.ny,
+                               y > 0,
+                               z + 4 < shape_.nz,
+                               z > 0};
+        Brick& brick = bricks_[b];
+        for (int d = 0; d < 6; ++d) {
+          Bits there = GridBricks::within(brick.reached, opposite(d));
+          if (inner[d])
+            there |=
+                GridBricks::across(bricks_[grid_.brick(b, d)].reached, opposite(d));
+          brick.open[EXCESS][d] = brick.open[DEFICIT][d] = brick.reached & there;
+        }
       }
 }
 
-/** \brief Flow over a single edge of the grid needs no trees. */
-void
-GridCutSolver::pushDirectly()
+std::int64_t
+GridCutSolver::run()
 {
-  for (Index i = 0; i < nodes_.size(); ++i) {
-    Node& node = nodes_[i];
-    for (int d = 0; d < 6 && node.excess > 0; ++d) {
-      if (!(node.links >> d & 1))
-        continue;
-      Node& other = nodes_[neighbour(i, d)];
-      if (other.excess >= 0)
-        continue;
-      const int amount =
-          std::min({node.excess, -other.excess, static_cast<int>(node.residual[d])});
-      node.excess -= amount;
-      other.excess += amount;
-      node.residual[d] = static_cast<std::int16_t>(node.residual[d] - amount);
-      other.residual[opposite(d)] =
-          static_cast<std::int16_t>(other.residual[opposite(d)] + amount);
-      flow_ += amount;
-    }
+  std::int64_t energy = excess();
+  int radius = first_radius;
+  for (int phase = 1;; phase = phase % turn_period + 1) {
+    flowing_ = phase == turn_period ? EXCESS : DEFICIT;
+    measure(radius);
+    if (complete_ && highest_ < 0)
+      break;
+    flowDownhill();
+    radius = std::min(2 * radius, std::numeric_limits<int>::max() / 2);
   }
+  energy -= excess();
+  findInside();
+  return energy;
 }
 
-/** \brief Every node with something left is a root; only those that can grow or meet
- * the other tree need to be looked at.
+/** \brief The sum of all excess. */
+std::int64_t
+GridCutSolver::excess() const
+{
+  std::int64_t sum = 0;
+  for (const std::int32_t excess : excess_)
+    sum += std::max(excess, 0);
+  return sum;
+}
+
+/** \brief Give all voxels from which the flowing side can come to a goal their
+ * distance, up to a radius.
  */
 void
-GridCutSolver::plantTrees()
+GridCutSolver::measure(int radius)
 {
-  for (Node& node : nodes_)
-    node.tree = node.excess > 0 ? SOURCE : node.excess < 0 ? SINK : FREE;
-  for (Index i = 0; i < nodes_.size(); ++i) {
-    const Node& node = nodes_[i];
-    if (node.tree == FREE)
+  const std::int64_t missing = begin();
+  std::int64_t found = 0;
+  while (!front_.empty() && limit_ < radius && found < missing)
+    found += climb();
+  complete_ = front_.empty();
+  forgetUnreached();
+}
+
+/** \brief Begin at the goals. \return how much they can take */
+std::int64_t
+GridCutSolver::begin()
+{
+  std::int64_t missing = 0;
+  front_.clear();
+  first_.assign(1, none);
+  limit_ = 0;
+  highest_ = -1;
+  reached_ = 0;
+  for (Index b = 0; b < bricks_.size(); ++b) {
+    Brick& brick = bricks_[b];
+    brick.reached = brick.side[goals()];
+    if (brick.reached == 0)
       continue;
-    for (int d = 0; d < 6; ++d)
-      if ((node.links >> d & 1) && away(node, d, node.tree) > 0 &&
-          nodes_[neighbour(i, d)].tree != node.tree) {
-        activate(i);
-        break;
-      }
+    front_.push_back({b, brick.reached});
+    forEachBit(brick.reached, [&](Index v) {
+      missing += std::abs(excess_[Index{64} * b + v]);
+      level_[Index{64} * b + v] = 0;
+    });
+  }
+  return missing;
+}
+
+/** \brief Measure the next level. \return how much of the flowing side is there */
+std::int64_t
+GridCutSolver::climb()
+{
+  for (const Part& part : front_)
+    spread(part);
+  return settle();
+}
+
+/** \brief Reach the voxels from which a part can be come to. */
+void
+GridCutSolver::spread(const Part& part)
+{
+  const Bits* open = bricks_[part.brick].open[flowing_];
+  Bits within = 0;
+  for (int d = 0; d < 6; ++d) {
+    const Bits voxels = part.voxels & open[d];
+    within |= GridBricks::within(voxels, d);
+    if (const Bits across = GridBricks::across(voxels, d))
+      reach(grid_.brick(part.brick, d), across);
+  }
+  reach(part.brick, within);
+}
+
+/** \brief Reach voxels of a brick. */
+void
+GridCutSolver::reach(Index b, Bits voxels)
+{
+  Brick& brick = bricks_[b];
+  voxels &= ~brick.reached;
+  const bool begins = brick.reaching == 0 && voxels != 0;
+  brick.reaching |= voxels;
+  reaching_[reaching_count_] = b; // without a branch that nothing could predict
+  reaching_count_ += begins;
+}
+
+/** \brief What is being reached makes up the next level. \return how much is there */
+std::int64_t
+GridCutSolver::settle()
+{
+  std::int64_t found = 0;
+  ++limit_;
+  front_.clear();
+  first_.push_back(none);
+  for (std::size_t r = 0; r < reaching_count_; ++r) {
+    const Index b = reaching_[r];
+    Brick& brick = bricks_[b];
+    front_.push_back({b, brick.reaching});
+    brick.reached |= brick.reaching;
+    forEachBit(brick.reaching, [&](Index v) {
+      level_[Index{64} * b + v] = limit_;
+      ++reached_;
+    });
+    forEachBit(brick.reaching & brick.side[flowing_], [&](Index v) {
+      found += std::abs(excess_[Index{64} * b + v]);
+      activate(Index{64} * b + v);
+    });
+    brick.reaching = 0;
+  }
+  reaching_count_ = 0;
+  return found;
+}
+
+/** \brief What cannot reach a goal, when all was measured, never will. */
+void
+GridCutSolver::forgetUnreached()
+{
+  for (Index b = 0; b < bricks_.size(); ++b) {
+    Brick& brick = bricks_[b];
+    forEachBit(brick.known & ~brick.reached,
+               [&](Index v) { level_[Index{64} * b + v] = far; });
+    brick.known = brick.reached;
+    if (complete_)
+      brick.side[flowing_] &= brick.reached;
   }
 }
 
 void
 GridCutSolver::activate(Index i)
 {
-  if (nodes_[i].next != none)
-    return;
-  if (last_ == none)
-    first_ = i;
-  else
-    nodes_[last_].next = i;
-  last_ = i;
-  nodes_[i].next = i;
+  const std::int32_t level = level_[i];
+  next_[i] = first_[level];
+  first_[level] = i;
+  highest_ = std::max(highest_, level);
 }
 
-GridCutSolver::Index
-GridCutSolver::nextActive()
-{
-  while (first_ != none) {
-    const Index i = first_;
-    if (nodes_[i].next == i)
-      first_ = last_ = none;
-    else
-      first_ = nodes_[i].next;
-    nodes_[i].next = none;
-    if (nodes_[i].tree != FREE)
-      return i;
-  }
-  return none;
-}
-
-std::int64_t
-GridCutSolver::run()
-{
-  pushDirectly();
-  plantTrees();
-  for (Index i = nextActive(); i != none; i = nextActive()) {
-    // A node that met the other tree stays at work until it cannot grow any more.
-    while (nodes_[i].tree != FREE) {
-      const int direction = grow(i);
-      if (direction < 0)
-        break;
-      ++time_;
-      augment(i, direction);
-      adoptOrphans();
-    }
-  }
-  return flow_;
-}
-
-/** \brief Take free neighbours into the tree of a node.
- * \return the direction in which the other tree was met, or -1
+/** \brief Let all that was found flow, farthest first; lift what is stuck, and again,
+ * while that is cheaper than to measure again.
  */
-int
-GridCutSolver::grow(Index i)
-{
-  const Node& node = nodes_[i];
-  for (int d = 0; d < 6; ++d) {
-    if (!(node.links >> d & 1) || away(node, d, node.tree) <= 0)
-      continue;
-    const Index j = neighbour(i, d);
-    Node& other = nodes_[j];
-    if (other.tree == FREE) {
-      other.tree = node.tree;
-      activate(j);
-    }
-    else if (other.tree != node.tree)
-      return d;
-    else if (other.stamp > node.stamp || other.distance <= node.distance)
-      continue; // else this way to the terminal is shorter
-    other.parent = static_cast<std::uint8_t>(opposite(d));
-    other.stamp = node.stamp;
-    other.distance = node.distance + 1;
-  }
-  return -1;
-}
-
-/** \brief The most that fits through the tree between a node and its terminal. */
-int
-GridCutSolver::bottleneckTo(Index i, int limit) const
-{
-  for (;;) {
-    const Node& node = nodes_[i];
-    if (node.parent == terminal)
-      return std::min(limit, std::abs(node.excess));
-    const Index j = neighbour(i, node.parent);
-    // Flow comes from the source's side and leaves to the sink's.
-    limit = std::min(
-        limit, away(nodes_[j], opposite(node.parent), static_cast<Tree>(node.tree)));
-    i = j;
-  }
-}
-
-/** \brief Push through the tree; edges that are full make orphans. */
 void
-GridCutSolver::pushTo(Index i, int amount)
+GridCutSolver::flowDownhill()
 {
-  for (;;) {
-    Node& node = nodes_[i];
-    const int sign = node.tree == SOURCE ? 1 : -1;
-    if (node.parent == terminal) {
-      node.excess -= sign * amount;
-      if (node.excess == 0)
-        makeOrphan(i);
+  std::size_t discharged = 0;
+  do {
+    stuck_.clear();
+    for (; highest_ >= 0; --highest_)
+      while (first_[highest_] != none) {
+        const Index i = first_[highest_];
+        first_[highest_] = next_[i];
+        prefetch(next_[i]);
+        discharge(i);
+        ++discharged;
+      }
+    for (const Index i : stuck_)
+      activate(i);
+  } while (!stuck_.empty() && discharged * discharge_cost < reached_);
+}
+
+/** \brief Waiting for memory takes longer than a discharge. */
+void
+GridCutSolver::prefetch(Index i) const
+{
+  if (i == none)
+    return;
+  __builtin_prefetch(&next_[i]);
+  __builtin_prefetch(&level_[i]);
+  __builtin_prefetch(&excess_[i]);
+  __builtin_prefetch(&flow_[i]);
+  __builtin_prefetch(&bricks_[i / 64]);
+}
+
+/** \brief Push what a voxel has to its lower neighbours, as far as it fits; lift it to
+ * where the rest can flow on.
+ */
+void
+GridCutSolver::discharge(Index i)
+{
+  const Brick& brick = bricks_[i / 64];
+  const std::int32_t level = level_[i];
+  std::int32_t lowest = far;
+  for (int d = 0; d < 6; ++d) {
+    if (!(brick.open[goals()][d] >> i % 64 & 1))
+      continue;
+    const Index j = grid_.neighbour(i, d);
+    if (level_[j] != level - 1) {
+      lowest = std::min(lowest, level_[j]);
+      continue;
+    }
+    push(i, j, d);
+    if (excess_[i] == 0)
       return;
-    }
-    const int d = node.parent;
-    const Index j = neighbour(i, d);
-    node.residual[d] = static_cast<std::int16_t>(node.residual[d] + sign * amount);
-    std::int16_t& back = nodes_[j].residual[opposite(d)];
-    back = static_cast<std::int16_t>(back - sign * amount);
-    if (away(nodes_[j], opposite(d), node.tree) == 0)
-      makeOrphan(i);
-    i = j;
   }
-}
-
-void
-GridCutSolver::augment(Index i, int direction)
-{
-  const Index j = neighbour(i, direction);
-  int amount = away(nodes_[i], direction, nodes_[i].tree);
-  amount = bottleneckTo(j, bottleneckTo(i, amount));
-  const int sign = nodes_[i].tree == SOURCE ? 1 : -1;
-  std::int16_t& there = nodes_[i].residual[direction];
-  std::int16_t& back = nodes_[j].residual[opposite(direction)];
-  there = static_cast<std::int16_t>(there - sign * amount);
-  back = static_cast<std::int16_t>(back + sign * amount);
-  pushTo(i, amount);
-  pushTo(j, amount);
-  flow_ += amount;
-}
-
-void
-GridCutSolver::makeOrphan(Index i)
-{
-  nodes_[i].parent = orphan;
-  orphans_.push_back(i);
-}
-
-void
-GridCutSolver::adoptOrphans()
-{
-  for (std::size_t next = 0; next < orphans_.size(); ++next)
-    adopt(orphans_[next]);
-  orphans_.clear();
-}
-
-/** \brief Edges between a node and its terminal, or a large number if there is an
- * orphan on the way.
- */
-int
-GridCutSolver::distanceToTerminal(Index i) const
-{
-  int distance = 0;
-  for (;;) {
-    const Node& node = nodes_[i];
-    if (node.stamp == time_)
-      return distance + node.distance;
-    if (node.parent == terminal)
-      return distance + 1;
-    if (node.parent == orphan)
-      return std::numeric_limits<int>::max();
-    ++distance;
-    i = neighbour(i, node.parent);
-  }
-}
-
-/** \brief Find the orphan a new parent close to the terminal, or set it free. */
-void
-GridCutSolver::adopt(Index i)
-{
-  Node& node = nodes_[i];
-  int best = std::numeric_limits<int>::max();
-  for (int d = 0; d < 6; ++d) {
-    if (!(node.links >> d & 1))
-      continue;
-    Index j = neighbour(i, d);
-    if (nodes_[j].tree != node.tree || away(nodes_[j], opposite(d), node.tree) <= 0)
-      continue;
-    int distance = distanceToTerminal(j);
-    if (distance == std::numeric_limits<int>::max())
-      continue;
-    if (distance < best) {
-      best = distance;
-      node.parent = static_cast<std::uint8_t>(d);
-    }
-    for (; nodes_[j].stamp != time_; j = neighbour(j, nodes_[j].parent)) {
-      nodes_[j].stamp = time_; // so that no node is passed twice
-      nodes_[j].distance = distance--;
-      if (nodes_[j].parent == terminal)
-        break;
-    }
-  }
-  if (best == std::numeric_limits<int>::max()) {
-    release(i);
+  if (lowest >= limit_)
     return;
-  }
-  node.stamp = time_;
-  node.distance = best + 1;
+  level_[i] = lowest + 1;
+  stuck_.push_back(i);
 }
 
-/** \brief Take a node out of its tree; its children become orphans. */
+/** \brief Push as much as there is and as fits to a neighbour. */
 void
-GridCutSolver::release(Index i)
+GridCutSolver::push(Index i, Index j, int d)
 {
-  Node& node = nodes_[i];
-  for (int d = 0; d < 6; ++d) {
-    if (!(node.links >> d & 1))
-      continue;
-    const Index j = neighbour(i, d);
-    if (nodes_[j].tree != node.tree)
-      continue;
-    if (away(nodes_[j], opposite(d), node.tree) > 0)
-      activate(j);
-    if (nodes_[j].parent == opposite(d))
-      makeOrphan(j);
+  const int towards = flowing_ == EXCESS ? 1 : -1; // deficits go against the flow
+  const int along = sign(d) * towards;
+  std::int16_t& flow = flow_[d % 2 == 0 ? i : j][d / 2];
+  const int room = capacity_ - along * flow;
+  const int amount = std::min(towards * excess_[i], room);
+  flow = static_cast<std::int16_t>(flow + along * amount);
+
+  Brick& from = bricks_[i / 64];
+  Brick& to = bricks_[j / 64];
+  const Bits v = Bits{1} << i % 64;
+  const Bits w = Bits{1} << j % 64;
+  from.open[flowing_][d] |= v; // it can come back
+  to.open[goals()][opposite(d)] |= w;
+  if (amount == room) {
+    from.open[goals()][d] &= ~v;
+    to.open[flowing_][opposite(d)] &= ~w;
   }
-  node.tree = FREE;
+
+  excess_[i] -= towards * amount;
+  if (excess_[i] == 0)
+    from.side[flowing_] &= ~v;
+  const int before = towards * excess_[j];
+  excess_[j] += towards * amount;
+  if (before + amount >= 0)
+    to.side[goals()] &= ~w;
+  if (before <= 0 && before + amount > 0) {
+    to.side[flowing_] |= w;
+    activate(j);
+  }
+}
+
+/** \brief Reach all that can be reached from excess that is left. */
+void
+GridCutSolver::findInside()
+{
+  for (Index b = 0; b < bricks_.size(); ++b) {
+    bricks_[b].side[EXCESS] = bricks_[b].side[DEFICIT] = 0;
+    for (Index v = 0; v < 64; ++v)
+      bricks_[b].side[EXCESS] |= static_cast<Bits>(excess_[Index{64} * b + v] > 0) << v;
+  }
+  flowing_ = DEFICIT;
+  begin();
+  while (!front_.empty())
+    climb();
+}
+
+std::vector<std::uint8_t>
+GridCutSolver::inside() const
+{
+  std::vector<std::uint8_t> inside;
+  inside.reserve(shape_.size());
+  for (int x = 0; x < shape_.nx; ++x)
+    for (int y = 0; y < shape_.ny; ++y)
+      for (int z = 0; z < shape_.nz; ++z) {
+        const std::size_t i = grid_.index(x, y, z);
+        inside.push_back(bricks_[i / 64].reached >> i % 64 & 1);
+      }
+  return inside;
 }
 
 } // namespace indoor

@@ -5,21 +5,32 @@
 
 #pragma once
 
+#include "grid_bricks.h"
+
 #include <pcl/segmentation/voxel_grid.h>
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
 
-/** \brief Maximum flow between two search trees (Boykov and Kolmogorov 2004) on a
- * 6-connected grid that is never stored as a graph.
+/** \brief Maximum flow on a 6-connected grid by pushing along shortest paths (after
+ * Goldberg and Tarjan 1988), in phases in which everything moves at once.
  *
- * All edges of the grid have the same capacity to and fro, K. Thus the residuals of an
- * edge sum up to 2 K, each voxel knows both of them from its own, and a neighbour is
- * read only if there is something to do.
+ * A voxel that would rather be inside begins with excess, one that would rather be
+ * outside with a deficit; where they meet, both vanish. In each phase one side flows
+ * and the other one is its goal: the distance of all voxels to the nearest goal is
+ * measured, 64 voxels at a time, until more was found than the goals can take. Then
+ * what was found flows downhill, the farthest first, so that what meets goes on
+ * together. What is stuck is lifted and tries again while that is cheaper than to
+ * measure again. Mostly the deficits flow; now and then the excess does, or many small
+ * goals along a corridor would be served one by one.
+ *
+ * All edges have the same capacity to and fro, thus one number per edge tells how much
+ * more it can take in both directions.
  */
 class GridCutSolver {
 public:
@@ -31,90 +42,95 @@ public:
   std::int64_t
   run();
 
-  /** \brief Whether a voxel is reachable from the source after run(). */
-  bool
-  inside(std::size_t voxel) const
-  {
-    return nodes_[voxel].tree == SOURCE;
-  }
+  /** \brief After run(), what can be reached from excess that is left: the fewest
+   * voxels that can be inside.
+   */
+  std::vector<std::uint8_t>
+  inside() const;
 
 private:
-  using Index = std::uint32_t;
+  using Index = GridBricks::Index;
+  using Bits = GridBricks::Bits;
   static constexpr Index none = ~Index{0};
-  enum Tree : std::uint8_t { FREE, SOURCE, SINK };
-  // A node's parent is one of its six directions or one of these.
-  static constexpr std::uint8_t terminal = 6;
-  static constexpr std::uint8_t orphan = 7;
+  static constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
 
-  struct Node {
-    std::int32_t excess;   // residual of the edge from the source, or minus to the sink
-    std::int32_t stamp;    // when distance was valid
-    std::int32_t distance; // to the terminal, along the tree
-    Index next;            // in the queue of active nodes; itself if last
-    std::int16_t residual[6]; // towards the neighbours
-    std::uint8_t links;       // bit d: there is a neighbour in direction d
-    std::uint8_t parent;
-    Tree tree;
+  enum Side : std::uint8_t { EXCESS, DEFICIT };
+
+  /** \brief One bit per voxel. */
+  struct Brick {
+    Bits side[2] = {};    // has some of a side that may still meet the other one
+    Bits open[2][6] = {}; // more of a side can come from the neighbour in direction d
+    Bits reached = 0;     // by the measurement
+    Bits reaching = 0;    // by the level at work
+    Bits known = 0;       // the level is not far
   };
 
-  static int
-  opposite(int direction)
+  /** \brief Some voxels of a brick. */
+  struct Part {
+    Index brick;
+    Bits voxels;
+  };
+
+  void
+  setUp(const std::vector<std::int16_t>& gain);
+  void
+  link();
+  std::int64_t
+  excess() const;
+  Side
+  goals() const
   {
-    return direction ^ 1;
-  }
-  Index
-  neighbour(Index i, int direction) const
-  {
-    return i + offset_[direction]; // wraps around for negative offsets
-  }
-  /** \brief The residual with which flow of the tree could come over an edge: towards
-   * the neighbour for the source's tree, from the neighbour for the sink's.
-   */
-  int
-  away(const Node& node, int direction, Tree tree) const
-  {
-    return tree == SOURCE ? node.residual[direction]
-                          : two_capacities_ - node.residual[direction];
+    return flowing_ == EXCESS ? DEFICIT : EXCESS;
   }
 
   void
-  setUp(const GridShape& shape, const std::vector<std::int16_t>& gain);
+  measure(int radius);
+  std::int64_t
+  begin();
+  std::int64_t
+  climb();
   void
-  pushDirectly();
+  spread(const Part& part);
   void
-  plantTrees();
+  reach(Index b, Bits voxels);
+  std::int64_t
+  settle();
+  void
+  forgetUnreached();
+
   void
   activate(Index i);
-  Index
-  nextActive();
-  int
-  grow(Index i);
   void
-  augment(Index i, int direction);
-  int
-  bottleneckTo(Index i, int limit) const;
+  flowDownhill();
   void
-  pushTo(Index i, int amount);
+  prefetch(Index i) const;
   void
-  makeOrphan(Index i);
+  discharge(Index i);
   void
-  adoptOrphans();
+  push(Index i, Index j, int d);
   void
-  adopt(Index i);
-  int
-  distanceToTerminal(Index i) const;
-  void
-  release(Index i);
+  findInside();
 
-  std::vector<Node> nodes_;
-  std::array<Index, 6> offset_;
+  GridShape shape_;
+  GridBricks grid_;
   int capacity_;
-  int two_capacities_;
-  std::int64_t flow_ = 0;
-  std::int32_t time_ = 0;
-  Index first_ = none; // queue of active nodes
-  Index last_ = none;
-  std::vector<Index> orphans_;
+  std::vector<Brick> bricks_;
+  std::vector<std::int32_t> excess_;              // deficits are negative
+  std::vector<std::array<std::int16_t, 3>> flow_; // to the neighbours at +x, +y, +z
+  std::vector<std::int32_t> level_; // no more than the distance to the nearest goal
+
+  Side flowing_ = EXCESS;       // in this phase; the other side is the goal
+  std::vector<Part> front_;     // the highest level
+  std::vector<Index> reaching_; // bricks of the next one
+  std::size_t reaching_count_ = 0;
+  std::size_t reached_ = 0; // voxels
+  std::int32_t limit_ = 0;  // the highest level
+  bool complete_ = false;   // all that can reach a goal was measured
+
+  std::vector<Index> first_; // per level, a list of voxels that have something to push
+  std::vector<Index> next_;  // in that list
+  std::int32_t highest_ = -1;
+  std::vector<Index> stuck_;
 };
 
 } // namespace indoor
