@@ -150,6 +150,14 @@ TEST(RoomSegmentation, PointsThatAreNotFiniteGetNoRoom)
   }
 }
 
+TEST(RoomSegmentation, TheHollowOfAThickWallIsNoRoom)
+{
+  // 0.8 m between the faces, of which nobody sees the inside
+  const auto scene =
+      rooms({{{0, 0, 0}, {4, 3, 2.5f}, 1}, {{4.8f, 0, 0}, {8, 3, 2.5f}, 2}}, {});
+  EXPECT_EQ(roomCount(segmented(cloudOf(scene.points))), 2u);
+}
+
 TEST(RoomSegmentation, OnePointGivesNoRoom)
 {
   EXPECT_EQ(segmented(cloudOf({{1, 2, 3}})), Labels{0});
