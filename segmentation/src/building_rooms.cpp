@@ -129,6 +129,7 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
   if (!problem.empty())
     PCL_THROW_EXCEPTION(BadArgumentException, problem);
   options.interior.threads = options.threads;
+  options.storeys.threads = options.threads;
   options.map.threads = options.map.field_rooms.threads = options.threads;
   options.walls.threads = options.threads;
   const auto stopped = [&](double share, const char* stage) {

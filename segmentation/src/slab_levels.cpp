@@ -6,10 +6,12 @@
 #include "slab_levels.h"
 
 #include "map_regions.h"
+#include "thread_count.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -131,15 +133,21 @@ private:
 
 /** \brief The groups that are parts of slabs. */
 std::vector<SlabGroup>
-levelGroups(const SlabColumns& columns, double voxel_size)
+levelGroups(const SlabColumns& columns, double voxel_size, int threads)
 {
   constexpr double radius = 1.0; // metres: wider than a stair's landing is deep
   constexpr int samples = 3;     // to either side
   const int step = std::max(1, static_cast<int>(radius / samples / voxel_size));
+  const auto& groups = columns.groups();
+  const auto count = static_cast<std::ptrdiff_t>(groups.size());
+  std::vector<std::uint8_t> is_level(groups.size());
+#pragma omp parallel for schedule(dynamic, 1024) num_threads(threads)
+  for (std::ptrdiff_t g = 0; g < count; ++g)
+    is_level[g] = columns.isLevel(groups[g], samples * step, step);
   std::vector<SlabGroup> level;
-  for (const SlabGroup& group : columns.groups())
-    if (columns.isLevel(group, samples * step, step))
-      level.push_back(group);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (is_level[g])
+      level.push_back(groups[g]);
   return level;
 }
 
@@ -235,7 +243,8 @@ findSlabLevels(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& op
   constexpr double wall_thickness = 0.5;   // a slab goes on behind walls, metres
   const double size = occupancy.voxel_size;
   const int tile = std::max(1, static_cast<int>(std::lround(wall_thickness / size)));
-  auto groups = levelGroups(SlabColumns(occupancy, options), size);
+  auto groups =
+      levelGroups(SlabColumns(occupancy, options), size, threadCount(options.threads));
   const int reach = static_cast<int>(std::lround(level_difference / size)); // 0.5 m
   std::vector<SlabLevel> found;
   const double least = options.min_slab_area / (size * size);

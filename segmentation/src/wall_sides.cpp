@@ -143,20 +143,35 @@ nearestRoom(const PixelMap<std::int32_t>& free_labels,
     return std::max({pixel - position, position - (pixel + 1), 0.0});
   };
   double nearest = reach * reach;
-  std::int32_t room = fallback;
-  for (int u = std::max(0, x - radius); u <= std::min(free_labels.nx - 1, x + radius);
-       ++u)
-    for (int v = std::max(0, y - radius); v <= std::min(free_labels.ny - 1, y + radius);
-         ++v) {
-      if (free_labels.at(u, v) == 0)
-        continue;
-      const double dx = gap(point.x(), u), dy = gap(point.y(), v);
-      if (dx * dx + dy * dy < nearest) {
-        nearest = dx * dx + dy * dy;
-        room = free_labels.at(u, v);
-      }
+  std::size_t best = free_labels.size(); // of equally near pixels the first
+  const auto look = [&](int u, int v, double dx) {
+    if (!free_labels.contains(u, v) || free_labels.at(u, v) == 0)
+      return;
+    const double dy = gap(point.y(), v);
+    const double squared = dx * dx + dy * dy;
+    const std::size_t pixel = free_labels.index(u, v);
+    if (squared < nearest ||
+        (squared == nearest && best < free_labels.size() && pixel < best)) {
+      nearest = squared;
+      best = pixel;
     }
-  return room;
+  };
+  // From the point outwards, as far as something nearer may lie.
+  const auto isBeyond = [&](int steps) {
+    return steps > radius || (steps > 1 && (steps - 1.0) * (steps - 1.0) > nearest);
+  };
+  for (int k = 0; !isBeyond(k); ++k)
+    for (const int u : {x - k, x + k}) {
+      const double dx = gap(point.x(), u);
+      for (int l = 0; !isBeyond(l); ++l) {
+        look(u, y - l, dx);
+        if (l > 0)
+          look(u, y + l, dx);
+      }
+      if (k == 0)
+        break;
+    }
+  return best < free_labels.size() ? free_labels.values[best] : fallback;
 }
 
 /** Whether the label of another room than the pixel's lies in its window. */

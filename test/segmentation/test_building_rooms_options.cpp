@@ -102,6 +102,7 @@ TEST(BuildingRoomsOptions, FieldsOfStoreysAndWalls)
   CHECK_FIELD(storeys.min_slab_area, (V{1, infinity}), (V{0, -1}));
   CHECK_FIELD(storeys.bridge, (V{0, 1}), bad_length);
   CHECK_FIELD(storeys.min_opening_area, (V{0, infinity}), bad_area);
+  CHECK_FIELD(storeys.threads, V{3}, V{}); // that of the building is taken
   CHECK_FIELD(walls.window, V{1}, bad_positive);
   CHECK_FIELD(walls.max_thickness, (V{0, 1}), bad_length);
   CHECK_FIELD(walls.reach, (V{0, 1}), bad_length);

@@ -27,6 +27,7 @@ struct StoreyOptions {
                        ///< height (stairs), metres (>= 0)
   double min_opening_area = 12.0; ///< a larger opening is a hall, m^2 (>= 0); it
                                   ///< belongs to the storey of its floor
+  int threads = 0;                ///< 0 = automatic; the result does not depend on it
 };
 
 /** \brief A storey's typical heights in the frame of the grid, metres. */
