@@ -18,8 +18,6 @@ namespace {
 constexpr int first_radius = 4;
 /** \brief What it costs to discharge a voxel, in voxels measured. */
 constexpr std::size_t discharge_cost = 8;
-/** \brief One phase in so many lets the other side flow. */
-constexpr int turn_period = 4;
 
 int
 sign(int direction)
@@ -57,6 +55,7 @@ GridCutSolver::setUp(const std::vector<std::int16_t>& gain)
         const std::size_t i = grid_.index(x, y, z);
         Brick& brick = bricks_[i / 64];
         excess_[i] = gain[v];
+        amount_[gain[v] > 0 ? EXCESS : DEFICIT] += std::abs(gain[v]);
         brick.side[EXCESS] |= static_cast<Bits>(gain[v] > 0) << i % 64;
         brick.side[DEFICIT] |= static_cast<Bits>(gain[v] < 0) << i % 64;
         brick.reached |= Bits{1} << i % 64; // takes part; for link() alone
@@ -93,50 +92,42 @@ GridCutSolver::link()
 std::int64_t
 GridCutSolver::run()
 {
-  std::int64_t energy = excess();
-  int radius = first_radius;
-  for (int phase = 1;; phase = phase % turn_period + 1) {
-    flowing_ = phase == turn_period ? EXCESS : DEFICIT;
+  std::int64_t energy = amount_[EXCESS];
+  std::int64_t radius = first_radius;
+  for (unsigned phase = 1;;) {
+    const bool turn = phase > 1 && (phase & (phase - 1)) == 0;
+    flowing_ = turn ? EXCESS : DEFICIT;
     measure(radius);
     if (complete_ && highest_ < 0)
       break;
     flowDownhill();
-    radius = std::min(2 * radius, std::numeric_limits<int>::max() / 2);
+    if (limit_ == radius)
+      radius *= 2;
+    else
+      ++phase;
   }
-  energy -= excess();
-  findInside();
+  energy -= findInside();
   return energy;
 }
 
-/** \brief The sum of all excess. */
-std::int64_t
-GridCutSolver::excess() const
-{
-  std::int64_t sum = 0;
-  for (const std::int32_t excess : excess_)
-    sum += std::max(excess, 0);
-  return sum;
-}
-
-/** \brief Give all voxels from which the flowing side can come to a goal their
- * distance, up to a radius.
+/** \brief Give the voxels from which the flowing side can come to a goal their
+ * distance, up to a radius and until more was found than the goals can take.
  */
 void
-GridCutSolver::measure(int radius)
+GridCutSolver::measure(std::int64_t radius)
 {
-  const std::int64_t missing = begin();
+  begin();
   std::int64_t found = 0;
-  while (!front_.empty() && limit_ < radius && found < missing)
+  while (!front_.empty() && limit_ < radius && found < amount_[goals()])
     found += climb();
   complete_ = front_.empty();
   forgetUnreached();
 }
 
-/** \brief Begin at the goals. \return how much they can take */
-std::int64_t
+/** \brief The goals are on the ground. */
+void
 GridCutSolver::begin()
 {
-  std::int64_t missing = 0;
   front_.clear();
   first_.assign(1, none);
   limit_ = 0;
@@ -145,15 +136,12 @@ GridCutSolver::begin()
   for (Index b = 0; b < bricks_.size(); ++b) {
     Brick& brick = bricks_[b];
     brick.reached = brick.side[goals()];
-    if (brick.reached == 0)
-      continue;
-    front_.push_back({b, brick.reached});
-    forEachBit(brick.reached, [&](Index v) {
-      missing += std::abs(excess_[Index{64} * b + v]);
-      level_[Index{64} * b + v] = 0;
-    });
+    if (brick.reached != 0)
+      front_.push_back({b, brick.reached});
+    forEachBit(brick.reached & ~brick.ground,
+               [&](Index v) { level_[Index{64} * b + v] = 0; });
+    brick.ground = brick.reached;
   }
-  return missing;
 }
 
 /** \brief Measure the next level. \return how much of the flowing side is there */
@@ -228,8 +216,12 @@ GridCutSolver::forgetUnreached()
     forEachBit(brick.known & ~brick.reached,
                [&](Index v) { level_[Index{64} * b + v] = far; });
     brick.known = brick.reached;
-    if (complete_)
-      brick.side[flowing_] &= brick.reached;
+    if (!complete_)
+      continue;
+    forEachBit(brick.side[flowing_] & ~brick.reached, [&](Index v) {
+      amount_[flowing_] -= std::abs(excess_[Index{64} * b + v]);
+    });
+    brick.side[flowing_] &= brick.reached;
   }
 }
 
@@ -331,27 +323,40 @@ GridCutSolver::push(Index i, Index j, int d)
     from.side[flowing_] &= ~v;
   const int before = towards * excess_[j];
   excess_[j] += towards * amount;
-  if (before + amount >= 0)
-    to.side[goals()] &= ~w;
+  if (before < 0) {
+    const int met = std::min(amount, -before);
+    amount_[EXCESS] -= met;
+    amount_[DEFICIT] -= met;
+    if (met == -before)
+      to.side[goals()] &= ~w;
+  }
   if (before <= 0 && before + amount > 0) {
     to.side[flowing_] |= w;
     activate(j);
   }
 }
 
-/** \brief Reach all that can be reached from excess that is left. */
-void
+/** \brief Reach all that can be reached from excess that is left. \return how much that
+ * is
+ */
+std::int64_t
 GridCutSolver::findInside()
 {
+  std::int64_t left = 0;
   for (Index b = 0; b < bricks_.size(); ++b) {
-    bricks_[b].side[EXCESS] = bricks_[b].side[DEFICIT] = 0;
-    for (Index v = 0; v < 64; ++v)
-      bricks_[b].side[EXCESS] |= static_cast<Bits>(excess_[Index{64} * b + v] > 0) << v;
+    Brick& brick = bricks_[b];
+    brick.side[EXCESS] = brick.side[DEFICIT] = 0;
+    for (Index v = 0; v < 64; ++v) {
+      const std::int32_t excess = excess_[Index{64} * b + v];
+      brick.side[EXCESS] |= static_cast<Bits>(excess > 0) << v;
+      left += std::max(excess, 0);
+    }
   }
   flowing_ = DEFICIT;
   begin();
   while (!front_.empty())
     climb();
+  return left;
 }
 
 std::vector<std::uint8_t>

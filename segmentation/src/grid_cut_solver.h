@@ -63,6 +63,7 @@ private:
     Bits reached = 0;     // by the measurement
     Bits reaching = 0;    // by the level at work
     Bits known = 0;       // the level is not far
+    Bits ground = 0;      // goals: the level is 0
   };
 
   /** \brief Some voxels of a brick. */
@@ -75,8 +76,6 @@ private:
   setUp(const std::vector<std::int16_t>& gain);
   void
   link();
-  std::int64_t
-  excess() const;
   Side
   goals() const
   {
@@ -84,8 +83,8 @@ private:
   }
 
   void
-  measure(int radius);
-  std::int64_t
+  measure(std::int64_t radius);
+  void
   begin();
   std::int64_t
   climb();
@@ -108,7 +107,7 @@ private:
   discharge(Index i);
   void
   push(Index i, Index j, int d);
-  void
+  std::int64_t
   findInside();
 
   GridShape shape_;
@@ -119,6 +118,7 @@ private:
   std::vector<std::array<std::int16_t, 3>> flow_; // to the neighbours at +x, +y, +z
   std::vector<std::int32_t> level_; // no more than the distance to the nearest goal
 
+  std::int64_t amount_[2] = {}; // how much of a side may still meet the other one
   Side flowing_ = EXCESS;       // in this phase; the other side is the goal
   std::vector<Part> front_;     // the highest level
   std::vector<Index> reaching_; // bricks of the next one
