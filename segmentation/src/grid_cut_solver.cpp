@@ -89,6 +89,9 @@ GridCutSolver::link()
       }
 }
 
+/** \brief Phases until nothing can meet. The excess flows in those numbered by a power
+ * of two: between two of them distances only grow, which bounds the number of phases.
+ */
 std::int64_t
 GridCutSolver::run()
 {

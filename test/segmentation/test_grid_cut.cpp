@@ -6,6 +6,7 @@
 #include <pcl/segmentation/grid_cut.h>
 
 #include "support/boost_grid_cut.h"
+#include "support/hard_cuts.h"
 
 #include <pcl/exceptions.h>
 
@@ -20,11 +21,7 @@ using namespace pcl::indoor;
 
 namespace {
 
-struct Problem {
-  GridShape shape;
-  std::vector<std::int16_t> gain;
-  int smoothness = 0;
-};
+using Problem = CutProblem;
 
 Problem
 randomProblem(std::mt19937& rng, int largest, int max_gain, int max_smoothness)
@@ -121,6 +118,81 @@ TEST(CutGrid, SameAsBoostAtTheLimitsOfTheRange)
     problem.smoothness = GRID_CUT_MAX_SMOOTHNESS;
     expectSameAsBoost(problem, trial);
   }
+}
+
+TEST(CutGrid, SameAsBoostOnHardProblems)
+{
+  namespace hard = hard_cuts;
+  int trial = 0;
+  for (const int side : {3, 8, 13, 22})
+    for (const Problem& problem : {hard::uniform(side, 200),
+                                   hard::uniform(side, 1, 1),
+                                   hard::critical(side),
+                                   hard::smooth(side, 1, 30.0),
+                                   hard::smooth(side, 4, 10.0),
+                                   hard::corridorOfPieces(side),
+                                   hard::corridorOfChance(side),
+                                   hard::halves(side, 1, 1),
+                                   hard::halves(side, 5, 4),
+                                   hard::halves(side, 2, 1, 3),
+                                   hard::farApart(side, 200),
+                                   hard::hall(side, 0),
+                                   hard::hall(side, -1),
+                                   hard::shells(side, 1, 50),
+                                   hard::shells(side, 3, 20),
+                                   hard::checkerboard(side, 1, 200),
+                                   hard::checkerboard(side, 5, 20),
+                                   hard::comb(side),
+                                   hard::maze(side)})
+      expectSameAsBoost(problem, trial++);
+}
+
+TEST(CutGrid, SameAsBoostOnThinGridsAlongEachAxis)
+{
+  std::mt19937 rng(15);
+  for (int trial = 0; trial < 120; ++trial) {
+    Problem problem = randomProblem(rng, 1, 20, 1);
+    const int a = 1 + static_cast<int>(rng() % 40);
+    const int b = trial % 2 == 0 ? 1 : 1 + static_cast<int>(rng() % 9);
+    problem.shape = trial % 3 == 0   ? pcl::indoor::GridShape{a, b, 1}
+                    : trial % 3 == 1 ? pcl::indoor::GridShape{1, a, b}
+                                     : pcl::indoor::GridShape{b, 1, a};
+    problem.smoothness = static_cast<int>(rng() % 25);
+    problem.gain.clear();
+    for (std::size_t v = 0; v < problem.shape.size(); ++v)
+      problem.gain.push_back(
+          static_cast<std::int16_t>(static_cast<int>(rng() % 41) - 20));
+    expectSameAsBoost(problem, trial);
+  }
+}
+
+TEST(CutGrid, TiesGoOutsideAlsoAcrossManyVoxels)
+{
+  // 64 voxels with 3 each pay for the 6 * 16 pairs with 2 each: a tie.
+  const auto cube = [](int gain) {
+    return hard_cuts::fill({12, 12, 12}, 2, [&](int x, int y, int z) {
+      const auto within = [](int c) { return c >= 3 && c < 7; };
+      return within(x) && within(y) && within(z) ? gain : -100;
+    });
+  };
+  const auto count = [](const Problem& problem) {
+    const GridCut cut = cutGrid(problem.shape, problem.gain, problem.smoothness);
+    return std::count(cut.inside.begin(), cut.inside.end(), 1);
+  };
+  EXPECT_EQ(count(cube(3)), 0);
+  EXPECT_EQ(count(cube(4)), 64);
+  EXPECT_EQ(count(hard_cuts::halves(12, 0, 0)), 0);
+  EXPECT_EQ(count(hard_cuts::farApart(12, 60)), 0);
+  EXPECT_EQ(count(hard_cuts::farApart(12, 61)), 144);
+}
+
+TEST(CutGrid, WithoutSmoothnessEachVoxelDecidesForItself)
+{
+  const Problem problem = hard_cuts::uniform(9, 2, 0);
+  const GridCut cut = cutGrid(problem.shape, problem.gain, 0);
+  EXPECT_EQ(cut.energy, 0);
+  for (std::size_t v = 0; v < problem.gain.size(); ++v)
+    EXPECT_EQ(cut.inside[v] != 0, problem.gain[v] > 0);
 }
 
 TEST(CutGrid, EmptyOneVoxelAndAllExcluded)

@@ -37,8 +37,10 @@ struct GridCut {
  * minima the one with the fewest voxels inside is returned: it is unique, thus the
  * result does not depend on the order of the computation.
  *
- * Flow is pushed along shortest paths, in phases; distances are measured for 64 voxels
- * at a time (see grid_cut_solver.h). About 22 bytes per voxel; the graph is implicit.
+ * Flow is pushed along shortest paths (after Goldberg and Tarjan, JACM 1988) on a graph
+ * left implicit: about 22 bytes per voxel, each side of the grid rounded up to a
+ * multiple of 4. Time per voxel grows with how far flow must go. Buildings take 40 to
+ * 400 ns, independent random gains 0.5 to 2.5 us.
  *
  * \param[in] shape the grid
  * \param[in] gain per voxel, how much cheaper inside is than outside; or
@@ -46,7 +48,8 @@ struct GridCut {
  * \param[in] smoothness cost of a pair of neighbours with different labels
  * (0 ... GRID_CUT_MAX_SMOOTHNESS)
  * \throws pcl::BadArgumentException if the number of gains does not fit the shape, the
- * smoothness leaves its range, or the grid has more than 2^31 - 2 voxels
+ * smoothness leaves its range, or the grid has more than 2^31 - 2 voxels, or 2^32 with
+ * its sides rounded up
  */
 GridCut
 cutGrid(const GridShape& shape, const std::vector<std::int16_t>& gain, int smoothness);
