@@ -39,7 +39,7 @@ struct GridCut {
  *
  * Flow is pushed along shortest paths (after Goldberg and Tarjan, JACM 1988) on a graph
  * left implicit: about 22 bytes per voxel, each side of the grid rounded up to a
- * multiple of 4. Time per voxel grows with how far flow must go. Buildings take 40 to
+ * multiple of 4. Time per voxel grows with how far flow must go. Buildings take 20 to
  * 400 ns, independent random gains 0.5 to 2.5 us.
  *
  * \param[in] shape the grid
