@@ -5,6 +5,8 @@
 
 #include <pcl/segmentation/ceiling_slab.h>
 
+#include "map_regions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -188,32 +190,20 @@ blockedColumns(const VoxelGrid<std::uint8_t>& occupancy,
 void
 removeSpecks(PixelMap<std::uint8_t>& blocked, int min_extent)
 {
-  PixelMap<std::uint8_t> seen = blocked; // 1 = blocked and not visited yet
-  std::vector<std::size_t> part;
-  for (std::size_t start = 0; start < blocked.size(); ++start) {
-    if (!seen.values[start])
-      continue;
-    part.assign(1, start);
-    seen.values[start] = 0;
+  forEachRegion(blocked, Neighbours::Eight, [&](const auto& part) {
     int lowest_x = blocked.nx, highest_x = -1, lowest_y = blocked.ny, highest_y = -1;
-    for (std::size_t k = 0; k < part.size(); ++k) {
-      const int x = static_cast<int>(part[k] / blocked.ny);
-      const int y = static_cast<int>(part[k] % blocked.ny);
+    for (const std::size_t pixel : part) {
+      const int x = static_cast<int>(pixel / blocked.ny);
+      const int y = static_cast<int>(pixel % blocked.ny);
       lowest_x = std::min(lowest_x, x);
       highest_x = std::max(highest_x, x);
       lowest_y = std::min(lowest_y, y);
       highest_y = std::max(highest_y, y);
-      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, blocked.nx - 1); ++u)
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, blocked.ny - 1); ++v)
-          if (seen.at(u, v)) {
-            seen.at(u, v) = 0;
-            part.push_back(blocked.index(u, v));
-          }
     }
     if (highest_x - lowest_x + 1 < min_extent && highest_y - lowest_y + 1 < min_extent)
       for (const std::size_t pixel : part)
         blocked.values[pixel] = 0;
-  }
+  });
 }
 
 } // namespace indoor

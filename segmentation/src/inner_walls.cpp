@@ -108,31 +108,6 @@ cutAlong(const Eigen::Vector2d& direction,
   });
 }
 
-/** \brief Give the pixels of rooms that have no label that of the nearest one in their
- * room, step by step. */
-void
-spreadWithinRooms(const Rooms& rooms, Rooms& labels)
-{
-  std::vector<std::size_t> queue;
-  for (std::size_t pixel = 0; pixel < rooms.size(); ++pixel)
-    if (labels.values[pixel] != 0)
-      queue.push_back(pixel);
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    const int x = static_cast<int>(queue[next] / rooms.ny);
-    const int y = static_cast<int>(queue[next] % rooms.ny);
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-      if (!rooms.contains(x + dx, y + dy))
-        continue;
-      const std::size_t other = rooms.index(x + dx, y + dy);
-      if (rooms.values[other] == rooms.values[queue[next]] &&
-          labels.values[other] == 0) {
-        labels.values[other] = labels.values[queue[next]];
-        queue.push_back(other);
-      }
-    }
-  }
-}
-
 } // namespace
 
 void
@@ -167,7 +142,9 @@ divideAtInnerWalls(PixelMap<std::int32_t>& rooms,
     for (const std::size_t pixel : piece)
       labels.values[pixel] = label;
   });
-  spreadWithinRooms(rooms, labels);
+  spreadValues(labels, [&](std::size_t from, std::size_t to) {
+    return rooms.values[from] == rooms.values[to];
+  });
   rooms = std::move(labels);
 }
 

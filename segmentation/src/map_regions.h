@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -47,6 +48,33 @@ forEachRegion(const PixelMap<Value>& map, Neighbours neighbours, const Visitor& 
         }
     }
     visit(region);
+  }
+}
+
+/** \brief Give the pixels with value 0 that of a near one, step by step over the sides
+ * of pixels.
+ * \param[in] may_pass asked whether a value may go from a pixel to the next
+ */
+template <typename Value, typename MayPass>
+void
+spreadValues(PixelMap<Value>& map, const MayPass& may_pass)
+{
+  std::vector<std::size_t> queue;
+  for (std::size_t pixel = 0; pixel < map.size(); ++pixel)
+    if (map.values[pixel] != Value{0})
+      queue.push_back(pixel);
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const int x = static_cast<int>(queue[next] / map.ny);
+    const int y = static_cast<int>(queue[next] % map.ny);
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+      if (!map.contains(x + dx, y + dy))
+        continue;
+      const std::size_t other = map.index(x + dx, y + dy);
+      if (map.values[other] == Value{0} && may_pass(queue[next], other)) {
+        map.values[other] = map.values[queue[next]];
+        queue.push_back(other);
+      }
+    }
   }
 }
 

@@ -114,29 +114,6 @@ cutGalleries(const VoxelGrid<std::uint8_t>& occupancy, int low, int high, Mask& 
   });
 }
 
-/** \brief Give unknown columns (walls, outside) the state of the nearest known one. */
-void
-spread(Mask& states)
-{
-  std::vector<std::size_t> queue;
-  for (std::size_t pixel = 0; pixel < states.values.size(); ++pixel)
-    if (states.values[pixel] != UNKNOWN)
-      queue.push_back(pixel);
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    const int x = static_cast<int>(queue[next] / states.ny);
-    const int y = static_cast<int>(queue[next] % states.ny);
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-      if (!states.contains(x + dx, y + dy))
-        continue;
-      const std::size_t other = states.index(x + dx, y + dy);
-      if (states.values[other] == UNKNOWN) {
-        states.values[other] = states.values[queue[next]];
-        queue.push_back(other);
-      }
-    }
-  }
-}
-
 } // namespace
 
 PixelMap<std::uint8_t>
@@ -174,7 +151,8 @@ openColumns(const VoxelGrid<std::uint8_t>& occupancy,
       states, options.min_opening_area / (size * size), least_room / (size * size));
   for (auto& state : states.values)
     state = state == OPEN_BELOW_CEILING ? OPEN : State{state};
-  spread(states);
+  // Unknown columns (walls, outside) go with the nearest known ones.
+  spreadValues(states, [](std::size_t, std::size_t) { return true; });
   for (auto& state : states.values)
     state = state == OPEN;
   return states;

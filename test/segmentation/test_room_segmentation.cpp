@@ -152,10 +152,13 @@ TEST(RoomSegmentation, PointsThatAreNotFiniteGetNoRoom)
 
 TEST(RoomSegmentation, TheHollowOfAThickWallIsNoRoom)
 {
-  // 0.8 m between the faces, of which nobody sees the inside
-  const auto scene =
-      rooms({{{0, 0, 0}, {4, 3, 2.5f}, 1}, {{4.8f, 0, 0}, {8, 3, 2.5f}, 2}}, {});
-  EXPECT_EQ(roomCount(segmented(cloudOf(scene.points))), 2u);
+  // 0.8 m between the faces, of which nobody sees the inside; storeys below and above
+  const auto scene = rooms({{{0, 0, 0}, {4, 3, 2.5f}, 1},
+                            {{4.8f, 0, 0}, {8.8f, 3, 2.5f}, 2},
+                            {{0, 0, -2.8f}, {8.8f, 3, -0.3f}, 3},
+                            {{0, 0, 2.8f}, {8.8f, 3, 5.3f}, 4}},
+                           {});
+  EXPECT_EQ(roomCount(segmented(cloudOf(scene.points))), 4u);
 }
 
 TEST(RoomSegmentation, OnePointGivesNoRoom)
