@@ -1,0 +1,46 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/ml/network.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief What a model is fed with. */
+enum class ClassifierInputKind {
+  PairHarmonics, ///< the descriptor of pairs and harmonics, 1,200 bins
+  EPPF,          ///< the thesis's descriptor, 1,200 bins
+  EPPFShort,     ///< the thesis's short descriptor, 540 bins
+  Points         ///< the points themselves, in the unit sphere around their mean
+};
+
+/** \brief How the input of a model is made of an object. */
+struct ClassifierInput {
+  ClassifierInputKind kind = ClassifierInputKind::PairHarmonics;
+  double scale = 0.0; ///< metres that distances spread over; 0: each object's extent
+  std::uint32_t pair_count = 20000; ///< pairs drawn, at least 1
+  int draws = 1;        ///< times an object is described; probabilities are averaged
+  bool context = false; ///< whether size and place follow the bins, see contextValues()
+  int point_count = 1024; ///< of Points
+};
+
+/** \brief A trained classifier: plain data, see model_file.h for its file. */
+struct ClassifierModel {
+  std::vector<std::string> classes; ///< names, in the order of the networks' scores
+  ClassifierInput input;
+  std::vector<Network> networks; ///< at least one; their probabilities are averaged
+};
+
+/** \brief Say what is wrong with a model: "" if nothing. */
+std::string
+whatIsWrong(const ClassifierModel& model);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,32 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/ml/classifier_model.h>
+
+#include <string>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief A model as the bytes of its file.
+ *
+ * A line that names format and version, a line of JSON (classes, input, layers, how
+ * weights are stored), the weights, and checksums of both: docs/classes.md.
+ * \param[in] half_precision store weights in 16 bits instead of 32
+ * \throws pcl::BadArgumentException if the model is wrong
+ */
+std::string
+modelBytes(const ClassifierModel& model, bool half_precision = false);
+
+/** \brief The model of a file's bytes.
+ * \throws pcl::IOException that says in one line what is wrong with them: not a model,
+ * of a newer version, damaged, cut off, or not fitting itself
+ */
+ClassifierModel
+modelFromBytes(const std::string& bytes);
+
+} // namespace indoor
+} // namespace pcl

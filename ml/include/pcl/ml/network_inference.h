@@ -1,0 +1,25 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/ml/network.h>
+
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief The network's scores (before the softmax) of a batch of inputs; Eigen only.
+ * \param[in] inputs one per object, of the network's input
+ * \param[out] responses if not null: the values after each layer for the first object
+ * \throws pcl::BadArgumentException if network or inputs do not fit
+ */
+std::vector<std::vector<float>>
+networkScores(const Network& network,
+              const std::vector<std::vector<float>>& inputs,
+              std::vector<Tensor>* responses = nullptr);
+
+} // namespace indoor
+} // namespace pcl
