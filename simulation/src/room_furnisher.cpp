@@ -97,8 +97,18 @@ RoomFurnisher::piece(const std::string& category,
 {
   Piece result;
   result.category = category;
+  result.variant = draw_.pick(furnitureVariants(category));
   result.seed = mixSeed(static_cast<std::uint32_t>(draw_.pick(1 << 30)), 0);
-  result.size = makeFurniture(category, result.seed, size).size;
+  result.size = makeFurniture(category, result.seed, size, result.variant).size;
+  return result;
+}
+
+Piece
+RoomFurnisher::shaped(const std::string& category, int first, int last)
+{
+  Piece result = piece(category);
+  result.variant = first + draw_.pick(last - first + 1);
+  result.size = makeFurniture(category, result.seed, std::nullopt, result.variant).size;
   return result;
 }
 
@@ -148,6 +158,7 @@ RoomFurnisher::put(const Piece& piece,
   plan.elevation = elevation;
   plan.size = piece.size;
   plan.seed = piece.seed;
+  plan.variant = piece.variant;
   furniture_.push_back(plan);
   return number;
 }

@@ -18,6 +18,7 @@ struct Piece {
   std::string category;
   std::uint32_t seed = 0;
   Eigen::Vector3d size = Eigen::Vector3d::Zero(); ///< metres
+  int variant = 0;
 };
 
 /** \brief Finds places in one room, so that nothing collides.
@@ -59,10 +60,14 @@ public:
     return draw_.pick(count);
   }
 
-  /** \brief Draw a piece; a size that is given replaces the drawn one. */
+  /** \brief Draw a piece of any shape; a size that is given replaces the drawn one. */
   Piece
   piece(const std::string& category,
         const std::optional<Eigen::Vector3d>& size = std::nullopt);
+
+  /** \brief Draw a piece of one of the shapes \a first to \a last. */
+  Piece
+  shaped(const std::string& category, int first, int last);
 
   /** \brief Back to a wall, at a height above the floor; often in a corner or right
    * beside another piece. */
