@@ -180,20 +180,31 @@ RoomFurnisher::placeAlong(const Wall& w, const Piece& piece)
 }
 
 int
-RoomFurnisher::atWall(const Piece& piece, double elevation)
+RoomFurnisher::tryWalls(const Piece& piece, double elevation, double gap)
 {
   constexpr int attempts = 40;
-  const double gap = draw_.pick(2) == 0 ? 0.0 : draw_.uniform(0.0, 0.04);
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const Wall w = wall(draw_.pick(4));
     const double along = placeAlong(w, piece);
-    const double off = piece.size.y() / 2 + (elevation > 0.3 ? 0.0 : gap);
+    const double off = piece.size.y() / 2 + gap;
     const int placed =
         put(piece, w.start + along * w.along + off * w.inwards, w.rotation, elevation);
     if (placed >= 0)
       return placed;
   }
   return -1;
+}
+
+int
+RoomFurnisher::atWall(const Piece& piece, double elevation)
+{
+  return tryWalls(piece, elevation, chance(0.5) ? 0.0 : between(0.0, 0.04));
+}
+
+int
+RoomFurnisher::onWall(const Piece& piece, double elevation)
+{
+  return tryWalls(piece, elevation, 0.0);
 }
 
 int

@@ -91,6 +91,23 @@ public:
   int
   onTop(int other, const Piece& piece, double turn = 0.0, bool at_rear = false);
 
+  /** \brief On a wall with its lowest point at a height. */
+  int
+  onWall(const Piece& piece, double elevation);
+
+  /** \brief Books, bottles, vases, cups, lamps on top of a piece. */
+  void
+  putSmallThings(int other, int count);
+
+  /** \brief A desk at a wall, its chair, and what stands on it. */
+  void
+  workplace(const Piece& desk, const std::string& chair);
+
+  /** \brief Cabinets and devices side by side, a sink and a cooker among them, with
+   * wall cupboards over them. */
+  void
+  kitchenRow(int cabinets);
+
   /** \brief Anywhere on the floor. */
   int
   anywhere(const Piece& piece);
@@ -106,6 +123,10 @@ public:
   /** \brief Below each window, not above its sill. */
   void
   belowWindows(const std::string& category, double probability);
+
+  /** \brief Before each window. */
+  void
+  curtains(double probability);
 
   /** \brief At a place; \a under may be overlapped. */
   int
@@ -168,6 +189,9 @@ private:
 
   Wall
   wall(int number) const;
+
+  int
+  tryWalls(const Piece& piece, double elevation, double gap);
 
   double
   placeAlong(const Wall& wall, const Piece& piece);
