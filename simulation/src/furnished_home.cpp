@@ -71,6 +71,8 @@ furnishLiving(RoomFurnisher& room)
     room.anywhere(room.piece("person"));
   if (room.chance(0.2))
     room.onWall(room.shaped("air_conditioner", 0, 0), 1.9);
+  else if (room.chance(0.15))
+    room.atWall(room.shaped("air_conditioner", 1, 1));
 }
 
 void
@@ -138,7 +140,7 @@ furnishBedroom(RoomFurnisher& room)
   if (room.chance(0.5))
     room.putSmallThings(room.atWall(room.piece("drawers")), room.pick(3));
   if (room.chance(0.4))
-    room.workplace(room.piece("desk"), "chair");
+    room.workplace(room.piece("desk"), "chair", 0.0);
   if (room.chance(0.3))
     room.atWall(room.piece("bookcase"));
   if (room.chance(0.25))
@@ -158,7 +160,7 @@ furnishBedroom(RoomFurnisher& room)
 void
 furnishStudy(RoomFurnisher& room)
 {
-  room.workplace(room.piece("desk"), "office_chair");
+  room.workplace(room.piece("desk"), "office_chair", 0.2);
   for (int i = 1 + room.pick(3); i > 0; --i)
     room.atWall(room.piece("bookcase"));
   if (room.chance(0.5))
@@ -209,7 +211,7 @@ finish(RoomFurnisher& room, bool dry)
     room.onWall(room.piece("picture"), room.between(1.1, 1.5));
   for (int i = room.pick(3); i > 0; --i)
     room.onWall(room.piece("wall_lamp"), room.between(1.5, 1.9));
-  for (int i = room.pick(4); i > 0; --i)
+  for (int i = room.pick(3); i > 0; --i)
     room.anywhere(room.piece(room.chance(0.8) ? "box" : "bin"));
 }
 

@@ -16,7 +16,8 @@ furnishOffice(RoomFurnisher& room)
 {
   const int places = 1 + static_cast<int>(room.size().prod() / 9.0);
   for (int i = 0; i < places; ++i)
-    room.workplace(room.piece(room.chance(0.8) ? "desk" : "table"), "office_chair");
+    room.workplace(
+        room.piece(room.chance(0.8) ? "desk" : "table"), "office_chair", 0.3);
   for (int i = 1 + room.pick(3); i > 0; --i)
     room.atWall(room.piece(room.chance(0.5) ? "bookcase" : "cabinet"));
   if (room.chance(0.4))

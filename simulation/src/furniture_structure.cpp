@@ -60,6 +60,32 @@ stairs(PartMaker& make, const Eigen::Vector3d& size, RandomDraw&)
   }
 }
 
+// Steps around a pole, to the left; they begin and end at the front.
+void
+spiralStairs(PartMaker& make, const Eigen::Vector3d& size, RandomDraw&)
+{
+  constexpr double core = 0.07, thickness = 0.05; // metres
+  const double x = size.x() / 2, y = size.y() / 2, flight = size.z() - 1.0;
+  const int steps = std::max(6, static_cast<int>(std::lround(flight / 0.19)));
+  const double rise = flight / steps, turn = 1.9 * M_PI / steps;
+  make.prism("pole", {0, 0}, core, 0.0, core, size.z(), 12);
+  const auto at = [&](double i, double share) {
+    const double angle = M_PI / 2 + i * turn;
+    return Eigen::Vector2d(share * x * std::cos(angle), share * y * std::sin(angle));
+  };
+  for (int i = 0; i < steps; ++i) {
+    const double top = (i + 1) * rise;
+    make.slab("step",
+              {at(i, core / x), at(i, 0.97), at(i + 0.5, 0.97), at(i + 1.0, 0.97)},
+              std::max(0.0, top - thickness),
+              top);
+    const Eigen::Vector2d p = at(i, 0.97), q = at(i + 1.0, 0.97);
+    make.rod("post", {p.x(), p.y(), top}, {p.x(), p.y(), top + 0.95 - rise}, 0.012);
+    make.rod(
+        "rail", {p.x(), p.y(), top + 0.95 - rise}, {q.x(), q.y(), top + 0.95}, 0.02);
+  }
+}
+
 void
 railing(PartMaker& make, const Eigen::Vector3d& size, RandomDraw&)
 {
@@ -84,6 +110,7 @@ structureClasses()
   return {{"column", {0.35, 0.35, 2.8}, {0.45, 0.45, 2.8}, column},
           {"beam", {3.0, 0.25, 0.25}, {5.0, 0.35, 0.35}, beam},
           {"stairs", {1.2, 4.8, 4.1}, {1.2, 4.8, 4.1}, stairs},
+          {"stairs", {1.5, 1.5, 3.8}, {1.8, 1.8, 4.2}, spiralStairs},
           {"railing", {3.0, 0.06, 1.0}, {4.0, 0.06, 1.1}, railing}};
 }
 

@@ -131,6 +131,26 @@ PartMaker::loft(const std::string& name,
 }
 
 void
+PartMaker::slab(const std::string& name, const Polygon& outline, double z0, double z1)
+{
+  FurniturePart part;
+  part.name = name;
+  const auto at = [&](std::size_t i, double z) -> Eigen::Vector3f {
+    const auto& p = outline[i % outline.size()];
+    return cutBack({p.x(), p.y(), z}).cast<float>();
+  };
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    part.triangles.push_back({at(i, z0), at(i + 1, z0), at(i + 1, z1)});
+    part.triangles.push_back({at(i, z0), at(i + 1, z1), at(i, z1)});
+    if (i == 0 || i + 1 == outline.size())
+      continue;
+    part.triangles.push_back({at(0, z1), at(i, z1), at(i + 1, z1)});
+    part.triangles.push_back({at(0, z0), at(i + 1, z0), at(i, z0)});
+  }
+  model_.parts.push_back(part);
+}
+
+void
 PartMaker::rod(const std::string& name,
                const Eigen::Vector3d& from,
                const Eigen::Vector3d& to,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/simulation/furniture.h>
+#include <pcl/simulation/polygon.h>
 #include <pcl/simulation/random_draw.h>
 
 namespace pcl {
@@ -68,6 +69,10 @@ public:
       const Eigen::Vector3d& to,
       double radius,
       int sides = 6);
+
+  /** \brief Add a convex, counter-clockwise outline between two heights. */
+  void
+  slab(const std::string& name, const Polygon& outline, double z0, double z1);
 
   /** \brief Add something soft: a rectangle's extent with round edges. */
   void

@@ -124,10 +124,15 @@ RoomFurnisher::isFree(const Polygon& footprint,
     if (((corner - inner_.min()).array() < -touch).any() ||
         ((inner_.max() - corner).array() < -touch).any())
       return false;
-  Polygon smaller = inset(footprint, touch);
+  const Polygon smaller = inset(footprint, touch);
+  const Eigen::Vector2d middle = (footprint[0] + footprint[2]) / 2;
+  const double radius = (footprint[0] - middle).norm();
   return std::none_of(obstacles_.begin(), obstacles_.end(), [&](const Obstacle& o) {
+    const Eigen::Vector2d other = (o.footprint[0] + o.footprint[2]) / 2;
     return (o.piece < 0 || o.piece != under) && o.low < high - touch &&
-           o.high > low + touch && overlap(o.footprint, smaller);
+           o.high > low + touch &&
+           (other - middle).norm() < radius + (o.footprint[0] - other).norm() &&
+           overlap(o.footprint, smaller);
   });
 }
 
@@ -182,7 +187,7 @@ RoomFurnisher::placeAlong(const Wall& w, const Piece& piece)
 int
 RoomFurnisher::tryWalls(const Piece& piece, double elevation, double gap)
 {
-  constexpr int attempts = 40;
+  constexpr int attempts = 150;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const Wall w = wall(draw_.pick(4));
     const double along = placeAlong(w, piece);

@@ -99,9 +99,9 @@ public:
   void
   putSmallThings(int other, int count);
 
-  /** \brief A desk at a wall, its chair, and what stands on it. */
+  /** \brief A desk, its chair, and what stands on it; how often away from the walls. */
   void
-  workplace(const Piece& desk, const std::string& chair);
+  workplace(const Piece& desk, const std::string& chair, double free_standing);
 
   /** \brief Cabinets and devices side by side, a sink and a cooker among them, with
    * wall cupboards over them. */

@@ -25,9 +25,12 @@ RoomFurnisher::putSmallThings(int other, int count)
 }
 
 void
-RoomFurnisher::workplace(const Piece& desk_piece, const std::string& chair)
+RoomFurnisher::workplace(const Piece& desk_piece,
+                         const std::string& chair,
+                         double free_standing)
 {
-  const int desk = chance(0.75) ? atWall(desk_piece) : inTheMiddle(desk_piece, 0.7);
+  const int desk =
+      chance(free_standing) ? inTheMiddle(desk_piece, 0.7) : atWall(desk_piece);
   if (desk < 0)
     return;
   const double width = sizeOf(desk).x();

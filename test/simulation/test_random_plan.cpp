@@ -119,6 +119,41 @@ TEST(RandomPlan, DoorsJoinAllRooms)
     }
 }
 
+TEST(RandomPlan, EveryClassAppears)
+{
+  std::set<std::string> seen;
+  for (const auto kind : kinds)
+    for (std::uint32_t seed = 0; seed < seeds; ++seed)
+      for (const auto& storey : randomPlan(seed, kind).storeys)
+        for (const auto& item : storey.furniture)
+          seen.insert(item.category);
+  for (const auto* part_of_building : {"beam", "column", "railing"})
+    seen.insert(part_of_building);
+  for (const auto& category : furnitureCategories())
+    EXPECT_EQ(seen.count(category), 1u) << category;
+}
+
+// What a home is for: a bed in each bedroom, something to cook on in the kitchen.
+TEST(RandomPlan, MostHomesHaveTheirMainPieces)
+{
+  int beds = 0, bedrooms = 0, toilets = 0, cookers = 0, sofas = 0;
+  for (std::uint32_t seed = 0; seed < seeds; ++seed)
+    for (const auto& storey : randomPlan(seed, PlanKind::Home).storeys) {
+      for (const auto& room : storey.rooms)
+        bedrooms += room.name.find("bedroom") != std::string::npos ? 1 : 0;
+      for (const auto& item : storey.furniture) {
+        beds += item.category == "bed" || item.category == "bunk_bed" ? 1 : 0;
+        toilets += item.category == "toilet" ? 1 : 0;
+        cookers += item.category == "cooker" ? 1 : 0;
+        sofas += item.category == "sofa" ? 1 : 0;
+      }
+    }
+  EXPECT_GT(beds, 0.8 * bedrooms);
+  EXPECT_LE(beds, bedrooms);
+  for (const int count : {toilets, cookers, sofas})
+    EXPECT_GT(count, 0.8 * seeds);
+}
+
 TEST(RandomPlan, TheSameSeedGivesTheSamePlan)
 {
   for (const auto kind : kinds) {
