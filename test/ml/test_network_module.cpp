@@ -130,7 +130,8 @@ TEST(NetworkModule, GradientsEqualFiniteDifferences)
       // along the gradient and at random
       const auto& gradient = parameter.grad();
       const auto random = randomTensor(values.sizes().vec(), ++seed);
-      const auto step = (gradient / gradient.norm() + random / random.norm()) * 2e-3;
+      const auto step =
+          (gradient / gradient.norm().clamp_min(1e-6) + random / random.norm()) * 2e-3;
       const double expected = (gradient * step).sum().item<double>() * 2.0;
       values.add_(step);
       const double after = loss().item<double>();

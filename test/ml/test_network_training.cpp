@@ -215,7 +215,7 @@ TEST(NetworkTraining, TakesTheBestEpochOnValidation)
   const auto set = thirds(network, 12, 4);
   auto options = fewEpochs();
   options.epoch_count = 12;
-  options.learning_rate = 0.05; // so that it goes up and down
+  options.learning_rate = 0.2; // so that it goes up and down
   const auto validation = thirds(network, 30, 5);
   const auto result = trainNetwork(network, set, validation, options);
   int best = 1;
