@@ -4,18 +4,39 @@
  */
 #include "object_files.h"
 
-#include "cloud_file.h"
-
 #include <pcl/common/centroid.h>
 #include <pcl/common/io.h>
+#include <pcl/conversions.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 
 namespace pcl::indoor::tool {
+namespace {
+
+constexpr const char* floor_field = "floor_distance";
+constexpr const char* ceiling_field = "ceiling_distance";
+constexpr const char* wall_field = "wall_distance";
+
+/** \brief A float field of the first point; NaN if there is none. */
+float
+firstValue(const PCLPointCloud2& cloud, const std::string& name)
+{
+  for (const auto& field : cloud.fields)
+    if (field.name == name && field.datatype == PCLPointField::FLOAT32 &&
+        cloud.data.size() >= field.offset + sizeof(float)) {
+      float value = 0.0f;
+      std::memcpy(&value, cloud.data.data() + field.offset, sizeof(float));
+      return value;
+    }
+  return std::numeric_limits<float>::quiet_NaN();
+}
+
+} // namespace
 
 std::vector<std::string>
 findClouds(const std::string& folder)
@@ -79,6 +100,39 @@ loadObject(const std::string& path, int neighbor_count)
   else
     estimateNormals(*object, neighbor_count);
   return object;
+}
+
+void
+saveObject(const std::string& path, const ObjectSurface& object)
+{
+  PointCloud<PointNormal> points;
+  for (const auto& [position, normal] : object.points) {
+    PointNormal point;
+    point.getVector3fMap() = position;
+    point.getNormalVector3fMap() = normal;
+    points.push_back(point);
+  }
+  PCLPointCloud2 cloud;
+  toPCLPointCloud2(points, cloud);
+  const auto append = [&](const char* name, float value) {
+    appendRealField(cloud, name, std::vector<float>(points.size(), value));
+  };
+  append(floor_field, object.floor_distance);
+  append(ceiling_field, object.ceiling_distance);
+  append(wall_field, object.wall_distance);
+  saveCloud(path, cloud);
+}
+
+ObjectPlace
+readPlace(const CloudFile& file)
+{
+  ObjectPlace place;
+  place.floor_distance = firstValue(file.cloud, floor_field);
+  place.ceiling_distance = firstValue(file.cloud, ceiling_field);
+  place.wall_distance = firstValue(file.cloud, wall_field);
+  place.is_known = place.floor_distance >= 0.0f && place.ceiling_distance >= 0.0f &&
+                   place.wall_distance >= 0.0f;
+  return place.is_known ? place : ObjectPlace();
 }
 
 } // namespace pcl::indoor::tool

@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/ml/network_inference.h>
+
 #include <gtest/gtest.h>
 
 #include "adam.h"
@@ -141,6 +143,53 @@ TEST(NetworkModule, GradientsEqualFiniteDifferences)
       EXPECT_NEAR(after - before, expected, 0.03 * std::abs(expected) + 5e-5)
           << name << ", parameter " << seed - 20;
     }
+  }
+}
+
+/** \brief Move all weights, so that none is at what it starts with. */
+void
+disturbWeights(std::vector<Layer>& layers, std::mt19937& random)
+{
+  for (auto& layer : layers) {
+    for (auto& weights : layer.weights)
+      for (float& value : weights.values)
+        value += 0.02f * static_cast<float>(random() % 10);
+    disturbWeights(layer.inner, random);
+  }
+}
+
+TEST(NetworkModule, ScoresEqualThoseOfInference)
+{
+  auto networks = smallNetworks();
+  networks.push_back({"whole 4D", eppfNetwork4D(5)});
+  networks.push_back({"whole 3D", eppfNetwork3D(5)});
+  networks.push_back({"whole 2D", eppfNetwork2D(5)});
+  networks.push_back({"wide perceptron", perceptron(5, {1200})});
+  networks.push_back({"whole PointNet", pointNet(5, 64)});
+  std::mt19937 random(3);
+  for (auto& [name, network] : networks) {
+    initializeWeights(network, 7);
+    if (valueCount(network.input) < 1000) // else they would sum up to huge scores
+      disturbWeights(network.layers, random);
+    const auto set = thirds(network, 4, 3, 1);
+    std::vector<std::vector<float>> inputs;
+    for (const auto& draws : set.inputs)
+      inputs.push_back(draws.front());
+    const auto expected = networkScores(network, inputs);
+    const at::NoGradGuard no_gradients;
+    const auto scores = NetworkModule(network, at::kCPU).scores(rows(set), nullptr);
+    double largest = 1.0;
+    for (const auto& of_object : expected)
+      for (const float score : of_object)
+        largest = std::max(largest, std::abs(static_cast<double>(score)));
+    for (std::size_t object = 0; object < expected.size(); ++object)
+      for (std::size_t k = 0; k < expected[object].size(); ++k)
+        EXPECT_NEAR(
+            scores[static_cast<std::int64_t>(object)][static_cast<std::int64_t>(k)]
+                .item<double>(),
+            expected[object][k],
+            1e-4 * largest)
+            << name;
   }
 }
 

@@ -1,0 +1,55 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "network_evaluation.h"
+
+#include <pcl/exceptions.h>
+#include <pcl/ml/network_inference.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+constexpr std::ptrdiff_t batch_size = 16; // inputs that stay in the cache together
+
+} // namespace
+
+std::vector<std::vector<float>>
+networkScores(const Network& network,
+              const std::vector<std::vector<float>>& inputs,
+              std::vector<Tensor>* responses)
+{
+  const auto problem = whatIsWrong(network, true);
+  if (!problem.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  for (const auto& input : inputs)
+    if (input.size() != valueCount(network.input))
+      PCL_THROW_EXCEPTION(BadArgumentException,
+                          "An input of " << input.size()
+                                         << " values does not fit a network of "
+                                         << valueCount(network.input));
+  if (responses != nullptr)
+    responses->clear();
+  std::vector<std::vector<float>> scores;
+  for (std::size_t first = 0; first < inputs.size(); first += batch_size) {
+    const auto begin = inputs.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto rest = inputs.end() - begin;
+    ObjectValues objects{network.input, {begin, begin + std::min(rest, batch_size)}};
+    for (const auto& layer : network.layers) {
+      applyLayer(layer, objects);
+      if (responses != nullptr && first == 0)
+        responses->push_back({objects.shape, objects.arrays.front()});
+    }
+    for (auto& values : objects.arrays)
+      scores.push_back(std::move(values));
+  }
+  return scores;
+}
+
+} // namespace indoor
+} // namespace pcl
