@@ -12,6 +12,7 @@
 #include "adam.h"
 #include "convolution.h"
 #include "network_module.h"
+#include "training_resources.h"
 
 namespace {
 
@@ -36,7 +37,7 @@ batchLabels()
 void
 BM_TrainingStep(benchmark::State& state)
 {
-  at::set_num_threads(static_cast<int>(state.range(0)));
+  const pcl::indoor::TrainingResources resources(static_cast<int>(state.range(0)));
   const auto module = networkModule();
   pcl::indoor::Adam adam(module.parameters(), 0.0);
   const auto inputs = at::rand({batch_size, 1200});
@@ -49,7 +50,7 @@ BM_TrainingStep(benchmark::State& state)
 }
 
 /** The same network as one would write it: a stacked 4D convolution, and libtorch's own
- * layers and optimizer. */
+ * layers and optimizer; with the second argument 1, our dense layer instead of its. */
 void
 BM_PlainTrainingStep(benchmark::State& state)
 {
@@ -89,7 +90,7 @@ measure(benchmark::State& state,
         std::vector<at::Tensor> arguments,
         at::Tensor (*function)(const at::Tensor&, const at::Tensor&, const at::Tensor&))
 {
-  at::set_num_threads(static_cast<int>(state.range(0)));
+  const pcl::indoor::TrainingResources resources(static_cast<int>(state.range(0)));
   for (auto& argument : arguments)
     argument.set_requires_grad(argument.dim() < 6 || argument.size(1) > 1);
   for (auto _ : state) {
@@ -142,7 +143,7 @@ BM_Dense(benchmark::State& state)
 void
 BM_Adam(benchmark::State& state)
 {
-  at::set_num_threads(static_cast<int>(state.range(0)));
+  const pcl::indoor::TrainingResources resources(static_cast<int>(state.range(0)));
   const auto module = networkModule();
   pcl::indoor::Adam adam(module.parameters(), 0.0);
   for (auto _ : state) {

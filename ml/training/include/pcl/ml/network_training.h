@@ -54,15 +54,15 @@ struct TrainingResult {
 
 /** \brief Train a network with libtorch: AdamW on the cross-entropy.
  *
- * On a CUDA device where libtorch has one (Debian's has none), else on the CPU. An
- * epoch is the best if its validation has the highest accuracy and, of equal ones, the
- * lowest loss. BatchNorm's running values follow with a momentum of 0.1. What libtorch
- * throws (no memory left) passes through. \param[in] network initialized or trained
- * before; its Scale layers stay as they are \param[in] validation may be empty; never
- * trained with \param[in] report called after each epoch; false stops \throws
- * pcl::BadArgumentException if options, sets or network do not fit; pcl::IOException if
- * a checkpoint cannot be read or written, or is another training's;
- * pcl::ComputeFailedException if the loss grows beyond all bounds
+ * On a CUDA device where libtorch has one (Debian's has none), else on the CPU. Best is
+ * the epoch of the highest validation accuracy and, of equal ones, of the lowest loss.
+ * BatchNorm's running values follow with a momentum of 0.1.
+ * \param[in] network initialized or trained before; its Scale layers stay as they are
+ * \param[in] validation may be empty; never trained with
+ * \param[in] report called after each epoch; false stops
+ * \throws pcl::BadArgumentException if options, sets or network do not fit;
+ * pcl::IOException if a checkpoint cannot be read or written, or is another training's;
+ * pcl::ComputeFailedException if the loss is no longer finite
  */
 TrainingResult
 trainNetwork(const Network& network,
