@@ -5,9 +5,11 @@
 #include "object_files.h"
 
 #include "cloud_file.h"
+#include "mesh_file.h"
 
 #include <pcl/common/centroid.h>
 #include <pcl/common/io.h>
+#include <pcl/exceptions.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
 
@@ -16,9 +18,42 @@
 #include <limits>
 
 namespace pcl::indoor::tool {
+namespace {
+
+bool
+isMesh(const std::filesystem::path& path)
+{
+  return path.extension() == ".off" || path.extension() == ".obj";
+}
+
+bool
+isObject(const std::filesystem::path& path)
+{
+  return path.extension() == ".pcd" || path.extension() == ".ply" || isMesh(path);
+}
+
+PointCloud<PointNormal>::Ptr
+sampledObject(const Mesh& mesh, const std::string& path)
+{
+  constexpr std::uint32_t seed = 1; // the same file gives the same object
+  auto object = pcl::make_shared<PointCloud<PointNormal>>();
+  try {
+    for (const auto& drawn : sampleMesh(mesh, mesh_point_count, seed)) {
+      PointNormal point;
+      point.getVector3fMap() = drawn.position;
+      point.getNormalVector3fMap() = drawn.normal;
+      object->push_back(point);
+    }
+  } catch (const BadArgumentException&) { // its triangles are within its vertices
+    throw ToolError(path + ": no face of the mesh has an area");
+  }
+  return object;
+}
+
+} // namespace
 
 std::vector<std::string>
-findClouds(const std::string& folder)
+findObjects(const std::string& folder)
 {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -29,14 +64,13 @@ findClouds(const std::string& folder)
        entry.increment(error)) {
     if (error)
       break;
-    const auto extension = entry->path().extension();
-    if (entry->is_regular_file() && (extension == ".pcd" || extension == ".ply"))
+    if (entry->is_regular_file() && isObject(entry->path()))
       paths.push_back(fs::relative(entry->path(), folder).string());
   }
   if (error)
     throw ToolError(folder + ": cannot be read: " + error.message());
   if (paths.empty())
-    throw ToolError(folder + ": no .pcd or .ply file in this folder");
+    throw ToolError(folder + ": no .pcd, .ply, .off or .obj file in this folder");
   std::sort(paths.begin(), paths.end());
   return paths;
 }
@@ -66,7 +100,12 @@ estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
 PointCloud<PointNormal>::Ptr
 loadObject(const std::string& path, int neighbor_count)
 {
+  if (isMesh(path))
+    return sampledObject(readMesh(path), path);
   const auto file = loadCloud(path);
+  const auto mesh = plyMesh(file);
+  if (!mesh.triangles.empty())
+    return sampledObject(mesh, path);
   auto object = pcl::make_shared<PointCloud<PointNormal>>();
   copyPointCloud(*file.points, *object);
   object->is_dense = file.finite_count == object->size();

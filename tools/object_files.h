@@ -14,12 +14,13 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief All .pcd and .ply files of a folder and the folders in it, sorted by path.
+/** \brief All .pcd, .ply, .off and .obj files of a folder and the folders in it, sorted
+ * by path.
  * \return paths relative to the folder
  * \throws ToolError if it is no folder or holds none
  */
 std::vector<std::string>
-findClouds(const std::string& folder);
+findObjects(const std::string& folder);
 
 /** \brief Estimate the normals of the finite points from their neighbours' plane.
  *
@@ -29,8 +30,12 @@ findClouds(const std::string& folder);
 void
 estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count);
 
+/** \brief Points that are drawn on a mesh. */
+constexpr std::size_t mesh_point_count = 2048;
+
 /** \brief Read the points and normals of an object; estimate normals if the file has
- * none. \throws ToolError as loadCloud()
+ * none. Of a mesh (OFF, OBJ, or PLY with faces) mesh_point_count points are drawn.
+ * \throws ToolError as loadCloud() and readMesh()
  */
 PointCloud<PointNormal>::Ptr
 loadObject(const std::string& path, int neighbor_count);

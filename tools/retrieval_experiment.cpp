@@ -177,7 +177,7 @@ summarize(const std::vector<DescriptorSeries>& series,
 LabelledObjects
 loadLabelledObjects(const std::string& folder, int neighbor_count, Progress& progress)
 {
-  const auto paths = findClouds(folder);
+  const auto paths = findObjects(folder);
   progress.start("Loading " + folder);
   LabelledObjects objects;
   for (std::size_t k = 0; k < paths.size(); ++k) {
