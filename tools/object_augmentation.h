@@ -30,6 +30,13 @@ struct ObjectAugmentation {
   double stretch_percent = 10.0; ///< most, of each axis, longer or shorter
 };
 
+/** \brief No change at all, but for the turn. */
+inline ObjectAugmentation
+noAugmentation()
+{
+  return {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+}
+
 /** \brief An object as it might have been scanned; also turned about the z axis.
  * \param[in] cloud with normals, which are estimated anew where there is noise
  * \param[in] neighbor_count of such a normal, at least

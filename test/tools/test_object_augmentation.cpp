@@ -16,7 +16,7 @@ using pcl::PointNormal;
 
 namespace {
 
-const ObjectAugmentation nothing{0, 0, 0, 0, 0, 0, 0, 0};
+const ObjectAugmentation nothing = noAugmentation();
 
 /** Points of an upright ellipsoid of half axes 1, 2, 3 with outward normals. */
 PointCloud<PointNormal>
