@@ -159,6 +159,11 @@ wrongWeights(const std::vector<Layer>& layers, Shape shape)
           }))
         return name + " has weights that are not finite";
     }
+    if (layer.kind == LayerKind::BatchNorm) {
+      const auto& variances = layer.weights[1].values;
+      if (*std::min_element(variances.begin(), variances.end()) < 0.0f)
+        return name + " has negative variances";
+    }
     const auto inner = wrongWeights(layer.inner, shape);
     if (!inner.empty())
       return name + ", " + inner;
@@ -275,7 +280,9 @@ whatIsWrong(const Network& network, bool wants_weights)
              text(shape);
     return wants_weights ? wrongWeights(network.layers, network.input) : "";
   } catch (const BadArgumentException& problem) {
-    return problem.detailedMessage();
+    const std::string message = problem.what(); // function, file and line, " : ", text
+    const auto place = message.find(" : ");
+    return place == std::string::npos ? message : message.substr(place + 3);
   }
 }
 

@@ -26,10 +26,14 @@ struct ClassifierInput {
   ClassifierInputKind kind = ClassifierInputKind::PairHarmonics;
   double scale = 0.0; ///< metres that distances spread over; 0: each object's extent
   std::uint32_t pair_count = 20000; ///< pairs drawn, at least 1
-  int draws = 1;        ///< times an object is described; probabilities are averaged
+  int draws = 1; ///< times an object is described, 1 ... most_draws; probabilities are
+                 ///< averaged
   bool context = false; ///< whether size and place follow the bins, see contextValues()
-  int point_count = 1024; ///< of Points
+  int point_count = 1024; ///< of Points, 1 ... most_points
 };
+
+constexpr int most_draws = 1000;
+constexpr int most_points = 1 << 20;
 
 /** \brief A trained classifier: plain data, see model_file.h for its file. */
 struct ClassifierModel {
@@ -38,9 +42,11 @@ struct ClassifierModel {
   std::vector<Network> networks; ///< at least one; their probabilities are averaged
 };
 
-/** \brief Say what is wrong with a model: "" if nothing. */
+/** \brief Say what is wrong with a model: "" if nothing.
+ * \param[in] wants_weights whether weights must be there, of their shapes and finite
+ */
 std::string
-whatIsWrong(const ClassifierModel& model);
+whatIsWrong(const ClassifierModel& model, bool wants_weights = true);
 
 } // namespace indoor
 } // namespace pcl

@@ -15,8 +15,10 @@ namespace indoor {
  *
  * A line that names format and version, a line of JSON (classes, input, layers, how
  * weights are stored), the weights, and checksums of both: docs/classes.md.
- * \param[in] half_precision store weights in 16 bits instead of 32
- * \throws pcl::BadArgumentException if the model is wrong
+ * \param[in] half_precision store weights of dense and convolution layers in 16 bits
+ * instead of 32
+ * \throws pcl::BadArgumentException if the model is wrong, a name of a class is not
+ * UTF-8, or a weight is too large for 16 bits
  */
 std::string
 modelBytes(const ClassifierModel& model, bool half_precision = false);
@@ -27,6 +29,13 @@ modelBytes(const ClassifierModel& model, bool half_precision = false);
  */
 ClassifierModel
 modelFromBytes(const std::string& bytes);
+
+/** \brief The model of a file.
+ * \throws pcl::IOException as modelFromBytes(), with the path, and if there is no such
+ * file
+ */
+ClassifierModel
+loadModel(const std::string& path);
 
 } // namespace indoor
 } // namespace pcl

@@ -19,6 +19,9 @@ using Shape = std::vector<int>;
 std::size_t
 valueCount(const Shape& shape);
 
+/** \brief Added to the variances of LayerKind::BatchNorm. */
+constexpr float batch_norm_epsilon = 1e-5f;
+
 /** \brief What a layer does to the values of one object.
  *
  * Values come as an array of shape (channels, positions ...), with up to four extents
@@ -30,15 +33,17 @@ enum class LayerKind {
   Reshape,     ///< the same values in another shape: extents
   Dense,       ///< all values to extents[0] ones: weights (out, in) and biases (out)
   Convolution, ///< extents: channels out, then the kernel's extent per position extent;
-               ///< stride 1, zeros around (n / 2 after, the rest before), so that the
-               ///< positions stay: weights (out, in, kernel ...), biases (out)
-  BatchNorm,   ///< per channel: weights mean, variance, gain, offset (channels) each
+               ///< stride 1, zeros around ((n - 1) / 2 before, rounded down, the rest
+               ///< of n - 1 after), so that the positions stay: weights (out, in,
+               ///< kernel ...), biases (out)
+  BatchNorm,   ///< per channel: weights mean, variance, gain, offset (channels) each;
+               ///< (value - mean) / sqrt(variance + batch_norm_epsilon) * gain + offset
   Relu,        ///< max(value, 0)
-  MaxPool,     ///< largest value per window of extents, one per position extent; what
-               ///< does not fill a window is left out
+  MaxPool, ///< largest value per window of extents, one per position extent; windows
+           ///< lie side by side, what does not fill one is left out
   MaxOverPositions, ///< the largest value of each channel: shape (channels)
-  Transform, ///< each position's channels times the square matrix that inner makes of
-             ///< the input, plus identity (PointNet's transform nets)
+  Transform, ///< each position's channels, as a row, times the square matrix that inner
+             ///< makes of the input, plus identity (PointNet's transform nets)
   Dropout    ///< in training, rate of the values become 0; else nothing
 };
 

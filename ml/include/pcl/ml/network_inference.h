@@ -11,7 +11,10 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief The network's scores (before the softmax) of a batch of inputs; Eigen only.
+/** \brief The network's scores (before the softmax) of a batch of inputs.
+ *
+ * Sums have a fixed order: the scores of an object are the same bits alone and in any
+ * batch. One thread; a larger batch reads the weights of dense layers less often.
  * \param[in] inputs one per object, of the network's input
  * \param[out] responses if not null: the values after each layer for the first object
  * \throws pcl::BadArgumentException if network or inputs do not fit

@@ -22,16 +22,32 @@ struct ObjectPlace {
 /** \brief Number of values that contextValues() gives. */
 constexpr std::size_t context_value_count = 16;
 
-/** \brief Size and place of an object as values for a classifier, each about 0 to 1.
+/** \brief Size and place of an object as values for a classifier, each 0 or more.
  *
- * Size: height and, of the upright box that is turned to the smallest footprint, length
- * and width; each in metres and as logarithm; what share of the points faces up and
- * sideways; the mean height of points within the object. Place: distances from floor,
- * ceiling and wall, and whether they are below 0.1 m; all 0 if the place is not known,
- * which is the last value. \param[in] points metres, z up
+ * Size, of the upright box of the smallest footprint:
+ * - 0 to 2: height, length and width (not longer than the length), metres, at most 4;
+ * - 3 to 5: the same as ln(1 + metres / 0.1) / ln(31), which is 1 at 3 m;
+ * - 6, 7: share of the points that face up or down (normal at most 30 degrees from z),
+ *   and sideways (at most 30 degrees from the horizontal);
+ * - 8: mean height of the points within the box, 0 ... 1.
+ *
+ * Place, all 0 if it is not known:
+ * - 9 to 11: distance from floor, ceiling and wall, metres, 0 ... 4;
+ * - 12 to 14: 1 where that is below 0.1 m;
+ * - 15: 1, the place is known.
+ *
+ * No points give a size of 0. Time: that of sorting the points that lie near the rim of
+ * the footprint.
+ * \param[in] points finite, metres, z up
  */
 std::vector<float>
 contextValues(const std::vector<OrientedPoint>& points, const ObjectPlace& place);
+
+/** \brief Sides of the smallest rectangle, turned anyhow, around points of the plane.
+ * \return length, and width that is not longer; zeros for no points
+ */
+Eigen::Vector2f
+smallestRectangle(std::vector<Eigen::Vector2f> points);
 
 } // namespace indoor
 } // namespace pcl
