@@ -50,10 +50,14 @@ describeFile(const std::string& input,
              const std::string& output,
              const Settings& settings)
 {
-  if (settings.eppf.wantsShortForm())
-    describe<pcl::EPPFSignature540>(input, output, settings);
-  else
-    describe<pcl::EPPFSignature1200>(input, output, settings);
+  switch (settings.eppf.descriptor()) {
+  case EPPFDescriptor::PairHarmonics:
+    return describe<pcl::PairHarmonicsSignature1200>(input, output, settings);
+  case EPPFDescriptor::EPPF:
+    return describe<pcl::EPPFSignature1200>(input, output, settings);
+  case EPPFDescriptor::EPPFShort:
+    return describe<pcl::EPPFSignature540>(input, output, settings);
+  }
 }
 
 void
@@ -93,8 +97,10 @@ run(const Settings& settings, Progress& progress)
   const bool has_folders =
       !settings.input_folder.empty() || !settings.output_folder.empty();
   const auto bins = settings.eppf.options().bins.size();
-  if (bins != 1200 && bins != 540)
-    throw ToolError("-bins: there must be 1200 for this tool, not " +
+  const auto expected = optionsOf(settings.eppf.descriptor()).bins.size();
+  if (bins != expected)
+    throw ToolError("-bins: there must be " + std::to_string(expected) + " for " +
+                    descriptorName(settings.eppf.descriptor()) + ", not " +
                     std::to_string(bins));
   if (has_folders) {
     if (settings.input_folder.empty() || settings.output_folder.empty() ||
@@ -120,7 +126,8 @@ main(int argc, char** argv)
 {
   Settings settings;
   OptionParser parser("pcl_eppf_estimation",
-                      "Describe an object by its histogram of enhanced point pair "
+                      "Describe an object by a histogram of point pairs and harmonics, "
+                      "as one PairHarmonicsSignature1200, or by enhanced point pair "
                       "features (EPPF), as one EPPFSignature1200.");
   parser
       .positionals("input.pcd output.pcd",
@@ -134,6 +141,7 @@ main(int argc, char** argv)
               "neighbours of a normal, where the file has no normals",
               "points",
               Range::atLeast(3));
+  settings.eppf.addDescriptorTo(parser);
   settings.eppf.addTo(parser);
   return parser.run(argc, argv, [&](Progress& progress) { run(settings, progress); });
 }

@@ -11,10 +11,13 @@
 namespace pcl::indoor::tool {
 namespace {
 
+// The names of an enumeration's values in turn; "default" is the descriptor's own.
 const std::vector<std::string> rule_names = {
-    "joint", "maximum", "minimum", "mean", "random", "both"};
-const std::vector<std::string> side_names = {"outward", "given", "ignored"};
-const std::vector<std::string> sampling_names = {"uniform", "stratified"};
+    "joint", "maximum", "minimum", "mean", "random", "both", "default"};
+const std::vector<std::string> side_names = {"outward", "given", "ignored", "default"};
+const std::vector<std::string> sampling_names = {"uniform", "stratified", "default"};
+const std::vector<std::string> descriptor_names = {
+    "pair_harmonics", "eppf", "eppf_short"};
 const std::vector<std::string> feature_names = {
     "none", "distance", "surface_angle", "normal_angle", "occupancy", "harmonics"};
 
@@ -23,6 +26,15 @@ indexOf(const std::string& name, const std::vector<std::string>& names)
 {
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
                                   names.begin());
+}
+
+/** \brief Change a value to the one that is named, if it is not "default". */
+template <typename T>
+void
+choose(const std::string& name, const std::vector<std::string>& names, T& value)
+{
+  if (name != "default")
+    value = static_cast<T>(indexOf(name, names));
 }
 
 EPPFBins
@@ -46,26 +58,32 @@ readBins(const std::string& text)
   return bins;
 }
 
-std::string
-binsText(const EPPFBins& bins)
+} // namespace
+
+const std::string&
+descriptorName(EPPFDescriptor descriptor)
 {
-  std::ostringstream text;
-  text << bins.distance << ',' << bins.surface_angle << ',' << bins.normal_angle << ','
-       << bins.occupancy << ',' << bins.harmonics.shells << ',' << bins.harmonics.degree
-       << ',' << bins.harmonics.distances;
-  return text.str();
+  return descriptor_names[static_cast<std::size_t>(descriptor)];
 }
 
-} // namespace
+EPPFOptions
+optionsOf(EPPFDescriptor descriptor)
+{
+  switch (descriptor) {
+  case EPPFDescriptor::EPPF:
+    return thesisEPPFOptions();
+  case EPPFDescriptor::EPPFShort:
+    return shortEPPFOptions();
+  default:
+    return pairHarmonicsOptions();
+  }
+}
 
 void
 EPPFCommandLine::addTo(OptionParser& parser)
 {
-  surface_angle_ = rule_names[static_cast<std::size_t>(options_.surface_angle_rule)];
-  sampling_ = sampling_names[static_cast<std::size_t>(options_.sampling)];
-  normals_ = side_names[static_cast<std::size_t>(options_.normal_sides)];
+  surface_angle_ = sampling_ = normals_ = bins_ = "default";
   without_ = feature_names.front();
-  bins_ = binsText(options_.bins);
   parser
       .number("-pairs",
               options_.pair_count,
@@ -84,12 +102,12 @@ EPPFCommandLine::addTo(OptionParser& parser)
           bins_,
           "bins of distance, surface angle, normal angle, occupancy; shells and degree "
           "of harmonics, distances from the middle")
-      .flag("-short", short_form_, "the short form of 540 bins")
       .number("-grid_size",
-              options_.grid_size,
-              "edge of the occupancy grid, 2 to 64; 0: from the number of points",
+              grid_size_,
+              "edge of the occupancy grid, 2 to 64; 0: from the number of points; -1: "
+              "the descriptor's own",
               "voxels",
-              Range::between(0, 64))
+              Range::between(-1, 64))
       .number("-weighting_constant",
               options_.weighting_constant,
               "larger gives near pairs more weight",
@@ -99,34 +117,46 @@ EPPFCommandLine::addTo(OptionParser& parser)
       .text("-surface_angle", surface_angle_, "how two angles become one", rule_names)
       .text("-sampling", sampling_, "how pairs are chosen", sampling_names)
       .text("-without", without_, "a feature to leave out", feature_names)
-      .text("-normals", normals_, "the side of a surface they point to", side_names)
-      .flag("-thesis",
-            thesis_,
-            "the setting of the thesis for all but pairs, scale, seed");
+      .text("-normals", normals_, "the side of a surface they point to", side_names);
+}
+
+void
+EPPFCommandLine::addDescriptorTo(OptionParser& parser)
+{
+  descriptor_ = descriptor_names.front();
+  parser.text("-descriptor",
+              descriptor_,
+              "what tells most, or EPPF as in the thesis, or its short form",
+              descriptor_names);
+}
+
+EPPFDescriptor
+EPPFCommandLine::descriptor() const
+{
+  auto descriptor = EPPFDescriptor::PairHarmonics;
+  if (!descriptor_.empty())
+    choose(descriptor_, descriptor_names, descriptor);
+  return descriptor;
 }
 
 EPPFOptions
 EPPFCommandLine::options() const
 {
-  auto options = options_;
-  options.surface_angle_rule =
-      static_cast<SurfaceAngleRule>(indexOf(surface_angle_, rule_names));
-  options.normal_sides = static_cast<NormalSides>(indexOf(normals_, side_names));
-  options.sampling = static_cast<PairSampling>(indexOf(sampling_, sampling_names));
-  options.bins = readBins(bins_);
-  options.denoising = !keeps_noise_;
-  if (thesis_) {
-    const auto thesis = thesisEPPFOptions();
-    options.surface_angle_rule = thesis.surface_angle_rule;
-    options.normal_sides = thesis.normal_sides;
-    options.sampling = thesis.sampling;
-    options.bins = thesis.bins;
-    options.grid_size = thesis.grid_size;
-    options.denoising = thesis.denoising;
-    options.weighting_constant = thesis.weighting_constant;
-  }
-  if (short_form_)
-    options.bins = shortEPPFBins(options.surface_angle_rule);
+  auto options = optionsOf(descriptor());
+  options.pair_count = options_.pair_count;
+  options.scale = options_.scale;
+  options.seed = options_.seed;
+  options.number_of_threads = options_.number_of_threads;
+  options.weighting_constant = options_.weighting_constant;
+  choose(surface_angle_, rule_names, options.surface_angle_rule);
+  choose(normals_, side_names, options.normal_sides);
+  choose(sampling_, sampling_names, options.sampling);
+  if (bins_ != "default")
+    options.bins = readBins(bins_);
+  if (grid_size_ >= 0)
+    options.grid_size = grid_size_;
+  if (keeps_noise_)
+    options.denoising = false;
   const auto without = indexOf(without_, feature_names);
   options.features = {
       without != 1, without != 2, without != 3, without != 4, without != 5};

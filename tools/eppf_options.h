@@ -12,31 +12,43 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief The options of the EPPF descriptor on a command line. */
+/** \brief The descriptors that EPPFEstimation computes, the default one first. */
+enum class EPPFDescriptor { PairHarmonics, EPPF, EPPFShort };
+
+/** \brief For example "pair_harmonics", as its PCD field. */
+const std::string&
+descriptorName(EPPFDescriptor descriptor);
+
+/** \brief The options that a descriptor stands for. */
+EPPFOptions
+optionsOf(EPPFDescriptor descriptor);
+
+/** \brief The options of EPPFEstimation on a command line. */
 class EPPFCommandLine {
 public:
   /** \brief Add the options to a parser; this object must outlive its run(). */
   void
   addTo(OptionParser& parser);
 
-  /** \brief The options as given.
-   * \throws ToolError if a text is none of its choices or the bins are unreadable
+  /** \brief Add the option that chooses the descriptor. */
+  void
+  addDescriptorTo(OptionParser& parser);
+
+  /** \brief The descriptor chosen. */
+  EPPFDescriptor
+  descriptor() const;
+
+  /** \brief The options of the descriptor, but for those that were given.
+   * \throws ToolError if the bins are unreadable or an option is out of its range
    */
   EPPFOptions
   options() const;
 
-  /** \brief Whether the short form of 540 bins is wanted. */
-  bool
-  wantsShortForm() const
-  {
-    return short_form_;
-  }
-
 private:
-  EPPFOptions options_;
-  bool short_form_ = false;
+  EPPFOptions options_; ///< those that all descriptors have in common
+  int grid_size_ = -1;
   bool keeps_noise_ = false;
-  bool thesis_ = false;
+  std::string descriptor_;
   std::string surface_angle_;
   std::string normals_;
   std::string sampling_;

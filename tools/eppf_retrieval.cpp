@@ -79,11 +79,13 @@ readNoise(const std::string& text)
   return levels;
 }
 
-/** \brief The variants of EPPF of Fig. 5.11 to 5.13, and of its other choices. */
+/** \brief Variants of pair harmonics as those of EPPF in Fig. 5.11 to 5.13, and of its
+ * other choices. */
 std::vector<RetrievalDescriptor>
 ablation(const std::string& what, const EPPFOptions& options)
 {
-  std::vector<RetrievalDescriptor> variants = {eppfDescriptor("eppf", options)};
+  std::vector<RetrievalDescriptor> variants = {
+      eppfDescriptor("pair_harmonics", options)};
   const auto add = [&](const std::string& name, auto change) {
     auto changed = options;
     change(changed);
@@ -142,12 +144,10 @@ chosenDescriptors(const Settings& settings)
   const auto options = settings.eppf.options();
   if (settings.ablation != "none")
     return ablation(settings.ablation, options);
-  auto short_options = options;
-  short_options.bins = shortEPPFBins(options.surface_angle_rule);
   std::vector<RetrievalDescriptor> known = {
-      eppfDescriptor("eppf", options),
-      eppfDescriptor("eppf_thesis", thesisEPPFOptions()),
-      eppfDescriptor("eppf_short", short_options),
+      eppfDescriptor("pair_harmonics", options),
+      eppfDescriptor("eppf", thesisEPPFOptions()),
+      eppfDescriptor("eppf_short", shortEPPFOptions()),
       surfletPairDescriptor(5),
       surfletPairDescriptor(6)};
   for (auto& peer : peerDescriptors())
@@ -232,8 +232,8 @@ main(int argc, char** argv)
       .positional("DIR", settings.folder, "a folder per class with the objects' clouds")
       .text("-descriptors",
             settings.descriptors,
-            "all, or some of eppf,eppf_thesis,eppf_short,wahl,wahl_6,esf,vfh,our_cvfh,"
-            "gasd")
+            "all, or some of pair_harmonics (which the options change),eppf (of the "
+            "thesis),eppf_short,wahl,wahl_6,esf,vfh,our_cvfh,gasd")
       .text("-distances", settings.distances, "some of kl,l1,l2,chi2")
       .number("-repeats",
               experiment.repeat_count,
@@ -263,7 +263,7 @@ main(int argc, char** argv)
       .text(
           "-ablation",
           settings.ablation,
-          "compare variants of EPPF instead",
+          "compare variants of pair harmonics instead",
           {"none", "features", "surface_angle", "normals", "scale", "grid", "sampling"})
       .number("-normal_neighbors",
               experiment.neighbor_count,

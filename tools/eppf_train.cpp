@@ -186,7 +186,7 @@ testedModel(const std::string& bytes,
   std::vector<ClassifierObject> tested;
   std::vector<int> truth, predicted;
   for (const auto k : test) {
-    tested.push_back({classifierPoints(*objects.clouds[k]), {}});
+    tested.push_back({classifierPoints(*objects.clouds[k]), objects.places[k]});
     truth.push_back(objects.labels[k]);
   }
   for (const auto& classification :

@@ -156,13 +156,15 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
   auto objects = options.objects;
   objects.partition = options.partition == "lccp" ? pcl::indoor::Partition::Lccp
                                                   : pcl::indoor::Partition::Graph;
-  scene.object_of_point = segmentRoomObjects(
+  auto found = segmentRoomObjects(
       *pointsForObjects(file, options, segmentation),
       normalsForObjects(file, options, segmentation),
       scene.room_of_point,
       objects,
       options.threads,
+      {},
       [&](std::size_t done, std::size_t all) { progress.update(done, all); });
+  scene.object_of_point = std::move(found.object_of_point);
   scene.objects =
       measureObjects(*file.points, scene.room_of_point, scene.object_of_point);
   progress.done(std::to_string(scene.objects.size()) + " objects");

@@ -91,12 +91,15 @@ loadLabelledObjects(const std::string& folder,
   progress.start("Loading " + folder);
   const auto count = objects.paths.size();
   objects.clouds.resize(count);
+  objects.places.resize(count);
   std::vector<std::string> problems(count);
   std::size_t done = 0;
   forEachObject(count, number_of_threads, [&](std::size_t k) {
     try {
       const auto path = std::filesystem::path(folder) / objects.paths[k];
-      objects.clouds[k] = loadObject(path.string(), neighbor_count);
+      auto object = loadPlacedObject(path.string(), neighbor_count);
+      objects.clouds[k] = std::move(object.cloud);
+      objects.places[k] = object.place;
     } catch (const std::exception& error) {
       problems[k] = error.what();
     }

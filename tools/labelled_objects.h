@@ -6,6 +6,7 @@
 
 #include "progress.h"
 
+#include <pcl/ml/object_context.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -19,7 +20,8 @@ namespace pcl::indoor::tool {
 struct LabelledObjects {
   std::vector<std::string> paths; ///< relative to the folder, sorted
   std::vector<PointCloud<PointNormal>::Ptr> clouds;
-  std::vector<int> labels; ///< index into class_names
+  std::vector<ObjectPlace> places; ///< unknown where the files have none
+  std::vector<int> labels;         ///< index into class_names
   std::vector<std::string> class_names;
 };
 

@@ -120,6 +120,7 @@ classifierPoints(const PointCloud<PointNormal>& cloud)
 
 std::vector<std::vector<float>>
 drawsOf(const PointCloud<PointNormal>& cloud,
+        const ObjectPlace& place,
         const DrawOptions& options,
         std::size_t number)
 {
@@ -130,7 +131,7 @@ drawsOf(const PointCloud<PointNormal>& cloud,
         draw == 0 ? cloud
                   : augmentedObject(
                         cloud, options.augmentation, options.neighbor_count, seed);
-    auto input = classifierInput(classifierPoints(object), {}, options.input, seed);
+    auto input = classifierInput(classifierPoints(object), place, options.input, seed);
     const bool is_good = std::all_of(
         input.begin(), input.end(), [](float value) { return std::isfinite(value); });
     if (draw == 0 && !is_good)

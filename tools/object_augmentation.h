@@ -69,6 +69,7 @@ struct DrawOptions {
  */
 std::vector<std::vector<float>>
 drawsOf(const PointCloud<PointNormal>& cloud,
+        const ObjectPlace& place,
         const DrawOptions& options,
         std::size_t number);
 

@@ -4,16 +4,17 @@
  */
 #include "object_files.h"
 
-#include "cloud_file.h"
 #include "mesh_file.h"
 
 #include <pcl/common/centroid.h>
 #include <pcl/common/io.h>
+#include <pcl/conversions.h>
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 
@@ -48,6 +49,24 @@ sampledObject(const Mesh& mesh, const std::string& path)
     throw ToolError(path + ": no face of the mesh has an area");
   }
   return object;
+}
+
+constexpr const char* floor_field = "floor_distance";
+constexpr const char* ceiling_field = "ceiling_distance";
+constexpr const char* wall_field = "wall_distance";
+
+/** \brief A float field of the first point; NaN if there is none. */
+float
+firstValue(const PCLPointCloud2& cloud, const std::string& name)
+{
+  for (const auto& field : cloud.fields)
+    if (field.name == name && field.datatype == PCLPointField::FLOAT32 &&
+        cloud.data.size() >= field.offset + sizeof(float)) {
+      float value = 0.0f;
+      std::memcpy(&value, cloud.data.data() + field.offset, sizeof(float));
+      return value;
+    }
+  return std::numeric_limits<float>::quiet_NaN();
 }
 
 } // namespace
@@ -97,15 +116,15 @@ estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
   }
 }
 
-PointCloud<PointNormal>::Ptr
-loadObject(const std::string& path, int neighbor_count)
+PlacedObject
+loadPlacedObject(const std::string& path, int neighbor_count)
 {
   if (isMesh(path))
-    return sampledObject(readMesh(path), path);
+    return {sampledObject(readMesh(path), path), {}};
   const auto file = loadCloud(path);
   const auto mesh = plyMesh(file);
   if (!mesh.triangles.empty())
-    return sampledObject(mesh, path);
+    return {sampledObject(mesh, path), {}};
   auto object = pcl::make_shared<PointCloud<PointNormal>>();
   copyPointCloud(*file.points, *object);
   object->is_dense = file.finite_count == object->size();
@@ -117,7 +136,46 @@ loadObject(const std::string& path, int neighbor_count)
   }
   else
     estimateNormals(*object, neighbor_count);
-  return object;
+  return {object, readPlace(file)};
+}
+
+PointCloud<PointNormal>::Ptr
+loadObject(const std::string& path, int neighbor_count)
+{
+  return loadPlacedObject(path, neighbor_count).cloud;
+}
+
+void
+saveObject(const std::string& path, const ObjectSurface& object)
+{
+  PointCloud<PointNormal> points;
+  for (const auto& [position, normal] : object.points) {
+    PointNormal point;
+    point.getVector3fMap() = position;
+    point.getNormalVector3fMap() = normal;
+    points.push_back(point);
+  }
+  PCLPointCloud2 cloud;
+  toPCLPointCloud2(points, cloud);
+  const auto append = [&](const char* name, float value) {
+    appendRealField(cloud, name, std::vector<float>(points.size(), value));
+  };
+  append(floor_field, object.floor_distance);
+  append(ceiling_field, object.ceiling_distance);
+  append(wall_field, object.wall_distance);
+  saveCloud(path, cloud);
+}
+
+ObjectPlace
+readPlace(const CloudFile& file)
+{
+  ObjectPlace place;
+  place.floor_distance = firstValue(file.cloud, floor_field);
+  place.ceiling_distance = firstValue(file.cloud, ceiling_field);
+  place.wall_distance = firstValue(file.cloud, wall_field);
+  place.is_known = place.floor_distance >= 0.0f && place.ceiling_distance >= 0.0f &&
+                   place.wall_distance >= 0.0f;
+  return place.is_known ? place : ObjectPlace();
 }
 
 } // namespace pcl::indoor::tool

@@ -4,10 +4,12 @@
  */
 #pragma once
 
-#include "options.h"
+#include "cloud_file.h"
 
+#include <pcl/ml/object_context.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/segmentation/object_surfaces.h>
 
 #include <string>
 #include <vector>
@@ -39,5 +41,27 @@ constexpr std::size_t mesh_point_count = 2048;
  */
 PointCloud<PointNormal>::Ptr
 loadObject(const std::string& path, int neighbor_count);
+
+/** \brief An object as a classifier wants it. */
+struct PlacedObject {
+  PointCloud<PointNormal>::Ptr cloud;
+  ObjectPlace place; ///< as saveObject() has saved it, see readPlace()
+};
+
+/** \brief As loadObject(), with the place. */
+PlacedObject
+loadPlacedObject(const std::string& path, int neighbor_count);
+
+/** \brief Save an object as a cloud with normals and, in fields of their own, its
+ * distances from floor, ceiling and wall. \throws ToolError as saveCloud()
+ */
+void
+saveObject(const std::string& path, const ObjectSurface& object);
+
+/** \brief The place of an object in its room, as saveObject() has saved it.
+ * \return an unknown place if the file has no such fields
+ */
+ObjectPlace
+readPlace(const CloudFile& file);
 
 } // namespace pcl::indoor::tool

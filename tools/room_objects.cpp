@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <numeric>
+#include <unordered_map>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -21,10 +23,24 @@
 namespace pcl::indoor::tool {
 namespace {
 
-/** The object of each point of one room, from 1. */
+/** The numbers of the given objects of a room as 1 ... n, by their first points. */
 std::vector<std::uint32_t>
+numbersInRoom(const std::vector<std::uint32_t>& given, const Indices& room)
+{
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers{{0, 0}};
+  std::vector<std::uint32_t> result;
+  for (const auto index : room) {
+    const auto next = static_cast<std::uint32_t>(numbers.size());
+    result.push_back(numbers.emplace(given[index], next).first->second);
+  }
+  return result;
+}
+
+/** The objects of one room, from 1, and their surfaces. */
+RoomObjects
 segmentOneRoom(const PointCloud<PointXYZ>& points,
                const PointCloud<Normal>::ConstPtr& normals,
+               const std::vector<std::uint32_t>& given,
                const Indices& room,
                const ObjectSegmentationOptions& options)
 {
@@ -38,10 +54,17 @@ segmentOneRoom(const PointCloud<PointXYZ>& points,
     copyPointCloud(*normals, room, *room_normals);
     segmentation.setInputNormals(room_normals);
   }
-  std::vector<std::uint32_t> objects;
-  segmentation.segment(objects);
-  if (objects.empty())
+  RoomObjects objects;
+  segmentation.segment(objects.object_of_point);
+  if (objects.object_of_point.empty())
     throw AlreadyReported();
+  if (!given.empty())
+    objects.object_of_point = numbersInRoom(given, room);
+  auto numbers = objects.object_of_point; // of all points, as all are finite
+  const auto count = *std::max_element(numbers.begin(), numbers.end());
+  for (auto& number : numbers)
+    --number; // 0, no object, becomes a number beyond all objects
+  objects.surfaces = objectSurfaces(segmentation.getResult(), numbers, count);
   return objects;
 }
 
@@ -85,12 +108,13 @@ roomsAtATime(int threads)
 
 } // namespace
 
-std::vector<std::uint32_t>
+RoomObjects
 segmentRoomObjects(const PointCloud<PointXYZ>& points,
                    const PointCloud<Normal>::ConstPtr& normals,
                    const std::vector<std::uint32_t>& room_of_point,
                    const ObjectSegmentationOptions& options,
                    int threads,
+                   const std::vector<std::uint32_t>& given,
                    const std::function<void(std::size_t done, std::size_t all)>& report)
 {
   const auto rooms = pointsOfRooms(points, room_of_point);
@@ -100,7 +124,7 @@ segmentRoomObjects(const PointCloud<PointXYZ>& points,
     all += room.size();
   auto room_options = options;
   room_options.threads = 1; // the threads are busy with the rooms
-  std::vector<std::vector<std::uint32_t>> objects(rooms.size());
+  std::vector<RoomObjects> objects(rooms.size());
   std::size_t done = 0;
   std::exception_ptr error;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(roomsAtATime(threads))
@@ -108,7 +132,8 @@ segmentRoomObjects(const PointCloud<PointXYZ>& points,
     const auto room = order[i];
     try {
       if (!rooms[room].empty())
-        objects[room] = segmentOneRoom(points, normals, rooms[room], room_options);
+        objects[room] =
+            segmentOneRoom(points, normals, given, rooms[room], room_options);
     } catch (...) {
 #pragma omp critical
       error = std::current_exception();
@@ -119,18 +144,18 @@ segmentRoomObjects(const PointCloud<PointXYZ>& points,
   if (error)
     std::rethrow_exception(error);
 
-  std::vector<std::uint32_t> object_of_point(points.size(), 0);
-  std::uint32_t first = 0;
+  RoomObjects all_objects;
+  all_objects.object_of_point.assign(points.size(), 0);
   for (std::size_t room = 0; room < rooms.size(); ++room) {
-    std::uint32_t highest = 0;
-    for (std::size_t i = 0; i < objects[room].size(); ++i) {
-      highest = std::max(highest, objects[room][i]);
-      if (objects[room][i] > 0)
-        object_of_point[rooms[room][i]] = first + objects[room][i];
-    }
-    first += highest;
+    auto& [object_of_point, surfaces] = objects[room];
+    const auto first = static_cast<std::uint32_t>(all_objects.surfaces.size());
+    for (std::size_t i = 0; i < object_of_point.size(); ++i)
+      if (object_of_point[i] > 0)
+        all_objects.object_of_point[rooms[room][i]] = first + object_of_point[i];
+    std::move(
+        surfaces.begin(), surfaces.end(), std::back_inserter(all_objects.surfaces));
   }
-  return object_of_point;
+  return all_objects;
 }
 
 } // namespace pcl::indoor::tool

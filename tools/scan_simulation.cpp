@@ -7,6 +7,7 @@
 
 #include <pcl/conversions.h>
 #include <pcl/simulation/building.h>
+#include <pcl/simulation/random_plan.h>
 #include <pcl/simulation/range_sensor.h>
 #include <pcl/simulation/scene_description.h>
 #include <pcl/simulation/trajectory.h>
@@ -82,7 +83,10 @@ makeParser(Options& options)
       "Builds the rooms and furniture of a plan file and scans them with "
       "a moving range sensor; every point gets the fields room, object, "
       "part and category.");
-  parser.positional("plan.json", options.plan_file, "plan of the building")
+  parser
+      .positional("plan.json",
+                  options.plan_file,
+                  "plan of the building, or random:home:SEED, random:office:SEED")
       .positional("output.pcd", options.output_file, "the scan")
       .number("-spacing",
               options.trajectory.spacing,
@@ -154,7 +158,8 @@ simulate(Options& options, Progress& progress)
 {
   requireUsable(options);
   progress.start("Building " + options.plan_file);
-  auto plan = pcl::indoor::readPlan(options.plan_file);
+  const auto random = pcl::indoor::randomPlanNamed(options.plan_file);
+  auto plan = random ? *random : pcl::indoor::readPlan(options.plan_file);
   if (options.lean >= 0 && options.lean_towards >= 0)
     pcl::indoor::setLean(
         plan, {options.lean * M_PI / 180, options.lean_towards * M_PI / 180});

@@ -20,7 +20,8 @@ trainingPool(const LabelledObjects& objects,
   set.inputs.resize(used.size());
   std::size_t done = 0;
   forEachObject(used.size(), number_of_threads, [&](std::size_t k) {
-    set.inputs[k] = drawsOf(*objects.clouds[used[k]], options, used[k]);
+    set.inputs[k] =
+        drawsOf(*objects.clouds[used[k]], objects.places[used[k]], options, used[k]);
 #pragma omp critical(pcl_indoor_progress)
     progress.update(++done, used.size());
   });

@@ -9,12 +9,12 @@
 #include <pcl/point_types.h>
 
 // A scan with separate normals, or points that carry theirs.
-PCL_INSTANTIATE_PRODUCT(
-    EPPFEstimation,
-    ((pcl::PointXYZ)(pcl::PointXYZRGB)(pcl::PointXYZRGBA))((pcl::Normal))(
-        (pcl::EPPFSignature1200)(pcl::EPPFSignature540)))
 PCL_INSTANTIATE_PRODUCT(EPPFEstimation,
-                        ((pcl::PointNormal)(pcl::PointXYZRGBNormal))(
-                            (pcl::PointNormal)(pcl::PointXYZRGBNormal))(
-                            (pcl::EPPFSignature1200)(pcl::EPPFSignature540)))
+                        ((pcl::PointXYZ)(pcl::PointXYZRGB)(pcl::PointXYZRGBA))(
+                            (pcl::Normal))((pcl::EPPFSignature1200)(
+                            pcl::EPPFSignature540)(pcl::PairHarmonicsSignature1200)))
+PCL_INSTANTIATE_PRODUCT(EPPFEstimation,
+                        ((pcl::PointNormal)(pcl::PointXYZRGBNormal))((pcl::PointNormal)(
+                            pcl::PointXYZRGBNormal))((pcl::EPPFSignature1200)(
+                            pcl::EPPFSignature540)(pcl::PairHarmonicsSignature1200)))
 #endif

@@ -15,22 +15,28 @@ namespace indoor {
 EPPFOptions
 thesisEPPFOptions()
 {
+  return {};
+}
+
+EPPFOptions
+shortEPPFOptions()
+{
   EPPFOptions options;
-  options.bins = {20, 4, 5, 3};
-  options.surface_angle_rule = SurfaceAngleRule::Maximum;
-  options.normal_sides = NormalSides::Given;
-  options.sampling = PairSampling::Uniform;
-  options.grid_size = 64;
-  options.denoising = false;
+  options.bins = {15, 3, 4, 3, {}};
   return options;
 }
 
-EPPFBins
-shortEPPFBins(SurfaceAngleRule rule)
+EPPFOptions
+pairHarmonicsOptions()
 {
-  if (rule == SurfaceAngleRule::Joint)
-    return {5, 6, 5, 2, {2, 4, 40}};
-  return {15, 3, 4, 3};
+  EPPFOptions options;
+  options.bins = {4, 15, 5, 2, {3, 6, 12}};
+  options.surface_angle_rule = SurfaceAngleRule::Joint;
+  options.normal_sides = NormalSides::Outward;
+  options.sampling = PairSampling::Stratified;
+  options.denoising = true;
+  options.grid_size = 0;
+  return options;
 }
 
 int

@@ -7,8 +7,17 @@
 #include <pcl/exceptions.h>
 #include <pcl/ml/network_inference.h>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace pcl {
 namespace indoor {
+
+namespace {
+
+constexpr std::ptrdiff_t batch_size = 16; // inputs that stay in the cache together
+
+} // namespace
 
 std::vector<std::vector<float>>
 networkScores(const Network& network,
@@ -26,13 +35,20 @@ networkScores(const Network& network,
                                          << valueCount(network.input));
   if (responses != nullptr)
     responses->clear();
-  ObjectValues objects{network.input, inputs};
-  for (const auto& layer : network.layers) {
-    applyLayer(layer, objects);
-    if (responses != nullptr && !inputs.empty())
-      responses->push_back({objects.shape, objects.arrays.front()});
+  std::vector<std::vector<float>> scores;
+  for (std::size_t first = 0; first < inputs.size(); first += batch_size) {
+    const auto begin = inputs.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto rest = inputs.end() - begin;
+    ObjectValues objects{network.input, {begin, begin + std::min(rest, batch_size)}};
+    for (const auto& layer : network.layers) {
+      applyLayer(layer, objects);
+      if (responses != nullptr && first == 0)
+        responses->push_back({objects.shape, objects.arrays.front()});
+    }
+    for (auto& values : objects.arrays)
+      scores.push_back(std::move(values));
   }
-  return objects.arrays;
+  return scores;
 }
 
 } // namespace indoor

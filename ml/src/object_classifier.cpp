@@ -28,13 +28,10 @@ descriptorOptions(ClassifierInputKind kind)
   switch (kind) {
   case ClassifierInputKind::EPPF:
     return thesisEPPFOptions();
-  case ClassifierInputKind::EPPFShort: {
-    auto options = thesisEPPFOptions();
-    options.bins = shortEPPFBins(options.surface_angle_rule);
-    return options;
-  }
+  case ClassifierInputKind::EPPFShort:
+    return shortEPPFOptions();
   default:
-    return {};
+    return pairHarmonicsOptions();
   }
 }
 

@@ -2,9 +2,10 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-// bench_eppf [FOLDER]: EPPF beside pcl::ESFEstimation on every .pcd of a folder and the
-// folders in it (points with normals), or on boxes of 2,048 points without one. One
-// iteration describes one object. Reference: 8 ms per object for EPPF in the thesis.
+// bench_eppf [FOLDER]: pair harmonics and EPPF beside pcl::ESFEstimation on every .pcd
+// of a folder and the folders in it (points with normals), or on boxes of 2,048 points
+// without one. One iteration describes one object. Reference: 8 ms per object for EPPF
+// in the thesis.
 #include <pcl/console/print.h>
 #include <pcl/features/eppf.h>
 #include <pcl/features/esf.h>
@@ -77,13 +78,13 @@ describeInTurn(benchmark::State& state, Estimation& estimation)
   }
 }
 
+template <typename Signature>
 void
-eppf(benchmark::State& state, const pcl::indoor::EPPFOptions& options)
+eppf(benchmark::State& state)
 {
-  pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal> estimation;
-  estimation.setOptions(options);
+  pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal, Signature> estimation;
   estimation.setNumberOfThreads(static_cast<unsigned int>(state.range(0)));
-  describeInTurn<decltype(estimation), pcl::EPPFSignature1200>(state, estimation);
+  describeInTurn<decltype(estimation), Signature>(state, estimation);
 }
 
 void
@@ -110,14 +111,15 @@ esf(benchmark::State& state)
 void
 allDistances(benchmark::State& state, pcl::indoor::HistogramDistance distance)
 {
-  pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal> estimation;
+  using Signature = pcl::PairHarmonicsSignature1200;
+  pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal, Signature> estimation;
   pcl::indoor::Histograms histograms;
   for (std::uint32_t k = 0; k < 568; ++k) {
     const auto& object = objects()[k % objects().size()];
     estimation.setInputCloud(object);
     estimation.setInputNormals(object);
     estimation.setSeed(k);
-    pcl::PointCloud<pcl::EPPFSignature1200> descriptor;
+    pcl::PointCloud<Signature> descriptor;
     estimation.compute(descriptor);
     histograms.emplace_back(descriptor[0].histogram, descriptor[0].histogram + 1200);
   }
@@ -140,13 +142,13 @@ main(int argc, char** argv)
   if (objects().empty())
     return EXIT_FAILURE;
   const auto all_objects = static_cast<benchmark::IterationCount>(objects().size());
-  benchmark::RegisterBenchmark("eppf", eppf, pcl::indoor::EPPFOptions())
+  benchmark::RegisterBenchmark("pair_harmonics", eppf<pcl::PairHarmonicsSignature1200>)
       ->Arg(1)
       ->Arg(2)
       ->Iterations(all_objects)
       ->UseRealTime()
       ->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("eppf_thesis", eppf, pcl::indoor::thesisEPPFOptions())
+  benchmark::RegisterBenchmark("eppf", eppf<pcl::EPPFSignature1200>)
       ->Arg(1)
       ->Arg(2)
       ->Iterations(all_objects)

@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/features/eppf.h>
+#include <pcl/features/impl/oriented_points.hpp>
 #include <pcl/io/pcd_io.h>
 #include <pcl/kdtree/impl/kdtree_flann.hpp>
 #include <pcl/point_types.h>
@@ -15,11 +16,18 @@
 #include <cstdio>
 #include <limits>
 #include <numeric>
+#include <vector>
 
 namespace {
 
-using Estimation = pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal>;
-using Descriptors = pcl::PointCloud<pcl::EPPFSignature1200>;
+template <typename SignatureT>
+using EstimationOf =
+    pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal, SignatureT>;
+
+// What holds for any output is tested with the one that has all parts.
+using Signature = pcl::PairHarmonicsSignature1200;
+using Estimation = EstimationOf<Signature>;
+using Descriptors = pcl::PointCloud<Signature>;
 
 pcl::PointCloud<pcl::PointNormal>::Ptr
 boxCloud(std::size_t count, std::uint32_t seed)
@@ -46,13 +54,13 @@ describe(const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
 }
 
 bool
-isSame(const pcl::EPPFSignature1200& a, const pcl::EPPFSignature1200& b)
+isSame(const Signature& a, const Signature& b)
 {
   return std::equal(a.histogram, a.histogram + 1200, b.histogram);
 }
 
 double
-difference(const pcl::EPPFSignature1200& a, const pcl::EPPFSignature1200& b)
+difference(const Signature& a, const Signature& b)
 {
   double sum = 0.0;
   for (int bin = 0; bin < 1200; ++bin)
@@ -82,8 +90,7 @@ TEST(EPPFEstimation, CallThroughTheBaseGivesTheSame)
   estimation.setInputNormals(cloud);
   Descriptors own, base;
   estimation.compute(own);
-  static_cast<pcl::Feature<pcl::PointNormal, pcl::EPPFSignature1200>&>(estimation)
-      .compute(base);
+  static_cast<pcl::Feature<pcl::PointNormal, Signature>&>(estimation).compute(base);
   ASSERT_EQ(own.size(), 1u);
   ASSERT_EQ(base.size(), 1u);
   EXPECT_TRUE(isSame(own[0], base[0]));
@@ -92,19 +99,64 @@ TEST(EPPFEstimation, CallThroughTheBaseGivesTheSame)
   EXPECT_TRUE(isSame(own[0], base[0]));
 }
 
-TEST(EPPFEstimation, ShortFormHas540Bins)
+/** \brief The descriptor of a cloud by an output type's defaults. */
+template <typename SignatureT>
+std::vector<float>
+defaultHistogram(const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
 {
-  const auto cloud = boxCloud(500, 3);
-  pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal, pcl::EPPFSignature540>
-      estimation;
-  EXPECT_EQ(estimation.getBins().size(), 540u);
+  EstimationOf<SignatureT> estimation;
   estimation.setInputCloud(cloud);
   estimation.setInputNormals(cloud);
-  pcl::PointCloud<pcl::EPPFSignature540> output;
+  pcl::PointCloud<SignatureT> output;
   estimation.compute(output);
-  ASSERT_EQ(output.size(), 1u);
-  EXPECT_NEAR(
-      std::accumulate(output[0].histogram, output[0].histogram + 540, 0.0), 1.0, 1e-6);
+  EXPECT_EQ(output.size(), 1u);
+  return {std::begin(output[0].histogram), std::end(output[0].histogram)};
+}
+
+TEST(EPPFEstimation, OutputTypeSaysWhatIsComputed)
+{
+  using namespace pcl::indoor;
+  const auto cloud = boxCloud(500, 3);
+  pcl::Indices indices(cloud->size());
+  std::iota(indices.begin(), indices.end(), 0);
+  const auto points = orientedPoints(*cloud, *cloud, indices);
+  EXPECT_EQ(defaultHistogram<pcl::EPPFSignature1200>(cloud),
+            eppfHistogram(points, thesisEPPFOptions()));
+  EXPECT_EQ(defaultHistogram<pcl::EPPFSignature540>(cloud),
+            eppfHistogram(points, shortEPPFOptions()));
+  EXPECT_EQ(defaultHistogram<Signature>(cloud),
+            eppfHistogram(points, pairHarmonicsOptions()));
+  const pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal> thesis;
+  EXPECT_EQ(thesis.getBins().distance, 20);
+  EXPECT_EQ(thesis.getBins().surface_angle, 4);
+  EXPECT_EQ(thesis.getBins().normal_angle, 5);
+  EXPECT_EQ(thesis.getBins().occupancy, 3);
+  EXPECT_EQ(thesis.getBins().harmonics.size(), 0u);
+}
+
+TEST(EPPFEstimation, EPPFSignaturesHoldNoHarmonics)
+{
+  const auto cloud = boxCloud(500, 3);
+  EstimationOf<pcl::EPPFSignature1200> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setInputNormals(cloud);
+  estimation.setOptions(pcl::indoor::pairHarmonicsOptions()); // 1,200 bins, too
+  pcl::PointCloud<pcl::EPPFSignature1200> output;
+  estimation.compute(output);
+  EXPECT_TRUE(output.empty());
+  estimation.setBins({8, 15, 5, 2, {}});
+  estimation.compute(output);
+  EXPECT_EQ(output.size(), 1u);
+}
+
+TEST(EPPFEstimation, EachOutputHasAFieldOfItsOwn)
+{
+  const auto field = [](auto signature) {
+    return pcl::getFieldsList(pcl::PointCloud<decltype(signature)>());
+  };
+  EXPECT_EQ(field(pcl::EPPFSignature1200()), "eppf");
+  EXPECT_EQ(field(pcl::EPPFSignature540()), "eppf_short");
+  EXPECT_EQ(field(Signature()), "pair_harmonics");
 }
 
 TEST(EPPFEstimation, SeparateNormalsOfAnyLengthWillDo)
@@ -116,7 +168,7 @@ TEST(EPPFEstimation, SeparateNormalsOfAnyLengthWillDo)
     points->push_back({point.x, point.y, point.z});
     normals->push_back({4 * point.normal_x, 4 * point.normal_y, 4 * point.normal_z});
   }
-  pcl::EPPFEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  pcl::EPPFEstimation<pcl::PointXYZ, pcl::Normal, Signature> estimation;
   estimation.setInputCloud(points);
   estimation.setInputNormals(normals);
   Descriptors output;
@@ -305,11 +357,11 @@ TEST(EPPFEstimation, SettersAreKept)
   EXPECT_EQ(other.getScale(), 2.5);
 }
 
-TEST(EPPFSignature1200, SurvivesAPCDFile)
+TEST(PairHarmonicsSignature1200, SurvivesAPCDFile)
 {
   Descriptors written = describe(boxCloud(500, 13));
   written.push_back(describe(boxCloud(500, 14))[0]);
-  const std::string path = testing::TempDir() + "eppf_signature.pcd";
+  const std::string path = testing::TempDir() + "pair_harmonics.pcd";
   for (const bool binary : {false, true}) {
     ASSERT_EQ(pcl::io::savePCDFile(path, written, binary), 0);
     Descriptors read;
@@ -322,14 +374,14 @@ TEST(EPPFSignature1200, SurvivesAPCDFile)
   std::remove(path.c_str());
 }
 
-TEST(EPPFSignature1200, KdTreeSeesAllBins)
+TEST(PairHarmonicsSignature1200, KdTreeSeesAllBins)
 {
   auto cloud = pcl::make_shared<Descriptors>();
   for (int k = 0; k < 50; ++k) {
     cloud->emplace_back();
     cloud->back().histogram[1199 - k] = 1.0f; // the first three bins are all alike
   }
-  pcl::KdTreeFLANN<pcl::EPPFSignature1200> tree;
+  pcl::KdTreeFLANN<Signature> tree;
   tree.setInputCloud(cloud);
   for (int k = 0; k < 50; ++k) {
     auto query = (*cloud)[k];

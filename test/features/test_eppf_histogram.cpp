@@ -47,7 +47,7 @@ TEST(EPPFHistogram, EqualsTheFormulasForEveryRule)
                           SurfaceAngleRule::BothInsteadOfOccupancy})
     for (const auto sides :
          {NormalSides::Outward, NormalSides::Given, NormalSides::Ignored}) {
-      EPPFOptions options;
+      auto options = pairHarmonicsOptions();
       options.denoising = false; // random points look like noise
       options.surface_angle_rule = rule;
       options.normal_sides = sides;
@@ -61,8 +61,13 @@ TEST(EPPFHistogram, EqualsTheFormulasForEveryRule)
 TEST(EPPFHistogram, EqualsTheThesis)
 {
   const auto points = randomSurflets(500, 21);
-  const auto options = thesisEPPFOptions();
+  auto options = thesisEPPFOptions();
   EXPECT_EQ(options.bins.size(), 1200u);
+  EXPECT_EQ(eppfHistogram(points, options), eppfHistogram(points, {})); // the defaults
+  EXPECT_LT(difference(eppfHistogram(points, options), slowHistogram(points, options)),
+            rounding);
+  options = shortEPPFOptions();
+  EXPECT_EQ(options.bins.size(), 540u);
   EXPECT_LT(difference(eppfHistogram(points, options), slowHistogram(points, options)),
             rounding);
 }
@@ -73,7 +78,7 @@ TEST(EPPFHistogram, SidesOfNormalsDoNotMatterUnlessGiven)
   auto turned = points;
   for (std::size_t k = 0; k < turned.size(); k += 3)
     turned[k].normal = -turned[k].normal;
-  EPPFOptions options;
+  auto options = pairHarmonicsOptions();
   for (const auto sides : {NormalSides::Outward, NormalSides::Ignored}) {
     options.normal_sides = sides;
     EXPECT_EQ(eppfHistogram(points, options), eppfHistogram(turned, options));
@@ -86,7 +91,7 @@ TEST(EPPFHistogram, SidesOfNormalsDoNotMatterUnlessGiven)
 TEST(EPPFHistogram, EqualsTheFormulasForOtherOptions)
 {
   const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 700, 2);
-  EPPFOptions options;
+  auto options = pairHarmonicsOptions();
   options.surface_angle_rule = SurfaceAngleRule::Maximum;
   options.bins = {7, 4, 6, 5, {2, 3, 4}};
   options.scale = 0.8;
@@ -104,7 +109,7 @@ TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
 {
   const auto points = randomSurflets(300, 3);
   for (int off = 0; off < 5; ++off) {
-    EPPFOptions options;
+    auto options = pairHarmonicsOptions();
     options.denoising = false; // random points look like noise
     options.features = {off != 0, off != 1, off != 2, off != 3, off != 4};
     const auto histogram = eppfHistogram(points, options);
@@ -120,7 +125,7 @@ TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
 TEST(EPPFHistogram, SumIsOneAndSeedsDiffer)
 {
   const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 2000, 4);
-  EPPFOptions options;
+  auto options = pairHarmonicsOptions();
   const auto histogram = eppfHistogram(points, options);
   EXPECT_EQ(histogram.size(), 1200u);
   EXPECT_NEAR(
@@ -135,7 +140,7 @@ TEST(EPPFHistogram, SumIsOneAndSeedsDiffer)
 TEST(EPPFHistogram, ThreadsChangeNoBit)
 {
   const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 2000, 5);
-  EPPFOptions options;
+  auto options = pairHarmonicsOptions();
   const auto histogram = eppfHistogram(points, options);
   for (const unsigned int threads : {2u, 3u, 8u, 0u}) {
     options.number_of_threads = threads;
@@ -161,7 +166,7 @@ samplingBound(const std::vector<float>& histogram, double pair_count)
 TEST(EPPFHistogram, OrderOfThePointsChangesOnlySampling)
 {
   auto points = boxSurface({1.0f, 0.6f, 0.3f}, 2000, 6);
-  EPPFOptions options;
+  auto options = pairHarmonicsOptions();
   options.weighting = false;
   options.sampling = PairSampling::Uniform;
   const auto histogram = eppfHistogram(points, options);
@@ -188,7 +193,7 @@ TEST(EPPFHistogram, TurningChangesOnlyRoundingBesidesOccupancy)
     point.position = turn * point.position + Eigen::Vector3f(3.0f, -2.0f, 1.0f);
     point.normal = turn * point.normal;
   }
-  EPPFOptions options;
+  auto options = pairHarmonicsOptions();
   options.denoising = false;                // random points look like noise
   options.sampling = PairSampling::Uniform; // draws the same pairs of both
   options.features.occupancy = false;
@@ -211,7 +216,7 @@ TEST(EPPFHistogram, TurningChangesOnlySamplingOfStratifiedPairs)
     point.position = turn * point.position;
     point.normal = turn * point.normal;
   }
-  EPPFOptions options;
+  auto options = pairHarmonicsOptions();
   options.features.occupancy = false; // its grid turns with the axes, too
   options.weighting = false;
   const auto histogram = eppfHistogram(points, options);
@@ -223,11 +228,11 @@ TEST(EPPFHistogram, TurningChangesOnlySamplingOfStratifiedPairs)
 TEST(EPPFHistogram, ScaleFreeWithTheObjectsOwnExtent)
 {
   auto points = randomSurflets(1000, 8);
-  const auto histogram = eppfHistogram(points, {});
+  const auto histogram = eppfHistogram(points, pairHarmonicsOptions());
   for (auto& point : points)
     point.position *= 4.0f; // a power of two: no rounding at all
-  EXPECT_EQ(histogram, eppfHistogram(points, {}));
-  EPPFOptions options;
+  EXPECT_EQ(histogram, eppfHistogram(points, pairHarmonicsOptions()));
+  auto options = pairHarmonicsOptions();
   options.scale = 10.0;
   EXPECT_GT(difference(histogram, eppfHistogram(points, options)), 0.5);
 }
@@ -237,7 +242,7 @@ TEST(EPPFHistogram, NoisyObjectsEqualTheFormulas)
   for (const auto rule : {SurfaceAngleRule::Joint, SurfaceAngleRule::Maximum})
     for (const double scale : {0.0, 0.9}) {
       const auto points = noisyBox({1.0f, 0.6f, 0.3f}, 0.07f, 900, 24);
-      EPPFOptions options;
+      auto options = pairHarmonicsOptions();
       options.surface_angle_rule = rule;
       options.scale = scale;
       const auto histogram = eppfHistogram(points, options);
@@ -258,15 +263,17 @@ TEST(EPPFHistogram, NoisyObjectsEqualTheFormulas)
 TEST(EPPFHistogram, ObjectsWithoutNoiseAreLeftAsTheyAre)
 {
   const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 2000, 25);
-  EPPFOptions options;
+  auto options = pairHarmonicsOptions();
   options.denoising = false;
-  EXPECT_EQ(eppfHistogram(points, {}), eppfHistogram(points, options));
+  EXPECT_EQ(eppfHistogram(points, pairHarmonicsOptions()),
+            eppfHistogram(points, options));
 }
 
 TEST(EPPFHistogram, DegenerateObjectsGiveADefinedResult)
 {
   for (const std::size_t count : {0u, 1u}) {
-    const auto histogram = eppfHistogram(std::vector<OrientedPoint>(count), {});
+    const auto histogram =
+        eppfHistogram(std::vector<OrientedPoint>(count), pairHarmonicsOptions());
     ASSERT_EQ(histogram.size(), 1200u);
     for (const float value : histogram)
       EXPECT_TRUE(std::isnan(value));
@@ -274,13 +281,13 @@ TEST(EPPFHistogram, DegenerateObjectsGiveADefinedResult)
   std::vector<OrientedPoint> same(5);
   for (auto& point : same)
     point = {{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 1.0f}};
-  EXPECT_TRUE(std::isnan(eppfHistogram(same, {}).front()));
+  EXPECT_TRUE(std::isnan(eppfHistogram(same, pairHarmonicsOptions()).front()));
   // Two points: one distance, the longest; both normals along it; all in one bin.
   // Beside them two points at the ends of the longest axis, 2.5 shells from its middle:
   // in the middle of the third shell, and facing along the axis.
   std::vector<OrientedPoint> two = {same[0], same[1]};
   two[1].position.z() = 4.0f;
-  const auto histogram = eppfHistogram(two, {});
+  const auto histogram = eppfHistogram(two, pairHarmonicsOptions());
   const auto harmonics = histogram.begin() + 600;
   EXPECT_NEAR(*std::max_element(histogram.begin(), harmonics), 1.0 / 3, 1e-6);
   EXPECT_NEAR(std::accumulate(harmonics, histogram.end(), 0.0), 2.0 / 3, 1e-6);
@@ -306,9 +313,9 @@ TEST(EPPFHistogram, OnePairOfManyInOnePlaceIsFound)
   for (auto& point : points)
     point.normal = {0.0f, 0.0f, 1.0f};
   points.back().position = {1.0f, 0.0f, 0.0f};
-  const auto histogram = eppfHistogram(points, {});
+  const auto histogram = eppfHistogram(points, pairHarmonicsOptions());
   EXPECT_NEAR(std::accumulate(histogram.begin(), histogram.end(), 0.0), 1.0, 1e-6);
-  EPPFOptions options;
+  auto options = pairHarmonicsOptions();
   options.pair_count = 1;
   for (options.seed = 0; options.seed < 20; ++options.seed) {
     const auto few = eppfHistogram(points, options);
@@ -321,7 +328,7 @@ TEST(EPPFHistogram, RefusesEveryParameterOutOfRange)
 {
   const auto points = randomSurflets(10, 10);
   const auto refuses = [&](auto change) {
-    EPPFOptions options;
+    auto options = pairHarmonicsOptions();
     change(options);
     EXPECT_THROW(eppfHistogram(points, options), BadArgumentException);
     EXPECT_FALSE(whatIsWrong(options).empty());
@@ -342,7 +349,9 @@ TEST(EPPFHistogram, RefusesEveryParameterOutOfRange)
   refuses([](auto& o) { o.weighting_constant = std::nan(""); });
   refuses([](auto& o) { o.grid_size = 1; });
   refuses([](auto& o) { o.grid_size = 65; });
-  EXPECT_TRUE(whatIsWrong({}).empty());
+  for (const auto& options :
+       {EPPFOptions(), shortEPPFOptions(), pairHarmonicsOptions()})
+    EXPECT_TRUE(whatIsWrong(options).empty());
 }
 
 } // namespace

@@ -95,13 +95,13 @@ TEST(ClassifierInputValues, AreTheDescriptorAndTheContext)
     const auto bins = classifierInput(object.points, object.place, input, 5);
     ASSERT_EQ(bins.size(), kind == ClassifierInputKind::EPPFShort ? 540u : 1200u);
     EXPECT_EQ(bins.size(), inputValueCount(input));
-    if (kind == ClassifierInputKind::EPPF) {
-      auto options = thesisEPPFOptions();
-      options.pair_count = 700;
-      options.scale = 3.0;
-      options.seed = 5;
-      EXPECT_EQ(bins, eppfHistogram(object.points, options));
-    }
+    auto options = kind == ClassifierInputKind::PairHarmonics ? pairHarmonicsOptions()
+                   : kind == ClassifierInputKind::EPPF        ? thesisEPPFOptions()
+                                                              : shortEPPFOptions();
+    options.pair_count = 700;
+    options.scale = 3.0;
+    options.seed = 5;
+    EXPECT_EQ(bins, eppfHistogram(object.points, options));
     EXPECT_NE(bins, classifierInput(object.points, object.place, input, 6));
     input.context = true;
     auto both = classifierInput(object.points, object.place, input, 5);

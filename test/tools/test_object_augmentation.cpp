@@ -46,7 +46,7 @@ drawsOfEllipsoid(const ObjectAugmentation& augmentation, std::uint32_t seed)
   options.augmentation = augmentation;
   options.draw_count = 5;
   options.seed = seed;
-  return drawsOf(ellipsoid(300), options, 7);
+  return drawsOf(ellipsoid(300), {}, options, 7);
 }
 
 } // namespace
@@ -142,8 +142,8 @@ TEST(ObjectAugmentation, ObjectsThatCannotBeDescribedHaveNoDraws)
   PointCloud<PointNormal> twice;
   twice.push_back(ellipsoid(1)[0]);
   twice.push_back(twice[0]);
-  EXPECT_TRUE(drawsOf(twice, {}, 0).empty());
-  EXPECT_TRUE(drawsOf({}, {}, 0).empty());
+  EXPECT_TRUE(drawsOf(twice, {}, {}, 0).empty());
+  EXPECT_TRUE(drawsOf({}, {}, {}, 0).empty());
 }
 
 TEST(ObjectAugmentation, TakesTheObjectAsItIsWhereTooLittleIsLeft)
@@ -154,7 +154,7 @@ TEST(ObjectAugmentation, TakesTheObjectAsItIsWhereTooLittleIsLeft)
   options.augmentation = nothing;
   options.augmentation.thinned_share = 1.0;
   options.augmentation.thinned_percent = 99.0;
-  const auto draws = drawsOf(ellipsoid(3), options, 0);
+  const auto draws = drawsOf(ellipsoid(3), {}, options, 0);
   ASSERT_EQ(draws.size(), 20u);
   for (const auto& draw : draws)
     for (const float value : draw)

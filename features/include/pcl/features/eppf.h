@@ -7,24 +7,27 @@
 #include <pcl/features/eppf_histogram.h>
 #include <pcl/features/eppf_signature.h>
 #include <pcl/features/feature.h>
+#include <pcl/features/pair_harmonics_signature.h>
 
 namespace pcl {
 
 /** \brief Estimates the enhanced point pair feature (EPPF) histogram of an object.
  *
  * Draws pairs of oriented points and counts their distance, surface angle, normal angle
- * and the occupancy of the line between them in one four-dimensional histogram, and
- * beside it, by spherical harmonics in the object's own axes, where the points lie and
- * which way they face: a global descriptor, one output point whatever the number of
- * input points, that stays the same when the object is turned.
+ * and the occupancy of the line between them in one four-dimensional histogram: a
+ * global descriptor, one output point whatever the number of input points, that stays
+ * the same when the object is turned. The output type says what is computed:
+ * EPPFSignature1200 is the thesis's, EPPFSignature540 its short form, and
+ * PairHarmonicsSignature1200, which tells objects best, has another setting of pairs
+ * and, by spherical harmonics in the object's own axes, where the points lie and which
+ * way they face. All defaults follow the type.
  *
  * Only points and normals of the indices are read; one that is not finite is skipped,
  * and a normal of another length than 1 is brought to it. A search surface or search
- * method plays no part. Cost: linear in pairs, about 60 ns each. \note The paper: D.
- * Bobkov, S. Chen, R. Jian, M. Z. Iqbal, E. Steinbach, "Noise-resistant deep learning
- * for object classification in three-dimensional point clouds using a point pair
- * descriptor", IEEE Robotics and Automation Letters 3 (2018). Deviations from it are
- * listed in docs/descriptors.md.
+ * method plays no part. Cost: linear in pairs, about 60 ns each. \note The paper:
+ * Bobkov et al., "Noise-resistant deep learning for object classification in
+ * three-dimensional point clouds using a point pair descriptor", IEEE Robotics and
+ * Automation Letters 3 (2018). Deviations from it are listed in docs/descriptors.md.
  * \ingroup features
  */
 template <typename PointInT, typename PointNT, typename PointOutT = EPPFSignature1200>
@@ -64,9 +67,8 @@ public:
   }
 
   /** \brief Set or get the number of bins of each feature.
-   * \param[in] bins as many in all as PointOutT has (default 4 x 15 x 5 x 2 of pairs
-   * and harmonics up to degree 6 in 3 shells and 12 distances, for the short signature
-   * 5 x 6 x 5 x 2, degree 4, 2 shells and 40 distances)
+   * \param[in] bins as many in all as PointOutT has, and for EPPF signatures of pairs
+   * alone; compute() refuses others (default: those that PointOutT names)
    */
   void
   setBins(const indoor::EPPFBins& bins)
@@ -79,26 +81,23 @@ public:
     return options_.bins;
   }
 
-  /** \brief Set the length that the distance bins spread over.
-   * With the size of the largest object of a set, descriptors tell sizes apart; with
-   * each object's own size, they tell shapes apart. Longer distances fall into the last
-   * bin. \param[in] scale metres; 0: the object's own largest extent (default 0)
+  /** \brief Set or get the length that the distance bins spread over.
+   * With the size of the largest object of a set, descriptors tell sizes apart, with
+   * each object's own, shapes. Longer distances fall into the last bin. \param[in]
+   * scale metres; 0: the object's own largest extent (default 0)
    */
   void
   setScale(double scale)
   {
     options_.scale = scale;
   }
-
-  /** \brief Get the length that the distance bins spread over; 0: the object's own. */
   double
   getScale() const
   {
     return options_.scale;
   }
 
-  /** \brief Set or get the seed of the pairs; the same seed gives the same bits
-   * (default 5489). */
+  /** \brief Set or get the seed: the same gives the same bits (default 5489). */
   void
   setSeed(std::uint32_t seed)
   {
@@ -124,8 +123,7 @@ public:
   }
 
   /** \brief Set or get the constant of the bin weights, c of Eq. (5.11).
-   * \param[in] constant above 1; larger gives pairs that lie close more weight
-   * (default 1.2)
+   * \param[in] constant above 1; larger gives near pairs more weight (default 1.2)
    */
   void
   setWeightingConstant(double constant)
@@ -138,8 +136,8 @@ public:
     return options_.weighting_constant;
   }
 
-  /** \brief Set or get how the two surface angles become one feature (default Joint).
-   */
+  /** \brief Set or get how two surface angles become one feature (default Maximum;
+   * Joint for pair harmonics). */
   void
   setSurfaceAngleRule(indoor::SurfaceAngleRule rule)
   {
@@ -151,7 +149,8 @@ public:
     return options_.surface_angle_rule;
   }
 
-  /** \brief Set or get which side of a surface normals point to (default Outward). */
+  /** \brief Set or get which side of a surface normals point to (default Given;
+   * Outward for pair harmonics). */
   void
   setNormalSides(indoor::NormalSides sides)
   {
@@ -163,7 +162,8 @@ public:
     return options_.normal_sides;
   }
 
-  /** \brief Set or get how pairs are chosen (default Stratified). */
+  /** \brief Set or get how pairs are chosen (default Uniform; Stratified for pair
+   * harmonics). */
   void
   setPairSampling(indoor::PairSampling sampling)
   {
@@ -190,7 +190,7 @@ public:
 
   /** \brief Set or get the voxels per edge of the occupancy grid.
    * \param[in] grid_size 2 ... 64, or 0: as fine as the points are dense, see
-   * indoor::automaticGridSize() (default 0)
+   * indoor::automaticGridSize() (default 64; 0 for pair harmonics)
    */
   void
   setGridSize(int grid_size)
@@ -204,7 +204,8 @@ public:
   }
 
   /** \brief Set or get whether noise is measured and lowered, see
-   * indoor::measureNoise(); nothing changes without noise (default true). */
+   * indoor::measureNoise(); nothing changes without noise (default false; true
+   * for pair harmonics). */
   void
   setDenoising(bool denoising)
   {

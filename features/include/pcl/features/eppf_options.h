@@ -70,38 +70,46 @@ struct EPPFFeatures {
   bool harmonics = true; ///< if not, their bins are all 0
 };
 
-/** \brief Parameters of eppfHistogram(). */
+/** \brief Parameters of eppfHistogram(); the defaults are the setting of the thesis.
+ */
 struct EPPFOptions {
-  EPPFBins bins{4, 15, 5, 2, {3, 6, 12}}; ///< each at least 1, of harmonics 0, too
-  EPPFFeatures features;                  ///< which features are used
-  std::size_t pair_count = 20000;         ///< pairs drawn, at least 1
+  EPPFBins bins{20, 4, 5, 3, {}}; ///< each at least 1, of harmonics 0, too
+  EPPFFeatures features;          ///< which features are used
+  std::size_t pair_count = 20000; ///< pairs drawn, at least 1
   double scale = 0.0;         ///< metres that f1 spreads over; 0: the object's extent
   std::uint32_t seed = 5489u; ///< same seed, same pairs
   unsigned int number_of_threads = 1; ///< 0: as many as the machine has
   double weighting_constant = 1.2;    ///< c of Eq. (5.11), above 1
   bool weighting = true;              ///< whether Eq. (5.11) is applied at all
-  SurfaceAngleRule surface_angle_rule = SurfaceAngleRule::Joint;
-  NormalSides normal_sides = NormalSides::Outward;
-  PairSampling sampling = PairSampling::Stratified;
+  SurfaceAngleRule surface_angle_rule = SurfaceAngleRule::Maximum;
+  NormalSides normal_sides = NormalSides::Given;
+  PairSampling sampling = PairSampling::Uniform;
   /** \brief Whether noise is measured and, where there is any, lowered before points
    * are described, see measureNoise() and denoised(). */
-  bool denoising = true;
-  int grid_size = 0; ///< voxels per edge, 2 to 64; 0: see automaticGridSize()
+  bool denoising = false;
+  int grid_size = 64; ///< voxels per edge, 2 to 64; 0: see automaticGridSize()
 };
 
-/** \brief The setting of the thesis: 20 x 4 x 5 x 3 bins, the larger of the two surface
- * angles, normals as given, 64 voxels, pairs drawn uniformly, noise left in.
+/** \brief The setting of the thesis, which an EPPFSignature1200 holds: 20 x 4 x 5 x 3
+ * bins, the larger of the two surface angles, normals as given, 64 voxels, pairs drawn
+ * uniformly, noise left in. The same as EPPFOptions().
  */
 EPPFOptions
 thesisEPPFOptions();
 
-/** \brief The short form of an option set: 540 bins.
- *
- * 5 x 6 x 5 x 2 and harmonics up to degree 4 in 2 shells beside 40 distances for the
- * joint rule, the thesis's 15 x 3 x 4 x 3 for the others.
+/** \brief The short form of the thesis, which an EPPFSignature540 holds: 15 x 3 x 4 x 3
+ * bins, else thesisEPPFOptions().
  */
-EPPFBins
-shortEPPFBins(SurfaceAngleRule rule);
+EPPFOptions
+shortEPPFOptions();
+
+/** \brief The setting that tells most, which a PairHarmonicsSignature1200 holds: 4 x 15
+ * x 5 x 2 bins of pairs, harmonics up to degree 6 in 3 shells and 12 distances, both
+ * surface angles, normals turned outward, an automatic grid, stratified pairs, noise
+ * lowered.
+ */
+EPPFOptions
+pairHarmonicsOptions();
 
 /** \brief Voxels per edge for a number of points: sqrt(point_count / 4), within 8
  * ... 64.

@@ -11,12 +11,13 @@
 
 namespace pcl {
 
-/** \brief The enhanced point pair feature (EPPF) histogram of an object, 1,200 bins.
+/** \brief The enhanced point pair feature (EPPF) histogram of an object as in the
+ * thesis, Sec. 5.2: 20 x 4 x 5 x 3 bins of pairs.
  *
- * The bins are those of EPPFEstimation: by default, of pairs, 4 of the distance, 15 of
- * the surface angles, 5 of the normal angle and 2 of the occupancy, the last one
- * fastest; then 5 x 5 x 4 x 6 of places, see indoor::surfacePlaces(). They add up to 1;
- * all are NaN if the object had no usable pair of points.
+ * 20 of the distance, 4 of the surface angle, 5 of the normal angle and 3 of the
+ * occupancy, the last one fastest. They add up to 1; all are NaN if the object had no
+ * usable pair of points. See EPPFEstimation and indoor::thesisEPPFOptions(); for
+ * descriptors that tell more, PairHarmonicsSignature1200.
  * \ingroup features
  */
 struct EPPFSignature1200 {
@@ -29,7 +30,8 @@ struct EPPFSignature1200 {
   }
 };
 
-/** \brief The short EPPF histogram: 540 bins, of pairs and of places.
+/** \brief The short EPPF histogram: 15 x 3 x 4 x 3 bins of pairs, see
+ * indoor::shortEPPFOptions().
  * \ingroup features
  */
 struct EPPFSignature540 {

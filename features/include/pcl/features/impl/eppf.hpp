@@ -21,7 +21,9 @@ EPPFEstimation<PointInT, PointNT, PointOutT>::EPPFEstimation()
   feature_name_ = "EPPFEstimation";
   k_ = 1; // the base wants neighbours, although there are none
   if (std::is_same<PointOutT, EPPFSignature540>::value)
-    options_.bins = indoor::shortEPPFBins(options_.surface_angle_rule);
+    options_ = indoor::shortEPPFOptions();
+  if (std::is_same<PointOutT, PairHarmonicsSignature1200>::value)
+    options_ = indoor::pairHarmonicsOptions();
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>
@@ -53,6 +55,10 @@ EPPFEstimation<PointInT, PointNT, PointOutT>::initCompute()
   if (problem.empty() && options_.bins.size() != size)
     problem = std::to_string(options_.bins.size()) + " bins do not fit an output of " +
               std::to_string(size);
+  constexpr bool is_for_harmonics =
+      std::is_same<PointOutT, PairHarmonicsSignature1200>::value;
+  if (problem.empty() && !is_for_harmonics && options_.bins.harmonics.size() > 0)
+    problem = "An EPPF signature holds pairs alone, no harmonics";
   if (!problem.empty()) {
     PCL_ERROR("[pcl::EPPFEstimation::initCompute] %s.\n", problem.c_str());
     this->deinitCompute();

@@ -1,0 +1,46 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/features/oriented_point.h>
+#include <pcl/segmentation/object_segmentation.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief The surface of an object and where it is in its room; z is up. */
+struct ObjectSurface {
+  /** One per voxel: the mean of its points, and a unit normal of either sign; voxels
+   * without a normal are left out. Metres, in the frame of the segmentation. */
+  std::vector<OrientedPoint> points;
+  float floor_distance = 0.0f;   ///< of the lowest point from the floor, metres
+  float ceiling_distance = 0.0f; ///< of the highest point from the ceiling, metres
+  float wall_distance = 0.0f;    ///< of the nearest point from another wall, metres, at
+                                 ///< most farthest_wall
+};
+
+constexpr float farthest_wall = 2.0f; ///< of ObjectSurface::wall_distance, metres
+
+/** \brief The surfaces of a room's objects, as a classifier wants them.
+ *
+ * Floor and ceiling are the lowest and highest voxels of the whole room in the columns
+ * around the object; walls are upright planes of the structure that are not the object
+ * itself. Time: linear in voxels.
+ * \param[in] room the segmentation of one room, z up
+ * \param[in] object_of_point one per point of the segmentation: 0 ... object_count - 1;
+ * other values are no object. Usually room.segment_of_point
+ * \return one per object; one without voxels has no points
+ * \throws pcl::BadArgumentException if there are not as many values as points
+ */
+std::vector<ObjectSurface>
+objectSurfaces(const ObjectSegmentation& room,
+               const std::vector<std::uint32_t>& object_of_point,
+               std::uint32_t object_count);
+
+} // namespace indoor
+} // namespace pcl

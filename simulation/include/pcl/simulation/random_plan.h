@@ -1,0 +1,46 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/simulation/plan.h>
+
+#include <optional>
+#include <string>
+
+#include <cstdint>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief What a random plan is a plan of. */
+enum class PlanKind {
+  Home,  ///< 4 to 8 rooms per storey: living room, kitchen, bathroom, bedrooms, hall
+  Office ///< a corridor with offices, meeting room, kitchenette and storage
+};
+
+/** \brief Draw a furnished building.
+ *
+ * Rooms are rectangles that cut a rectangular or L-shaped outline into pieces; a tree
+ * of doors, some of them closed, joins them all. Furniture stands as people put it for
+ * the kind of each room. Pieces may touch each other and the walls; their bounding
+ * boxes share space only where chairs stand under tables. Some buildings are turned.
+ * \param[in] seed the same seed gives the same plan; another one another plan
+ * \param[in] kind of the building
+ * \return a plan that buildBuilding() accepts
+ */
+Plan
+randomPlan(std::uint32_t seed, PlanKind kind);
+
+/** \brief Read what names a random plan: random:home:SEED or random:office:SEED.
+ * \param[in] name a plan's name, for example random:home:7
+ * \return the plan; none if the name does not begin with random:
+ * \throws PlanError if the kind is none of these or the seed is no number from 0 to
+ * 4294967295
+ */
+std::optional<Plan>
+randomPlanNamed(const std::string& name);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,149 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/simulation/building.h>
+#include <pcl/simulation/furniture.h>
+#include <pcl/simulation/random_plan.h>
+#include <pcl/simulation/trajectory.h>
+
+#include <Eigen/Geometry>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace {
+
+using namespace pcl::indoor;
+
+constexpr std::uint32_t seeds = 30;
+constexpr PlanKind kinds[] = {PlanKind::Home, PlanKind::Office};
+
+Polygon
+footprintOf(const FurniturePlan& item)
+{
+  const Eigen::Rotation2Dd turn(item.rotation);
+  const double x = item.size->x() / 2, y = item.size->y() / 2;
+  return {item.at + turn * Eigen::Vector2d(-x, -y),
+          item.at + turn * Eigen::Vector2d(x, -y),
+          item.at + turn * Eigen::Vector2d(x, y),
+          item.at + turn * Eigen::Vector2d(-x, y)};
+}
+
+bool
+isSeat(const FurniturePlan& item)
+{
+  return item.category == "chair" || item.category == "office_chair" ||
+         item.category == "stool" || item.category == "armchair";
+}
+
+bool
+isTable(const FurniturePlan& item)
+{
+  return item.category.find("table") != std::string::npos || item.category == "desk" ||
+         item.category == "sofa";
+}
+
+bool
+mayOverlap(const FurniturePlan& a, const FurniturePlan& b)
+{
+  return (isSeat(a) && isTable(b)) || (isTable(a) && isSeat(b));
+}
+
+bool
+collide(const FurniturePlan& a, const FurniturePlan& b)
+{
+  const double tolerance = 0.001; // metres
+  const double low = std::max(*a.elevation, *b.elevation);
+  const double high = std::min(*a.elevation + a.size->z(), *b.elevation + b.size->z());
+  return high - low > tolerance &&
+         overlap(inset(footprintOf(a), tolerance), footprintOf(b));
+}
+
+TEST(RandomPlan, EveryPlanBuildsAndEveryRoomIsVisited)
+{
+  for (const auto kind : kinds)
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+      const auto plan = randomPlan(seed, kind);
+      SCOPED_TRACE(plan.name);
+      const auto building = buildBuilding(plan);
+      EXPECT_GE(building.rooms.size(), 4u);
+      EXPECT_GE(building.objects.size(), 20u);
+      const auto poses = planTrajectory(building, TrajectoryOptions());
+      for (const auto& room : building.rooms)
+        EXPECT_TRUE(std::any_of(poses.begin(), poses.end(), [&](const auto& p) {
+          return p.z() > room.floor && p.z() < room.floor + 2 &&
+                 contains(room.polygon, p.template head<2>());
+        })) << room.name;
+    }
+}
+
+TEST(RandomPlan, FurnitureDoesNotCollide)
+{
+  for (const auto kind : kinds)
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+      const auto plan = randomPlan(seed, kind);
+      for (const auto& storey : plan.storeys)
+        for (std::size_t i = 0; i < storey.furniture.size(); ++i)
+          for (std::size_t k = i + 1; k < storey.furniture.size(); ++k) {
+            const auto &a = storey.furniture[i], &b = storey.furniture[k];
+            EXPECT_FALSE(!mayOverlap(a, b) && collide(a, b))
+                << plan.name << ": " << a.category << " and " << b.category << " at "
+                << a.at.transpose();
+          }
+    }
+}
+
+TEST(RandomPlan, DoorsJoinAllRooms)
+{
+  for (const auto kind : kinds)
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+      const auto plan = randomPlan(seed, kind);
+      for (const auto& storey : plan.storeys) {
+        std::vector<int> group(storey.rooms.size()); // joined rooms have one number
+        for (std::size_t r = 0; r < group.size(); ++r)
+          group[r] = static_cast<int>(r);
+        for (const auto& opening : storey.openings) {
+          std::vector<int> joined;
+          for (std::size_t r = 0; r < group.size(); ++r)
+            if (distanceToBoundary(storey.rooms[r].polygon, opening.at) < 1e-6)
+              joined.push_back(group[r]);
+          if (opening.kind != OpeningKind::Window && joined.size() == 2)
+            std::replace(group.begin(), group.end(), joined[0], joined[1]);
+        }
+        EXPECT_EQ(std::set<int>(group.begin(), group.end()).size(), 1u) << plan.name;
+      }
+    }
+}
+
+TEST(RandomPlan, TheSameSeedGivesTheSamePlan)
+{
+  for (const auto kind : kinds) {
+    const auto a = buildBuilding(randomPlan(3, kind));
+    const auto b = buildBuilding(randomPlan(3, kind));
+    const auto c = buildBuilding(randomPlan(4, kind));
+    ASSERT_EQ(a.triangles.size(), b.triangles.size());
+    for (std::size_t i = 0; i < a.triangles.size(); ++i)
+      ASSERT_EQ(a.triangles[i].a, b.triangles[i].a);
+    EXPECT_NE(a.triangles.size(), c.triangles.size());
+  }
+}
+
+TEST(RandomPlan, NamesOfPlans)
+{
+  EXPECT_FALSE(randomPlanNamed("plans/house.json"));
+  EXPECT_EQ(randomPlanNamed("random:home:7")->name, "random home 7");
+  EXPECT_EQ(randomPlanNamed("random:office:4294967295")->seed, 4294967295u);
+  for (const auto* wrong : {"random:home:",
+                            "random:home:-1",
+                            "random:home:4294967296",
+                            "random:castle:1",
+                            "random:",
+                            "random:home:1x"})
+    EXPECT_THROW(randomPlanNamed(wrong), PlanError) << wrong;
+}
+
+} // namespace

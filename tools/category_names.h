@@ -1,0 +1,28 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace pcl::indoor::tool {
+
+constexpr const char* other_class = "other"; ///< of all that no class explains
+
+/** \brief The names of a scan's categories, from a JSON file: a list in 'categories',
+ * whose positions are the numbers, or an object of number: name in 'classes'.
+ * \throws ToolError if the file is missing or has neither
+ */
+std::map<std::uint32_t, std::string>
+readCategoryNames(const std::string& path);
+
+/** \brief The class of each category's name, from a JSON file of class: [names].
+ * \throws ToolError if the file is missing, is something else or has a name twice
+ */
+std::map<std::string, std::string>
+readClassMap(const std::string& path);
+
+} // namespace pcl::indoor::tool
