@@ -4,10 +4,40 @@
  */
 #include "convolution.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace pcl {
 namespace indoor {
 
 namespace {
+
+/** \brief Convolution over up to 3 extents of positions that a kernel steps over by
+ * dilation; zeros around as in convolution(). */
+at::Tensor
+paddedConvolution(const at::Tensor& input,
+                  const at::Tensor& weights,
+                  const at::Tensor& biases,
+                  const std::vector<std::int64_t>& dilation)
+{
+  std::vector<std::int64_t> padding; // on both sides
+  std::vector<std::int64_t> more;    // after; of the last extent first
+  for (std::size_t k = 0; k < dilation.size(); ++k) {
+    const auto around = weights.size(static_cast<std::int64_t>(k) + 2) - 1;
+    padding.push_back(around / 2 * dilation[k]);
+    more.insert(more.begin(), {0, around % 2 * dilation[k]});
+  }
+  const bool is_even = std::any_of(more.begin(), more.end(), [](auto n) { return n; });
+  return at::convolution(is_even ? at::constant_pad_nd(input, more) : input,
+                         weights,
+                         biases,
+                         std::vector<std::int64_t>(dilation.size(), 1),
+                         padding,
+                         dilation,
+                         false,
+                         std::vector<std::int64_t>(dilation.size(), 0),
+                         1);
+}
 
 /** \brief A 4D kernel with last extent 1 never looks along f4: one 3D convolution. f4
  * joins f3, and the kernel steps over it, so that nothing is copied. */
@@ -18,7 +48,7 @@ foldedConvolution4D(const at::Tensor& input,
 {
   const auto f4 = input.size(5);
   const auto output =
-      at::conv3d(input.flatten(4), weights.squeeze(5), biases, 1, "same", {1, 1, f4});
+      paddedConvolution(input.flatten(4), weights.squeeze(5), biases, {1, 1, f4});
   return output.unflatten(4, {input.size(4), f4});
 }
 
@@ -39,7 +69,7 @@ stackedConvolution4D(const at::Tensor& input,
       if (from < 0 || from >= input.size(5))
         continue;
       const auto term =
-          at::conv3d(input.select(5, from), weights.select(5, w), {}, 1, "same");
+          paddedConvolution(input.select(5, from), weights.select(5, w), {}, {1, 1, 1});
       sum = sum.defined() ? sum + term : term;
     }
     slices.push_back(sum + biases.view({-1, 1, 1, 1}));
@@ -52,19 +82,14 @@ convolution(const at::Tensor& input,
             const at::Tensor& weights,
             const at::Tensor& biases)
 {
-  switch (input.dim()) {
-  case 2:
+  const auto extent_count = static_cast<std::size_t>(input.dim()) - 2;
+  if (extent_count == 0)
     return denseLayer(input, weights, biases);
-  case 3:
-    return at::conv1d(input, weights, biases, 1, "same");
-  case 4:
-    return at::conv2d(input, weights, biases, 1, "same");
-  case 5:
-    return at::conv3d(input, weights, biases, 1, "same");
-  default:
-    return weights.size(5) == 1 ? foldedConvolution4D(input, weights, biases)
-                                : stackedConvolution4D(input, weights, biases);
-  }
+  if (extent_count < 4)
+    return paddedConvolution(
+        input, weights, biases, std::vector<std::int64_t>(extent_count, 1));
+  return weights.size(5) == 1 ? foldedConvolution4D(input, weights, biases)
+                              : stackedConvolution4D(input, weights, biases);
 }
 
 at::Tensor

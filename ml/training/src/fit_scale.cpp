@@ -78,7 +78,7 @@ fitScale(Network& network, const TrainingSet& set)
     shape = outputShape(*layer, shape);
   scale->weights.assign(2, {shape, std::vector<float>(count)});
   for (std::size_t k = 0; k < count; ++k) {
-    const double deviation = std::max(std::sqrt(squares[k] / draw_count), 1e-6);
+    const double deviation = std::sqrt(squares[k] / draw_count) + 1e-3;
     scale->weights[0].values[k] = static_cast<float>(1.0 / deviation);
     scale->weights[1].values[k] = static_cast<float>(-means[k] / deviation);
   }

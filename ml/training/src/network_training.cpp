@@ -130,6 +130,12 @@ classWeights(const TrainingSet& set, int class_count)
   return at::tensor(counts, at::kFloat);
 }
 
+std::int64_t
+rightCount(const at::Tensor& scores, const at::Tensor& labels)
+{
+  return scores.argmax(1).eq(labels).sum().item<std::int64_t>();
+}
+
 /** \brief libtorch's number of threads, for as long as this lives. */
 class ThreadCount {
 public:
@@ -252,6 +258,8 @@ private:
     const auto object_count = static_cast<std::int64_t>(rows.size());
     const auto bounds = batchBounds(object_count, options_.batch_size);
     const auto step_count = static_cast<std::int64_t>(bounds.size()) - 1;
+    double loss_sum = 0.0;
+    std::int64_t right_count = 0;
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k) {
       const auto batch = order.slice(0, bounds[k], bounds[k + 1]);
       const auto labels = training_.labels.index_select(0, batch);
@@ -265,13 +273,12 @@ private:
                                                options_.label_smoothing);
       loss.backward();
       adam_.step(learningRate(step_count));
-      const auto share =
-          static_cast<double>(batch.size(0)) / static_cast<double>(object_count);
-      result.training_loss += share * loss.item<double>();
-      result.training_accuracy +=
-          static_cast<double>(scores.argmax(1).eq(labels).sum().item<std::int64_t>()) /
-          static_cast<double>(object_count);
+      loss_sum += static_cast<double>(batch.size(0)) * loss.item<double>();
+      right_count += rightCount(scores, labels);
     }
+    result.training_loss = loss_sum / static_cast<double>(object_count);
+    result.training_accuracy =
+        static_cast<double>(right_count) / static_cast<double>(object_count);
   }
 
   /** \brief Every draw of every object, plain cross-entropy. */
@@ -280,17 +287,20 @@ private:
   {
     const at::NoGradGuard no_gradients;
     const auto row_count = validation_.inputs.size(0);
+    double loss_sum = 0.0;
+    std::int64_t right_count = 0;
     for (std::int64_t row = 0; row < row_count; row += options_.batch_size) {
       const auto end = std::min<std::int64_t>(row + options_.batch_size, row_count);
       const auto labels = validation_.labels.slice(0, row, end);
       const auto scores =
           module_.scores(validation_.inputs.slice(0, row, end), nullptr);
       const auto loss = at::cross_entropy_loss(scores, labels, {}, at::Reduction::Sum);
-      result.validation_loss += loss.item<double>() / static_cast<double>(row_count);
-      result.validation_accuracy +=
-          static_cast<double>(scores.argmax(1).eq(labels).sum().item<std::int64_t>()) /
-          static_cast<double>(row_count);
+      loss_sum += loss.item<double>();
+      right_count += rightCount(scores, labels);
     }
+    result.validation_loss = loss_sum / static_cast<double>(row_count);
+    result.validation_accuracy =
+        static_cast<double>(right_count) / static_cast<double>(row_count);
   }
 
   void

@@ -67,8 +67,11 @@ trainNetwork(const Network& network,
              const TrainingOptions& options,
              const std::function<bool(const EpochReport&)>& report = {});
 
-/** \brief Set a first Scale layer, if there is one, so that the values that reach it
- * have mean 0 and deviation 1 over the set (deviation at least 1e-6). */
+/** \brief Set a first Scale layer, if there is one, so that each value that reaches it
+ * has mean 0 and deviation s / (s + 0.001) over the set, s being that before: about 1,
+ * but less for what hardly ever differs, which a new object might blow up.
+ * \throws pcl::BadArgumentException if the set is empty or does not fit
+ */
 void
 fitScale(Network& network, const TrainingSet& set);
 
