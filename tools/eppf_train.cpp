@@ -28,6 +28,31 @@ askToStop(int)
   is_asked_to_stop = 1;
 }
 
+/** \brief Lets Ctrl-C end the training after its epoch, for as long as this lives. */
+class StopRequests {
+public:
+  StopRequests()
+  : interrupt_(std::signal(SIGINT, askToStop))
+  , terminate_(std::signal(SIGTERM, askToStop))
+  {
+    if (interrupt_ == SIG_IGN) // in the background of a script
+      std::signal(SIGINT, SIG_IGN);
+  }
+  StopRequests(const StopRequests&) = delete;
+  StopRequests&
+  operator=(const StopRequests&) = delete;
+  ~StopRequests()
+  {
+    std::signal(SIGINT, interrupt_);
+    std::signal(SIGTERM, terminate_);
+  }
+
+private:
+  using Handler = void (*)(int);
+  Handler interrupt_;
+  Handler terminate_;
+};
+
 /** \brief What the networks learn from. */
 struct TrainingData {
   TrainingSet training;
@@ -134,6 +159,7 @@ trainedNetworks(const Network& design,
   const auto count = static_cast<std::size_t>(settings.ensemble);
   const auto epochs = static_cast<std::size_t>(settings.training.epoch_count);
   std::vector<Network> networks;
+  const StopRequests stop_requests;
   progress.start("Training");
   for (std::size_t k = 0; k < count; ++k) {
     writer.write(log);
@@ -231,9 +257,6 @@ run(const TrainingSettings& settings, Progress& progress)
 int
 main(int argc, char** argv)
 {
-  std::signal(SIGTERM, askToStop);
-  if (std::signal(SIGINT, askToStop) == SIG_IGN)
-    std::signal(SIGINT, SIG_IGN); // in the background of a script
   TrainingSettings settings;
   OptionParser parser("pcl_eppf_train",
                       "Train a classifier on the objects DIR/CLASS/OBJECT (.pcd, .ply, "

@@ -86,15 +86,9 @@ requireThatTheyFit(const TrainingSettings& settings)
     throw ToolError("-context: only the perceptron can take size and place");
 }
 
-} // namespace
-
 void
-addTo(OptionParser& parser, TrainingSettings& settings)
+addDataOptions(OptionParser& parser, TrainingSettings& settings)
 {
-  auto& training = settings.training;
-  auto& draws = settings.draws;
-  const auto positive = Range::positive();
-  const auto share = Range::between(0.0, 1.0);
   parser
       .positional("DIR", settings.folder, "a folder per class with the objects' files")
       .positional("MODEL", settings.model, "where the trained model goes")
@@ -108,12 +102,30 @@ addTo(OptionParser& parser, TrainingSettings& settings)
               "share of the training part that chooses the epoch; 0: the last one",
               "",
               Range::between(0.0, 0.5))
+      .number("-normal_neighbors",
+              settings.draws.neighbor_count,
+              "neighbours of a normal that has to be estimated",
+              "points",
+              Range::atLeast(3))
+      .number("-threads",
+              settings.threads,
+              "of reading and describing, 0 = automatic; any number gives the same");
+}
+
+void
+addNetworkOptions(OptionParser& parser, TrainingSettings& settings)
+{
+  parser
       .text("-network",
             settings.network,
             "what is trained",
             {"perceptron", "2d", "3d", "4d", "pointnet"})
       .text("-hidden", settings.hidden, "of the perceptron: values of its layers")
-      .number("-dropout", settings.dropout, "of the perceptron", "", share)
+      .number("-dropout",
+              settings.dropout,
+              "of the perceptron",
+              "",
+              Range::between(0.0, 1.0))
       .number("-width",
               settings.width,
               "of PointNet: its layers' widths, of the published ones",
@@ -123,7 +135,14 @@ addTo(OptionParser& parser, TrainingSettings& settings)
               settings.ensemble,
               "networks, whose probabilities are averaged",
               "",
-              Range::between(1, 100))
+              Range::between(1, 100));
+}
+
+void
+addInputOptions(OptionParser& parser, TrainingSettings& settings)
+{
+  auto& draws = settings.draws;
+  parser
       .text("-descriptor",
             settings.descriptor,
             "what it sees; auto: pair_harmonics, of 2d, 3d and 4d eppf, of pointnet "
@@ -141,27 +160,42 @@ addTo(OptionParser& parser, TrainingSettings& settings)
               Range::between(1, 100000))
       .flag("-context",
             draws.input.context,
-            "let the perceptron see the size; for objects in metres with z up")
+            "let the perceptron see size and place; for objects in metres with z up")
       .number("-draws",
               draws.draw_count,
               "times an object is drawn, with other pairs and augmented",
               "",
               Range::between(1, 1000))
-      .number("-classify_draws",
-              draws.input.draws,
-              "times an object is described when it is classified",
-              "",
-              Range::between(1, 100))
       .text("-augment",
             settings.augment,
             "whether draws have noise, hidden parts, fewer points and are stretched",
             {"on", "off"})
-      .number("-epochs", training.epoch_count, "epochs", "", Range::atLeast(1))
+      .number("-classify_draws",
+              draws.input.draws,
+              "times an object is described when it is classified",
+              "",
+              Range::between(1, 100));
+}
+
+void
+addStepOptions(OptionParser& parser, TrainingSettings& settings)
+{
+  auto& training = settings.training;
+  parser.number("-epochs", training.epoch_count, "epochs", "", Range::atLeast(1))
       .number(
           "-batch_size", training.batch_size, "per step", "objects", Range::atLeast(1))
-      .number("-learning_rate", training.learning_rate, "at the start", "", positive)
-      .number("-weight_decay", training.weight_decay, "", "", Range::atLeast(0.0))
-      .number("-label_smoothing", training.label_smoothing, "", "", share)
+      .number("-learning_rate",
+              training.learning_rate,
+              "of AdamW at the start; it falls to 0",
+              "",
+              Range::positive())
+      .number(
+          "-weight_decay", training.weight_decay, "of AdamW", "", Range::atLeast(0.0))
+      .number("-label_smoothing",
+              training.label_smoothing,
+              "share of an object's label that goes to all classes",
+              "",
+              Range::between(0.0, 1.0))
       .flag("-class_weights",
             training.class_weights,
             "let each class count the same, whatever the number of its objects")
@@ -171,27 +205,48 @@ addTo(OptionParser& parser, TrainingSettings& settings)
               "",
               Range::atLeast(0))
       .number("-seed", training.seed, "of split, draws, weights and order")
-      .number("-normal_neighbors",
-              draws.neighbor_count,
-              "neighbours of a normal that has to be estimated",
-              "points",
-              Range::atLeast(3))
-      .number("-threads",
-              settings.threads,
-              "of reading and describing, 0 = automatic; any number gives the same")
       .number("-training_threads",
               training.threads,
               "of libtorch; another number may give slightly other weights",
               "",
-              Range::between(1, 1024))
+              Range::between(1, 1024));
+}
+
+void
+addOutputOptions(OptionParser& parser, TrainingSettings& settings)
+{
+  parser
       .text("-checkpoint",
-            training.checkpoint,
+            settings.training.checkpoint,
             "file to keep the state in; the same command goes on from it")
       .text("-log", settings.log, "write losses and accuracies per epoch as CSV")
       .text("-curves", settings.curves, "draw them as PNG")
       .text("-confusion", settings.confusion, "draw the test's confusions as PNG")
       .flag(
           "-half", settings.half_precision, "store weights in 16 bits, half the size");
+}
+
+} // namespace
+
+TrainingOptions
+recommendedTraining()
+{
+  TrainingOptions options;
+  options.epoch_count = 40;
+  options.learning_rate = 1e-3;
+  options.weight_decay = 0.01;
+  options.label_smoothing = 0.1;
+  return options;
+}
+
+void
+addTo(OptionParser& parser, TrainingSettings& settings)
+{
+  addDataOptions(parser, settings);
+  addNetworkOptions(parser, settings);
+  addInputOptions(parser, settings);
+  addStepOptions(parser, settings);
+  addOutputOptions(parser, settings);
 }
 
 void

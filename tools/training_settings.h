@@ -14,6 +14,11 @@
 
 namespace pcl::indoor::tool {
 
+/** \brief How a perceptron on descriptors is trained: forty epochs are ten for each of
+ * four draws. */
+TrainingOptions
+recommendedTraining();
+
 /** \brief What pcl_eppf_train is asked for; the defaults are the training that is
  * recommended, see docs/classes.md. */
 struct TrainingSettings {
@@ -34,7 +39,7 @@ struct TrainingSettings {
   DrawOptions draws;
   std::string augment = "on";
 
-  TrainingOptions training;
+  TrainingOptions training = recommendedTraining();
   unsigned int threads = 0; ///< of reading and describing
 
   std::string log, curves, confusion;
