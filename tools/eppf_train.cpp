@@ -132,8 +132,9 @@ describedObjects(const LabelledObjects& objects,
   auto options = settings.draws;
   options.input = input;
   options.seed = settings.training.seed;
-  if (settings.augment == "off")
-    options.augmentation = noAugmentation();
+  if (settings.augment != "mild")
+    options.augmentation =
+        settings.augment == "scan" ? scanAugmentation() : ObjectAugmentation();
   const auto split = withoutValidation(objects, training, settings);
   progress.start("Describing " + std::to_string(training.size()) + " objects, " +
                  std::to_string(options.draw_count) + " times each");

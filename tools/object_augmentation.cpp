@@ -86,6 +86,28 @@ seedOf(std::uint32_t seed, std::size_t number, int draw)
 
 } // namespace
 
+ObjectAugmentation
+mildAugmentation()
+{
+  ObjectAugmentation augmentation;
+  augmentation.thinned_share = 0.5;
+  augmentation.thinned_percent = 75.0;
+  augmentation.stretched_share = 1.0;
+  augmentation.stretch_percent = 15.0;
+  return augmentation;
+}
+
+ObjectAugmentation
+scanAugmentation()
+{
+  auto augmentation = mildAugmentation();
+  augmentation.noisy_share = 0.5;
+  augmentation.noise_percent = 4.0;
+  augmentation.hidden_share = 0.5;
+  augmentation.hidden_percent = 60.0;
+  return augmentation;
+}
+
 PointCloud<PointNormal>
 augmentedObject(const PointCloud<PointNormal>& cloud,
                 const ObjectAugmentation& augmentation,

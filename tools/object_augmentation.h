@@ -14,28 +14,29 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief How the draws of an object differ from it: as scans differ from models.
+/** \brief How the draws of an object differ from it.
  *
  * Each change is made to its share of the draws, by an amount that is drawn evenly from
- * 0 to its most.
+ * 0 to its most. By default nothing is changed, but for a turn about the z axis.
  */
 struct ObjectAugmentation {
-  double noisy_share = 0.5;      ///< of the draws, 0 ... 1
-  double noise_percent = 2.0;    ///< most, deviation in per cent of the extent
-  double hidden_share = 0.5;     ///< of the draws, 0 ... 1
-  double hidden_percent = 50.0;  ///< most, share of the points not seen, below 100
-  double thinned_share = 0.5;    ///< of the draws, 0 ... 1
-  double thinned_percent = 75.0; ///< most, share of the points left out, below 100
-  double stretched_share = 0.5;  ///< of the draws, 0 ... 1
-  double stretch_percent = 10.0; ///< most, of each axis, longer or shorter
+  double noisy_share = 0.0;     ///< of the draws, 0 ... 1
+  double noise_percent = 0.0;   ///< most, deviation in per cent of the extent
+  double hidden_share = 0.0;    ///< of the draws, 0 ... 1
+  double hidden_percent = 0.0;  ///< most, share of the points not seen, below 100
+  double thinned_share = 0.0;   ///< of the draws, 0 ... 1
+  double thinned_percent = 0.0; ///< most, share of the points left out, below 100
+  double stretched_share = 0.0; ///< of the draws, 0 ... 1
+  double stretch_percent = 0.0; ///< most, of each axis, longer or shorter
 };
 
-/** \brief No change at all, but for the turn. */
-inline ObjectAugmentation
-noAugmentation()
-{
-  return {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-}
+/** \brief Other objects of the same kind: other proportions, fewer points. */
+ObjectAugmentation
+mildAugmentation();
+
+/** \brief As scans differ from models: with noise and hidden parts, too. */
+ObjectAugmentation
+scanAugmentation();
 
 /** \brief An object as it might have been scanned; also turned about the z axis.
  * \param[in] cloud with normals, which are estimated anew where there is noise
@@ -54,10 +55,10 @@ classifierPoints(const PointCloud<PointNormal>& cloud);
 
 /** \brief How the draws of an object are made. */
 struct DrawOptions {
-  ClassifierInput input;           ///< of the model
-  ObjectAugmentation augmentation; ///< of all draws but the first
-  int draw_count = 8;              ///< at least 1
-  int neighbor_count = 20;         ///< of a normal that has to be estimated
+  ClassifierInput input;                                ///< of the model
+  ObjectAugmentation augmentation = mildAugmentation(); ///< of all draws but the first
+  int draw_count = 8;                                   ///< at least 1
+  int neighbor_count = 20; ///< of a normal that has to be estimated
   std::uint32_t seed = 1;
 };
 

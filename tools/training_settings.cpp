@@ -168,8 +168,9 @@ addInputOptions(OptionParser& parser, TrainingSettings& settings)
               Range::between(1, 1000))
       .text("-augment",
             settings.augment,
-            "whether draws have noise, hidden parts, fewer points and are stretched",
-            {"on", "off"})
+            "how draws differ from the object; mild: stretched, fewer points; scan: "
+            "also noise and hidden parts, to classify scans by models",
+            {"off", "mild", "scan"})
       .number("-classify_draws",
               draws.input.draws,
               "times an object is described when it is classified",

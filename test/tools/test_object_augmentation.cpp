@@ -16,7 +16,7 @@ using pcl::PointNormal;
 
 namespace {
 
-const ObjectAugmentation nothing = noAugmentation();
+const ObjectAugmentation nothing;
 
 /** Points of an upright ellipsoid of half axes 1, 2, 3 with outward normals. */
 PointCloud<PointNormal>
@@ -130,11 +130,11 @@ TEST(ObjectAugmentation, ChangesItsShareOfTheDraws)
 
 TEST(ObjectAugmentation, DrawsDifferAndComeAgainWithTheirSeed)
 {
-  const auto draws = drawsOfEllipsoid({}, 1);
+  const auto draws = drawsOfEllipsoid(scanAugmentation(), 1);
   ASSERT_EQ(draws.size(), 5u);
   EXPECT_EQ(std::set<std::vector<float>>(draws.begin(), draws.end()).size(), 5u);
-  EXPECT_EQ(drawsOfEllipsoid({}, 1), draws);
-  const auto others = drawsOfEllipsoid({}, 2);
+  EXPECT_EQ(drawsOfEllipsoid(scanAugmentation(), 1), draws);
+  const auto others = drawsOfEllipsoid(scanAugmentation(), 2);
   for (std::size_t k = 0; k < draws.size(); ++k)
     EXPECT_NE(others[k], draws[k]);
   EXPECT_EQ(drawsOfEllipsoid(nothing, 1)[0], draws[0]); // the object as it is
