@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "confusion_picture.h"
+#include "object_files.h"
 #include "output_file.h"
 #include "training_pool.h"
 #include "training_report.h"

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "class_picture.h"
 #include "cloud_file.h"
 #include "options.h"
 #include "room_objects.h"
@@ -10,9 +11,11 @@
 #include "scene_file.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/ml/model_file.h>
 #include <pcl/segmentation/room_segmentation.h>
 
 #include <cmath>
+#include <optional>
 
 using namespace pcl::indoor::tool;
 
@@ -21,6 +24,7 @@ namespace {
 struct Options {
   std::string input, folder;
   std::string partition = "graph";
+  std::string model; ///< file, "none", or empty: the bundled one
   ScanFrame frame;
   pcl::indoor::BuildingRoomsOptions rooms;
   pcl::indoor::ObjectSegmentationOptions objects;
@@ -34,9 +38,10 @@ OptionParser
 makeParser(Options& options)
 {
   OptionParser parser("pcl_indoor_pipeline",
-                      "Finds the rooms of a building's scan, then the objects in each "
-                      "room; writes cloud.pcd with the fields room and object, "
-                      "scene.json, rooms.png and potential_field.png.");
+                      "Finds the rooms of a building's scan, the objects in each room "
+                      "and the class of each object; writes cloud.pcd with the fields "
+                      "room, object, category and confidence, scene.json, rooms.png, "
+                      "potential_field.png and classes.png.");
   parser.positional("input", options.input, "PCD or PLY file")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
@@ -68,6 +73,10 @@ makeParser(Options& options)
             options.partition,
             "how supervoxels are joined",
             {"graph", "lccp"})
+      .text("-model",
+            options.model,
+            "file of a classifier that pcl_eppf_train has made, none = no classes; "
+            "without it the bundled one for furniture, doors and windows")
       .flag("-ignore_normals",
             options.ignore_normals,
             "estimate normals although there are some")
@@ -138,7 +147,13 @@ normalsForObjects(const CloudFile& file,
   return normals;
 }
 
-void
+/** What the classes of objects are found from. */
+struct FoundObjects {
+  std::vector<pcl::indoor::ObjectSurface> surfaces;
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr points; ///< z up, metres
+};
+
+FoundObjects
 segment(const Options& options, const CloudFile& file, Scene& scene, Progress& progress)
 {
   progress.start("Segmenting rooms");
@@ -156,8 +171,9 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
   auto objects = options.objects;
   objects.partition = options.partition == "lccp" ? pcl::indoor::Partition::Lccp
                                                   : pcl::indoor::Partition::Graph;
+  const auto points = pointsForObjects(file, options, segmentation);
   auto found = segmentRoomObjects(
-      *pointsForObjects(file, options, segmentation),
+      *points,
       normalsForObjects(file, options, segmentation),
       scene.room_of_point,
       objects,
@@ -168,6 +184,58 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
   scene.objects =
       measureObjects(*file.points, scene.room_of_point, scene.object_of_point);
   progress.done(std::to_string(scene.objects.size()) + " objects");
+  return {std::move(found.surfaces), points};
+}
+
+/** The classifier that was asked for; none if none was. */
+std::optional<pcl::indoor::ClassifierModel>
+loadClassifier(const Options& options)
+{
+  if (options.model == "none")
+    return std::nullopt;
+  return pcl::indoor::loadModel(options.model.empty() ? bundledModel() : options.model);
+}
+
+/** Fields that tell each point the class of its object, and how sure that is. */
+void
+appendClasses(const Scene& scene, pcl::PCLPointCloud2& cloud)
+{
+  std::vector<std::uint32_t> categories(scene.object_of_point.size(), 0);
+  std::vector<float> confidences(scene.object_of_point.size(), 0.0f);
+  for (std::size_t i = 0; i < categories.size(); ++i)
+    if (const auto object = scene.object_of_point[i]; object > 0) {
+      categories[i] = scene.classes.objects[object - 1].category;
+      confidences[i] = scene.classes.objects[object - 1].confidence;
+    }
+  appendField(cloud, "category", categories);
+  appendRealField(cloud, "confidence", confidences);
+}
+
+/** Write all results; returns their names. */
+std::string
+save(const Options& options,
+     const std::string& parameters,
+     const Scene& scene,
+     const pcl::PointCloud<pcl::PointXYZ>& points,
+     CloudFile& file)
+{
+  makeFolder(options.folder);
+  const auto in_folder = [&](const std::string& name) {
+    return options.folder + "/" + name;
+  };
+  std::string names = "cloud.pcd, scene.json, rooms.png, potential_field.png";
+  saveText(in_folder("scene.json"), sceneText(scene, file, options.frame, parameters));
+  savePng(in_folder("rooms.png"), drawRooms(scene.building));
+  savePng(in_folder("potential_field.png"), drawPotentialField(scene.building));
+  appendField(file.cloud, "room", scene.room_of_point);
+  appendField(file.cloud, "object", scene.object_of_point);
+  if (!scene.classes.names.empty()) {
+    savePng(in_folder("classes.png"), drawClasses(scene, points));
+    appendClasses(scene, file.cloud);
+    names += ", classes.png";
+  }
+  saveCloud(in_folder("cloud.pcd"), file.cloud, file.origin, file.orientation);
+  return names;
 }
 
 } // namespace
@@ -184,21 +252,15 @@ main(int argc, char** argv)
     progress.done(std::to_string(file.points->size()) + " points");
     chooseResolution(options);
 
+    const auto model = loadClassifier(options);
     Scene scene;
-    segment(options, file, scene, progress);
-
+    const auto found = segment(options, file, scene, progress);
+    if (model) {
+      progress.start("Classifying objects");
+      scene.classes = classifySurfaces(found.surfaces, *model, options.threads);
+      progress.done(std::to_string(scene.classes.objects.size()) + " objects");
+    }
     progress.start("Saving to " + options.folder);
-    makeFolder(options.folder);
-    const auto in_folder = [&](const std::string& name) {
-      return options.folder + "/" + name;
-    };
-    saveText(in_folder("scene.json"),
-             sceneText(scene, file, options.frame, parser.values()));
-    savePng(in_folder("rooms.png"), drawRooms(scene.building));
-    savePng(in_folder("potential_field.png"), drawPotentialField(scene.building));
-    appendField(file.cloud, "room", scene.room_of_point);
-    appendField(file.cloud, "object", scene.object_of_point);
-    saveCloud(in_folder("cloud.pcd"), file.cloud, file.origin, file.orientation);
-    progress.done("cloud.pcd, scene.json, rooms.png, potential_field.png");
+    progress.done(save(options, parser.values(), scene, *found.points, file));
   });
 }

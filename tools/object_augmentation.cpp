@@ -5,9 +5,9 @@
 #include "object_augmentation.h"
 
 #include "object_disturbance.h"
+#include "object_files.h"
 
 #include <pcl/common/io.h>
-#include <pcl/features/impl/oriented_points.hpp>
 
 #include <Eigen/Geometry>
 
@@ -130,14 +130,6 @@ augmentedObject(const PointCloud<PointNormal>& cloud,
     thinOut(object, thinned, rng);
   disturb(object, disturbance, neighbor_count, rng());
   return object;
-}
-
-std::vector<OrientedPoint>
-classifierPoints(const PointCloud<PointNormal>& cloud)
-{
-  Indices all(cloud.size());
-  std::iota(all.begin(), all.end(), 0);
-  return orientedPoints(cloud, cloud, all);
 }
 
 std::vector<std::vector<float>>

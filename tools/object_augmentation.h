@@ -49,10 +49,6 @@ augmentedObject(const PointCloud<PointNormal>& cloud,
                 int neighbor_count,
                 std::uint32_t seed);
 
-/** \brief The points of a cloud for the classifier: those with a place and a normal. */
-std::vector<OrientedPoint>
-classifierPoints(const PointCloud<PointNormal>& cloud);
-
 /** \brief How the draws of an object are made. */
 struct DrawOptions {
   ClassifierInput input;                                ///< of the model

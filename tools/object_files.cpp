@@ -10,6 +10,7 @@
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
 #include <pcl/exceptions.h>
+#include <pcl/features/impl/oriented_points.hpp>
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
 
@@ -17,6 +18,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <numeric>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -143,6 +145,14 @@ PointCloud<PointNormal>::Ptr
 loadObject(const std::string& path, int neighbor_count)
 {
   return loadPlacedObject(path, neighbor_count).cloud;
+}
+
+std::vector<OrientedPoint>
+classifierPoints(const PointCloud<PointNormal>& cloud)
+{
+  Indices all(cloud.size());
+  std::iota(all.begin(), all.end(), 0);
+  return orientedPoints(cloud, cloud, all);
 }
 
 void

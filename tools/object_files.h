@@ -52,6 +52,10 @@ struct PlacedObject {
 PlacedObject
 loadPlacedObject(const std::string& path, int neighbor_count);
 
+/** \brief The points of a cloud for the classifier: those with a place and a normal. */
+std::vector<OrientedPoint>
+classifierPoints(const PointCloud<PointNormal>& cloud);
+
 /** \brief Save an object as a cloud with normals and, in fields of their own, its
  * distances from floor, ceiling and wall. \throws ToolError as saveCloud()
  */

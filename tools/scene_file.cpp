@@ -40,6 +40,23 @@ measureObjects(const PointCloud<PointXYZ>& points,
   return objects;
 }
 
+namespace {
+
+/** Class, confidence and the three likeliest of an object. */
+void
+addClassJson(Json& json, const SceneClasses& classes, const ObjectClass& object)
+{
+  json["category"] = object.category;
+  json["class"] = classes.names[object.category];
+  json["confidence"] = rounded(static_cast<double>(object.confidence));
+  json["top"] = Json::array();
+  for (const auto& [category, probability] : object.top)
+    json["top"].push_back({{"class", classes.names[category]},
+                           {"confidence", rounded(static_cast<double>(probability))}});
+}
+
+} // namespace
+
 std::string
 sceneText(const Scene& scene,
           const CloudFile& file,
@@ -53,6 +70,8 @@ sceneText(const Scene& scene,
     Json json;
     json["object"] = i + 1;
     json["room"] = object.room;
+    if (!scene.classes.objects.empty())
+      addClassJson(json, scene.classes, scene.classes.objects[i]);
     addPlaceJson(json, object, file.offset);
     objects.push_back(std::move(json));
     if (object.room > 0)
@@ -64,6 +83,8 @@ sceneText(const Scene& scene,
   Json json = inputJson(file, parameters, scene.room_of_point);
   addReportJson(json, frame, scene.report);
   json["storeys"] = scene.building.storeys.size();
+  if (!scene.classes.names.empty())
+    json["categories"] = scene.classes.names;
   json["rooms"] = std::move(rooms);
   json["objects"] = std::move(objects);
   return jsonText(json);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloud_file.h"
+#include "object_classes.h"
 #include "scan_frame.h"
 
 #include <pcl/segmentation/building_rooms.h>
@@ -33,6 +34,7 @@ struct Scene {
   std::vector<Room> rooms;                    ///< in the order of their labels
   std::vector<RoomOpening> openings;          ///< between the rooms
   std::vector<SceneObject> objects;           ///< object i + 1 is the i-th
+  SceneClasses classes;                       ///< of the objects
   BuildingRooms building;
   ScanReport report;
 };

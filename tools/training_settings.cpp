@@ -4,6 +4,8 @@
  */
 #include "training_settings.h"
 
+#include "object_files.h"
+
 #include <pcl/ml/network_designs.h>
 
 #include <algorithm>

@@ -36,7 +36,7 @@ fail(std::string problem)
       problem.end(),
       [](char letter) { return static_cast<unsigned char>(letter) < ' '; },
       ' ');
-  throw IOException(problem);
+  PCL_THROW_EXCEPTION(IOException, problem);
 }
 
 std::uint32_t
@@ -244,7 +244,8 @@ loadModel(const std::string& path)
       fail("cannot be read");
     return modelFromBytes(bytes);
   } catch (const IOException& problem) {
-    fail(path + ": " + problem.what());
+    const std::string message = problem.what(); // function, file and line, " : ", text
+    fail(path + ": " + message.substr(message.find(" : ") + 3));
   }
 }
 

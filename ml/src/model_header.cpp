@@ -37,7 +37,7 @@ const std::vector<std::string> precision_names = {"float32", "float16"};
 [[noreturn]] void
 fail(const std::string& problem)
 {
-  throw IOException("is a damaged model: its header " + problem);
+  PCL_THROW_EXCEPTION(IOException, "is a damaged model: its header " << problem);
 }
 
 const Json&

@@ -8,6 +8,7 @@
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_histogram.h>
 #include <pcl/ml/object_classifier.h>
+#include <pcl/ml/upright_profile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@ namespace indoor {
 namespace {
 
 constexpr std::size_t batch_size = 16; // inputs that a network works on at once
+constexpr std::size_t most_described_points = 4096; // of an object, by its histogram
 
 EPPFOptions
 descriptorOptions(ClassifierInputKind kind)
@@ -33,6 +35,18 @@ descriptorOptions(ClassifierInputKind kind)
   default:
     return pairHarmonicsOptions();
   }
+}
+
+/** \brief At most most_described_points of the points, as evenly as they lie. */
+std::vector<OrientedPoint>
+evenlyChosen(const std::vector<OrientedPoint>& points)
+{
+  if (points.size() <= most_described_points)
+    return points;
+  std::vector<OrientedPoint> chosen;
+  for (std::size_t k = 0; k < most_described_points; ++k)
+    chosen.push_back(points[k * points.size() / most_described_points]);
+  return chosen;
 }
 
 /** \brief Indices of points, each once before any comes twice. */
@@ -142,10 +156,13 @@ classifierInput(const std::vector<OrientedPoint>& points,
   options.scale = input.scale;
   options.pair_count = input.pair_count;
   options.seed = seed;
-  auto values = eppfHistogram(points, options);
+  auto values = eppfHistogram(evenlyChosen(points), options);
   if (input.context) {
-    const auto context = contextValues(points, place);
-    values.insert(values.end(), context.begin(), context.end());
+    const auto append = [&values](const std::vector<float>& more) {
+      values.insert(values.end(), more.begin(), more.end());
+    };
+    append(contextValues(points, place));
+    append(uprightProfile(points, place.is_known ? place.floor_distance : 0.0f));
   }
   return values;
 }
@@ -156,7 +173,7 @@ inputValueCount(const ClassifierInput& input)
   if (input.kind == ClassifierInputKind::Points)
     return 3 * static_cast<std::size_t>(input.point_count);
   return descriptorOptions(input.kind).bins.size() +
-         (input.context ? context_value_count : 0);
+         (input.context ? context_value_count + upright_profile_size : 0);
 }
 
 int

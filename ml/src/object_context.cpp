@@ -29,62 +29,65 @@ isBefore(const Eigen::Vector2f& a, const Eigen::Vector2f& b)
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
 
-/** \brief Leave out points within the octagon of the farthest ones in eight directions:
- * they are not on the hull. */
+using Points = std::vector<Eigen::Vector2f>;
+
+/** \brief Add the corners of the hull between two of it, of points right of them. */
 void
-removeInnerPoints(std::vector<Eigen::Vector2f>& points)
+addCorners(Points::iterator first,
+           Points::iterator last,
+           const Eigen::Vector2f& from,
+           const Eigen::Vector2f& to,
+           float tolerance,
+           Points& hull)
 {
-  const std::array<Eigen::Vector2f, 8> directions = {Eigen::Vector2f(1, 0),
-                                                     Eigen::Vector2f(1, 1),
-                                                     Eigen::Vector2f(0, 1),
-                                                     Eigen::Vector2f(-1, 1),
-                                                     Eigen::Vector2f(-1, 0),
-                                                     Eigen::Vector2f(-1, -1),
-                                                     Eigen::Vector2f(0, -1),
-                                                     Eigen::Vector2f(1, -1)};
-  std::array<Eigen::Vector2f, 8> corners;
-  std::array<float, 8> farthest;
-  farthest.fill(-std::numeric_limits<float>::infinity());
-  for (const auto& point : points)
-    for (std::size_t k = 0; k < 8; ++k)
-      if (const float reach = directions[k].dot(point); reach > farthest[k]) {
-        farthest[k] = reach;
-        corners[k] = point;
-      }
-  const auto is_inside = [&corners](const Eigen::Vector2f& point) {
-    for (std::size_t k = 0; k < 8; ++k) {
-      const Eigen::Vector2f side = corners[(k + 1) % 8] - corners[k];
-      if (!side.isZero(0.0f) && cross(side, point - corners[k]) <= 0.0f)
-        return false;
+  const Eigen::Vector2f side = to - from;
+  float farthest = tolerance * side.norm();
+  auto corner = last;
+  for (auto point = first; point != last; ++point)
+    if (const float reach = -cross(side, *point - from); reach > farthest) {
+      farthest = reach;
+      corner = point;
     }
-    return true;
+  if (corner == last)
+    return;
+  const Eigen::Vector2f place = *corner;
+  const auto is_right_of = [](const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
+    return [a, side = Eigen::Vector2f(b - a)](const Eigen::Vector2f& point) {
+      return cross(side, point - a) < 0.0f;
+    };
   };
-  points.erase(std::remove_if(points.begin(), points.end(), is_inside), points.end());
+  const auto middle = std::partition(first, last, is_right_of(from, place));
+  const auto end = std::partition(middle, last, is_right_of(place, to));
+  addCorners(first, middle, from, place, tolerance, hull);
+  hull.push_back(place);
+  addCorners(middle, end, place, to, tolerance, hull);
 }
 
-/** \brief Corners of the convex hull against the clock, without points on its sides
- * (Andrew's monotone chain). */
-std::vector<Eigen::Vector2f>
-convexHull(std::vector<Eigen::Vector2f> points)
+/** \brief Corners of the convex hull against the clock (Barber et al. 1996), less those
+ * that stand out by no more than 1e-5 of its extent. */
+Points
+convexHull(Points points)
 {
-  removeInnerPoints(points);
-  std::sort(points.begin(), points.end(), isBefore);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3)
+  if (points.empty())
     return points;
-  std::vector<Eigen::Vector2f> hull;
-  const auto add = [&hull](const Eigen::Vector2f& point, std::size_t first) {
-    while (hull.size() >= first + 2 &&
-           cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0f)
-      hull.pop_back();
-    hull.push_back(point);
-  };
+  const auto ends = std::minmax_element(points.begin(), points.end(), isBefore);
+  const Eigen::Vector2f left = *ends.first;
+  const Eigen::Vector2f right = *ends.second;
+  if (left == right)
+    return {left};
+  float reach = right.x() - left.x();
   for (const auto& point : points)
-    add(point, 0);
-  const std::size_t upper = hull.size() - 1;
-  for (auto point = points.rbegin() + 1; point != points.rend(); ++point)
-    add(*point, upper);
-  hull.pop_back();
+    reach = std::max(reach, std::abs(point.y() - left.y()));
+  const float tolerance = 1e-5f * reach;
+  const Eigen::Vector2f side = right - left;
+  const auto middle =
+      std::partition(points.begin(), points.end(), [&](const Eigen::Vector2f& point) {
+        return cross(side, point - left) < 0.0f;
+      });
+  Points hull = {left};
+  addCorners(points.begin(), middle, left, right, tolerance, hull);
+  hull.push_back(right);
+  addCorners(middle, points.end(), right, left, tolerance, hull);
   return hull;
 }
 

@@ -21,9 +21,31 @@ allClasses()
                              tableClasses(),
                              storageClasses(),
                              structureClasses(),
-                             fixtureClasses()})
+                             fixtureClasses(),
+                             chairVariants(),
+                             loungeVariants(),
+                             tableVariants(),
+                             storageVariants(),
+                             kitchenClasses(),
+                             bathroomClasses(),
+                             lampClasses(),
+                             deviceClasses(),
+                             decorationClasses()})
     classes.insert(classes.end(), family.begin(), family.end());
   return classes;
+}
+
+std::vector<FurnitureClass>
+shapesOf(const std::string& category)
+{
+  std::vector<FurnitureClass> shapes;
+  for (const auto& shape : allClasses())
+    if (shape.name == category)
+      shapes.push_back(shape);
+  if (shapes.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "there is no furniture class '" << category << "'");
+  return shapes;
 }
 
 } // namespace
@@ -35,25 +57,33 @@ furnitureCategories()
   for (const auto& c : allClasses())
     names.emplace_back(c.name);
   std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
+}
+
+int
+furnitureVariants(const std::string& category)
+{
+  return static_cast<int>(shapesOf(category).size());
 }
 
 FurnitureModel
 makeFurniture(const std::string& category,
               std::uint32_t seed,
-              const std::optional<Eigen::Vector3d>& size)
+              const std::optional<Eigen::Vector3d>& size,
+              int variant)
 {
-  const auto classes = allClasses();
-  const auto found = std::find_if(classes.begin(), classes.end(), [&](const auto& c) {
-    return c.name == category;
-  });
-  if (found == classes.end())
+  const auto shapes = shapesOf(category);
+  if (variant < 0 || variant >= static_cast<int>(shapes.size()))
     PCL_THROW_EXCEPTION(BadArgumentException,
-                        "there is no furniture class '" << category << "'");
+                        "the variant of a " << category << " must lie within 0 and "
+                                            << shapes.size() - 1 << ", not "
+                                            << variant);
+  const auto& found = shapes[static_cast<std::size_t>(variant)];
   RandomDraw draw(seed);
   Eigen::Vector3d extent;
   for (int axis = 0; axis < 3; ++axis) // drawn in any case: size changes nothing else
-    extent[axis] = draw.uniform(found->smallest[axis], found->largest[axis]);
+    extent[axis] = draw.uniform(found.smallest[axis], found.largest[axis]);
   if (size)
     extent = *size;
   if (!(extent.minCoeff() > 0.0))
@@ -61,7 +91,7 @@ makeFurniture(const std::string& category,
                         "the size of a " << category << " must be positive, not "
                                          << extent.transpose() << " m");
   PartMaker make(extent);
-  found->build(make, extent, draw);
+  found.build(make, extent, draw);
   return make.take();
 }
 

@@ -124,7 +124,7 @@ makeModel(const FurniturePlan& item,
           const std::optional<Eigen::Vector3d>& size)
 {
   return item.half_turn ? makeHalfTurnStairs(*size)
-                        : makeFurniture(item.category, seed, size);
+                        : makeFurniture(item.category, seed, size, item.variant);
 }
 
 // Is there no ceiling above the place?

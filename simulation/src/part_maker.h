@@ -15,6 +15,12 @@ struct Rectangle {
   double x0, y0, x1, y1;
 };
 
+/** \brief An outline at a height: a share of an extent, 1 an ellipse, 0.3 a rounded
+ * rectangle. */
+struct Section {
+  double scale, z, corner = 1.0;
+};
+
 /** \brief Collects the parts of one piece of furniture. */
 class PartMaker {
 public:
@@ -45,6 +51,75 @@ public:
         double z1,
         int sides = 16);
 
+  /** \brief Add a body through sections around a vertical axis. Sections that go up
+   * make its outside, sections that go down the inside of something hollow. What would
+   * reach beyond the piece is cut back to its size.
+   */
+  void
+  loft(const std::string& name,
+       const Rectangle& extent,
+       const std::vector<Section>& sections,
+       int sides = 16);
+
+  /** \brief Add a round bar between two points, also cut back to the size. */
+  void
+  rod(const std::string& name,
+      const Eigen::Vector3d& from,
+      const Eigen::Vector3d& to,
+      double radius,
+      int sides = 6);
+
+  /** \brief Add something soft: a rectangle's extent with round edges. */
+  void
+  cushion(const std::string& name, const Rectangle& r, double z0, double z1)
+  {
+    const double h = z1 - z0;
+    loft(name,
+         r,
+         {{0.85, z0, 0.3},
+          {1.0, z0 + 0.3 * h, 0.3},
+          {1.0, z0 + 0.6 * h, 0.3},
+          {0.85, z0 + 0.92 * h, 0.35},
+          {0.0, z1, 0.5}});
+  }
+
+  /** \brief Add a vessel that is open above; scales of its bottom and its top. */
+  void
+  vessel(const std::string& name,
+         const Rectangle& r,
+         double z0,
+         double z1,
+         double bottom,
+         double top,
+         double corner = 1.0)
+  {
+    const double floor = z0 + 0.1 * (z1 - z0);
+    loft(name,
+         r,
+         {{bottom, z0, corner},
+          {top, z1, corner},
+          {0.9 * top, z1, corner},
+          {0.88 * bottom, floor, corner}});
+  }
+
+  /** \brief Add a shade that is open below; scales of its bottom and its top. */
+  void
+  shade(const std::string& name,
+        const Rectangle& r,
+        double z0,
+        double z1,
+        double bottom,
+        double top)
+  {
+    loft(name,
+         r,
+         {{0.9 * top, z1 - 0.1 * (z1 - z0)},
+          {0.93 * bottom, z0},
+          {bottom, z0},
+          {0.4 * bottom + 0.6 * top, 0.4 * z0 + 0.6 * z1},
+          {top, z1}});
+  }
+
   /** \brief Join the last \a count parts to one, called \a name. */
   void
   join(int count, const std::string& name);
@@ -56,12 +131,16 @@ public:
   }
 
 private:
+  Eigen::Vector3d
+  cutBack(const Eigen::Vector3d& p) const;
+
   FurnitureModel model_;
 };
 
 using FurnitureRecipe = void (*)(PartMaker&, const Eigen::Vector3d&, RandomDraw&);
 
-/** \brief A class of furniture: between which sizes it varies, and how it is built. */
+/** \brief One shape of a class of furniture: between which sizes it varies, and how it
+ * is built. Several shapes may have one name; their order is that of the variants. */
 struct FurnitureClass {
   const char* name;
   Eigen::Vector3d smallest, largest;
@@ -79,6 +158,39 @@ std::vector<FurnitureClass>
 structureClasses();
 std::vector<FurnitureClass>
 fixtureClasses();
+std::vector<FurnitureClass>
+chairVariants();
+std::vector<FurnitureClass>
+loungeVariants();
+std::vector<FurnitureClass>
+tableVariants();
+std::vector<FurnitureClass>
+storageVariants();
+std::vector<FurnitureClass>
+kitchenClasses();
+std::vector<FurnitureClass>
+bathroomClasses();
+std::vector<FurnitureClass>
+lampClasses();
+std::vector<FurnitureClass>
+deviceClasses();
+std::vector<FurnitureClass>
+decorationClasses();
+
+/** \brief Doors side by side on the front of a body of a size, with handles or without.
+ * They fill the last 0.04 m of its depth.
+ */
+void
+fronts(PartMaker& make,
+       const Eigen::Vector3d& size,
+       int doors,
+       double z0,
+       double z1,
+       bool handles);
+
+/** \brief Four round legs that stand apart by \a splay more below than above. */
+void
+roundLegs(PartMaker& make, double x, double y, double radius, double z, double splay);
 
 } // namespace indoor
 } // namespace pcl

@@ -93,8 +93,15 @@ readOpening(const JsonReader& json, OpeningKind kind)
 FurniturePlan
 readFurniture(const JsonReader& json)
 {
-  json.requireKeys(
-      {"class", "at", "rotation", "elevation", "size", "seed", "room", "turn"});
+  json.requireKeys({"class",
+                    "at",
+                    "rotation",
+                    "elevation",
+                    "size",
+                    "seed",
+                    "variant",
+                    "room",
+                    "turn"});
   FurniturePlan item;
   item.category = json.at("class").text();
   const auto known = furnitureCategories();
@@ -116,6 +123,14 @@ readFurniture(const JsonReader& json)
   }
   if (json.has("seed"))
     item.seed = json.at("seed").seed();
+  if (json.has("variant")) {
+    const double variant = json.at("variant").number();
+    const int variants = furnitureVariants(item.category);
+    if (variant != std::floor(variant) || variant < 0 || variant >= variants)
+      json.at("variant").fail("must be a whole number from 0 to " +
+                              std::to_string(variants - 1) + " for a " + item.category);
+    item.variant = static_cast<int>(variant);
+  }
   if (json.has("room"))
     item.room = json.at("room").text();
   if (json.has("turn")) {

@@ -97,8 +97,18 @@ RoomFurnisher::piece(const std::string& category,
 {
   Piece result;
   result.category = category;
+  result.variant = draw_.pick(furnitureVariants(category));
   result.seed = mixSeed(static_cast<std::uint32_t>(draw_.pick(1 << 30)), 0);
-  result.size = makeFurniture(category, result.seed, size).size;
+  result.size = makeFurniture(category, result.seed, size, result.variant).size;
+  return result;
+}
+
+Piece
+RoomFurnisher::shaped(const std::string& category, int first, int last)
+{
+  Piece result = piece(category);
+  result.variant = first + draw_.pick(last - first + 1);
+  result.size = makeFurniture(category, result.seed, std::nullopt, result.variant).size;
   return result;
 }
 
@@ -148,6 +158,7 @@ RoomFurnisher::put(const Piece& piece,
   plan.elevation = elevation;
   plan.size = piece.size;
   plan.seed = piece.seed;
+  plan.variant = piece.variant;
   furniture_.push_back(plan);
   return number;
 }
@@ -169,20 +180,31 @@ RoomFurnisher::placeAlong(const Wall& w, const Piece& piece)
 }
 
 int
-RoomFurnisher::atWall(const Piece& piece, double elevation)
+RoomFurnisher::tryWalls(const Piece& piece, double elevation, double gap)
 {
   constexpr int attempts = 40;
-  const double gap = draw_.pick(2) == 0 ? 0.0 : draw_.uniform(0.0, 0.04);
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const Wall w = wall(draw_.pick(4));
     const double along = placeAlong(w, piece);
-    const double off = piece.size.y() / 2 + (elevation > 0.3 ? 0.0 : gap);
+    const double off = piece.size.y() / 2 + gap;
     const int placed =
         put(piece, w.start + along * w.along + off * w.inwards, w.rotation, elevation);
     if (placed >= 0)
       return placed;
   }
   return -1;
+}
+
+int
+RoomFurnisher::atWall(const Piece& piece, double elevation)
+{
+  return tryWalls(piece, elevation, chance(0.5) ? 0.0 : between(0.0, 0.04));
+}
+
+int
+RoomFurnisher::onWall(const Piece& piece, double elevation)
+{
+  return tryWalls(piece, elevation, 0.0);
 }
 
 int

@@ -18,6 +18,7 @@ struct Piece {
   std::string category;
   std::uint32_t seed = 0;
   Eigen::Vector3d size = Eigen::Vector3d::Zero(); ///< metres
+  int variant = 0;
 };
 
 /** \brief Finds places in one room, so that nothing collides.
@@ -59,10 +60,14 @@ public:
     return draw_.pick(count);
   }
 
-  /** \brief Draw a piece; a size that is given replaces the drawn one. */
+  /** \brief Draw a piece of any shape; a size that is given replaces the drawn one. */
   Piece
   piece(const std::string& category,
         const std::optional<Eigen::Vector3d>& size = std::nullopt);
+
+  /** \brief Draw a piece of one of the shapes \a first to \a last. */
+  Piece
+  shaped(const std::string& category, int first, int last);
 
   /** \brief Back to a wall, at a height above the floor; often in a corner or right
    * beside another piece. */
@@ -86,6 +91,23 @@ public:
   int
   onTop(int other, const Piece& piece, double turn = 0.0, bool at_rear = false);
 
+  /** \brief On a wall with its lowest point at a height. */
+  int
+  onWall(const Piece& piece, double elevation);
+
+  /** \brief Books, bottles, vases, cups, lamps on top of a piece. */
+  void
+  putSmallThings(int other, int count);
+
+  /** \brief A desk at a wall, its chair, and what stands on it. */
+  void
+  workplace(const Piece& desk, const std::string& chair);
+
+  /** \brief Cabinets and devices side by side, a sink and a cooker among them, with
+   * wall cupboards over them. */
+  void
+  kitchenRow(int cabinets);
+
   /** \brief Anywhere on the floor. */
   int
   anywhere(const Piece& piece);
@@ -101,6 +123,10 @@ public:
   /** \brief Below each window, not above its sill. */
   void
   belowWindows(const std::string& category, double probability);
+
+  /** \brief Before each window. */
+  void
+  curtains(double probability);
 
   /** \brief At a place; \a under may be overlapped. */
   int
@@ -163,6 +189,9 @@ private:
 
   Wall
   wall(int number) const;
+
+  int
+  tryWalls(const Piece& piece, double elevation, double gap);
 
   double
   placeAlong(const Wall& wall, const Piece& piece);

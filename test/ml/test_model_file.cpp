@@ -131,6 +131,14 @@ expectSame(const ClassifierModel& a, const ClassifierModel& b, bool is_half)
   }
 }
 
+/** The text of an exception, behind function, file and line. */
+std::string
+textOf(const IOException& problem)
+{
+  const std::string message = problem.what();
+  return message.substr(message.find(" : ") + 3);
+}
+
 /** One line, and not a long one. */
 void
 expectRefused(const std::string& bytes, const std::string& part = "")
@@ -139,7 +147,7 @@ expectRefused(const std::string& bytes, const std::string& part = "")
     modelFromBytes(bytes);
     ADD_FAILURE() << "read " << bytes;
   } catch (const IOException& problem) {
-    const std::string message = problem.what();
+    const std::string message = textOf(problem);
     EXPECT_NE(message.find(part), std::string::npos) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_FALSE(message.empty());
@@ -328,7 +336,7 @@ TEST_F(ModelFileOnDisk, IsLoaded)
       loadModel(path(name));
       ADD_FAILURE() << name;
     } catch (const IOException& problem) {
-      EXPECT_NE(std::string(problem.what()).find(path(name) + ": "), std::string::npos);
+      EXPECT_EQ(textOf(problem).rfind(path(name) + ": ", 0), 0u) << problem.what();
     }
 }
 

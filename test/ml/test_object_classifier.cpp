@@ -7,6 +7,7 @@
 #include <pcl/ml/network_designs.h>
 #include <pcl/ml/network_inference.h>
 #include <pcl/ml/object_classifier.h>
+#include <pcl/ml/upright_profile.h>
 
 #include <gtest/gtest.h>
 
@@ -109,6 +110,9 @@ TEST(ClassifierInputValues, AreTheDescriptorAndTheContext)
     auto expected = bins;
     const auto context = contextValues(object.points, object.place);
     expected.insert(expected.end(), context.begin(), context.end());
+    const auto profile = uprightProfile(
+        object.points, object.place.is_known ? object.place.floor_distance : 0.0f);
+    expected.insert(expected.end(), profile.begin(), profile.end());
     EXPECT_EQ(both, expected);
   }
 }

@@ -87,35 +87,60 @@ TEST(Furniture, EveryClassBuildsInsideItsSize)
   const auto categories = furnitureCategories();
   EXPECT_GE(categories.size(), 10u);
   for (const auto& category : categories)
-    for (std::uint32_t seed = 0; seed < 50; ++seed) {
-      const auto model = makeFurniture(category, seed);
-      ASSERT_FALSE(model.parts.empty()) << category;
-      expectInside(model, category);
-    }
+    for (int variant = 0; variant < furnitureVariants(category); ++variant)
+      for (std::uint32_t seed = 0; seed < 50; ++seed) {
+        const auto model = makeFurniture(category, seed, std::nullopt, variant);
+        ASSERT_FALSE(model.parts.empty()) << category;
+        expectInside(model, category + " " + std::to_string(variant));
+      }
+}
+
+// The parts together fill a good part of the size that the piece claims.
+TEST(Furniture, EveryShapeIsAsLargeAsItSays)
+{
+  for (const auto& category : furnitureCategories())
+    for (int variant = 0; variant < furnitureVariants(category); ++variant)
+      for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        const auto model = makeFurniture(category, seed, std::nullopt, variant);
+        Eigen::AlignedBox3d box;
+        for (const auto& part : model.parts)
+          for (const auto& t : part.triangles)
+            for (const auto& corner : {t.a, t.b, t.c})
+              box.extend(corner.cast<double>());
+        for (int axis = 0; axis < 3; ++axis)
+          EXPECT_GT(box.sizes()[axis], 0.4 * model.size[axis])
+              << category << ' ' << variant << ", seed " << seed << ", axis " << axis;
+        EXPECT_LT(box.min().z(), 0.4 * model.size.z()) << category << ' ' << variant;
+      }
 }
 
 TEST(Furniture, EveryClassBuildsInAGivenSize)
 {
-  for (const auto& category : furnitureCategories()) {
-    const auto usual = makeFurniture(category, 5).size;
-    for (const double scale : {0.8, 1.0, 1.3}) {
-      const Eigen::Vector3d size = scale * usual;
-      const auto model = makeFurniture(category, 5, size);
-      EXPECT_EQ(model.size, size);
-      expectInside(model, category);
+  for (const auto& category : furnitureCategories())
+    for (int variant = 0; variant < furnitureVariants(category); ++variant) {
+      const auto usual = makeFurniture(category, 5, std::nullopt, variant).size;
+      for (const double scale : {0.8, 1.0, 1.3}) {
+        const Eigen::Vector3d size = scale * usual;
+        const auto model = makeFurniture(category, 5, size, variant);
+        EXPECT_EQ(model.size, size);
+        expectInside(model, category + " " + std::to_string(variant));
+      }
     }
-  }
 }
 
 TEST(Furniture, PartsAreClosedWithNormalsOutwards)
 {
   for (const auto& category : furnitureCategories())
-    for (std::uint32_t seed = 0; seed < 10; ++seed)
-      for (const auto& part : makeFurniture(category, seed).parts) {
-        EXPECT_FALSE(part.name.empty());
-        EXPECT_TRUE(isClosed(part.triangles)) << category << ", " << part.name;
-        EXPECT_GT(enclosedVolume(part.triangles), 0.0) << category << ", " << part.name;
-      }
+    for (int variant = 0; variant < furnitureVariants(category); ++variant)
+      for (std::uint32_t seed = 0; seed < 20; ++seed)
+        for (const auto& part :
+             makeFurniture(category, seed, std::nullopt, variant).parts) {
+          const std::string what =
+              category + " " + std::to_string(variant) + ", " + part.name;
+          EXPECT_FALSE(part.name.empty());
+          EXPECT_TRUE(isClosed(part.triangles)) << what;
+          EXPECT_GT(enclosedVolume(part.triangles), 0.0) << what;
+        }
 }
 
 TEST(Furniture, SameSeedSamePieceOtherSeedAnother)
@@ -136,6 +161,10 @@ TEST(Furniture, RefusesUnknownClassesAndSizes)
                pcl::BadArgumentException);
   EXPECT_THROW(makeFurniture("chair", 1, Eigen::Vector3d(0.5, -0.5, 1.0)),
                pcl::BadArgumentException);
+  for (const int variant : {-1, furnitureVariants("chair")})
+    EXPECT_THROW(makeFurniture("chair", 1, std::nullopt, variant),
+                 pcl::BadArgumentException);
+  EXPECT_THROW(furnitureVariants("throne"), pcl::BadArgumentException);
 }
 
 TEST(Furniture, AClosedDoorFillsItsHole)

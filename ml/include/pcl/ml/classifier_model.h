@@ -28,7 +28,8 @@ struct ClassifierInput {
   std::uint32_t pair_count = 20000; ///< pairs drawn, at least 1
   int draws = 1; ///< times an object is described, 1 ... most_draws; probabilities are
                  ///< averaged
-  bool context = false; ///< whether size and place follow the bins, see contextValues()
+  bool context =
+      false; ///< whether contextValues() and uprightProfile() follow the bins
   int point_count = 1024; ///< of Points, 1 ... most_points
 };
 

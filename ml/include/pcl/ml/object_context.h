@@ -36,15 +36,15 @@ constexpr std::size_t context_value_count = 16;
  * - 12 to 14: 1 where that is below 0.1 m;
  * - 15: 1, the place is known.
  *
- * No points give a size of 0. Time: that of sorting the points that lie near the rim of
- * the footprint.
+ * No points give a size of 0. Time: a few passes through the points.
  * \param[in] points finite, metres, z up
  */
 std::vector<float>
 contextValues(const std::vector<OrientedPoint>& points, const ObjectPlace& place);
 
-/** \brief Sides of the smallest rectangle, turned anyhow, around points of the plane.
- * \return length, and width that is not longer; zeros for no points
+/** \brief Sides of the smallest rectangle, turned anyhow, around points of the plane,
+ * to about 1e-5 of its length. \return length, and width that is not longer; zeros for
+ * no points
  */
 Eigen::Vector2f
 smallestRectangle(std::vector<Eigen::Vector2f> points);

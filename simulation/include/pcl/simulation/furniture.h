@@ -35,17 +35,26 @@ struct FurnitureModel {
 std::vector<std::string>
 furnitureCategories();
 
+/** \brief How many shapes a class has.
+ * \throws BadArgumentException if the category is unknown
+ */
+int
+furnitureVariants(const std::string& category);
+
 /** \brief Build a piece of furniture.
  * \param[in] category one of furnitureCategories()
  * \param[in] seed the same seed gives the same piece; another one another variation
  * \param[in] size width, depth, height in metres, positive; default: drawn from the
- * seed \throws BadArgumentException if the category is unknown or a size is not
+ * seed
+ * \param[in] variant which shape of the class, 0 to furnitureVariants() - 1
+ * \throws BadArgumentException if the category or variant is unknown or a size is not
  * positive
  */
 FurnitureModel
 makeFurniture(const std::string& category,
               std::uint32_t seed,
-              const std::optional<Eigen::Vector3d>& size = std::nullopt);
+              const std::optional<Eigen::Vector3d>& size = std::nullopt,
+              int variant = 0);
 
 /** \brief Build stairs of two flights side by side with a landing between them.
  *

@@ -96,6 +96,7 @@ struct FurniturePlan {
   std::optional<double> elevation;     ///< metres above the floor of the storey
   std::optional<Eigen::Vector3d> size; ///< width, depth, height, metres
   std::optional<std::uint32_t> seed;   ///< default: from the plan's seed
+  int variant = 0;        ///< which shape of its class, below furnitureVariants()
   std::string room;       ///< that its points belong to; empty: where it stands
   bool half_turn = false; ///< stairs: two flights side by side and a landing
 };

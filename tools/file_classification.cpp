@@ -1,0 +1,208 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "file_classification.h"
+
+#include "cloud_file.h"
+#include "object_files.h"
+
+#include <pcl/ml/histogram_distance.h>
+#include <pcl/ml/object_classifier.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace pcl::indoor::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t files_at_once = 64; // whose points are in memory together
+
+int
+threadCount(unsigned int wanted)
+{
+#ifdef _OPENMP
+  if (wanted == 0)
+    return omp_get_max_threads();
+#endif
+  return static_cast<int>(wanted);
+}
+
+ClassifierObject
+readObject(const std::string& path, int neighbor_count, bool wants_place)
+{
+  const auto object = loadPlacedObject(path, neighbor_count);
+  return {classifierPoints(*object.cloud), wants_place ? object.place : ObjectPlace()};
+}
+
+/** \brief Call with the objects of some files after the other. */
+template <typename Visit>
+void
+forEachBatch(const std::vector<ObjectFile>& files,
+             const ClassificationSettings& settings,
+             bool wants_place,
+             Progress& progress,
+             const Visit& visit)
+{
+  for (std::size_t first = 0; first < files.size(); first += files_at_once) {
+    std::vector<ClassifierObject> objects;
+    for (std::size_t k = first; k < std::min(first + files_at_once, files.size());
+         ++k) {
+      progress.update(k, files.size());
+      objects.push_back(
+          readObject(files[k].path, settings.neighbor_count, wants_place));
+    }
+    visit(first, objects);
+  }
+}
+
+std::vector<std::pair<std::string, float>>
+sorted(std::vector<std::pair<std::string, float>> classes)
+{
+  std::stable_sort(classes.begin(), classes.end(), [](const auto& a, const auto& b) {
+    return a.second > b.second;
+  });
+  while (!classes.empty() && !(classes.back().second > 0.0f))
+    classes.pop_back();
+  return classes;
+}
+
+Histograms
+describe(const std::vector<ObjectFile>& files,
+         const std::string& what,
+         const ClassificationSettings& settings,
+         Progress& progress)
+{
+  Histograms histograms(files.size());
+  progress.start("Describing " + std::to_string(files.size()) + " " + what);
+  forEachBatch(
+      files, settings, false, progress, [&](std::size_t first, const auto& objects) {
+        const auto count = static_cast<std::int64_t>(objects.size());
+        const ClassifierInput input;
+        [[maybe_unused]] const int threads = threadCount(settings.threads);
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+        for (std::int64_t k = 0; k < count; ++k) {
+          const auto& object = objects[static_cast<std::size_t>(k)];
+          histograms[first + static_cast<std::size_t>(k)] =
+              classifierInput(object.points, object.place, input, 1);
+        }
+      });
+  progress.done();
+  return histograms;
+}
+
+/** \brief Shares of 1 / distance^2; of distances of 0 alone if there are any. */
+std::vector<std::pair<std::string, float>>
+shares(const std::map<std::string, float>& distances)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [name, distance] : distances)
+    least = std::min<double>(least, distance);
+  if (!std::isfinite(least))
+    return {};
+  std::vector<std::pair<std::string, float>> classes;
+  double sum = 0.0;
+  const auto share = [least](double distance) {
+    return distance > least ? least * least / (distance * distance) : 1.0;
+  };
+  for (const auto& [name, distance] : distances)
+    sum += share(distance);
+  for (const auto& [name, distance] : distances)
+    classes.emplace_back(name, static_cast<float>(share(distance) / sum));
+  return sorted(classes);
+}
+
+} // namespace
+
+std::vector<ObjectFile>
+objectsOfFolder(const std::string& folder)
+{
+  std::vector<ObjectFile> files;
+  for (const auto& name : findObjects(folder))
+    files.push_back({(fs::path(folder) / name).string(),
+                     fs::path(name).parent_path().filename().string()});
+  return files;
+}
+
+std::vector<ObjectFile>
+objectFiles(const std::vector<std::string>& paths)
+{
+  std::vector<ObjectFile> files;
+  for (const auto& path : paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      files.push_back({path, ""});
+      continue;
+    }
+    const auto found = objectsOfFolder(path);
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+std::vector<ClassifiedFile>
+classifyByModel(const std::vector<ObjectFile>& files,
+                const ClassifierModel& model,
+                const ClassificationSettings& settings,
+                Progress& progress)
+{
+  std::vector<ClassifiedFile> results;
+  progress.start("Classifying " + std::to_string(files.size()) + " objects");
+  const bool wants_place = model.input.context;
+  forEachBatch(files,
+               settings,
+               wants_place,
+               progress,
+               [&](std::size_t first, const auto& objects) {
+                 const auto found = classifyObjects(objects, model, settings.threads);
+                 for (std::size_t k = 0; k < found.size(); ++k) {
+                   std::vector<std::pair<std::string, float>> classes;
+                   for (std::size_t c = 0; c < found[k].probabilities.size(); ++c)
+                     classes.emplace_back(model.classes[c], found[k].probabilities[c]);
+                   results.push_back({files[first + k], sorted(classes)});
+                 }
+               });
+  progress.done();
+  return results;
+}
+
+std::vector<ClassifiedFile>
+classifyByNearest(const std::vector<ObjectFile>& files,
+                  const std::vector<ObjectFile>& known,
+                  const ClassificationSettings& settings,
+                  Progress& progress)
+{
+  for (const auto& file : known)
+    if (file.true_class.empty())
+      throw ToolError(file.path + ": lies in no folder that names its class");
+  const auto gallery = describe(known, "known objects", settings, progress);
+  const auto queries = describe(files, "objects", settings, progress);
+  const auto table = histogramDistances(
+      queries, gallery, HistogramDistance::SymmetricKullbackLeibler, settings.threads);
+  std::vector<ClassifiedFile> results;
+  for (std::size_t row = 0; row < files.size(); ++row) {
+    std::map<std::string, float> nearest; // of each class
+    const auto own = fs::weakly_canonical(files[row].path);
+    for (std::size_t column = 0; column < known.size(); ++column) {
+      const float distance = std::max(table.at(row, column), 0.0f); // rounding
+      if (!std::isfinite(distance) || fs::weakly_canonical(known[column].path) == own)
+        continue;
+      const auto place = nearest.emplace(known[column].true_class, distance).first;
+      place->second = std::min(place->second, distance);
+    }
+    results.push_back({files[row], shares(nearest)});
+  }
+  return results;
+}
+
+} // namespace pcl::indoor::tool

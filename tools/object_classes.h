@@ -1,0 +1,46 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/ml/classifier_model.h>
+#include <pcl/segmentation/object_surfaces.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief What an object was taken for. */
+struct ObjectClass {
+  std::uint32_t category = 0; ///< position in SceneClasses::names
+  float confidence = 0.0f; ///< probability of that class; 0 of objects too small to be
+                           ///< described, which are "other"
+  std::vector<std::pair<std::uint32_t, float>>
+      top; ///< up to three, the likeliest first
+};
+
+/** \brief The classes of a scene's objects. */
+struct SceneClasses {
+  std::vector<std::string> names;   ///< names[0] is "none", then those of the model
+  std::vector<ObjectClass> objects; ///< one per object; empty without a model
+};
+
+/** \brief Path of the model that comes with the tools: ../share/pcl_indoor of the
+ * folder that the program lies in. */
+std::string
+bundledModel();
+
+/** \brief Name the objects of a scene.
+ * \param[in] surfaces one per object, see objectSurfaces()
+ * \param[in] threads 0 = automatic; the result does not depend on it
+ */
+SceneClasses
+classifySurfaces(const std::vector<ObjectSurface>& surfaces,
+                 const ClassifierModel& model,
+                 int threads);
+
+} // namespace pcl::indoor::tool
