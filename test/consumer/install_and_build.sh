@@ -24,6 +24,33 @@ configure "$folder/build" || { cat "$folder/build.log"; exit 1; }
 "$cmake" --build "$folder/build"
 "$folder/build/consumer"
 
+# who trains networks needs none of libtorch's headers; the component is there only where it was built
+cat > "$folder/source/training.cpp" << 'END'
+#include <pcl/ml/network_designs.h>
+#include <pcl/ml/network_training.h>
+int main()
+{
+  auto network = pcl::indoor::perceptron(2, {1, {4}, 0.0f});
+  pcl::indoor::TrainingSet set{{{{0.0f}}, {{1.0f}}}, {0, 1}};
+  pcl::indoor::fitScale(network, set);
+  pcl::indoor::initializeWeights(network, 1);
+  return pcl::indoor::trainNetwork(network, set, {}, {}).epochs.size() == 100 ? 0 : 1;
+}
+END
+cp "$folder/source/CMakeLists.txt" "$folder/CMakeLists.txt"
+sed -i 's/COMPONENTS segmentation features/COMPONENTS training/; /consumer PRIVATE/,$d' "$folder/source/CMakeLists.txt"
+sed -i 's/consumer consumer.cpp/consumer training.cpp/' "$folder/source/CMakeLists.txt"
+echo 'target_link_libraries(consumer PRIVATE pcl_indoor::training)' >> "$folder/source/CMakeLists.txt"
+if ls "$folder"/prefix/lib*/libpcl_indoor_training.so "$folder"/prefix/lib*/*/libpcl_indoor_training.so > /dev/null 2>&1; then
+  configure "$folder/training" || { cat "$folder/training.log"; exit 1; }
+  "$cmake" --build "$folder/training"
+  "$folder/training/consumer"
+elif configure "$folder/training"; then
+  echo "The component training is found, but was not built"
+  exit 1
+fi
+mv "$folder/CMakeLists.txt" "$folder/source/CMakeLists.txt"
+
 sed -i 's/COMPONENTS segmentation features/COMPONENTS no_such_module/' "$folder/source/CMakeLists.txt"
 if configure "$folder/unknown"; then
   echo "An unknown component is found"

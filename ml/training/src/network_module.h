@@ -61,7 +61,7 @@ private:
   static void
   store(std::vector<Layer>& layers, const std::vector<Weights>& weights);
 
-  Network network_; // its weights are those that it came with
+  Network network_;                    // its weights are those that it came with
   std::vector<at::Tensor> parameters_; // before weights_, whose loading fills it
   std::vector<Weights> weights_;
 };

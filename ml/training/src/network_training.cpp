@@ -6,12 +6,12 @@
 #include "network_module.h"
 #include "training_checkpoint.h"
 #include "training_data.h"
+#include "training_resources.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/ml/network_training.h>
 
-#include <ATen/Parallel.h>
-
+#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -135,23 +135,6 @@ rightCount(const at::Tensor& scores, const at::Tensor& labels)
 {
   return scores.argmax(1).eq(labels).sum().item<std::int64_t>();
 }
-
-/** \brief libtorch's number of threads, for as long as this lives. */
-class ThreadCount {
-public:
-  explicit ThreadCount(int count)
-  : before_(at::get_num_threads())
-  {
-    at::set_num_threads(count);
-  }
-  ThreadCount(const ThreadCount&) = delete;
-  ThreadCount&
-  operator=(const ThreadCount&) = delete;
-  ~ThreadCount() { at::set_num_threads(before_); }
-
-private:
-  int before_;
-};
 
 /** \brief A training under way. */
 class Training {
@@ -351,7 +334,7 @@ trainNetwork(const Network& network,
              const std::function<bool(const EpochReport&)>& report)
 {
   requireAll(network, training, validation, options);
-  const ThreadCount threads(options.threads);
+  const TrainingResources resources(options.threads);
   return Training(network, training, validation, options).run(report);
 }
 

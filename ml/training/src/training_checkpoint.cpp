@@ -6,6 +6,7 @@
 
 #include <pcl/exceptions.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <fstream>

@@ -29,8 +29,7 @@ struct TrainingOptions {
   double weight_decay = 0.0;   ///< of AdamW, at least 0
   double label_smoothing = 0.0; ///< 0 ... 1
   bool class_weights = false;   ///< weigh classes by 1 / their number of objects
-  int patience =
-      0; ///< epochs without a better validation after which to stop; 0: never
+  int patience = 0; ///< stop after so many epochs without a better validation; 0: never
   std::uint32_t seed = 1; ///< of order, draws and dropout; same seed, same bits
   int threads = 1;        ///< of libtorch; another number may give other bits
   std::string checkpoint; ///< file to keep the state in; goes on from it if it is there
@@ -39,10 +38,10 @@ struct TrainingOptions {
 
 /** \brief What an epoch gave. */
 struct EpochReport {
-  int epoch = 0; ///< 1 ...
-  double training_loss = 0.0;
+  int epoch = 0;                    ///< 1 ...
+  double training_loss = 0.0;       ///< what is minimized, while it is trained with
   double training_accuracy = 0.0;   ///< 0 ... 1
-  double validation_loss = 0.0;     ///< 0 without a validation set
+  double validation_loss = 0.0;     ///< plain cross-entropy of all draws, 0 without any
   double validation_accuracy = 0.0; ///< 0 ... 1
 };
 
@@ -53,12 +52,17 @@ struct TrainingResult {
   int best_epoch = 0;
 };
 
-/** \brief Train a network with libtorch: Adam on the cross-entropy.
+/** \brief Train a network with libtorch: AdamW on the cross-entropy.
+ *
+ * On a CUDA device where libtorch has one (Debian's has none), else on the CPU. Best is
+ * the epoch of the highest validation accuracy and, of equal ones, of the lowest loss.
+ * BatchNorm's running values follow with a momentum of 0.1.
  * \param[in] network initialized or trained before; its Scale layers stay as they are
  * \param[in] validation may be empty; never trained with
  * \param[in] report called after each epoch; false stops
  * \throws pcl::BadArgumentException if options, sets or network do not fit;
- * pcl::IOException if a checkpoint cannot be read or written, or is another training's
+ * pcl::IOException if a checkpoint cannot be read or written, or is another training's;
+ * pcl::ComputeFailedException if the loss is no longer finite
  */
 TrainingResult
 trainNetwork(const Network& network,
