@@ -199,8 +199,10 @@ run(const Settings& settings, Progress& progress)
        {settings.json, settings.confusion, settings.confusion_picture, settings.plot})
     if (!path.empty())
       requireWritable(path);
-  const auto objects =
-      loadLabelledObjects(settings.folder, experiment.neighbor_count, progress);
+  const auto objects = loadLabelledObjects(settings.folder,
+                                           experiment.neighbor_count,
+                                           experiment.number_of_threads,
+                                           progress);
   std::vector<RetrievalLevel> levels;
   for (const double noise : noise_levels) {
     experiment.disturbance.noise_percent = noise;

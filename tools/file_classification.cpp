@@ -7,7 +7,6 @@
 #include "cloud_file.h"
 #include "object_files.h"
 
-#include <pcl/features/impl/oriented_points.hpp>
 #include <pcl/ml/histogram_distance.h>
 #include <pcl/ml/object_classifier.h>
 
@@ -42,11 +41,8 @@ threadCount(unsigned int wanted)
 ClassifierObject
 readObject(const std::string& path, int neighbor_count, bool wants_place)
 {
-  const auto cloud = loadObject(path, neighbor_count);
-  Indices indices(cloud->size());
-  std::iota(indices.begin(), indices.end(), 0);
-  return {orientedPoints(*cloud, *cloud, indices),
-          wants_place ? readPlace(loadCloud(path)) : ObjectPlace()};
+  const auto object = loadPlacedObject(path, neighbor_count);
+  return {classifierPoints(*object.cloud), wants_place ? object.place : ObjectPlace()};
 }
 
 /** \brief Call with the objects of some files after the other. */
@@ -132,7 +128,7 @@ std::vector<ObjectFile>
 objectsOfFolder(const std::string& folder)
 {
   std::vector<ObjectFile> files;
-  for (const auto& name : findClouds(folder))
+  for (const auto& name : findObjects(folder))
     files.push_back({(fs::path(folder) / name).string(),
                      fs::path(name).parent_path().filename().string()});
   return files;

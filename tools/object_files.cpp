@@ -4,9 +4,13 @@
  */
 #include "object_files.h"
 
+#include "mesh_file.h"
+
 #include <pcl/common/centroid.h>
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
+#include <pcl/exceptions.h>
+#include <pcl/features/impl/oriented_points.hpp>
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
 
@@ -14,9 +18,40 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <numeric>
 
 namespace pcl::indoor::tool {
 namespace {
+
+bool
+isMesh(const std::filesystem::path& path)
+{
+  return path.extension() == ".off" || path.extension() == ".obj";
+}
+
+bool
+isObject(const std::filesystem::path& path)
+{
+  return path.extension() == ".pcd" || path.extension() == ".ply" || isMesh(path);
+}
+
+PointCloud<PointNormal>::Ptr
+sampledObject(const Mesh& mesh, const std::string& path)
+{
+  constexpr std::uint32_t seed = 1; // the same file gives the same object
+  auto object = pcl::make_shared<PointCloud<PointNormal>>();
+  try {
+    for (const auto& drawn : sampleMesh(mesh, mesh_point_count, seed)) {
+      PointNormal point;
+      point.getVector3fMap() = drawn.position;
+      point.getNormalVector3fMap() = drawn.normal;
+      object->push_back(point);
+    }
+  } catch (const BadArgumentException&) { // its triangles are within its vertices
+    throw ToolError(path + ": no face of the mesh has an area");
+  }
+  return object;
+}
 
 constexpr const char* floor_field = "floor_distance";
 constexpr const char* ceiling_field = "ceiling_distance";
@@ -39,7 +74,7 @@ firstValue(const PCLPointCloud2& cloud, const std::string& name)
 } // namespace
 
 std::vector<std::string>
-findClouds(const std::string& folder)
+findObjects(const std::string& folder)
 {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -50,14 +85,13 @@ findClouds(const std::string& folder)
        entry.increment(error)) {
     if (error)
       break;
-    const auto extension = entry->path().extension();
-    if (entry->is_regular_file() && (extension == ".pcd" || extension == ".ply"))
+    if (entry->is_regular_file() && isObject(entry->path()))
       paths.push_back(fs::relative(entry->path(), folder).string());
   }
   if (error)
     throw ToolError(folder + ": cannot be read: " + error.message());
   if (paths.empty())
-    throw ToolError(folder + ": no .pcd or .ply file in this folder");
+    throw ToolError(folder + ": no .pcd, .ply, .off or .obj file in this folder");
   std::sort(paths.begin(), paths.end());
   return paths;
 }
@@ -84,10 +118,15 @@ estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
   }
 }
 
-PointCloud<PointNormal>::Ptr
-loadObject(const std::string& path, int neighbor_count)
+PlacedObject
+loadPlacedObject(const std::string& path, int neighbor_count)
 {
+  if (isMesh(path))
+    return {sampledObject(readMesh(path), path), {}};
   const auto file = loadCloud(path);
+  const auto mesh = plyMesh(file);
+  if (!mesh.triangles.empty())
+    return {sampledObject(mesh, path), {}};
   auto object = pcl::make_shared<PointCloud<PointNormal>>();
   copyPointCloud(*file.points, *object);
   object->is_dense = file.finite_count == object->size();
@@ -99,7 +138,21 @@ loadObject(const std::string& path, int neighbor_count)
   }
   else
     estimateNormals(*object, neighbor_count);
-  return object;
+  return {object, readPlace(file)};
+}
+
+PointCloud<PointNormal>::Ptr
+loadObject(const std::string& path, int neighbor_count)
+{
+  return loadPlacedObject(path, neighbor_count).cloud;
+}
+
+std::vector<OrientedPoint>
+classifierPoints(const PointCloud<PointNormal>& cloud)
+{
+  Indices all(cloud.size());
+  std::iota(all.begin(), all.end(), 0);
+  return orientedPoints(cloud, cloud, all);
 }
 
 void

@@ -16,12 +16,13 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief All .pcd and .ply files of a folder and the folders in it, sorted by path.
+/** \brief All .pcd, .ply, .off and .obj files of a folder and the folders in it, sorted
+ * by path.
  * \return paths relative to the folder
  * \throws ToolError if it is no folder or holds none
  */
 std::vector<std::string>
-findClouds(const std::string& folder);
+findObjects(const std::string& folder);
 
 /** \brief Estimate the normals of the finite points from their neighbours' plane.
  *
@@ -31,11 +32,29 @@ findClouds(const std::string& folder);
 void
 estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count);
 
+/** \brief Points that are drawn on a mesh. */
+constexpr std::size_t mesh_point_count = 2048;
+
 /** \brief Read the points and normals of an object; estimate normals if the file has
- * none. \throws ToolError as loadCloud()
+ * none. Of a mesh (OFF, OBJ, or PLY with faces) mesh_point_count points are drawn.
+ * \throws ToolError as loadCloud() and readMesh()
  */
 PointCloud<PointNormal>::Ptr
 loadObject(const std::string& path, int neighbor_count);
+
+/** \brief An object as a classifier wants it. */
+struct PlacedObject {
+  PointCloud<PointNormal>::Ptr cloud;
+  ObjectPlace place; ///< as saveObject() has saved it, see readPlace()
+};
+
+/** \brief As loadObject(), with the place. */
+PlacedObject
+loadPlacedObject(const std::string& path, int neighbor_count);
+
+/** \brief The points of a cloud for the classifier: those with a place and a normal. */
+std::vector<OrientedPoint>
+classifierPoints(const PointCloud<PointNormal>& cloud);
 
 /** \brief Save an object as a cloud with normals and, in fields of their own, its
  * distances from floor, ceiling and wall. \throws ToolError as saveCloud()

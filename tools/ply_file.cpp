@@ -81,9 +81,11 @@ elementsOf(const FileHeader& header, const std::string& path)
   return elements;
 }
 
+/** How many values a list has: not more than can follow. */
 std::uint64_t
-listLength(PlyBody& body, std::uint8_t type, const std::string& path)
+listLength(PlyBody& body, const Property& property, const std::string& path)
 {
+  const auto type = property.list_type;
   std::uint8_t bytes[8] = {};
   body.read(type, bytes);
   std::uint32_t length = 0;
@@ -92,6 +94,8 @@ listLength(PlyBody& body, std::uint8_t type, const std::string& path)
                     ": the length of a list in the header is not a whole number");
   std::memcpy(
       &length, bytes, plyTypeSize(type)); // a negative one is longer than any file
+  if (length > body.left())
+    body.throwEnd();
   return length;
 }
 
@@ -103,9 +107,7 @@ readProperty(PlyBody& body,
              std::uint8_t* out)
 {
   const std::uint64_t length =
-      property.list_type == 0 ? 1 : listLength(body, property.list_type, path);
-  if (length > body.left())
-    body.throwEnd();
+      property.list_type == 0 ? 1 : listLength(body, property, path);
   for (std::uint64_t i = 0; i < length; ++i)
     body.read(property.type, out);
 }
@@ -240,6 +242,60 @@ skip(PlyBody& body, const Element& element, const std::string& path)
       readProperty(body, property, path, value);
 }
 
+/** What the header says of a PLY file, and what follows it. */
+struct PlyFile {
+  std::vector<Element> elements;
+  PlyBody body;
+};
+
+PlyFile
+openPly(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  const auto header = readFileHeader(stream, "end_header", path);
+  std::string format;
+  for (const auto& words : header.lines)
+    if (words[0] == "format" && words.size() > 1)
+      format = words[1];
+  if (format != "ascii" && format != "binary_little_endian" &&
+      format != "binary_big_endian")
+    throw ToolError(path + ": unknown format '" + format + "' in the header");
+  return {elementsOf(header, path),
+          PlyBody(std::string(std::istreambuf_iterator<char>(stream), {}),
+                  format == "ascii"                  ? PlyBody::Encoding::Ascii
+                  : format == "binary_little_endian" ? PlyBody::Encoding::Little
+                                                     : PlyBody::Encoding::Big,
+                  path)};
+}
+
+bool
+isFaceList(const Property& property)
+{
+  return property.list_type != 0 &&
+         (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+/** The vertices of the next face; its other properties are left out. */
+std::vector<std::uint32_t>
+readFace(PlyBody& body, const Element& element, const std::string& path)
+{
+  std::vector<std::uint32_t> face;
+  std::uint8_t value[8] = {};
+  for (const auto& property : element.properties) {
+    if (!isFaceList(property)) {
+      readProperty(body, property, path, value);
+      continue;
+    }
+    face.resize(listLength(body, property, path));
+    for (auto& index : face) {
+      body.read(property.type, value);
+      index = 0;
+      std::memcpy(&index, value, std::min(plyTypeSize(property.type), sizeof(index)));
+    }
+  }
+  return face;
+}
+
 } // namespace
 
 void
@@ -248,21 +304,7 @@ readPly(const std::string& path,
         Eigen::Vector4f& origin,
         Eigen::Quaternionf& orientation)
 {
-  std::ifstream stream(path, std::ios::binary);
-  const auto header = readFileHeader(stream, "end_header", path);
-  const auto elements = elementsOf(header, path);
-  std::string format;
-  for (const auto& words : header.lines)
-    if (words[0] == "format" && words.size() > 1)
-      format = words[1];
-  if (format != "ascii" && format != "binary_little_endian" &&
-      format != "binary_big_endian")
-    throw ToolError(path + ": unknown format '" + format + "' in the header");
-  PlyBody body(std::string(std::istreambuf_iterator<char>(stream), {}),
-               format == "ascii"                  ? PlyBody::Encoding::Ascii
-               : format == "binary_little_endian" ? PlyBody::Encoding::Little
-                                                  : PlyBody::Encoding::Big,
-               path);
+  auto [elements, body] = openPly(path);
   bool found = false;
   const auto wanted = [](const Element& element) {
     return element.name == "vertex" || element.name == "camera";
@@ -281,6 +323,31 @@ readPly(const std::string& path,
   }
   if (!found)
     throw ToolError(path + ": the file has no points (no element vertex)");
+}
+
+std::vector<std::vector<std::uint32_t>>
+readPlyFaces(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  std::string first(3, ' ');
+  stream.read(first.data(), 3);
+  if (first != "ply")
+    return {};
+  auto [elements, body] = openPly(path);
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (const auto& element : elements) {
+    const bool has_faces =
+        element.name == "face" &&
+        std::any_of(element.properties.begin(), element.properties.end(), isFaceList);
+    if (!has_faces) {
+      skip(body, element, path);
+      continue;
+    }
+    for (std::uint64_t k = 0; k < element.count; ++k)
+      faces.push_back(readFace(body, element, path));
+    break;
+  }
+  return faces;
 }
 
 } // namespace pcl::indoor::tool

@@ -9,7 +9,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace pcl::indoor::tool {
 
@@ -28,5 +30,12 @@ readPly(const std::string& path,
         PCLPointCloud2& cloud,
         Eigen::Vector4f& origin,
         Eigen::Quaternionf& orientation);
+
+/** \brief Read the faces of a PLY file: per face the numbers of its vertices, from 0.
+ * \return none if the file is no PLY or has no faces
+ * \throws ToolError if it is damaged or has fewer faces than its header promises
+ */
+std::vector<std::vector<std::uint32_t>>
+readPlyFaces(const std::string& path);
 
 } // namespace pcl::indoor::tool

@@ -24,9 +24,12 @@ public:
   void
   start(const std::string& what);
 
-  /** \brief Show how far the step is; cheap to call often. */
+  /** \brief Show how far the step is and, after two seconds, about how long it will
+   * take from there; cheap to call often.
+   * \param[in] detail shown behind, for example "accuracy 93 %"
+   */
   void
-  update(std::size_t done, std::size_t all);
+  update(std::size_t done, std::size_t all, const std::string& detail = "");
 
   /** \brief End the step with what came out of it, for example "34 points". */
   void
@@ -43,9 +46,18 @@ public:
   }
 
 private:
+  void
+  replaceText(const std::string& text);
+
   bool shown_;
   int percent_ = -1;
+  std::string text_;           ///< how far the step is, as it stands on the terminal
+  std::size_t first_done_ = 0; ///< of the step's first update(), where it goes on
   std::chrono::steady_clock::time_point begin_;
 };
+
+/** \brief A time for people: "45 s", "3 min", "2.5 h". */
+std::string
+durationText(double seconds);
 
 } // namespace pcl::indoor::tool

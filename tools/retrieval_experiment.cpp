@@ -5,13 +5,11 @@
 #include "retrieval_experiment.h"
 
 #include "isolated_description.h"
-#include "object_files.h"
 
 #include <pcl/ml/retrieval.h>
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <limits>
 
 namespace pcl::indoor::tool {
@@ -173,30 +171,6 @@ summarize(const std::vector<DescriptorSeries>& series,
 }
 
 } // namespace
-
-LabelledObjects
-loadLabelledObjects(const std::string& folder, int neighbor_count, Progress& progress)
-{
-  const auto paths = findClouds(folder);
-  progress.start("Loading " + folder);
-  LabelledObjects objects;
-  for (std::size_t k = 0; k < paths.size(); ++k) {
-    progress.update(k, paths.size());
-    const auto parent = std::filesystem::path(paths[k]).parent_path().string();
-    if (parent.empty())
-      throw ToolError(paths[k] + ": lies in no class folder of " + folder);
-    if (objects.class_names.empty() || objects.class_names.back() != parent)
-      objects.class_names.push_back(parent); // paths are sorted
-    const auto path = std::filesystem::path(folder) / paths[k];
-    objects.clouds.push_back(loadObject(path.string(), neighbor_count));
-    objects.labels.push_back(static_cast<int>(objects.class_names.size()) - 1);
-  }
-  if (objects.class_names.size() < 2)
-    throw ToolError(folder + ": at least two class folders are needed");
-  progress.done(std::to_string(paths.size()) + " objects of " +
-                std::to_string(objects.class_names.size()) + " classes");
-  return objects;
-}
 
 std::vector<RetrievalResult>
 runRetrieval(const LabelledObjects& objects,

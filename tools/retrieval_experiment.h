@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "labelled_objects.h"
 #include "object_disturbance.h"
 #include "progress.h"
 #include "retrieval_descriptors.h"
@@ -15,19 +16,6 @@
 #include <vector>
 
 namespace pcl::indoor::tool {
-
-/** \brief Objects with their classes, as read from a folder of folders. */
-struct LabelledObjects {
-  std::vector<PointCloud<PointNormal>::Ptr> clouds;
-  std::vector<int> labels; ///< index into class_names
-  std::vector<std::string> class_names;
-};
-
-/** \brief Read DIR/CLASS/OBJECT.pcd; the class is the folder an object lies in.
- * \throws ToolError if a file is unusable or fewer than two classes are found
- */
-LabelledObjects
-loadLabelledObjects(const std::string& folder, int neighbor_count, Progress& progress);
 
 /** \brief What an experiment does besides describing. */
 struct ExperimentSettings {

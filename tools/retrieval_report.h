@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "confusion_picture.h"
 #include "picture.h"
 #include "retrieval_experiment.h"
 
@@ -27,12 +28,6 @@ std::string
 resultJson(const std::vector<RetrievalLevel>& levels,
            const LabelledObjects& objects,
            const ExperimentSettings& settings);
-
-/** \brief A confusion matrix as a picture: a row per true class, in per cent of the
- * row. */
-Picture
-confusionPicture(const ConfusionMatrix& confusion,
-                 const std::vector<std::string>& names);
 
 /** \brief Total accuracy over the noise, a line per descriptor, of the first distance.
  */

@@ -169,13 +169,13 @@ savePlot(const std::string& path, const std::vector<std::vector<Shares>>& shares
 {
   const tool::Color colors[] = {
       {31, 119, 180}, {214, 39, 40}, {44, 160, 44}, {148, 103, 189}};
-  std::vector<benchmark::Curve> curves;
+  std::vector<tool::Curve> curves;
   for (std::size_t r = 0; r < shares.size(); ++r) {
     char name[40];
     std::snprintf(name, sizeof(name), "between, alpha %g", ratio_thresholds[r]);
-    benchmark::Curve inter{name, {}, colors[r]};
+    tool::Curve inter{name, {}, colors[r]};
     std::snprintf(name, sizeof(name), "within, alpha %g", ratio_thresholds[r]);
-    benchmark::Curve intra{name, {}, colors[r], true};
+    tool::Curve intra{name, {}, colors[r], true};
     for (std::size_t c = 0; c < curvature_thresholds.size(); ++c) {
       inter.points.emplace_back(curvature_thresholds[c], shares[r][c].inter);
       intra.points.emplace_back(curvature_thresholds[c], shares[r][c].intra);
@@ -183,7 +183,7 @@ savePlot(const std::string& path, const std::vector<std::vector<Shares>>& shares
     curves.push_back(inter);
     curves.push_back(intra);
   }
-  benchmark::LinePlot plot(0.1, 100);
+  tool::LinePlot plot(0.1, 100);
   tool::savePng(path,
                 plot.draw("Edges removed between and within objects",
                           "curvature threshold",

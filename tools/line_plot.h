@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "picture.h" // of the tools
+#include "picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-namespace pcl::indoor::benchmark {
+namespace pcl::indoor::tool {
 
-/** One curve of a plot. */
+/** \brief One curve of a plot. */
 struct Curve {
   std::string name;
   std::vector<std::pair<double, double>> points; ///< ascending x
-  tool::Color color;
+  Color color;
   bool dashed = false;
 };
 
@@ -30,7 +30,7 @@ public:
   , y_end_(y_end)
   {}
 
-  tool::Picture
+  Picture
   draw(const std::string& title,
        const std::string& x_name,
        const std::string& y_name,
@@ -38,8 +38,8 @@ public:
        double x_step,
        double y_step)
   {
-    picture_ = tool::Picture(width, height);
-    const tool::Color grid{222, 222, 222}, black{0, 0, 0};
+    picture_ = Picture(width, height);
+    const Color grid{222, 222, 222}, black{0, 0, 0};
     for (double x = 0; x <= x_end_ * 1.0001; x += x_step) {
       line(x, 0, x, y_end_, grid, false, 1);
       text(column(x), height - bottom + 8, number(x));
@@ -52,11 +52,8 @@ public:
     line(0, 0, 0, y_end_, black, false, 2);
     picture_.drawText(left, 10, title, black, 2);
     picture_.drawText(left, 32, y_name, black, 2);
-    picture_.drawText(width - right - tool::Picture::textWidth(x_name, 2),
-                      height - 26,
-                      x_name,
-                      black,
-                      2);
+    picture_.drawText(
+        width - right - Picture::textWidth(x_name, 2), height - 26, x_name, black, 2);
     int legend = top + 6;
     for (const auto& curve : curves) {
       for (std::size_t i = 1; i < curve.points.size(); ++i)
@@ -106,8 +103,7 @@ private:
   void
   text(int x, int y, const std::string& words)
   {
-    picture_.drawText(
-        x - tool::Picture::textWidth(words, 2) / 2, y, words, {0, 0, 0}, 2);
+    picture_.drawText(x - Picture::textWidth(words, 2) / 2, y, words, {0, 0, 0}, 2);
   }
 
   void
@@ -115,7 +111,7 @@ private:
        double y0,
        double x1,
        double y1,
-       tool::Color color,
+       Color color,
        bool dashed,
        int thickness)
   {
@@ -130,7 +126,7 @@ private:
   }
 
   double x_end_, y_end_;
-  tool::Picture picture_{1, 1};
+  Picture picture_{1, 1};
 };
 
-} // namespace pcl::indoor::benchmark
+} // namespace pcl::indoor::tool

@@ -1,0 +1,71 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "progress.h"
+#include "training_report.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::tool;
+
+namespace {
+
+const EpochLog two_networks{{{1, 2.0, 0.5, 2.5, 0.25}, {2, 1.0, 0.75, 1.5, 0.5}},
+                            {{1, 3.0, 0.125, 4.0, 0.0}}};
+
+/** Pixels of a colour in the columns where the curves are. */
+int
+pixelsOf(const Picture& picture, Color color)
+{
+  int count = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width() - 330; ++x) {
+      const auto pixel = picture.at(x, y);
+      count += pixel.red == color.red && pixel.green == color.green &&
+               pixel.blue == color.blue;
+    }
+  return count;
+}
+
+} // namespace
+
+TEST(TrainingReport, WritesARowPerEpoch)
+{
+  EXPECT_EQ(logText(two_networks, true),
+            "network,epoch,training_loss,training_accuracy,validation_loss,"
+            "validation_accuracy\n"
+            "1,1,2,0.5,2.5,0.25\n1,2,1,0.75,1.5,0.5\n2,1,3,0.125,4,0\n");
+  EXPECT_EQ(logLine(1, two_networks[0][0], false), "1,1,2,0.5,,\n");
+}
+
+TEST(TrainingReport, DrawsTheCurvesThatThereAre)
+{
+  const auto first = labelColor(1), second = labelColor(2);
+  const EpochLog one{two_networks[0]};
+  const int alone = pixelsOf(curvesPicture(one, false), first);
+  EXPECT_GT(alone, 1000);
+  EXPECT_GT(pixelsOf(curvesPicture(one, true), first), alone + 500);
+  EXPECT_EQ(pixelsOf(curvesPicture(one, true), second), 0);
+  const EpochLog two{two_networks[0], two_networks[0]};
+  EXPECT_GT(pixelsOf(curvesPicture(two, false), second), 0);
+  EXPECT_GT(curvesPicture({{{1, 0.0, 1.0, 0.0, 0.0}}}, false).width(), 0); // no loss
+}
+
+TEST(TrainingReport, SaysTheScores)
+{
+  // two of three and one of one are right
+  const auto confusion = confusionMatrix({0, 0, 0, 1}, {0, 0, 1, 1}, 2);
+  EXPECT_EQ(scoresText(confusion),
+            "4 objects: total accuracy 75.00 %, mean accuracy 75.00 %, mean recall "
+            "83.33 %, F1 0.733\n");
+}
+
+TEST(Progress, SaysTimesForPeople)
+{
+  EXPECT_EQ(durationText(0.2), "0 s");
+  EXPECT_EQ(durationText(59.0), "59 s");
+  EXPECT_EQ(durationText(150.0), "2 min");
+  EXPECT_EQ(durationText(9000.0), "2.5 h");
+}

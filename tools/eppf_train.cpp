@@ -1,0 +1,268 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "confusion_picture.h"
+#include "object_files.h"
+#include "output_file.h"
+#include "training_pool.h"
+#include "training_report.h"
+#include "training_settings.h"
+
+#include <pcl/ml/model_file.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+
+namespace {
+
+using namespace pcl::indoor; // a tool of the cores
+using namespace pcl::indoor::tool;
+
+volatile std::sig_atomic_t is_asked_to_stop = 0;
+
+void
+askToStop(int)
+{
+  is_asked_to_stop = 1;
+}
+
+/** \brief Lets Ctrl-C end the training after its epoch, for as long as this lives. */
+class StopRequests {
+public:
+  StopRequests()
+  : interrupt_(std::signal(SIGINT, askToStop))
+  , terminate_(std::signal(SIGTERM, askToStop))
+  {
+    if (interrupt_ == SIG_IGN) // in the background of a script
+      std::signal(SIGINT, SIG_IGN);
+  }
+  StopRequests(const StopRequests&) = delete;
+  StopRequests&
+  operator=(const StopRequests&) = delete;
+  ~StopRequests()
+  {
+    std::signal(SIGINT, interrupt_);
+    std::signal(SIGTERM, terminate_);
+  }
+
+private:
+  using Handler = void (*)(int);
+  Handler interrupt_;
+  Handler terminate_;
+};
+
+/** \brief What the networks learn from. */
+struct TrainingData {
+  TrainingSet training;
+  TrainingSet validation;
+};
+
+/** \brief The epochs as they come, and what is written of them while they come. */
+class EpochWriter {
+public:
+  EpochWriter(std::string path, bool has_validation)
+  : path_(std::move(path))
+  , has_validation_(has_validation)
+  {}
+
+  /** \brief Write what the networks so far gave, also before a resume. */
+  void
+  write(const EpochLog& log)
+  {
+    if (path_.empty())
+      return;
+    stream_.close();
+    saveText(path_, logText(log, has_validation_));
+    stream_.open(path_, std::ios::app);
+  }
+
+  void
+  add(std::size_t network, const EpochReport& epoch)
+  {
+    if (!path_.empty())
+      stream_ << logLine(network, epoch, has_validation_) << std::flush;
+  }
+
+private:
+  std::string path_;
+  bool has_validation_;
+  std::ofstream stream_;
+};
+
+void
+requireOutputs(const TrainingSettings& settings)
+{
+  for (const auto& path : {settings.model,
+                           settings.log,
+                           settings.curves,
+                           settings.confusion,
+                           settings.training.checkpoint})
+    if (!path.empty())
+      requireWritable(path);
+}
+
+/** \brief Set a part of the training part aside that chooses the epoch. */
+ObjectSplit
+withoutValidation(const LabelledObjects& objects,
+                  const std::vector<std::size_t>& training,
+                  const TrainingSettings& settings)
+{
+  if (settings.validation == 0.0)
+    return {training, {}};
+  LabelledObjects part;
+  part.class_names = objects.class_names;
+  for (const auto k : training)
+    part.labels.push_back(objects.labels[k]);
+  auto split = splitAtRandom(part, 1.0 - settings.validation, settings.training.seed);
+  for (auto* const indices : {&split.training, &split.test})
+    for (auto& index : *indices)
+      index = training[index];
+  return split;
+}
+
+TrainingData
+describedObjects(const LabelledObjects& objects,
+                 const std::vector<std::size_t>& training,
+                 const ClassifierInput& input,
+                 const TrainingSettings& settings,
+                 Progress& progress)
+{
+  auto options = settings.draws;
+  options.input = input;
+  options.seed = settings.training.seed;
+  if (settings.augment != "mild")
+    options.augmentation =
+        settings.augment == "scan" ? scanAugmentation() : ObjectAugmentation();
+  const auto split = withoutValidation(objects, training, settings);
+  progress.start("Describing " + std::to_string(training.size()) + " objects, " +
+                 std::to_string(options.draw_count) + " times each");
+  TrainingData data;
+  data.training =
+      trainingPool(objects, split.training, options, settings.threads, progress);
+  data.validation =
+      trainingPool(objects, split.test, options, settings.threads, progress);
+  progress.done();
+  return data;
+}
+
+/** \brief Train one network after the other; each has its own seed and checkpoint. */
+std::vector<Network>
+trainedNetworks(const Network& design,
+                const TrainingData& data,
+                const TrainingSettings& settings,
+                EpochLog& log,
+                Progress& progress)
+{
+  const bool has_validation = !data.validation.labels.empty();
+  EpochWriter writer(settings.log, has_validation);
+  const auto count = static_cast<std::size_t>(settings.ensemble);
+  const auto epochs = static_cast<std::size_t>(settings.training.epoch_count);
+  std::vector<Network> networks;
+  const StopRequests stop_requests;
+  progress.start("Training");
+  for (std::size_t k = 0; k < count; ++k) {
+    writer.write(log);
+    auto options = settings.training;
+    options.seed += static_cast<std::uint32_t>(k);
+    if (count > 1 && !options.checkpoint.empty())
+      options.checkpoint += "." + std::to_string(k + 1);
+    auto network = design;
+    initializeWeights(network, options.seed);
+    fitScale(network, data.training);
+    const auto report = [&](const EpochReport& epoch) {
+      writer.add(k + 1, epoch);
+      char accuracy[64];
+      std::snprintf(accuracy,
+                    sizeof(accuracy),
+                    "accuracy %.1f %%",
+                    100.0 * (has_validation ? epoch.validation_accuracy
+                                            : epoch.training_accuracy));
+      progress.update(
+          k * epochs + static_cast<std::size_t>(epoch.epoch), count * epochs, accuracy);
+      return is_asked_to_stop == 0;
+    };
+    auto result =
+        trainNetwork(network, data.training, data.validation, options, report);
+    log.push_back(result.epochs);
+    networks.push_back(std::move(result.network));
+    if (is_asked_to_stop != 0) {
+      writer.write(log);
+      throw ToolError("stopped after epoch " +
+                      std::to_string(result.epochs.back().epoch) +
+                      (options.checkpoint.empty()
+                           ? ", without -checkpoint nothing is kept"
+                           : ", the same command goes on from " + options.checkpoint));
+    }
+  }
+  writer.write(log);
+  progress.done(std::to_string(trainedValueCount(design)) + " weights");
+  return networks;
+}
+
+/** \brief Classify the test part with the model as it was written. */
+ConfusionMatrix
+testedModel(const std::string& bytes,
+            const LabelledObjects& objects,
+            const std::vector<std::size_t>& test,
+            const TrainingSettings& settings,
+            Progress& progress)
+{
+  progress.start("Testing with " + std::to_string(test.size()) + " objects");
+  std::vector<ClassifierObject> tested;
+  std::vector<int> truth, predicted;
+  for (const auto k : test) {
+    tested.push_back({classifierPoints(*objects.clouds[k]), objects.places[k]});
+    truth.push_back(objects.labels[k]);
+  }
+  for (const auto& classification :
+       classifyObjects(tested, modelFromBytes(bytes), settings.threads))
+    predicted.push_back(classification.best());
+  progress.done();
+  return confusionMatrix(truth, predicted, objects.class_names.size());
+}
+
+void
+run(const TrainingSettings& settings, Progress& progress)
+{
+  requireUsable(settings);
+  requireOutputs(settings);
+  const auto objects = loadLabelledObjects(
+      settings.folder, settings.draws.neighbor_count, settings.threads, progress);
+  const auto split = splitOf(objects, settings);
+  ClassifierModel model;
+  model.classes = objects.class_names;
+  model.input = inputOf(settings, objects, split.training);
+  const auto data =
+      describedObjects(objects, split.training, model.input, settings, progress);
+  const auto design = networkOf(settings, model.input, model.classes.size());
+  EpochLog log;
+  model.networks = trainedNetworks(design, data, settings, log, progress);
+  const auto bytes = modelBytes(model, settings.half_precision);
+  saveText(settings.model, bytes);
+  if (!settings.curves.empty())
+    savePng(settings.curves, curvesPicture(log, !data.validation.labels.empty()));
+  if (split.test.empty())
+    return;
+  const auto confusion = testedModel(bytes, objects, split.test, settings, progress);
+  std::printf("%s%s",
+              scoresText(confusion).c_str(),
+              confusionText(confusion, model.classes).c_str());
+  if (!settings.confusion.empty())
+    savePng(settings.confusion, confusionPicture(confusion, model.classes));
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  TrainingSettings settings;
+  OptionParser parser("pcl_eppf_train",
+                      "Train a classifier on the objects DIR/CLASS/OBJECT (.pcd, .ply, "
+                      ".off, .obj) and write it to MODEL.");
+  addTo(parser, settings);
+  return parser.run(argc, argv, [&](Progress& progress) { run(settings, progress); });
+}
