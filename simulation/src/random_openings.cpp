@@ -108,16 +108,17 @@ public:
   }
 
   void
-  window(int room, const SharedWall& wall, bool small)
+  window(int room, const SharedWall& wall, RoomKind kind)
   {
     OpeningPlan plan;
+    const bool small = kind == RoomKind::Bathroom;
     plan.kind = OpeningKind::Window;
     const double longest = wall.to - wall.from - 0.6;
     plan.width = small ? std::min(longest, draw_.uniform(0.5, 0.9))
                        : draw_.uniform(0.8, std::clamp(longest, 0.81, 2.4));
-    plan.sill = small                    ? draw_.uniform(1.1, 1.4)
-                : draw_.uniform() < 0.15 ? 0.06
-                                         : draw_.uniform(0.5, 1.0);
+    plan.sill = draw_.uniform() < 0.15 ? 0.06 : draw_.uniform(0.5, 1.0);
+    if (small || kind == RoomKind::Kitchen) // over worktops and basins
+      plan.sill = draw_.uniform(1.0, 1.3);
     const double top = std::min(ceiling_ - 0.15, draw_.uniform(2.0, 2.3));
     plan.height = top - plan.sill;
     put(plan, room, wall);
@@ -215,7 +216,7 @@ drawOpenings(const std::vector<LayoutRoom>& rooms,
         needs_door = false;
       }
       else if (draw.uniform() < (hall ? 0.3 : 0.75))
-        drawer.window(static_cast<int>(r), wall, rooms[r].kind == RoomKind::Bathroom);
+        drawer.window(static_cast<int>(r), wall, rooms[r].kind);
     }
   }
   return drawer.openings;
