@@ -207,9 +207,9 @@ finish(RoomFurnisher& room, bool dry)
   if (!dry)
     return;
   room.curtains(0.5);
-  for (int i = room.pick(4); i > 0; --i)
-    room.onWall(room.piece("picture"), room.between(1.1, 1.5));
   for (int i = room.pick(3); i > 0; --i)
+    room.onWall(room.piece("picture"), room.between(1.1, 1.5));
+  for (int i = room.pick(2); i > 0; --i)
     room.onWall(room.piece("wall_lamp"), room.between(1.5, 1.9));
   for (int i = room.pick(3); i > 0; --i)
     room.anywhere(room.piece(room.chance(0.8) ? "box" : "bin"));

@@ -190,6 +190,12 @@ private:
   Wall
   wall(int number) const;
 
+  std::vector<Piece>
+  drawKitchen(int cabinets);
+
+  void
+  putInRow(const Piece& next, const Wall& w, double along, double upper);
+
   int
   tryWalls(const Piece& piece, double elevation, double gap);
 

@@ -56,44 +56,71 @@ RoomFurnisher::workplace(const Piece& desk_piece,
     beside(desk, piece("computer"), chance(0.5) ? 1 : -1, 0.03);
 }
 
+std::vector<Piece>
+RoomFurnisher::drawKitchen(int cabinets)
+{
+  constexpr const char* devices[] = {
+      "dishwasher", "fridge", "washing_machine", "dishwasher"};
+  const double top = between(0.84, 0.92);
+  std::vector<Piece> row{chance(0.5) ? shaped("kitchen_unit", 2, 2)
+                                     : shaped("sink", 3, 3),
+                         piece("cooker")};
+  for (int i = 0; i < cabinets; ++i)
+    row.push_back(chance(0.35) ? piece(devices[pick(4)])
+                               : shaped("kitchen_unit", 1, 1));
+  for (std::size_t i = 1; i < row.size(); ++i)
+    if (row[i].category != "fridge")
+      row[i].size.z() = top;
+  return row;
+}
+
 void
 RoomFurnisher::kitchenRow(int cabinets)
 {
-  const double top = between(0.84, 0.92);
-  int last = atWall(chance(0.5) ? shaped("kitchen_unit", 2, 2) : shaped("sink", 3, 3));
-  const int first = last;
-  const double upper = chance(0.8) ? between(1.35, 1.5) : 0.0;
-  int side = 1;
-  for (int i = 0; i < cabinets && last >= 0; ++i) {
-    constexpr const char* kinds[] = {
-        "cooker", "dishwasher", "fridge", "washing_machine"};
-    Piece next = shaped("kitchen_unit", 1, 1);
-    if (i == 0 || chance(0.35))
-      next = i == 0 ? piece("cooker") : piece(kinds[pick(4)]);
-    if (next.category != "fridge")
-      next.size.z() = top;
-    int placed = beside(last, next, side, 0.0);
-    if (placed < 0 && side > 0) { // go on at the other end
-      side = -1;
-      placed = beside(first, next, side, 0.0);
+  constexpr int attempts = 60;
+  auto row = drawKitchen(cabinets);
+  const double upper = chance(0.85) ? between(1.35, 1.5) : 0.0;
+  for (; row.size() > 1; row.pop_back()) // as many as the walls have place for
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      Piece all;
+      double width = 0;
+      for (const auto& next : row) {
+        all.size = all.size.cwiseMax(next.size);
+        width += next.size.x();
+      }
+      all.size.x() = width;
+      const Wall w = wall(pick(4));
+      double along = placeAlong(w, all) - all.size.x() / 2;
+      const Eigen::Vector2d middle =
+          w.start + (along + all.size.x() / 2) * w.along + all.size.y() / 2 * w.inwards;
+      if (!isFree(turnedRectangle(middle, all.size.head<2>(), w.rotation),
+                  0.0,
+                  all.size.z()))
+        continue;
+      for (const auto& next : row) {
+        putInRow(next, w, along + next.size.x() / 2, upper);
+        along += next.size.x();
+      }
+      return;
     }
-    if (placed < 0)
-      break;
-    last = placed;
-    if (next.category == "kitchen_unit") {
-      if (chance(0.2))
-        onTop(placed, piece("microwave"), 0, true);
-      putSmallThings(placed, pick(3));
-    }
-    const auto& base = furniture_[last];
-    Piece over = next.category == "cooker" && chance(0.6) ? piece("range_hood")
-                                                          : piece("upper_cabinet");
-    over.size.x() = next.size.x();
-    const Eigen::Vector2d back(-std::sin(base.rotation), std::cos(base.rotation));
-    const Eigen::Vector2d at = base.at - (next.size.y() - over.size.y()) / 2 * back;
-    if (upper > 0 && next.category != "fridge")
-      put(over, at, base.rotation, upper);
+}
+
+void
+RoomFurnisher::putInRow(const Piece& next, const Wall& w, double along, double upper)
+{
+  const Eigen::Vector2d at = w.start + along * w.along;
+  const int placed = put(next, at + next.size.y() / 2 * w.inwards, w.rotation, 0.0);
+  if (next.category == "kitchen_unit" && next.variant == 1) {
+    if (chance(0.2))
+      onTop(placed, piece("microwave"), 0, true);
+    putSmallThings(placed, pick(3));
   }
+  if (upper == 0 || next.category == "fridge")
+    return;
+  Piece over =
+      piece(next.category == "cooker" && chance(0.6) ? "range_hood" : "upper_cabinet");
+  over.size.x() = next.size.x();
+  put(over, at + over.size.y() / 2 * w.inwards, w.rotation, upper);
 }
 
 void

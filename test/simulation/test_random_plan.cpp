@@ -37,14 +37,13 @@ bool
 isSeat(const FurniturePlan& item)
 {
   return item.category == "chair" || item.category == "office_chair" ||
-         item.category == "stool" || item.category == "armchair";
+         item.category == "stool";
 }
 
 bool
 isTable(const FurniturePlan& item)
 {
-  return item.category.find("table") != std::string::npos || item.category == "desk" ||
-         item.category == "sofa";
+  return item.category.find("table") != std::string::npos || item.category == "desk";
 }
 
 bool
