@@ -14,6 +14,8 @@
 #include "network_module.h"
 #include "training_resources.h"
 
+#include <thread>
+
 namespace {
 
 constexpr int class_count = 13;
@@ -79,7 +81,7 @@ void
 threadCounts(benchmark::internal::Benchmark* benchmark, const std::vector<int>& other)
 {
   for (const int value : other)
-    for (const int threads : {1, at::get_num_threads()})
+    for (const int threads : {1, static_cast<int>(std::thread::hardware_concurrency())})
       benchmark->Args({threads, value});
   benchmark->Unit(benchmark::kMillisecond)->UseRealTime();
 }

@@ -41,7 +41,7 @@ cp "$folder/source/CMakeLists.txt" "$folder/CMakeLists.txt"
 sed -i 's/COMPONENTS segmentation features/COMPONENTS training/; /consumer PRIVATE/,$d' "$folder/source/CMakeLists.txt"
 sed -i 's/consumer consumer.cpp/consumer training.cpp/' "$folder/source/CMakeLists.txt"
 echo 'target_link_libraries(consumer PRIVATE pcl_indoor::training)' >> "$folder/source/CMakeLists.txt"
-if ls "$folder"/prefix/lib*/libpcl_indoor_training.so "$folder"/prefix/lib*/*/libpcl_indoor_training.so > /dev/null 2>&1; then
+if [ -n "$(find "$folder/prefix" -name libpcl_indoor_training.so)" ]; then
   configure "$folder/training" || { cat "$folder/training.log"; exit 1; }
   "$cmake" --build "$folder/training"
   "$folder/training/consumer"

@@ -179,8 +179,15 @@ TEST_F(Checkpoint, ThatIsDamagedIsRefused)
   std::ofstream(options.checkpoint)
       << "Nothing of the kind, and of more than forty bytes.";
   EXPECT_NE(train().find("no checkpoint"), std::string::npos);
-  options.checkpoint = path("no/such/folder");
-  EXPECT_NE(train().find("cannot be written"), std::string::npos);
+  for (const auto& file : {path("no/such/folder"), path("")}) {
+    options.checkpoint = file;
+    int calls = 0;
+    const auto reason = problem([&] {
+      trainNetwork(network, set, {}, options, [&](auto&) { return ++calls > 0; });
+    });
+    EXPECT_NE(reason.find("cannot be written"), std::string::npos) << reason;
+    EXPECT_EQ(calls, 0); // known before the first epoch
+  }
 }
 
 /** \brief A network of one dense layer, of which the loss is known. */

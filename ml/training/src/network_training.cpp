@@ -158,6 +158,7 @@ public:
     identity_ = trainingIdentity(network, training, validation, options);
     state_.network = state_.best = network;
     state_.moments = adam_.moments();
+    requireWritable(options.checkpoint); // now, not after hours
     if (!readCheckpoint(options.checkpoint, identity_, state_))
       return;
     module_ = NetworkModule(state_.network, device_);
@@ -214,10 +215,8 @@ private:
     if (!std::isfinite(result.training_loss) || !std::isfinite(result.validation_loss))
       PCL_THROW_EXCEPTION(ComputeFailedException,
                           "The loss of epoch "
-                              << result.epoch
-                              << " is not finite: a lower learning rate "
-                                 "than "
-                              << options_.learning_rate << " may help");
+                              << result.epoch << " is not finite; the learning rate is "
+                              << options_.learning_rate);
     return result;
   }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 
@@ -135,6 +136,12 @@ refuse(const std::string& file, const std::string& reason)
   PCL_THROW_EXCEPTION(IOException, "Checkpoint " << file << " " << reason);
 }
 
+std::string
+besideIt(const std::string& file)
+{
+  return file + ".part";
+}
+
 } // namespace
 
 TrainingIdentity
@@ -161,11 +168,20 @@ trainingIdentity(const Network& network,
 }
 
 void
+requireWritable(const std::string& file)
+{
+  const auto part = besideIt(file);
+  if (std::filesystem::is_directory(file) || !std::ofstream(part, std::ios::binary))
+    refuse(file, "cannot be written");
+  std::remove(part.c_str());
+}
+
+void
 writeCheckpoint(const std::string& file,
                 const TrainingIdentity& identity,
                 const TrainingState& state)
 {
-  const std::string part = file + ".part";
+  const auto part = besideIt(file);
   std::ofstream stream(part, std::ios::binary | std::ios::trunc);
   Hash hash;
   const Visit write = [&](void* data, std::size_t size) {
@@ -191,8 +207,10 @@ readCheckpoint(const std::string& file,
                TrainingState& state)
 {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream)
+  if (!stream && !std::filesystem::exists(file))
     return false;
+  if (!stream)
+    refuse(file, "cannot be read");
   Hash hash;
   const Visit read = [&](void* data, std::size_t size) {
     if (!stream.read(static_cast<char*>(data), static_cast<std::streamsize>(size)))

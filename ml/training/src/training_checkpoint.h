@@ -33,6 +33,12 @@ trainingIdentity(const Network& network,
                  const TrainingSet& validation,
                  const TrainingOptions& options);
 
+/** \brief Check that a checkpoint could be written.
+ * \throws pcl::IOException if not
+ */
+void
+requireWritable(const std::string& file);
+
 /** \brief Write a state beside the file, then rename it.
  * \throws pcl::IOException if this fails
  */

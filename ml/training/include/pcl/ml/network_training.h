@@ -56,7 +56,8 @@ struct TrainingResult {
  *
  * On a CUDA device where libtorch has one (Debian's has none), else on the CPU. Best is
  * the epoch of the highest validation accuracy and, of equal ones, of the lowest loss.
- * BatchNorm's running values follow with a momentum of 0.1.
+ * BatchNorm's running values follow with a momentum of 0.1. While it trains, glibc
+ * keeps what the process frees.
  * \param[in] network initialized or trained before; its Scale layers stay as they are
  * \param[in] validation may be empty; never trained with
  * \param[in] report called after each epoch; false stops
