@@ -45,6 +45,13 @@ addEnd(Network& network, int class_count)
   layers.push_back(dense(class_count));
 }
 
+/** \brief A network on a histogram: roots of its bins, centred and scaled. */
+Network
+histogramNetwork(const Shape& input)
+{
+  return {input, {{LayerKind::SquareRoot}, {LayerKind::Scale}}};
+}
+
 void
 addConvolution(Network& network, const Shape& extents)
 {
@@ -90,7 +97,7 @@ Network
 eppfNetwork4D(int class_count)
 {
   requireClasses(class_count);
-  Network network{{1, 20, 4, 5, 3}, {}};
+  auto network = histogramNetwork({1, 20, 4, 5, 3});
   addConvolution(network, {32, 5, 2, 2, 1});
   addConvolution(network, {64, 5, 2, 2, 1});
   network.layers.push_back({LayerKind::Reshape, {64, 40, 30}});
@@ -104,7 +111,7 @@ Network
 eppfNetwork3D(int class_count)
 {
   requireClasses(class_count);
-  Network network{{1, 20, 4, 15}, {}};
+  auto network = histogramNetwork({1, 20, 4, 15});
   for (const int channels : {32, 64, 48})
     addConvolution(network, {channels, 5, 5, 1});
   network.layers.push_back({LayerKind::Reshape, {48, 40, 30}});
@@ -117,7 +124,7 @@ Network
 eppfNetwork2D(int class_count)
 {
   requireClasses(class_count);
-  Network network{{1, 40, 30}, {}};
+  auto network = histogramNetwork({1, 40, 30});
   for (const int channels : {32, 64, 48})
     addConvolution(network, {channels, 5, 5});
   network.layers.push_back({LayerKind::MaxPool, {2, 2}});
@@ -133,9 +140,7 @@ perceptron(int class_count, const PerceptronOptions& options)
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "A perceptron needs at least 1 input, not "
                             << options.input_count);
-  Network network{{options.input_count}, {}};
-  network.layers.push_back({LayerKind::SquareRoot});
-  network.layers.push_back({LayerKind::Scale});
+  auto network = histogramNetwork({options.input_count});
   for (const int count : options.hidden) {
     network.layers.push_back(dense(count));
     network.layers.push_back({LayerKind::Relu});

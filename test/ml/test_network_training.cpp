@@ -297,31 +297,53 @@ TEST(NetworkTraining, ALossThatIsNotFiniteIsAnError)
                ComputeFailedException);
 }
 
-TEST(FitScale, GivesMeanZeroAndAboutDeviationOne)
+/** Draws of 20 values whose roots differ by 0.1, but by 0.3 of number 3 and not of
+ * number 4. */
+TrainingSet
+scaledDraws()
+{
+  TrainingSet set;
+  set.labels = {0, 1};
+  set.inputs.resize(2);
+  for (auto& draws : set.inputs)
+    for (const float sign : {-1.0f, 1.0f}) {
+      draws.emplace_back(20);
+      for (std::size_t k = 0; k < 20; ++k) {
+        const float root = 0.5f + sign * (k == 3 ? 0.3f : k == 4 ? 0.0f : 0.1f);
+        draws.back()[k] = root * root;
+      }
+    }
+  return set;
+}
+
+constexpr float usual_deviation = (18 * 0.1f + 0.3f) / 20;
+
+TEST(FitScale, DividesByTheDeviationAndTheUsualOne)
 {
   auto network = perceptron(3, {20, {8}, 0.0f});
-  auto set = thirds(network, 9, 4);
-  for (auto& draws : set.inputs)
-    for (auto& draw : draws)
-      draw[4] = 0.25f; // always the same
-  fitScale(network, set);
+  fitScale(network, scaledDraws());
   const auto& scale = network.layers.at(1);
   ASSERT_EQ(scale.kind, LayerKind::Scale);
   for (std::size_t k = 0; k < 20; ++k) {
-    double sum = 0.0;
-    double squares = 0.0;
-    for (const auto& draws : set.inputs)
-      for (const auto& draw : draws) {
-        const double value = std::sqrt(draw[k]) * scale.weights.at(0).values.at(k) +
-                             scale.weights.at(1).values.at(k);
-        sum += value / 18.0;
-        squares += value * value / 18.0;
-      }
-    EXPECT_NEAR(sum, 0.0, 1e-4) << k;
-    EXPECT_NEAR(squares, k == 4 ? 0.0 : 1.0, 0.02) << k; // of deviations of 0.2
+    const float deviation = k == 3 ? 0.3f : k == 4 ? 0.0f : 0.1f;
+    const float gain = 1.0f / (deviation + usual_deviation);
+    EXPECT_NEAR(scale.weights.at(0).values.at(k), gain, 1e-3f * gain) << k;
+    EXPECT_NEAR(scale.weights.at(1).values.at(k), -0.5f * gain, 1e-3f * gain) << k;
   }
   initializeWeights(network, 1);
   EXPECT_EQ(whatIsWrong(network, true), "");
+}
+
+TEST(FitScale, BeforeAConvolutionAllHaveOneScale)
+{
+  Network network{{1, 20},
+                  {{LayerKind::SquareRoot},
+                   {LayerKind::Scale},
+                   {LayerKind::Convolution, {2, 3}},
+                   {LayerKind::Dense, {2}}}};
+  fitScale(network, scaledDraws());
+  for (const float gain : network.layers.at(1).weights.at(0).values)
+    EXPECT_NEAR(gain, 1.0f / usual_deviation, 1e-2f);
 }
 
 TEST(FitScale, LeavesOtherNetworksAlone)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl {
 namespace indoor {
@@ -76,9 +77,19 @@ fitScale(Network& network, const TrainingSet& set)
   Shape shape = network.input;
   for (auto layer = network.layers.begin(); layer != scale; ++layer)
     shape = outputShape(*layer, shape);
+  std::vector<double> deviations(count);
+  std::transform(squares.begin(), squares.end(), deviations.begin(), [=](double sum) {
+    return std::sqrt(sum / draw_count);
+  });
+  const double usual = std::max(
+      std::accumulate(deviations.begin(), deviations.end(), 0.0) / count, 1e-6);
+  // The values that a kernel sees together keep their proportions.
+  const auto next = scale + 1;
+  const bool is_joint =
+      next != network.layers.end() && next->kind == LayerKind::Convolution;
   scale->weights.assign(2, {shape, std::vector<float>(count)});
   for (std::size_t k = 0; k < count; ++k) {
-    const double deviation = std::sqrt(squares[k] / draw_count) + 1e-3;
+    const double deviation = is_joint ? usual : deviations[k] + usual;
     scale->weights[0].values[k] = static_cast<float>(1.0 / deviation);
     scale->weights[1].values[k] = static_cast<float>(-means[k] / deviation);
   }

@@ -11,7 +11,7 @@ namespace indoor {
 
 /** \brief The network of Table 5.1 on the thesis's descriptor of 20 x 4 x 5 x 3 bins.
  *
- * Two 4D convolutions of 5 x 2 x 2 x 1 (32 and 64 channels), then, as an image of 40 x
+ * Roots of the bins, centred and scaled; two 4D convolutions of 5 x 2 x 2 x 1 (32 and 64 channels), then, as an image of 40 x
  * 30, one of 5 x 5 (48), pooling of 2 x 2, dense 1,024, dropout 0.5, classes. SAME
  * padding, ReLU after each; 14,400 values go into the dense layer (Table 5.1 prints
  * 192, which does not follow from its other sizes).

@@ -72,9 +72,12 @@ trainNetwork(const Network& network,
              const TrainingOptions& options,
              const std::function<bool(const EpochReport&)>& report = {});
 
-/** \brief Set a first Scale layer, if there is one, so that each value that reaches it
- * has mean 0 and deviation s / (s + 0.001) over the set, s being that before: about 1,
- * but less for what hardly ever differs, which a new object might blow up.
+/** \brief Set a first Scale layer, if there is one, from a set.
+ *
+ * Each value that reaches it gets mean 0. Before a convolution all are divided by one
+ * number, the mean of their deviations, so that the values that a kernel sees together
+ * keep their proportions. Before other layers each is divided by its own deviation plus
+ * that mean: what hardly ever differs, a new object might blow up else.
  * \throws pcl::BadArgumentException if the set is empty or does not fit
  */
 void
