@@ -101,8 +101,8 @@ ablation(const std::string& what, const EPPFOptions& options)
   }
   else if (what == "surface_angle") {
     const auto use = [](auto& o, SurfaceAngleRule rule) {
-      o.surface_angle_rule = rule; // as many bins of one angle as of both
-      o.bins = {8, 15, 5, 1, o.bins.harmonics};
+      o.surface_angle_rule = rule; // 8 x 5 x 5 x 3 bins, f4 among them
+      o.bins = {8, 5, 5, 3, o.bins.harmonics};
     };
     add("maximum", [=](auto& o) { use(o, SurfaceAngleRule::Maximum); });
     add("minimum", [=](auto& o) { use(o, SurfaceAngleRule::Minimum); });
@@ -126,7 +126,10 @@ ablation(const std::string& what, const EPPFOptions& options)
     }
   else if (what == "grid")
     for (const int size : {8, 16, 24, 32, 48, 64})
-      add("grid " + std::to_string(size), [size](auto& o) { o.grid_size = size; });
+      add("f4, grid " + std::to_string(size), [size](auto& o) {
+        o.bins = {4, 15, 5, 2, o.bins.harmonics};
+        o.grid_size = size;
+      });
   else if (what == "sampling")
     for (const std::size_t count : {2000u, 5000u, 10000u, 20000u, 50000u}) {
       add("uniform " + std::to_string(count), [count](auto& o) {
