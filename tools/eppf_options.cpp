@@ -14,7 +14,10 @@ namespace {
 // The names of an enumeration's values in turn; "default" is the descriptor's own.
 const std::vector<std::string> rule_names = {
     "joint", "maximum", "minimum", "mean", "random", "both", "default"};
-const std::vector<std::string> side_names = {"outward", "given", "ignored", "default"};
+const std::vector<std::string> normal_angle_names = {
+    "between", "around_line", "default"};
+const std::vector<std::string> side_names = {
+    "outward", "given", "ignored", "mostly_outward", "default"};
 const std::vector<std::string> sampling_names = {"uniform", "stratified", "default"};
 const std::vector<std::string> descriptor_names = {
     "pair_harmonics", "eppf", "eppf_short"};
@@ -51,7 +54,7 @@ readBins(const std::string& text)
   if (!stream.eof() || comma != '\0' || (counts.size() != 4 && counts.size() != 7))
     throw ToolError("-bins: '" + text +
                     "' is neither four numbers as in 20,4,5,3 nor seven as in "
-                    "4,15,5,2,3,6,12");
+                    "8,15,5,1,3,6,12");
   EPPFBins bins{counts[0], counts[1], counts[2], counts[3], {}};
   if (counts.size() == 7)
     bins.harmonics = {counts[4], counts[5], counts[6]};
@@ -82,7 +85,7 @@ optionsOf(EPPFDescriptor descriptor)
 void
 EPPFCommandLine::addTo(OptionParser& parser)
 {
-  surface_angle_ = sampling_ = normals_ = bins_ = "default";
+  surface_angle_ = normal_angle_ = sampling_ = normals_ = bins_ = "default";
   without_ = feature_names.front();
   parser
       .number("-pairs",
@@ -115,6 +118,10 @@ EPPFCommandLine::addTo(OptionParser& parser)
               {1.0, std::numeric_limits<double>::infinity(), true})
       .flag("-keep_noise", keeps_noise_, "do not measure and lower the noise of points")
       .text("-surface_angle", surface_angle_, "how two angles become one", rule_names)
+      .text("-normal_angle",
+            normal_angle_,
+            "which angle two normals have",
+            normal_angle_names)
       .text("-sampling", sampling_, "how pairs are chosen", sampling_names)
       .text("-without", without_, "a feature to leave out", feature_names)
       .text("-normals", normals_, "the side of a surface they point to", side_names);
@@ -149,6 +156,7 @@ EPPFCommandLine::options() const
   options.number_of_threads = options_.number_of_threads;
   options.weighting_constant = options_.weighting_constant;
   choose(surface_angle_, rule_names, options.surface_angle_rule);
+  choose(normal_angle_, normal_angle_names, options.normal_angle_rule);
   choose(normals_, side_names, options.normal_sides);
   choose(sampling_, sampling_names, options.sampling);
   if (bins_ != "default")

@@ -50,6 +50,7 @@ private:
   bool keeps_noise_ = false;
   std::string descriptor_;
   std::string surface_angle_;
+  std::string normal_angle_;
   std::string normals_;
   std::string sampling_;
   std::string without_;

@@ -95,14 +95,14 @@ ablation(const std::string& what, const EPPFOptions& options)
     add("without f1", [](auto& o) { o.features.distance = false; });
     add("without f2", [](auto& o) { o.features.surface_angle = false; });
     add("without f3", [](auto& o) { o.features.normal_angle = false; });
-    add("without f4", [](auto& o) { o.features.occupancy = false; });
+    add("with f4", [](auto& o) { o.bins = {4, 15, 5, 2, o.bins.harmonics}; });
     add("without harmonics", [](auto& o) { o.features.harmonics = false; });
-    add("pairs in all bins", [](auto& o) { o.bins = {8, 15, 5, 2, {}}; });
+    add("pairs in all bins", [](auto& o) { o.bins = {16, 15, 5, 1, {}}; });
   }
   else if (what == "surface_angle") {
     const auto use = [](auto& o, SurfaceAngleRule rule) {
-      o.surface_angle_rule = rule; // 8 x 5 x 3 x 5 bins, as fine in both angles
-      o.bins = {8, 5, 3, 5, o.bins.harmonics};
+      o.surface_angle_rule = rule; // 8 x 5 x 5 x 3 bins, f4 among them
+      o.bins = {8, 5, 5, 3, o.bins.harmonics};
     };
     add("maximum", [=](auto& o) { use(o, SurfaceAngleRule::Maximum); });
     add("minimum", [=](auto& o) { use(o, SurfaceAngleRule::Minimum); });
@@ -112,7 +112,10 @@ ablation(const std::string& what, const EPPFOptions& options)
         [=](auto& o) { use(o, SurfaceAngleRule::BothInsteadOfOccupancy); });
   }
   else if (what == "normals") {
+    add("outward", [](auto& o) { o.normal_sides = NormalSides::Outward; });
     add("given", [](auto& o) { o.normal_sides = NormalSides::Given; });
+    add("angle between",
+        [](auto& o) { o.normal_angle_rule = NormalAngleRule::Between; });
     add("ignored", [](auto& o) { o.normal_sides = NormalSides::Ignored; });
   }
   else if (what == "scale")
@@ -123,7 +126,10 @@ ablation(const std::string& what, const EPPFOptions& options)
     }
   else if (what == "grid")
     for (const int size : {8, 16, 24, 32, 48, 64})
-      add("grid " + std::to_string(size), [size](auto& o) { o.grid_size = size; });
+      add("f4, grid " + std::to_string(size), [size](auto& o) {
+        o.bins = {4, 15, 5, 2, o.bins.harmonics};
+        o.grid_size = size;
+      });
   else if (what == "sampling")
     for (const std::size_t count : {2000u, 5000u, 10000u, 20000u, 50000u}) {
       add("uniform " + std::to_string(count), [count](auto& o) {

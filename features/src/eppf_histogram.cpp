@@ -20,7 +20,7 @@ namespace indoor {
 
 namespace {
 
-constexpr double harmonic_share = 2.0 / 3.0; // of the histogram, the rest is of pairs
+constexpr double harmonic_share = 0.5; // of the histogram, the rest is of pairs
 
 bool
 hasHarmonics(const EPPFOptions& options)

@@ -30,9 +30,11 @@ EPPFOptions
 pairHarmonicsOptions()
 {
   EPPFOptions options;
-  options.bins = {4, 15, 5, 2, {3, 6, 12}};
+  options.bins = {8, 15, 5, 1, {3, 6, 12}};
   options.surface_angle_rule = SurfaceAngleRule::Joint;
-  options.normal_sides = NormalSides::Outward;
+  options.normal_angle_rule = NormalAngleRule::AroundLine;
+  options.normal_sides = NormalSides::MostlyOutward;
+  options.weighting = false;
   options.sampling = PairSampling::Stratified;
   options.denoising = true;
   options.grid_size = 0;

@@ -49,6 +49,16 @@ centroidOf(const std::vector<OrientedPoint>& points)
   return (sum / static_cast<double>(points.size())).cast<float>();
 }
 
+/** \brief How many normals point away from a centroid. */
+std::size_t
+outwardCount(const std::vector<OrientedPoint>& points, const Eigen::Vector3f& centroid)
+{
+  return static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(), [&](const OrientedPoint& point) {
+        return !(point.normal.dot(point.position - centroid) < 0.0f);
+      }));
+}
+
 /** \brief The sine of the mean of two angles. */
 float
 meanSine(float one, float two)
@@ -72,12 +82,14 @@ PairCounter::PairCounter(const std::vector<OrientedPoint>& points,
 , bins_per_metre_(static_cast<float>(options.bins.distance / scale))
 {
   setBorders();
-  const bool turns = options.normal_sides == NormalSides::Outward;
+  const bool turns_each = options.normal_sides == NormalSides::Outward;
   const Eigen::Vector3f centroid = centroidOf(points);
+  const bool turns_all = options.normal_sides == NormalSides::MostlyOutward &&
+                         2 * outwardCount(points, centroid) < points.size();
   surflets_.reserve(points.size());
   for (const auto& [position, normal] : points) {
     const bool faces_inward = normal.dot(position - centroid) < 0.0f;
-    const float sign = turns && faces_inward ? -1.0f : 1.0f;
+    const float sign = turns_all || (turns_each && faces_inward) ? -1.0f : 1.0f;
     surflets_.push_back({position, sign * normal, grid_.cell(position)});
   }
 }
@@ -94,7 +106,7 @@ PairCounter::setBorders()
     surface_borders_ = sineBorders(lowest, bins.surface_angle);
   second_borders_ = sineBorders(lowest, bins.occupancy);
   const double largest_angle =
-      options_.normal_sides == NormalSides::Outward ? 2 * half_pi : half_pi;
+      areSidesKnown(options_.normal_sides) ? 2 * half_pi : half_pi;
   for (int k = 1; k < bins.normal_angle; ++k)
     normal_borders_.push_back(
         static_cast<float>(std::cos(largest_angle * k / bins.normal_angle)));
@@ -176,7 +188,7 @@ PairCounter::measure(std::size_t first_pair,
                      PairBlock& block) const
 {
   const bool walks =
-      options_.features.occupancy &&
+      options_.features.occupancy && options_.bins.occupancy > 1 &&
       options_.surface_angle_rule != SurfaceAngleRule::BothInsteadOfOccupancy;
   std::size_t size = 0;
   for (std::size_t k = first_pair; k < last_pair; ++k) {
@@ -204,6 +216,23 @@ PairCounter::measure(std::size_t first_pair,
     block.first_sine[k] /= block.distance[k];
   for (std::size_t k = 0; k < size; ++k)
     block.second_sine[k] /= block.distance[k];
+  if (options_.normal_angle_rule == NormalAngleRule::AroundLine)
+    turnAroundLine(block);
+}
+
+/** \brief From the cosine between the normals to that between their parts across the
+ * line. */
+void
+PairCounter::turnAroundLine(PairBlock& block)
+{
+  constexpr float least = 1e-6f; // a shorter part is of rounding
+  for (std::size_t k = 0; k < block.size; ++k) {
+    const float one = block.first_sine[k];
+    const float two = block.second_sine[k];
+    const float square = (1.0f - one * one) * (1.0f - two * two);
+    const float product = block.cosine[k] - one * two;
+    block.cosine[k] = square > least ? product / std::sqrt(square) : 1.0f;
+  }
 }
 
 /** \brief Eq. (5.8). Lines of one length follow each other, so that the processor
@@ -231,13 +260,13 @@ PairCounter::combineAngles(PairBlock& block) const
 {
   // beta = acos(n.d) - pi/2 = -asin(n.d), Eq. (5.4) and (5.5)
   const auto sides = options_.normal_sides;
-  const float second_sign = sides == NormalSides::Outward ? 1.0f : -1.0f;
+  const float second_sign = areSidesKnown(sides) ? 1.0f : -1.0f;
   if (sides == NormalSides::Ignored)
     for (std::size_t k = 0; k < block.size; ++k) {
       block.first_sine[k] = std::abs(block.first_sine[k]);
       block.second_sine[k] = std::abs(block.second_sine[k]);
     }
-  else // outward ones are measured towards the other point, each of them
+  else // where sides are known, measured towards the other point, each of them
     for (std::size_t k = 0; k < block.size; ++k) {
       block.first_sine[k] = -block.first_sine[k];
       block.second_sine[k] *= second_sign;
@@ -323,7 +352,7 @@ PairCounter::addNormalBins(PairBlock& block) const
   const auto stride = static_cast<std::uint32_t>(options_.bins.occupancy);
   if (!options_.features.normal_angle)
     return;
-  if (options_.normal_sides != NormalSides::Outward)
+  if (!areSidesKnown(options_.normal_sides))
     for (std::size_t k = 0; k < block.size; ++k)
       block.cosine[k] = std::abs(block.cosine[k]); // Eq. (5.7)
   for (const float border : normal_borders_)
@@ -334,7 +363,7 @@ PairCounter::addNormalBins(PairBlock& block) const
 void
 PairCounter::addOccupancyBins(PairBlock& block) const
 {
-  if (!options_.features.occupancy)
+  if (!options_.features.occupancy || options_.bins.occupancy == 1)
     return;
   if (options_.surface_angle_rule == SurfaceAngleRule::BothInsteadOfOccupancy)
     addBorders(block.second_sine, second_borders_, 1u, block); // Eq. (5.13)

@@ -63,7 +63,7 @@ private:
     std::array<float, pair_block_size> distance;
     std::array<float, pair_block_size> first_sine;  // of the surface angle -beta_1
     std::array<float, pair_block_size> second_sine; // of the surface angle -beta_2
-    std::array<float, pair_block_size> cosine;      // of the angle between the normals
+    std::array<float, pair_block_size> cosine;      // of f3
     std::array<LineOccupancy::Line, pair_block_size> line;
     std::array<std::uint8_t, pair_block_size> occupancy_bin;
     std::array<std::uint32_t, pair_block_size> pair; // counted from the block's first
@@ -77,6 +77,8 @@ private:
   measure(std::size_t first_pair, std::size_t last_pair, PairBlock& block) const;
   void
   walkLines(PairBlock& block) const;
+  static void
+  turnAroundLine(PairBlock& block);
   void
   combineAngles(PairBlock& block) const;
   static void

@@ -77,6 +77,23 @@ outward(std::vector<OrientedPoint> points)
   return points;
 }
 
+/** \brief The points with normals on the sides that the options want. */
+inline std::vector<OrientedPoint>
+onSides(const std::vector<OrientedPoint>& given, NormalSides sides)
+{
+  const auto turned = outward(given);
+  if (sides == NormalSides::Outward)
+    return turned;
+  auto points = given;
+  std::size_t inward_count = 0;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    inward_count += turned[k].normal == points[k].normal ? 0 : 1;
+  if (sides == NormalSides::MostlyOutward && 2 * inward_count > points.size())
+    for (auto& point : points)
+      point.normal = -point.normal;
+  return points;
+}
+
 /** \brief The share of a place, in bins, that falls into a bin: its own, and within
  * softness / 2 of a border linearly the next one's. */
 inline double
@@ -157,7 +174,7 @@ slowHarmonics(const std::vector<OrientedPoint>& points,
   return values;
 }
 
-/** \brief The sum of pairs brought to 1, or to 1 / 3 beside harmonics. */
+/** \brief The sum of pairs brought to 1, or to 1 / 2 beside harmonics. */
 inline std::vector<double>
 withHarmonics(std::vector<double> pairs,
               const std::vector<OrientedPoint>& surface,
@@ -169,23 +186,34 @@ withHarmonics(std::vector<double> pairs,
       options.features.harmonics && options.bins.harmonics.size() > 0;
   const double sum = std::accumulate(pairs.begin(), pairs.end(), 0.0);
   for (auto& value : pairs)
-    value *= (has_harmonics ? 1.0 / 3.0 : 1.0) / sum;
+    value *= (has_harmonics ? 0.5 : 1.0) / sum;
   pairs.resize(options.bins.size());
   if (!has_harmonics)
     return pairs;
   const auto harmonics =
       slowHarmonics(surface, 0.5 * (1.0 - evidence), scale, options.bins.harmonics);
   for (std::size_t bin = 0; bin < harmonics.size(); ++bin)
-    pairs[options.bins.pairSize() + bin] = harmonics[bin] * 2.0 / 3.0;
+    pairs[options.bins.pairSize() + bin] = harmonics[bin] / 2.0;
   return pairs;
+}
+
+/** \brief The cosine of the turn from one normal to another about a line. */
+inline double
+turnCosine(const Eigen::Vector3d& one,
+           const Eigen::Vector3d& two,
+           const Eigen::Vector3d& line)
+{
+  const Eigen::Vector3d a = one - one.dot(line) * line;
+  const Eigen::Vector3d b = two - two.dot(line) * line;
+  const double lengths = a.norm() * b.norm();
+  return lengths > 1e-3 ? a.dot(b) / lengths : 1.0;
 }
 
 /** \brief The thesis's formulas pair by pair, with real angles and no shortcut. */
 inline std::vector<double>
 slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& options)
 {
-  const auto points =
-      options.normal_sides == NormalSides::Outward ? outward(given) : given;
+  const auto points = onSides(given, options.normal_sides);
   const auto& bins = options.bins;
   const int grid_size =
       options.grid_size > 0 ? options.grid_size : automaticGridSize(points.size());
@@ -202,9 +230,12 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
     const Eigen::Vector3d n2 = points[second].normal.cast<double>();
     const auto sides = options.normal_sides;
     const bool has_sides = sides != NormalSides::Ignored;
+    double cosine = n1.dot(n2);
+    if (options.normal_angle_rule == NormalAngleRule::AroundLine)
+      cosine = turnCosine(n1, n2, d);
     double beta1 = std::acos(std::clamp(n1.dot(d), -1.0, 1.0)) - pi / 2;
     double beta2 = std::acos(std::clamp(n2.dot(d), -1.0, 1.0)) - pi / 2;
-    if (sides == NormalSides::Outward)
+    if (areSidesKnown(sides))
       beta2 = -beta2; // towards the first point
     const double lowest = has_sides ? -pi / 2 : 0.0;
     if (!has_sides) {
@@ -214,10 +245,10 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
     const auto angle_place = [&](double beta) {
       return (beta - lowest) / (pi / 2 - lowest);
     };
-    const double cosine =
-        sides == NormalSides::Outward ? n1.dot(n2) : std::abs(n1.dot(n2));
-    const double f3 = std::acos(std::clamp(cosine, -1.0, 1.0)) /
-                      (sides == NormalSides::Outward ? pi : pi / 2);
+    if (!areSidesKnown(sides))
+      cosine = std::abs(cosine);
+    const double f3 =
+        std::acos(std::clamp(cosine, -1.0, 1.0)) / (areSidesKnown(sides) ? pi : pi / 2);
     const auto line = grid.countBetween(grid.cell(points[first].position),
                                         grid.cell(points[second].position));
     const bool both =
@@ -240,7 +271,7 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
   return withHarmonics(std::move(histogram), given, 0.0, scale, options);
 }
 
-/** \brief eppfHistogram() of an object with noise: outward normals, stratified pairs,
+/** \brief eppfHistogram() of an object with noise: sides known, stratified pairs,
  * automatic grid; every pair offered to every bin of the soft features. */
 inline std::vector<double>
 slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& options)
@@ -249,7 +280,7 @@ slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& o
   const float extent = objectExtent(given);
   const auto noise = measureNoise(given, order, extent);
   const auto object = denoised(given, order, extent, noise, 1);
-  const auto points = outward(object.points);
+  const auto points = onSides(object.points, options.normal_sides);
   const auto& bins = options.bins;
   const LineOccupancy grid(points, automaticGridSize(points.size()));
   const PairSampler sampler(points.size(), options.seed); // they lie along the order
@@ -265,7 +296,11 @@ slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& o
         two.position.cast<double>() - one.position.cast<double>();
     const double sine1 = -one.normal.cast<double>().dot(line.normalized());
     const double sine2 = two.normal.cast<double>().dot(line.normalized());
-    const double cosine = one.normal.cast<double>().dot(two.normal.cast<double>());
+    const Eigen::Vector3d n1 = one.normal.cast<double>();
+    const Eigen::Vector3d n2 = two.normal.cast<double>();
+    const double cosine = options.normal_angle_rule == NormalAngleRule::AroundLine
+                              ? turnCosine(n1, n2, line.normalized())
+                              : n1.dot(n2);
     const int i3 =
         binOf(std::acos(std::clamp(cosine, -1.0, 1.0)) / pi, bins.normal_angle);
     const auto count =
@@ -289,9 +324,11 @@ slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& o
           const int i2 =
               joint ? std::max(a, b) * (std::max(a, b) + 1) / 2 + std::min(a, b)
                     : hard2;
-          const double weight = std::log(static_cast<double>(i1) / bins.distance +
-                                         options.weighting_constant) *
-                                object.weights[first] * object.weights[second];
+          const double weight =
+              (options.weighting ? std::log(static_cast<double>(i1) / bins.distance +
+                                            options.weighting_constant)
+                                 : 1.0) *
+              object.weights[first] * object.weights[second];
           histogram[((i1 * bins.surface_angle + i2) * bins.normal_angle + i3) *
                         bins.occupancy +
                     i4] += weight * share;

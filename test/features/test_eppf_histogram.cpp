@@ -45,9 +45,14 @@ TEST(EPPFHistogram, EqualsTheFormulasForEveryRule)
                           SurfaceAngleRule::Mean,
                           SurfaceAngleRule::RandomOne,
                           SurfaceAngleRule::BothInsteadOfOccupancy})
-    for (const auto sides :
-         {NormalSides::Outward, NormalSides::Given, NormalSides::Ignored}) {
+    for (const auto sides : {NormalSides::Outward,
+                             NormalSides::Given,
+                             NormalSides::Ignored,
+                             NormalSides::MostlyOutward}) {
       auto options = pairHarmonicsOptions();
+      options.bins = {4, 15, 5, 2, {3, 6, 12}};
+      if (rule == SurfaceAngleRule::Mean)
+        options.normal_angle_rule = NormalAngleRule::Between;
       options.denoising = false; // random points look like noise
       options.surface_angle_rule = rule;
       options.normal_sides = sides;
@@ -79,13 +84,22 @@ TEST(EPPFHistogram, SidesOfNormalsDoNotMatterUnlessGiven)
   for (std::size_t k = 0; k < turned.size(); k += 3)
     turned[k].normal = -turned[k].normal;
   auto options = pairHarmonicsOptions();
+  options.normal_angle_rule = NormalAngleRule::Between;
   for (const auto sides : {NormalSides::Outward, NormalSides::Ignored}) {
     options.normal_sides = sides;
     EXPECT_EQ(eppfHistogram(points, options), eppfHistogram(turned, options));
   }
-  options.normal_sides = NormalSides::Given;
-  EXPECT_GT(difference(eppfHistogram(points, options), eppfHistogram(turned, options)),
-            0.1);
+  for (const auto sides : {NormalSides::Given, NormalSides::MostlyOutward}) {
+    options.normal_sides = sides;
+    EXPECT_GT(
+        difference(eppfHistogram(points, options), eppfHistogram(turned, options)),
+        0.1);
+  }
+  // All turned over together: which side is outside does not matter.
+  for (std::size_t k = 0; k < points.size(); ++k)
+    turned[k].normal = -points[k].normal;
+  options.normal_sides = NormalSides::MostlyOutward;
+  EXPECT_EQ(eppfHistogram(points, options), eppfHistogram(turned, options));
 }
 
 TEST(EPPFHistogram, EqualsTheFormulasForOtherOptions)
@@ -111,6 +125,7 @@ TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
   for (int off = 0; off < 5; ++off) {
     auto options = pairHarmonicsOptions();
     options.denoising = false; // random points look like noise
+    options.bins = {4, 15, 5, 2, {3, 6, 12}};
     options.features = {off != 0, off != 1, off != 2, off != 3, off != 4};
     const auto histogram = eppfHistogram(points, options);
     EXPECT_LT(difference(histogram, slowHistogram(points, options)), rounding);
@@ -122,6 +137,32 @@ TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
   }
 }
 
+TEST(EPPFHistogram, TurnAboutTheLineInClosedForm)
+{
+  // Two points and normals of 60 and 120 degrees to the line between them, one turned
+  // about it by an angle: f3 is that angle, whatever the other two are.
+  EPPFOptions options;
+  options.bins = {1, 1, 5, 1, {}};
+  options.normal_angle_rule = NormalAngleRule::AroundLine;
+  options.normal_sides = NormalSides::MostlyOutward;
+  const Eigen::Vector3f line = Eigen::Vector3f(1.0f, 2.0f, -1.0f).normalized();
+  const Eigen::Vector3f across = line.unitOrthogonal();
+  const float half = 0.5f, rest = std::sqrt(0.75f);
+  for (int bin = 0; bin < 5; ++bin)
+    for (const float side : {-1.0f, 1.0f}) {
+      const float angle = side * (static_cast<float>(bin) + 0.4f) * 0.628318531f;
+      const Eigen::Vector3f turned = Eigen::AngleAxisf(angle, line) * across;
+      const std::vector<OrientedPoint> two = {
+          {Eigen::Vector3f::Zero(), -half * line + rest * across},
+          {3.0f * line, half * line + rest * turned}};
+      EXPECT_FLOAT_EQ(eppfHistogram(two, options)[bin], 1.0f);
+    }
+  // Normals along the line have no turn.
+  const std::vector<OrientedPoint> along = {{Eigen::Vector3f::Zero(), -line},
+                                            {line, line}};
+  EXPECT_FLOAT_EQ(eppfHistogram(along, options)[0], 1.0f);
+}
+
 TEST(EPPFHistogram, SumIsOneAndSeedsDiffer)
 {
   const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 2000, 4);
@@ -129,7 +170,7 @@ TEST(EPPFHistogram, SumIsOneAndSeedsDiffer)
   const auto histogram = eppfHistogram(points, options);
   EXPECT_EQ(histogram.size(), 1200u);
   EXPECT_NEAR(
-      std::accumulate(histogram.begin(), histogram.begin() + 600, 0.0), 1.0 / 3, 1e-6);
+      std::accumulate(histogram.begin(), histogram.begin() + 600, 0.0), 0.5, 1e-6);
   // 1,200 roundings to single precision of values that add up to 1.
   EXPECT_NEAR(std::accumulate(histogram.begin(), histogram.end(), 0.0), 1.0, 1e-6);
   EXPECT_EQ(histogram, eppfHistogram(points, options));
@@ -289,8 +330,8 @@ TEST(EPPFHistogram, DegenerateObjectsGiveADefinedResult)
   two[1].position.z() = 4.0f;
   const auto histogram = eppfHistogram(two, pairHarmonicsOptions());
   const auto harmonics = histogram.begin() + 600;
-  EXPECT_NEAR(*std::max_element(histogram.begin(), harmonics), 1.0 / 3, 1e-6);
-  EXPECT_NEAR(std::accumulate(harmonics, histogram.end(), 0.0), 2.0 / 3, 1e-6);
+  EXPECT_NEAR(*std::max_element(histogram.begin(), harmonics), 0.5, 1e-6);
+  EXPECT_NEAR(std::accumulate(harmonics, histogram.end(), 0.0), 0.5, 1e-6);
   EXPECT_NEAR(harmonics[4 * 49], harmonics[8 * 49] * 0.002 / 1.002, 1e-6);
   EXPECT_NEAR(harmonics[8 * 49], harmonics[11 * 49], 1e-6);
   EXPECT_NEAR(harmonics[9 * 49], harmonics[4 * 49], 1e-6);

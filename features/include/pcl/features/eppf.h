@@ -150,7 +150,7 @@ public:
   }
 
   /** \brief Set or get which side of a surface normals point to (default Given;
-   * Outward for pair harmonics). */
+   * MostlyOutward for pair harmonics). */
   void
   setNormalSides(indoor::NormalSides sides)
   {

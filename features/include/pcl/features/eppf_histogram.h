@@ -15,7 +15,7 @@ namespace indoor {
 /** \brief The enhanced point pair feature (EPPF) histogram of an object, Sec. 5.2.
  *
  * The bin of a pair is ((i1 * N_f2 + i2) * N_f3 + i3) * N_f4 + i4. Where options.bins
- * has harmonics, they follow after the pairs and are two thirds of the sum, see
+ * has harmonics, they follow after the pairs and are half of the sum, see
  * surfaceHarmonics(). Time is linear in pairs and points. The same options give the
  * same bits for any number of threads. \param[in] points finite points with normals of
  * unit length, near the origin \param[in] options see EPPFOptions \return

@@ -25,12 +25,29 @@ enum class SurfaceAngleRule {
   BothInsteadOfOccupancy ///< the first here, the second in place of f4, Eq. (5.13)
 };
 
+/** \brief The angle between the two normals of a pair that f3 is. */
+enum class NormalAngleRule {
+  Between,   ///< from one normal to the other, Eq. (5.7)
+  AroundLine ///< the turn from one to the other about the line between the points, 0
+             ///< ... pi, as in Wahl et al. (2003) but for its sign; 0 where a normal
+             ///< lies along the line
+};
+
 /** \brief Which side of a surface a normal points to. */
 enum class NormalSides {
-  Outward, ///< turned away from the centroid of the object, whatever was given
+  Outward, ///< each turned away from the centroid of the object, whatever was given
   Given,   ///< as given, with the formulas of the thesis
-  Ignored  ///< unknown: only the magnitudes of the cosines count
+  Ignored, ///< unknown: only the magnitudes of the cosines count
+  MostlyOutward ///< as given, or all turned over if most face the centroid
 };
+
+/** \brief Whether the side of a normal counts in all features; the thesis takes the
+ * magnitude of the cosine between two normals, Eq. (5.7). */
+inline bool
+areSidesKnown(NormalSides sides)
+{
+  return sides == NormalSides::Outward || sides == NormalSides::MostlyOutward;
+}
 
 /** \brief Number of bins of each feature.
  *
@@ -82,6 +99,7 @@ struct EPPFOptions {
   double weighting_constant = 1.2;    ///< c of Eq. (5.11), above 1
   bool weighting = true;              ///< whether Eq. (5.11) is applied at all
   SurfaceAngleRule surface_angle_rule = SurfaceAngleRule::Maximum;
+  NormalAngleRule normal_angle_rule = NormalAngleRule::Between;
   NormalSides normal_sides = NormalSides::Given;
   PairSampling sampling = PairSampling::Uniform;
   /** \brief Whether noise is measured and, where there is any, lowered before points
@@ -103,10 +121,10 @@ thesisEPPFOptions();
 EPPFOptions
 shortEPPFOptions();
 
-/** \brief The setting that tells most, which a PairHarmonicsSignature1200 holds: 4 x 15
- * x 5 x 2 bins of pairs, harmonics up to degree 6 in 3 shells and 12 distances, both
- * surface angles, normals turned outward, an automatic grid, stratified pairs, noise
- * lowered.
+/** \brief The setting that tells most, which a PairHarmonicsSignature1200 holds: 8 x 15
+ * x 5 bins of pairs without the occupancy, both surface angles, the turn of the normals
+ * about the line, sides as given, no weights; harmonics up to degree 6 in 3 shells and
+ * 12 distances; stratified pairs, noise lowered.
  */
 EPPFOptions
 pairHarmonicsOptions();

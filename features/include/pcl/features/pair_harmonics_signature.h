@@ -11,12 +11,12 @@ namespace pcl {
 /** \brief The descriptor of an object that tells most: a histogram of point pairs and
  * spherical harmonics of the surface beside it, 1,200 bins.
  *
- * 4 x 15 x 5 x 2 bins of pairs (distance, both surface angles, normal angle, occupancy,
- * the last one fastest), then 588 magnitudes of harmonics and 12 distances from the
- * centre, see indoor::surfaceHarmonics() and indoor::pairHarmonicsOptions(). They add
- * up to 1; all are NaN if the object had no usable pair of points. It has a PCD field
- * of its own, as its values cannot be compared with those of an EPPFSignature1200.
- * \ingroup features
+ * 8 x 15 x 5 bins of pairs (distance, both surface angles, turn of the normals about
+ * the line, the last one fastest), then 588 magnitudes of harmonics and 12 distances
+ * from the centre, see indoor::surfaceHarmonics() and indoor::pairHarmonicsOptions().
+ * They add up to 1; all are NaN if the object had no usable pair of points. It has a
+ * PCD field of its own, as its values cannot be compared with those of an
+ * EPPFSignature1200. \ingroup features
  */
 struct PairHarmonicsSignature1200 {
   float histogram[1200] = {};
