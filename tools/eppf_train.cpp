@@ -133,9 +133,9 @@ describedObjects(const LabelledObjects& objects,
   auto options = settings.draws;
   options.input = input;
   options.seed = settings.training.seed;
-  if (settings.augment != "mild")
+  if (settings.augment != "scan")
     options.augmentation =
-        settings.augment == "scan" ? scanAugmentation() : ObjectAugmentation();
+        settings.augment == "mild" ? mildAugmentation() : ObjectAugmentation();
   const auto split = withoutValidation(objects, training, settings);
   progress.start("Describing " + std::to_string(training.size()) + " objects, " +
                  std::to_string(options.draw_count) + " times each");

@@ -52,7 +52,7 @@ augmentedObject(const PointCloud<PointNormal>& cloud,
 /** \brief How the draws of an object are made. */
 struct DrawOptions {
   ClassifierInput input;                                ///< of the model
-  ObjectAugmentation augmentation = mildAugmentation(); ///< of all draws but the first
+  ObjectAugmentation augmentation = scanAugmentation(); ///< of all draws but the first
   int draw_count = 8;                                   ///< at least 1
   int neighbor_count = 20; ///< of a normal that has to be estimated
   std::uint32_t seed = 1;

@@ -86,7 +86,7 @@ findObjects(const std::string& folder)
     if (error)
       break;
     if (entry->is_regular_file() && isObject(entry->path()))
-      paths.push_back(fs::relative(entry->path(), folder).string());
+      paths.push_back(entry->path().lexically_relative(folder).string()); // links stay
   }
   if (error)
     throw ToolError(folder + ": cannot be read: " + error.message());

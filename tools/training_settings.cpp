@@ -171,7 +171,7 @@ addInputOptions(OptionParser& parser, TrainingSettings& settings)
       .text("-augment",
             settings.augment,
             "how draws differ from the object; mild: stretched, fewer points; scan: "
-            "also noise and hidden parts, to classify scans by models",
+            "also noise and hidden parts",
             {"off", "mild", "scan"})
       .number("-classify_draws",
               draws.input.draws,

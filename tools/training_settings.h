@@ -37,7 +37,7 @@ struct TrainingSettings {
   std::string descriptor = "auto";
   std::string scale = "0"; ///< metres, or auto
   DrawOptions draws;
-  std::string augment = "mild"; ///< off, mild or scan
+  std::string augment = "scan"; ///< off, mild or scan
 
   TrainingOptions training = recommendedTraining();
   unsigned int threads = 0; ///< of reading and describing

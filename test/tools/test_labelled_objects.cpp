@@ -99,6 +99,19 @@ TEST_F(LabelledObjectFiles, ClassesAreTheFirstFolders)
   }
 }
 
+TEST_F(LabelledObjectFiles, FilesMayBeLinks)
+{
+  file("elsewhere/a.pcd");
+  file("set/bed/b.pcd");
+  std::filesystem::create_directories(path("set/cup"));
+  std::filesystem::create_symlink(path("elsewhere/a.pcd"), path("set/cup/a.pcd"));
+  Progress progress(true);
+  for (const auto& folder : {path("set"), path("set/"), path("set/../set/.")})
+    EXPECT_EQ(loadLabelledObjects(folder, 3, 1, progress).paths,
+              (std::vector<std::string>{"bed/b.pcd", "cup/a.pcd"}))
+        << folder;
+}
+
 TEST_F(LabelledObjectFiles, NamesTheFirstUnreadableFileAndTheirNumber)
 {
   EXPECT_EQ(complaint(), path("set") + ": no such folder");
