@@ -131,8 +131,7 @@ TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
     EXPECT_LT(difference(histogram, slowHistogram(points, options)), rounding);
     const std::size_t counts[] = {4, 15, 5, 2, 2};
     const std::size_t strides[] = {150, 10, 2, 1, 600}; // harmonics are the second half
-    const std::size_t last = off < 4 ? 600 : 1200;
-    for (std::size_t bin = 0; bin < last; ++bin)
+    for (std::size_t bin = 0; bin < (off < 4 ? 600u : 1200u); ++bin)
       EXPECT_TRUE(histogram[bin] == 0.0f || (bin / strides[off]) % counts[off] == 0);
   }
 }
