@@ -108,8 +108,8 @@ TEST_F(LabelledObjectFiles, ReadingInThreadsLeavesTheConsoleAsItWas)
     file((k % 2 == 0 ? "set/bed/" : "set/cup/") + std::to_string(k) + ".pcd");
   const auto level = pcl::console::getVerbosityLevel();
   auto* const buffer = std::cerr.rdbuf();
-  for (int round = 0; round < 50; ++round) {
-    load(4);
+  for (int round = 0; round < 200; ++round) {
+    load(8);
     ASSERT_EQ(pcl::console::getVerbosityLevel(), level) << round;
     ASSERT_EQ(std::cerr.rdbuf(), buffer) << round;
   }
