@@ -16,25 +16,32 @@
 #include <cstring>
 #include <iostream>
 #include <limits>
+#include <mutex>
 
 namespace pcl::indoor::tool {
 namespace {
 
-/** Keeps PCL's readers and writers, which print what they also return, silent for its
- * lifetime. */
+/** Keeps PCL's readers and writers, which print what they also return, silent for as
+ * long as one of these lives, in any thread. */
 class SilentPcl {
 public:
   SilentPcl()
-  : level_(console::getVerbosityLevel())
-  , cerr_(std::cerr.rdbuf(nullptr))
   {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (users++ > 0)
+      return;
+    level = console::getVerbosityLevel();
+    cerr = std::cerr.rdbuf(nullptr);
     console::setVerbosityLevel(console::L_ALWAYS);
   }
 
   ~SilentPcl()
   {
-    std::cerr.rdbuf(cerr_);
-    console::setVerbosityLevel(level_);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (--users > 0)
+      return;
+    std::cerr.rdbuf(cerr);
+    console::setVerbosityLevel(level);
   }
 
   SilentPcl(const SilentPcl&) = delete;
@@ -42,8 +49,11 @@ public:
   operator=(const SilentPcl&) = delete;
 
 private:
-  console::VERBOSITY_LEVEL level_;
-  std::streambuf* cerr_;
+  // of the whole program, as what they keep is
+  inline static std::mutex mutex;
+  inline static int users = 0;
+  inline static console::VERBOSITY_LEVEL level = console::L_INFO;
+  inline static std::streambuf* cerr = nullptr;
 };
 
 /** A field's value of one point as a double; every type a PCD can have. */

@@ -6,8 +6,11 @@
 #include "options.h" // for ToolError
 #include "support/folder_test.h"
 
+#include <pcl/console/print.h>
+
 #include <cmath>
 #include <fstream>
+#include <iostream>
 #include <set>
 
 using namespace pcl::indoor::tool;
@@ -96,6 +99,19 @@ TEST_F(LabelledObjectFiles, ClassesAreTheFirstFolders)
     ASSERT_EQ(objects.clouds.size(), 4u);
     EXPECT_EQ(objects.clouds[0]->size(), 2048u);
     EXPECT_EQ(objects.clouds[3]->size(), 4u);
+  }
+}
+
+TEST_F(LabelledObjectFiles, ReadingInThreadsLeavesTheConsoleAsItWas)
+{
+  for (int k = 0; k < 20; ++k)
+    file((k % 2 == 0 ? "set/bed/" : "set/cup/") + std::to_string(k) + ".pcd");
+  const auto level = pcl::console::getVerbosityLevel();
+  auto* const buffer = std::cerr.rdbuf();
+  for (int round = 0; round < 200; ++round) {
+    load(8);
+    ASSERT_EQ(pcl::console::getVerbosityLevel(), level) << round;
+    ASSERT_EQ(std::cerr.rdbuf(), buffer) << round;
   }
 }
 
