@@ -101,9 +101,9 @@ ObjectAugmentation
 scanAugmentation()
 {
   auto augmentation = mildAugmentation();
-  augmentation.noisy_share = 0.5;
+  augmentation.noisy_share = 0.25;
   augmentation.noise_percent = 4.0;
-  augmentation.hidden_share = 0.5;
+  augmentation.hidden_share = 0.25;
   augmentation.hidden_percent = 60.0;
   return augmentation;
 }

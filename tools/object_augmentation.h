@@ -53,7 +53,7 @@ augmentedObject(const PointCloud<PointNormal>& cloud,
 struct DrawOptions {
   ClassifierInput input;                                ///< of the model
   ObjectAugmentation augmentation = scanAugmentation(); ///< of all draws but the first
-  int draw_count = 8;                                   ///< at least 1
+  int draw_count = 16;                                  ///< at least 1
   int neighbor_count = 20; ///< of a normal that has to be estimated
   std::uint32_t seed = 1;
 };

@@ -84,8 +84,6 @@ requireThatTheyFit(const TrainingSettings& settings)
   if (kind == ClassifierInputKind::EPPFShort)
     throw ToolError("-descriptor: the networks 2d, 3d and 4d need 1200 bins, which "
                     "eppf_short has not");
-  if (settings.draws.input.context)
-    throw ToolError("-context: only the perceptron can take size and place");
 }
 
 void
@@ -160,9 +158,10 @@ addInputOptions(OptionParser& parser, TrainingSettings& settings)
               "points that PointNet sees",
               "",
               Range::between(1, 100000))
-      .flag("-context",
-            draws.input.context,
-            "let the perceptron see size and place; for objects in metres with z up")
+      .flag("-any_pose",
+            settings.any_pose,
+            "objects need not stand upright in metres: the perceptron sees neither "
+            "size and place nor what is at which height")
       .number("-draws",
               draws.draw_count,
               "times an object is drawn, with other pairs and augmented",
@@ -302,6 +301,7 @@ inputOf(const TrainingSettings& settings,
 {
   auto input = settings.draws.input;
   input.kind = kindOf(settings);
+  input.context = settings.network == "perceptron" && !settings.any_pose;
   if (settings.scale != "auto") {
     input.scale = numberOf(settings.scale);
     return input;

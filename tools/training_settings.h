@@ -36,6 +36,7 @@ struct TrainingSettings {
 
   std::string descriptor = "auto";
   std::string scale = "0"; ///< metres, or auto
+  bool any_pose = false;   ///< else objects stand upright, metres
   DrawOptions draws;
   std::string augment = "scan"; ///< off, mild or scan
 

@@ -223,13 +223,13 @@ TEST_F(TrainingResults, ChoosesTheEpochByValidationAndAveragesNetworks)
   makeSet(5);
   std::ofstream(path("list")) << "box_0\nsphere_1\ncylinder_2.ply\n";
   train(path("model") + tiny +
-        "-epochs 4 -validation 0.25 -ensemble 2 -half -scale auto "
-        "-context -class_weights -split " +
+        "-any_pose -epochs 4 -validation 0.25 -ensemble 2 -half -scale auto "
+        "-class_weights -split " +
         path("list") + " -log " + path("log.csv"));
   EXPECT_NE(bytesOf(path("said")).find("3 objects: "), std::string::npos);
   const auto model = modelFromBytes(bytesOf(path("model")));
   EXPECT_EQ(model.networks.size(), 2u);
-  EXPECT_TRUE(model.input.context);
+  EXPECT_FALSE(model.input.context);
   EXPECT_GT(model.input.scale, 8.0); // the cylinder's length
   EXPECT_LT(model.input.scale, 10.0);
   EXPECT_EQ(lineCount(path("log.csv")), 9);
@@ -298,7 +298,6 @@ TEST_F(TrainingResults, SaysInOneLineWhatIsWrong)
       {"-hidden 12,x", "-hidden: '12,x'"},
       {"-network 4d -descriptor points", "-descriptor: points"},
       {"-network 3d -descriptor eppf_short", "need 1200 bins"},
-      {"-network 4d -context", "-context: only the perceptron"},
       {"-patience 3", "-patience: needs -validation"},
       {"-confusion " + path("c.png"), "-confusion: needs a test part"},
       {"-log " + path("none/log.csv"), "log.csv: cannot be written"},
