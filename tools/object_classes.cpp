@@ -71,11 +71,7 @@ classifySurfaces(const std::vector<ObjectSurface>& surfaces,
     if (surface.points.size() < fewest_points)
       continue;
     numbers.push_back(k);
-    objects.push_back({surface.points,
-                       {true,
-                        surface.floor_distance,
-                        surface.ceiling_distance,
-                        surface.wall_distance}});
+    objects.push_back({surface.points, {true, surface.floor_distance}});
   }
   const auto found =
       classifyObjects(objects, model, static_cast<unsigned int>(threads));

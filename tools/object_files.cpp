@@ -54,8 +54,6 @@ sampledObject(const Mesh& mesh, const std::string& path)
 }
 
 constexpr const char* floor_field = "floor_distance";
-constexpr const char* ceiling_field = "ceiling_distance";
-constexpr const char* wall_field = "wall_distance";
 
 /** \brief A float field of the first point; NaN if there is none. */
 float
@@ -167,25 +165,16 @@ saveObject(const std::string& path, const ObjectSurface& object)
   }
   PCLPointCloud2 cloud;
   toPCLPointCloud2(points, cloud);
-  const auto append = [&](const char* name, float value) {
-    appendRealField(cloud, name, std::vector<float>(points.size(), value));
-  };
-  append(floor_field, object.floor_distance);
-  append(ceiling_field, object.ceiling_distance);
-  append(wall_field, object.wall_distance);
+  appendRealField(
+      cloud, floor_field, std::vector<float>(points.size(), object.floor_distance));
   saveCloud(path, cloud);
 }
 
 ObjectPlace
 readPlace(const CloudFile& file)
 {
-  ObjectPlace place;
-  place.floor_distance = firstValue(file.cloud, floor_field);
-  place.ceiling_distance = firstValue(file.cloud, ceiling_field);
-  place.wall_distance = firstValue(file.cloud, wall_field);
-  place.is_known = place.floor_distance >= 0.0f && place.ceiling_distance >= 0.0f &&
-                   place.wall_distance >= 0.0f;
-  return place.is_known ? place : ObjectPlace();
+  const float distance = firstValue(file.cloud, floor_field);
+  return distance >= 0.0f ? ObjectPlace{true, distance} : ObjectPlace();
 }
 
 } // namespace pcl::indoor::tool

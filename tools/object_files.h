@@ -56,14 +56,14 @@ loadPlacedObject(const std::string& path, int neighbor_count);
 std::vector<OrientedPoint>
 classifierPoints(const PointCloud<PointNormal>& cloud);
 
-/** \brief Save an object as a cloud with normals and, in fields of their own, its
- * distances from floor, ceiling and wall. \throws ToolError as saveCloud()
+/** \brief Save an object as a cloud with normals and, in the field floor_distance, how
+ * far it is above the floor. \throws ToolError as saveCloud()
  */
 void
 saveObject(const std::string& path, const ObjectSurface& object);
 
 /** \brief The place of an object in its room, as saveObject() has saved it.
- * \return an unknown place if the file has no such fields
+ * \return an unknown place if the file has no such field
  */
 ObjectPlace
 readPlace(const CloudFile& file);

@@ -18,10 +18,12 @@ using namespace pcl::indoor::tool;
 
 namespace {
 
+constexpr const char* no_class = "none"; // of categories that nothing is learned of
+
 struct Options {
   std::string input, folder;
   std::string category_field = "category", object_field, names, classes;
-  double min_share = 0.6;
+  double min_share = 0.5;
   std::uint32_t min_points = 30;
   std::uint32_t max_other = 0;
   std::uint32_t seed = 1;
@@ -45,10 +47,11 @@ makeParser(Options& options)
             options.names,
             "JSON file with the names of the categories, in 'categories' (a list) or "
             "'classes' (number: name); without it, numbers are names")
-      .text("-classes",
-            options.classes,
-            "JSON file, class: [names of categories]; all others are of the class "
-            "other. Without it, categories are classes")
+      .text(
+          "-classes",
+          options.classes,
+          "JSON file, class: [names of categories]; objects of the class none are left "
+          "out, all other categories are other. Without it, categories are classes")
       .number("-min_share",
               options.min_share,
               "share of a segment's points that its class must hold; else it is of the "
@@ -179,7 +182,7 @@ chosenObjects(const Options& options, const ScanObjects& objects)
 {
   std::vector<std::size_t> chosen, others;
   for (std::size_t k = 0; k < objects.classes.size(); ++k) {
-    if (objects.classes[k].empty() ||
+    if (objects.classes[k].empty() || objects.classes[k] == no_class ||
         objects.found.surfaces[k].points.size() < options.min_points)
       continue;
     (objects.classes[k] == other_class ? others : chosen).push_back(k);

@@ -126,6 +126,13 @@ addNetworkOptions(OptionParser& parser, TrainingSettings& settings)
               "of the perceptron",
               "",
               Range::between(0.0, 1.0))
+      .number(
+          "-input_dropout",
+          settings.input_dropout,
+          "of the perceptron's inputs: more for objects of another source than those "
+          "it is trained with",
+          "",
+          Range::between(0.0, 1.0))
       .number("-width",
               settings.width,
               "of PointNet: its layers' widths, of the published ones",
@@ -198,9 +205,12 @@ addStepOptions(OptionParser& parser, TrainingSettings& settings)
               "share of an object's label that goes to all classes",
               "",
               Range::between(0.0, 1.0))
-      .flag("-class_weights",
-            training.class_weights,
-            "let each class count the same, whatever the number of its objects")
+      .number("-class_balance",
+              training.class_balance,
+              "objects weigh as the number of their class to the power of -X; 1: each "
+              "class counts the same",
+              "",
+              Range::between(0.0, 1.0))
       .number("-patience",
               training.patience,
               "epochs without a better validation after which to stop; 0: never",
@@ -330,6 +340,7 @@ networkOf(const TrainingSettings& settings,
   options.input_count = static_cast<int>(inputValueCount(input));
   options.hidden = hiddenLayers(settings.hidden);
   options.dropout = static_cast<float>(settings.dropout);
+  options.input_dropout = static_cast<float>(settings.input_dropout);
   return perceptron(classes, options);
 }
 

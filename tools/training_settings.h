@@ -31,6 +31,7 @@ struct TrainingSettings {
   std::string network = "perceptron";
   std::string hidden = "512"; ///< of the perceptron: values of its layers
   double dropout = 0.5;       ///< of the perceptron
+  double input_dropout = 0.0; ///< of the perceptron
   double width = 1.0;         ///< of PointNet
   int ensemble = 1;           ///< networks
 

@@ -141,6 +141,8 @@ perceptron(int class_count, const PerceptronOptions& options)
                         "A perceptron needs at least 1 input, not "
                             << options.input_count);
   auto network = histogramNetwork({options.input_count});
+  if (options.input_dropout > 0.0f)
+    network.layers.push_back(dropout(options.input_dropout));
   for (const int count : options.hidden) {
     network.layers.push_back(dense(count));
     network.layers.push_back({LayerKind::Relu});

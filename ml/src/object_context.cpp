@@ -169,13 +169,9 @@ contextValues(const std::vector<OrientedPoint>& points, const ObjectPlace& place
           std::clamp(static_cast<float>((sum / count - lowest) / height), 0.0f, 1.0f);
   }
   if (place.is_known) {
-    const std::array<float, 3> distances = {
-        place.floor_distance, place.ceiling_distance, place.wall_distance};
-    for (std::size_t k = 0; k < 3; ++k) {
-      values[9 + k] = std::clamp(distances[k], 0.0f, longest);
-      values[12 + k] = distances[k] < touching ? 1.0f : 0.0f;
-    }
-    values[15] = 1.0f;
+    values[9] = std::clamp(place.floor_distance, 0.0f, longest);
+    values[10] = place.floor_distance < touching ? 1.0f : 0.0f;
+    values[11] = 1.0f;
   }
   return values;
 }

@@ -208,9 +208,12 @@ TEST(NetworkTraining, WeighsClassesAndSmoothsLabels)
   // -log of the share of one score of two, by how much it is larger
   const auto cost = [](double by) { return std::log(1.0 + std::exp(-by)); };
   EXPECT_NEAR(loss(), (2 * cost(2) + cost(-1) + cost(1)) / 4, 1e-6);
-  options.class_weights = true;
+  options.class_balance = 1.0;
   EXPECT_NEAR(loss(), ((2 * cost(2) + cost(-1)) / 3 + cost(1)) / 2, 1e-6);
-  options.class_weights = false;
+  options.class_balance = 0.5; // weights of 1 / sqrt(3) and 1
+  const double root = std::sqrt(3.0);
+  EXPECT_NEAR(loss(), ((2 * cost(2) + cost(-1)) / root + cost(1)) / (root + 1), 1e-6);
+  options.class_balance = 0.0;
   options.label_smoothing = 0.2;
   const auto smooth = [&](double by) { return 0.9 * cost(by) + 0.1 * cost(-by); };
   EXPECT_NEAR(loss(), (2 * smooth(2) + smooth(-1) + smooth(1)) / 4, 1e-6);

@@ -88,15 +88,22 @@ TEST(ObjectContext, DirectionsAndHeight)
 
 TEST(ObjectContext, PlaceIfItIsKnown)
 {
-  ObjectPlace place{false, 1.0f, 1.0f, 1.0f};
+  ObjectPlace place{false, 1.0f};
   const auto points = box({1, 1, 1}, 0);
   const auto size = contextValues(points, {});
   EXPECT_EQ(contextValues(points, place), size);
-  place = {true, -0.02f, 1.5f, 9.0f};
+  place = {true, -0.02f};
   auto values = contextValues(points, place);
   EXPECT_TRUE(std::equal(size.begin(), size.begin() + 9, values.begin()));
   values.erase(values.begin(), values.begin() + 9);
-  EXPECT_EQ(values, (std::vector<float>{0, 1.5f, 4, 1, 0, 0, 1}));
+  EXPECT_EQ(values, (std::vector<float>{0, 1, 1}));
+}
+
+TEST(ObjectContext, HeightAboveTheFloor)
+{
+  const auto values = contextValues(box({1, 1, 1}, 0), {true, 1.5f});
+  EXPECT_EQ(std::vector<float>(values.begin() + 9, values.end()),
+            (std::vector<float>{1.5f, 0, 1}));
 }
 
 TEST(ObjectContext, FewPoints)

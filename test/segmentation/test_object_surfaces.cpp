@@ -22,7 +22,6 @@ public:
   /** Points on a rectangle, with both ends, corner + a * i + b * j. */
   void
   add(std::uint32_t object,
-      bool is_structure,
       const Eigen::Vector3f& corner,
       const Eigen::Vector3f& a,
       const Eigen::Vector3f& b,
@@ -33,7 +32,6 @@ public:
         points_.push_back(corner + u * a.normalized() + v * b.normalized());
         objects.push_back(object);
         normals_.push_back(normal);
-        structure_.push_back(is_structure);
       }
   }
 
@@ -44,11 +42,6 @@ public:
     ObjectSegmentation result;
     result.voxels = surfaceVoxels(points_, {}, 0.4 * step);
     averageNormals(normals_, result.voxels);
-    for (std::size_t voxel = 0; voxel < result.voxels.size(); ++voxel) {
-      const auto& cells = result.voxels.cells;
-      result.plane_of_voxel.push_back(
-          structure_[cells.points[cells.offsets[voxel]]] ? 1 : 0);
-    }
     return result;
   }
 
@@ -56,7 +49,6 @@ public:
 
 private:
   std::vector<Eigen::Vector3f> points_, normals_;
-  std::vector<bool> structure_;
 };
 
 /** Floor 0 and ceiling 1 of 4 m x 3 m at 0 and 2.5 m, walls 2 (x = 0) and 3 (x = 4). */
@@ -65,44 +57,38 @@ room()
 {
   const Eigen::Vector3f x(4, 0, 0), y(0, 3, 0), z(0, 0, 2.5f);
   Scene scene;
-  scene.add(0, true, {0, 0, 0}, x, y, {0, 0, 1});
-  scene.add(1, true, {0, 0, 2.5f}, x, y, {0, 0, -1});
-  scene.add(2, true, {0, 0, 0.1f}, y, {0, 0, 2.2f}, {1, 0, 0});
-  scene.add(3, true, {4, 0, 0.1f}, y, {0, 0, 2.2f}, {-1, 0, 0});
+  scene.add(0, {0, 0, 0}, x, y, {0, 0, 1});
+  scene.add(1, {0, 0, 2.5f}, x, y, {0, 0, -1});
+  scene.add(2, {0, 0, 0.1f}, y, {0, 0, 2.2f}, {1, 0, 0});
+  scene.add(3, {4, 0, 0.1f}, y, {0, 0, 2.2f}, {-1, 0, 0});
   return scene;
 }
 
-TEST(ObjectSurfaces, DistancesFromFloorCeilingAndWalls)
+TEST(ObjectSurfaces, DistancesFromTheFloor)
 {
   auto scene = room();
-  // a board 1 m above the floor, 0.7 m from the wall at x = 0
-  scene.add(4, false, {0.7f, 1, 1}, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, 1});
-  // a lamp 0.3 m below the ceiling, 1.8 m from the wall at x = 4
-  scene.add(5, false, {1.9f, 1, 1.9f}, {0.3f, 0, 0}, {0, 0, 0.3f}, {0, 1, 0});
+  scene.add(4, {0.7f, 1, 1}, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, 1});       // a board
+  scene.add(5, {1.9f, 1, 1.9f}, {0.3f, 0, 0}, {0, 0, 0.3f}, {0, 1, 0}); // a lamp
   const auto surfaces = objectSurfaces(scene.segmentation(), scene.objects, 6);
   ASSERT_EQ(surfaces.size(), 6u);
   EXPECT_NEAR(surfaces[4].floor_distance, 1.0f, 0.01f);
-  EXPECT_NEAR(surfaces[4].ceiling_distance, 1.5f, 0.01f);
-  EXPECT_NEAR(surfaces[4].wall_distance, 0.7f, 0.11f); // in columns of 0.1 m
   EXPECT_NEAR(surfaces[5].floor_distance, 1.9f, 0.01f);
-  EXPECT_NEAR(surfaces[5].ceiling_distance, 0.3f, 0.01f);
-  EXPECT_NEAR(surfaces[5].wall_distance, 1.8f, 0.11f);
+  EXPECT_NEAR(surfaces[0].floor_distance, 0.0f, 1e-6f);
 }
 
-TEST(ObjectSurfaces, AWallIsAsFarAsTheNextOne)
+TEST(ObjectSurfaces, AStepIsTheFloorOfWhatStandsOnIt)
 {
-  const auto scene = room();
-  const auto surfaces = objectSurfaces(scene.segmentation(), scene.objects, 4);
-  EXPECT_EQ(surfaces[2].wall_distance, farthest_wall);
-  EXPECT_EQ(surfaces[0].wall_distance, 0.0f);
-  EXPECT_NEAR(surfaces[0].floor_distance, 0.0f, 1e-6f);
-  EXPECT_NEAR(surfaces[1].ceiling_distance, 0.0f, 1e-6f);
+  auto scene = room();
+  scene.add(4, {4.5f, 0, 0.5f}, {2, 0, 0}, {0, 3, 0}, {0, 0, 1}); // a podium
+  scene.add(5, {5.2f, 1, 1.2f}, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  const auto surfaces = objectSurfaces(scene.segmentation(), scene.objects, 6);
+  EXPECT_NEAR(surfaces[5].floor_distance, 0.7f, 0.01f);
 }
 
 TEST(ObjectSurfaces, EachObjectHasItsPointsAndNormals)
 {
   auto scene = room();
-  scene.add(4, false, {1, 1, 1}, {0.5f, 0, 0}, {0, 0.5f, 0}, {0, 0, 1});
+  scene.add(4, {1, 1, 1}, {0.5f, 0, 0}, {0, 0.5f, 0}, {0, 0, 1});
   const auto surfaces = objectSurfaces(scene.segmentation(), scene.objects, 5);
   for (std::uint32_t object = 0; object < 5; ++object)
     EXPECT_EQ(static_cast<std::ptrdiff_t>(surfaces[object].points.size()),
@@ -113,14 +99,13 @@ TEST(ObjectSurfaces, EachObjectHasItsPointsAndNormals)
   }
 }
 
-TEST(ObjectSurfaces, PointsOfNoObjectAreWallsAllTheSame)
+TEST(ObjectSurfaces, PointsOfNoObjectAreFloorAllTheSame)
 {
   auto scene = room();
-  scene.add(4, false, {0.7f, 1, 1}, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  scene.add(4, {0.7f, 1, 1}, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, 1});
   for (auto& object : scene.objects)
     object = object == 4 ? 0 : none;
   const auto surfaces = objectSurfaces(scene.segmentation(), scene.objects, 2);
-  EXPECT_NEAR(surfaces[0].wall_distance, 0.7f, 0.11f);
   EXPECT_NEAR(surfaces[0].floor_distance, 1.0f, 0.01f);
   EXPECT_TRUE(surfaces[1].points.empty());
 }

@@ -224,7 +224,7 @@ TEST_F(TrainingResults, ChoosesTheEpochByValidationAndAveragesNetworks)
   std::ofstream(path("list")) << "box_0\nsphere_1\ncylinder_2.ply\n";
   train(path("model") + tiny +
         "-any_pose -epochs 4 -validation 0.25 -ensemble 2 -half -scale auto "
-        "-class_weights -split " +
+        "-class_balance 1 -split " +
         path("list") + " -log " + path("log.csv"));
   EXPECT_NE(bytesOf(path("said")).find("3 objects: "), std::string::npos);
   const auto model = modelFromBytes(bytesOf(path("model")));

@@ -41,6 +41,9 @@ requireOptions(const TrainingOptions& options)
   if (!(options.label_smoothing >= 0.0 && options.label_smoothing <= 1.0))
     refuse("The label smoothing must be in 0 ... 1, not " +
            std::to_string(options.label_smoothing));
+  if (!(options.class_balance >= 0.0 && options.class_balance <= 1.0))
+    refuse("The balance of classes must be in 0 ... 1, not " +
+           std::to_string(options.class_balance));
   if (options.patience < 0 || options.threads < 1 || options.checkpoint_epochs < 1)
     refuse("Patience must be at least 0, threads and epochs between checkpoints at "
            "least 1, not " +
@@ -114,20 +117,24 @@ requireAll(const Network& network,
     refuse("Patience needs a validation set");
 }
 
-/** \brief 1 / the number of objects of each class, times what makes the mean over the
- * objects 1; not defined without weighing. */
+/** \brief The number of objects of each class to the power of -balance, times what
+ * makes the mean over the objects 1. */
 at::Tensor
-classWeights(const TrainingSet& set, int class_count)
+classWeights(const TrainingSet& set, int class_count, double balance)
 {
-  std::vector<float> counts(static_cast<std::size_t>(class_count), 0.0f);
-  float occurring = 0.0f;
+  std::vector<double> counts(static_cast<std::size_t>(class_count), 0.0);
   for (const int label : set.labels)
-    if (counts[static_cast<std::size_t>(label)]++ == 0.0f)
-      ++occurring;
-  for (float& count : counts)
-    if (count > 0.0f)
-      count = static_cast<float>(set.labels.size()) / (occurring * count);
-  return at::tensor(counts, at::kFloat);
+    ++counts[static_cast<std::size_t>(label)];
+  double sum = 0.0;
+  for (const double count : counts)
+    sum += count > 0.0 ? std::pow(count, 1.0 - balance) : 0.0;
+  std::vector<float> weights;
+  for (const double count : counts)
+    weights.push_back(
+        count > 0.0 ? static_cast<float>(std::pow(count, -balance) *
+                                         static_cast<double>(set.labels.size()) / sum)
+                    : 0.0f);
+  return at::tensor(weights, at::kFloat);
 }
 
 std::int64_t
@@ -151,8 +158,10 @@ public:
   , adam_(module_.parameters(), options.weight_decay)
   , has_validation_(!validation.inputs.empty())
   {
-    if (options.class_weights)
-      class_weights_ = classWeights(training, classCount(network)).to(device_);
+    if (options.class_balance > 0.0)
+      class_weights_ =
+          classWeights(training, classCount(network), options.class_balance)
+              .to(device_);
     if (options.checkpoint.empty())
       return;
     identity_ = trainingIdentity(network, training, validation, options);

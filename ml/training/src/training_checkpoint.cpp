@@ -159,7 +159,7 @@ trainingIdentity(const Network& network,
   add(of_options, options.learning_rate);
   add(of_options, options.weight_decay);
   add(of_options, options.label_smoothing);
-  add(of_options, options.class_weights);
+  add(of_options, options.class_balance);
   add(of_options, options.seed);
   Hash of_sets;
   add(of_sets, training);

@@ -11,10 +11,11 @@ namespace indoor {
 
 /** \brief The network of Table 5.1 on the thesis's descriptor of 20 x 4 x 5 x 3 bins.
  *
- * Roots of the bins, centred and scaled; two 4D convolutions of 5 x 2 x 2 x 1 (32 and 64 channels), then, as an image of 40 x
- * 30, one of 5 x 5 (48), pooling of 2 x 2, dense 1,024, dropout 0.5, classes. SAME
- * padding, ReLU after each; 14,400 values go into the dense layer (Table 5.1 prints
- * 192, which does not follow from its other sizes).
+ * Roots of the bins, centred and scaled; two 4D convolutions of 5 x 2 x 2 x 1 (32 and
+ * 64 channels), then, as an image of 40 x 30, one of 5 x 5 (48), pooling of 2 x 2,
+ * dense 1,024, dropout 0.5, classes. SAME padding, ReLU after each; 14,400 values go
+ * into the dense layer (Table 5.1 prints 192, which does not follow from its other
+ * sizes).
  */
 Network
 eppfNetwork4D(int class_count);
@@ -32,6 +33,7 @@ struct PerceptronOptions {
   int input_count = 1200;            ///< values of an object, at least 1
   std::vector<int> hidden{256, 256}; ///< values of each hidden layer
   float dropout = 0.5f;              ///< after each hidden layer, 0 ... 1
+  float input_dropout = 0.0f;        ///< of the inputs, 0 ... 1
 };
 
 /** \brief Square root and scale of each value, then dense layers with ReLU and dropout.

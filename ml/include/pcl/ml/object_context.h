@@ -13,14 +13,12 @@ namespace indoor {
 
 /** \brief Where an object is in its room; z is up, lengths are metres. */
 struct ObjectPlace {
-  bool is_known = false;         ///< nothing else counts if not
-  float floor_distance = 0.0f;   ///< of its lowest point from the floor
-  float ceiling_distance = 0.0f; ///< of its highest point from the ceiling
-  float wall_distance = 0.0f;    ///< of its nearest point from the nearest wall
+  bool is_known = false;       ///< nothing else counts if not
+  float floor_distance = 0.0f; ///< of its lowest point from the floor
 };
 
 /** \brief Number of values that contextValues() gives. */
-constexpr std::size_t context_value_count = 16;
+constexpr std::size_t context_value_count = 12;
 
 /** \brief Size and place of an object as values for a classifier, each 0 or more.
  *
@@ -32,9 +30,9 @@ constexpr std::size_t context_value_count = 16;
  * - 8: mean height of the points within the box, 0 ... 1.
  *
  * Place, all 0 if it is not known:
- * - 9 to 11: distance from floor, ceiling and wall, metres, 0 ... 4;
- * - 12 to 14: 1 where that is below 0.1 m;
- * - 15: 1, the place is known.
+ * - 9: distance from the floor, metres, 0 ... 4;
+ * - 10: 1 where that is below 0.1 m;
+ * - 11: 1, the place is known.
  *
  * No points give a size of 0. Time: a few passes through the points.
  * \param[in] points finite, metres, z up

@@ -18,19 +18,13 @@ struct ObjectSurface {
   /** One per voxel: the mean of its points, and a unit normal of either sign; voxels
    * without a normal are left out. Metres, in the frame of the segmentation. */
   std::vector<OrientedPoint> points;
-  float floor_distance = 0.0f;   ///< of the lowest point from the floor, metres
-  float ceiling_distance = 0.0f; ///< of the highest point from the ceiling, metres
-  float wall_distance = 0.0f;    ///< of the nearest point from another wall, metres, at
-                                 ///< most farthest_wall
+  float floor_distance = 0.0f; ///< of the lowest point from the floor, metres
 };
-
-constexpr float farthest_wall = 2.0f; ///< of ObjectSurface::wall_distance, metres
 
 /** \brief The surfaces of a room's objects, as a classifier wants them.
  *
- * Floor and ceiling are the lowest and highest voxels of the whole room in the columns
- * around the object; walls are upright planes of the structure that are not the object
- * itself. Time: linear in voxels.
+ * The floor is the lowest voxel of the whole room in the columns around the object.
+ * Time: linear in voxels.
  * \param[in] room the segmentation of one room, z up
  * \param[in] object_of_point one per point of the segmentation: 0 ... object_count - 1;
  * other values are no object. Usually room.segment_of_point

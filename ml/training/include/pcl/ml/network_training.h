@@ -28,7 +28,8 @@ struct TrainingOptions {
   double learning_rate = 5e-4; ///< of Adam at the start; falls to 0 along a half cosine
   double weight_decay = 0.0;   ///< of AdamW, at least 0
   double label_smoothing = 0.0; ///< 0 ... 1
-  bool class_weights = false;   ///< weigh classes by 1 / their number of objects
+  double class_balance = 0.0;   ///< an object weighs as the number of objects of its
+                              ///< class to the power of minus this, 0 ... 1
   int patience = 0; ///< stop after so many epochs without a better validation; 0: never
   std::uint32_t seed = 1; ///< of order, draws and dropout; same seed, same bits
   int threads = 1;        ///< of libtorch; another number may give other bits
