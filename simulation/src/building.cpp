@@ -219,13 +219,16 @@ addOpening(Assembler& assemble,
   info.room = info.stands_in = front;
   info.position = origin;
   info.rotation = std::atan2(opening.along.y(), opening.along.x());
-  const auto model = plan.kind == OpeningKind::Door
-                         ? makeDoor(plan.width,
-                                    plan.height,
-                                    wall_thickness,
-                                    plan.leaf_angle,
-                                    plan.hinge_left)
-                         : makeWindow(plan.width, plan.height, wall_thickness);
+  const auto model = plan.kind == OpeningKind::Door ? makeDoor(plan.width,
+                                                               plan.height,
+                                                               wall_thickness,
+                                                               plan.leaf_angle,
+                                                               plan.hinge_left)
+                                                    : makeWindow(plan.width,
+                                                                 plan.height,
+                                                                 wall_thickness,
+                                                                 plan.frame_width,
+                                                                 plan.frame_depth);
   assemble.addObject(model,
                      info,
                      back,

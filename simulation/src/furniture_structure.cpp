@@ -157,10 +157,11 @@ makeDoor(double width, double height, double depth, double leaf_angle, bool hing
 }
 
 FurnitureModel
-makeWindow(double width, double height, double depth)
+makeWindow(
+    double width, double height, double depth, double frame_width, double frame_depth)
 {
-  constexpr double frame = 0.06;
-  const double x = width / 2, y = std::min(depth / 2, 0.04);
+  const double frame = frame_width;
+  const double x = width / 2, y = std::min(depth / 2, frame_depth / 2);
   PartMaker make({width, depth, height});
   int pieces = 0;
   const auto bar = [&](const Rectangle& r, double z0, double z1) {

@@ -55,6 +55,8 @@ readOpening(const JsonReader& json, OpeningKind kind)
   opening.kind = kind;
   if (kind == OpeningKind::Door)
     json.requireKeys({"at", "width", "height", "angle", "into", "hinge"});
+  else if (kind == OpeningKind::Window)
+    json.requireKeys({"at", "width", "height", "sill", "frame_width", "frame_depth"});
   else
     json.requireKeys({"at", "width", "height", "sill"});
   opening.at = json.at("at").vector<2>();
@@ -62,6 +64,10 @@ readOpening(const JsonReader& json, OpeningKind kind)
   if (kind == OpeningKind::Window) {
     opening.height = json.at("height").positive();
     opening.sill = json.at("sill").number();
+    if (json.has("frame_width"))
+      opening.frame_width = json.at("frame_width").positive();
+    if (json.has("frame_depth"))
+      opening.frame_depth = json.at("frame_depth").positive();
   }
   else {
     if (json.has("height"))
@@ -73,6 +79,8 @@ readOpening(const JsonReader& json, OpeningKind kind)
     json.at("sill").fail("must not be negative");
   if (kind != OpeningKind::Passage && (opening.width < 0.3 || opening.height < 0.3))
     json.fail("must be at least 0.3 m wide and high");
+  if (3 * opening.frame_width > std::min(opening.width, opening.height))
+    json.fail("must be at least three times as wide and high as its frame");
   if (json.has("angle")) {
     const double degrees = json.at("angle").number();
     if (!(degrees >= 0 && degrees <= 170))

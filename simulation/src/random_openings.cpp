@@ -121,6 +121,8 @@ public:
       plan.sill = draw_.uniform(1.0, 1.3);
     const double top = std::min(ceiling_ - 0.15, draw_.uniform(2.0, 2.3));
     plan.height = top - plan.sill;
+    plan.frame_width = draw_.uniform(0.04, 0.12);
+    plan.frame_depth = draw_.uniform(0.05, 0.35);
     put(plan, room, wall);
   }
 

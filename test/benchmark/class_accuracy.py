@@ -10,7 +10,8 @@ TOOLS_FOLDER holds pcl_indoor_pipeline, pcl_segment_collection and pcl_eppf_clas
 has the category and the object of each point in fields (default: category, object; 0 = none), and beside
 scan.pcd lies scan.json with the names of the categories ("categories": [...] or "classes":
 {number: name}). MAP.json names the categories of each class, class: [names]. What is in none of
-its lists is structure where it is called floor, ceiling, wall or ghost, and otherwise not judged.
+its lists is structure where it is called floor, ceiling, wall or ghost, and otherwise not judged, as are those
+of the class "none".
 
 points     share of the points of all segments, structure being "other", whose class is right
 segments   share of the pipeline's segments of at least 30 points whose class is right, of those where a class
@@ -45,6 +46,7 @@ def category_names(path):
 def class_of_category(names, class_map):
     """The class of each number, as an array of texts."""
     class_of_name = {name: kind for kind, names_of in class_map.items() for name in names_of}
+    class_of_name = {name: NOT_JUDGED if kind == "none" else kind for name, kind in class_of_name.items()}
     class_of_name.update({name: "other" for name in STRUCTURE})
     return numpy.array([class_of_name.get(names.get(k), NOT_JUDGED) for k in range(max(names) + 1)], object)
 

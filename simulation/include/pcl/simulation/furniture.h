@@ -80,9 +80,15 @@ makeDoor(double width, double height, double depth, double leaf_angle, bool hing
 
 /** \brief Build a window: a frame with one bar per metre of width, and a pane of glass.
  * The measures are those of makeDoor().
+ * \param[in] frame_width of frame and bars, seen from the room, metres
+ * \param[in] frame_depth of these, metres; at most the wall's
  */
 FurnitureModel
-makeWindow(double width, double height, double depth);
+makeWindow(double width,
+           double height,
+           double depth,
+           double frame_width = 0.06,
+           double frame_depth = 0.08);
 
 } // namespace indoor
 } // namespace pcl

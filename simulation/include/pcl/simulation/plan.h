@@ -84,6 +84,8 @@ struct OpeningPlan {
   double height = 2.05;        ///< metres, from sill to lintel
   double sill = 0.0;           ///< metres above the floor of the storey
   double leaf_angle = 0.0;     ///< doors: radians, 0 closed
+  double frame_width = 0.06;   ///< windows: metres, seen from the room
+  double frame_depth = 0.08;   ///< windows: metres, at most the wall's thickness
   std::string into;       ///< doors: room the leaf turns into; empty: the smaller one
   bool hinge_left = true; ///< doors: hinge on the left seen from the room \a into
 };
