@@ -33,6 +33,8 @@ classified(const Settings& settings, Progress& progress)
       classification.descriptor = NearestDescriptor::PointNN;
     return classifyByNearest(objectFiles(paths), known, classification, progress);
   }
+  if (settings.descriptor == "point_nn")
+    throw ToolError("-descriptor: point_nn goes with -nearest only");
   if (paths.size() < 2)
     throw ToolError("a model and at least one object are needed, or -nearest with a "
                     "folder of known objects; -h shows the syntax");

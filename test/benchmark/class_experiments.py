@@ -4,7 +4,7 @@
 """Train and test classifiers on labelled objects, as chapter 5.3.3 of the thesis does.
 
     class_experiments.py TOOLS_FOLDER DATA [-experiment classes|noise|occlusion] [-seeds 1 2 3]
-                         [-only METHOD ...] [-results FILE] [-picture FILE]
+                         [-levels 0 6 ...] [-only METHOD ...] [-results FILE] [-picture FILE]
 
 DATA holds DATA/CLASS/OBJECT. TOOLS_FOLDER holds pcl_eppf_train and pcl_eppf_classify; all run on one thread.
 classes    each method (Table 5.3): mean and deviation of its scores over the seeds; 80 % of each class
@@ -151,15 +151,17 @@ def print_classes(measurements, is_wanted):
                   f" | {len(rows)} | {numpy.mean(rows[:, 4]):.0f} |", flush=True)
 
 
-def print_disturbed(measurements, is_wanted, kind, picture):
-    levels = LEVELS[kind]
+def print_disturbed(measurements, is_wanted, arguments):
+    kind = arguments.experiment
+    levels = arguments.levels or LEVELS[kind]
     print(f"| accuracy % under {kind} of | " + " | ".join(f"{level} %" for level in levels) + " | seeds | seconds each |")
     print("| --- |" + " ---: |" * (len(levels) + 2))
     curves = {}
     for name, options in DISTURBED.items():
         cells, seconds, curve = [], [], {}
         for level in levels:
-            rows = measurements.of(f"{options} -{kind} {level}", is_wanted(name))
+            disturbance = f" -{kind} {level}" if level else ""
+            rows = measurements.of(options + disturbance, is_wanted(name))
             cells.append("-" if rows is None else cell(rows[:, 0]))
             if rows is not None:
                 seconds += list(rows[:, 4])
@@ -169,8 +171,8 @@ def print_disturbed(measurements, is_wanted, kind, picture):
             print(f"| {name} | " + " | ".join(cells) + f" | {'-'.join(map(str, counts))} | {numpy.mean(seconds):.0f} |",
                   flush=True)
             curves[name] = curve
-    if picture:
-        draw(curves, kind, picture)
+    if arguments.picture:
+        draw(curves, kind, arguments.picture)
 
 
 def draw(curves, kind, picture):
@@ -192,6 +194,7 @@ def main():
     parser.add_argument("tools")
     parser.add_argument("data")
     parser.add_argument("-experiment", choices=["classes"] + list(LEVELS), default="classes")
+    parser.add_argument("-levels", type=int, nargs="+", help="of noise or occlusion, per cent")
     parser.add_argument("-seeds", type=int, nargs="+", default=[1, 2, 3])
     parser.add_argument("-only", nargs="*", help="methods to measure; others are shown if they are in the results")
     parser.add_argument("-results", help="JSON file that keeps what was measured")
@@ -206,7 +209,7 @@ def main():
     if arguments.experiment == "classes":
         print_classes(measurements, is_wanted)
     else:
-        print_disturbed(measurements, is_wanted, arguments.experiment, arguments.picture)
+        print_disturbed(measurements, is_wanted, arguments)
 
 
 if __name__ == "__main__":

@@ -215,6 +215,8 @@ TEST_F(EppfClassify, RefusesDamagedModelsAndMissingArguments)
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   std::ofstream(path("damaged"), std::ios::binary) << bytes;
   const auto object = " " + path("objects/ball/0.pcd");
+  expectComplaint("-descriptor point_nn " + path("model") + " " + path("objects"),
+                  "goes with -nearest only");
   expectComplaint(path("damaged") + object, "damaged: is a damaged model");
   expectComplaint(path("objects/ball/1.pcd") + object, "is no model");
   expectComplaint(path("none") + object, "none: no such file");
