@@ -39,8 +39,8 @@ METHODS = {
     "Point-NN, no training": "nearest -descriptor point_nn",
 }
 DISTURBED = {
-    "perceptron": "-augment mild -draws 4",
-    "perceptron, any pose": "-augment mild -draws 4 -any_pose",
+    "perceptron": "-augment mild -draws 12",
+    "perceptron, any pose": "-augment mild -draws 12 -any_pose",
     "4D network, thesis's bins": "-network 4d -augment mild -draws 4 -epochs 15 -batch_size 32",
     "PointNet, a quarter as wide": POINTNET,
 }
@@ -154,7 +154,8 @@ def print_classes(measurements, is_wanted):
 def print_disturbed(measurements, is_wanted, arguments):
     kind = arguments.experiment
     levels = arguments.levels or LEVELS[kind]
-    print(f"| accuracy % under {kind} of | " + " | ".join(f"{level} %" for level in levels) + " | seeds | seconds each |")
+    print(f"| accuracy % under {kind} of | " + " | ".join(f"{level} %" for level in levels) +
+          " | seeds | seconds each |")
     print("| --- |" + " ---: |" * (len(levels) + 2))
     curves = {}
     for name, options in DISTURBED.items():
