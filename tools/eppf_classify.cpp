@@ -18,6 +18,7 @@ struct Settings {
   std::vector<std::string> arguments;
   std::string known_folder;
   std::string json;
+  std::string descriptor = "pair_harmonics"; ///< of -nearest
   ClassificationSettings classification;
 };
 
@@ -27,9 +28,13 @@ classified(const Settings& settings, Progress& progress)
   auto paths = settings.arguments;
   if (!settings.known_folder.empty()) {
     const auto known = objectsOfFolder(settings.known_folder);
-    return classifyByNearest(
-        objectFiles(paths), known, settings.classification, progress);
+    auto classification = settings.classification;
+    if (settings.descriptor == "point_nn")
+      classification.descriptor = NearestDescriptor::PointNN;
+    return classifyByNearest(objectFiles(paths), known, classification, progress);
   }
+  if (settings.descriptor == "point_nn")
+    throw ToolError("-descriptor: point_nn goes with -nearest only");
   if (paths.size() < 2)
     throw ToolError("a model and at least one object are needed, or -nearest with a "
                     "folder of known objects; -h shows the syntax");
@@ -69,6 +74,10 @@ main(int argc, char** argv)
             settings.known_folder,
             "folder of known objects, FOLDER/CLASS/OBJECT.pcd, in place of a model; an "
             "object is not compared with its own file")
+      .text("-descriptor",
+            settings.descriptor,
+            "what -nearest compares by; point_nn sees the pose, too",
+            {"pair_harmonics", "point_nn"})
       .text("-json", settings.json, "write file, class, confidence, top of each object")
       .number("-normal_neighbors",
               settings.classification.neighbor_count,

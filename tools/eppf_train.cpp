@@ -5,6 +5,7 @@
 #include "confusion_picture.h"
 #include "object_files.h"
 #include "output_file.h"
+#include "parallel_objects.h"
 #include "training_pool.h"
 #include "training_report.h"
 #include "training_settings.h"
@@ -123,6 +124,16 @@ withoutValidation(const LabelledObjects& objects,
   return split;
 }
 
+/** \brief How objects are drawn, but for the augmentation. */
+DrawOptions
+drawOptions(const TrainingSettings& settings, const ClassifierInput& input)
+{
+  auto options = settings.draws;
+  options.input = input;
+  options.seed = settings.training.seed;
+  return options;
+}
+
 TrainingData
 describedObjects(const LabelledObjects& objects,
                  const std::vector<std::size_t>& training,
@@ -130,9 +141,7 @@ describedObjects(const LabelledObjects& objects,
                  const TrainingSettings& settings,
                  Progress& progress)
 {
-  auto options = settings.draws;
-  options.input = input;
-  options.seed = settings.training.seed;
+  auto options = drawOptions(settings, input);
   if (settings.augment != "scan")
     options.augmentation =
         settings.augment == "mild" ? mildAugmentation() : ObjectAugmentation();
@@ -202,7 +211,8 @@ trainedNetworks(const Network& design,
   return networks;
 }
 
-/** \brief Classify the test part with the model as it was written. */
+/** \brief Classify the test part, disturbed as what was trained with, with the model as
+ * it was written. */
 ConfusionMatrix
 testedModel(const std::string& bytes,
             const LabelledObjects& objects,
@@ -211,14 +221,17 @@ testedModel(const std::string& bytes,
             Progress& progress)
 {
   progress.start("Testing with " + std::to_string(test.size()) + " objects");
-  std::vector<ClassifierObject> tested;
+  const auto model = modelFromBytes(bytes);
+  const auto options = drawOptions(settings, model.input);
+  std::vector<ClassifierObject> tested(test.size());
   std::vector<int> truth, predicted;
-  for (const auto k : test) {
-    tested.push_back({classifierPoints(*objects.clouds[k]), objects.places[k]});
+  for (const auto k : test)
     truth.push_back(objects.labels[k]);
-  }
-  for (const auto& classification :
-       classifyObjects(tested, modelFromBytes(bytes), settings.threads))
+  forEachObject(test.size(), settings.threads, [&](std::size_t k) {
+    const auto object = firstDrawnObject(*objects.clouds[test[k]], options, test[k]);
+    tested[k] = {classifierPoints(object), objects.places[test[k]]};
+  });
+  for (const auto& classification : classifyObjects(tested, model, settings.threads))
     predicted.push_back(classification.best());
   progress.done();
   return confusionMatrix(truth, predicted, objects.class_names.size());

@@ -9,6 +9,7 @@
 
 #include <pcl/ml/histogram_distance.h>
 #include <pcl/ml/object_classifier.h>
+#include <pcl/ml/point_nn.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,6 +78,18 @@ sorted(std::vector<std::pair<std::string, float>> classes)
   return classes;
 }
 
+/** \brief What objects are compared by. */
+std::vector<float>
+described(const ClassifierObject& object, NearestDescriptor descriptor)
+{
+  if (descriptor == NearestDescriptor::PairHarmonics)
+    return classifierInput(object.points, object.place, ClassifierInput(), 1);
+  std::vector<Eigen::Vector3f> points;
+  for (const auto& point : object.points)
+    points.push_back(point.position);
+  return pointNNDescriptor(points);
+}
+
 Histograms
 describe(const std::vector<ObjectFile>& files,
          const std::string& what,
@@ -88,13 +101,11 @@ describe(const std::vector<ObjectFile>& files,
   forEachBatch(
       files, settings, false, progress, [&](std::size_t first, const auto& objects) {
         const auto count = static_cast<std::int64_t>(objects.size());
-        const ClassifierInput input;
         [[maybe_unused]] const int threads = threadCount(settings.threads);
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
         for (std::int64_t k = 0; k < count; ++k) {
-          const auto& object = objects[static_cast<std::size_t>(k)];
           histograms[first + static_cast<std::size_t>(k)] =
-              classifierInput(object.points, object.place, input, 1);
+              described(objects[static_cast<std::size_t>(k)], settings.descriptor);
         }
       });
   progress.done();
@@ -120,6 +131,77 @@ shares(const std::map<std::string, float>& distances)
   for (const auto& [name, distance] : distances)
     classes.emplace_back(name, static_cast<float>(share(distance) / sum));
   return sorted(classes);
+}
+
+using Classes = std::vector<std::pair<std::string, float>>;
+
+/** \brief The known files by their real paths, so that an object finds itself. */
+std::vector<fs::path>
+realPaths(const std::vector<ObjectFile>& files)
+{
+  std::vector<fs::path> paths;
+  for (const auto& file : files)
+    paths.push_back(fs::weakly_canonical(file.path));
+  return paths;
+}
+
+/** \brief Classes of each object by its nearest known object of each class. */
+std::vector<Classes>
+classesByDistance(const Histograms& queries,
+                  const Histograms& gallery,
+                  const std::vector<fs::path>& query_paths,
+                  const std::vector<fs::path>& known_paths,
+                  const std::vector<ObjectFile>& known,
+                  unsigned int threads)
+{
+  const auto table = histogramDistances(
+      queries, gallery, HistogramDistance::SymmetricKullbackLeibler, threads);
+  std::vector<Classes> results;
+  for (std::size_t row = 0; row < queries.size(); ++row) {
+    std::map<std::string, float> nearest; // of each class
+    for (std::size_t column = 0; column < known.size(); ++column) {
+      const float distance = std::max(table.at(row, column), 0.0f); // rounding
+      if (!std::isfinite(distance) || known_paths[column] == query_paths[row])
+        continue;
+      const auto place = nearest.emplace(known[column].true_class, distance).first;
+      place->second = std::min(place->second, distance);
+    }
+    results.push_back(shares(nearest));
+  }
+  return results;
+}
+
+/** \brief Classes of each object by its similarity to all known objects. */
+std::vector<Classes>
+classesByMemory(const Histograms& queries,
+                const Histograms& gallery,
+                const std::vector<fs::path>& query_paths,
+                const std::vector<fs::path>& known_paths,
+                const std::vector<ObjectFile>& known)
+{
+  std::map<std::string, int> labels;
+  for (const auto& file : known)
+    labels.emplace(file.true_class, 0);
+  std::vector<std::string> names;
+  for (auto& [name, label] : labels) {
+    label = static_cast<int>(names.size());
+    names.push_back(name);
+  }
+  std::vector<Classes> results;
+  for (std::size_t row = 0; row < queries.size(); ++row) {
+    PointNNMemory memory;
+    for (std::size_t column = 0; column < known.size(); ++column)
+      if (known_paths[column] != query_paths[row]) {
+        memory.descriptors.push_back(gallery[column]);
+        memory.labels.push_back(labels[known[column].true_class]);
+      }
+    const auto scores = pointNNScores(queries[row], memory, names.size());
+    Classes classes;
+    for (std::size_t k = 0; k < scores.size(); ++k)
+      classes.emplace_back(names[k], scores[k]);
+    results.push_back(sorted(std::move(classes)));
+  }
+  return results;
 }
 
 } // namespace
@@ -187,21 +269,16 @@ classifyByNearest(const std::vector<ObjectFile>& files,
       throw ToolError(file.path + ": lies in no folder that names its class");
   const auto gallery = describe(known, "known objects", settings, progress);
   const auto queries = describe(files, "objects", settings, progress);
-  const auto table = histogramDistances(
-      queries, gallery, HistogramDistance::SymmetricKullbackLeibler, settings.threads);
+  const auto query_paths = realPaths(files);
+  const auto known_paths = realPaths(known);
+  const auto classes =
+      settings.descriptor == NearestDescriptor::PointNN
+          ? classesByMemory(queries, gallery, query_paths, known_paths, known)
+          : classesByDistance(
+                queries, gallery, query_paths, known_paths, known, settings.threads);
   std::vector<ClassifiedFile> results;
-  for (std::size_t row = 0; row < files.size(); ++row) {
-    std::map<std::string, float> nearest; // of each class
-    const auto own = fs::weakly_canonical(files[row].path);
-    for (std::size_t column = 0; column < known.size(); ++column) {
-      const float distance = std::max(table.at(row, column), 0.0f); // rounding
-      if (!std::isfinite(distance) || fs::weakly_canonical(known[column].path) == own)
-        continue;
-      const auto place = nearest.emplace(known[column].true_class, distance).first;
-      place->second = std::min(place->second, distance);
-    }
-    results.push_back({files[row], shares(nearest)});
-  }
+  for (std::size_t k = 0; k < files.size(); ++k)
+    results.push_back({files[k], classes[k]});
   return results;
 }
 

@@ -40,8 +40,12 @@ struct ClassifiedFile {
       top; ///< all classes above 0, the likeliest first; none if it cannot be described
 };
 
+/** \brief By what objects are compared without a model. */
+enum class NearestDescriptor { PairHarmonics, PointNN };
+
 /** \brief Settings of reading and describing. */
 struct ClassificationSettings {
+  NearestDescriptor descriptor = NearestDescriptor::PairHarmonics; ///< without a model
   int neighbor_count = 20;  ///< of normals that have to be estimated
   unsigned int threads = 0; ///< 0: all
 };
@@ -56,13 +60,13 @@ classifyByModel(const std::vector<ObjectFile>& files,
                 const ClassificationSettings& settings,
                 Progress& progress);
 
-/** \brief Classify by the nearest known object, by pair harmonics and the symmetric
- * Kullback-Leibler distance.
+/** \brief Classify by known objects.
  *
- * The confidence of a class is its share of 1 / distance^2 of each class's nearest
- * object. A file is not compared with itself, so that a folder can be compared with
- * itself. \param[in] known each with its true class \throws ToolError if a file is
- * unusable or none of a class
+ * By pair harmonics: the confidence of a class is its share of 1 / distance^2
+ * (symmetric Kullback-Leibler) of each class's nearest object. By Point-NN: it is the
+ * class's score of pointNNScores(), and the pose of objects matters. A file is not
+ * compared with itself, so that a folder can be compared with itself. \param[in] known
+ * each with its true class \throws ToolError if a file is unusable or none of a class
  */
 std::vector<ClassifiedFile>
 classifyByNearest(const std::vector<ObjectFile>& files,

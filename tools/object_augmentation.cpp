@@ -4,7 +4,6 @@
  */
 #include "object_augmentation.h"
 
-#include "object_disturbance.h"
 #include "object_files.h"
 
 #include <pcl/common/io.h>
@@ -84,6 +83,17 @@ seedOf(std::uint32_t seed, std::size_t number, int draw)
   return mixed[0];
 }
 
+/** \brief Disturb a draw; where only points are looked at, normals are left alone. */
+void
+disturbDraw(PointCloud<PointNormal>& object,
+            const DrawOptions& options,
+            std::uint32_t seed)
+{
+  auto disturbance = options.disturbance;
+  disturbance.keeps_normals = options.input.kind == ClassifierInputKind::Points;
+  disturb(object, disturbance, options.neighbor_count, seed);
+}
+
 } // namespace
 
 ObjectAugmentation
@@ -132,6 +142,16 @@ augmentedObject(const PointCloud<PointNormal>& cloud,
   return object;
 }
 
+PointCloud<PointNormal>
+firstDrawnObject(const PointCloud<PointNormal>& cloud,
+                 const DrawOptions& options,
+                 std::size_t number)
+{
+  auto object = cloud;
+  disturbDraw(object, options, seedOf(options.seed, number, 0));
+  return object;
+}
+
 std::vector<std::vector<float>>
 drawsOf(const PointCloud<PointNormal>& cloud,
         const ObjectPlace& place,
@@ -141,10 +161,12 @@ drawsOf(const PointCloud<PointNormal>& cloud,
   std::vector<std::vector<float>> draws;
   for (int draw = 0; draw < options.draw_count; ++draw) {
     const auto seed = seedOf(options.seed, number, draw);
-    const auto object =
-        draw == 0 ? cloud
-                  : augmentedObject(
-                        cloud, options.augmentation, options.neighbor_count, seed);
+    auto object = draw == 0
+                      ? firstDrawnObject(cloud, options, number)
+                      : augmentedObject(
+                            cloud, options.augmentation, options.neighbor_count, seed);
+    if (draw > 0)
+      disturbDraw(object, options, seed);
     auto input = classifierInput(classifierPoints(object), place, options.input, seed);
     const bool is_good = std::all_of(
         input.begin(), input.end(), [](float value) { return std::isfinite(value); });

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "object_disturbance.h"
+
 #include <pcl/features/oriented_point.h>
 #include <pcl/ml/object_classifier.h>
 #include <pcl/point_cloud.h>
@@ -53,13 +55,23 @@ augmentedObject(const PointCloud<PointNormal>& cloud,
 struct DrawOptions {
   ClassifierInput input;                                ///< of the model
   ObjectAugmentation augmentation = scanAugmentation(); ///< of all draws but the first
-  int draw_count = 16;                                  ///< at least 1
+  Disturbance disturbance; ///< of every draw, after its augmentation
+  int draw_count = 16;     ///< at least 1
   int neighbor_count = 20; ///< of a normal that has to be estimated
   std::uint32_t seed = 1;
 };
 
-/** \brief Draws of an object: the first as it is, the others augmented, each with its
- * own pairs.
+/** \brief What the first draw of an object describes: the object as it is, but for the
+ * disturbance. Objects to test with are disturbed the same way.
+ * \param[in] number of the object, by which its seed differs from others'
+ */
+PointCloud<PointNormal>
+firstDrawnObject(const PointCloud<PointNormal>& cloud,
+                 const DrawOptions& options,
+                 std::size_t number);
+
+/** \brief Draws of an object: the first of firstDrawnObject(), the others augmented and
+ * disturbed, each with its own pairs.
  * \param[in] number of the object, by which its seeds differ from others'
  * \return draw_count inputs; a draw of which too little is left is like the first; none
  * if the object cannot be described

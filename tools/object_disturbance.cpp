@@ -154,6 +154,8 @@ disturb(PointCloud<PointNormal>& cloud,
     addNoise(cloud, disturbance.noise_percent, 2 * seed + 1);
   if (disturbance.before_camera)
     placeBeforeCamera(cloud, 2 * seed);
+  if (disturbance.keeps_normals)
+    return;
   if (disturbance.noise_percent > 0.0 || disturbance.estimates_normals)
     estimateNormals(cloud,
                     neighborsUnderNoise(disturbance, cloud.size(), neighbor_count));

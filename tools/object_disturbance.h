@@ -19,6 +19,7 @@ struct Disturbance {
   double hidden_percent = 0.0; ///< share of the points that a single view does not see
   bool estimates_normals = false; ///< anew even where no point was moved
   double normal_radius = 4.0; ///< of a normal's neighbourhood, in deviations of noise
+  bool keeps_normals = false; ///< even where points were moved; for who looks at none
   bool before_camera = false; ///< placed before a camera, not as its file has it
 };
 
@@ -61,8 +62,8 @@ neighborsUnderNoise(const Disturbance& disturbance,
                     int least_count);
 
 /** \brief The view first, then noise, and the place before the camera; after noise, or
- * if asked for, normals are estimated anew from neighborsUnderNoise(), at least
- * neighbor_count. */
+ * if asked for, normals are estimated anew, unless they are kept, from
+ * neighborsUnderNoise(), at least neighbor_count. */
 void
 disturb(PointCloud<PointNormal>& cloud,
         const Disturbance& disturbance,

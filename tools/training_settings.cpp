@@ -179,6 +179,18 @@ addInputOptions(OptionParser& parser, TrainingSettings& settings)
             "how draws differ from the object; mild: stretched, fewer points; scan: "
             "also noise and hidden parts",
             {"off", "mild", "scan"})
+      .number("-noise",
+              draws.disturbance.noise_percent,
+              "of every draw, and of what is tested with: deviation in per cent of the "
+              "object's extent",
+              "",
+              Range::between(0.0, 100.0))
+      .number("-occlusion",
+              draws.disturbance.hidden_percent,
+              "of every draw, and of what is tested with: per cent of the points that "
+              "one view does not see",
+              "",
+              Range::between(0.0, 99.0))
       .number("-classify_draws",
               draws.input.draws,
               "times an object is described when it is classified",

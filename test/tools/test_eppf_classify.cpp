@@ -9,6 +9,7 @@
 #include <pcl/ml/model_file.h>
 #include <pcl/ml/network_designs.h>
 #include <pcl/ml/object_classifier.h>
+#include <pcl/ml/point_nn.h>
 #include <pcl/point_types.h>
 
 #include <nlohmann/json.hpp>
@@ -164,6 +165,35 @@ TEST_F(EppfClassify, NearestLeavesAFileItselfOut)
   EXPECT_EQ(json(), list);
 }
 
+TEST_F(EppfClassify, NearestByPointNNSaysWhatThePointsSay)
+{
+  ASSERT_EQ(run("-nearest " + path("objects") + " -descriptor point_nn " +
+                path("objects") + " -json " + path("result.json")),
+            0);
+  std::vector<std::vector<float>> descriptors;
+  std::vector<int> labels;
+  for (const bool is_ball : {true, false})
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      std::vector<Eigen::Vector3f> points;
+      for (const auto& point : objectOf(is_ball, k))
+        points.push_back(point.getVector3fMap());
+      descriptors.push_back(pointNNDescriptor(points));
+      labels.push_back(is_ball ? 0 : 1);
+    }
+  const auto list = json();
+  ASSERT_EQ(list.size(), 6u);
+  for (std::size_t k = 0; k < 6; ++k) {
+    PointNNMemory others{descriptors, labels};
+    const auto place = static_cast<std::ptrdiff_t>(k);
+    others.descriptors.erase(others.descriptors.begin() + place);
+    others.labels.erase(others.labels.begin() + place);
+    const auto scores = pointNNScores(descriptors[k], others, 2);
+    const auto best = static_cast<std::size_t>(scores[1] > scores[0]);
+    EXPECT_EQ(list[k]["class"], best == 0 ? "ball" : "beam");
+    EXPECT_NEAR(list[k]["confidence"].get<double>(), scores[best], 1e-4);
+  }
+}
+
 TEST_F(EppfClassify, WhatCannotBeDescribedHasNoClass)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
@@ -185,6 +215,8 @@ TEST_F(EppfClassify, RefusesDamagedModelsAndMissingArguments)
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   std::ofstream(path("damaged"), std::ios::binary) << bytes;
   const auto object = " " + path("objects/ball/0.pcd");
+  expectComplaint("-descriptor point_nn " + path("model") + " " + path("objects"),
+                  "goes with -nearest only");
   expectComplaint(path("damaged") + object, "damaged: is a damaged model");
   expectComplaint(path("objects/ball/1.pcd") + object, "is no model");
   expectComplaint(path("none") + object, "none: no such file");

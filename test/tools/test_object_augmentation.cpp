@@ -140,6 +140,64 @@ TEST(ObjectAugmentation, DrawsDifferAndComeAgainWithTheirSeed)
   EXPECT_EQ(drawsOfEllipsoid(nothing, 1)[0], draws[0]); // the object as it is
 }
 
+TEST(ObjectAugmentation, EveryDrawIsDisturbed)
+{
+  PointCloud<PointNormal> sphere;
+  for (const auto& point : ellipsoid()) {
+    sphere.push_back(point);
+    sphere.back().getVector3fMap() =
+        (point.getArray3fMap() / Eigen::Array3f(1, 2, 3)).matrix();
+  }
+  DrawOptions options;
+  options.input.kind = ClassifierInputKind::Points;
+  options.input.point_count = 1000;
+  options.augmentation = nothing;
+  options.draw_count = 4;
+  for (const double percent : {0.0, 2.0, 4.0}) { // of an extent of 2
+    options.disturbance.noise_percent = percent;
+    const auto draws = drawsOf(sphere, {}, options, 3);
+    ASSERT_EQ(draws.size(), 4u);
+    for (const auto& draw : draws) {
+      double sum = 0.0, squares = 0.0;
+      for (std::size_t k = 0; k < 1000; ++k) {
+        const double radius =
+            Eigen::Vector3f(draw[k], draw[1000 + k], draw[2000 + k]).norm();
+        sum += radius / 1000.0;
+        squares += radius * radius / 1000.0;
+      }
+      const double deviation = std::sqrt(std::max(squares / (sum * sum) - 1.0, 0.0));
+      EXPECT_NEAR(deviation, 2.0 * percent / 100.0, 0.002 + 0.15 * percent / 100.0);
+    }
+  }
+}
+
+TEST(ObjectAugmentation, FirstDrawIsTheObjectButForTheDisturbance)
+{
+  const auto object = ellipsoid(300);
+  DrawOptions options;
+  options.input.pair_count = 500;
+  options.draw_count = 1;
+  const auto same = firstDrawnObject(object, options, 7);
+  ASSERT_EQ(same.size(), object.size());
+  for (std::size_t k = 0; k < object.size(); ++k)
+    EXPECT_EQ(same[k].getVector3fMap(), object[k].getVector3fMap());
+  const auto undisturbed = drawsOf(object, {}, options, 7);
+  options.disturbance.hidden_percent = 50.0;
+  EXPECT_EQ(firstDrawnObject(object, options, 7).size(), 150u);
+  EXPECT_NE(drawsOf(object, {}, options, 7), undisturbed);
+  const auto other = firstDrawnObject(object, options, 8); // seen from elsewhere
+  EXPECT_NE(other[0].getVector3fMap(),
+            firstDrawnObject(object, options, 7)[0].getVector3fMap());
+  options.disturbance.hidden_percent = 0.0;
+  options.disturbance.noise_percent = 3.0;
+  const auto noisy = firstDrawnObject(object, options, 7);
+  EXPECT_NE(noisy[0].getVector3fMap(), object[0].getVector3fMap());
+  EXPECT_NE(noisy[0].getNormalVector3fMap(), object[0].getNormalVector3fMap());
+  options.input.kind = ClassifierInputKind::Points; // which sees no normals
+  EXPECT_EQ(firstDrawnObject(object, options, 7)[0].getNormalVector3fMap(),
+            object[0].getNormalVector3fMap());
+}
+
 TEST(ObjectAugmentation, ObjectsThatCannotBeDescribedHaveNoDraws)
 {
   PointCloud<PointNormal> twice;

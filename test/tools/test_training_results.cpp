@@ -218,6 +218,30 @@ TEST_F(TrainingResults, TestsWithTheFoldersOfTheTestPart)
   EXPECT_EQ(bytesOf(path("confusion.png")).substr(1, 3), "PNG");
 }
 
+TEST_F(TrainingResults, TestsUnderTheDisturbanceOfTheTraining)
+{
+  makeSet(8, true);
+  std::ofstream small(path("set/box/test/small.pcd"));
+  small << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 100\n"
+           "HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 100\nDATA ascii\n";
+  for (const auto& point : sampleMesh(shapeOf("box", 50), 100, 1))
+    small << point.position.transpose() << "\n";
+  small.close();
+  const auto arguments = path("model") + tiny + "-epochs 2 -augment off -split folders";
+  const auto boxes = [this] { // what the boxes were taken for
+    const auto said = bytesOf(path("said"));
+    const auto begin = said.find("\nbox ") + 1;
+    return said.substr(begin, said.find('\n', begin) - begin);
+  };
+  train(arguments);
+  EXPECT_NE(boxes().find(".  1"), std::string::npos) << boxes(); // none is unknown
+  const auto model = bytesOf(path("model"));
+  train(arguments + " -noise 3");
+  EXPECT_NE(bytesOf(path("model")), model);
+  train(arguments + " -occlusion 99"); // leaves one point of the small box
+  EXPECT_NE(boxes().find("33  1"), std::string::npos) << boxes();
+}
+
 TEST_F(TrainingResults, ChoosesTheEpochByValidationAndAveragesNetworks)
 {
   makeSet(5);
