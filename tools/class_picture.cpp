@@ -20,7 +20,8 @@ constexpr int margin = 12;             // pixels
 constexpr Color grey{205, 205, 205};
 constexpr Color black{0, 0, 0};
 
-/** A view of one storey from above: per pixel its highest point. */
+/** A view of one storey from above: per pixel its highest point, of named objects if
+ * there are any. */
 struct StoreyView {
   int width = 0, height = 0;
   std::vector<float> top;
@@ -36,9 +37,10 @@ struct Frame {
 /** Rooms with their storeys and what of them is shown. */
 class Plan {
 public:
-  Plan(const Scene& scene, const PointCloud<PointXYZ>& points)
+  Plan(const Scene& scene, const PointCloud<PointXYZ>& points, std::uint32_t other)
   : scene_(scene)
   , points_(points)
+  , other_(other)
   , ceilings_(scene.rooms.size(), -std::numeric_limits<float>::infinity())
   {
     for (const auto& room : scene.rooms)
@@ -84,10 +86,15 @@ public:
       const int x = static_cast<int>((point.x - frame_.left) / frame_.pixel);
       const int y = static_cast<int>((frame_.upper - point.y) / frame_.pixel);
       const auto pixel = static_cast<std::size_t>(y) * view.width + x;
-      if (point.z > view.top[pixel]) {
+      const auto category =
+          scene_.classes.objects[scene_.object_of_point[i] - 1].category;
+      const bool is_named = category != other_,
+                 shows_named =
+                     view.category[pixel] > 0 && view.category[pixel] != other_;
+      if (is_named > shows_named ||
+          (is_named == shows_named && point.z > view.top[pixel])) {
         view.top[pixel] = point.z;
-        view.category[pixel] =
-            scene_.classes.objects[scene_.object_of_point[i] - 1].category;
+        view.category[pixel] = category;
       }
     }
     return view;
@@ -103,6 +110,7 @@ private:
 
   const Scene& scene_;
   const PointCloud<PointXYZ>& points_;
+  std::uint32_t other_;
   std::vector<float> ceilings_; // of each room, the highest point
   std::uint32_t storeys_ = 0;
   Frame frame_;
@@ -146,7 +154,7 @@ drawClasses(const Scene& scene, const PointCloud<PointXYZ>& points)
   const auto other = static_cast<std::uint32_t>(
       std::find(names.begin(), names.end(), other_class) - names.begin());
   const auto legend = legendOf(scene.classes, other);
-  const Plan plan(scene, points);
+  const Plan plan(scene, points, other);
   std::vector<StoreyView> views;
   int width = 1, height = margin;
   for (std::uint32_t storey = plan.storeyCount(); storey-- > 0;) {

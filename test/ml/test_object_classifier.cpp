@@ -45,8 +45,8 @@ someObjects()
 {
   std::vector<ClassifierObject> objects;
   for (std::uint32_t k = 0; k < 21; ++k)
-    objects.push_back({ellipsoid({1.0f, 0.2f + 0.1f * k, 0.5f}, 200, k),
-                       {k % 2 == 0, 0.1f * k, 1.0f, 0.5f}});
+    objects.push_back(
+        {ellipsoid({1.0f, 0.2f + 0.1f * k, 0.5f}, 200, k), {k % 2 == 0, 0.1f * k}});
   return objects;
 }
 
