@@ -29,7 +29,7 @@ struct TrainingOptions {
   double weight_decay = 0.0;   ///< of AdamW, at least 0
   double label_smoothing = 0.0; ///< 0 ... 1
   double class_balance = 0.0;   ///< an object weighs as the number of objects of its
-                              ///< class to the power of minus this, 0 ... 1
+                                ///< class to the power of minus this, 0 ... 1
   int patience = 0; ///< stop after so many epochs without a better validation; 0: never
   std::uint32_t seed = 1; ///< of order, draws and dropout; same seed, same bits
   int threads = 1;        ///< of libtorch; another number may give other bits
