@@ -24,7 +24,7 @@ namespace {
 struct Options {
   std::string input, folder;
   std::string partition = "graph";
-  std::string model; ///< file, "none", or empty: the bundled one
+  std::string model = "bundled"; ///< file, "none" or "bundled"
   ScanFrame frame;
   pcl::indoor::BuildingRoomsOptions rooms;
   pcl::indoor::ObjectSegmentationOptions objects;
@@ -75,8 +75,8 @@ makeParser(Options& options)
             {"graph", "lccp"})
       .text("-model",
             options.model,
-            "file of a classifier that pcl_eppf_train has made, none = no classes; "
-            "without it the bundled one for furniture, doors and windows")
+            "file of a classifier that pcl_eppf_train has made; bundled = furniture, "
+            "doors and windows, none = no classes")
       .flag("-ignore_normals",
             options.ignore_normals,
             "estimate normals although there are some")
@@ -193,7 +193,8 @@ loadClassifier(const Options& options)
 {
   if (options.model == "none")
     return std::nullopt;
-  return pcl::indoor::loadModel(options.model.empty() ? bundledModel() : options.model);
+  return pcl::indoor::loadModel(options.model == "bundled" ? bundledModel()
+                                                           : options.model);
 }
 
 /** Fields that tell each point the class of its object, and how sure that is. */
