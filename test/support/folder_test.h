@@ -8,9 +8,19 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 namespace pcl::indoor::test {
+
+/** What a file holds; nothing if it is missing. */
+inline std::string
+bytesOf(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
 
 /** A test with a folder of its own, gone afterwards. */
 class FolderTest : public testing::Test {

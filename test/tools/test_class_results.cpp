@@ -29,12 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string
-bytesOf(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
+using pcl::indoor::test::bytesOf;
 
 class ClassResults : public pcl::indoor::test::FolderTest {
 protected:

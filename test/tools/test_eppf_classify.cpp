@@ -26,12 +26,7 @@ using namespace pcl::indoor;
 
 namespace {
 
-std::string
-bytesOf(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
+using pcl::indoor::test::bytesOf;
 
 /** Points of a ball, or of a long box. */
 pcl::PointCloud<pcl::PointXYZ>

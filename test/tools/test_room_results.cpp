@@ -23,12 +23,7 @@ using namespace pcl::indoor::tool;
 
 namespace {
 
-std::string
-bytesOf(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
+using pcl::indoor::test::bytesOf;
 
 std::size_t
 count(const std::string& text, const std::string& part)

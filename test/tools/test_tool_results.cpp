@@ -28,12 +28,7 @@ using namespace pcl::indoor::tool;
 
 namespace {
 
-std::string
-bytesOf(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
+using pcl::indoor::test::bytesOf;
 
 /** A folder of its own for each test, gone afterwards. */
 class ToolResults : public pcl::indoor::test::FolderTest {

@@ -26,12 +26,7 @@ using namespace pcl::indoor::tool;
 
 namespace {
 
-std::string
-bytesOf(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
+using pcl::indoor::test::bytesOf;
 
 std::ptrdiff_t
 lineCount(const std::string& path)
