@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "file_classification.h"
+#include "json_text.h"
 
 #include <pcl/ml/classification_metrics.h>
 
@@ -20,12 +21,6 @@ namespace {
 constexpr std::size_t top_count = 3;
 
 using Json = nlohmann::ordered_json;
-
-double
-rounded(double value)
-{
-  return std::round(value * 1e4) / 1e4;
-}
 
 std::string
 percent(double share)
@@ -129,7 +124,7 @@ classificationJson(const std::vector<ClassifiedFile>& files)
       json["true_class"] = file.file.true_class;
     list.push_back(std::move(json));
   }
-  return list.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(list);
 }
 
 } // namespace pcl::indoor::tool

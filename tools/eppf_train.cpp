@@ -5,10 +5,10 @@
 #include "confusion_picture.h"
 #include "object_files.h"
 #include "output_file.h"
-#include "parallel_objects.h"
 #include "training_pool.h"
 #include "training_report.h"
 #include "training_settings.h"
+#include <pcl/ml/parallel_objects.h>
 
 #include <pcl/ml/model_file.h>
 

@@ -9,6 +9,7 @@
 
 #include <pcl/ml/histogram_distance.h>
 #include <pcl/ml/object_classifier.h>
+#include <pcl/ml/parallel_objects.h>
 #include <pcl/ml/point_nn.h>
 
 #include <algorithm>
@@ -18,26 +19,12 @@
 #include <map>
 #include <numeric>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 namespace pcl::indoor::tool {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::size_t files_at_once = 64; // whose points are in memory together
-
-int
-threadCount(unsigned int wanted)
-{
-#ifdef _OPENMP
-  if (wanted == 0)
-    return omp_get_max_threads();
-#endif
-  return static_cast<int>(wanted);
-}
 
 ClassifierObject
 readObject(const std::string& path, int neighbor_count, bool wants_place)
@@ -100,13 +87,9 @@ describe(const std::vector<ObjectFile>& files,
   progress.start("Describing " + std::to_string(files.size()) + " " + what);
   forEachBatch(
       files, settings, false, progress, [&](std::size_t first, const auto& objects) {
-        const auto count = static_cast<std::int64_t>(objects.size());
-        [[maybe_unused]] const int threads = threadCount(settings.threads);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-        for (std::int64_t k = 0; k < count; ++k) {
-          histograms[first + static_cast<std::size_t>(k)] =
-              described(objects[static_cast<std::size_t>(k)], settings.descriptor);
-        }
+        forEachObject(objects.size(), settings.threads, [&](std::size_t k) {
+          histograms[first + k] = described(objects[k], settings.descriptor);
+        });
       });
   progress.done();
   return histograms;
@@ -211,8 +194,7 @@ objectsOfFolder(const std::string& folder)
 {
   std::vector<ObjectFile> files;
   for (const auto& name : findObjects(folder))
-    files.push_back({(fs::path(folder) / name).string(),
-                     fs::path(name).parent_path().filename().string()});
+    files.push_back({(fs::path(folder) / name).string(), classFolder(name)});
   return files;
 }
 

@@ -5,43 +5,18 @@
 #include "labelled_objects.h"
 
 #include "object_files.h"
-#include "parallel_objects.h"
+#include "random_numbers.h"
+
+#include <pcl/ml/parallel_objects.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <set>
 
 namespace pcl::indoor::tool {
 namespace {
-
-/** \brief Class of a path: its first folder. */
-std::string
-classOf(const std::string& path, const std::string& folder)
-{
-  const auto end = path.find('/');
-  if (end == std::string::npos)
-    throw ToolError(path + ": lies in no class folder of " + folder);
-  return path.substr(0, end);
-}
-
-/** \brief Complain about the first of the files that could not be read, if any. */
-void
-requireNoProblems(const std::vector<std::string>& problems)
-{
-  const auto is_one = [](const std::string& problem) { return !problem.empty(); };
-  const auto first = std::find_if(problems.begin(), problems.end(), is_one);
-  if (first == problems.end())
-    return;
-  const auto count = std::count_if(problems.begin(), problems.end(), is_one);
-  throw ToolError(*first + (count == 1 ? std::string()
-                                       : " (the first of " + std::to_string(count) +
-                                             " unreadable files of " +
-                                             std::to_string(problems.size()) + ")"));
-}
 
 /** \brief Put the objects into the parts, in their order. */
 template <typename IsTest>
@@ -72,6 +47,20 @@ namesOf(const std::string& path)
 
 } // namespace
 
+void
+requireNoProblems(const std::vector<std::string>& problems, const std::string& things)
+{
+  const auto is_one = [](const std::string& problem) { return !problem.empty(); };
+  const auto first = std::find_if(problems.begin(), problems.end(), is_one);
+  if (first == problems.end())
+    return;
+  const auto count = std::count_if(problems.begin(), problems.end(), is_one);
+  throw ToolError(*first + (count == 1 ? std::string()
+                                       : " (the first of " + std::to_string(count) +
+                                             " " + things + " of " +
+                                             std::to_string(problems.size()) + ")"));
+}
+
 LabelledObjects
 loadLabelledObjects(const std::string& folder,
                     int neighbor_count,
@@ -81,7 +70,9 @@ loadLabelledObjects(const std::string& folder,
   LabelledObjects objects;
   objects.paths = findObjects(folder);
   for (const auto& path : objects.paths) {
-    const auto name = classOf(path, folder);
+    const auto name = classFolder(path);
+    if (name.empty())
+      throw ToolError(path + ": lies in no class folder of " + folder);
     if (objects.class_names.empty() || objects.class_names.back() != name)
       objects.class_names.push_back(name); // paths are sorted
     objects.labels.push_back(static_cast<int>(objects.class_names.size()) - 1);
@@ -106,7 +97,7 @@ loadLabelledObjects(const std::string& folder,
 #pragma omp critical(pcl_indoor_progress)
     progress.update(++done, count);
   });
-  requireNoProblems(problems);
+  requireNoProblems(problems, "unreadable files");
   progress.done(std::to_string(count) + " objects of " +
                 std::to_string(objects.class_names.size()) + " classes");
   return objects;
@@ -129,10 +120,9 @@ splitAtRandom(const LabelledObjects& objects, double share, std::uint32_t seed)
     const auto wanted = std::lround(share * static_cast<double>(own.size()));
     const auto taken =
         std::clamp<std::size_t>(static_cast<std::size_t>(wanted), 1, own.size() - 1);
-    for (std::size_t k = 0; k < taken; ++k) {
-      std::swap(own[k], own[k + rng() % (own.size() - k)]);
+    drawToFront(own, taken, rng);
+    for (std::size_t k = 0; k < taken; ++k)
       is_test[own[k]] = false;
-    }
   }
   return splitBy(is_test.size(), [&](std::size_t k) { return is_test[k]; });
 }

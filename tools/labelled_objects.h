@@ -25,6 +25,14 @@ struct LabelledObjects {
   std::vector<std::string> class_names;
 };
 
+/** \brief Complain about the first of some problems, and say how many there are.
+ * \param[in] problems one per thing, empty for those without
+ * \param[in] things what those with a problem are called, for example "unreadable
+ * files" \throws ToolError if there are any
+ */
+void
+requireNoProblems(const std::vector<std::string>& problems, const std::string& things);
+
 /** \brief Read DIR/CLASS/.../OBJECT.pcd, .ply, .off or .obj; folders within a class
  * folder do not matter.
  * \param[in] number_of_threads 0: as many as the machine has

@@ -4,6 +4,8 @@
  */
 #include "mesh_sampling.h"
 
+#include "random_numbers.h"
+
 #include <pcl/exceptions.h>
 
 #include <Eigen/Geometry> // for cross
@@ -15,13 +17,6 @@
 
 namespace pcl::indoor::tool {
 namespace {
-
-/** \brief From 0 to 1, neither included; the same with every library. */
-double
-uniform(std::mt19937& rng)
-{
-  return (static_cast<double>(rng()) + 0.5) / 4294967296.0;
-}
 
 /** \brief A triangle's first corner and the two edges that leave it. */
 struct Corner {

@@ -5,6 +5,7 @@
 #include "object_augmentation.h"
 
 #include "object_files.h"
+#include "random_numbers.h"
 
 #include <pcl/common/io.h>
 
@@ -17,13 +18,6 @@
 
 namespace pcl::indoor::tool {
 namespace {
-
-/** \brief From 0 to 1, neither included; the same with every library. */
-double
-uniform(std::mt19937& rng)
-{
-  return (static_cast<double>(rng()) + 0.5) / 4294967296.0;
-}
 
 /** \brief How much of a change is made: 0 but for its share of the calls. */
 double
@@ -63,8 +57,7 @@ thinOut(PointCloud<PointNormal>& cloud, double percent, std::mt19937& rng)
       std::lround(static_cast<double>(cloud.size()) * (1.0 - percent / 100.0)));
   Indices order(cloud.size());
   std::iota(order.begin(), order.end(), 0);
-  for (std::size_t k = 0; k < kept; ++k)
-    std::swap(order[k], order[k + rng() % (order.size() - k)]);
+  drawToFront(order, kept, rng);
   order.resize(kept);
   std::sort(order.begin(), order.end());
   PointCloud<PointNormal> rest;

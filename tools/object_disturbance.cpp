@@ -5,6 +5,7 @@
 #include "object_disturbance.h"
 
 #include "object_files.h"
+#include "random_numbers.h"
 
 #include <pcl/common/io.h>
 #include <pcl/features/oriented_point.h>
@@ -27,12 +28,6 @@ extentOf(const PointCloud<PointNormal>& cloud)
   for (std::size_t k = 0; k < cloud.size(); ++k)
     points[k].position = cloud[k].getVector3fMap();
   return objectExtent(points);
-}
-
-double
-uniform(std::mt19937& rng)
-{
-  return (static_cast<double>(rng()) + 0.5) / 4294967296.0;
 }
 
 /** \brief A standard normal value (Box and Muller), the same with every library. */

@@ -94,6 +94,13 @@ findObjects(const std::string& folder)
   return paths;
 }
 
+std::string
+classFolder(const std::string& path)
+{
+  const auto end = path.find('/');
+  return end == std::string::npos ? "" : path.substr(0, end);
+}
+
 void
 estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
 {

@@ -24,6 +24,11 @@ namespace pcl::indoor::tool {
 std::vector<std::string>
 findObjects(const std::string& folder);
 
+/** \brief The class that a path relative to a folder of classes tells: its first
+ * folder; empty if it has none. */
+std::string
+classFolder(const std::string& path);
+
 /** \brief Estimate the normals of the finite points from their neighbours' plane.
  *
  * They point towards the centroid: towards the file's origin, as by default, they would

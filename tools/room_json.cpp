@@ -48,12 +48,6 @@ neighboursJson(const Room& room,
 
 } // namespace
 
-double
-rounded(double value)
-{
-  return std::round(value * 1e4) / 1e4;
-}
-
 Json
 positionJson(const Eigen::Vector3d& position)
 {
@@ -100,12 +94,6 @@ inputJson(const CloudFile& file,
         return room > 0;
       }));
   return json;
-}
-
-std::string
-jsonText(const Json& json)
-{
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace pcl::indoor::tool

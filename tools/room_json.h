@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloud_file.h"
+#include "json_text.h"
 
 #include <pcl/segmentation/building_rooms.h>
 
@@ -16,11 +17,6 @@
 #include <vector>
 
 namespace pcl::indoor::tool {
-
-/** \brief A length, area or volume to four decimals: tenths of a millimetre are finer
- * than any scanner, and short to read. */
-double
-rounded(double value);
 
 /** \brief [x, y, z] to four decimals. */
 nlohmann::ordered_json
@@ -57,9 +53,5 @@ nlohmann::ordered_json
 inputJson(const CloudFile& file,
           const std::string& parameters,
           const std::vector<std::uint32_t>& room_of_point);
-
-/** \brief The text of a file; names of files need not be UTF-8. */
-std::string
-jsonText(const nlohmann::ordered_json& json);
 
 } // namespace pcl::indoor::tool

@@ -8,17 +8,13 @@
 
 #include <pcl/common/io.h>          // for copyPointCloud
 #include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/ml/parallel_objects.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
 #include <algorithm>
-#include <exception>
 #include <iterator>
 #include <numeric>
 #include <unordered_map>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace pcl::indoor::tool {
 namespace {
@@ -95,17 +91,6 @@ orderOfWork(const std::vector<Indices>& rooms)
   return order;
 }
 
-int
-roomsAtATime(int threads)
-{
-#ifdef _OPENMP
-  return threads > 0 ? threads : omp_get_max_threads();
-#else
-  static_cast<void>(threads);
-  return 1;
-#endif
-}
-
 } // namespace
 
 RoomObjects
@@ -126,23 +111,13 @@ segmentRoomObjects(const PointCloud<PointXYZ>& points,
   room_options.threads = 1; // the threads are busy with the rooms
   std::vector<RoomObjects> objects(rooms.size());
   std::size_t done = 0;
-  std::exception_ptr error;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(roomsAtATime(threads))
-  for (std::size_t i = 0; i < order.size(); ++i) {
+  forEachObject(order.size(), static_cast<unsigned int>(threads), [&](std::size_t i) {
     const auto room = order[i];
-    try {
-      if (!rooms[room].empty())
-        objects[room] =
-            segmentOneRoom(points, normals, given, rooms[room], room_options);
-    } catch (...) {
-#pragma omp critical
-      error = std::current_exception();
-    }
+    if (!rooms[room].empty())
+      objects[room] = segmentOneRoom(points, normals, given, rooms[room], room_options);
 #pragma omp critical
     report(done += rooms[room].size(), all);
-  }
-  if (error)
-    std::rethrow_exception(error);
+  });
 
   RoomObjects all_objects;
   all_objects.object_of_point.assign(points.size(), 0);

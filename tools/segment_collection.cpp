@@ -6,6 +6,7 @@
 #include "cloud_file.h"
 #include "object_files.h"
 #include "options.h"
+#include "random_numbers.h"
 #include "room_objects.h"
 #include "scan_frame.h"
 
@@ -189,8 +190,7 @@ chosenObjects(const Options& options, const ScanObjects& objects)
   }
   if (options.max_other > 0 && others.size() > options.max_other) {
     std::mt19937 random(options.seed);
-    for (std::size_t k = 0; k < options.max_other; ++k)
-      std::swap(others[k], others[k + random() % (others.size() - k)]);
+    drawToFront(others, options.max_other, random);
     others.resize(options.max_other);
   }
   chosen.insert(chosen.end(), others.begin(), others.end());

@@ -4,8 +4,7 @@
  */
 #include "training_pool.h"
 
-#include "options.h" // for ToolError
-#include "parallel_objects.h"
+#include <pcl/ml/parallel_objects.h>
 
 namespace pcl::indoor::tool {
 
@@ -25,19 +24,14 @@ trainingPool(const LabelledObjects& objects,
 #pragma omp critical(pcl_indoor_progress)
     progress.update(++done, used.size());
   });
-  std::string first;
-  std::size_t problems = 0;
+  std::vector<std::string> problems(used.size());
   for (std::size_t k = 0; k < used.size(); ++k) {
     set.labels.push_back(objects.labels[used[k]]);
-    if (set.inputs[k].empty() && problems++ == 0)
-      first = objects.paths[used[k]];
+    if (set.inputs[k].empty())
+      problems[k] = objects.paths[used[k]] +
+                    ": no two points with normals that differ in position";
   }
-  if (problems > 0)
-    throw ToolError(first + ": no two points with normals that differ in position" +
-                    (problems > 1
-                         ? " (the first of " + std::to_string(problems) +
-                               " such objects of " + std::to_string(used.size()) + ")"
-                         : std::string()));
+  requireNoProblems(problems, "such objects");
   return set;
 }
 

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "network_evaluation.h"
-#include "parallel_objects.h"
+#include <pcl/ml/parallel_objects.h>
 
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_histogram.h>

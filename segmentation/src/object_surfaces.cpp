@@ -4,9 +4,9 @@
  */
 #include <pcl/exceptions.h>
 #include <pcl/segmentation/object_surfaces.h>
+#include <pcl/segmentation/voxel_grid.h> // for PixelMap
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace pcl {
@@ -18,60 +18,17 @@ constexpr float column_size = 0.1f; // metres
 constexpr int column_reach = 3;     // columns around an object that show the floor
 constexpr std::uint32_t nothing = 0xFFFFFFFFu;
 
-/** \brief A map of upright columns over a room. */
-class Columns {
-public:
-  explicit Columns(const std::vector<Eigen::Vector3f>& points)
-  {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    Eigen::Vector2f upper(-infinity, -infinity);
-    lower_.setConstant(infinity);
-    for (const auto& point : points) {
-      lower_ = lower_.cwiseMin(point.head<2>());
-      upper = upper.cwiseMax(point.head<2>());
-    }
-    if (points.empty())
-      lower_ = upper = Eigen::Vector2f::Zero();
-    width_ = static_cast<int>((upper.x() - lower_.x()) / column_size) + 1;
-    height_ = static_cast<int>((upper.y() - lower_.y()) / column_size) + 1;
-  }
+/** \brief The lowest height in each upright column of a room. */
+struct FloorMap {
+  Eigen::Vector2f corner = Eigen::Vector2f::Zero();
+  PixelMap<float> heights;
 
-  int
-  width() const
+  float&
+  at(const Eigen::Vector3f& point)
   {
-    return width_;
+    const Eigen::Vector2f place = (point.head<2>() - corner) / column_size;
+    return heights.at(static_cast<int>(place.x()), static_cast<int>(place.y()));
   }
-
-  int
-  height() const
-  {
-    return height_;
-  }
-
-  std::size_t
-  size() const
-  {
-    return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  }
-
-  std::size_t
-  index(int x, int y) const
-  {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(x);
-  }
-
-  std::size_t
-  indexOf(const Eigen::Vector3f& point) const
-  {
-    const Eigen::Vector2f place = (point.head<2>() - lower_) / column_size;
-    return index(static_cast<int>(place.x()), static_cast<int>(place.y()));
-  }
-
-private:
-  Eigen::Vector2f lower_;
-  int width_ = 1;
-  int height_ = 1;
 };
 
 /** \brief The object that most points of a voxel belong to. */
@@ -94,58 +51,61 @@ objectOfVoxel(const PointCells& cells,
   return object;
 }
 
-/** \brief Replace each value by the lowest one within column_reach columns, row by row
- * and then column by column. */
+/** \brief Replace each value of a line by the lowest one within column_reach columns.
+ */
+template <typename At>
 void
-spreadLowest(const Columns& columns, std::vector<float>& values)
+spreadLowest(int length, const At& at)
 {
-  const auto pass = [&values](int lines, int length, const auto& at) {
-    std::vector<float> line(static_cast<std::size_t>(length));
-    for (int l = 0; l < lines; ++l) {
-      for (int k = 0; k < length; ++k)
-        line[static_cast<std::size_t>(k)] = values[at(l, k)];
-      for (int k = 0; k < length; ++k) {
-        const auto first = line.begin() + std::max(k - column_reach, 0);
-        const auto last = line.begin() + std::min(k + column_reach + 1, length);
-        values[at(l, k)] = *std::min_element(first, last);
-      }
-    }
-  };
-  pass(columns.height(), columns.width(), [&](int y, int x) {
-    return columns.index(x, y);
-  });
-  pass(columns.width(), columns.height(), [&](int x, int y) {
-    return columns.index(x, y);
-  });
+  std::vector<float> line(static_cast<std::size_t>(length));
+  for (int k = 0; k < length; ++k)
+    line[static_cast<std::size_t>(k)] = at(k);
+  for (int k = 0; k < length; ++k) {
+    const auto first = line.begin() + std::max(k - column_reach, 0);
+    const auto last = line.begin() + std::min(k + column_reach + 1, length);
+    at(k) = *std::min_element(first, last);
+  }
 }
 
 /** \brief The lowest voxel around each column. */
-std::vector<float>
-floorHeights(const Columns& columns, const std::vector<Eigen::Vector3f>& centroids)
+FloorMap
+floorBelow(const std::vector<Eigen::Vector3f>& centroids)
 {
-  std::vector<float> floor(columns.size(), std::numeric_limits<float>::infinity());
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  FloorMap floor;
+  if (centroids.empty())
+    return floor;
+  Eigen::Vector2f upper = centroids.front().head<2>();
+  floor.corner = upper;
   for (const auto& centroid : centroids) {
-    auto& lowest = floor[columns.indexOf(centroid)];
-    lowest = std::min(lowest, centroid.z());
+    floor.corner = floor.corner.cwiseMin(centroid.head<2>());
+    upper = upper.cwiseMax(centroid.head<2>());
   }
-  spreadLowest(columns, floor);
+  auto& heights = floor.heights;
+  heights.nx = static_cast<int>((upper.x() - floor.corner.x()) / column_size) + 1;
+  heights.ny = static_cast<int>((upper.y() - floor.corner.y()) / column_size) + 1;
+  heights.values.assign(heights.size(), infinity);
+  for (const auto& centroid : centroids)
+    floor.at(centroid) = std::min(floor.at(centroid), centroid.z());
+  for (int y = 0; y < heights.ny; ++y)
+    spreadLowest(heights.nx, [&](int x) -> float& { return heights.at(x, y); });
+  for (int x = 0; x < heights.nx; ++x)
+    spreadLowest(heights.ny, [&](int y) -> float& { return heights.at(x, y); });
   return floor;
 }
 
 /** \brief From the lowest point to the median floor below the points. */
 float
-floorDistance(const Columns& columns,
-              const std::vector<float>& floor,
-              const std::vector<OrientedPoint>& points)
+floorDistance(FloorMap& floor, const std::vector<OrientedPoint>& points)
 {
-  std::vector<float> floors;
+  std::vector<float> heights;
   float lowest = std::numeric_limits<float>::infinity();
   for (const auto& point : points) {
-    floors.push_back(floor[columns.indexOf(point.position)]);
+    heights.push_back(floor.at(point.position));
     lowest = std::min(lowest, point.position.z());
   }
-  const auto middle = floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2);
-  std::nth_element(floors.begin(), middle, floors.end());
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
   return std::max(lowest - *middle, 0.0f);
 }
 
@@ -170,11 +130,10 @@ objectSurfaces(const ObjectSegmentation& room,
       surfaces[object].points.push_back(
           {voxels.centroids[voxel], voxels.normals[voxel]});
   }
-  const Columns columns(voxels.centroids);
-  const auto floor = floorHeights(columns, voxels.centroids);
+  auto floor = floorBelow(voxels.centroids);
   for (auto& surface : surfaces)
     if (!surface.points.empty())
-      surface.floor_distance = floorDistance(columns, floor, surface.points);
+      surface.floor_distance = floorDistance(floor, surface.points);
   return surfaces;
 }
 
