@@ -30,15 +30,9 @@ findInvalidOption(const ObjectSegmentationOptions& options)
           "seed resolution must be at least the voxel resolution",
           options.seed_size,
           " m");
-  require(not_negative(options.max_union_air),
-          "air of convex unions must not be negative",
-          options.max_union_air);
   require(std::abs(options.up.norm() - 1) < 1e-3f,
           "direction up must have the length 1",
           options.up.norm());
-  require(options.normal_rings >= 1,
-          "number of normal rings must be at least 1",
-          options.normal_rings);
   require(options.curvature_threshold >= 0 && options.curvature_threshold <= 1.0f / 3,
           "curvature threshold must be in [0, 1/3]",
           options.curvature_threshold);
@@ -63,10 +57,6 @@ findInvalidOption(const ObjectSegmentationOptions& options)
           "concavity tolerance must be in [0, 180]",
           options.concavity_tolerance_degrees,
           " degrees");
-  require(not_negative(options.smoothness_threshold),
-          "smoothness threshold must not be negative",
-          options.smoothness_threshold,
-          " voxels");
   require(not_negative(options.graph_scale),
           "graph scale must not be negative",
           options.graph_scale);
@@ -75,25 +65,9 @@ findInvalidOption(const ObjectSegmentationOptions& options)
           "bend threshold must be in [-180, 180]",
           options.bend_threshold_degrees,
           " degrees");
-  require(options.bend.convex_limit_degrees >= 0 &&
-              options.bend.convex_limit_degrees <= 180,
-          "limit of convex bends must be in [0, 180]",
-          options.bend.convex_limit_degrees,
-          " degrees");
-  require(options.bend.concave_limit_degrees >= 0 &&
-              options.bend.concave_limit_degrees <= 180,
-          "limit of concave bends must be in [0, 180]",
-          options.bend.concave_limit_degrees,
-          " degrees");
-  require(options.bend.singular_share >= 0 && options.bend.singular_share <= 1,
-          "singular share must be in [0, 1]",
-          options.bend.singular_share);
-  require(options.recovery.iterations >= 1,
-          "number of recovery iterations must be at least 1",
-          options.recovery.iterations);
-  require(options.recovery.accepted_share > 0 && options.recovery.accepted_share <= 1,
-          "accepted share must be in (0, 1]",
-          options.recovery.accepted_share);
+  require(options.joining_level >= 0 && options.joining_level <= 1,
+          "joining level must be in [0, 1]",
+          options.joining_level);
   return problem.str();
 }
 
@@ -106,25 +80,15 @@ singleViewOptions()
   options.bend_threshold_degrees = 20;
   options.min_segment_size = 6;
   options.separate_structure = false;
-  options.separate_things = false;
-  options.separate_gaps = false;
-  options.separate_seams = false;
-  options.separate_bars = false;
-  options.max_union_air = 0;
-  options.join_frames = false;
-  options.join_racks = false;
-  options.join_uprights = false;
-  options.join_shadowed = false;
-  options.join_doors = false;
+  options.joining_level = 1; // the criterion knows rooms only
   return options;
 }
 
 ObjectSegmentationOptions
-laserScanOptions()
+partsOptions()
 {
   ObjectSegmentationOptions options;
-  options.separate_things = false;
-  options.min_segment_size = 6;
+  options.scale = JoiningScale::Parts;
   return options;
 }
 
@@ -133,18 +97,9 @@ thesisOptions()
 {
   ObjectSegmentationOptions options;
   options.separate_structure = false;
-  options.separate_things = false;
-  options.separate_gaps = false;
-  options.separate_seams = false;
-  options.separate_bars = false;
   options.plane_tolerance = 0;
   options.partition = Partition::FelzenszwalbHuttenlocher;
   options.min_segment_size = 3;
-  options.join_frames = false;
-  options.join_racks = false;
-  options.join_uprights = false;
-  options.join_shadowed = false;
-  options.join_doors = false;
   return options;
 }
 

@@ -12,6 +12,9 @@
 
 namespace {
 
+constexpr unsigned iterations = 20;    // S of Algorithm 1
+constexpr double accepted_share = 0.8; // P_r of Algorithm 1
+
 constexpr std::uint32_t none = pcl::indoor::Supervoxels::none;
 
 /** An entry of W in Algorithm 1. */
@@ -31,16 +34,8 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
               const std::vector<Eigen::Vector3f>& normals,
               const Adjacency& neighbors,
               const SurfaceDistance& distance,
-              const RecoveryOptions& options,
               std::vector<std::uint32_t>& labels)
 {
-  if (options.iterations < 1 ||
-      !(options.accepted_share > 0 && options.accepted_share <= 1))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "Recovery needs at least one iteration and a share in (0, 1], "
-                        "not "
-                            << options.iterations << " and " << options.accepted_share
-                            << ".");
   if (positions.size() != labels.size() || normals.size() != labels.size() ||
       neighbors.offsets.size() != labels.size() + 1)
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
@@ -74,12 +69,12 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
     if (proposals.empty())
       break;
     auto accepted = proposals.size();
-    if (round + 1 < options.iterations) {
+    if (round + 1 < iterations) {
       std::sort(proposals.begin(), proposals.end(), [](const auto& a, const auto& b) {
         return std::tie(a.distance, a.place) < std::tie(b.distance, b.place);
       });
       const auto share =
-          std::lround(options.accepted_share * static_cast<double>(proposals.size()));
+          std::lround(accepted_share * static_cast<double>(proposals.size()));
       accepted = static_cast<std::size_t>(std::max(1l, share));
     }
     for (std::size_t i = 0; i < accepted; ++i)

@@ -175,31 +175,6 @@ axesOf(const std::vector<StructurePlane>& planes)
   return axes;
 }
 
-std::vector<Eigen::Matrix3d>
-axesOfWalls(const std::vector<StructurePlane>& planes)
-{
-  constexpr double same = 0.985; // cosine of 10 degrees
-  std::vector<Eigen::Matrix3d> all(1, axesOf(planes));
-  const auto is_known = [&](const Eigen::Vector3d& normal) {
-    return std::any_of(all.begin(), all.end(), [&](const auto& axes) {
-      return (axes.transpose() * normal).cwiseAbs().maxCoeff() > same;
-    });
-  };
-  for (const auto& plane : planes) {
-    if (is_known(plane.normal))
-      continue;
-    int least = 0;
-    (all.front().transpose() * plane.normal).cwiseAbs().minCoeff(&least);
-    const Eigen::Vector3d common = all.front().col(least);
-    const Eigen::Vector3d across =
-        (plane.normal - plane.normal.dot(common) * common).normalized();
-    Eigen::Matrix3d axes;
-    axes << across, common.cross(across), common;
-    all.push_back(axes);
-  }
-  return all;
-}
-
 std::vector<StructurePlane>
 findRoomStructure(const SurfaceVoxels& voxels, const RoomStructureOptions& options)
 {

@@ -14,11 +14,14 @@
 
 namespace {
 
-using pcl::indoor::Adjacency;
 using pcl::indoor::DisjointSets;
 using pcl::indoor::SurfaceEdge;
 
 constexpr float degrees = 180.0f / static_cast<float>(M_PI);
+constexpr float convex_limit_degrees = 20;  // convex bends count no more than this
+constexpr float concave_limit_degrees = 60; // nor concave ones more than this
+constexpr float singular_share = 0.4f; // of a bend that counts where none is defined
+constexpr std::size_t min_segment_size = 3; // n_filter of LCCP, patches
 
 float
 angleDegrees(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
@@ -27,21 +30,6 @@ angleDegrees(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
   if (!(norms > 0))
     return 0;
   return std::acos(std::max(-1.0f, std::min(1.0f, a.dot(b) / norms))) * degrees;
-}
-
-/** A step is larger than two planes with these normals explain. */
-bool
-isStep(const Eigen::Vector3f& towards_1,
-       const Eigen::Vector3f& normal_1,
-       const Eigen::Vector3f& normal_2,
-       const pcl::indoor::ConvexityOptions& options)
-{
-  const float bend = normal_1.cross(normal_2).norm();
-  const float height =
-      std::min(std::abs(towards_1.dot(normal_1)), std::abs(towards_1.dot(normal_2)));
-  return height >
-         bend * static_cast<float>(options.seed_size) +
-             options.smoothness_threshold * static_cast<float>(options.voxel_size);
 }
 
 /** LCCP's sanity criterion: the patches' planes meet beside, not between them, so that
@@ -57,50 +45,11 @@ isSingular(const Eigen::Vector3f& towards_1,
   return std::min(angle, 180 - angle) < threshold;
 }
 
-/** The edges' other ends, per node, in ascending order. */
-Adjacency
-neighborsOf(std::size_t node_count, const std::vector<SurfaceEdge>& edges)
-{
-  Adjacency adjacency;
-  adjacency.offsets.assign(node_count + 1, 0);
-  for (const auto& edge : edges) {
-    ++adjacency.offsets[edge.source + 1];
-    ++adjacency.offsets[edge.target + 1];
-  }
-  for (std::size_t i = 0; i < node_count; ++i)
-    adjacency.offsets[i + 1] += adjacency.offsets[i];
-  adjacency.targets.resize(2 * edges.size());
-  auto next = adjacency.offsets;
-  for (const auto& edge : edges)
-    adjacency.targets[next[edge.target]++] = edge.source;
-  for (const auto& edge : edges)
-    adjacency.targets[next[edge.source]++] = edge.target;
-  for (std::size_t i = 0; i < node_count; ++i)
-    std::sort(adjacency.targets.begin() + adjacency.offsets[i],
-              adjacency.targets.begin() + adjacency.offsets[i + 1]);
-  return adjacency;
-}
-
-std::size_t
-countCommon(const Adjacency& adjacency, std::uint32_t a, std::uint32_t b)
-{
-  auto i = adjacency.offsets[a], j = adjacency.offsets[b];
-  std::size_t common = 0;
-  while (i < adjacency.offsets[a + 1] && j < adjacency.offsets[b + 1]) {
-    const auto x = adjacency.targets[i], y = adjacency.targets[j];
-    common += x == y;
-    i += x <= y;
-    j += y <= x;
-  }
-  return common;
-}
-
 /** Add each small segment to its largest neighbour, smallest segments first. */
 void
 absorbSmallSegments(DisjointSets& segments,
                     std::size_t node_count,
-                    const std::vector<SurfaceEdge>& edges,
-                    unsigned min_segment_size)
+                    const std::vector<SurfaceEdge>& edges)
 {
   for (bool changed = true; changed;) {
     changed = false;
@@ -143,42 +92,32 @@ isConvexEdge(const Eigen::Vector3f& position_1,
              const Eigen::Vector3f& normal_1,
              const Eigen::Vector3f& position_2,
              const Eigen::Vector3f& normal_2,
-             const ConvexityOptions& options)
+             float concavity_tolerance_degrees)
 {
   const Eigen::Vector3f towards_1 = position_1 - position_2;
-  const float normal_angle = angleDegrees(normal_1, normal_2);
-  if (options.use_smoothness_check && isStep(towards_1, normal_1, normal_2, options))
-    return false;
-  if (options.use_sanity_check &&
-      isSingular(towards_1, normal_1, normal_2, normal_angle))
-    return false;
   // Equal to comparing the angles between the connection and the two normals.
   return towards_1.dot(normal_1) >= towards_1.dot(normal_2) ||
-         normal_angle < options.concavity_tolerance_degrees;
+         angleDegrees(normal_1, normal_2) < concavity_tolerance_degrees;
 }
 
 float
 bendDegrees(const Eigen::Vector3f& position_1,
             const Eigen::Vector3f& normal_1,
             const Eigen::Vector3f& position_2,
-            const Eigen::Vector3f& normal_2,
-            const BendOptions& options)
+            const Eigen::Vector3f& normal_2)
 {
   const Eigen::Vector3f towards_1 = position_1 - position_2;
   const float angle = angleDegrees(normal_1, normal_2);
-  const float concave = std::min(angle, options.concave_limit_degrees);
+  const float concave = std::min(angle, concave_limit_degrees);
   const bool is_convex = towards_1.dot(normal_1) >= towards_1.dot(normal_2);
-  const float bend =
-      is_convex ? -std::min(angle, options.convex_limit_degrees) : concave;
+  const float bend = is_convex ? -std::min(angle, convex_limit_degrees) : concave;
   if (isSingular(towards_1, normal_1, normal_2, angle))
-    return std::max(bend, options.singular_share * concave);
+    return std::max(bend, singular_share * concave);
   return bend;
 }
 
 std::vector<Border>
-bendBorders(const Supervoxels& supervoxels,
-            const std::vector<SurfaceEdge>& edges,
-            const BendOptions& options)
+bendBorders(const Supervoxels& supervoxels, const std::vector<SurfaceEdge>& edges)
 {
   std::vector<Border> borders;
   borders.reserve(edges.size());
@@ -186,8 +125,7 @@ bendBorders(const Supervoxels& supervoxels,
     const float bend = bendDegrees(supervoxels.centroids[edge.source],
                                    supervoxels.normals[edge.source],
                                    supervoxels.centroids[edge.target],
-                                   supervoxels.normals[edge.target],
-                                   options);
+                                   supervoxels.normals[edge.target]);
     borders.push_back(
         {edge.source, edge.target, bend, static_cast<double>(edge.contacts)});
   }
@@ -197,7 +135,7 @@ bendBorders(const Supervoxels& supervoxels,
 std::vector<SurfaceEdge>
 surfaceEdges(const SurfaceVoxels& voxels,
              const Supervoxels& supervoxels,
-             const ConvexityOptions& options)
+             float concavity_tolerance_degrees)
 {
   const auto& label = supervoxels.label_of_voxel;
   std::vector<std::uint64_t> pairs;
@@ -228,7 +166,7 @@ surfaceEdges(const SurfaceVoxels& voxels,
                                supervoxels.normals[edge.source],
                                supervoxels.centroids[edge.target],
                                supervoxels.normals[edge.target],
-                               options);
+                               concavity_tolerance_degrees);
     edges.push_back(edge);
   }
   return edges;
@@ -254,22 +192,13 @@ weighEdges(const Supervoxels& supervoxels,
 }
 
 std::vector<std::uint32_t>
-convexSegments(std::size_t node_count,
-               const std::vector<SurfaceEdge>& edges,
-               unsigned common_neighbors,
-               unsigned min_segment_size)
+convexSegments(std::size_t node_count, const std::vector<SurfaceEdge>& edges)
 {
-  std::vector<SurfaceEdge> convex;
+  DisjointSets segments(node_count);
   for (const auto& edge : edges)
     if (edge.convex)
-      convex.push_back(edge);
-  const auto around = neighborsOf(node_count, convex);
-  DisjointSets segments(node_count);
-  for (const auto& edge : convex)
-    if (countCommon(around, edge.source, edge.target) >= common_neighbors)
       segments.merge(segments.find(edge.source), segments.find(edge.target));
-  if (min_segment_size > 0)
-    absorbSmallSegments(segments, node_count, edges, min_segment_size);
+  absorbSmallSegments(segments, node_count, edges);
   return segments.labels();
 }
 

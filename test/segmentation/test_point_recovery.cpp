@@ -95,11 +95,9 @@ TEST(PointRecovery, AgreesWithTheAlgorithm)
       if (rng() % 6 == 0)
         labels[i] = static_cast<std::uint32_t>(rng() % 3);
     }
-    const unsigned iterations = 1 + rng() % 8;
     auto result = labels;
-    recoverLabels(
-        chain.positions, chain.normals, chain.neighbors, {}, {iterations, 0.8}, result);
-    EXPECT_EQ(result, recoverLiterally(chain, {}, iterations, 0.8, labels));
+    recoverLabels(chain.positions, chain.normals, chain.neighbors, {}, result);
+    EXPECT_EQ(result, recoverLiterally(chain, {}, 20, 0.8, labels));
     recovered +=
         static_cast<std::size_t>(std::count(labels.begin(), labels.end(), none) -
                                  std::count(result.begin(), result.end(), none));
@@ -113,7 +111,7 @@ TEST(PointRecovery, FollowsTheSurfaceNotOnlyTheDistance)
   chain.positions[1].x() = 0.035f;             // nearer to the right,
   chain.normals[2] = Eigen::Vector3f(1, 0, 0); // which bends away
   std::vector<std::uint32_t> labels{1, none, 2};
-  recoverLabels(chain.positions, chain.normals, chain.neighbors, {}, {}, labels);
+  recoverLabels(chain.positions, chain.normals, chain.neighbors, {}, labels);
   EXPECT_EQ(labels[1], 1u);
 }
 
@@ -122,7 +120,7 @@ TEST(PointRecovery, ReachesPlacesFartherThanTheIterations)
   const Chain chain(500);
   std::vector<std::uint32_t> labels(500, none);
   labels[0] = 4;
-  recoverLabels(chain.positions, chain.normals, chain.neighbors, {}, {}, labels);
+  recoverLabels(chain.positions, chain.normals, chain.neighbors, {}, labels);
   EXPECT_EQ(labels, std::vector<std::uint32_t>(500, 4));
 }
 
@@ -140,12 +138,8 @@ TEST(PointRecovery, EmptyIsEmptyAndBadOptionsAreRejected)
 {
   const Chain chain(0);
   std::vector<std::uint32_t> labels;
-  recoverLabels({}, {}, chain.neighbors, {}, {}, labels);
+  recoverLabels({}, {}, chain.neighbors, {}, labels);
   EXPECT_TRUE(labels.empty());
-  EXPECT_THROW(recoverLabels({}, {}, chain.neighbors, {}, {0, 0.8}, labels),
-               pcl::BadArgumentException);
-  EXPECT_THROW(recoverLabels({}, {}, chain.neighbors, {}, {20, 0}, labels),
-               pcl::BadArgumentException);
   labels.assign(2, none);
   EXPECT_THROW(recoverLabels({}, {}, chain.neighbors, {}, {}, labels),
                pcl::BadArgumentException);

@@ -5,8 +5,7 @@
 #pragma once
 
 #include <pcl/features/normal_orientation.h>
-#include <pcl/segmentation/graph_segmentation.h>
-#include <pcl/segmentation/point_recovery.h>
+#include <pcl/segmentation/object_joining.h>
 #include <pcl/segmentation/surface_graph.h>
 
 #include <Eigen/Core>
@@ -20,7 +19,7 @@ namespace indoor {
 
 /** \brief How supervoxels are joined into segments. */
 enum class Partition {
-  Graph, ///< by the mean bend of whole borders, see clusterByBorders()
+  Pieces, ///< to pieces, by the mean bend of whole borders; pieces by joinPieces()
   FelzenszwalbHuttenlocher, ///< on the weights of Eq. (4.3), as the thesis does
   Lccp ///< over all convex edges, as LCCP does ("Proposed + LCCP" of Table 4.1)
 };
@@ -35,23 +34,7 @@ struct ObjectSegmentationOptions {
   /** keep floor, ceiling and walls out of the graph, see findRoomStructure(): nothing
    * is joined through them; never for a single camera */
   bool separate_structure = true;
-  /** part flat things from the horizontal surface that they lie on, see
-   * partFlatThings(); never for a single camera */
-  bool separate_things = true;
-  /** part segments at empty gaps narrower than voxels, see partAtGaps(); never for a
-   * single camera */
-  bool separate_gaps = true;
-  /** part bodies that stand against each other, see partAtSeams(); never for a single
-   * camera */
-  bool separate_seams = true;
-  /** take straight bars out of what they run through, see partAtBars(); never for a
-   * single camera */
-  bool separate_bars = true;
-  /** against gravity, unit length; for flat things, gaps, seams, bars and all that is
-   * joined
-   */
-  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  unsigned normal_rings = 1; ///< reach of normals and curvature, voxels (>= 1)
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< against gravity, unit length
   /** which way estimated normals are turned */
   NormalOrientation orientation = NormalOrientation::Automatic;
   float curvature_threshold = 0.03f; ///< theta_t (0 to 1/3)
@@ -63,43 +46,26 @@ struct ObjectSegmentationOptions {
   float normal_weight = 0.5f;                ///< w_n of Eq. (4.4) (>= 0)
   float concavity_weight = 0.25f;            ///< a of Eq. (4.3) (0 to 1)
   float concavity_tolerance_degrees = 10.0f; ///< of LCCP's criterion (0 to 180)
-  bool use_sanity_check = false;             ///< of LCCP
-  bool use_smoothness_check = false;         ///< of LCCP
-  float smoothness_threshold = 0.1f;         ///< of LCCP, voxels (>= 0)
-  Partition partition = Partition::Graph;
-  float bend_threshold_degrees = 23; ///< for Partition::Graph (-180 to 180)
-  BendOptions bend;                  ///< for Partition::Graph
-  /** join segments whose hulls leave little air between them for their contact, see
-   * ConvexUnionOptions::air_per_contact; for Partition::Graph (>= 0, 0 = never) */
-  double max_union_air = 5;
-  /** join the touching pieces of upright frames, see joinFrames() */
-  bool join_frames = true;
-  /** join the boards of racks, see joinRacks() */
-  bool join_racks = true;
-  /** join legs, end boards and backs to what they carry or end, see joinUprights() */
-  bool join_uprights = true;
-  /** join the pieces of a front that a shadow cuts in two, see joinAcrossShadows();
-   * never for a single camera */
-  bool join_shadowed = true;
-  /** join the open leaves of doors with their frames, see joinDoorLeaves(); never for a
-   * single camera */
-  bool join_doors = true;
+  Partition partition = Partition::Pieces;
+  /** mean concave bend of a border that parts two pieces, for Partition::Pieces (-180
+   * to 180) */
+  float bend_threshold_degrees = 15;
+  /** what the pieces are joined to, for Partition::Pieces */
+  JoiningScale scale = JoiningScale::Objects;
+  /** least probability that two pieces are one thing for them to be joined, for
+   * Partition::Pieces (0 to 1); higher gives smaller segments */
+  float joining_level = 0.6f;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
   std::uint32_t min_segment_size = 4;
-  unsigned common_neighbors = 0; ///< k of extended convexity, for Partition::Lccp
-  unsigned lccp_min_segment = 3; ///< n_filter, for Partition::Lccp
-  RecoveryOptions recovery;
   unsigned threads = 0; ///< 0 = automatic; the result does not depend on it
 };
 
-/** \brief Fewer and larger segments, for laser scans of rooms full of things, whose
- * surfaces undulate with the noise and the registration: flat things stay with what
- * they lie on, and C = 6. There is less oversegmentation, and more undersegmentation.
- */
+/** \brief Parts of things, as the seat and the back of a chair, instead of whole
+ * things. */
 ObjectSegmentationOptions
-laserScanOptions();
+partsOptions();
 
 /** \brief The thesis's own choice: its graph segmentation with C = 3, and no more.
  */
@@ -131,15 +97,21 @@ struct ObjectSegmentation {
   std::vector<std::uint32_t> plane_of_voxel;
   std::vector<std::uint8_t> removed; ///< per voxel: non-convex, taken out and recovered
   Supervoxels supervoxels; ///< of the voxels that are in no plane and not removed
-  std::vector<SurfaceEdge> edges;              ///< between supervoxels
+  std::vector<SurfaceEdge> edges;            ///< between supervoxels
+  std::vector<std::uint32_t> piece_of_point; ///< for Partition::Pieces, else empty
+  PieceGraph pieces;                         ///< those of the planes have no voxels
+  /** the order in which pieces become one, as far as it is of any use: those up to a
+   * level are a segmentation, see segmentsAtLevel() */
+  std::vector<PieceJoin> joins;
   std::vector<std::uint32_t> segment_of_point; ///< 0 ... segment_count - 1
   std::uint32_t segment_count = 0;
 };
 
 /** \brief Segment a scanned scene into objects or their parts (Sec. 4.2).
- * Takes out the voxels of concave and noisy regions, joins supervoxels of the others,
- * and gives the voxels that were taken out to the segments they continue. Works on
- * voxels throughout, so its cost is linear in the number of points and small.
+ * Takes out the voxels of concave and noisy regions, joins supervoxels of the others to
+ * pieces, gives the voxels that were taken out to the pieces they continue, and joins
+ * pieces that are probably one thing. Works on voxels throughout, so its cost is linear
+ * in the number of points and small.
  * Every point gets a segment.
  * \throws pcl::BadArgumentException if an option is out of range or sizes differ
  */

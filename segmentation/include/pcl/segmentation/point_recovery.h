@@ -12,29 +12,21 @@
 namespace pcl {
 namespace indoor {
 
-struct RecoveryOptions {
-  unsigned iterations = 20; ///< S, rounds before all that can be is assigned (>= 1)
-  /** P_r: share of the candidates that is accepted in a round, best first (0 to 1];
-   * lower follows the surface more closely and takes more rounds */
-  double accepted_share = 0.8;
-};
-
 /** \brief Spread labels to the places without one, along the surface (Sec. 4.2.3,
  * Algorithm 1).
  * In each round every place without label that touches labelled ones proposes the label
- * of the nearest by Eq. (4.4); the best share of the proposals is accepted. All are in
- * the last round and after it, until nothing changes. Places that touch no labelled
- * place keep none. \param[in] positions one per place \param[in] normals one per place
- * \param[in] neighbors which places touch
- * \param[in,out] labels one per place, Supervoxels::none for places without
- * \throws pcl::BadArgumentException if an option is out of range or sizes differ
+ * of the nearest by Eq. (4.4); the best 80 % (P_r) of the proposals are accepted. All
+ * are in the last of 20 rounds (S) and after it, until nothing changes. Places that
+ * touch no labelled place keep none. \param[in] positions one per place \param[in]
+ * normals one per place \param[in] neighbors which places touch \param[in,out] labels
+ * one per place, Supervoxels::none for places without \throws pcl::BadArgumentException
+ * if an option is out of range or sizes differ
  */
 void
 recoverLabels(const std::vector<Eigen::Vector3f>& positions,
               const std::vector<Eigen::Vector3f>& normals,
               const Adjacency& neighbors,
               const SurfaceDistance& distance,
-              const RecoveryOptions& options,
               std::vector<std::uint32_t>& labels);
 
 /** \brief Give each connected group of places without label a new label of its own.

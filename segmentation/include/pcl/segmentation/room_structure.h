@@ -61,15 +61,6 @@ findRoomStructure(const SurfaceVoxels& voxels, const RoomStructureOptions& optio
 Eigen::Matrix3d
 axesOf(const std::vector<StructurePlane>& planes);
 
-/** \brief Get such directions for walls that stand at other angles, too: those of
- * axesOf(), and a set for each further normal that is 10 degrees or more from all
- * directions so far. It shares the direction of the first set, mostly up, that is most
- * nearly orthogonal to the normal.
- * \return at least one set
- */
-std::vector<Eigen::Matrix3d>
-axesOfWalls(const std::vector<StructurePlane>& planes);
-
 /** \brief Tell which points lie in the planes of the structure.
  * The tolerance of a plane follows from the deviations of its own points, and is at
  * most one voxel: what is flat against a wall stays apart from it if the noise allows.
