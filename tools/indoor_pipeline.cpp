@@ -170,7 +170,7 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
   progress.start("Segmenting objects");
   auto objects = options.objects;
   objects.partition = options.partition == "lccp" ? pcl::indoor::Partition::Lccp
-                                                  : pcl::indoor::Partition::Graph;
+                                                  : pcl::indoor::Partition::Pieces;
   const auto points = pointsForObjects(file, options, segmentation);
   auto found = segmentRoomObjects(
       *points,
@@ -181,8 +181,8 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
       {},
       [&](std::size_t done, std::size_t all) { progress.update(done, all); });
   scene.object_of_point = std::move(found.object_of_point);
-  scene.objects =
-      measureObjects(*file.points, scene.room_of_point, scene.object_of_point);
+  scene.structure_of_point = std::move(found.structure_of_point);
+  scene.objects = measureObjects(*file.points, scene);
   progress.done(std::to_string(scene.objects.size()) + " objects");
   return {std::move(found.surfaces), points};
 }
@@ -230,6 +230,7 @@ save(const Options& options,
   savePng(in_folder("potential_field.png"), drawPotentialField(scene.building));
   appendField(file.cloud, "room", scene.room_of_point);
   appendField(file.cloud, "object", scene.object_of_point);
+  appendField(file.cloud, "structure", scene.structure_of_point);
   if (!scene.classes.names.empty()) {
     savePng(in_folder("classes.png"), drawClasses(scene, points));
     appendClasses(scene, file.cloud);

@@ -60,7 +60,7 @@ segmentOurs(const Cloud::Ptr& cloud,
 }
 
 /** Upstream at its example's defaults and tuned, ours by other partitions, and ours; of
- * rooms also with the preset for laser scans. */
+ * rooms also their parts. */
 std::vector<Method>
 methodsFor(bool single_view, const Settings& settings)
 {
@@ -93,10 +93,10 @@ methodsFor(bool single_view, const Settings& settings)
                               {"LCCP, tuned", true, upstream(tuned), {}},
                               {"ours + LCCP", true, own(ours, Partition::Lccp), {}},
                               {"ours + Felzenszwalb", false, own(ours, thesis), {}},
-                              {"ours", true, own(ours, Partition::Graph), {}}};
+                              {"ours", true, own(ours, Partition::Pieces), {}}};
   if (!single_view)
     methods.push_back(
-        {"ours, laser_scan", false, own(laserScanOptions(), Partition::Graph), {}});
+        {"ours, parts", false, own(partsOptions(), Partition::Pieces), {}});
   return methods;
 }
 

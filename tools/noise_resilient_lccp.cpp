@@ -23,23 +23,13 @@ namespace {
 struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "auto", camera = "auto";
-  std::string orientation = "auto", structure = "auto", things = "auto", gaps = "auto",
-              seams = "auto", bars = "auto", frames = "auto", racks = "auto",
-              uprights = "auto", shadows = "auto", doors = "auto";
-  double union_air = -1;
+  std::string orientation = "auto", structure = "auto";
+  double level = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
   bool ignore_normals = false, remove_outliers = false;
   ObjectSegmentationOptions others;
 };
-
-std::string
-numberText(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 
 /** For example "edge of a voxel; 0 = 0.03 for rooms, 0.005 for a single view". */
 std::string
@@ -56,13 +46,13 @@ addLengths(OptionParser& parser, Settings& settings)
 {
   const ObjectSegmentationOptions room, view = pcl::indoor::singleViewOptions();
   parser
-      .text(
-          "-preset",
-          settings.preset,
-          "defaults for what was scanned; auto: single_view if the input is organised, "
-          "else room; laser_scan: fewer and larger segments of a room; thesis: the "
-          "graph segmentation of the thesis with its parameters",
-          {"auto", "room", "laser_scan", "single_view", "thesis"})
+      .text("-preset",
+            settings.preset,
+            "what is wanted; objects: whole things in a room; parts: seats, backs and "
+            "arms apart; single_view: a table seen by one camera; thesis: the graph "
+            "segmentation of the thesis with its parameters; auto: single_view if the "
+            "input is organised, else objects",
+            {"auto", "objects", "parts", "single_view", "thesis"})
       .number("-voxel_resolution",
               settings.voxel_resolution,
               withPresets("edge of a voxel", room.voxel_size, view.voxel_size) +
@@ -76,68 +66,11 @@ addLengths(OptionParser& parser, Settings& settings)
               Range::atLeast(0))
       .number("-bend_threshold",
               settings.bend_threshold,
-              withPresets("mean concave bend that parts objects",
+              withPresets("mean concave bend that parts pieces",
                           room.bend_threshold_degrees,
                           view.bend_threshold_degrees),
               "degrees",
               Range::between(0, 180));
-}
-
-/** What is joined or apart because of its shape. */
-void
-addShapes(OptionParser& parser, Settings& settings)
-{
-  const auto add = [&parser](const std::string& name,
-                             std::string& variable,
-                             const std::string& meaning,
-                             const std::string& of_rooms) {
-    parser.text(name,
-                variable,
-                meaning + "; auto: " + of_rooms + " for rooms",
-                {"auto", "apart", "joined"});
-  };
-  add("-structure",
-      settings.structure,
-      "floor, ceiling and walls; apart: nothing is joined through them",
-      "apart");
-  add("-things",
-      settings.things,
-      "flat things, up to about 0.12 m high, and the horizontal surface they lie on (z "
-      "is up)",
-      "apart");
-  add("-gaps",
-      settings.gaps,
-      "both sides of a narrow upright gap without points (z is up)",
-      "apart");
-  add("-seams",
-      settings.seams,
-      "closed bodies that stand against each other, as kitchen cabinets (z is up)",
-      "apart");
-  add("-bars",
-      settings.bars,
-      "straight level bars and the things that they run through, as a rail and its "
-      "posts (z is up)",
-      "apart");
-  add("-racks",
-      settings.racks,
-      "the boards of racks and of bookcases without a back (z is up)",
-      "joined");
-  add("-uprights",
-      settings.uprights,
-      "legs, end boards and backs of what is level (z is up)",
-      "joined");
-  add("-frames",
-      settings.frames,
-      "jambs and heads of doors, bars of windows (z is up)",
-      "joined");
-  add("-shadows",
-      settings.shadows,
-      "fronts that the shadow of something before them cuts in two (z is up)",
-      "joined");
-  add("-doors",
-      settings.doors,
-      "the open leaf of a door and its frame (z is up)",
-      "joined");
 }
 
 void
@@ -145,22 +78,25 @@ addPartition(OptionParser& parser, Settings& settings)
 {
   auto& options = settings.others;
   parser
-      .text("-partition",
-            settings.partition,
-            "how supervoxels are joined: by whole borders, by the thesis's graph "
-            "segmentation, or over all convex edges; auto: graph, for -preset thesis "
-            "felzenszwalb",
-            {"auto", "graph", "felzenszwalb", "lccp"})
-      .number(
-          "-union_air",
-          settings.union_air,
-          "for -partition graph: segments are joined if the hull of both adds at most "
-          "this much air for their contact, 0 = never; higher gives larger segments; "
-          "-1 = " +
-              numberText(ObjectSegmentationOptions().max_union_air) +
-              " for rooms, 0 for the others",
-          "",
-          Range::between(-1, 1000))
+      .text(
+          "-partition",
+          settings.partition,
+          "how supervoxels are joined: by whole borders to pieces, and these by what "
+          "was learned, by the thesis's graph segmentation, or over all convex edges; "
+          "auto: graph, for -preset thesis felzenszwalb",
+          {"auto", "graph", "felzenszwalb", "lccp"})
+      .number("-level",
+              settings.level,
+              "for -partition graph: probability of being one thing from which pieces "
+              "are joined; higher gives smaller segments; -1 = 0.6, in single views 1: "
+              "none",
+              "",
+              Range::between(-1, 1))
+      .text("-structure",
+            settings.structure,
+            "floor, ceiling and walls; apart: nothing is joined through them; auto: "
+            "apart for objects and parts",
+            {"auto", "apart", "joined"})
       .number("-min_segment",
               settings.min_segment,
               withPresets("smallest segment",
@@ -222,8 +158,8 @@ presetOptions(const std::string& preset, bool organised)
 {
   if (preset == "thesis")
     return pcl::indoor::thesisOptions();
-  if (preset == "laser_scan")
-    return pcl::indoor::laserScanOptions();
+  if (preset == "parts")
+    return pcl::indoor::partsOptions();
   if (preset == "single_view" || (preset == "auto" && organised))
     return pcl::indoor::singleViewOptions();
   return {};
@@ -243,31 +179,20 @@ chosenOptions(const Settings& settings, bool organised)
              settings.voxel_resolution > 0 ? 4 * options.voxel_size : preset.seed_size);
   options.bend_threshold_degrees = static_cast<float>(
       either(settings.bend_threshold, preset.bend_threshold_degrees));
-  options.bend = preset.bend;
   options.plane_tolerance = preset.plane_tolerance;
   options.min_segment_size =
       settings.min_segment > 0 ? settings.min_segment : preset.min_segment_size;
-  const auto is = [](const std::string& given, const char* word, bool of_preset) {
-    return given == "auto" ? of_preset : given == word;
-  };
-  options.separate_structure =
-      is(settings.structure, "apart", preset.separate_structure);
-  options.separate_things = is(settings.things, "apart", preset.separate_things);
-  options.separate_gaps = is(settings.gaps, "apart", preset.separate_gaps);
-  options.separate_seams = is(settings.seams, "apart", preset.separate_seams);
-  options.separate_bars = is(settings.bars, "apart", preset.separate_bars);
-  options.join_racks = is(settings.racks, "joined", preset.join_racks);
-  options.join_uprights = is(settings.uprights, "joined", preset.join_uprights);
-  options.join_frames = is(settings.frames, "joined", preset.join_frames);
-  options.join_shadowed = is(settings.shadows, "joined", preset.join_shadowed);
-  options.join_doors = is(settings.doors, "joined", preset.join_doors);
-  options.max_union_air =
-      settings.union_air < 0 ? preset.max_union_air : settings.union_air;
+  options.separate_structure = settings.structure == "auto"
+                                   ? preset.separate_structure
+                                   : settings.structure == "apart";
+  options.scale = preset.scale;
+  options.joining_level =
+      settings.level < 0 ? preset.joining_level : static_cast<float>(settings.level);
   options.adapt_to_resolution = !(settings.voxel_resolution > 0);
   options.partition = settings.partition == "auto"   ? preset.partition
                       : settings.partition == "lccp" ? Partition::Lccp
                       : settings.partition == "graph"
-                          ? Partition::Graph
+                          ? Partition::Pieces
                           : Partition::FelzenszwalbHuttenlocher;
   using pcl::indoor::NormalOrientation;
   options.orientation = settings.orientation == "auto"    ? NormalOrientation::Automatic
@@ -299,14 +224,14 @@ main(int argc, char** argv)
   Settings settings;
   OptionParser parser("pcl_noise_resilient_lccp",
                       "Segment the scan of a room into objects with "
-                      "pcl::NoiseResilientLCCP; adds the field object.");
+                      "pcl::NoiseResilientLCCP; adds the fields object and structure.");
   parser.positional("input", settings.input, "PCD or PLY file, metres")
       .positional("output.pcd",
                   settings.output,
-                  "the input with the field object, 0 = not finite or an outlier");
+                  "the input with the fields object, 0 = not finite or an outlier, and "
+                  "structure: 1 floor, 2 wall, 3 ceiling, 0 anything else");
   addLengths(parser, settings);
   addPartition(parser, settings);
-  addShapes(parser, settings);
   addOthers(parser, settings);
   return parser.run(argc, argv, [&](Progress& progress) {
     requireWritable(settings.output);
@@ -338,6 +263,7 @@ main(int argc, char** argv)
 
     progress.start("Saving " + settings.output);
     appendField(file.cloud, "object", objects);
+    appendField(file.cloud, "structure", segmentation.getStructure());
     saveCloud(settings.output, file.cloud, file.origin, file.orientation);
     progress.done();
   });

@@ -54,6 +54,7 @@ segmentOneRoom(const PointCloud<PointXYZ>& points,
   segmentation.segment(objects.object_of_point);
   if (objects.object_of_point.empty())
     throw AlreadyReported();
+  objects.structure_of_point = segmentation.getStructure();
   if (!given.empty())
     objects.object_of_point = numbersInRoom(given, room);
   auto numbers = objects.object_of_point; // of all points, as all are finite
@@ -121,12 +122,15 @@ segmentRoomObjects(const PointCloud<PointXYZ>& points,
 
   RoomObjects all_objects;
   all_objects.object_of_point.assign(points.size(), 0);
+  all_objects.structure_of_point.assign(points.size(), 0);
   for (std::size_t room = 0; room < rooms.size(); ++room) {
-    auto& [object_of_point, surfaces] = objects[room];
+    auto& [object_of_point, structure_of_point, surfaces] = objects[room];
     const auto first = static_cast<std::uint32_t>(all_objects.surfaces.size());
     for (std::size_t i = 0; i < object_of_point.size(); ++i)
-      if (object_of_point[i] > 0)
+      if (object_of_point[i] > 0) {
         all_objects.object_of_point[rooms[room][i]] = first + object_of_point[i];
+        all_objects.structure_of_point[rooms[room][i]] = structure_of_point[i];
+      }
     std::move(
         surfaces.begin(), surfaces.end(), std::back_inserter(all_objects.surfaces));
   }

@@ -13,10 +13,9 @@ namespace pcl::indoor::tool {
 using Json = nlohmann::ordered_json;
 
 std::vector<SceneObject>
-measureObjects(const PointCloud<PointXYZ>& points,
-               const std::vector<std::uint32_t>& room_of_point,
-               const std::vector<std::uint32_t>& object_of_point)
+measureObjects(const PointCloud<PointXYZ>& points, const Scene& scene)
 {
+  const auto& object_of_point = scene.object_of_point;
   std::vector<SceneObject> objects(
       object_of_point.empty()
           ? 0
@@ -28,7 +27,8 @@ measureObjects(const PointCloud<PointXYZ>& points,
     const Eigen::Vector3d point = points[i].getVector3fMap().cast<double>();
     if (object.point_count == 0)
       object.lower = object.upper = point;
-    object.room = room_of_point[i];
+    object.room = scene.room_of_point[i];
+    object.structure = scene.structure_of_point[i];
     object.lower = object.lower.cwiseMin(point);
     object.upper = object.upper.cwiseMax(point);
     object.centroid += point;
@@ -41,6 +41,8 @@ measureObjects(const PointCloud<PointXYZ>& points,
 }
 
 namespace {
+
+constexpr const char* structure_names[] = {"none", "floor", "wall", "ceiling"};
 
 /** Class, confidence and the three likeliest of an object. */
 void
@@ -70,6 +72,8 @@ sceneText(const Scene& scene,
     Json json;
     json["object"] = i + 1;
     json["room"] = object.room;
+    if (object.structure > 0)
+      json["structure"] = structure_names[object.structure];
     if (!scene.classes.objects.empty())
       addClassJson(json, scene.classes, scene.classes.objects[i]);
     addPlaceJson(json, object, file.offset);

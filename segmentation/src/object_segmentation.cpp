@@ -14,6 +14,7 @@
 #include <pcl/segmentation/point_recovery.h>
 
 #include <algorithm>
+#include <map>
 
 namespace {
 
@@ -103,6 +104,29 @@ segmentsOfVoxels(const std::vector<std::uint32_t>& segment_of_supervoxel,
   return segments;
 }
 
+/** What the segments of most points of the planes are. */
+std::vector<pcl::indoor::StructureKind>
+structureOfSegments(const std::vector<pcl::indoor::StructurePlane>& planes,
+                    const Eigen::Vector3f& up,
+                    const ObjectSegmentation& result)
+{
+  std::vector<std::map<std::uint32_t, std::size_t>> counts(planes.size());
+  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i)
+    if (const auto plane = result.plane_of_voxel[result.voxels.cells.cell_of_point[i]])
+      ++counts[plane - 1][result.segment_of_point[i]];
+  std::vector<pcl::indoor::StructureKind> kinds(result.segment_count,
+                                                pcl::indoor::StructureKind::None);
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const auto most = std::max_element(
+        counts[p].begin(), counts[p].end(), [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        });
+    if (most != counts[p].end())
+      kinds[most->first] = kindOf(planes[p], up);
+  }
+  return kinds;
+}
+
 /** The segment of every voxel: that of its supervoxel, recovered, or its plane. */
 std::vector<std::uint32_t>
 partitionVoxels(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
@@ -168,6 +192,7 @@ segmentObjects(const ObjectSegmentationInput& input,
                 result.plane_of_voxel,
                 result.segment_of_point);
   numberSegments(result);
+  result.structure_of_segment = structureOfSegments(planes, options.up, result);
   return result;
 }
 

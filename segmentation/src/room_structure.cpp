@@ -175,6 +175,15 @@ axesOf(const std::vector<StructurePlane>& planes)
   return axes;
 }
 
+StructureKind
+kindOf(const StructurePlane& plane, const Eigen::Vector3f& up)
+{
+  const double cosine = plane.normal.dot(up.cast<double>());
+  if (std::abs(cosine) < M_SQRT1_2)
+    return StructureKind::Wall;
+  return cosine > 0 ? StructureKind::Floor : StructureKind::Ceiling;
+}
+
 std::vector<StructurePlane>
 findRoomStructure(const SurfaceVoxels& voxels, const RoomStructureOptions& options)
 {

@@ -3,26 +3,33 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-/* Cut the rooms out of labelled buildings, segment each by several methods and compare
- * the errors, as means over the rooms.
+/* Segment the rooms of a source of labelled scans by several methods and compare the
+ * errors: a table with a row for each method.
  *
- *   bench_object_accuracy building.pcd ... -room_field F -object_field F [-part_field
- * F]
+ *   bench_object_accuracy scan.pcd ... -room_field F -object_field F [-part_field F]
  *
  * Points whose object is 0 (walls, floor) are segmented, but not scored. Rooms with
- * fewer than three objects of at least 100 points are left out. */
+ * fewer than three objects of at least 100 points are left out. Flat things on walls
+ * (pictures, closed doors, windows: at most 0.15 m thick in a level direction, half of
+ * their points within 0.15 m of points of no object) are scored apart. A source of one
+ * room is also turned about the vertical with -turns. object_accuracy.py runs all
+ * sources. */
 
 #include "cloud_file.h"
 #include "options.h"
 #include "upstream_lccp.h"
 
+#include <pcl/filters/point_cells.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/segmentation_metrics.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <set>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
@@ -31,27 +38,117 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
+constexpr std::size_t large = 100;        // points of an object
+constexpr std::size_t fewest_objects = 3; // large ones in a room
+constexpr double flat_thickness = 0.15;   // metres
+constexpr double step_of_turns = 11;      // degrees
+
 struct Settings {
-  std::vector<std::string> buildings;
-  std::string room_field = "room", object_field = "object", part_field;
-  bool each_room = false;
-  unsigned threads = 2;
+  std::vector<std::string> scans;
+  std::string room_field = "room", object_field = "object", part_field, methods = "all";
+  bool each_room = false, failures = false;
+  unsigned threads = 2, turns = 1;
 };
 
 struct Room {
   std::string name;
   Cloud::Ptr points = pcl::make_shared<Cloud>();
   SegmentLabels objects, parts;
+  std::vector<std::uint32_t> flat, others; ///< large objects: flat on walls, and not
 };
+
+/** Distance between the 1st and the 99th percentile. */
+double
+spread(std::vector<float>& values)
+{
+  const auto rest = static_cast<std::ptrdiff_t>(values.size() / 100);
+  const auto low = values.begin() + rest, high = values.end() - 1 - rest;
+  std::nth_element(values.begin(), low, values.end());
+  const float lowest = *low;
+  std::nth_element(values.begin(), high, values.end());
+  return *high - lowest;
+}
+
+bool
+isThin(const std::vector<Eigen::Vector3f>& places)
+{
+  std::vector<float> heights(places.size());
+  for (int degrees = 0; degrees < 180; degrees += 5) {
+    const double angle = degrees * M_PI / 180;
+    const Eigen::Vector3f direction(
+        static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0);
+    std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
+      return direction.dot(p);
+    });
+    if (spread(heights) <= flat_thickness)
+      return true;
+  }
+  return false;
+}
+
+/** Tell the large objects that are flat on walls from the others. */
+void
+sortObjects(Room& room)
+{
+  std::vector<Eigen::Vector3f> places;
+  std::vector<std::uint32_t> objects;
+  std::map<std::uint32_t, std::vector<Eigen::Vector3f>> places_of;
+  for (std::size_t i = 0; i < room.objects.size(); ++i)
+    if (const auto& point = (*room.points)[i]; std::isfinite(point.x)) {
+      places.push_back(point.getVector3fMap());
+      objects.push_back(room.objects[i]);
+      places_of[objects.back()].push_back(places.back());
+    }
+  const auto cells = groupByCell(places, flat_thickness);
+  const auto around = cellAdjacency(cells.keys);
+  std::vector<std::uint8_t> near_wall(cells.size(), 0);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (objects[i] == 0)
+      near_wall[cells.cell_of_point[i]] |= 1;
+  for (std::uint32_t c = 0; c < cells.size(); ++c)
+    for (auto n = around.offsets[c]; n < around.offsets[c + 1]; ++n)
+      near_wall[c] |= near_wall[around.targets[n]] & 1 ? 2 : 0;
+  std::map<std::uint32_t, std::size_t> on_wall;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    on_wall[objects[i]] += near_wall[cells.cell_of_point[i]] != 0;
+  for (const auto& [object, own] : places_of) {
+    if (object == 0 || own.size() < large)
+      continue;
+    const bool is_flat = 2 * on_wall[object] >= own.size() && isThin(own);
+    (is_flat ? room.flat : room.others).push_back(object);
+  }
+}
+
+Room
+turned(const Room& room, unsigned turn)
+{
+  auto result = room;
+  result.points = pcl::make_shared<Cloud>(*room.points);
+  const double angle = turn * step_of_turns * M_PI / 180;
+  const auto cosine = static_cast<float>(std::cos(angle)),
+             sine = static_cast<float>(std::sin(angle));
+  for (auto& point : *result.points) {
+    const float x = point.x, y = point.y;
+    point.x = cosine * x - sine * y;
+    point.y = sine * x + cosine * y;
+  }
+  if (turn > 0)
+    result.name += ", turned by " + std::to_string(turn * step_of_turns);
+  return result;
+}
 
 std::vector<Room>
 cutRooms(const std::string& path, const Settings& settings)
 {
   const auto file = loadCloud(path);
-  const auto room_of = readLabels(file, settings.room_field);
   const auto object_of = readLabels(file, settings.object_field);
   const auto part_of =
       settings.part_field.empty() ? object_of : readLabels(file, settings.part_field);
+  if (settings.room_field == "none") {
+    Room room{path, file.points, object_of, part_of, {}, {}};
+    return {room};
+  }
+  const auto room_of = readLabels(file, settings.room_field);
   std::map<std::uint32_t, Room> rooms;
   for (std::size_t i = 0; i < room_of.size(); ++i) {
     if (room_of[i] == 0)
@@ -61,20 +158,30 @@ cutRooms(const std::string& path, const Settings& settings)
     room.objects.push_back(object_of[i]);
     room.parts.push_back(part_of[i]);
   }
-  std::vector<Room> furnished;
+  std::vector<Room> all;
   for (auto& [number, room] : rooms) {
-    std::map<std::uint32_t, std::size_t> sizes;
-    for (const auto object : room.objects)
-      ++sizes[object];
-    sizes.erase(0);
-    std::size_t large = 0;
-    for (const auto& entry : sizes)
-      large += entry.second >= 100;
     room.name = path + " " + settings.room_field + " " + std::to_string(number);
-    if (large >= 3)
-      furnished.push_back(std::move(room));
+    all.push_back(std::move(room));
   }
-  return furnished;
+  return all;
+}
+
+std::vector<Room>
+loadRooms(const Settings& settings)
+{
+  std::vector<Room> rooms;
+  for (const auto& scan : settings.scans)
+    for (auto& room : cutRooms(scan, settings)) {
+      sortObjects(room);
+      if (room.flat.size() + room.others.size() < fewest_objects &&
+          settings.room_field != "none")
+        continue;
+      for (unsigned turn = 0; turn < settings.turns; ++turn)
+        rooms.push_back(turned(room, turn));
+    }
+  if (rooms.empty())
+    throw ToolError("no room has three objects of 100 points");
+  return rooms;
 }
 
 SegmentLabels
@@ -96,12 +203,24 @@ struct Method {
   std::function<SegmentLabels(const Cloud::Ptr&)> segment;
 };
 
+/** \param[in] single_view the scans are of one camera */
 std::vector<Method>
-makeMethods(unsigned threads)
+makeMethods(bool single_view, const Settings& settings)
 {
+  const auto ours = single_view ? singleViewOptions() : ObjectSegmentationOptions();
+  const auto threads = settings.threads;
   UpstreamOptions plain, tuned;
+  tuned.voxel_resolution = ours.voxel_size;
+  tuned.seed_resolution = ours.seed_size;
   tuned.use_sanity_check = tuned.use_smoothness_check = true;
   tuned.min_segment_size = 3;
+  if (single_view) {
+    plain.voxel_resolution = 0.0075;
+    plain.seed_resolution = 0.03;
+    plain.k_factor = 1;
+    plain.normal_radius = tuned.normal_radius = 0;
+    plain.single_camera = tuned.single_camera = true;
+  }
   plain.threads = tuned.threads = threads;
   const auto upstream = [](const UpstreamOptions& options) {
     return [options](const Cloud::Ptr& points) {
@@ -113,87 +232,172 @@ makeMethods(unsigned threads)
       return segmentOurs(points, options, threads);
     };
   };
-  ObjectSegmentationOptions lccp, no_unions;
+  const Method best{"ours", own(ours)};
+  if (settings.methods == "ours")
+    return {best};
+  auto thesis = thesisOptions(), lccp = ours;
   lccp.partition = Partition::Lccp;
-  no_unions.max_union_air = 0;
-  return {{"LCCP, example's defaults", upstream(plain)},
-          {"LCCP, tuned", upstream(tuned)},
-          {"the thesis's setting", own(thesisOptions())},
-          {"ours + LCCP", own(lccp)},
-          {"ours, no convex unions", own(no_unions)},
-          {"ours", own(ObjectSegmentationOptions())}};
+  if (single_view) {
+    thesis.voxel_size = ours.voxel_size;
+    thesis.seed_size = ours.seed_size;
+  }
+  std::vector<Method> methods{{"LCCP, example's defaults", upstream(plain)},
+                              {"LCCP, tuned", upstream(tuned)},
+                              {"the thesis's setting", own(thesis)},
+                              {"ours + LCCP", own(lccp)},
+                              best};
+  if (!single_view) {
+    auto pieces = ours;
+    pieces.joining_level = 1;
+    methods.insert(methods.end() - 1, {"ours, pieces alone", own(pieces)});
+    methods.insert(methods.end() - 1, {"ours, parts", own(partsOptions())});
+  }
+  return methods;
 }
 
+/** Sums over rooms. */
 struct Score {
-  double over = 0, under = 0, object_over = 0, object_under = 0, overlap = 0,
-         segments = 0, seconds = 0;
+  double over = 0, under = 0, object_over = 0, object_under = 0, overlap = 0;
+  double segments = 0, specks = 0, seconds = 0, quality = 0;
+  ThingScore things, flat, parts;
+
+  Score&
+  operator+=(const Score& other)
+  {
+    over += other.over;
+    under += other.under;
+    object_over += other.object_over;
+    object_under += other.object_under;
+    overlap += other.overlap;
+    segments += other.segments;
+    specks += other.specks;
+    seconds += other.seconds;
+    quality += other.quality;
+    things += other.things;
+    flat += other.flat;
+    parts += other.parts;
+    return *this;
+  }
 };
 
+/** Print the large objects that were not found whole: what the segment that holds most
+ * of each covers, and how much of that segment is its own. */
+void
+printFailures(const Room& room, const SegmentLabels& labels)
+{
+  std::map<std::uint32_t, std::size_t> size_of_object, size_of_segment;
+  for (const auto object : room.objects)
+    ++size_of_object[object];
+  for (const auto label : labels)
+    ++size_of_segment[label];
+  std::map<std::uint32_t, Overlap> best;
+  for (const auto& overlap : countOverlaps(room.objects, labels))
+    if (overlap.count > best[overlap.truth].count)
+      best[overlap.truth] = overlap;
+  for (const auto& [object, overlap] : best) {
+    const auto size = static_cast<double>(size_of_object[object]),
+               count = static_cast<double>(overlap.count);
+    const double covered = count / size,
+                 pure = count / static_cast<double>(size_of_segment[overlap.predicted]);
+    if (size >= large && (covered < 0.8 || pure < 0.7))
+      std::printf("%s, object %u of %.0f points: covered %.2f, pure %.2f%s\n",
+                  room.name.c_str(),
+                  object,
+                  size,
+                  covered,
+                  pure,
+                  std::count(room.flat.begin(), room.flat.end(), object) > 0
+                      ? ", flat on a wall"
+                      : "");
+  }
+}
+
 Score
-evaluate(const Room& room, const Method& method)
+evaluate(const Room& room, const Method& method, bool failures)
 {
   const auto begin = std::chrono::steady_clock::now();
   const auto labels = method.segment(room.points);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  if (failures)
+    printFailures(room, labels);
+  Score score;
   const auto errors = multiScaleErrors(room.parts, room.objects, labels);
   const auto overlaps = countOverlaps(room.objects, labels);
   const auto object_errors = richtsfeldErrors(overlaps);
-  std::map<std::uint32_t, bool> segments;
+  std::map<std::uint32_t, std::size_t> sizes;
   for (const auto label : labels)
-    segments[label] = true;
-  segments.erase(0);
-  return {errors.over,
-          errors.under,
-          object_errors.over,
-          object_errors.under,
-          weightedOverlap(overlaps),
-          static_cast<double>(segments.size()),
-          time.count()};
+    ++sizes[label];
+  sizes.erase(0);
+  for (const auto& entry : sizes)
+    score.specks += entry.second < large;
+  score.over = errors.over;
+  score.under = errors.under;
+  score.object_over = object_errors.over;
+  score.object_under = object_errors.under;
+  score.overlap = weightedOverlap(overlaps);
+  score.segments = static_cast<double>(sizes.size());
+  score.seconds = time.count();
+  if (!room.others.empty())
+    score.things = scoreThings(room.objects, labels, large, room.others);
+  if (!room.flat.empty())
+    score.flat = scoreThings(room.objects, labels, large, room.flat);
+  score.parts = scoreThings(room.parts, labels, large);
+  score.quality = scoreThings(room.objects, labels, large).panopticQuality();
+  return score;
+}
+
+void
+printHead()
+{
+  std::printf("| method | OS %% | US %% | objects OS %% | US %% | WO %% | PQ | PQ of "
+              "rooms | parts PQ | whole %% | on walls PQ | whole %% | segments | "
+              "specks %% | s |\n| --- |");
+  for (int column = 0; column < 14; ++column)
+    std::printf(" ---: |");
+  std::printf("\n");
 }
 
 void
 printRow(const std::string& name, const Score& sum, double count)
 {
-  std::printf("| %s | %.2f | %.2f | %.2f | %.2f | %.1f | %.0f | %.2f |\n",
+  std::printf("| %s | %.1f | %.1f | %.1f | %.1f | %.1f | %.3f | %.3f | %.3f | %.1f of "
+              "%zu | %.3f | %.1f of %zu | %.0f | %.0f | %.2f |\n",
               name.c_str(),
               100 * sum.over / count,
               100 * sum.under / count,
               100 * sum.object_over / count,
               100 * sum.object_under / count,
               100 * sum.overlap / count,
+              sum.things.panopticQuality(),
+              sum.quality / count,
+              sum.parts.panopticQuality(),
+              100 * sum.things.wholeShare(),
+              sum.things.true_count,
+              sum.flat.panopticQuality(),
+              100 * sum.flat.wholeShare(),
+              sum.flat.true_count,
               sum.segments / count,
+              100 * sum.specks / sum.segments,
               sum.seconds / count);
+  std::fflush(stdout);
 }
 
 void
 compare(const Settings& settings)
 {
-  std::vector<Room> rooms;
-  for (const auto& building : settings.buildings)
-    for (auto& room : cutRooms(building, settings))
-      rooms.push_back(std::move(room));
-  if (rooms.empty())
-    throw ToolError("no room has three objects of 100 points");
+  const auto rooms = loadRooms(settings);
   std::printf("%zu rooms\n\n", rooms.size());
-  std::printf(
-      "| method | OS %% | US %% | whole objects OS %% | US %% | WO %% | segments "
-      "| s |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
-  for (const auto& method : makeMethods(settings.threads)) {
+  printHead();
+  const bool single_view = rooms.front().points->height > 1;
+  for (const auto& method : makeMethods(single_view, settings)) {
     Score sum;
     for (const auto& room : rooms) {
-      const auto score = evaluate(room, method);
+      const auto score = evaluate(room, method, settings.failures);
       if (settings.each_room)
         printRow(method.name + ", " + room.name, score, 1);
-      sum.over += score.over;
-      sum.under += score.under;
-      sum.object_over += score.object_over;
-      sum.object_under += score.object_under;
-      sum.overlap += score.overlap;
-      sum.segments += score.segments;
-      sum.seconds += score.seconds;
+      sum += score;
     }
     printRow(method.name, sum, static_cast<double>(rooms.size()));
-    std::fflush(stdout);
   }
 }
 
@@ -204,13 +408,24 @@ main(int argc, char** argv)
 {
   Settings settings;
   OptionParser parser("bench_object_accuracy",
-                      "Segment the rooms of labelled buildings into objects by several "
+                      "Segment the rooms of labelled scans into objects by several "
                       "methods and compare their errors.");
-  parser.positionals("building.pcd", settings.buildings, "labelled scans, metres")
-      .text("-room_field", settings.room_field, "room of a point; 0 = in none")
+  parser.positionals("scan.pcd", settings.scans, "labelled scans, metres, z up")
+      .text("-room_field",
+            settings.room_field,
+            "room of a point, 0 = in none; none: a scan is one room or view")
       .text("-object_field", settings.object_field, "object of a point; 0 = none")
       .text("-part_field", settings.part_field, "its part, for the multi-scale errors")
+      .text("-methods", settings.methods, "which are compared", {"all", "ours"})
       .flag("-each_room", settings.each_room, "print a line for each room, too")
+      .flag("-failures",
+            settings.failures,
+            "print a line for each large object that was not found whole, too")
+      .number("-turns",
+              settings.turns,
+              "each room is also turned by 11 degrees, 22 and so on",
+              "",
+              Range::between(1, 30))
       .number("-threads", settings.threads, "threads of all methods, 0 = automatic");
   return parser.run(argc, argv, [&](Progress&) { compare(settings); });
 }

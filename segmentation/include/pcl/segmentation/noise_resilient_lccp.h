@@ -18,8 +18,9 @@ namespace pcl {
  *
  * Points of concave and of noisy regions are taken out first, since patches there would
  * connect what does not belong together; the remaining surface is divided into
- * supervoxels, whose graph is cut where edges are concave or long; then the points that
- * were taken out are given to the segments they continue.
+ * supervoxels, and these are joined to pieces where they bend little; the points that
+ * were taken out are given to the pieces they continue. Pieces that are probably one
+ * thing are then joined, by a criterion learned from simulated scans.
  *
  * Every finite point of the indices gets a segment. Coordinates may be large (UTM).
  * Cost is linear in the number of points. Results depend neither on the number of
@@ -94,7 +95,7 @@ public:
   float
   getRatioThreshold() const;
 
-  /** \brief Set how supervoxels are joined (default Partition::Graph). */
+  /** \brief Set how supervoxels are joined (default Partition::Pieces). */
   void
   setPartition(Partition partition);
 
@@ -102,9 +103,9 @@ public:
   Partition
   getPartition() const;
 
-  /** \brief Set the mean concave bend of a border that parts two segments, for
-   * Partition::Graph.
-   * \param[in] degrees -180 to 180 (default 23). Higher gives larger segments.
+  /** \brief Set the mean concave bend of a border that parts two pieces, for
+   * Partition::Pieces.
+   * \param[in] degrees -180 to 180 (default 15). Higher gives larger pieces.
    */
   void
   setBendThreshold(float degrees);
@@ -112,6 +113,25 @@ public:
   /** \brief Get the bend threshold. */
   float
   getBendThreshold() const;
+
+  /** \brief Set what pieces are joined to, for Partition::Pieces (default Objects). */
+  void
+  setJoiningScale(indoor::JoiningScale scale);
+
+  /** \brief Get the joining scale. */
+  indoor::JoiningScale
+  getJoiningScale() const;
+
+  /** \brief Set the probability of being one thing from which pieces are joined, for
+   * Partition::Pieces.
+   * \param[in] level 0 to 1 (default 0.6). Higher gives smaller segments; 1 joins none.
+   */
+  void
+  setJoiningLevel(float level);
+
+  /** \brief Get the joining level. */
+  float
+  getJoiningLevel() const;
 
   /** \brief Set k of Partition::FelzenszwalbHuttenlocher.
    * \param[in] scale not negative (default 3). Higher gives larger segments.
@@ -134,7 +154,7 @@ public:
   getMinSegmentSize() const;
 
   /** \brief Set up to which difference of normals concave edges count as convex, for
-   * the two partitions other than Partition::Graph. \param[in] degrees 0 to 180
+   * the two partitions other than Partition::Pieces. \param[in] degrees 0 to 180
    * (default 10), as in LCCPSegmentation
    */
   void
@@ -199,6 +219,26 @@ public:
    * of the graph. Those that an object encloses have its label, see yieldEnclosed(). */
   Indices
   getStructureIndices() const;
+
+  /** \brief Get what each point of the last segment() is of.
+   * \return one per point of the input, a StructureKind: 0 a thing, or no segment, 1
+   * floor, 2 wall, 3 ceiling; all points of a segment are alike */
+  std::vector<std::uint32_t>
+  getStructure() const;
+
+  /** \brief Get the segments of the last segment() that joining up to another level
+   * would give, before things are parted at gaps and seams.
+   * \param[in] level 0.1 to 1; higher gives smaller segments
+   * \return one per point of the input, from 1; 0 for points without a segment; empty
+   * unless the partition is Partition::Pieces */
+  std::vector<std::uint32_t>
+  getSegmentsAtLevel(float level) const;
+
+  /** \brief Get the order in which the last segment() would join pieces, with the
+   * least probability of each join and all before it: a tree whose leaves are pieces.
+   */
+  const std::vector<indoor::PieceJoin>&
+  getHierarchy() const;
 
   /** \brief Get the supervoxel of each point of the last segment(), from 1; 0 for
    * points without (taken out, of floor, ceiling or walls, not finite or not in the

@@ -6,6 +6,7 @@
 
 #include <pcl/features/normal_orientation.h>
 #include <pcl/segmentation/object_joining.h>
+#include <pcl/segmentation/room_structure.h>
 #include <pcl/segmentation/surface_graph.h>
 
 #include <Eigen/Core>
@@ -105,6 +106,7 @@ struct ObjectSegmentation {
   std::vector<PieceJoin> joins;
   std::vector<std::uint32_t> segment_of_point; ///< 0 ... segment_count - 1
   std::uint32_t segment_count = 0;
+  std::vector<StructureKind> structure_of_segment; ///< floor, wall or ceiling, or none
 };
 
 /** \brief Segment a scanned scene into objects or their parts (Sec. 4.2).

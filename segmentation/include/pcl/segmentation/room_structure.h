@@ -41,6 +41,14 @@ struct StructurePlane {
   }
 };
 
+/** \brief What a plane around a room is. */
+enum class StructureKind : std::uint8_t { None = 0, Floor = 1, Wall = 2, Ceiling = 3 };
+
+/** \brief Tell floor and ceiling, up to 45 degrees from level, from walls.
+ * \param[in] up against gravity, unit length */
+StructureKind
+kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
+
 /** \brief Find the planes that enclose a room: floor, ceiling and walls.
  * Flat regions are grown over touching voxels, and those in one plane put together. A
  * plane belongs to the structure if it reaches from one side of the room to the other

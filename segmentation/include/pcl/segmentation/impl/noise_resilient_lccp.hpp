@@ -112,6 +112,34 @@ NoiseResilientLCCP<PointT>::getBendThreshold() const
 
 template <typename PointT>
 void
+NoiseResilientLCCP<PointT>::setJoiningScale(indoor::JoiningScale value)
+{
+  options_.scale = value;
+}
+
+template <typename PointT>
+indoor::JoiningScale
+NoiseResilientLCCP<PointT>::getJoiningScale() const
+{
+  return options_.scale;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setJoiningLevel(float value)
+{
+  options_.joining_level = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getJoiningLevel() const
+{
+  return options_.joining_level;
+}
+
+template <typename PointT>
+void
 NoiseResilientLCCP<PointT>::setGraphScale(float value)
 {
   options_.graph_scale = value;
@@ -346,6 +374,38 @@ NoiseResilientLCCP<PointT>::getStructureIndices() const
     if (result_.plane_of_voxel[result_.voxels.cells.cell_of_point[i]] != 0)
       structure.push_back(finite_[i]);
   return structure;
+}
+
+template <typename PointT>
+std::vector<std::uint32_t>
+NoiseResilientLCCP<PointT>::getStructure() const
+{
+  std::vector<std::uint32_t> structure(input_size_, 0);
+  for (std::size_t i = 0; i < finite_.size(); ++i)
+    structure[finite_[i]] = static_cast<std::uint32_t>(
+        result_.structure_of_segment[result_.segment_of_point[i]]);
+  return structure;
+}
+
+template <typename PointT>
+std::vector<std::uint32_t>
+NoiseResilientLCCP<PointT>::getSegmentsAtLevel(float level) const
+{
+  if (result_.piece_of_point.empty())
+    return {};
+  const auto segments =
+      indoor::segmentsAtLevel(result_.pieces.pieces.size(), result_.joins, level);
+  std::vector<std::uint32_t> labels(input_size_, 0);
+  for (std::size_t i = 0; i < finite_.size(); ++i)
+    labels[finite_[i]] = segments[result_.piece_of_point[i]] + 1;
+  return labels;
+}
+
+template <typename PointT>
+const std::vector<indoor::PieceJoin>&
+NoiseResilientLCCP<PointT>::getHierarchy() const
+{
+  return result_.joins;
 }
 
 template <typename PointT>

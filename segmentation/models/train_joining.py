@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the pcl_indoor contributors
+"""Learn whether two pieces are one thing: boosted trees from the examples of pcl_joining_examples.
+
+    train_joining.py trees.txt FEATURES EXAMPLES ...
+
+Deterministic: the same examples give the same trees. Needs numpy and scikit-learn.
+"""
+import sys
+
+import numpy
+from sklearn.ensemble import HistGradientBoostingClassifier
+
+TREES = 150
+LEAVES = 15
+LEARNING_RATE = 0.08
+LEAST_EXAMPLES = 40  # in a leaf
+
+
+def read_examples(paths, features):
+    """Rows of: is one thing, weight, features."""
+    rows = [numpy.fromfile(path, numpy.float32).reshape(-1, 2 + features) for path in paths]
+    return numpy.concatenate(rows)
+
+
+def train(rows):
+    """Trees whose sum is the log-odds of one thing."""
+    model = HistGradientBoostingClassifier(
+        max_iter=TREES, max_leaf_nodes=LEAVES, learning_rate=LEARNING_RATE, min_samples_leaf=LEAST_EXAMPLES,
+        l2_regularization=1.0, early_stopping=False, random_state=0)
+    weights = rows[:, 1] / rows[:, 1].mean()
+    return model.fit(rows[:, 2:], rows[:, 0], sample_weight=weights)
+
+
+def nodes_of(tree):
+    """Nodes breadth first, so that the two that follow one are side by side: feature, next, value."""
+    nodes, order, next_place = [], [0], 1
+    for number in order:  # grows
+        node = tree.nodes[number]
+        if node["is_leaf"]:
+            nodes.append("0 0 %.4g" % node["value"])
+        else:
+            nodes.append("%d %d %.6g" % (node["feature_idx"], next_place, node["num_threshold"]))
+            order += [node["left"], node["right"]]
+            next_place += 2
+    return nodes
+
+
+def text_of(model, features):
+    """What pcl::indoor::BoostedTrees::read() reads."""
+    trees = [stage[0] for stage in model._predictors]
+    lines = ["trees %d %.6g %d" % (features, model._baseline_prediction.item(), len(trees))]
+    for tree in trees:
+        nodes = nodes_of(tree)
+        lines += [str(len(nodes))] + nodes
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    features = int(sys.argv[2])
+    rows = read_examples(sys.argv[3:], features)
+    with open(sys.argv[1], "w", encoding="ascii") as file:
+        file.write(text_of(train(rows), features))
+    print("%d pairs, %.1f %% of them one thing" % (len(rows), 100 * rows[:, 0].mean()))
+
+
+if __name__ == "__main__":
+    main()

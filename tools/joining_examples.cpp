@@ -1,0 +1,267 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "category_names.h"
+#include "cloud_file.h"
+#include "options.h"
+#include "output_file.h"
+
+#include <pcl/segmentation/noise_resilient_lccp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <random>
+#include <sstream>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::tool;
+
+namespace {
+
+struct Settings {
+  std::string input, output;
+  std::string room_field = "room", object_field = "object";
+  std::string part_field = "part", part_categories, category_field = "category", names;
+  std::string model;
+  double share = 0.5;
+  std::uint32_t seed = 1;
+};
+
+OptionParser
+makeParser(Settings& settings)
+{
+  OptionParser parser(
+      "pcl_joining_examples",
+      "Joins the pieces of a labelled scan's rooms to objects and saves each pair of "
+      "pieces that is judged on the way, with what is known of it and whether the two "
+      "are one thing: what models/train_joining.py learns from.");
+  parser.positional("scan.pcd", settings.input, "PCD or PLY file, metres, z up")
+      .positional(
+          "examples", settings.output, "file of 32-bit floats, a row for a pair")
+      .text("-room_field", settings.room_field, "room of a point, 0 = in none")
+      .text("-object_field", settings.object_field, "object of a point, 0 = structure")
+      .text("-part_categories",
+            settings.part_categories,
+            "of objects of these categories, separated by commas, the parts count")
+      .text("-part_field", settings.part_field, "part of a point")
+      .text("-category_field", settings.category_field, "number of its category")
+      .text("-names",
+            settings.names,
+            "JSON file with the names of the categories, in 'categories'")
+      .text("-model",
+            settings.model,
+            "trees that join; without them what is one thing is joined, in random "
+            "order")
+      .number("-share", settings.share, "of the pairs saved", "", Range::between(0, 1))
+      .number("-seed", settings.seed, "of the order and of what is saved");
+  return parser;
+}
+
+struct Room {
+  std::uint32_t number = 0;
+  pcl::PointCloud<pcl::PointXYZ>::Ptr points =
+      pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  std::vector<std::uint32_t> truth;
+};
+
+std::vector<std::uint32_t>
+readTruth(const CloudFile& file, const Settings& settings)
+{
+  auto truth = readLabels(file, settings.object_field);
+  if (settings.part_categories.empty())
+    return truth;
+  std::map<std::string, bool> divided;
+  std::istringstream list(settings.part_categories);
+  for (std::string name; std::getline(list, name, ',');)
+    divided[name] = true;
+  const auto names = readCategoryNames(settings.names);
+  const auto parts = readLabels(file, settings.part_field);
+  const auto categories = readLabels(file, settings.category_field);
+  const auto most = *std::max_element(truth.begin(), truth.end());
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    if (const auto name = names.find(categories[i]);
+        name != names.end() && divided.count(name->second) > 0)
+      truth[i] = most + 1 + parts[i];
+  return truth;
+}
+
+std::vector<Room>
+readRooms(const Settings& settings)
+{
+  const auto file = loadCloud(settings.input);
+  const auto rooms = readLabels(file, settings.room_field);
+  const auto truth = readTruth(file, settings);
+  std::map<std::uint32_t, Room> room_of_number;
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    if (rooms[i] == 0)
+      continue;
+    auto& room = room_of_number[rooms[i]];
+    room.points->push_back((*file.points)[i]);
+    room.truth.push_back(truth[i]);
+  }
+  std::vector<Room> result;
+  for (auto& [number, room] : room_of_number) {
+    room.number = number;
+    result.push_back(std::move(room));
+  }
+  return result;
+}
+
+/** How many points of each true thing a union of pieces has. */
+struct PieceTruth {
+  std::map<std::uint32_t, double> counts;
+
+  /** The true thing of most points, and how many these are. */
+  std::pair<std::uint32_t, double>
+  most() const
+  {
+    const auto best = std::max_element(
+        counts.begin(), counts.end(), [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        });
+    if (best == counts.end())
+      return {0, 0.0};
+    return *best;
+  }
+
+  double
+  size() const
+  {
+    double sum = 0;
+    for (const auto& entry : counts)
+      sum += entry.second;
+    return sum;
+  }
+};
+
+/** Joins by trees, or by the truth, and saves what it judges. */
+class Teacher : public JoiningCriterion {
+public:
+  Teacher(const ObjectSegmentation& pieces,
+          const std::vector<std::uint32_t>& truth,
+          LearnedCriterion* learned,
+          const Settings& settings,
+          std::uint32_t room,
+          std::ostream& examples)
+  : learned_(learned)
+  , share_(settings.share)
+  , random_(settings.seed + 1000 * room)
+  , truth_(pieces.pieces.pieces.size())
+  , examples_(examples)
+  {
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      ++truth_[pieces.piece_of_point[i]].counts[truth[i]];
+  }
+
+  float
+  probability(const JoiningFeatures& features,
+              std::uint32_t a,
+              std::uint32_t b) override
+  {
+    const auto [thing_a, count_a] = truth_[a].most();
+    const auto [thing_b, count_b] = truth_[b].most();
+    const bool is_one = thing_a == thing_b && thing_a != 0;
+    // Of two pieces of structure nobody says whether they are one wall.
+    if ((thing_a != 0 || thing_b != 0) && draw() < share_) {
+      const double size_a = truth_[a].size(), size_b = truth_[b].size();
+      const double purity = std::min(count_a / size_a, count_b / size_b);
+      write(is_one);
+      write(static_cast<float>(std::sqrt(std::min(size_a, size_b)) * purity * purity));
+      for (const float feature : features)
+        write(feature);
+    }
+    if (learned_)
+      return learned_->probability(features, a, b);
+    return is_one ? 0.5f + 0.5f * draw() : 0.0f;
+  }
+
+  void
+  joined(std::uint32_t kept, std::uint32_t gone) override
+  {
+    for (const auto& [thing, count] : truth_[gone].counts)
+      truth_[kept].counts[thing] += count;
+    truth_[gone].counts.clear();
+  }
+
+private:
+  float
+  draw()
+  {
+    return static_cast<float>(random_() >> 8) / 16777216.0f;
+  }
+
+  void
+  write(float value)
+  {
+    examples_.write(reinterpret_cast<const char*>(&value), sizeof(value));
+  }
+
+  LearnedCriterion* learned_;
+  double share_;
+  std::mt19937 random_;
+  std::vector<PieceTruth> truth_;
+  std::ostream& examples_;
+};
+
+void
+saveExamples(const Room& room,
+             LearnedCriterion* learned,
+             const Settings& settings,
+             std::ostream& examples)
+{
+  pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
+  segmentation.setInputCloud(room.points);
+  std::vector<std::uint32_t> labels;
+  segmentation.segment(labels);
+  if (labels.empty())
+    throw AlreadyReported();
+  const auto& pieces = segmentation.getResult();
+  std::vector<std::uint32_t> truth; // of the finite points
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] != 0)
+      truth.push_back(room.truth[i]);
+  Teacher teacher(pieces, truth, learned, settings, room.number, examples);
+  joinPieces(pieces.pieces, teacher);
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Settings settings;
+  auto parser = makeParser(settings);
+  return parser.run(argc, argv, [&](Progress& progress) {
+    requireWritable(settings.output);
+    std::unique_ptr<LearnedCriterion> learned;
+    if (!settings.model.empty()) {
+      std::ifstream stream(settings.model);
+      try {
+        learned = std::make_unique<LearnedCriterion>(BoostedTrees::read(stream));
+      } catch (const pcl::PCLException& error) {
+        throw ToolError(settings.model + ": " + error.what());
+      }
+    }
+    progress.start("Loading " + settings.input);
+    const auto rooms = readRooms(settings);
+    if (rooms.empty())
+      throw ToolError(settings.input + ": no point has a room in the field " +
+                      settings.room_field);
+    progress.done(std::to_string(rooms.size()) + " rooms");
+    progress.start("Joining pieces");
+    std::ostringstream examples;
+    for (std::size_t r = 0; r < rooms.size(); ++r) {
+      saveExamples(rooms[r], learned.get(), settings, examples);
+      progress.update(r + 1, rooms.size());
+    }
+    const auto bytes = examples.str();
+    saveText(settings.output, bytes);
+    progress.done(std::to_string(bytes.size() / sizeof(float) /
+                                 (2 + std::tuple_size<JoiningFeatures>::value)) +
+                  " pairs");
+  });
+}
