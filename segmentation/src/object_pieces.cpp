@@ -42,6 +42,19 @@ piecesOfVoxels(const ObjectSegmentation& result)
   return piece_of_voxel;
 }
 
+/** The flags, and those of the segments that are one piece: these were cut before. */
+std::vector<std::uint8_t>
+withSinglePieces(const ObjectSegmentation& result, std::vector<std::uint8_t> flags)
+{
+  std::vector<std::uint8_t> has_joined(result.pieces.pieces.size(), 0);
+  for (std::size_t i = 0; i < flags.size(); ++i)
+    if (result.segment_of_point[i] != result.piece_of_point[i])
+      has_joined[result.segment_of_point[i]] = 1;
+  for (std::size_t i = 0; i < flags.size(); ++i)
+    flags[i] |= !has_joined[result.segment_of_point[i]];
+  return flags;
+}
+
 void
 cutGaps(const std::vector<Eigen::Vector3f>& points,
         const std::vector<std::uint8_t>& left_out,
@@ -133,7 +146,7 @@ cutBodies(const std::vector<Eigen::Vector3f>& points,
                                                options.voxel_size,
                                                options.up,
                                                result.segment_of_point);
-  cutGaps(points, left_out, options, result);
+  cutGaps(points, withSinglePieces(result, left_out), options, result);
   ObjectSeamOptions seams;
   seams.up = options.up;
   seams.voxel_size = options.voxel_size;

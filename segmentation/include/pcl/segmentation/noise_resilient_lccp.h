@@ -228,7 +228,7 @@ public:
 
   /** \brief Get the segments of the last segment() that joining up to another level
    * would give, before things are parted at gaps and seams.
-   * \param[in] level 0.1 to 1; higher gives smaller segments
+   * \param[in] level 0.3 to 1; higher gives smaller segments
    * \return one per point of the input, from 1; 0 for points without a segment; empty
    * unless the partition is Partition::Pieces */
   std::vector<std::uint32_t>

@@ -81,7 +81,7 @@ private:
 std::vector<PieceJoin>
 joinPieces(const PieceGraph& graph,
            JoiningCriterion& criterion,
-           float least_level = 0.1f);
+           float least_level = 0.3f);
 
 /** \brief Get the segment of each piece when all joins of at least a level are made:
  * the number of one of its pieces. */
