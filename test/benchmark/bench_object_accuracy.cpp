@@ -48,6 +48,7 @@ struct Settings {
   std::string room_field = "room", object_field = "object", part_field, methods = "all";
   bool each_room = false, failures = false;
   unsigned threads = 2, turns = 1;
+  double level = -1;
 };
 
 struct Room {
@@ -207,7 +208,9 @@ struct Method {
 std::vector<Method>
 makeMethods(bool single_view, const Settings& settings)
 {
-  const auto ours = single_view ? singleViewOptions() : ObjectSegmentationOptions();
+  auto ours = single_view ? singleViewOptions() : ObjectSegmentationOptions();
+  if (settings.level >= 0)
+    ours.joining_level = static_cast<float>(settings.level);
   const auto threads = settings.threads;
   UpstreamOptions plain, tuned;
   tuned.voxel_resolution = ours.voxel_size;
@@ -426,6 +429,11 @@ main(int argc, char** argv)
               "each room is also turned by 11 degrees, 22 and so on",
               "",
               Range::between(1, 30))
+      .number("-level",
+              settings.level,
+              "probability from which pieces are joined, -1 = the default",
+              "",
+              Range::between(-1, 1))
       .number("-threads", settings.threads, "threads of all methods, 0 = automatic");
   return parser.run(argc, argv, [&](Progress&) { compare(settings); });
 }

@@ -55,7 +55,7 @@ struct ObjectSegmentationOptions {
   JoiningScale scale = JoiningScale::Objects;
   /** least probability that two pieces are one thing for them to be joined, for
    * Partition::Pieces (0 to 1); higher gives smaller segments */
-  float joining_level = 0.6f;
+  float joining_level = 0.5f;
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
