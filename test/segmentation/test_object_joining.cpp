@@ -3,10 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "joining_features.h"
-
-#include <pcl/exceptions.h>
-#include <pcl/segmentation/object_joining.h>
+#include "segmentation/joining_brute_force.h"
 
 #include <gtest/gtest.h>
 
@@ -14,89 +11,15 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <random>
 #include <set>
-#include <sstream>
 #include <string>
-#include <tuple>
 
 using namespace pcl::indoor;
+using namespace pcl::indoor::test;
 
 namespace {
 
 using Labels = std::vector<std::uint32_t>;
-
-/** Places and normals are multiples of 1/64, so that sums are exact in any order. */
-Eigen::Vector3d
-randomPlace(std::mt19937& rng, unsigned range)
-{
-  const auto random = [&] { return static_cast<double>(rng() % (64 * range)) / 64; };
-  const double x = random(), y = random(), z = random();
-  return {x, y, z};
-}
-
-Piece
-randomPiece(std::mt19937& rng)
-{
-  Piece piece;
-  std::vector<Eigen::Vector3f> places;
-  const Eigen::Vector3d corner = randomPlace(rng, 3);
-  const auto count = 2 + rng() % 8;
-  for (unsigned i = 0; i < count; ++i) {
-    const Eigen::Vector3d place = corner + randomPlace(rng, 1);
-    places.push_back(place.cast<float>());
-    piece.positions.add(place);
-    piece.normals.add(Eigen::Vector3d::Unit(rng() % 3));
-  }
-  piece.reach = DirectionHulls(Eigen::Matrix3f::Identity()).reachOf(places, 0.015f);
-  for (std::size_t d = 0; d < 16; ++d) {
-    const float angle = static_cast<float>(d) * static_cast<float>(M_PI) / 8;
-    const Eigen::Vector3f direction(std::cos(angle), std::sin(angle), 0);
-    piece.outline[d] = -100;
-    for (const auto& place : places)
-      piece.outline[d] = std::max(piece.outline[d], direction.dot(place));
-  }
-  return piece;
-}
-
-PieceContact
-randomContact(std::uint32_t first, std::uint32_t second, std::mt19937& rng)
-{
-  PieceContact contact;
-  contact.first = first;
-  contact.second = second;
-  if (rng() % 3 > 0) {
-    contact.first_voxels = 1 + rng() % 4;
-    contact.second_voxels = 1 + rng() % 4;
-    contact.places.add(randomPlace(rng, 4));
-    contact.places.add(randomPlace(rng, 4));
-    contact.bends = 1 + rng() % 3;
-    contact.bend_sum = contact.bends * static_cast<double>(rng() % 40);
-    contact.bend_squares = contact.bend_sum * 30;
-    contact.concave_bends = contact.bends - rng() % 2;
-  }
-  if (rng() % 4 > 0) {
-    contact.gap = static_cast<double>(1 + rng() % 16) / 64;
-    contact.near_cells = 1 + rng() % 5;
-    contact.near_in_line = rng() % 2;
-  }
-  return contact;
-}
-
-PieceGraph
-randomGraph(std::uint32_t count, unsigned percent, std::mt19937& rng)
-{
-  PieceGraph graph;
-  graph.voxel_size = 1.0 / 32;
-  graph.floor = -0.125;
-  for (std::uint32_t p = 0; p < count; ++p)
-    graph.pieces.push_back(randomPiece(rng));
-  for (std::uint32_t a = 0; a < count; ++a)
-    for (std::uint32_t b = a + 1; b < count; ++b)
-      if (rng() % 100 < percent)
-        graph.contacts.push_back(randomContact(a, b, rng));
-  return graph;
-}
 
 /** A chain of pieces, each in contact with the next. */
 PieceGraph
@@ -107,22 +30,6 @@ chain(std::uint32_t count)
   for (std::uint32_t p = 0; p + 1 < count; ++p)
     graph.contacts.push_back(randomContact(p, p + 1, rng));
   return graph;
-}
-
-/** Some smooth function of all features but the numbers of contacts, which change with
- * joins elsewhere, too. */
-float
-probabilityOf(const JoiningFeatures& features)
-{
-  const auto& names = joiningFeatureNames();
-  double sum = 0;
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    EXPECT_TRUE(std::isfinite(features[i])) << names[i];
-    if (std::string(names[i]).substr(0, 9) != "contacts,")
-      sum += std::sin(static_cast<double>(i * i) + 1) *
-             std::tanh(static_cast<double>(features[i]));
-  }
-  return static_cast<float>(1 / (1 + std::exp(-sum)));
 }
 
 /** Judges by the features alone, and keeps a record. */
@@ -152,111 +59,72 @@ struct NumberCriterion : JoiningCriterion {
   }
 };
 
-/** Unions by the pieces in them; all that is asked for is found from these. */
-class LiteralJoining {
-public:
-  explicit LiteralJoining(const PieceGraph& graph)
-  : graph_(graph)
-  , description_(graph)
+/** Knows which pieces are left, and what is in them. */
+struct Listener : JoiningCriterion {
+  std::map<std::uint32_t, std::set<std::uint32_t>> members;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> heard;
+  std::set<std::uint32_t> judged; ///< others than the last union, since then
+  std::map<std::uint32_t, std::set<std::uint32_t>> near;
+
+  explicit Listener(const PieceGraph& graph)
   {
     for (std::uint32_t p = 0; p < graph.pieces.size(); ++p)
-      members_[p] = {p};
-  }
-
-  std::vector<PieceJoin>
-  joinAll(float least_level)
-  {
-    std::vector<PieceJoin> joins;
-    for (float level = 1;;) {
-      std::tuple<float, std::uint32_t, std::uint32_t> best{1, 0, 0};
-      for (const auto& a : members_)
-        for (const auto& b : members_)
-          if (a.first < b.first && near(a.first, b.first)) {
-            const auto probability = probabilityOf(featuresOf(a.first, b.first));
-            best = std::min(best, std::make_tuple(-probability, a.first, b.first));
-          }
-      if (-std::get<0>(best) < least_level)
-        return joins;
-      const auto kept = std::get<1>(best), gone = std::get<2>(best);
-      level = std::min(level, -std::get<0>(best));
-      joins.push_back({kept, gone, level});
-      members_[kept].insert(members_[gone].begin(), members_[gone].end());
-      members_.erase(gone);
+      members[p] = {p};
+    for (const auto& contact : graph.contacts) {
+      near[contact.first].insert(contact.second);
+      near[contact.second].insert(contact.first);
     }
   }
 
-private:
-  bool
-  near(std::uint32_t a, std::uint32_t b) const
+  float
+  probability(const JoiningFeatures& features,
+              std::uint32_t a,
+              std::uint32_t b) override
   {
-    const auto& of_a = members_.at(a);
-    const auto& of_b = members_.at(b);
-    return std::any_of(
-        graph_.contacts.begin(), graph_.contacts.end(), [&](const auto& contact) {
-          return (of_a.count(contact.first) && of_b.count(contact.second)) ||
-                 (of_b.count(contact.first) && of_a.count(contact.second));
-        });
+    EXPECT_TRUE(members.count(a) && members.count(b)) << "one of them is gone";
+    EXPECT_TRUE(near[a].count(b) && near[b].count(a));
+    if (heard.empty())
+      return probabilityOf(features);
+    EXPECT_TRUE(a == heard.back().first || b == heard.back().first);
+    judged.insert(a == heard.back().first ? b : a);
+    std::size_t parts_a = members[a].size(), parts_b = members[b].size();
+    const auto indexOf = [](const std::string& name) {
+      const auto& names = joiningFeatureNames();
+      return std::find(names.begin(), names.end(), name) - names.begin();
+    };
+    EXPECT_NEAR(features[indexOf("log parts, a")], std::log(parts_a), 1e-6);
+    EXPECT_NEAR(features[indexOf("log parts, b")], std::log(parts_b), 1e-6);
+    EXPECT_EQ(features[indexOf("contacts, a")], near[a].size());
+    EXPECT_EQ(features[indexOf("contacts, b")], near[b].size());
+    return probabilityOf(features);
   }
 
-  Piece
-  unionOf(std::uint32_t name) const
+  void
+  expectAllJudged()
   {
-    const auto& members = members_.at(name);
-    auto piece = graph_.pieces[*members.begin()];
-    for (auto member = std::next(members.begin()); member != members.end(); ++member)
-      piece += graph_.pieces[*member];
-    return piece;
+    if (heard.empty())
+      return;
+    EXPECT_EQ(judged, near[heard.back().first]);
   }
 
-  /** Voxels of all members that touch pieces outside of the union. */
-  double
-  touchingOf(std::uint32_t name) const
+  void
+  joined(std::uint32_t kept, std::uint32_t gone) override
   {
-    const auto& members = members_.at(name);
-    double sum = 0;
-    for (const auto& contact : graph_.contacts) {
-      const bool first = members.count(contact.first) > 0,
-                 second = members.count(contact.second) > 0;
-      sum += first && !second ? contact.first_voxels : 0;
-      sum += second && !first ? contact.second_voxels : 0;
-    }
-    return sum;
-  }
-
-  /** The smaller is the first. */
-  JoiningFeatures
-  featuresOf(std::uint32_t a, std::uint32_t b) const
-  {
-    auto piece_a = unionOf(a), piece_b = unionOf(b);
-    if (std::make_pair(piece_a.positions.count, a) >
-        std::make_pair(piece_b.positions.count, b)) {
-      std::swap(a, b);
-      std::swap(piece_a, piece_b);
-    }
-    PieceContact sum;
-    sum.first = a;
-    sum.second = b;
-    for (auto contact : graph_.contacts) {
-      if (members_.at(a).count(contact.second) && members_.at(b).count(contact.first)) {
-        std::swap(contact.first, contact.second);
-        std::swap(contact.first_voxels, contact.second_voxels);
-      }
-      if (!members_.at(a).count(contact.first) || !members_.at(b).count(contact.second))
+    expectAllJudged();
+    judged.clear();
+    heard.emplace_back(kept, gone);
+    ASSERT_TRUE(members.count(kept) && members.count(gone));
+    members[kept].insert(members[gone].begin(), members[gone].end());
+    members.erase(gone);
+    for (const auto other : near[gone]) {
+      near[other].erase(gone);
+      if (other == kept)
         continue;
-      contact.first = a;
-      contact.second = b;
-      sum += contact;
+      near[kept].insert(other);
+      near[other].insert(kept);
     }
-    const auto shape_a = description_.shapeOf(piece_a),
-               shape_b = description_.shapeOf(piece_b);
-    return description_.describe({piece_a, shape_a, touchingOf(a), 0},
-                                 {piece_b, shape_b, touchingOf(b), 0},
-                                 sum);
+    near.erase(gone);
   }
-
-  const PieceGraph& graph_;
-  PairDescription description_;
-  std::map<std::uint32_t, std::set<std::uint32_t>> members_;
 };
 
 void
@@ -279,16 +147,6 @@ firstPieces(const Labels& segments)
   for (std::uint32_t p = 0; p < segments.size(); ++p)
     names.push_back(first.emplace(segments[p], p).first->second);
   return names;
-}
-
-/** A text of trees that ask for one feature. */
-BoostedTrees
-oneQuestion(std::size_t features, std::size_t feature, double limit)
-{
-  std::stringstream text;
-  text << "trees " << features << " 0 1\n3\n"
-       << feature << " 1 " << limit << "\n0 0 2\n0 0 -2\n";
-  return BoostedTrees::read(text);
 }
 
 } // namespace
@@ -364,73 +222,6 @@ TEST(ObjectJoining, SegmentsAtALevelAreThoseOfStoppingThere)
 
 TEST(ObjectJoining, JoinsAreHeardBeforeTheirUnionsAreJudged)
 {
-  /** Knows which pieces are left, and what is in them. */
-  struct Listener : JoiningCriterion {
-    std::map<std::uint32_t, std::set<std::uint32_t>> members;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> heard;
-    std::set<std::uint32_t> judged; ///< others than the last union, since then
-    std::map<std::uint32_t, std::set<std::uint32_t>> near;
-
-    explicit Listener(const PieceGraph& graph)
-    {
-      for (std::uint32_t p = 0; p < graph.pieces.size(); ++p)
-        members[p] = {p};
-      for (const auto& contact : graph.contacts) {
-        near[contact.first].insert(contact.second);
-        near[contact.second].insert(contact.first);
-      }
-    }
-
-    float
-    probability(const JoiningFeatures& features,
-                std::uint32_t a,
-                std::uint32_t b) override
-    {
-      EXPECT_TRUE(members.count(a) && members.count(b)) << "one of them is gone";
-      EXPECT_TRUE(near[a].count(b) && near[b].count(a));
-      if (heard.empty())
-        return probabilityOf(features);
-      EXPECT_TRUE(a == heard.back().first || b == heard.back().first);
-      judged.insert(a == heard.back().first ? b : a);
-      std::size_t parts_a = members[a].size(), parts_b = members[b].size();
-      const auto indexOf = [](const std::string& name) {
-        const auto& names = joiningFeatureNames();
-        return std::find(names.begin(), names.end(), name) - names.begin();
-      };
-      EXPECT_NEAR(features[indexOf("log parts, a")], std::log(parts_a), 1e-6);
-      EXPECT_NEAR(features[indexOf("log parts, b")], std::log(parts_b), 1e-6);
-      EXPECT_EQ(features[indexOf("contacts, a")], near[a].size());
-      EXPECT_EQ(features[indexOf("contacts, b")], near[b].size());
-      return probabilityOf(features);
-    }
-
-    void
-    expectAllJudged()
-    {
-      if (heard.empty())
-        return;
-      EXPECT_EQ(judged, near[heard.back().first]);
-    }
-
-    void
-    joined(std::uint32_t kept, std::uint32_t gone) override
-    {
-      expectAllJudged();
-      judged.clear();
-      heard.emplace_back(kept, gone);
-      ASSERT_TRUE(members.count(kept) && members.count(gone));
-      members[kept].insert(members[gone].begin(), members[gone].end());
-      members.erase(gone);
-      for (const auto other : near[gone]) {
-        near[other].erase(gone);
-        if (other == kept)
-          continue;
-        near[kept].insert(other);
-        near[other].insert(kept);
-      }
-      near.erase(gone);
-    }
-  };
   std::mt19937 rng(6);
   for (unsigned trial = 0; trial < 10; ++trial) {
     const auto graph = randomGraph(20, 30, rng);
@@ -540,35 +331,4 @@ TEST(ObjectJoining, SegmentsAreUnionsOfUnions)
   EXPECT_EQ(firstPieces(segmentsAtLevel(6, joins, 0.7f)), (Labels{0, 1, 1, 1, 4, 1}));
   EXPECT_EQ(firstPieces(segmentsAtLevel(6, joins, 0)), (Labels{0, 0, 0, 0, 4, 0}));
   EXPECT_EQ(segmentsAtLevel(6, joins, 0.95f), (Labels{0, 1, 2, 3, 4, 5}));
-}
-
-TEST(ObjectJoining, LearnedCriteriaAskTheirTrees)
-{
-  std::mt19937 rng(9);
-  constexpr auto count = std::tuple_size<JoiningFeatures>::value;
-  for (const std::size_t feature : {std::size_t{0}, std::size_t{17}, count - 1}) {
-    LearnedCriterion criterion(oneQuestion(count, feature, 0.5));
-    JoiningFeatures features{};
-    EXPECT_NEAR(criterion.probability(features, 0, 1), 1 / (1 + std::exp(-2)), 1e-6);
-    features[feature] = 0.6f;
-    EXPECT_NEAR(criterion.probability(features, 0, 1), 1 / (1 + std::exp(2)), 1e-6);
-  }
-  EXPECT_THROW(LearnedCriterion(oneQuestion(count - 1, 0, 0)),
-               pcl::BadArgumentException);
-  EXPECT_THROW(LearnedCriterion(oneQuestion(count + 1, 0, 0)),
-               pcl::BadArgumentException);
-}
-
-TEST(ObjectJoining, BundledTreesGiveProbabilities)
-{
-  std::mt19937 rng(10);
-  const auto graph = randomGraph(12, 40, rng);
-  for (const auto scale : {JoiningScale::Parts, JoiningScale::Objects}) {
-    LearnedCriterion criterion(scale), same(scale);
-    JoiningFeatures features{};
-    const float probability = criterion.probability(features, 0, 1);
-    EXPECT_GE(probability, 0);
-    EXPECT_LE(probability, 1);
-    expectSame(joinPieces(graph, criterion), joinPieces(graph, same));
-  }
 }
