@@ -38,7 +38,8 @@ randomPair(std::mt19937& rng, const Eigen::Vector3f& shift, const Eigen::Matrix3
     const Eigen::Vector3f size(random(), random(), random());
     const Eigen::Vector3f normal = Eigen::Vector3f(-slope, side, 1).normalized();
     Places places, normals;
-    for (int i = 0; i < 40; ++i) {
+    const auto count = 20 + rng() % 40;
+    for (unsigned i = 0; i < count; ++i) {
       const float x = random(), y = random(), z = random();
       places.push_back(turn * Eigen::Vector3f(x, y, slope * x - side * y + 0.1f * z)
                                   .cwiseProduct(size.cwiseAbs()) +
