@@ -96,10 +96,6 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
   segmentation.setConcavityToleranceThreshold(181);
   expectRejected("tolerance");
   ObjectSegmentationOptions options;
-  options.recovery.accepted_share = 0;
-  segmentation.setOptions(options);
-  expectRejected("share");
-  options = {};
   options.spatial_weight = -1;
   segmentation.setOptions(options);
   expectRejected("spatial weight");
@@ -112,9 +108,19 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
   segmentation.setOptions(options);
   expectRejected("concavity weight");
   options = {};
-  options.normal_rings = 0;
+  options.plane_tolerance = -1;
   segmentation.setOptions(options);
-  expectRejected("rings");
+  expectRejected("plane tolerance");
+  for (const float level : {-0.1f, 1.1f, std::nanf("")}) {
+    options = {};
+    options.joining_level = level;
+    segmentation.setOptions(options);
+    expectRejected("joining level");
+  }
+  options = {};
+  options.up = {0, 0, 0};
+  segmentation.setOptions(options);
+  expectRejected("up");
   segmentation.setInputNormals(
       pcl::PointCloud<pcl::Normal>::Ptr(new pcl::PointCloud<pcl::Normal>));
   expectRejected("normals");
@@ -134,26 +140,16 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_FLOAT_EQ(segmentation.getCurvatureThreshold(), 0.03f);
   EXPECT_FLOAT_EQ(segmentation.getRatioThreshold(), 0.2f);
   EXPECT_FLOAT_EQ(segmentation.getGraphScale(), 3);
-  EXPECT_FLOAT_EQ(segmentation.getBendThreshold(), 23);
+  EXPECT_FLOAT_EQ(segmentation.getBendThreshold(), 15);
   EXPECT_EQ(segmentation.getMinSegmentSize(), 4u);
   EXPECT_TRUE(segmentation.getOptions().separate_structure);
-  EXPECT_TRUE(segmentation.getOptions().separate_things);
-  EXPECT_TRUE(segmentation.getOptions().separate_gaps);
-  EXPECT_TRUE(segmentation.getOptions().separate_seams);
-  EXPECT_TRUE(segmentation.getOptions().join_frames);
-  EXPECT_TRUE(segmentation.getOptions().join_racks);
-  EXPECT_TRUE(segmentation.getOptions().join_uprights);
-  EXPECT_TRUE(segmentation.getOptions().join_shadowed);
-  EXPECT_FALSE(singleViewOptions().join_uprights);
-  EXPECT_FALSE(singleViewOptions().join_shadowed);
-  EXPECT_FALSE(laserScanOptions().separate_things);
-  EXPECT_EQ(laserScanOptions().min_segment_size, 6u);
-  EXPECT_EQ(laserScanOptions().join_uprights,
-            ObjectSegmentationOptions().join_uprights);
+  EXPECT_EQ(segmentation.getOptions().scale, JoiningScale::Objects);
+  EXPECT_FLOAT_EQ(segmentation.getOptions().joining_level, 0.6f);
+  EXPECT_EQ(partsOptions().scale, JoiningScale::Parts);
+  EXPECT_FLOAT_EQ(singleViewOptions().joining_level, 1);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
-  EXPECT_DOUBLE_EQ(segmentation.getOptions().max_union_air, 5);
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
-  EXPECT_EQ(segmentation.getPartition(), Segmentation::Partition::Graph);
+  EXPECT_EQ(segmentation.getPartition(), Segmentation::Partition::Pieces);
   EXPECT_FALSE(segmentation.getInputNormals());
 }
 
@@ -172,7 +168,7 @@ TEST(NoiseResilientLCCPUse, TheThesisKeepsWallsInTheGraph)
   segmentation.segment(labels);
   EXPECT_TRUE(segmentation.getStructureIndices().empty());
   auto wrong = thesis;
-  wrong.max_union_air = -1;
+  wrong.graph_scale = -1;
   segmentation.setOptions(wrong);
   segmentation.segment(labels);
   EXPECT_TRUE(labels.empty());

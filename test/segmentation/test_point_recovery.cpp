@@ -134,13 +134,13 @@ TEST(PointRecovery, PlacesWithoutLabelledNeighborsGetLabelsOfTheirOwn)
   EXPECT_EQ(labels, (std::vector<std::uint32_t>{1, 1, 2, 0}));
 }
 
-TEST(PointRecovery, EmptyIsEmptyAndBadOptionsAreRejected)
+TEST(PointRecovery, EmptyIsEmptyAndSizesThatDifferAreRejected)
 {
   const Chain chain(0);
   std::vector<std::uint32_t> labels;
   recoverLabels({}, {}, chain.neighbors, {}, labels);
   EXPECT_TRUE(labels.empty());
   labels.assign(2, none);
-  EXPECT_THROW(recoverLabels({}, {}, chain.neighbors, {}, {}, labels),
+  EXPECT_THROW(recoverLabels({}, {}, chain.neighbors, {}, labels),
                pcl::BadArgumentException);
 }

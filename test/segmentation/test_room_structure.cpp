@@ -255,40 +255,6 @@ TEST(RoomStructure, AxesFollowThePlanes)
     EXPECT_GT(axes.col(a).cwiseAbs().maxCoeff(), 0.999);
 }
 
-TEST(RoomStructure, WallsAtOtherAnglesHaveAxesOfTheirOwn)
-{
-  const auto none = axesOfWalls({});
-  ASSERT_EQ(none.size(), 1u);
-  EXPECT_EQ(none.front(), Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
-  auto planes = findRoomStructure(voxelsOf(closedRoom()), options());
-  const auto main_axes = axesOf(planes);
-  ASSERT_EQ(axesOfWalls(planes).size(), 1u);
-  const auto addWall = [&](double degrees) {
-    const double angle = degrees * M_PI / 180;
-    planes.push_back({{std::cos(angle), std::sin(angle), 0}, 0, {}});
-  };
-  addWall(5);
-  addWall(-85);
-  ASSERT_EQ(axesOfWalls(planes).size(), 1u) << "nearly as the others";
-  addWall(30);
-  addWall(-60); // orthogonal to it
-  addWall(210); // opposite
-  const auto axes = axesOfWalls(planes);
-  ASSERT_EQ(axes.size(), 2u);
-  EXPECT_EQ(axes.front(), main_axes);
-  const auto& second = axes.back();
-  EXPECT_NEAR(
-      (second.transpose() * second - Eigen::Matrix3d::Identity()).norm(), 0, 1e-9);
-  EXPECT_NEAR(second.determinant(), 1, 1e-9);
-  const auto fits = [&](const Eigen::Vector3d& direction) {
-    return (second.transpose() * direction).cwiseAbs().maxCoeff();
-  };
-  EXPECT_GT(fits(planes.back().normal), 0.9999);
-  EXPECT_GT(fits(Eigen::Vector3d::UnitZ()), 0.9999);
-  addWall(60);
-  EXPECT_EQ(axesOfWalls(planes).size(), 3u);
-}
-
 TEST(RoomStructure, NothingInNothing)
 {
   EXPECT_TRUE(findRoomStructure(surfaceVoxels({}, {}, 1), options()).empty());

@@ -184,17 +184,14 @@ TEST(SurfaceGraph, BendsAreSignedAnglesWithLimits)
     const auto angle = degrees * static_cast<float>(M_PI) / 180;
     return Eigen::Vector3f(0.06f + 0.06f * std::cos(angle), 0, 0.06f * std::sin(angle));
   };
-  const BendOptions options;
-  EXPECT_NEAR(bendDegrees(left, up, right(0), at(0), options), 0, 1e-3);
-  EXPECT_NEAR(bendDegrees(left, up, right(40), at(40), options), 40, 1e-3);
-  EXPECT_NEAR(bendDegrees(left, up, right(90), at(90), options), 60, 1e-3);
-  EXPECT_NEAR(bendDegrees(left, up, right(-10), at(-10), options), -10, 1e-3);
-  EXPECT_NEAR(bendDegrees(left, up, right(-90), at(-90), options), -20, 1e-3);
+  EXPECT_NEAR(bendDegrees(left, up, right(0), at(0)), 0, 1e-3);
+  EXPECT_NEAR(bendDegrees(left, up, right(40), at(40)), 40, 1e-3);
+  EXPECT_NEAR(bendDegrees(left, up, right(90), at(90)), 60, 1e-3);
+  EXPECT_NEAR(bendDegrees(left, up, right(-10), at(-10)), -10, 1e-3);
+  EXPECT_NEAR(bendDegrees(left, up, right(-90), at(-90)), -20, 1e-3);
   // Turned about the connection itself the patches touch in a corner only.
   const Eigen::Vector3f turned(0, std::sin(1.0f), std::cos(1.0f));
-  EXPECT_NEAR(bendDegrees(left, up, right(0), turned, options),
-              options.singular_share * 57.2958f,
-              1e-2);
+  EXPECT_NEAR(bendDegrees(left, up, right(0), turned), 0.4f * 57.2958f, 1e-2);
 }
 
 TEST(SurfaceGraph, ConvexSegmentsAreThoseOfUpstreamLccp)
@@ -215,9 +212,6 @@ TEST(SurfaceGraph, ConvexSegmentsAreThoseOfUpstreamLccp)
       supervoxel->normal_.getNormalVector3fMap() = patches.normals[i];
       clusters[i + 1] = supervoxel;
     }
-    ConvexityOptions options;
-    options.use_sanity_check = trial % 2;
-    options.use_smoothness_check = trial % 4 > 1;
     std::multimap<std::uint32_t, std::uint32_t> adjacency;
     std::vector<SurfaceEdge> edges;
     for (std::uint32_t a = 0; a < count; ++a)
@@ -228,40 +222,41 @@ TEST(SurfaceGraph, ConvexSegmentsAreThoseOfUpstreamLccp)
                                      patches.normals[a],
                                      patches.centroids[b],
                                      patches.normals[b],
-                                     options);
+                                     10);
           edges.push_back(edge);
           adjacency.emplace(a + 1, b + 1);
           adjacency.emplace(b + 1, a + 1);
         }
-    for (const unsigned k : {0u, 1u}) {
-      pcl::LCCPSegmentation<pcl::PointXYZ> lccp;
-      lccp.setConcavityToleranceThreshold(10);
-      lccp.setSanityCheck(options.use_sanity_check);
-      lccp.setSmoothnessCheck(options.use_smoothness_check, 0.03f, 0.12f, 0.1f);
-      lccp.setKFactor(k);
-      lccp.setInputSupervoxels(clusters, adjacency);
-      lccp.segment();
-      std::map<std::uint32_t, std::uint32_t> of_patch;
-      lccp.getSupervoxelToSegmentMap(of_patch);
-      Labels upstream;
-      for (std::uint32_t i = 0; i < count; ++i)
-        upstream.push_back(of_patch.at(i + 1));
-      auto ours = convexSegments(count, edges, k, 0);
-      for (auto& label : ours)
-        ++label;
-      EXPECT_EQ(ours, test::renamed(upstream)) << "trial " << trial << ", k " << k;
-    }
+    pcl::LCCPSegmentation<pcl::PointXYZ> lccp;
+    lccp.setConcavityToleranceThreshold(10);
+    lccp.setSanityCheck(false);
+    lccp.setSmoothnessCheck(false, 0.03f, 0.12f, 0.1f);
+    lccp.setKFactor(0);
+    lccp.setMinSegmentSize(3);
+    lccp.setInputSupervoxels(clusters, adjacency);
+    lccp.segment();
+    std::map<std::uint32_t, std::uint32_t> of_patch;
+    lccp.getSupervoxelToSegmentMap(of_patch);
+    Labels upstream;
+    for (std::uint32_t i = 0; i < count; ++i)
+      upstream.push_back(of_patch.at(i + 1));
+    auto ours = convexSegments(count, edges);
+    for (auto& label : ours)
+      ++label;
+    EXPECT_EQ(ours, test::renamed(upstream)) << "trial " << trial;
   }
 }
 
 TEST(SurfaceGraph, SmallSegmentsGoToTheirLargestNeighbor)
 {
-  // A chain 0-1-2 | 3 | 4-5-6-7, bars stand for concave edges.
+  // A chain 0-1-2-3 | 4-5-6 | 7-8-9-10-11, bars stand for concave edges.
   std::vector<SurfaceEdge> edges;
-  for (std::uint32_t i = 0; i < 7; ++i)
-    edges.push_back({i, i + 1, i != 2 && i != 3, 1});
-  EXPECT_EQ(convexSegments(8, edges, 0, 0), (Labels{0, 0, 0, 1, 2, 2, 2, 2}));
-  EXPECT_EQ(convexSegments(8, edges, 0, 1), (Labels{0, 0, 0, 1, 1, 1, 1, 1}));
+  for (std::uint32_t i = 0; i < 11; ++i)
+    edges.push_back({i, i + 1, i != 3 && i != 6, 1});
+  EXPECT_EQ(convexSegments(12, edges), (Labels{0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1}));
+  // With a patch more in the middle it is large enough.
+  edges.push_back({4, 12, true, 1});
+  EXPECT_EQ(convexSegments(13, edges), (Labels{0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2, 2, 1}));
 }
 
 TEST(SurfaceGraph, WeightsAreThoseOfTheEquations)
