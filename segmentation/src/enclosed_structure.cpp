@@ -252,6 +252,7 @@ yieldEnclosed(const std::vector<Eigen::Vector3f>& points,
               const SurfaceVoxels& voxels,
               const std::vector<StructurePlane>& planes,
               double voxel_size,
+              const Eigen::Vector3f& up,
               const std::vector<std::uint32_t>& plane_of_voxel,
               std::vector<std::uint32_t>& segment_of_point)
 {
@@ -275,6 +276,8 @@ yieldEnclosed(const std::vector<Eigen::Vector3f>& points,
   const auto axes = axesOf(planes);
   std::size_t yielded = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (kindOf(planes[p], up) != StructureKind::Wall)
+      continue;
     const PlaneFrame frame(planes[p], axes, voxel_size);
     const auto members_of_cell =
         membersOfCells(points, groups.planes.members[p], frame);

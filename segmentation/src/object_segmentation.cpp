@@ -189,6 +189,7 @@ segmentObjects(const ObjectSegmentationInput& input,
                 result.voxels,
                 planes,
                 options.voxel_size,
+                options.up,
                 result.plane_of_voxel,
                 result.segment_of_point);
   numberSegments(result);

@@ -113,8 +113,13 @@ struct EnclosedScene {
         separateVoxels(labelled.points, plane_of_point, voxel_size, plane_of_voxel);
     estimateNormals(labelled.points, voxels, 1, 1);
     auto segments = labelled.objects;
-    const auto changed = yieldEnclosed(
-        labelled.points, voxels, planes, voxel_size, plane_of_voxel, segments);
+    const auto changed = yieldEnclosed(labelled.points,
+                                       voxels,
+                                       planes,
+                                       voxel_size,
+                                       Eigen::Vector3f::UnitZ(),
+                                       plane_of_voxel,
+                                       segments);
     std::size_t different = 0;
     for (std::size_t i = 0; i < segments.size(); ++i)
       different += segments[i] != labelled.objects[i];
