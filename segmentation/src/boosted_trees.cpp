@@ -26,6 +26,7 @@ BoostedTrees::read(std::istream& stream)
   require(stream >> word >> trees.feature_count_ >> trees.base_ >> count &&
               word == "trees",
           "no header");
+  require(trees.feature_count_ < 65536, "too many features"); // for Node::feature
   require(count < 100000, "too many trees");
   for (std::size_t t = 0; t < count; ++t) {
     std::size_t size = 0;

@@ -115,6 +115,8 @@ TEST(BoostedTrees, RejectsWhatIsNoTree)
            "trees x 0 0",                                 // no numbers
            "trees 1 x 0",                                 //
            "trees 1 0 x",                                 //
+           "trees -1 0 0",                                // not a number of features
+           "trees 65536 0 0",                             // too many
            "trees 1 0 -1",                                // not a count
            "trees 1 0 100000",                            // too many
            "trees 1 0 1",                                 // no tree

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::test;
@@ -93,6 +95,8 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
   expectRejected("scale");
   segmentation.setBendThreshold(200);
   expectRejected("bend");
+  segmentation.setJoiningLevel(2);
+  expectRejected("level");
   segmentation.setConcavityToleranceThreshold(181);
   expectRejected("tolerance");
   ObjectSegmentationOptions options;
@@ -132,6 +136,51 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
   EXPECT_EQ(labels.size(), 2u) << "usable again";
 }
 
+TEST(NoiseResilientLCCPUse, OtherLevelsAndStructureFitTheSegments)
+{
+  const auto scene = roomWithTwoBoxes();
+  const auto cloud = cloudOf(scene.points);
+  (*cloud)[7].x = std::numeric_limits<float>::quiet_NaN();
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloud);
+  Labels labels;
+  segmentation.segment(labels);
+  const auto structure = segmentation.getStructure();
+  ASSERT_EQ(structure.size(), labels.size());
+  EXPECT_EQ(structure[7], 0u);
+  std::map<std::uint32_t, std::uint32_t> of_segment, right, all;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] == 0)
+      continue;
+    EXPECT_EQ(of_segment.emplace(labels[i], structure[i]).first->second, structure[i])
+        << "all points of a segment are alike";
+    const auto object = scene.objects[i]; // 1 floor, 2 and 3 boxes, 4 ceiling
+    const std::uint32_t kind = object == 1 ? 1 : object < 4 ? 0 : object == 4 ? 3 : 2;
+    ++all[kind];
+    right[kind] += structure[i] == kind;
+  }
+  ASSERT_EQ(all.size(), 4u);
+  for (const auto& [kind, count] : all)
+    EXPECT_GT(right[kind], 0.95 * count) << "kind " << kind;
+  const auto& hierarchy = segmentation.getHierarchy();
+  for (const float level : {0.3f, 0.6f, 1.0f}) {
+    const auto segments = segmentation.getSegmentsAtLevel(level);
+    ASSERT_EQ(segments.size(), labels.size());
+    EXPECT_EQ(segments[7], 0u);
+    const auto names = segmentsAtLevel(
+        segmentation.getResult().pieces.pieces.size(), hierarchy, level);
+    std::set<std::uint32_t> found;
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      if (i != 7)
+        found.insert(segments[i] - 1);
+    EXPECT_EQ(found, std::set<std::uint32_t>(names.begin(), names.end()));
+  }
+  segmentation.setPartition(Segmentation::Partition::Lccp);
+  segmentation.segment(labels);
+  EXPECT_TRUE(segmentation.getSegmentsAtLevel(0.5f).empty());
+  EXPECT_TRUE(segmentation.getHierarchy().empty());
+}
+
 TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
 {
   const Segmentation segmentation;
@@ -143,8 +192,8 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_FLOAT_EQ(segmentation.getBendThreshold(), 15);
   EXPECT_EQ(segmentation.getMinSegmentSize(), 4u);
   EXPECT_TRUE(segmentation.getOptions().separate_structure);
-  EXPECT_EQ(segmentation.getOptions().scale, JoiningScale::Objects);
-  EXPECT_FLOAT_EQ(segmentation.getOptions().joining_level, 0.6f);
+  EXPECT_EQ(segmentation.getJoiningScale(), JoiningScale::Objects);
+  EXPECT_FLOAT_EQ(segmentation.getJoiningLevel(), 0.5f);
   EXPECT_EQ(partsOptions().scale, JoiningScale::Parts);
   EXPECT_FLOAT_EQ(singleViewOptions().joining_level, 1);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());

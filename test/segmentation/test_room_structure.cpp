@@ -255,6 +255,24 @@ TEST(RoomStructure, AxesFollowThePlanes)
     EXPECT_GT(axes.col(a).cwiseAbs().maxCoeff(), 0.999);
 }
 
+TEST(RoomStructure, FloorsAndCeilingsAreLessSteepThanWalls)
+{
+  const Eigen::Vector3f up = Eigen::Vector3f(0.1f, -0.2f, 1).normalized();
+  const Eigen::Vector3d along = up.cast<double>().unitOrthogonal();
+  for (const auto& [degrees, kind] : {std::make_pair(0, StructureKind::Floor),
+                                      {44, StructureKind::Floor},
+                                      {46, StructureKind::Wall},
+                                      {90, StructureKind::Wall},
+                                      {134, StructureKind::Wall},
+                                      {136, StructureKind::Ceiling},
+                                      {180, StructureKind::Ceiling}}) {
+    const double angle = degrees * M_PI / 180;
+    const Eigen::Vector3d normal =
+        std::cos(angle) * up.cast<double>() + std::sin(angle) * along;
+    EXPECT_EQ(kindOf({normal, 1, {}}, up), kind) << degrees << " degrees";
+  }
+}
+
 TEST(RoomStructure, NothingInNothing)
 {
   EXPECT_TRUE(findRoomStructure(surfaceVoxels({}, {}, 1), options()).empty());

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -146,4 +147,82 @@ TEST(SegmentationMetrics, CoarseEqualToFineGivesTheSingleScaleErrors)
     EXPECT_DOUBLE_EQ(single.over, multi.over);
     EXPECT_DOUBLE_EQ(single.under, multi.under);
   }
+}
+
+TEST(SegmentationMetrics, ThingsAgreeWithTheirDefinition)
+{
+  std::mt19937 rng(21);
+  std::size_t right = 0, whole = 0;
+  for (unsigned trial = 0; trial < 200; ++trial) {
+    const auto truth = randomLabels(40, 4, rng);
+    auto predicted = truth; // with some wrong labels
+    for (auto& label : predicted)
+      if (rng() % (2 + trial % 6) == 0)
+        label = static_cast<std::uint32_t>(rng() % 6);
+    const std::size_t min_size = trial % 3 * 5;
+    const std::vector<std::uint32_t> counted =
+        trial % 2 ? std::vector<std::uint32_t>{1, 3, 9} : std::vector<std::uint32_t>{};
+    const auto count = [&](auto holds) {
+      std::size_t sum = 0;
+      for (std::size_t i = 0; i < truth.size(); ++i)
+        sum += holds(truth[i], predicted[i]);
+      return static_cast<double>(sum);
+    };
+    const auto is_thing = [&](std::uint32_t label) {
+      return label != 0 &&
+             count([&](auto t, auto) { return t == label; }) >= min_size &&
+             (counted.empty() || label == 1 || label == 3);
+    };
+    ThingScore expected;
+    for (std::uint32_t t = 1; t <= 4; ++t)
+      expected.true_count += is_thing(t) && std::count(truth.begin(), truth.end(), t);
+    for (std::uint32_t p = 1; p <= 5; ++p) {
+      const double size = count([&](auto, auto q) { return q == p; });
+      const double of_things =
+          count([&](auto t, auto q) { return q == p && is_thing(t); });
+      bool counts = 2 * of_things > size;
+      for (std::uint32_t t = 1; t <= 4; ++t) {
+        const double both = count([&](auto u, auto q) { return u == t && q == p; });
+        const double of_truth = count([&](auto u, auto) { return u == t; });
+        if (!is_thing(t) || both == 0)
+          continue;
+        const double iou = both / (of_truth + of_things - both);
+        if (iou > 0.5) {
+          counts = true;
+          ++expected.right_count;
+          expected.iou_sum += iou;
+        }
+        expected.whole_count += both >= 0.8 * of_truth && both >= 0.7 * size;
+      }
+      expected.predicted_count += counts;
+    }
+    const auto score = scoreThings(truth, predicted, min_size, counted);
+    EXPECT_EQ(score.true_count, expected.true_count);
+    EXPECT_EQ(score.predicted_count, expected.predicted_count);
+    EXPECT_EQ(score.right_count, expected.right_count);
+    EXPECT_NEAR(score.iou_sum, expected.iou_sum, 1e-9);
+    EXPECT_EQ(score.whole_count, expected.whole_count);
+    right += score.right_count;
+    whole += score.whole_count;
+  }
+  EXPECT_GT(right, 100u);
+  EXPECT_GT(whole, 50u);
+}
+
+TEST(SegmentationMetrics, ThingsOfSeveralScenesAddUp)
+{
+  const SegmentLabels truth{1, 1, 1, 1, 2, 2, 0, 0};
+  auto score = scoreThings(truth, truth, 1);
+  EXPECT_DOUBLE_EQ(score.panopticQuality(), 1);
+  EXPECT_DOUBLE_EQ(score.wholeShare(), 1);
+  score += scoreThings(truth, {5, 5, 5, 6, 7, 8, 9, 9}, 1);
+  EXPECT_EQ(score.true_count, 4u);
+  EXPECT_EQ(score.predicted_count, 2u + 4u) << "nothing of 9 is of a thing";
+  EXPECT_EQ(score.right_count, 3u);
+  EXPECT_DOUBLE_EQ(score.panopticQuality(), 2.75 / 5);
+  EXPECT_DOUBLE_EQ(score.wholeShare(), 0.5);
+  EXPECT_EQ(scoreThings(truth, truth, 3).true_count, 1u);
+  EXPECT_DOUBLE_EQ(ThingScore().panopticQuality(), 1);
+  EXPECT_DOUBLE_EQ(ThingScore().wholeShare(), 1);
+  EXPECT_THROW(scoreThings({1, 2}, {1}), pcl::BadArgumentException);
 }
