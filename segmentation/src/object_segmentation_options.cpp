@@ -77,7 +77,7 @@ singleViewOptions()
   ObjectSegmentationOptions options;
   options.voxel_size = 0.005;
   options.seed_size = 0.02;
-  options.bend_threshold_degrees = 20;
+  options.bend_threshold_degrees = 18;
   options.min_segment_size = 6;
   options.separate_structure = false;
   options.joining_level = 1; // the criterion knows rooms only

@@ -91,8 +91,9 @@ struct ThingScore {
   std::size_t predicted_count = 0; ///< predicted segments that are not void
   std::size_t right_count = 0;     ///< pairs with intersection over union above 0.5
   double iou_sum = 0;              ///< of these pairs
-  std::size_t whole_count = 0; ///< true segments of which a prediction covers 80 % or
-                               ///< more, and that are 70 % or more of it
+  /** true segments of which a prediction covers 80 % or more, and that are 70 % or more
+   * of it, void points included */
+  std::size_t whole_count = 0;
   ThingScore&
   operator+=(const ThingScore& other);
 
