@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-// Runs pcl_joining_examples on a simulated home and looks at the examples it saves.
+// Runs pcl_joining_examples on a simulated home and looks at the examples it saves, and
+// pcl_noise_resilient_lccp at several levels.
 #include "cloud_file.h"
 #include "support/folder_test.h"
 
@@ -60,11 +61,13 @@ protected:
   }
 
   int
-  run(const std::string& input, const std::string& options) const
+  run(const std::string& input,
+      const std::string& options,
+      const std::string& tool = "pcl_joining_examples") const
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) +
-                                "/pcl_joining_examples " + input + " " + path("out") +
-                                " " + options + " > " + path("said") + " 2>&1";
+    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
+                                input + " " + path("out") + " " + options + " > " +
+                                path("said") + " 2>&1";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -243,4 +246,21 @@ TEST_F(JoiningResults, RoomsWithoutFinitePointsHaveNoExamples)
   saveCloud(path("none.pcd"), file.cloud);
   fs::remove(path("out"));
   expectRefusal("", "no point has a room in the field room", "none.pcd");
+}
+
+TEST_F(JoiningResults, SegmentationJoinsLessAtHigherLevels)
+{
+  const auto count = [&](const std::string& options) {
+    EXPECT_EQ(run(scan(), options, "pcl_noise_resilient_lccp"), 0) << options;
+    const auto objects = readLabels(loadCloud(path("out")), "object");
+    EXPECT_EQ(std::count(objects.begin(), objects.end(), 0u), 0) << options;
+    return *std::max_element(objects.begin(), objects.end());
+  };
+  const auto fewest = count("-level 0.2"), middle = count("-level 0.6");
+  const auto most = count("-level 1");
+  EXPECT_LT(fewest, middle);
+  EXPECT_LT(middle, most);
+  EXPECT_EQ(count(""), middle);
+  EXPECT_EQ(count("-level -1"), middle);
+  count("-preset parts");
 }
