@@ -37,11 +37,12 @@ struct Options {
 OptionParser
 makeParser(Options& options)
 {
-  OptionParser parser("pcl_indoor_pipeline",
-                      "Finds the rooms of a building's scan, the objects in each room "
-                      "and the class of each object; writes cloud.pcd with the fields "
-                      "room, object, category and confidence, scene.json, rooms.png, "
-                      "potential_field.png and classes.png.");
+  OptionParser parser(
+      "pcl_indoor_pipeline",
+      "Finds the rooms of a building's scan, the objects in each room "
+      "and the class of each object; writes cloud.pcd with the fields "
+      "room, object, structure, category and confidence, scene.json, rooms.png, "
+      "potential_field.png and classes.png.");
   parser.positional("input", options.input, "PCD or PLY file")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")

@@ -7,6 +7,7 @@
 #include "options.h"
 #include "output_file.h"
 
+#include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <set>
 #include <sstream>
 
 using namespace pcl::indoor;
@@ -68,23 +70,38 @@ struct Room {
   std::vector<std::uint32_t> truth;
 };
 
+/** The numbers of the categories whose parts count. */
+std::set<std::uint32_t>
+dividedCategories(const Settings& settings)
+{
+  const auto names = readCategoryNames(settings.names);
+  std::set<std::uint32_t> numbers;
+  std::istringstream list(settings.part_categories);
+  for (std::string wanted; std::getline(list, wanted, ',');) {
+    bool is_known = false;
+    for (const auto& [number, name] : names)
+      if (name == wanted) {
+        numbers.insert(number);
+        is_known = true;
+      }
+    if (!is_known)
+      throw ToolError("-part_categories: '" + wanted + "' is not in " + settings.names);
+  }
+  return numbers;
+}
+
 std::vector<std::uint32_t>
 readTruth(const CloudFile& file, const Settings& settings)
 {
   auto truth = readLabels(file, settings.object_field);
   if (settings.part_categories.empty())
     return truth;
-  std::map<std::string, bool> divided;
-  std::istringstream list(settings.part_categories);
-  for (std::string name; std::getline(list, name, ',');)
-    divided[name] = true;
-  const auto names = readCategoryNames(settings.names);
+  const auto divided = dividedCategories(settings);
   const auto parts = readLabels(file, settings.part_field);
   const auto categories = readLabels(file, settings.category_field);
   const auto most = *std::max_element(truth.begin(), truth.end());
   for (std::size_t i = 0; i < truth.size(); ++i)
-    if (const auto name = names.find(categories[i]);
-        name != names.end() && divided.count(name->second) > 0)
+    if (divided.count(categories[i]) > 0)
       truth[i] = most + 1 + parts[i];
   return truth;
 }
@@ -109,6 +126,23 @@ readRooms(const Settings& settings)
     result.push_back(std::move(room));
   }
   return result;
+}
+
+/** The trees of a file; null without a file. */
+std::unique_ptr<LearnedCriterion>
+readCriterion(const std::string& path)
+{
+  if (path.empty())
+    return nullptr;
+  std::ifstream stream(path);
+  if (!stream)
+    throw ToolError(path + ": cannot be opened");
+  try {
+    return std::make_unique<LearnedCriterion>(BoostedTrees::read(stream));
+  } catch (const pcl::BadArgumentException& error) {
+    const std::string text = error.what(); // function, file and line, " : ", text
+    throw ToolError(path + ": " + text.substr(text.find(" : ") + 3));
+  }
 }
 
 /** How many points of each true thing a union of pieces has. */
@@ -222,7 +256,7 @@ saveExamples(const Room& room,
   const auto& pieces = segmentation.getResult();
   std::vector<std::uint32_t> truth; // of the finite points
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] != 0)
+    if (pcl::isFinite((*room.points)[i]))
       truth.push_back(room.truth[i]);
   Teacher teacher(pieces, truth, learned, settings, room.number, examples);
   joinPieces(pieces.pieces, teacher);
@@ -237,15 +271,9 @@ main(int argc, char** argv)
   auto parser = makeParser(settings);
   return parser.run(argc, argv, [&](Progress& progress) {
     requireWritable(settings.output);
-    std::unique_ptr<LearnedCriterion> learned;
-    if (!settings.model.empty()) {
-      std::ifstream stream(settings.model);
-      try {
-        learned = std::make_unique<LearnedCriterion>(BoostedTrees::read(stream));
-      } catch (const pcl::PCLException& error) {
-        throw ToolError(settings.model + ": " + error.what());
-      }
-    }
+    if (!settings.part_categories.empty() && settings.names.empty())
+      throw ToolError("-part_categories needs -names");
+    const auto learned = readCriterion(settings.model);
     progress.start("Loading " + settings.input);
     const auto rooms = readRooms(settings);
     if (rooms.empty())

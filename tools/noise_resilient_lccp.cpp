@@ -235,6 +235,8 @@ main(int argc, char** argv)
   addOthers(parser, settings);
   return parser.run(argc, argv, [&](Progress& progress) {
     requireWritable(settings.output);
+    if (settings.level < 0 && settings.level != -1)
+      throw ToolError("-level: must be -1 or from 0 to 1");
     progress.start("Loading " + settings.input);
     CloudFile file = loadCloud(settings.input);
     progress.done(std::to_string(file.points->size()) + " points");

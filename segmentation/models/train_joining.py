@@ -20,8 +20,19 @@ LEAST_EXAMPLES = 40  # in a leaf
 
 def read_examples(paths, features):
     """Rows of: is one thing, weight, features."""
-    rows = [numpy.fromfile(path, numpy.float32).reshape(-1, 2 + features) for path in paths]
-    return numpy.concatenate(rows)
+    rows = []
+    for path in paths:
+        try:
+            values = numpy.fromfile(path, numpy.float32)
+        except OSError as error:
+            sys.exit(str(error))
+        if len(values) % (2 + features) != 0:
+            sys.exit("%s: not made of rows of 2 + %d numbers" % (path, features))
+        rows.append(values.reshape(-1, 2 + features))
+    rows = numpy.concatenate(rows)
+    if len(numpy.unique(rows[:, 0])) != 2:
+        sys.exit("there must be both pairs that are one thing and pairs that are not")
+    return rows
 
 
 def train(rows):
@@ -58,7 +69,7 @@ def text_of(model, features):
 
 
 def main():
-    if len(sys.argv) < 4:
+    if len(sys.argv) < 4 or not sys.argv[2].isdigit():
         sys.exit(__doc__)
     features = int(sys.argv[2])
     rows = read_examples(sys.argv[3:], features)

@@ -15,12 +15,17 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h> // for WIFEXITED
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 using namespace pcl::indoor;
@@ -43,6 +48,19 @@ protected:
                                                << bytesOf(path("said"));
     EXPECT_EQ(bytesOf(path("said")), "") << command;
   }
+
+  /** Runs a tool that must complain in one line and write no out.pcd. */
+  void
+  expectRefusal(const std::string& tool, const std::string& arguments) const
+  {
+    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
+                                arguments + " > " + path("said") + " 2>&1";
+    const int status = std::system(command.c_str());
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << command;
+    const auto said = bytesOf(path("said"));
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << command << said;
+    EXPECT_FALSE(std::filesystem::exists(path("out.pcd"))) << command;
+  }
 };
 
 /** Two rooms with a door, a table and a cabinet; an intensity per point, and some
@@ -63,6 +81,57 @@ scanOfTwoRooms()
   cloud.is_dense = false;
   cloud.sensor_origin_ = Eigen::Vector4f(1, 1, 1.5f, 0);
   return cloud;
+}
+
+/** What a point of scanOfTwoRooms() belongs to: 0 to 3 as in the field structure; none
+ * where other surfaces are near. */
+std::optional<std::uint32_t>
+structureAt(const Eigen::Vector3f& point)
+{
+  const float near = 0.15f;
+  const auto is_at = [&](int axis, float place) {
+    return std::abs(point[axis] - place) < near;
+  };
+  const Eigen::AlignedBox3f table(Eigen::Vector3f(1, 1, 0),
+                                  Eigen::Vector3f(2.4f, 1.8f, 0.75f));
+  const Eigen::AlignedBox3f cabinet(Eigen::Vector3f(5.5f, 2.4f, 0),
+                                    Eigen::Vector3f(6.7f, 2.9f, 1.8f));
+  std::vector<std::uint32_t> kinds;
+  if (is_at(2, 0.0f))
+    kinds.push_back(1);
+  for (const float x : {0.0f, 4.05f, 7.1f})
+    if (is_at(0, x))
+      kinds.push_back(2);
+  for (const float y : {0.0f, 3.0f})
+    if (is_at(1, y))
+      kinds.push_back(2);
+  if (is_at(2, 2.5f))
+    kinds.push_back(3);
+  for (const auto& thing : {table, cabinet})
+    if (thing.exteriorDistance(point) < near)
+      kinds.push_back(0);
+  return kinds.size() == 1 ? std::optional(kinds.front()) : std::nullopt;
+}
+
+void
+expectTrueStructure(const pcl::PointCloud<pcl::PointXYZI>& cloud,
+                    const std::vector<std::uint32_t>& structure)
+{
+  ASSERT_EQ(structure.size(), cloud.size());
+  std::array<std::size_t, 4> judged{}, wrong{};
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (!pcl::isFinite(cloud[i])) {
+      EXPECT_EQ(structure[i], 0u) << i;
+    }
+    else if (const auto expected = structureAt(cloud[i].getVector3fMap())) {
+      ++judged[*expected];
+      wrong[*expected] += structure[i] != *expected;
+    }
+  }
+  for (std::size_t kind = 0; kind < 4; ++kind) {
+    EXPECT_GT(judged[kind], 1000u) << kind;
+    EXPECT_LE(wrong[kind], judged[kind] / 1000) << kind << " of " << judged[kind];
+  }
 }
 
 void
@@ -129,8 +198,35 @@ TEST_F(ToolResults, NoiseResilientLccpPresetsSetTheirOptions)
     run("pcl_noise_resilient_lccp", path("in.pcd") + " " + path("out.pcd") + options);
     return readLabels(loadCloud(path("out.pcd")), "object");
   };
-  EXPECT_EQ(objects(" -preset laser_scan"), objects(" -things joined -min_segment 6"));
-  EXPECT_EQ(objects(" -preset room"), objects(""));
+  EXPECT_EQ(objects(" -preset objects"), objects(""));
+  EXPECT_NE(objects(" -preset thesis"), objects(""));
+  EXPECT_EQ(objects(" -preset thesis"),
+            objects(" -preset thesis -partition felzenszwalb -structure joined"));
+  objects(" -preset parts");
+  expectEveryFinitePointHas(loadCloud(path("out.pcd")), "object");
+}
+
+TEST_F(ToolResults, NoiseResilientLccpRefusesWrongLevels)
+{
+  pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
+  for (const char* level : {"1.01", "-1.01", "-0.5", "nan"}) {
+    expectRefusal("pcl_noise_resilient_lccp",
+                  path("in.pcd") + " " + path("out.pcd") + " -level " + level);
+    EXPECT_NE(bytesOf(path("said")).find("-level: "), std::string::npos) << level;
+  }
+}
+
+TEST_F(ToolResults, NoiseResilientLccpTellsTheStructureOfARoom)
+{
+  for (const bool is_first : {true, false}) {
+    auto cloud = scanOfTwoRooms();
+    for (auto& point : cloud)
+      if ((point.x < 4.05f) != is_first)
+        point.x = std::numeric_limits<float>::quiet_NaN();
+    pcl::io::savePCDFileBinary(path("in.pcd"), cloud);
+    run("pcl_noise_resilient_lccp", path("in.pcd") + " " + path("out.pcd"));
+    expectTrueStructure(cloud, readLabels(loadCloud(path("out.pcd")), "structure"));
+  }
 }
 
 TEST_F(ToolResults, PipelineNumbersObjectsThroughTheRooms)
@@ -192,6 +288,26 @@ TEST_F(ToolResults, PipelineDescribesTheSceneThatItWrites)
   }
   for (const char* picture : {"out/rooms.png", "out/potential_field.png"})
     EXPECT_EQ(bytesOf(path(picture)).substr(1, 3), "PNG");
+}
+
+TEST_F(ToolResults, PipelineTellsTheStructureOfPointsAndObjectsAlike)
+{
+  const auto cloud = scanOfTwoRooms();
+  pcl::io::savePCDFileBinary(path("in.pcd"), cloud);
+  run("pcl_indoor_pipeline", path("in.pcd") + " " + path("out"));
+  const auto out = loadCloud(path("out/cloud.pcd"));
+  const auto objects = readLabels(out, "object");
+  const auto structure = readLabels(out, "structure");
+  const auto scene = nlohmann::json::parse(bytesOf(path("out/scene.json")));
+  const std::vector<std::string> names = {"none", "floor", "wall", "ceiling"};
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    ASSERT_LT(structure[i], names.size());
+    const auto name =
+        objects[i] == 0 ? names[0]
+                        : scene["objects"][objects[i] - 1].value("structure", names[0]);
+    ASSERT_EQ(name, names[structure[i]]) << "object " << objects[i];
+  }
+  expectTrueStructure(cloud, structure);
 }
 
 TEST_F(ToolResults, PipelineGivesTheSameForAnyNumberOfThreadsAndReplacesOldResults)
