@@ -89,6 +89,7 @@ partsOptions()
 {
   ObjectSegmentationOptions options;
   options.scale = JoiningScale::Parts;
+  options.joining_level = 0.7f; // surer, so that things in reach do not become one
   return options;
 }
 

@@ -253,7 +253,10 @@ makeMethods(bool single_view, const Settings& settings)
     auto pieces = ours;
     pieces.joining_level = 1;
     methods.insert(methods.end() - 1, {"ours, pieces alone", own(pieces)});
-    methods.insert(methods.end() - 1, {"ours, parts", own(partsOptions())});
+    auto parts = partsOptions();
+    if (settings.level >= 0)
+      parts.joining_level = ours.joining_level;
+    methods.insert(methods.end() - 1, {"ours, parts", own(parts)});
   }
   return methods;
 }

@@ -64,7 +64,7 @@ struct ObjectSegmentationOptions {
 };
 
 /** \brief Parts of things, as the seat and the back of a chair, instead of whole
- * things. */
+ * things: JoiningScale::Parts from the level 0.7 on. */
 ObjectSegmentationOptions
 partsOptions();
 
