@@ -24,9 +24,9 @@ namespace indoor {
  * plane, cover what is within them: what lies there in the plane of the wall is a leaf
  * or a pane; but not more than half of the wall. A shelf as flat as that is taken for a
  * frame. Segments of which less than a tenth is across the plane are no closed objects,
- * but doubles of it. Where several segments enclose a cell, the smallest one gets it. Floor
- * and ceiling only end walls: what stands on a floor hides it, but does not own it.
- * No step of the thesis. The cost is linear in the points and in the cells of the
+ * but doubles of it. Where several segments enclose a cell, the smallest one gets it.
+ * Floor and ceiling only end walls: what stands on a floor hides it, but does not own
+ * it. No step of the thesis. The cost is linear in the points and in the cells of the
  * segments that reach planes.
  * \param[in] points as given to separateVoxels()
  * \param[in] voxels as given by separateVoxels(); their cells and normals are used
