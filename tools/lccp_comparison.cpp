@@ -65,19 +65,9 @@ std::vector<Method>
 methodsFor(bool single_view, const Settings& settings)
 {
   const auto ours = single_view ? singleViewOptions() : ObjectSegmentationOptions();
-  UpstreamOptions plain, tuned;
-  tuned.voxel_resolution = ours.voxel_size;
-  tuned.seed_resolution = ours.seed_size;
-  tuned.use_sanity_check = tuned.use_smoothness_check = true;
-  tuned.min_segment_size = 3;
-  if (single_view) {
-    plain.voxel_resolution = 0.0075;
-    plain.seed_resolution = 0.03;
-    plain.k_factor = 1;
-    plain.normal_radius = tuned.normal_radius = 0;
-    plain.single_camera = tuned.single_camera = true;
-  }
-  plain.threads = tuned.threads = settings.threads;
+  const auto plain = exampleUpstreamOptions(single_view, settings.threads);
+  const auto tuned = tunedUpstreamOptions(
+      single_view, settings.threads, ours.voxel_size, ours.seed_size);
   const auto upstream = [](const UpstreamOptions& options) {
     return
         [options](const Cloud::Ptr& cloud) { return segmentUpstream(*cloud, options); };

@@ -41,6 +41,36 @@ estimateNormals(const Cloud::ConstPtr& cloud, const UpstreamOptions& options)
 
 namespace pcl::indoor::tool {
 
+UpstreamOptions
+exampleUpstreamOptions(bool single_camera, unsigned threads)
+{
+  UpstreamOptions options;
+  options.threads = threads;
+  if (single_camera) {
+    options.voxel_resolution = 0.0075;
+    options.seed_resolution = 0.03;
+    options.k_factor = 1;
+    options.normal_radius = 0;
+    options.single_camera = true;
+  }
+  return options;
+}
+
+UpstreamOptions
+tunedUpstreamOptions(bool single_camera,
+                     unsigned threads,
+                     double voxel_resolution,
+                     double seed_resolution)
+{
+  auto options = exampleUpstreamOptions(single_camera, threads);
+  options.voxel_resolution = voxel_resolution;
+  options.seed_resolution = seed_resolution;
+  options.k_factor = 0;
+  options.use_sanity_check = options.use_smoothness_check = true;
+  options.min_segment_size = 3;
+  return options;
+}
+
 std::vector<std::uint32_t>
 segmentUpstream(const PointCloud<PointXYZ>& input, const UpstreamOptions& options)
 {

@@ -27,6 +27,18 @@ struct UpstreamOptions {
   unsigned threads = 0; ///< for the normals; the rest has one
 };
 
+/** \brief The defaults of upstream's example; its own for one camera. */
+UpstreamOptions
+exampleUpstreamOptions(bool single_camera, unsigned threads);
+
+/** \brief Upstream tuned: all of its checks, and voxels and seeds as ours.
+ * \param[in] voxel_resolution, seed_resolution metres */
+UpstreamOptions
+tunedUpstreamOptions(bool single_camera,
+                     unsigned threads,
+                     double voxel_resolution,
+                     double seed_resolution);
+
 /** \brief Segment a cloud with pcl::LCCPSegmentation on pcl::SupervoxelClustering.
  * Normals are turned to the sensor of a single camera, otherwise to the middle of the
  * cloud.

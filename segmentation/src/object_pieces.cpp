@@ -11,7 +11,6 @@
 #include <pcl/segmentation/object_seams.h>
 
 #include <algorithm>
-#include <map>
 
 namespace {
 

@@ -232,18 +232,32 @@ TEST(SurfaceGraph, ConvexSegmentsAreThoseOfUpstreamLccp)
     lccp.setSanityCheck(false);
     lccp.setSmoothnessCheck(false, 0.03f, 0.12f, 0.1f);
     lccp.setKFactor(0);
-    lccp.setMinSegmentSize(3);
+    // Upstream adds small segments in the order of their addresses in memory: compare
+    // with its segments before that, and with what its filter promises.
+    lccp.setMinSegmentSize(0);
     lccp.setInputSupervoxels(clusters, adjacency);
     lccp.segment();
-    std::map<std::uint32_t, std::uint32_t> of_patch;
-    lccp.getSupervoxelToSegmentMap(of_patch);
-    Labels upstream;
-    for (std::uint32_t i = 0; i < count; ++i)
-      upstream.push_back(of_patch.at(i + 1));
-    auto ours = convexSegments(count, edges);
-    for (auto& label : ours)
-      ++label;
-    EXPECT_EQ(ours, test::renamed(upstream)) << "trial " << trial;
+    std::map<std::uint32_t, std::uint32_t> upstream;
+    lccp.getSupervoxelToSegmentMap(upstream);
+    std::map<std::uint32_t, std::uint32_t> upstream_sizes, sizes, large_part, part;
+    const auto ours = convexSegments(count, edges);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      ++upstream_sizes[upstream.at(i + 1)];
+      ++sizes[ours[i]];
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto convex = upstream.at(i + 1);
+      EXPECT_EQ(part.emplace(convex, ours[i]).first->second, ours[i]) << "is parted";
+      if (upstream_sizes[convex] > 3) {
+        EXPECT_EQ(large_part.emplace(ours[i], convex).first->second, convex)
+            << "two large segments are joined";
+      }
+    }
+    for (const auto& edge : edges)
+      if (ours[edge.source] != ours[edge.target]) {
+        EXPECT_GT(sizes[ours[edge.source]], 3u) << "trial " << trial;
+        EXPECT_GT(sizes[ours[edge.target]], 3u) << "trial " << trial;
+      }
   }
 }
 
