@@ -86,7 +86,8 @@ makeParser(Options& options)
   parser
       .positional("plan.json",
                   options.plan_file,
-                  "plan of the building, or random:home:SEED, random:office:SEED")
+                  "plan of the building, or random:home:SEED, random:office:SEED, with "
+                  ":cluttered behind it for many small things")
       .positional("output.pcd", options.output_file, "the scan")
       .number("-spacing",
               options.trajectory.spacing,

@@ -30,7 +30,8 @@ allClasses()
                              bathroomClasses(),
                              lampClasses(),
                              deviceClasses(),
-                             decorationClasses()})
+                             decorationClasses(),
+                             clutterClasses()})
     classes.insert(classes.end(), family.begin(), family.end());
   return classes;
 }

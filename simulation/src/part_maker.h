@@ -181,6 +181,8 @@ std::vector<FurnitureClass>
 deviceClasses();
 std::vector<FurnitureClass>
 decorationClasses();
+std::vector<FurnitureClass>
+clutterClasses();
 
 /** \brief Doors side by side on the front of a body of a size, with handles or without.
  * They fill the last 0.04 m of its depth.

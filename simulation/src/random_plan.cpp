@@ -133,13 +133,15 @@ joinByStairs(Storey& lower, Storey& upper, RandomDraw& draw)
 }
 
 void
-furnish(Storey& storey, PlanKind kind)
+furnish(Storey& storey, PlanKind kind, bool cluttered)
 {
   for (std::size_t r = 0; r < storey.rooms.size(); ++r) {
     if (kind == PlanKind::Home)
       furnishHomeRoom(storey.furnishers[r], storey.rooms[r].kind);
     else
       furnishOfficeRoom(storey.furnishers[r], storey.rooms[r].kind);
+    if (cluttered)
+      storey.furnishers[r].clutter();
     const auto& pieces = storey.furnishers[r].furniture();
     storey.plan.furniture.insert(
         storey.plan.furniture.end(), pieces.begin(), pieces.end());
@@ -169,7 +171,7 @@ turnPlan(Plan& plan, double angle)
 } // namespace
 
 Plan
-randomPlan(std::uint32_t seed, PlanKind kind)
+randomPlan(std::uint32_t seed, PlanKind kind, bool cluttered)
 {
   RandomDraw draw(mixSeed(seed, kind == PlanKind::Home ? 0 : 1));
   const bool home = kind == PlanKind::Home;
@@ -195,7 +197,7 @@ randomPlan(std::uint32_t seed, PlanKind kind)
       storeys.push_back(std::move(upper));
   }
   for (auto& storey : storeys) {
-    furnish(storey, kind);
+    furnish(storey, kind, cluttered);
     plan.storeys.push_back(storey.plan);
   }
   if (draw.uniform() < 0.5)
@@ -208,21 +210,26 @@ randomPlanNamed(const std::string& name)
 {
   if (name.rfind("random:", 0) != 0)
     return std::nullopt;
+  const std::string clutter = ":cluttered";
+  const bool cluttered =
+      name.size() > clutter.size() &&
+      name.compare(name.size() - clutter.size(), clutter.size(), clutter) == 0;
+  const auto plain = name.substr(0, name.size() - (cluttered ? clutter.size() : 0));
   for (const auto kind : {PlanKind::Home, PlanKind::Office}) {
     const std::string start =
         kind == PlanKind::Home ? "random:home:" : "random:office:";
-    if (name.rfind(start, 0) != 0)
+    if (plain.rfind(start, 0) != 0)
       continue;
-    const std::string digits = name.substr(start.size());
+    const std::string digits = plain.substr(start.size());
     if (digits.empty() || digits.size() > 10 ||
         digits.find_first_not_of("0123456789") != std::string::npos ||
         std::stoull(digits) > 4294967295ull)
       break;
-    return randomPlan(static_cast<std::uint32_t>(std::stoull(digits)), kind);
+    return randomPlan(static_cast<std::uint32_t>(std::stoull(digits)), kind, cluttered);
   }
   throw PlanError(name +
                   ": must be random:home:SEED or random:office:SEED, with a seed "
-                  "from 0 to 4294967295");
+                  "from 0 to 4294967295, and may end with :cluttered");
 }
 
 } // namespace indoor

@@ -108,6 +108,13 @@ public:
   void
   kitchenRow(int cabinets);
 
+  /** \brief Push more desks, tables and cabinets against those there are, put many
+   * small things on all that has a level top, some against each other, and some on the
+   * floor.
+   */
+  void
+  clutter();
+
   /** \brief Anywhere on the floor. */
   int
   anywhere(const Piece& piece);
@@ -195,6 +202,9 @@ private:
 
   void
   putInRow(const Piece& next, const Wall& w, double along, double upper);
+
+  void
+  pushTogether();
 
   int
   tryWalls(const Piece& piece, double elevation, double gap);

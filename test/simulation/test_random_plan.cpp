@@ -83,8 +83,8 @@ TEST(RandomPlan, EveryPlanBuildsAndEveryRoomIsVisited)
 TEST(RandomPlan, FurnitureDoesNotCollide)
 {
   for (const auto kind : kinds)
-    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
-      const auto plan = randomPlan(seed, kind);
+    for (std::uint32_t seed = 0; seed < 2 * seeds; ++seed) {
+      const auto plan = randomPlan(seed / 2, kind, seed % 2 == 1);
       for (const auto& storey : plan.storeys)
         for (std::size_t i = 0; i < storey.furniture.size(); ++i)
           for (std::size_t k = i + 1; k < storey.furniture.size(); ++k) {
@@ -123,13 +123,39 @@ TEST(RandomPlan, EveryClassAppears)
   std::set<std::string> seen;
   for (const auto kind : kinds)
     for (std::uint32_t seed = 0; seed < seeds; ++seed)
-      for (const auto& storey : randomPlan(seed, kind).storeys)
+      for (const auto& storey : randomPlan(seed, kind, true).storeys)
         for (const auto& item : storey.furniture)
           seen.insert(item.category);
   for (const auto* part_of_building : {"beam", "column", "railing"})
     seen.insert(part_of_building);
   for (const auto& category : furnitureCategories())
     EXPECT_EQ(seen.count(category), 1u) << category;
+}
+
+TEST(RandomPlan, ClutterIsAddedToTheSamePlan)
+{
+  for (const auto kind : kinds)
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+      const auto plain = randomPlan(seed, kind),
+                 cluttered = randomPlan(seed, kind, true);
+      ASSERT_EQ(plain.storeys.size(), cluttered.storeys.size());
+      std::size_t few = 0, many = 0;
+      for (std::size_t s = 0; s < plain.storeys.size(); ++s) {
+        const auto& rest = cluttered.storeys[s].furniture;
+        auto next = rest.begin();
+        for (const auto& item : plain.storeys[s].furniture) {
+          next = std::find_if(next, rest.end(), [&](const auto& other) {
+            return other.category == item.category && other.seed == item.seed &&
+                   other.at == item.at;
+          });
+          ASSERT_NE(next, rest.end()) << plain.name << ": " << item.category;
+        }
+        few += plain.storeys[s].furniture.size();
+        many += rest.size();
+      }
+      EXPECT_GT(many, few) << plain.name;
+      EXPECT_NO_THROW(buildBuilding(cluttered)) << plain.name;
+    }
 }
 
 // What a home is for: a bed in each bedroom, something to cook on in the kitchen.
@@ -171,7 +197,13 @@ TEST(RandomPlan, NamesOfPlans)
   EXPECT_FALSE(randomPlanNamed("plans/house.json"));
   EXPECT_EQ(randomPlanNamed("random:home:7")->name, "random home 7");
   EXPECT_EQ(randomPlanNamed("random:office:4294967295")->seed, 4294967295u);
+  const auto furniture = [](const std::string& name) {
+    return randomPlanNamed(name)->storeys[0].furniture.size();
+  };
+  EXPECT_GT(furniture("random:home:7:cluttered"), furniture("random:home:7"));
   for (const auto* wrong : {"random:home:",
+                            "random:home::cluttered",
+                            "random:home:7:tidy",
                             "random:home:-1",
                             "random:home:4294967296",
                             "random:castle:1",

@@ -28,12 +28,15 @@ enum class PlanKind {
  * boxes share space only where chairs stand under tables. Some buildings are turned.
  * \param[in] seed the same seed gives the same plan; another one another plan
  * \param[in] kind of the building
+ * \param[in] cluttered desks are pushed together, and many small things lie on what has
+ * a level top and on the floor; all else is as without
  * \return a plan that buildBuilding() accepts
  */
 Plan
-randomPlan(std::uint32_t seed, PlanKind kind);
+randomPlan(std::uint32_t seed, PlanKind kind, bool cluttered = false);
 
-/** \brief Read what names a random plan: random:home:SEED or random:office:SEED.
+/** \brief Read what names a random plan: random:home:SEED or random:office:SEED,
+ * followed by :cluttered for one with clutter.
  * \param[in] name a plan's name, for example random:home:7
  * \return the plan; none if the name does not begin with random:
  * \throws PlanError if the kind is none of these or the seed is no number from 0 to
