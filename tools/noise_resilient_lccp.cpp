@@ -230,7 +230,8 @@ main(int argc, char** argv)
       .positional("output.pcd",
                   settings.output,
                   "the input with the fields object, 0 = not finite or an outlier, and "
-                  "structure: 1 floor, 2 wall, 3 ceiling, 0 anything else");
+                  "structure: 1 floor, 2 wall, 3 ceiling, 4 remainder (too small to be "
+                  "told), 0 anything else");
   addLengths(parser, settings);
   addPartition(parser, settings);
   addOthers(parser, settings);

@@ -18,7 +18,8 @@ namespace pcl::indoor::tool {
 struct RoomObjects {
   /** 1 ... n, in the order of the rooms, then those in no room; 0 = not finite */
   std::vector<std::uint32_t> object_of_point;
-  /** one per point: 1 floor, 2 wall, 3 ceiling, else 0; see StructureKind */
+  /** one per point: 1 floor, 2 wall, 3 ceiling, 4 remainder, else 0; see StructureKind
+   */
   std::vector<std::uint32_t> structure_of_point;
   std::vector<ObjectSurface> surfaces; ///< object i + 1 is the i-th
 };

@@ -42,7 +42,8 @@ measureObjects(const PointCloud<PointXYZ>& points, const Scene& scene)
 
 namespace {
 
-constexpr const char* structure_names[] = {"none", "floor", "wall", "ceiling"};
+constexpr const char* structure_names[] = {
+    "none", "floor", "wall", "ceiling", "remainder"};
 
 /** Class, confidence and the three likeliest of an object. */
 void

@@ -14,7 +14,9 @@
 #include <pcl/segmentation/point_recovery.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 
 namespace {
 
@@ -102,6 +104,30 @@ segmentsOfVoxels(const std::vector<std::uint32_t>& segment_of_supervoxel,
       segments[v] = segment;
   }
   return segments;
+}
+
+/** Put segments of fewer voxels than a supervoxel, too small to be told, into one.
+ * \return a point of it; none if there is none */
+std::optional<std::size_t>
+gatherRemainder(double supervoxel, ObjectSegmentation& result)
+{
+  auto& segments = result.segment_of_point;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs; // segments and voxels
+  pairs.reserve(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    pairs.emplace_back(segments[i], result.voxels.cells.cell_of_point[i]);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<std::uint32_t> voxel_count(pairs.empty() ? 0 : pairs.back().first + 1, 0);
+  for (const auto& [segment, voxel] : pairs)
+    ++voxel_count[segment];
+  std::optional<std::size_t> first;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    if (voxel_count[segments[i]] < supervoxel) {
+      segments[i] = static_cast<std::uint32_t>(voxel_count.size());
+      first = first.value_or(i);
+    }
+  return first;
 }
 
 /** What the segments of most points of the planes are. */
@@ -192,8 +218,15 @@ segmentObjects(const ObjectSegmentationInput& input,
                 options.up,
                 result.plane_of_voxel,
                 result.segment_of_point);
+  std::optional<std::size_t> remainder;
+  if (options.partition == Partition::Pieces)
+    remainder =
+        gatherRemainder(std::pow(options.seed_size / options.voxel_size, 2), result);
   numberSegments(result);
   result.structure_of_segment = structureOfSegments(planes, options.up, result);
+  if (remainder)
+    result.structure_of_segment[result.segment_of_point[*remainder]] =
+        StructureKind::Remainder;
   return result;
 }
 

@@ -181,6 +181,32 @@ TEST(NoiseResilientLCCP, OrderOfPointsChangesOnlyNames)
   EXPECT_GT(agreement(labels, back), 0.99);
 }
 
+TEST(NoiseResilientLCCP, WhatIsTooSmallToBeToldIsOneRemainder)
+{
+  auto scene = floorWithTwoBoxes();
+  const auto things = scene.points.size();
+  std::mt19937 rng(5);
+  for (const float x : {0.9f, 1.3f, 1.7f}) // patches of 9 voxels in the air
+    scene.addRectangle(
+        {x, 0.2f, 2}, {0.09f, 0, 0}, {0, 0.09f, 0}, {0, 0, 1}, 7, 0.01f, 0, rng);
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  Labels labels;
+  segmentation.segment(labels);
+  const auto structure = segmentation.getStructure();
+  const auto remainder = static_cast<std::uint32_t>(StructureKind::Remainder);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    EXPECT_EQ(structure[i] == remainder, i >= things);
+    if (i >= things) {
+      EXPECT_EQ(labels[i], labels[things]);
+    }
+  }
+  segmentation.setPartition(Segmentation::Partition::Lccp); // knows no remainder
+  segmentation.segment(labels);
+  for (const auto kind : segmentation.getStructure())
+    EXPECT_NE(kind, remainder);
+}
+
 TEST(NoiseResilientLCCP, TheFirstPointIsLikeAllOthers)
 {
   auto points = floorWithTwoBoxes().points;

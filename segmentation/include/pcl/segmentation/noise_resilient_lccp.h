@@ -222,7 +222,7 @@ public:
 
   /** \brief Get what each point of the last segment() is of.
    * \return one per point of the input, a StructureKind: 0 a thing, or no segment, 1
-   * floor, 2 wall, 3 ceiling; all points of a segment are alike */
+   * floor, 2 wall, 3 ceiling, 4 remainder; all points of a segment are alike */
   std::vector<std::uint32_t>
   getStructure() const;
 

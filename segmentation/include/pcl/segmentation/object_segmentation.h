@@ -106,7 +106,8 @@ struct ObjectSegmentation {
   std::vector<PieceJoin> joins;
   std::vector<std::uint32_t> segment_of_point; ///< 0 ... segment_count - 1
   std::uint32_t segment_count = 0;
-  std::vector<StructureKind> structure_of_segment; ///< floor, wall or ceiling, or none
+  std::vector<StructureKind>
+      structure_of_segment; ///< floor, wall, ceiling, remainder, or none
 };
 
 /** \brief Segment a scanned scene into objects or their parts (Sec. 4.2).

@@ -41,8 +41,14 @@ struct StructurePlane {
   }
 };
 
-/** \brief What a plane around a room is. */
-enum class StructureKind : std::uint8_t { None = 0, Floor = 1, Wall = 2, Ceiling = 3 };
+/** \brief What a segment is that is no thing. */
+enum class StructureKind : std::uint8_t {
+  None = 0, ///< it is a thing
+  Floor = 1,
+  Wall = 2,
+  Ceiling = 3,
+  Remainder = 4 ///< all pieces that are too small to be told, one segment
+};
 
 /** \brief Tell floor and ceiling, up to 45 degrees from level, from walls.
  * \param[in] up against gravity, unit length */
