@@ -11,7 +11,8 @@
  * Points whose object is 0 (walls, floor) are segmented, but not scored. Rooms with
  * fewer than three objects of at least 100 points are left out. Flat things on walls
  * (pictures, closed doors, windows: at most 0.15 m thick in a level direction, half of
- * their points within 0.15 m of points of no object) are scored apart. A source of one
+ * their points within 0.15 m of points of no object) are scored apart. "In tree" is the
+ * share of the others that any cut of the tree of joins finds. A source of one
  * room is also turned about the vertical with -turns. object_accuracy.py runs all
  * sources. */
 
@@ -185,7 +186,14 @@ loadRooms(const Settings& settings)
   return rooms;
 }
 
-SegmentLabels
+/** What a method finds; one that joins pieces tells in which order. */
+struct Found {
+  SegmentLabels labels;
+  SegmentLabels pieces; ///< from 1
+  std::vector<PieceJoin> joins;
+};
+
+Found
 segmentOurs(const Cloud::Ptr& points,
             ObjectSegmentationOptions options,
             unsigned threads)
@@ -194,14 +202,50 @@ segmentOurs(const Cloud::Ptr& points,
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
   segmentation.setOptions(options);
   segmentation.setInputCloud(points);
-  SegmentLabels labels;
-  segmentation.segment(labels);
-  return labels;
+  Found found;
+  segmentation.segment(found.labels);
+  if (options.partition == Partition::Pieces) {
+    found.pieces = segmentation.getSegmentsAtLevel(1.1f); // no join is that probable
+    found.joins = segmentation.getHierarchy();
+  }
+  return found;
+}
+
+/** The share of objects that one of all unions on the way, or a piece, has an
+ * intersection over union of at least 0.5 with: what any cut of the tree can find. */
+double
+bestCut(const Room& room, const Found& found, const std::vector<std::uint32_t>& objects)
+{
+  std::map<std::uint32_t, double> size_of_object, size_of_union;
+  std::map<std::uint32_t, std::map<std::uint32_t, double>> counts; // of each union
+  for (std::size_t i = 0; i < room.objects.size(); ++i) {
+    if (room.objects[i] == 0 || found.pieces[i] == 0)
+      continue;
+    ++size_of_object[room.objects[i]];
+    ++size_of_union[found.pieces[i] - 1];
+    ++counts[found.pieces[i] - 1][room.objects[i]];
+  }
+  std::set<std::uint32_t> right;
+  const auto judge = [&](std::uint32_t number) {
+    for (const auto& [object, count] : counts[number])
+      if (2 * count >= size_of_object[object] + size_of_union[number] - count)
+        right.insert(object);
+  };
+  for (const auto& entry : size_of_union)
+    judge(entry.first);
+  for (const auto& join : found.joins) {
+    for (const auto& [object, count] : counts[join.gone])
+      counts[join.kept][object] += count;
+    size_of_union[join.kept] += size_of_union[join.gone];
+    judge(join.kept);
+  }
+  return static_cast<double>(std::count_if(
+      objects.begin(), objects.end(), [&](auto o) { return right.count(o) > 0; }));
 }
 
 struct Method {
   std::string name;
-  std::function<SegmentLabels(const Cloud::Ptr&)> segment;
+  std::function<Found(const Cloud::Ptr&)> segment;
 };
 
 /** \param[in] single_view the scans are of one camera */
@@ -217,7 +261,7 @@ makeMethods(bool single_view, const Settings& settings)
       tunedUpstreamOptions(single_view, threads, ours.voxel_size, ours.seed_size);
   const auto upstream = [](const UpstreamOptions& options) {
     return [options](const Cloud::Ptr& points) {
-      return segmentUpstream(*points, options);
+      return Found{segmentUpstream(*points, options), {}, {}};
     };
   };
   const auto own = [threads](const ObjectSegmentationOptions& options) {
@@ -254,7 +298,7 @@ makeMethods(bool single_view, const Settings& settings)
 /** Sums over rooms. */
 struct Score {
   double over = 0, under = 0, object_over = 0, object_under = 0, overlap = 0;
-  double segments = 0, specks = 0, seconds = 0, quality = 0;
+  double segments = 0, specks = 0, seconds = 0, quality = 0, in_tree = 0;
   ThingScore things, flat, parts;
 
   Score&
@@ -269,6 +313,7 @@ struct Score {
     specks += other.specks;
     seconds += other.seconds;
     quality += other.quality;
+    in_tree += other.in_tree;
     things += other.things;
     flat += other.flat;
     parts += other.parts;
@@ -312,7 +357,8 @@ Score
 evaluate(const Room& room, const Method& method, bool failures)
 {
   const auto begin = std::chrono::steady_clock::now();
-  const auto labels = method.segment(room.points);
+  const auto found = method.segment(room.points);
+  const auto& labels = found.labels;
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   if (failures)
     printFailures(room, labels);
@@ -337,6 +383,8 @@ evaluate(const Room& room, const Method& method, bool failures)
     score.things = scoreThings(room.objects, labels, large, room.others);
   if (!room.flat.empty())
     score.flat = scoreThings(room.objects, labels, large, room.flat);
+  if (!found.pieces.empty())
+    score.in_tree = bestCut(room, found, room.others);
   score.parts = scoreThings(room.parts, labels, large);
   score.quality = scoreThings(room.objects, labels, large).panopticQuality();
   return score;
@@ -346,9 +394,9 @@ void
 printHead()
 {
   std::printf("| method | OS %% | US %% | objects OS %% | US %% | WO %% | PQ | PQ of "
-              "rooms | parts PQ | whole %% | on walls PQ | whole %% | segments | "
-              "specks %% | s |\n| --- |");
-  for (int column = 0; column < 14; ++column)
+              "rooms | parts PQ | whole %% | on walls PQ | whole %% | in tree %% | "
+              "segments | specks %% | s |\n| --- |");
+  for (int column = 0; column < 15; ++column)
     std::printf(" ---: |");
   std::printf("\n");
 }
@@ -357,7 +405,7 @@ void
 printRow(const std::string& name, const Score& sum, double count)
 {
   std::printf("| %s | %.1f | %.1f | %.1f | %.1f | %.1f | %.3f | %.3f | %.3f | %.1f of "
-              "%zu | %.3f | %.1f of %zu | %.0f | %.0f | %.2f |\n",
+              "%zu | %.3f | %.1f of %zu | %.1f | %.0f | %.0f | %.2f |\n",
               name.c_str(),
               100 * sum.over / count,
               100 * sum.under / count,
@@ -372,6 +420,7 @@ printRow(const std::string& name, const Score& sum, double count)
               sum.flat.panopticQuality(),
               100 * sum.flat.wholeShare(),
               sum.flat.true_count,
+              100 * sum.in_tree / static_cast<double>(sum.things.true_count),
               sum.segments / count,
               100 * sum.specks / sum.segments,
               sum.seconds / count);
