@@ -335,6 +335,11 @@ TEST(HoughNormalEstimation, WrongUseGivesNothing)
     e.setKSearch(2);
   });
   expectNothing([](auto& e) { e.setBinAngle(0); });
+  for (const float far : {1e20f, -3e38f}) { // a search tree would recurse for ever
+    auto cloud = plane({0, 0, 0});
+    cloud->emplace_back(0.0f, far, 0.0f);
+    expectNothing([&](auto& e) { e.setInputCloud(cloud); });
+  }
   expectNothing([](auto& e) {
     e.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{100000}));
   });

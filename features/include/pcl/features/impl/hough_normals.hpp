@@ -8,6 +8,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/hough_normals.h>
 #include <pcl/filters/neighbor_distance.h>
+#include <pcl/filters/usable_point.h>
 
 #include <cmath>
 #include <limits>
@@ -61,6 +62,14 @@ HoughNormalEstimation<PointInT, PointOutT>::initCompute()
     return false;
   }
   const auto& searched = surface_ ? surface_ : input_;
+  for (std::size_t i = 0; searched && i < searched->size(); ++i)
+    if (isFinite((*searched)[i]) && !indoor::isUsablePoint((*searched)[i])) {
+      PCL_ERROR("[pcl::HoughNormalEstimation::initCompute] Point %zu is more than %g m "
+                "from the origin, too far for the search of neighbours.\n",
+                i,
+                static_cast<double>(indoor::largest_coordinate));
+      return false;
+    }
   automatic_radius_ = search_radius_ == 0 && k_ == 0 && searched;
   if (automatic_radius_)
     search_radius_ = 2 * indoor::neighborhoodRadius(*searched, threads_);
@@ -100,7 +109,7 @@ HoughNormalEstimation<PointInT, PointOutT>::computeFeature(PointCloudOut& output
       const auto index = (*indices_)[i];
       const PointInT& point = (*input_)[index];
       offsets.clear();
-      if (isFinite(point)) {
+      if (indoor::isUsablePoint(point)) {
         this->searchForNeighbors(
             index, search_parameter_, neighbors, squared_distances);
         // Double differences: nothing is lost in large coordinates.

@@ -6,7 +6,8 @@
 
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
-#include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/filters/plain_message.h>
+#include <pcl/filters/usable_point.h>
 
 #include <algorithm>
 
@@ -271,7 +272,7 @@ NoiseResilientLCCP<PointT>::localInput()
   if (!viewpoint_.empty())
     sensor = viewpoint_.front();
   for (const auto index : *indices_)
-    if (isFinite((*input_)[index]))
+    if (indoor::isUsablePoint((*input_)[index]))
       finite_.push_back(index);
   // Double differences to a median: nothing is lost in large coordinates, and the
   // order of the points does not matter.
@@ -310,7 +311,8 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   try {
     result_ = indoor::segmentObjects(localInput(), options_);
   } catch (const PCLException& error) { // voxels too small for the extent of the cloud
-    PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n", error.what());
+    PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n",
+              indoor::plainMessage(error).c_str());
     finite_.clear();
     this->deinitCompute();
     return;
