@@ -222,7 +222,7 @@ OptionParser::run(int argc,
 {
   try {
     if (std::any_of(argv + 1, argv + argc, asksForVersion)) {
-      console::print_info(
+      std::printf(
           "%s %s (PCL %s)\n", program_.c_str(), PCL_INDOOR_VERSION, PCL_VERSION_PRETTY);
       return EXIT_SUCCESS;
     }

@@ -136,9 +136,8 @@ TEST(OptionParser, IncompleteUnknownAndRepeatedOptionsAreRefused)
   EXPECT_EQ(errorOf({"-size"}), "-size: the value is missing");
   EXPECT_EQ(errorOf({"-size", "-fast"}), "-size: the value is missing");
   EXPECT_EQ(errorOf({"-fast", "-fast"}), "-fast: the option is given twice");
-  EXPECT_EQ(errorOf({"-sise", "1"}), "-sise: unknown option, -h lists the known ones");
-  EXPECT_EQ(errorOf({"--size", "1"}),
-            "--size: unknown option, -h lists the known ones");
+  EXPECT_EQ(errorOf({"-sise", "1"}), "-sise: unknown option, did you mean -size?");
+  EXPECT_EQ(errorOf({"--size", "1"}), "--size: unknown option, write -size");
   EXPECT_EQ(errorOf({"-partition", "none"}),
             "-partition: 'none' is not one of graph|lccp|-x");
   EXPECT_NE(errorOf({"c.pcd"}).find("'c.pcd' is one argument too many"),

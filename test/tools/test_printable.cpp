@@ -57,7 +57,7 @@ TEST(MessageOf, IsInTheUsersWords)
   } catch (const std::exception& error) {
     EXPECT_EQ(messageOf(error), "Cells of : 3 m are too small.");
   }
-  EXPECT_EQ(messageOf(pcl::IOException("is damaged")), "is damaged");
+  EXPECT_EQ(messageOf(pcl::IOException("is: damaged")), "is: damaged");
   EXPECT_EQ(messageOf(std::bad_alloc()), "There is not enough memory.");
   EXPECT_EQ(messageOf(std::length_error("vector::_M_default_append")),
             "There is not enough memory.");

@@ -17,9 +17,9 @@ inline std::string
 plainMessage(const PCLException& error)
 {
   const std::string text = error.what();
-  const std::string line = error.getFileName() == nullptr
-                               ? ": "
-                               : "@ " + std::to_string(error.getLineNumber()) + " : ";
+  if (error.getFileName() == nullptr)
+    return text.rfind(": ", 0) == 0 ? text.substr(2) : text;
+  const std::string line = "@ " + std::to_string(error.getLineNumber()) + " : ";
   const auto found = text.find(line);
   return found == std::string::npos ? text : text.substr(found + line.size());
 }
