@@ -251,6 +251,19 @@ NoiseResilientLCCP<PointT>::initCompute()
               static_cast<std::size_t>(normals_->size()));
     return false;
   }
+  const bool has_sensor =
+      !viewpoint_.empty() || input_->height > 1 || camera_ == Camera::Single;
+  const Eigen::Vector3f sensor =
+      viewpoint_.empty() ? Eigen::Vector3f(input_->sensor_origin_.template head<3>())
+                         : Eigen::Vector3f(viewpoint_.front().template cast<float>());
+  if (has_sensor && !indoor::isUsable(sensor)) {
+    PCL_ERROR("%s The sensor stands at %g %g %g, which is no usable place.\n",
+              where,
+              static_cast<double>(sensor.x()),
+              static_cast<double>(sensor.y()),
+              static_cast<double>(sensor.z()));
+    return false;
+  }
   const auto problem = indoor::findInvalidOption(options_);
   if (!problem.empty()) {
     PCL_ERROR("%s %s\n", where, problem.c_str());
