@@ -5,6 +5,7 @@
 #include "category_names.h"
 
 #include "options.h" // for ToolError
+#include "printable.h"
 
 #include <nlohmann/json.hpp>
 
@@ -26,7 +27,7 @@ fromJsonFile(const std::string& path, const Read& read)
   try {
     return read(Json::parse(stream));
   } catch (const Json::exception& problem) {
-    throw ToolError(path + ": " + problem.what());
+    throw ToolError(path + ": " + messageOf(problem));
   }
 }
 

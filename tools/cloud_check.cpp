@@ -5,6 +5,7 @@
 #include "cloud_check.h"
 
 #include "file_header.h"
+#include "foreign_format.h"
 #include "options.h" // for ToolError
 
 #include <algorithm>
@@ -201,13 +202,13 @@ checkCloudFile(const std::string& path)
   std::ifstream stream(path, std::ios::binary);
   if (!stream || error)
     throw ToolError(path + ": the file cannot be read");
-  std::string first_line;
-  char letter = 0;
-  while (first_line.size() < 64 && stream.get(letter) && letter != '\n')
-    first_line += letter;
+  std::string beginning(512, '\0');
+  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(stream.gcount()));
   stream.clear();
   stream.seekg(0);
-  const auto words = wordsOf(first_line);
+  const auto words =
+      wordsOf(beginning.substr(0, std::min<std::size_t>(64, beginning.find('\n'))));
   const std::string first = words.empty() ? "" : words[0];
   if (first == "ply")
     return {CloudFormat::PLY, 0};
@@ -215,7 +216,9 @@ checkCloudFile(const std::string& path)
       first == "COLUMNS") {
     return {CloudFormat::PCD, checkPcd(stream, file_size, path)};
   }
-  throw ToolError(path + ": neither a PCD nor a PLY file");
+  const auto other = describeForeignFormat(path, beginning);
+  throw ToolError(path + ": neither a PCD nor a PLY file" +
+                  (other.empty() ? "" : " but " + other));
 }
 
 } // namespace pcl::indoor::tool

@@ -9,6 +9,7 @@
 
 #include <pcl/common/io.h> // for getFieldIndex
 #include <pcl/console/print.h>
+#include <pcl/filters/usable_point.h>
 #include <pcl/io/pcd_io.h>
 
 #include <algorithm>
@@ -217,7 +218,7 @@ fillPoints(CloudFile& file)
     const Eigen::Vector3d point(
         coordinates[0][i], coordinates[1][i], coordinates[2][i]);
     const Eigen::Vector3f local = (point - file.offset).cast<float>();
-    if (!local.allFinite())
+    if (!isUsable(local))
       continue;
     (*points)[i].getVector3fMap() = local;
     ++file.finite_count;
@@ -244,7 +245,7 @@ loadCloud(const std::string& path, std::size_t least_points)
   fillPoints(file);
   if (file.finite_count == 0)
     throw ToolError(path + ": none of its " + std::to_string(file.points->size()) +
-                    " points is finite");
+                    " points is finite and less than 1e9 units from their middle");
   if (file.finite_count < least_points)
     throw ToolError(path + ": " + std::to_string(file.finite_count) +
                     " finite points are too few, " + std::to_string(least_points) +

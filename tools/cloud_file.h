@@ -28,7 +28,7 @@ struct CloudFile {
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
 
   /** The points in the file's order and arrangement, each coordinate minus \a offset;
-   * NaN where one is not finite. */
+   * NaN where one is not finite, or too large to compute with, see isUsable(). */
   PointCloud<PointXYZ>::Ptr points;
   /** Whole units near the middle of large (for example UTM) coordinates, otherwise
    * zero. */
@@ -38,7 +38,7 @@ struct CloudFile {
    * offset.
    */
   double coordinate_step = 0.0;
-  std::size_t finite_count = 0; ///< points without NaN or infinity
+  std::size_t finite_count = 0; ///< of \a points without NaN
   bool has_normals = false;     ///< the file has normal_x, normal_y, normal_z
 };
 

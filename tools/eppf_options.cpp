@@ -124,7 +124,16 @@ EPPFCommandLine::addTo(OptionParser& parser)
             normal_angle_names)
       .text("-sampling", sampling_, "how pairs are chosen", sampling_names)
       .text("-without", without_, "a feature to leave out", feature_names)
-      .text("-normals", normals_, "the side of a surface they point to", side_names);
+      .text("-normals", normals_, "the side of a surface they point to", side_names)
+      .expert({"-bins",
+               "-grid_size",
+               "-weighting_constant",
+               "-keep_noise",
+               "-surface_angle",
+               "-normal_angle",
+               "-sampling",
+               "-without",
+               "-normals"});
 }
 
 void

@@ -68,7 +68,8 @@ addOptions(OptionParser& parser, Settings& settings)
             settings.no_refinement,
             "take the mean of the votes instead of fitting a plane")
       .number("-seed", settings.options.seed, "seed of the triples")
-      .number("-threads", settings.threads, "threads, 0 = automatic");
+      .number("-threads", settings.threads, "threads, 0 = automatic")
+      .expert({"-sampling", "-bin_angle", "-triples", "-no_refinement", "-seed"});
 }
 
 void
@@ -133,5 +134,6 @@ main(int argc, char** argv)
     appendNormals(normals, file.cloud);
     saveCloud(settings.output, file.cloud, file.origin, file.orientation);
     progress.done();
+    progress.summary(settings.output + ": " + std::to_string(found) + " normals");
   });
 }

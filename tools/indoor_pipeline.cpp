@@ -265,5 +265,7 @@ main(int argc, char** argv)
     }
     progress.start("Saving to " + options.folder);
     progress.done(save(options, parser.values(), scene, *found.points, file));
+    progress.summary(options.folder + ": " + std::to_string(scene.rooms.size()) +
+                     " rooms, " + std::to_string(scene.objects.size()) + " objects");
   });
 }

@@ -6,6 +6,7 @@
 #include "cloud_file.h"
 #include "options.h"
 #include "output_file.h"
+#include "printable.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/segmentation/noise_resilient_lccp.h>
@@ -140,8 +141,7 @@ readCriterion(const std::string& path)
   try {
     return std::make_unique<LearnedCriterion>(BoostedTrees::read(stream));
   } catch (const pcl::BadArgumentException& error) {
-    const std::string text = error.what(); // function, file and line, " : ", text
-    throw ToolError(path + ": " + text.substr(text.find(" : ") + 3));
+    throw ToolError(path + ": " + messageOf(error));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "labelled_objects.h"
 
 #include "object_files.h"
+#include "printable.h"
 #include "random_numbers.h"
 
 #include <pcl/ml/parallel_objects.h>
@@ -92,7 +93,7 @@ loadLabelledObjects(const std::string& folder,
       objects.clouds[k] = std::move(object.cloud);
       objects.places[k] = object.place;
     } catch (const std::exception& error) {
-      problems[k] = error.what();
+      problems[k] = messageOf(error);
     }
 #pragma omp critical(pcl_indoor_progress)
     progress.update(++done, count);

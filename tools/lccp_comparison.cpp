@@ -5,8 +5,10 @@
 
 #include "cloud_file.h"
 #include "comparison_picture.h"
+#include "json_text.h"
 #include "measured_segmentation.h"
 #include "options.h"
+#include "printable.h"
 #include "upstream_lccp.h"
 
 #include <pcl/segmentation/noise_resilient_lccp.h>
@@ -14,6 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <set>
@@ -32,6 +35,7 @@ struct Method {
   bool in_picture; ///< the four that the picture shows beside the truth
   std::function<Labels(const Cloud::Ptr&)> segment;
   std::vector<nlohmann::json> scenes;
+  std::string problem = {}; ///< of the first scan that it failed on
 };
 
 struct Settings {
@@ -120,6 +124,24 @@ mean(const std::vector<nlohmann::json>& scenes, const char* key)
   return sum / static_cast<double>(scenes.size());
 }
 
+/** The numbers of a method's row, or why it has none. */
+void
+printRow(const Method& method)
+{
+  if (!method.problem.empty()) {
+    std::printf("%-26s %s\n", method.name.c_str(), printable(method.problem).c_str());
+    return;
+  }
+  std::printf("%-26s %8.2f %8.2f %8.2f %9.0f %9.3f %9.0f\n",
+              method.name.c_str(),
+              100 * mean(method.scenes, "oversegmentation"),
+              100 * mean(method.scenes, "undersegmentation"),
+              100 * mean(method.scenes, "weighted_overlap"),
+              mean(method.scenes, "segments"),
+              mean(method.scenes, "seconds"),
+              mean(method.scenes, "megabytes"));
+}
+
 void
 printTable(const std::vector<Method>& methods)
 {
@@ -132,14 +154,7 @@ printTable(const std::vector<Method>& methods)
               "time [s]",
               "mem [MB]");
   for (const auto& method : methods)
-    std::printf("%-26s %8.2f %8.2f %8.2f %9.0f %9.3f %9.0f\n",
-                method.name.c_str(),
-                100 * mean(method.scenes, "oversegmentation"),
-                100 * mean(method.scenes, "undersegmentation"),
-                100 * mean(method.scenes, "weighted_overlap"),
-                mean(method.scenes, "segments"),
-                mean(method.scenes, "seconds"),
-                mean(method.scenes, "megabytes"));
+    printRow(method);
 }
 
 void
@@ -150,12 +165,13 @@ saveResults(const std::string& path,
   nlohmann::json result;
   for (const auto& method : methods) {
     auto& entry = result[method.name];
-    for (const auto& field : method.scenes.front().items())
-      entry["mean"][field.key()] = mean(method.scenes, field.key().c_str());
+    if (method.problem.empty())
+      for (const auto& field : method.scenes.front().items())
+        entry["mean"][field.key()] = mean(method.scenes, field.key().c_str());
     for (std::size_t i = 0; i < inputs.size(); ++i)
       entry["scenes"][inputs[i]] = method.scenes[i];
   }
-  saveText(path, result.dump(2) + "\n");
+  saveText(path, jsonText(result));
 }
 
 /** For example "ours: OS 0.5 US 0.3 %"; what an apostrophe belongs to is left out. */
@@ -202,15 +218,27 @@ compare(const Settings& settings, Progress& progress)
     for (auto& method : methods) {
       progress.start(method.name + ", " + input);
       const auto result = segmentMeasured([&] { return method.segment(file.points); });
-      method.scenes.push_back(evaluate(truth, coarse, result));
-      if (method.in_picture)
-        views.push_back({titleOf(method), result.labels});
+      if (!result.problem.empty()) {
+        method.scenes.push_back({{"problem", result.problem}});
+        if (method.problem.empty())
+          method.problem = result.problem + ": " + input;
+        if (method.in_picture)
+          views.push_back({"failed", Labels(truth.size(), 0)});
+      }
+      else {
+        method.scenes.push_back(evaluate(truth, coarse, result));
+        if (method.in_picture)
+          views.push_back({titleOf(method), result.labels});
+      }
       progress.done();
     }
     if (!settings.picture_path.empty())
       rows.emplace_back(file.points, std::move(views));
   }
   printTable(methods);
+  const auto fails = [](const Method& method) { return !method.problem.empty(); };
+  if (std::all_of(methods.begin(), methods.end(), fails))
+    throw ToolError("no method could segment all of the input");
   if (!settings.json_path.empty())
     saveResults(settings.json_path, settings.inputs, methods);
   // Only now: drawing has several threads, after which no process can be measured.

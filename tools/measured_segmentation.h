@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace pcl::indoor::tool {
@@ -15,13 +16,15 @@ struct MeasuredSegmentation {
   std::vector<std::uint32_t> labels;
   double seconds = 0;
   double megabytes = 0; ///< most that was in use at a time, beyond the cloud
+  std::string problem;  ///< how it ended before it was done; empty: it did not
 };
 
 /** \brief Run a segmentation in a process of its own, so that its memory is its own.
  * To be called before this process has used several threads: a child has only one of
  * them, and waits for the others for ever.
- * \throws ToolError if the process cannot be started or ends early
- * \throws AlreadyReported if the segmentation threw that
+ * Where it throws, the result has what it said on stderr as its problem, and where it
+ * crashes, how it ended; stderr itself stays empty.
+ * \throws ToolError if the process cannot be started
  */
 MeasuredSegmentation
 segmentMeasured(const std::function<std::vector<std::uint32_t>()>& segment);

@@ -151,7 +151,15 @@ addOthers(OptionParser& parser, Settings& settings)
             settings.remove_outliers,
             "leave out points that lie alone (pcl::ScanOutlierRemoval); their object "
             "is 0")
-      .number("-threads", options.threads, "threads, 0 = automatic");
+      .number("-threads", options.threads, "threads, 0 = automatic")
+      .expert({"-bend_threshold",
+               "-min_segment",
+               "-graph_scale",
+               "-concavity_tolerance",
+               "-curvature_threshold",
+               "-ratio_threshold",
+               "-camera",
+               "-orientation"});
 }
 
 ObjectSegmentationOptions
@@ -270,5 +278,6 @@ main(int argc, char** argv)
     appendField(file.cloud, "structure", segmentation.getStructure());
     saveCloud(settings.output, file.cloud, file.origin, file.orientation);
     progress.done();
+    progress.summary(settings.output + ": " + std::to_string(count) + " objects");
   });
 }

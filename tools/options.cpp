@@ -4,16 +4,18 @@
  */
 #include "options.h"
 
+#include "printable.h"
+
 #include <pcl/console/print.h>
-#include <pcl/exceptions.h>
+#include <pcl/pcl_config.h> // for the version of PCL
 
 #include <algorithm>
+#include <cassert>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <new>
 #include <type_traits>
 
 namespace pcl::indoor::tool {
@@ -77,21 +79,16 @@ readNumber(const std::string& name, const std::string& text, const Range& range)
   }
 }
 
-/** The text of an exception without the function, file and line in front of it. */
-std::string
-plainMessage(const PCLException& error)
+bool
+asksForVersion(const std::string& argument)
 {
-  const std::string text = error.what();
-  const auto colon = text.find(" : ");
-  return colon == std::string::npos ? text : text.substr(colon + 3);
+  return argument == "--version" || argument == "-version";
 }
 
 int
 report(const std::string& program, const std::string& message)
 {
-  std::string line = message;
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  console::print_error("[%s] %s\n", program.c_str(), line.c_str());
+  console::print_error("[%s] %s\n", program.c_str(), printable(message).c_str());
   return EXIT_FAILURE;
 }
 
@@ -207,12 +204,28 @@ OptionParser::flag(const std::string& name, bool& variable, const std::string& m
   return *this;
 }
 
+OptionParser&
+OptionParser::expert(const std::vector<std::string>& names)
+{
+  for (const auto& name : names) {
+    auto* const option = find(name);
+    assert(option != nullptr);
+    option->expert = true;
+  }
+  return *this;
+}
+
 int
 OptionParser::run(int argc,
                   const char* const* argv,
                   const std::function<void(Progress&)>& body)
 {
   try {
+    if (std::any_of(argv + 1, argv + argc, asksForVersion)) {
+      std::printf(
+          "%s %s (PCL %s)\n", program_.c_str(), PCL_INDOOR_VERSION, PCL_VERSION_PRETTY);
+      return EXIT_SUCCESS;
+    }
     if (!parse(argc, argv)) {
       console::print_info("%s", usage().c_str());
       return EXIT_SUCCESS;
@@ -224,12 +237,8 @@ OptionParser::run(int argc,
     return EXIT_SUCCESS;
   } catch (const AlreadyReported&) {
     return EXIT_FAILURE;
-  } catch (const PCLException& error) {
-    return report(program_, plainMessage(error));
-  } catch (const std::bad_alloc&) {
-    return report(program_, "There is not enough memory.");
   } catch (const std::exception& error) {
-    return report(program_, error.what());
+    return report(program_, messageOf(error));
   }
 }
 
@@ -250,7 +259,7 @@ OptionParser::parse(int argc, const char* const* argv)
     }
     auto* const option = find(argument);
     if (option == nullptr)
-      throw ToolError(argument + ": unknown option, -h lists the known ones");
+      throw ToolError(argument + ": unknown option, " + suggestion(argument));
     readOption(*option, argc, argv, i);
   }
   assignPositionals(names);
@@ -306,49 +315,6 @@ OptionParser::assignPositionals(const std::vector<std::string>& names)
   if (rest_variable_ != nullptr)
     rest_variable_->assign(
         names.begin() + static_cast<std::ptrdiff_t>(positionals_.size()), names.end());
-}
-
-std::string
-OptionParser::usage() const
-{
-  std::string syntax = "Syntax is: " + program_;
-  std::string lines;
-  for (const auto& argument : positionals_) {
-    syntax += " " + argument.name;
-    lines += "  " + argument.name + " = " + argument.meaning + "\n";
-  }
-  if (rest_variable_ != nullptr) {
-    syntax += " " + rest_.name + " ...";
-    lines += "  " + rest_.name + " ... = " + rest_.meaning + "\n";
-  }
-  std::string text = summary_ + "\n\n" + syntax + " <options>\n\n" + lines;
-  text += "  where options are:\n";
-  const auto quiet_last = [this](bool quiet, std::string& out) {
-    for (const auto& option : options_) {
-      if ((option.name == "-quiet") != quiet)
-        continue;
-      out += "    " + option.name;
-      out += (option.placeholder.empty() ? "" : " " + option.placeholder);
-      out += " = " + option.meaning;
-      out += (option.range.empty() ? "" : ", " + option.range);
-      out += (option.placeholder.empty() ? ""
-                                         : " (default: " + option.default_value + ")");
-      out += "\n";
-    }
-  };
-  quiet_last(false, text);
-  quiet_last(true, text);
-  return text + "    -h = show this text\n";
-}
-
-std::string
-OptionParser::values() const
-{
-  std::string text;
-  for (const auto& option : options_)
-    if (option.name != "-quiet")
-      text += (text.empty() ? "" : ", ") + option.name + " " + option.value();
-  return text;
 }
 
 #define INSTANTIATE_NUMBER(T)                                                          \

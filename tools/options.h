@@ -64,7 +64,8 @@ struct Range {
  * A tool names its arguments and the variables they are written to; the parser makes
  * the text of -h from them (with the value that a variable holds beforehand as its
  * default), refuses unknown, repeated, incomplete, unreadable and illegal options with
- * one line on stderr, and runs the tool's body. The options -h and -quiet always exist.
+ * one line on stderr, and runs the tool's body. The options -h, --version and -quiet
+ * always exist.
  * Options start with '-' and a letter, so "-1" is a value. File names may stand before,
  * between and after them.
  */
@@ -115,10 +116,15 @@ public:
   OptionParser&
   flag(const std::string& name, bool& variable, const std::string& meaning);
 
+  /** \brief List these options apart in the text of -h, as ones that rarely need a
+   * change. They must be registered already. */
+  OptionParser&
+  expert(const std::vector<std::string>& names);
+
   /** \brief Read the command line; if it is good, run the body.
    * \param[in] body the tool's work; it says why it stops by throwing ToolError,
    * pcl::PCLException or AlreadyReported
-   * \return what main() returns: EXIT_SUCCESS after -h and after the body's end,
+   * \return what main() returns: EXIT_SUCCESS after -h, --version and the body's end,
    * EXIT_FAILURE after any error
    */
   int
@@ -136,7 +142,7 @@ public:
   usage() const;
 
   /** \brief All options with the values that are used, in one line, for the user to
-   * check. */
+   * check; but for those of threads, by which no result changes. */
   std::string
   values() const;
 
@@ -152,6 +158,7 @@ private:
     std::function<void(const std::string&)> read; ///< throws ToolError
     std::function<std::string()> value;
     bool given = false;
+    bool expert = false;
   };
 
   struct Positional {
@@ -162,6 +169,13 @@ private:
 
   Option*
   find(const std::string& name);
+
+  /** How an unknown option is spelled right; empty if none is like it. */
+  std::string
+  suggestion(const std::string& argument);
+
+  static std::string
+  line(const Option& option);
 
   void
   readOption(Option& option, int argc, const char* const* argv, int& position);

@@ -4,6 +4,8 @@
  */
 #include "progress.h"
 
+#include "printable.h"
+
 #include <pcl/console/print.h>
 
 #include <cstdio>
@@ -12,7 +14,8 @@
 namespace pcl::indoor::tool {
 
 Progress::Progress(bool quiet)
-: shown_(!quiet && isatty(STDOUT_FILENO) != 0)
+: quiet_(quiet)
+, shown_(!quiet && isatty(STDOUT_FILENO) != 0)
 {}
 
 void
@@ -23,7 +26,7 @@ Progress::start(const std::string& what)
   text_.clear();
   if (!shown_)
     return;
-  console::print_highlight("%s ", what.c_str());
+  console::print_highlight("%s ", printable(what).c_str());
   std::fflush(stdout);
 }
 
@@ -84,7 +87,14 @@ void
 Progress::note(const std::string& text)
 {
   if (shown_)
-    console::print_info("%s\n", text.c_str());
+    console::print_info("%s\n", printable(text).c_str());
+}
+
+void
+Progress::summary(const std::string& text)
+{
+  if (!quiet_)
+    std::printf("%s\n", printable(text).c_str());
 }
 
 std::string

@@ -13,8 +13,8 @@ namespace pcl::indoor::tool {
 /** \brief Says on a terminal what a tool is doing, in PCL's form "> Loading room.pcd
  * [done, 12 ms : 34 points]".
  *
- * Silent where stdout is not a terminal and after -quiet. Not for use from several
- * threads at once.
+ * Silent where stdout is not a terminal, but for the summary, and after -quiet. Not for
+ * use from several threads at once.
  */
 class Progress {
 public:
@@ -39,6 +39,11 @@ public:
   void
   note(const std::string& text);
 
+  /** \brief What came out of all, on one line: also where stdout is no terminal, but
+   * not after -quiet. */
+  void
+  summary(const std::string& text);
+
   bool
   isShown() const
   {
@@ -49,6 +54,7 @@ private:
   void
   replaceText(const std::string& text);
 
+  bool quiet_;
   bool shown_;
   int percent_ = -1;
   std::string text_;           ///< how far the step is, as it stands on the terminal

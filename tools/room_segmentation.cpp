@@ -107,6 +107,16 @@ makeParser(Options& options)
               Range::atLeast(0));
   options.frame.addOptions(parser);
   addFieldOptions(parser, options.rooms);
+  parser.expert({"-min_width",
+                 "-persistence",
+                 "-open_share",
+                 "-habitable_area",
+                 "-method",
+                 "-interior_voxel_size",
+                 "-euclidean_weight",
+                 "-field_weight",
+                 "-visibility_weight",
+                 "-dbscan_distance"});
   return parser;
 }
 
@@ -149,7 +159,8 @@ std::vector<std::uint32_t>
 segment(const Options& options,
         const std::string& parameters,
         const CloudFile& file,
-        Progress& progress)
+        Progress& progress,
+        std::string& summary)
 {
   progress.start("Segmenting rooms");
   Segmentation segmentation;
@@ -160,6 +171,7 @@ segment(const Options& options,
   });
   auto rooms = segmentRooms(file, options.frame, segmentation);
   progress.done(summaryOf(segmentation));
+  summary = summaryOf(segmentation);
   saveDescription(options, parameters, segmentation, rooms, file);
   return rooms;
 }
@@ -180,12 +192,14 @@ main(int argc, char** argv)
     options.rooms.map.method = options.method == "slab"
                                    ? pcl::indoor::RoomMethod::CeilingSlab
                                    : pcl::indoor::RoomMethod::PotentialField;
-    const auto rooms = segment(options, parser.values(), file, progress);
+    std::string summary;
+    const auto rooms = segment(options, parser.values(), file, progress, summary);
     file.points.reset(); // saving a large cloud needs the memory
 
     progress.start("Saving " + options.output);
     appendField(file.cloud, "room", rooms);
     saveCloud(options.output, file.cloud, file.origin, file.orientation);
     progress.done();
+    progress.summary(options.output + ": " + summary);
   });
 }

@@ -5,10 +5,10 @@
 #include "scan_frame.h"
 
 #include "options.h"
+#include "printable.h"
 
 #include <pcl/console/print.h>
 
-#include <cstdio>
 #include <sstream>
 
 namespace pcl::indoor::tool {
@@ -61,7 +61,7 @@ segmentRooms(const CloudFile& file,
   if (!step.empty())
     lines.push_back(step);
   for (const auto& line : lines)
-    std::fprintf(stderr, "Warning: %s: %s\n", file.path.c_str(), line.c_str());
+    printWarning(file.path + ": " + line);
   if (rooms.empty())
     throw AlreadyReported();
   return rooms;

@@ -191,6 +191,8 @@ simulate(Options& options, Progress& progress)
   if (!options.json_file.empty())
     saveText(options.json_file, pcl::indoor::describeScene(building, trajectory));
   progress.done(std::to_string(scan.points.size()) + " points");
+  progress.summary(options.output_file + ": " + std::to_string(scan.points.size()) +
+                   " points");
 }
 
 } // namespace

@@ -166,7 +166,7 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
 #pragma omp section
     extent = objectExtent(points);
   }
-  if (!(extent > 0.0f))
+  if (!isUsableExtent(extent))
     return std::vector<float>(options.bins.size(),
                               std::numeric_limits<float>::quiet_NaN());
   if (options.denoising) {

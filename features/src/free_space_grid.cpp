@@ -128,7 +128,7 @@ FreeSpaceGrid::sees(const Eigen::Vector3f& from, const Eigen::Vector3f& to) cons
   double at = 0;        // where it entered the cell
   const auto enter = [&] {
     const Eigen::Vector3d place = start + at * way;
-    cell = place.array().floor().cast<int>();
+    cell = cellAt(place);
     for (int axis = 0; axis < 3; ++axis)
       next[axis] = way[axis] != 0
                        ? at + (cell[axis] + (way[axis] > 0) - place[axis]) / way[axis]

@@ -37,10 +37,11 @@ public:
   bool
   sees(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
 
+  /** \brief The cell of a place; of one far outside, a cell right beside the grid. */
   Eigen::Vector3i
   cellOf(const Eigen::Vector3d& position) const
   {
-    return ((position - origin_) / cell_size_).array().floor().matrix().cast<int>();
+    return cellAt((position - origin_) / cell_size_);
   }
 
   bool
@@ -76,6 +77,14 @@ public:
   }
 
 private:
+  /** \param[in] place in cells */
+  Eigen::Vector3i
+  cellAt(const Eigen::Vector3d& place) const
+  {
+    const Eigen::Array3d highest = shape_.array().cast<double>();
+    return place.array().floor().max(-1.0).min(highest).matrix().cast<int>();
+  }
+
   bool
   isOccupied(std::size_t cell) const
   {

@@ -6,7 +6,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace pcl {
@@ -16,6 +18,7 @@ namespace {
 
 constexpr std::size_t most_points = 4096;
 constexpr std::size_t neighbor_count = 16;
+constexpr float largest_float = std::numeric_limits<float>::max();
 
 /** \brief Of a place to the box of a block. */
 float
@@ -70,13 +73,14 @@ PointColumns::makeBlocks()
   const auto [low_y, high_y] = range(y);
   const auto [low_z, high_z] = range(z);
   const float edge = std::max({high_x - low_x, high_y - low_y, high_z - low_z});
-  const float scale = 7.999f / std::max(edge, 1e-30f);
+  const float scale = 7.999f / std::clamp(edge, 1e-30f, largest_float);
+  const auto place = [scale](float value, float low) {
+    return static_cast<int>(std::min((value - low) * scale, 7.999f));
+  };
   std::array<std::uint16_t, most_points> cells;
   for (std::size_t k = 0; k < size(); ++k)
-    cells[k] =
-        static_cast<std::uint16_t>(static_cast<int>((x[k] - low_x) * scale) << 6 |
-                                   static_cast<int>((y[k] - low_y) * scale) << 3 |
-                                   static_cast<int>((z[k] - low_z) * scale));
+    cells[k] = static_cast<std::uint16_t>(place(x[k], low_x) << 6 |
+                                          place(y[k], low_y) << 3 | place(z[k], low_z));
   blocks.reserve(512);
   for (std::size_t first = 0, last = 0; first < size(); first = last) {
     Eigen::Array3f lower = at(first).array();
@@ -164,7 +168,9 @@ planeOfNearest(const PointColumns& points, std::size_t center, float radius)
   const Eigen::Vector3f place = points.at(center);
   near.resize(points.size());
   std::size_t found = 0;
-  for (float limit = radius * radius; found < neighbor_count; limit *= 4) {
+  constexpr float least = std::numeric_limits<float>::min(); // a square can be 0
+  for (float limit = std::max(radius * radius, least); found < neighbor_count;
+       limit *= 4) {
     found = 0;
     for (std::size_t block = 0; block < points.blocks.size(); ++block) {
       if (squaredDistance(points.blocks[block], place) > limit)

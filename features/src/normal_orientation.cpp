@@ -201,12 +201,17 @@ collectVotes(const std::vector<Eigen::Vector3f>& positions,
              const FreeSpaceGrid& grid,
              const FreeSpaceOptions& options)
 {
-  constexpr double block_size = 2; // metres
+  constexpr double least_block_size = 2, most_blocks = 1e6; // metres; along an axis
   std::vector<float> votes(positions.size(), 0.0f);
   std::vector<Eigen::Vector3f> sampled;
   for (std::size_t i = 0; i < positions.size(); i += options.sample_stride)
     sampled.push_back(positions[i]);
-  const auto blocks = pcl::indoor::groupByCell(sampled, block_size);
+  Eigen::AlignedBox3f all;
+  for (const auto& position : sampled)
+    all.extend(position);
+  const double extent = static_cast<double>(all.sizes().maxCoeff());
+  const auto blocks = pcl::indoor::groupByCell(
+      sampled, std::max(least_block_size, extent / most_blocks));
 #pragma omp parallel num_threads(threadCount(options.threads))
   {
     NearestViewpoints nearest(viewpoints, options.viewpoints);

@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/features/oriented_point.h>
+#include <pcl/filters/usable_point.h>
 
 #include <cmath>
 
@@ -45,6 +46,12 @@ objectExtent(const std::vector<OrientedPoint>& points)
     end = other_end;
   }
   return std::sqrt(extent);
+}
+
+bool
+isUsableExtent(float extent)
+{
+  return extent > 0.0f && extent <= 4.0f * largest_coordinate; // of a cube: 2 sqrt(3)
 }
 
 } // namespace indoor

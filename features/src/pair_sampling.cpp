@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <limits>
 #include <numeric>
 
 namespace pcl {
@@ -73,11 +74,14 @@ spaceFillingOrder(const std::vector<OrientedPoint>& points)
     lower = lower.min(point.position.array());
     upper = upper.max(point.position.array());
   }
-  const float edge = std::max((upper - lower).maxCoeff(), 1e-30f);
+  constexpr float largest =
+      std::numeric_limits<float>::max(); // differences may exceed it
+  const float edge = std::clamp((upper - lower).maxCoeff(), 1e-30f, largest);
   const float scale = 1023.0f / edge;
   std::vector<Coded> order(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const Eigen::Array3f place = (points[k].position.array() - lower) * scale;
+    const Eigen::Array3f place =
+        ((points[k].position.array() - lower) * scale).min(1023.0f);
     order[k] = {spread_bits[static_cast<std::size_t>(place[0])] << 2 |
                     spread_bits[static_cast<std::size_t>(place[1])] << 1 |
                     spread_bits[static_cast<std::size_t>(place[2])],

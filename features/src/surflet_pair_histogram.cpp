@@ -76,7 +76,7 @@ surfletPairHistogram(const std::vector<OrientedPoint>& points,
   const int n = options.bin_count;
   const auto bin_count = static_cast<std::size_t>(n) * n * n * n;
   const float extent = objectExtent(points);
-  if (!(extent > 0.0f))
+  if (!isUsableExtent(extent))
     return std::vector<float>(bin_count, std::numeric_limits<float>::quiet_NaN());
   const float scale = options.scale > 0.0 ? static_cast<float>(options.scale) : extent;
   const PairSampler sampler(points, options.sampling, options.seed);

@@ -5,6 +5,7 @@
 #include "model_header.h"
 
 #include <pcl/exceptions.h>
+#include <pcl/filters/plain_message.h>
 #include <pcl/ml/model_file.h>
 
 #include <boost/crc.hpp>
@@ -244,8 +245,7 @@ loadModel(const std::string& path)
       fail("cannot be read");
     return modelFromBytes(bytes);
   } catch (const IOException& problem) {
-    const std::string message = problem.what(); // function, file and line, " : ", text
-    fail(path + ": " + message.substr(message.find(" : ") + 3));
+    fail(path + ": " + plainMessage(problem));
   }
 }
 

@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/exceptions.h>
+#include <pcl/filters/plain_message.h>
 #include <pcl/ml/network.h>
 
 #include <algorithm>
@@ -280,9 +281,7 @@ whatIsWrong(const Network& network, bool wants_weights)
              text(shape);
     return wants_weights ? wrongWeights(network.layers, network.input) : "";
   } catch (const BadArgumentException& problem) {
-    const std::string message = problem.what(); // function, file and line, " : ", text
-    const auto place = message.find(" : ");
-    return place == std::string::npos ? message : message.substr(place + 3);
+    return plainMessage(problem);
   }
 }
 

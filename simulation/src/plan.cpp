@@ -273,6 +273,8 @@ parsePlan(const std::string& text, const std::string& source)
     const auto end = static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), text.begin() + end, '\n');
     throw PlanError(source + ": line " + std::to_string(line) + " is not valid JSON");
+  } catch (const nlohmann::json::out_of_range&) {
+    throw PlanError(source + ": a number is too large");
   }
   const JsonReader json(document, source);
   json.requireKeys({"name",

@@ -68,6 +68,35 @@ difference(const Signature& a, const Signature& b)
   return sum;
 }
 
+TEST(EPPFEstimation, PointsTooFarToComputeWithAreSkipped)
+{
+  auto cloud = boxCloud(500, 3);
+  const auto expected = describe(cloud);
+  for (const float far : {1e10f, 1e20f, 3e38f}) {
+    auto damaged = *cloud;
+    damaged.push_back(damaged.front());
+    damaged.back().x = far;
+    const auto output = describe(damaged.makeShared());
+    ASSERT_EQ(output.size(), 1u);
+    EXPECT_TRUE(isSame(output[0], expected[0])) << far;
+    for (auto& point : damaged)
+      point.getVector3fMap() *= far;
+    if (far > 1e15f) { // else a few points near the axes stay
+      EXPECT_FALSE(describe(damaged.makeShared()).is_dense) << far;
+    }
+  }
+}
+
+TEST(EPPFEstimation, TinyObjectsTakeNoLongerThanOthers)
+{
+  for (const float size : {1e-18f, 1e-20f, 1e-22f, 1e-40f}) {
+    auto cloud = boxCloud(500, 3); // squares of such lengths are denormal or 0
+    for (auto& point : *cloud)
+      point.getVector3fMap() *= size;
+    EXPECT_EQ(describe(cloud).size(), 1u);
+  }
+}
+
 TEST(EPPFEstimation, OneObjectGivesOneDescriptor)
 {
   const auto cloud = boxCloud(2000, 1);

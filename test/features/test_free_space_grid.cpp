@@ -126,3 +126,15 @@ TEST(FreeSpaceGrid, SightIsThatOfBruteForce)
   EXPECT_GT(seen, judged / 5);
   EXPECT_LT(seen, 19 * judged / 20);
 }
+
+TEST(FreeSpaceGrid, PlacesFarOutsideAreInNoCell)
+{
+  const FreeSpaceGrid grid({{0, 0, 0}, {1, 1, 1}}, 0.1);
+  for (const double far : {1e3, 1e10, 1e38, 1e300})
+    for (const double sign : {-1.0, 1.0})
+      for (int axis = 0; axis < 3; ++axis)
+        EXPECT_FALSE(
+            grid.contains(grid.cellOf(sign * far * Eigen::Vector3d::Unit(axis))))
+            << sign * far;
+  EXPECT_TRUE(grid.sees({1e30f, 0.5f, 0.5f}, {2e30f, 0.5f, 0.5f}));
+}

@@ -335,7 +335,37 @@ TEST(HoughNormalEstimation, WrongUseGivesNothing)
     e.setKSearch(2);
   });
   expectNothing([](auto& e) { e.setBinAngle(0); });
+  for (const float far : {1e20f, -3e38f}) { // a search tree would recurse for ever
+    auto cloud = plane({0, 0, 0});
+    cloud->emplace_back(0.0f, far, 0.0f);
+    expectNothing([&](auto& e) { e.setInputCloud(cloud); });
+  }
   expectNothing([](auto& e) {
     e.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{100000}));
   });
+}
+
+TEST(HoughNormalEstimation, PointsInOnePlaceHaveOneNormal)
+{
+  const auto cloud = plane({0, 0, 0});
+  const std::size_t count = cloud->size();
+  for (std::size_t i = 0; i < count; i += 7)
+    cloud->push_back((*cloud)[i]);
+  const auto normals = estimated(cloud, 0.2);
+  for (std::size_t i = 0; i < count; i += 7) {
+    EXPECT_EQ(normals[i].getNormalVector3fMap(),
+              normals[count + i / 7].getNormalVector3fMap());
+    EXPECT_NEAR(std::abs(normals[i].normal_z), 1, 1e-3);
+  }
+}
+
+TEST(HoughNormalEstimation, EqualPointsDoNotSearchEachOther)
+{
+  // two places with 300,000 points each: 10^11 neighbours, were each point to find all
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (int i = 0; i < 600000; ++i)
+    cloud->emplace_back(static_cast<float>(i % 2), 2.0f, 3.0f);
+  const auto normals = estimated(cloud, 0);
+  ASSERT_EQ(normals.size(), cloud->size());
+  EXPECT_TRUE(std::isnan(normals[0].normal_x));
 }

@@ -149,6 +149,22 @@ TEST(CountPairs, LastBlockEndsWithThePairs)
   }
 }
 
+TEST(SpaceFillingOrder, HoldsAllPointsWhateverTheirCoordinates)
+{
+  for (const float size : {1e-42f, 1e-30f, 1e20f, 3e38f}) {
+    std::vector<OrientedPoint> points(64);
+    std::mt19937 rng(5);
+    for (auto& point : points)
+      for (int axis = 0; axis < 3; ++axis)
+        point.position[axis] =
+            size * (static_cast<float>(rng() % 2001) / 1000.0f - 1.0f);
+    auto order = spaceFillingOrder(points);
+    std::sort(order.begin(), order.end());
+    for (std::uint32_t k = 0; k < order.size(); ++k)
+      EXPECT_EQ(order[k], k) << size;
+  }
+}
+
 } // namespace
 } // namespace indoor
 } // namespace pcl

@@ -46,7 +46,8 @@ TEST(NeighborDistance, IsEq21)
   std::mt19937 rng(1);
   for (const unsigned k : {1u, 4u, 8u}) {
     auto points = randomPoints(60, rng);
-    points[3] = points[4]; // duplicates
+    points[3] = points[4];                                          // duplicates
+    std::fill(points.begin() + 20, points.begin() + 40, points[7]); // more than k
     for (const unsigned threads : {1u, 3u}) {
       const auto distances = meanNeighborDistances(points, k, threads);
       ASSERT_EQ(distances.size(), points.size());

@@ -261,6 +261,19 @@ TEST(NonConvexPointsRemoval, OnePointAndEqualPointsStay)
   }
 }
 
+TEST(NonConvexPointsRemoval, ARadiusTooSmallForTheExtentGivesNothing)
+{
+  const auto scene = corner(1);
+  (*scene.cloud)[0].x = 5e8f;
+  Removal removal;
+  removal.setInputCloud(scene.cloud);
+  removal.setInputNormals(scene.normals);
+  removal.setRadius(1e-3);
+  pcl::Indices indices{1, 2, 3};
+  EXPECT_NO_THROW(removal.filter(indices));
+  EXPECT_TRUE(indices.empty());
+}
+
 TEST(NonConvexPointsRemoval, DefaultsAreAsDocumented)
 {
   const Removal removal;

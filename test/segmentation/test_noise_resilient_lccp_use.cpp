@@ -83,6 +83,9 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
   };
   segmentation.setVoxelResolution(0);
   expectRejected("voxel resolution");
+  segmentation.setViewPoint(0, 1e300, 0);
+  expectRejected("viewpoint");
+  segmentation.setViewPoint(0, 0, 0);
   segmentation.setVoxelResolution(1e-9);
   expectRejected("voxels too small for the cloud");
   segmentation.setSeedResolution(0.01);

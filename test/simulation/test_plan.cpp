@@ -290,6 +290,12 @@ TEST(Plan, RefusesDocumentsOfAnotherKind)
     EXPECT_NE(errorOf(text), "") << text;
 }
 
+TEST(Plan, NumbersTooLargeAreRefused)
+{
+  EXPECT_EQ(errorOf(R"({"wall_thickness": 1e999})"),
+            "house.json: a number is too large");
+}
+
 TEST(Plan, NamesAFileThatIsMissing)
 {
   try {

@@ -47,7 +47,7 @@ protected:
   run(const std::string& tool, const std::string& arguments) const
   {
     return std::system((std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " + arguments +
-                        " > " + path("said") + " 2>&1")
+                        " -quiet > " + path("said") + " 2>&1")
                            .c_str());
   }
 

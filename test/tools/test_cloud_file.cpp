@@ -289,3 +289,47 @@ TEST_F(CloudFiles, DamagedHeadersNeverCrash)
   }
   EXPECT_GT(refused, 100u);
 }
+
+TEST_F(CloudFiles, CoordinatesTooLargeToComputeWithAreLeftOut)
+{
+  const std::string header =
+      "VERSION .7\nFIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3\n"
+      "HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\nDATA ascii\n";
+  const auto file = loadCloud(write("far.pcd", header + "1 2 3\n2 3 4\n1e20 0 0\n"));
+  EXPECT_EQ(file.finite_count, 2u);
+  EXPECT_FALSE(file.points->is_dense);
+  EXPECT_TRUE(std::isnan((*file.points)[2].x));
+  EXPECT_THROW(loadCloud(write("all.pcd", header + "1e20 0 0\n-1e20 0 0\n0 1e19 0\n")),
+               ToolError);
+}
+
+TEST_F(CloudFiles, OtherFormatsAreNamedWithTheCommandThatConvertsThem)
+{
+  const auto messageFor = [&](const std::string& name, const std::string& bytes) {
+    try {
+      loadCloud(write(name, bytes));
+    } catch (const ToolError& error) {
+      const std::string text = error.what();
+      const std::string start = path(name) + ": neither a PCD nor a PLY file but ";
+      EXPECT_EQ(text.substr(0, start.size()), start);
+      return text.substr(std::min(start.size(), text.size()));
+    }
+    return std::string("it was read");
+  };
+  std::string las = "LASF" + std::string(300, '\0');
+  EXPECT_EQ(messageFor("a.las", las),
+            "a LAS file; convert it: pdal translate " + path("a.las") + " " +
+                path("a.ply"));
+  las[104] = '\x86';
+  EXPECT_EQ(messageFor("any.name", las).substr(0, 10), "a LAZ file");
+  EXPECT_EQ(messageFor("a b.e57", "ASTM-E57"),
+            "an E57 file; convert it: CloudCompare -SILENT -O '" + path("a b.e57") +
+                "' -C_EXPORT_FMT PLY -SAVE_CLOUDS");
+  EXPECT_EQ(messageFor("a.pcd.gz", "\x1f\x8b\x08"),
+            "a file compressed by gzip; unpack it: gunzip -k " + path("a.pcd.gz"));
+  EXPECT_EQ(messageFor("a.zip", "PK\x03\x04").substr(0, 13), "a ZIP archive");
+  const std::string table = "a table of numbers as text";
+  for (const char* text : {"1 2 3 255\n4 5 6 255\n", "x,y,z\n1.5,2,-3e2\n", "1;2;3"})
+    EXPECT_EQ(messageFor("cloud", text).substr(0, table.size()), table) << text;
+  EXPECT_EQ(messageFor("a.LAS", "what is this").substr(0, 10), "a LAS file");
+}

@@ -66,8 +66,8 @@ protected:
       const std::string& tool = "pcl_joining_examples") const
   {
     const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
-                                input + " " + path("out") + " " + options + " > " +
-                                path("said") + " 2>&1";
+                                input + " " + path("out") + " " + options +
+                                " -quiet > " + path("said") + " 2>&1";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <thread>
 
@@ -33,13 +34,21 @@ TEST(SegmentMeasured, ReturnsLabelsTimeAndMemory)
 
 TEST(SegmentMeasured, FailuresAreNoticed)
 {
-  EXPECT_THROW(segmentMeasured([]() -> std::vector<std::uint32_t> { std::abort(); }),
-               ToolError);
-  EXPECT_THROW(
-      segmentMeasured([]() -> std::vector<std::uint32_t> { throw AlreadyReported(); }),
-      AlreadyReported);
-  EXPECT_THROW(segmentMeasured([]() -> std::vector<std::uint32_t> {
-                 throw std::runtime_error("expected by the test");
-               }),
-               AlreadyReported);
+  testing::internal::CaptureStderr();
+  const auto aborted = segmentMeasured([]() -> std::vector<std::uint32_t> {
+    std::fputs("file.cpp:714: an assertion of a library\n", stderr);
+    std::abort();
+  });
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(aborted.problem, "stopped by the signal Aborted");
+  EXPECT_TRUE(aborted.labels.empty());
+  const auto reported = segmentMeasured([]() -> std::vector<std::uint32_t> {
+    std::fputs("said before\n", stderr);
+    throw AlreadyReported();
+  });
+  EXPECT_EQ(reported.problem, "said before");
+  const auto thrown = segmentMeasured([]() -> std::vector<std::uint32_t> {
+    throw std::runtime_error("expected by the test");
+  });
+  EXPECT_EQ(thrown.problem, "expected by the test");
 }

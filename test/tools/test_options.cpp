@@ -136,9 +136,8 @@ TEST(OptionParser, IncompleteUnknownAndRepeatedOptionsAreRefused)
   EXPECT_EQ(errorOf({"-size"}), "-size: the value is missing");
   EXPECT_EQ(errorOf({"-size", "-fast"}), "-size: the value is missing");
   EXPECT_EQ(errorOf({"-fast", "-fast"}), "-fast: the option is given twice");
-  EXPECT_EQ(errorOf({"-sise", "1"}), "-sise: unknown option, -h lists the known ones");
-  EXPECT_EQ(errorOf({"--size", "1"}),
-            "--size: unknown option, -h lists the known ones");
+  EXPECT_EQ(errorOf({"-sise", "1"}), "-sise: unknown option, did you mean -size?");
+  EXPECT_EQ(errorOf({"--size", "1"}), "--size: unknown option, write -size");
   EXPECT_EQ(errorOf({"-partition", "none"}),
             "-partition: 'none' is not one of graph|lccp|-x");
   EXPECT_NE(errorOf({"c.pcd"}).find("'c.pcd' is one argument too many"),
@@ -212,4 +211,70 @@ TEST(OptionParser, AChoiceMayBeginWithADash)
   EXPECT_EQ(values.partition, "-x");
   EXPECT_TRUE(values.fast);
   EXPECT_EQ(errorOf({"-partition", "-fast"}), "-partition: the value is missing");
+}
+
+TEST(OptionParser, SuggestsTheRightSpelling)
+{
+  EXPECT_EQ(errorOf({"--size", "1"}), "--size: unknown option, write -size");
+  EXPECT_EQ(errorOf({"-size=0.1"}), "-size=0.1: unknown option, write -size 0.1");
+  EXPECT_EQ(errorOf({"--size=0.1"}), "--size=0.1: unknown option, write -size 0.1");
+  EXPECT_EQ(errorOf({"-partitoin", "lccp"}),
+            "-partitoin: unknown option, did you mean -partition?");
+  EXPECT_EQ(errorOf({"-nothing_like_it"}),
+            "-nothing_like_it: unknown option, -h lists the known ones");
+  EXPECT_EQ(errorOf({"--"}), "--: unknown option, -h lists the known ones");
+}
+
+TEST(OptionParser, HelpListsExpertOptionsApart)
+{
+  Values values;
+  auto parser = makeParser(values);
+  EXPECT_EQ(parser.usage().find("experts"), std::string::npos);
+  const auto usage = parser.expert({"-share"}).usage();
+  const auto experts = usage.find("experts");
+  EXPECT_LT(experts, usage.find("-share X"));
+  EXPECT_GT(experts, usage.find("-seed X"));
+  EXPECT_GT(experts, usage.find("-h ="));
+}
+
+TEST(OptionParser, SaysItsVersionWithoutAnyArgument)
+{
+  Values values;
+  const char* const arguments[] = {"pcl_example", "--version"};
+  testing::internal::CaptureStdout();
+  const auto body = [](Progress&) { FAIL() << "nothing is to be done"; };
+  EXPECT_EQ(makeParser(values).run(2, arguments, body), EXIT_SUCCESS);
+  EXPECT_EQ(testing::internal::GetCapturedStdout().rfind("pcl_example 0.", 0), 0u);
+}
+
+TEST(OptionParser, ValuesLeaveOutTheThreads)
+{
+  int threads = 3;
+  double size = 0.5;
+  OptionParser parser("pcl_example", "Does something.");
+  parser.number("-threads", threads, "threads").number("-size", size, "size", "m");
+  EXPECT_EQ(parser.values(), "-size 0.5 m");
+}
+
+TEST(OptionParser, ErrorsHoldNothingThatATerminalActsOn)
+{
+  Values values;
+  const char* const arguments[] = {"pcl_example", "a", "b"};
+  testing::internal::CaptureStderr();
+  makeParser(values).run(3, arguments, [](Progress&) {
+    throw ToolError("a.pcd: '\x1b[2J' is not a number");
+  });
+  const auto said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("'\\x1b[2J' is not"), std::string::npos) << said;
+}
+
+TEST(Progress, SummaryIsShownWhereNoTerminalIs)
+{
+  testing::internal::CaptureStdout();
+  Progress progress(false);
+  progress.start("Loading");
+  progress.done("2 points");
+  progress.summary("out.pcd: 2 rooms");
+  Progress(true).summary("not after -quiet");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "out.pcd: 2 rooms\n");
 }

@@ -51,7 +51,7 @@ protected:
   run(const std::string& tool, const std::string& arguments) const
   {
     return std::system((std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " + arguments +
-                        " > " + path("said") + " 2>&1")
+                        " -quiet > " + path("said") + " 2>&1")
                            .c_str());
   }
 };
@@ -224,6 +224,7 @@ TEST_F(RoomResults, FarPointsAndAnotherFrameDoNotStopThePipeline)
         cloud.emplace_back(q.x(), q.y(), q.z());
     }
     if (far)
+      // only the first is a place outside; with the others nothing can be computed
       for (const float value : {1e7f, 1e20f, std::numeric_limits<float>::max()})
         cloud.emplace_back(value, 1.0f, -value);
     pcl::PCLPointCloud2 bytes;
@@ -249,7 +250,7 @@ TEST_F(RoomResults, FarPointsAndAnotherFrameDoNotStopThePipeline)
   auto far_rooms = readLabels(with_far, "room"),
        far_objects = readLabels(with_far, "object");
   const auto json = nlohmann::json::parse(bytesOf(path("scene/scene.json")));
-  EXPECT_EQ(json["points_outside"], outside + 3);
+  EXPECT_EQ(json["points_outside"], outside + 1);
   for (std::size_t i = rooms.size(); i < far_rooms.size(); ++i)
     EXPECT_EQ(far_rooms[i] + far_objects[i], 0u);
   far_rooms.resize(rooms.size());

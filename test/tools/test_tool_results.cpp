@@ -43,7 +43,7 @@ protected:
   run(const std::string& tool, const std::string& arguments) const
   {
     const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
-                                arguments + " > " + path("said") + " 2>&1";
+                                arguments + " -quiet > " + path("said") + " 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << command << "\n"
                                                << bytesOf(path("said"));
     EXPECT_EQ(bytesOf(path("said")), "") << command;
@@ -54,7 +54,7 @@ protected:
   expectRefusal(const std::string& tool, const std::string& arguments) const
   {
     const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
-                                arguments + " > " + path("said") + " 2>&1";
+                                arguments + " -quiet > " + path("said") + " 2>&1";
     const int status = std::system(command.c_str());
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << command;
     const auto said = bytesOf(path("said"));

@@ -28,5 +28,10 @@ struct OrientedPoint {
 float
 objectExtent(const std::vector<OrientedPoint>& points);
 
+/** \brief Tell whether an object of this extent can be described: it has one, and not
+ * a larger one than usable points have, see isUsable(). */
+bool
+isUsableExtent(float extent);
+
 } // namespace indoor
 } // namespace pcl

@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include <pcl/common/point_tests.h>  // for isFinite
 #include <pcl/filters/point_cells.h> // for Adjacency
+#include <pcl/filters/usable_point.h>
 #include <pcl/point_cloud.h>
 
 #include <Eigen/Core>
@@ -45,7 +45,7 @@ nearestNeighbors(const std::vector<Eigen::Vector3f>& points,
                  unsigned neighbors,
                  unsigned threads = 0);
 
-/** \brief Collect the finite points of a cloud, each minus the first of them: nothing
+/** \brief Collect the usable points of a cloud, each minus the first of them: nothing
  * is lost in large coordinates. */
 template <typename PointT>
 std::vector<Eigen::Vector3f>
@@ -55,7 +55,7 @@ finitePoints(const PointCloud<PointT>& cloud)
   points.reserve(cloud.size());
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   for (const auto& point : cloud) {
-    if (!isFinite(point))
+    if (!isUsablePoint(point))
       continue;
     const Eigen::Vector3d position = point.getVector3fMap().template cast<double>();
     if (points.empty())
@@ -65,7 +65,7 @@ finitePoints(const PointCloud<PointT>& cloud)
   return points;
 }
 
-/** \brief The same radius for the finite points of a cloud. */
+/** \brief The same radius for the usable points of a cloud. */
 template <typename PointT>
 double
 neighborhoodRadius(const PointCloud<PointT>& cloud, unsigned threads = 0)

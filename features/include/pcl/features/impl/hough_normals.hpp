@@ -8,10 +8,14 @@
 #include <pcl/console/print.h>
 #include <pcl/features/hough_normals.h>
 #include <pcl/filters/neighbor_distance.h>
+#include <pcl/filters/usable_point.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #ifdef _OPENMP
@@ -19,6 +23,34 @@
 #endif
 
 namespace pcl {
+
+namespace indoor {
+
+/** \brief For each of some points of a cloud, the first of them in the same place. */
+template <typename PointT>
+std::vector<std::ptrdiff_t>
+firstInPlace(const PointCloud<PointT>& cloud, const Indices& indices)
+{
+  std::vector<std::ptrdiff_t> order, first(indices.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    first[i] = static_cast<std::ptrdiff_t>(i);
+    if (isFinite(cloud[indices[i]])) // the others have no order
+      order.push_back(first[i]);
+  }
+  const auto place = [&](std::ptrdiff_t i) {
+    const PointT& point = cloud[indices[i]];
+    return std::make_tuple(point.x, point.y, point.z);
+  };
+  std::sort(order.begin(), order.end(), [&](std::ptrdiff_t a, std::ptrdiff_t b) {
+    return std::make_pair(place(a), a) < std::make_pair(place(b), b);
+  });
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (place(order[k]) == place(order[k - 1]))
+      first[order[k]] = first[order[k - 1]];
+  return first;
+}
+
+} // namespace indoor
 
 template <typename PointInT, typename PointOutT>
 HoughNormalEstimation<PointInT, PointOutT>::HoughNormalEstimation(unsigned threads)
@@ -61,6 +93,14 @@ HoughNormalEstimation<PointInT, PointOutT>::initCompute()
     return false;
   }
   const auto& searched = surface_ ? surface_ : input_;
+  for (std::size_t i = 0; searched && i < searched->size(); ++i)
+    if (isFinite((*searched)[i]) && !indoor::isUsablePoint((*searched)[i])) {
+      PCL_ERROR("[pcl::HoughNormalEstimation::initCompute] Point %zu is more than %g m "
+                "from the origin, too far for the search of neighbours.\n",
+                i,
+                static_cast<double>(indoor::largest_coordinate));
+      return false;
+    }
   automatic_radius_ = search_radius_ == 0 && k_ == 0 && searched;
   if (automatic_radius_)
     search_radius_ = 2 * indoor::neighborhoodRadius(*searched, threads_);
@@ -84,6 +124,9 @@ void
 HoughNormalEstimation<PointInT, PointOutT>::computeFeature(PointCloudOut& output)
 {
   const indoor::HoughNormalEstimator shared(options_);
+  // Points in one place have one normal, which is found once: where there are thousands
+  // of them, each finds all others as neighbours.
+  const auto first = indoor::firstInPlace(*input_, *indices_);
   const auto count = static_cast<std::ptrdiff_t>(indices_->size());
   bool dense = true;
 #ifdef _OPENMP
@@ -97,10 +140,12 @@ HoughNormalEstimation<PointInT, PointOutT>::computeFeature(PointCloudOut& output
     std::vector<Eigen::Vector3f> offsets;
 #pragma omp for schedule(dynamic, 256)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
+      if (first[i] != i)
+        continue;
       const auto index = (*indices_)[i];
       const PointInT& point = (*input_)[index];
       offsets.clear();
-      if (isFinite(point)) {
+      if (indoor::isUsablePoint(point)) {
         this->searchForNeighbors(
             index, search_parameter_, neighbors, squared_distances);
         // Double differences: nothing is lost in large coordinates.
@@ -116,6 +161,8 @@ HoughNormalEstimation<PointInT, PointOutT>::computeFeature(PointCloudOut& output
       dense = dense && std::isfinite(found.normal.x());
     }
   }
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+    output[i] = output[first[i]];
   output.is_dense = dense;
   orient(output);
 }

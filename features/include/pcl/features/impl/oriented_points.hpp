@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/filters/usable_point.h>
 #include <pcl/point_cloud.h>
 #include <pcl/types.h>
 
@@ -36,7 +37,8 @@ whatIsWrong(const PointCloud<PointT>& cloud,
   return "";
 }
 
-/** \brief The usable points of a cloud: finite, with a finite normal that is not zero.
+/** \brief The usable points of a cloud: see isUsable(), with a finite normal that is
+ * not zero.
  *
  * Positions are relative to the first usable point, so that large coordinates lose
  * nothing more in what is computed from them.
@@ -54,7 +56,7 @@ orientedPoints(const PointCloud<PointT>& cloud,
     const Eigen::Vector3f position = cloud[index].getVector3fMap();
     const Eigen::Vector3f normal = normals[index].getNormalVector3fMap();
     const float length = normal.norm();
-    if (!position.allFinite() || !std::isfinite(length) || !(length > 0.0f))
+    if (!isUsable(position) || !std::isfinite(length) || !(length > 0.0f))
       continue;
     if (count == 0)
       origin = position;

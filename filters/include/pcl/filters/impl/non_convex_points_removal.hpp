@@ -4,9 +4,10 @@
  */
 #pragma once
 
-#include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/filters/non_convex_points_removal.h>
+#include <pcl/filters/plain_message.h>
 #include <pcl/filters/point_resolution.h>
+#include <pcl/filters/usable_point.h>
 
 namespace pcl {
 
@@ -132,7 +133,7 @@ NonConvexPointsRemoval<PointT, PointNT>::applyFilter(Indices& indices)
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   for (const auto index : *indices_) {
     const PointT& point = (*input_)[index];
-    if (!isFinite(point)) {
+    if (!indoor::isUsablePoint(point)) {
       if (extract_removed_indices_)
         removed_indices_->push_back(index);
       continue;
@@ -149,7 +150,15 @@ NonConvexPointsRemoval<PointT, PointNT>::applyFilter(Indices& indices)
   options.radius = radius_ > 0 ? radius_ : 2.5 * indoor::meanResolution(points);
   if (!(options.radius > 0)) // no two different points: no neighbourhood
     options.radius = 1;
-  const auto non_convex = indoor::nonConvexPoints(points, normals, curvatures, options);
+  std::vector<std::uint8_t> non_convex;
+  try {
+    non_convex = indoor::nonConvexPoints(points, normals, curvatures, options);
+  } catch (const BadArgumentException& error) { // a radius too small for the extent
+    PCL_ERROR("[pcl::NonConvexPointsRemoval::applyFilter] %s\n",
+              indoor::plainMessage(error).c_str());
+    removed_indices_->clear();
+    return;
+  }
   for (std::size_t i = 0; i < finite.size(); ++i) {
     if ((non_convex[i] != 0) == negative_)
       indices.push_back(finite[i]);

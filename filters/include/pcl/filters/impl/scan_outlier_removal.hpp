@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/filters/scan_outlier_removal.h>
+#include <pcl/filters/usable_point.h>
 
 #include <string>
 #include <vector>
@@ -99,7 +99,7 @@ ScanOutlierRemoval<PointT>::applyFilter(Indices& indices)
   std::vector<Eigen::Vector3f> points;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   for (const auto index : *indices_) {
-    if (!isFinite((*input_)[index]))
+    if (!indoor::isUsablePoint((*input_)[index]))
       continue;
     const Eigen::Vector3d position =
         (*input_)[index].getVector3fMap().template cast<double>();
@@ -110,7 +110,7 @@ ScanOutlierRemoval<PointT>::applyFilter(Indices& indices)
   const auto outliers = indoor::scanOutliers(points, options_);
   std::size_t i = 0;
   for (const auto index : *indices_) {
-    const bool finite = isFinite((*input_)[index]);
+    const bool finite = indoor::isUsablePoint((*input_)[index]);
     if (finite && (outliers[i++] != 0) == negative_)
       indices.push_back(index);
     else if (extract_removed_indices_)

@@ -6,7 +6,8 @@
 
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
-#include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/filters/plain_message.h>
+#include <pcl/filters/usable_point.h>
 
 #include <algorithm>
 
@@ -250,6 +251,19 @@ NoiseResilientLCCP<PointT>::initCompute()
               static_cast<std::size_t>(normals_->size()));
     return false;
   }
+  const bool has_sensor =
+      !viewpoint_.empty() || input_->height > 1 || camera_ == Camera::Single;
+  const Eigen::Vector3f sensor =
+      viewpoint_.empty() ? Eigen::Vector3f(input_->sensor_origin_.template head<3>())
+                         : Eigen::Vector3f(viewpoint_.front().template cast<float>());
+  if (has_sensor && !indoor::isUsable(sensor)) {
+    PCL_ERROR("%s The sensor stands at %g %g %g, which is no usable place.\n",
+              where,
+              static_cast<double>(sensor.x()),
+              static_cast<double>(sensor.y()),
+              static_cast<double>(sensor.z()));
+    return false;
+  }
   const auto problem = indoor::findInvalidOption(options_);
   if (!problem.empty()) {
     PCL_ERROR("%s %s\n", where, problem.c_str());
@@ -271,7 +285,7 @@ NoiseResilientLCCP<PointT>::localInput()
   if (!viewpoint_.empty())
     sensor = viewpoint_.front();
   for (const auto index : *indices_)
-    if (isFinite((*input_)[index]))
+    if (indoor::isUsablePoint((*input_)[index]))
       finite_.push_back(index);
   // Double differences to a median: nothing is lost in large coordinates, and the
   // order of the points does not matter.
@@ -310,7 +324,8 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   try {
     result_ = indoor::segmentObjects(localInput(), options_);
   } catch (const PCLException& error) { // voxels too small for the extent of the cloud
-    PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n", error.what());
+    PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n",
+              indoor::plainMessage(error).c_str());
     finite_.clear();
     this->deinitCompute();
     return;

@@ -8,6 +8,7 @@
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/console/print.h>
 #include <pcl/exceptions.h>
+#include <pcl/filters/plain_message.h>
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/room_segmentation.h>
@@ -147,7 +148,8 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
   try {
     building_ = indoor::segmentBuilding(points, options_, progress);
   } catch (const BadArgumentException& error) { // such as far too many voxels
-    PCL_ERROR("[pcl::RoomSegmentation::segment] %s\n", error.what());
+    PCL_ERROR("[pcl::RoomSegmentation::segment] %s\n",
+              indoor::plainMessage(error).c_str());
     this->deinitCompute();
     return;
   }

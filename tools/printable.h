@@ -1,0 +1,30 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <exception>
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief A text as one line for a terminal.
+ *
+ * Names and words of files may hold anything. UTF-8 stays; line feeds become blanks,
+ * and bytes that a terminal could act on, or that are no text, become "\x1b" and so on.
+ * \param[in] most bytes; of a longer text the middle is left out
+ */
+std::string
+printable(const std::string& text, std::size_t most = 1000);
+
+/** \brief What an exception says to a user: without the names of functions, source
+ * files and exceptions that libraries put in front. */
+std::string
+messageOf(const std::exception& error);
+
+/** \brief Print "Warning: " and the text, printable, as one line on stderr. */
+void
+printWarning(const std::string& text);
+
+} // namespace pcl::indoor::tool
