@@ -120,12 +120,15 @@ PointCoordinates::apply(CloudFile& file, const std::string& output) const
   file.frame.origin.head<3>() =
       (file.frame.origin.head<3>().cast<double>() - shift).cast<float>();
   file.frame.offset = offset;
-  if (!doubles)
-    std::fprintf(stderr,
-                 "Note: %s: x, y, z are floats, to which the %s has to be added; "
-                 "-double writes doubles\n",
-                 output.c_str(),
-                 offsetText(offset).c_str());
+  if (doubles)
+    return;
+  const std::string addend =
+      offset.isZero(0.0) ? ""
+                         : ", to which the " + offsetText(offset) + " has to be added";
+  std::fprintf(stderr,
+               "Note: %s: x, y, z are floats%s; -double writes doubles\n",
+               output.c_str(),
+               addend.c_str());
 }
 
 } // namespace pcl::indoor::tool
