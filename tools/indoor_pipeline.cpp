@@ -242,16 +242,15 @@ complete(const Options& options, const Scene& scene, CloudFile& file)
   options.coordinates.apply(file, options.folder + "/cloud.pcd");
 }
 
-/** Write all results, scene.json the last: where it lies, the others belong to it.
- * Returns their names. */
-std::string
-save(const Options& options,
-     const std::string& parameters,
-     const Scene& scene,
-     const pcl::PointCloud<pcl::PointXYZ>& points,
-     const CloudFile& file)
+/** Put all results into the folder, scene.json the last: where it lies, the others
+ * belong to it. */
+void
+saveResults(const Options& options,
+            const std::string& parameters,
+            const Scene& scene,
+            const pcl::PointCloud<pcl::PointXYZ>& points,
+            const CloudFile& file)
 {
-  makeFolder(options.folder);
   const auto in_folder = [&](const std::string& name) {
     return options.folder + "/" + name;
   };
@@ -266,6 +265,24 @@ save(const Options& options,
     add("classes.png", pngBytes(drawClasses(scene, points)));
   add("scene.json", sceneText(scene, file, options.frame, parameters));
   commitTogether(files, {in_folder("scene.json"), in_folder("classes.png")});
+}
+
+/** Make the folder and fill it, or leave nothing. Returns the names of the results. */
+std::string
+save(const Options& options,
+     const std::string& parameters,
+     const Scene& scene,
+     const pcl::PointCloud<pcl::PointXYZ>& points,
+     const CloudFile& file)
+{
+  const bool is_made = makeFolder(options.folder);
+  try {
+    saveResults(options, parameters, scene, points, file);
+  } catch (...) {
+    if (is_made)
+      std::filesystem::remove(options.folder); // is empty
+    throw;
+  }
   return "cloud.pcd, scene.json, rooms.png, potential_field.png" +
          std::string(scene.classes.names.empty() ? "" : ", classes.png");
 }

@@ -109,13 +109,14 @@ requireFolder(const std::string& folder)
     refuse(folder, std::strerror(errno));
 }
 
-void
+bool
 makeFolder(const std::string& folder)
 {
   std::error_code error;
-  fs::create_directories(folder, error);
+  const bool is_made = fs::create_directories(folder, error);
   if (error)
     throw ToolError(folder + ": cannot be made, " + error.message());
+  return is_made;
 }
 
 OutputFile::OutputFile(const std::string& path)

@@ -26,8 +26,9 @@ requireWritable(const std::string& path);
 void
 requireFolder(const std::string& folder);
 
-/** \brief Make a folder, and those above it, unless it is there. */
-void
+/** \brief Make a folder, and those above it, unless it is there.
+ * \return was it made? */
+bool
 makeFolder(const std::string& folder);
 
 /** \brief An output on its way.

@@ -72,9 +72,9 @@ PointColors::addOption(OptionParser& parser, const std::vector<std::string>& lab
   choices.insert(choices.end(), {"height", "none"});
   parser.text("-colour",
               wanted,
-              "what the colours of the output (field rgb) show; auto: those of the "
-              "input, where it has none " +
-                  labels.front() + "; none: adds none",
+              "what the colours of the output (field rgb) show; auto: the input's own, "
+              "without any " +
+                  labels.front() + "; none: adds no colours",
               choices);
 }
 

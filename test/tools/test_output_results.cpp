@@ -16,10 +16,12 @@
 #include <gtest/gtest.h>
 
 #include <sys/stat.h> // for mkfifo
+#include <sys/wait.h> // for WIFEXITED
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <thread>
 
 using namespace pcl::indoor;
@@ -93,6 +95,31 @@ TEST_F(OutputResults, ResultsOfAnEarlierRunDoNotStay)
   ASSERT_EQ(run("pcl_indoor_pipeline", path("out") + " -model none"), 0);
   EXPECT_FALSE(std::filesystem::exists(path("out/classes.png")));
   EXPECT_TRUE(std::filesystem::exists(path("out/notes.txt")));
+}
+
+TEST_F(OutputResults, AFullDiskIsSaidInOneLineAndLeavesNothing)
+{
+  const auto files = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path("")))
+      names.insert(entry.path().string());
+    return names;
+  };
+  std::ofstream(path("said"));
+  const auto before = files();
+  const auto with_limit = [&](const std::string& tool, const std::string& arguments) {
+    const std::string command = "ulimit -f 4; " + std::string(PCL_INDOOR_TOOLS) + "/" +
+                                tool + " " + path("in.pcd") + " " + arguments + " 2> " +
+                                path("said");
+    const int status = std::system(command.c_str());
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << command;
+    EXPECT_NE(bytesOf(path("said")).find(": cannot be written, File too large\n"),
+              std::string::npos);
+    EXPECT_EQ(files(), before);
+  };
+  with_limit("pcl_room_segmentation", path("out.pcd") + " -json " + path("out.json"));
+  with_limit("pcl_noise_resilient_lccp", path("out.ply"));
+  with_limit("pcl_indoor_pipeline", path("out"));
 }
 
 TEST_F(OutputResults, EveryOutputMayBeAPipe)
