@@ -21,7 +21,8 @@ struct Slot {
 };
 constexpr int slot_count = 16;
 Slot slots[slot_count];
-std::atomic<bool> paused{false};
+std::atomic<bool> paused{false}; // of the two, the later one to be set gives way
+std::atomic<bool> ending{false};
 std::atomic<int> waiting{0}; // the signal that came during a pause
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
@@ -35,8 +36,10 @@ endBy(int signal)
 extern "C" void
 removeUnfinishedAndEnd(int signal)
 {
+  ending = true;
   if (paused) {
     waiting = signal;
+    ending = false;
     return;
   }
   for (const auto& slot : slots)
@@ -87,7 +90,12 @@ removeUnfinished(const std::string& path)
       slot.owner = 0;
 }
 
-SignalPause::SignalPause() { paused = true; }
+SignalPause::SignalPause()
+{
+  paused = true;
+  while (ending) // by a handler in another thread
+    usleep(1000);
+}
 
 SignalPause::~SignalPause()
 {
