@@ -4,7 +4,7 @@
  */
 // Loaded before a tool (LD_PRELOAD), it kills the tool before its n-th step on the file
 // system that changes something, n = KILL_AT: writing to a file, renaming or removing
-// one.
+// one. Instead of killing it, it sends the signal KILL_BY.
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -17,8 +17,9 @@ void
 step()
 {
   static int left = std::getenv("KILL_AT") ? std::atoi(std::getenv("KILL_AT")) : 0;
+  static const char* const signal = std::getenv("KILL_BY");
   if (left > 0 && --left == 0)
-    raise(SIGKILL);
+    kill(getpid(), signal ? std::atoi(signal) : SIGKILL);
 }
 
 template <typename Function>

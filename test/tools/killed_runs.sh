@@ -44,7 +44,9 @@ check() { # <when>
   [ $of_one_run = yes ] || fail "$1: scene.json lies beside files of another run"
 }
 
-again() { rm -rf now && cp -r old now; }
+again() { rm -rf now && cp -r old now && [ -d now ] || fail "the test cannot copy its files"; }
+
+is_of_one_run() { diff -rq now old > /dev/null || diff -rq now new > /dev/null; }
 
 for tool in pipeline rooms; do
   rm -rf old new
@@ -65,6 +67,11 @@ for tool in pipeline rooms; do
   done
   [ "$step" -gt 5 ] || fail "$tool: only $step steps"
   echo "$tool: killed before each of $((step - 1)) steps"
+  for ((n = 1; n < step; ++n)); do
+    again
+    (LD_PRELOAD=$library KILL_AT=$n KILL_BY=15 $tool new)
+    is_of_one_run || fail "$tool, TERM before step $n: files of two runs, or unfinished ones"
+  done
   for ((moment = 0; moment < random_moments; ++moment)); do
     for signal in KILL TERM HUP; do
       again
@@ -74,8 +81,7 @@ for tool in pipeline rooms; do
       wait $! 2> /dev/null
       check "$tool, $signal"
       [ $signal != KILL ] || continue
-      [ -z "$(find now -name '*.part*')" ] || fail "$tool, $signal: an unfinished file is left"
-      diff -rq now old > /dev/null || diff -rq now new > /dev/null || fail "$tool, $signal: files of two runs"
+      is_of_one_run || fail "$tool, $signal: files of two runs, or unfinished ones"
     done
   done
   echo "$tool: ended at $((3 * random_moments)) random moments"
