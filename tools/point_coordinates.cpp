@@ -5,6 +5,7 @@
 #include "point_coordinates.h"
 
 #include "file_header.h" // for offsetText
+#include "printable.h"
 
 #include <pcl/common/io.h> // for getFieldSize
 
@@ -127,7 +128,7 @@ PointCoordinates::apply(CloudFile& file, const std::string& output) const
                          : ", to which the " + offsetText(offset) + " has to be added";
   std::fprintf(stderr,
                "Note: %s: x, y, z are floats%s; -double writes doubles\n",
-               output.c_str(),
+               printable(output).c_str(),
                addend.c_str());
 }
 
