@@ -5,6 +5,7 @@
 #include "cloud_file.h"
 
 #include "cloud_check.h"
+#include "file_header.h"
 #include "ply_file.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <mutex>
@@ -127,8 +129,8 @@ isReadAsChecked(const CloudFile& file, std::uint64_t checked_bytes)
   unsigned int data_begin = 0;
   return PCDReader().readHeader(file.path,
                                 trial.cloud,
-                                trial.origin,
-                                trial.orientation,
+                                trial.frame.origin,
+                                trial.frame.orientation,
                                 version,
                                 data_type,
                                 data_begin) == 0 &&
@@ -147,9 +149,9 @@ readFile(CloudFile& file)
       result = -1;
     else if (checked.format == CloudFormat::PCD)
       result = PCDReader().read(
-          file.path, file.cloud, file.origin, file.orientation, version);
+          file.path, file.cloud, file.frame.origin, file.frame.orientation, version);
     else
-      readPly(file.path, file.cloud, file.origin, file.orientation);
+      readPly(file.path, file.cloud, file.frame.origin, file.frame.orientation);
   } catch (const ToolError&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -159,6 +161,9 @@ readFile(CloudFile& file)
   }
   if (result < 0)
     throw ToolError(file.path + ": the file is damaged, its points cannot be read");
+  std::ifstream stream(file.path, std::ios::binary);
+  const char* const last = checked.format == CloudFormat::PCD ? "DATA" : "end_header";
+  file.frame.offset = readFileHeader(stream, last, file.path).offset;
 }
 
 /** Large coordinates lose their millimetres in a float: choose what to subtract, the
@@ -198,26 +203,29 @@ fillPoints(CloudFile& file)
   const std::vector<double> coordinates[3] = {readReals(file.cloud, names[0]),
                                               readReals(file.cloud, names[1]),
                                               readReals(file.cloud, names[2])};
+  Eigen::Vector3d middle; // of large coordinates
   for (int axis = 0; axis < 3; ++axis) {
-    file.offset[axis] = offsetOf(coordinates[axis]);
-    if (file.offset[axis] != 0.0)
-      file.coordinate_step = std::max(
-          file.coordinate_step, stepAt(file.cloud, names[axis], file.offset[axis]));
+    middle[axis] = offsetOf(coordinates[axis]);
+    if (middle[axis] != 0.0)
+      file.coordinate_step =
+          std::max(file.coordinate_step, stepAt(file.cloud, names[axis], middle[axis]));
   }
+  file.offset = file.frame.offset + middle;
   auto points = pcl::make_shared<PointCloud<PointXYZ>>();
   points->width = file.cloud.width;
   points->height = file.cloud.height;
   points->header.frame_id = file.cloud.header.frame_id;
-  points->sensor_origin_ = file.origin;
-  points->sensor_origin_.head<3>() -= file.offset.cast<float>();
-  points->sensor_orientation_ = file.orientation;
+  points->sensor_origin_ = file.frame.origin;
+  points->sensor_origin_.head<3>() =
+      (file.frame.origin.head<3>().cast<double>() - middle).cast<float>();
+  points->sensor_orientation_ = file.frame.orientation;
   points->resize(pointCount(file.cloud), PointXYZ(NAN, NAN, NAN));
   points->width = file.cloud.width; // resize() made it one row
   points->height = file.cloud.height;
   for (std::size_t i = 0; i < points->size(); ++i) {
     const Eigen::Vector3d point(
         coordinates[0][i], coordinates[1][i], coordinates[2][i]);
-    const Eigen::Vector3f local = (point - file.offset).cast<float>();
+    const Eigen::Vector3f local = (point - middle).cast<float>();
     if (!isUsable(local))
       continue;
     (*points)[i].getVector3fMap() = local;
@@ -304,6 +312,15 @@ readLabels(const CloudFile& file, const std::string& name)
   return labels;
 }
 
+void
+removeField(PCLPointCloud2& cloud, const std::string& name)
+{
+  const auto same_name = [&name](const PCLPointField& f) { return f.name == name; };
+  cloud.fields.erase(
+      std::remove_if(cloud.fields.begin(), cloud.fields.end(), same_name),
+      cloud.fields.end());
+}
+
 namespace {
 
 template <typename T>
@@ -316,11 +333,7 @@ appendValues(PCLPointCloud2& cloud,
   if (values.size() != pointCount(cloud))
     throw ToolError("field '" + name + "': " + std::to_string(values.size()) +
                     " values for " + std::to_string(pointCount(cloud)) + " points");
-  const auto same_name = [&name](const PCLPointField& f) { return f.name == name; };
-  // an old field's bytes stay as padding, which no writer writes
-  cloud.fields.erase(
-      std::remove_if(cloud.fields.begin(), cloud.fields.end(), same_name),
-      cloud.fields.end());
+  removeField(cloud, name);
   const std::size_t old_step = cloud.point_step;
   const std::size_t new_step = old_step + sizeof(T);
   std::vector<std::uint8_t> data(values.size() * new_step);
@@ -355,23 +368,6 @@ appendRealField(PCLPointCloud2& cloud,
                 const std::vector<float>& values)
 {
   appendValues(cloud, name, values, PCLPointField::FLOAT32);
-}
-
-void
-saveCloud(const std::string& path,
-          const PCLPointCloud2& cloud,
-          const Eigen::Vector4f& origin,
-          const Eigen::Quaternionf& orientation)
-{
-  saveAtomically(path, [&](const std::string& temporary) {
-    const SilentPcl silence;
-    try {
-      return PCDWriter().writeBinaryCompressed(temporary, cloud, origin, orientation) >=
-             0;
-    } catch (const IOException&) {
-      return false;
-    }
-  });
 }
 
 } // namespace pcl::indoor::tool

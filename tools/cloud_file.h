@@ -4,15 +4,14 @@
  */
 #pragma once
 
-#include "options.h" // for ToolError
-#include "output_file.h"
+#include "cloud_writer.h" // for CloudFrame
+#include "options.h"      // for ToolError
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <cstdint>
 #include <string>
@@ -24,19 +23,17 @@ namespace pcl::indoor::tool {
 struct CloudFile {
   std::string path;
   PCLPointCloud2 cloud; ///< every field of the file, bytes unchanged
-  Eigen::Vector4f origin = Eigen::Vector4f::Zero(); ///< the sensor's pose
-  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+  CloudFrame frame;     ///< the sensor's pose and the offset that the file tells
 
   /** The points in the file's order and arrangement, each coordinate minus \a offset;
-   * NaN where one is not finite, or too large to compute with, see isUsable(). */
+   * NaN where one is not finite, or too large to compute with, see isUsable(). Its
+   * sensor's pose is in the same frame. */
   PointCloud<PointXYZ>::Ptr points;
-  /** Whole units near the middle of large (for example UTM) coordinates, otherwise
-   * zero. */
+  /** The offset that the file tells, and whole units near the middle of coordinates
+   * that are large all the same (for example UTM); otherwise zero. */
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
-  /** The greatest distance between neighbouring numbers in which coordinates as large
-   * as the offset are stored: large coordinates in floats are coarse. 0 without an
-   * offset.
-   */
+  /** The greatest distance between neighbouring numbers in which large coordinates are
+   * stored: floats are coarse. 0 without large coordinates. */
   double coordinate_step = 0.0;
   std::size_t finite_count = 0; ///< of \a points without NaN
   bool has_normals = false;     ///< the file has normal_x, normal_y, normal_z
@@ -68,6 +65,11 @@ hasField(const PCLPointCloud2& cloud, const std::string& name);
 std::vector<std::uint32_t>
 readLabels(const CloudFile& file, const std::string& name);
 
+/** \brief Take a field away, if there is one of that name; its bytes stay as padding.
+ */
+void
+removeField(PCLPointCloud2& cloud, const std::string& name);
+
 /** \brief Append a field of unsigned integers or floats; a field of that name is
  * replaced. \param[in] values one per point
  */
@@ -79,16 +81,5 @@ void
 appendRealField(PCLPointCloud2& cloud,
                 const std::string& name,
                 const std::vector<float>& values);
-
-/** \brief Write all fields, binary compressed: first beside the file, then renamed, so
- * none is left half-written.
- * \throws ToolError if it cannot be written; then nothing is left behind and an older
- * file is unchanged
- */
-void
-saveCloud(const std::string& path,
-          const PCLPointCloud2& cloud,
-          const Eigen::Vector4f& origin = Eigen::Vector4f::Zero(),
-          const Eigen::Quaternionf& orientation = Eigen::Quaternionf::Identity());
 
 } // namespace pcl::indoor::tool

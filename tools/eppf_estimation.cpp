@@ -113,7 +113,7 @@ run(const Settings& settings, Progress& progress)
   if (settings.files.size() != 2)
     throw ToolError("an input and an output file are needed, not " +
                     std::to_string(settings.files.size()) + " files");
-  requireWritable(settings.files[1]);
+  requireWritableCloud(settings.files[1], true);
   progress.start("Describing " + settings.files[0]);
   describeFile(settings.files[0], settings.files[1], settings);
   progress.done(std::to_string(bins) + " bins");

@@ -7,12 +7,39 @@
 #include "options.h" // for ToolError
 
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 namespace pcl::indoor::tool {
 namespace {
 
 constexpr std::size_t longest_header = 1 << 20; // bytes; a header without end is none
+
+template <typename T>
+std::string
+textOf(T value)
+{
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
+}
+
+/** Takes the offset from a comment's words, "#" or "comment" the first of them, if that
+ * is what it says. */
+void
+readOffset(const std::vector<std::string>& words, Eigen::Vector3d& offset)
+{
+  if (words.size() != 5 || words[1] != "offset")
+    return;
+  Eigen::Vector3d value;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& word = words[axis + 2];
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data(), end, value[axis]);
+    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value[axis]))
+      return;
+  }
+  offset = value;
+}
 
 } // namespace
 
@@ -35,13 +62,36 @@ readFileHeader(std::istream& stream, const std::string& last, const std::string&
     if (header.body_begin > longest_header)
       break;
     auto words = wordsOf(line);
-    if (words.empty() || words[0][0] == '#')
+    if (words.empty())
       continue;
+    if (words[0][0] == '#' || words[0] == "comment") {
+      readOffset(words, header.offset);
+      continue;
+    }
     header.lines.push_back(std::move(words));
     if (header.lines.back()[0] == last)
       return header;
   }
   throw ToolError(path + ": the file ends within its header (no line " + last + ")");
+}
+
+std::string
+offsetText(const Eigen::Vector3d& offset)
+{
+  return "offset " + numberText(offset.x()) + " " + numberText(offset.y()) + " " +
+         numberText(offset.z());
+}
+
+std::string
+numberText(float value)
+{
+  return textOf(value);
+}
+
+std::string
+numberText(double value)
+{
+  return textOf(value);
 }
 
 std::uint64_t

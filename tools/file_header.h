@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <istream>
 #include <string>
@@ -14,7 +16,8 @@ namespace pcl::indoor::tool {
 /** \brief The text in front of a cloud file's points. */
 struct FileHeader {
   std::vector<std::vector<std::string>> lines; ///< their words; none empty, no comments
-  std::uintmax_t body_begin = 0;               ///< bytes from the beginning of the file
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< of a comment, see offsetText()
+  std::uintmax_t body_begin = 0; ///< bytes from the beginning of the file
 };
 
 std::vector<std::string>
@@ -26,6 +29,17 @@ wordsOf(const std::string& line);
  */
 FileHeader
 readFileHeader(std::istream& stream, const std::string& last, const std::string& path);
+
+/** \brief The text of a comment that says what has to be added to x, y and z of the
+ * points: "offset 691234 5334567 0". */
+std::string
+offsetText(const Eigen::Vector3d& offset);
+
+/** \brief The shortest text that is read back as the same number. */
+std::string
+numberText(float value);
+std::string
+numberText(double value);
 
 /** \brief A whole number of a header, at most 2^31 - 1.
  * \param[in] what the line that it stands in, for the message

@@ -5,6 +5,7 @@
 
 #include "cloud_file.h"
 #include "options.h"
+#include "point_coordinates.h"
 
 #include <pcl/features/hough_normals.h>
 
@@ -24,6 +25,7 @@ struct Settings {
   int neighbors = 0;
   std::string orientation = "viewpoint", sampling = "cubes";
   HoughNormalOptions options;
+  PointCoordinates coordinates;
   bool no_refinement = false;
   unsigned threads = 0;
 };
@@ -33,7 +35,7 @@ addOptions(OptionParser& parser, Settings& settings)
 {
   parser.positional("input", settings.input, "PCD or PLY file, metres")
       .positional(
-          "output.pcd",
+          "output.pcd|ply",
           settings.output,
           "the input with normal_x, normal_y, normal_z, curvature; NaN where no "
           "plane was found")
@@ -70,6 +72,7 @@ addOptions(OptionParser& parser, Settings& settings)
       .number("-seed", settings.options.seed, "seed of the triples")
       .number("-threads", settings.threads, "threads, 0 = automatic")
       .expert({"-sampling", "-bin_angle", "-triples", "-no_refinement", "-seed"});
+  settings.coordinates.addOption(parser);
 }
 
 void
@@ -100,7 +103,7 @@ main(int argc, char** argv)
   return parser.run(argc, argv, [&](Progress& progress) {
     if (settings.radius > 0 && settings.neighbors > 0)
       throw ToolError("-radius and -k: give one of them only");
-    requireWritable(settings.output);
+    requireWritableCloud(settings.output);
     progress.start("Loading " + settings.input);
     CloudFile file = loadCloud(settings.input);
     progress.done(std::to_string(file.points->size()) + " points");
@@ -115,8 +118,6 @@ main(int argc, char** argv)
                               : settings.orientation == "viewpoint"
                                   ? NormalOrientation::Viewpoint
                                   : NormalOrientation::FreeSpace);
-    file.points->sensor_origin_.head<3>() =
-        (file.origin.head<3>().cast<double>() - file.offset).cast<float>();
     estimation.setInputCloud(file.points);
     estimation.setRadiusSearch(settings.radius);
     estimation.setKSearch(settings.neighbors);
@@ -130,9 +131,10 @@ main(int argc, char** argv)
         });
     progress.done(std::to_string(found) + " normals");
 
-    progress.start("Saving " + settings.output);
     appendNormals(normals, file.cloud);
-    saveCloud(settings.output, file.cloud, file.origin, file.orientation);
+    settings.coordinates.apply(file, settings.output);
+    progress.start("Saving " + settings.output);
+    saveCloud(settings.output, file.cloud, file.frame);
     progress.done();
     progress.summary(settings.output + ": " + std::to_string(found) + " normals");
   });

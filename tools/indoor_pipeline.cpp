@@ -2,9 +2,12 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "category_names.h" // for other_class
 #include "class_picture.h"
 #include "cloud_file.h"
 #include "options.h"
+#include "point_colors.h"
+#include "point_coordinates.h"
 #include "room_objects.h"
 #include "room_picture.h"
 #include "scan_frame.h"
@@ -14,7 +17,9 @@
 #include <pcl/ml/model_file.h>
 #include <pcl/segmentation/room_segmentation.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 using namespace pcl::indoor::tool;
@@ -30,9 +35,14 @@ struct Options {
   pcl::indoor::ObjectSegmentationOptions objects;
   double voxel_resolution = 0.0,
          seed_resolution = 0.0; ///< of the objects, 0 = automatic
+  PointColors colors;
+  PointCoordinates coordinates;
   int threads = 0;
   bool ignore_normals = false;
 };
+
+constexpr const char* results[] = {
+    "scene.json", "cloud.pcd", "rooms.png", "potential_field.png", "classes.png"};
 
 OptionParser
 makeParser(Options& options)
@@ -86,6 +96,8 @@ makeParser(Options& options)
               "threads, 0 = automatic",
               "",
               Range::between(0, 1024));
+  options.colors.addOption(parser, {"class", "object", "room"});
+  options.coordinates.addOption(parser);
   options.frame.addOptions(parser);
   return parser;
 }
@@ -213,32 +225,78 @@ appendClasses(const Scene& scene, pcl::PCLPointCloud2& cloud)
   appendRealField(cloud, "confidence", confidences);
 }
 
-/** Write all results; returns their names. */
+/** Add what was found to the cloud, as it is to be written. */
+void
+complete(const Options& options, const Scene& scene, CloudFile& file)
+{
+  appendField(file.cloud, "room", scene.room_of_point);
+  appendField(file.cloud, "object", scene.object_of_point);
+  appendField(file.cloud, "structure", scene.structure_of_point);
+  const auto& classes = scene.classes.names;
+  if (!classes.empty())
+    appendClasses(scene, file.cloud);
+  const auto other = static_cast<std::uint32_t>(
+      std::find(classes.begin(), classes.end(), other_class) - classes.begin());
+  options.colors.apply(
+      file, classes.empty() ? "object" : "class", options.frame.upAxis(), other);
+  options.coordinates.apply(file, options.folder + "/cloud.pcd");
+}
+
+/** Put all results into the folder, scene.json the last: where it lies, the others
+ * belong to it. */
+void
+saveResults(const Options& options,
+            const std::string& parameters,
+            const Scene& scene,
+            const pcl::PointCloud<pcl::PointXYZ>& points,
+            const CloudFile& file)
+{
+  const auto in_folder = [&](const std::string& name) {
+    return options.folder + "/" + name;
+  };
+  std::vector<OutputFile> files;
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    files.push_back(writtenBeside(in_folder(name), bytes));
+  };
+  files.push_back(cloudBeside(in_folder("cloud.pcd"), file.cloud, file.frame));
+  add("rooms.png", pngBytes(drawRooms(scene.building)));
+  add("potential_field.png", pngBytes(drawPotentialField(scene.building)));
+  if (!scene.classes.names.empty())
+    add("classes.png", pngBytes(drawClasses(scene, points)));
+  add("scene.json", sceneText(scene, file, options.frame, parameters));
+  commitTogether(files, {in_folder("scene.json"), in_folder("classes.png")});
+}
+
+/** Make the folder and fill it, or leave nothing. Returns the names of the results. */
 std::string
 save(const Options& options,
      const std::string& parameters,
      const Scene& scene,
      const pcl::PointCloud<pcl::PointXYZ>& points,
-     CloudFile& file)
+     const CloudFile& file)
 {
-  makeFolder(options.folder);
-  const auto in_folder = [&](const std::string& name) {
-    return options.folder + "/" + name;
-  };
-  std::string names = "cloud.pcd, scene.json, rooms.png, potential_field.png";
-  saveText(in_folder("scene.json"), sceneText(scene, file, options.frame, parameters));
-  savePng(in_folder("rooms.png"), drawRooms(scene.building));
-  savePng(in_folder("potential_field.png"), drawPotentialField(scene.building));
-  appendField(file.cloud, "room", scene.room_of_point);
-  appendField(file.cloud, "object", scene.object_of_point);
-  appendField(file.cloud, "structure", scene.structure_of_point);
-  if (!scene.classes.names.empty()) {
-    savePng(in_folder("classes.png"), drawClasses(scene, points));
-    appendClasses(scene, file.cloud);
-    names += ", classes.png";
+  const bool is_made = makeFolder(options.folder);
+  try {
+    saveResults(options, parameters, scene, points, file);
+  } catch (...) {
+    if (is_made)
+      std::filesystem::remove(options.folder); // is empty
+    throw;
   }
-  saveCloud(in_folder("cloud.pcd"), file.cloud, file.origin, file.orientation);
-  return names;
+  return "cloud.pcd, scene.json, rooms.png, potential_field.png" +
+         std::string(scene.classes.names.empty() ? "" : ", classes.png");
+}
+
+/** Find out, before the long work, what cannot be written. */
+void
+requireUsable(const Options& options)
+{
+  requireFolder(options.folder);
+  if (std::filesystem::exists(options.folder))
+    for (const char* name : results)
+      requireWritable(options.folder + "/" + name);
+  if (options.model == "none" && options.colors.wanted == "class")
+    throw ToolError("-colour class: there are no classes with -model none");
 }
 
 } // namespace
@@ -249,7 +307,7 @@ main(int argc, char** argv)
   Options options;
   auto parser = makeParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {
-    requireFolder(options.folder);
+    requireUsable(options);
     progress.start("Loading " + options.input);
     CloudFile file = loadCloud(options.input);
     progress.done(std::to_string(file.points->size()) + " points");
@@ -263,6 +321,7 @@ main(int argc, char** argv)
       scene.classes = classifySurfaces(found.surfaces, *model, options.threads);
       progress.done(std::to_string(scene.classes.objects.size()) + " objects");
     }
+    complete(options, scene, file);
     progress.start("Saving to " + options.folder);
     progress.done(save(options, parser.values(), scene, *found.points, file));
     progress.summary(options.folder + ": " + std::to_string(scene.rooms.size()) +

@@ -5,6 +5,8 @@
 
 #include "cloud_file.h"
 #include "options.h"
+#include "point_colors.h"
+#include "point_coordinates.h"
 
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
@@ -29,6 +31,8 @@ struct Settings {
   double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
   bool ignore_normals = false, remove_outliers = false;
   ObjectSegmentationOptions others;
+  PointColors colors;
+  PointCoordinates coordinates;
 };
 
 /** For example "edge of a voxel; 0 = 0.03 for rooms, 0.005 for a single view". */
@@ -160,6 +164,8 @@ addOthers(OptionParser& parser, Settings& settings)
                "-ratio_threshold",
                "-camera",
                "-orientation"});
+  settings.colors.addOption(parser, {"object"});
+  settings.coordinates.addOption(parser);
 }
 
 ObjectSegmentationOptions
@@ -235,7 +241,7 @@ main(int argc, char** argv)
                       "Segment the scan of a room into objects with "
                       "pcl::NoiseResilientLCCP; adds the fields object and structure.");
   parser.positional("input", settings.input, "PCD or PLY file, metres")
-      .positional("output.pcd",
+      .positional("output.pcd|ply",
                   settings.output,
                   "the input with the fields object, 0 = not finite or an outlier, and "
                   "structure: 1 floor, 2 wall, 3 ceiling, 4 remainder (too small to be "
@@ -244,7 +250,7 @@ main(int argc, char** argv)
   addPartition(parser, settings);
   addOthers(parser, settings);
   return parser.run(argc, argv, [&](Progress& progress) {
-    requireWritable(settings.output);
+    requireWritableCloud(settings.output);
     if (settings.level < 0 && settings.level != -1)
       throw ToolError("-level: must be -1 or from 0 to 1");
     progress.start("Loading " + settings.input);
@@ -256,8 +262,6 @@ main(int argc, char** argv)
     segmentation.setOptions(chosenOptions(settings, file.points->height > 1));
     if (settings.camera != "auto")
       segmentation.setUseSingleCameraTransform(settings.camera == "single");
-    file.points->sensor_origin_.head<3>() =
-        (file.origin.head<3>().cast<double>() - file.offset).cast<float>();
     const auto& origin = file.points->sensor_origin_;
     if (settings.orientation == "viewpoint")
       segmentation.setViewPoint(origin.x(), origin.y(), origin.z());
@@ -273,10 +277,12 @@ main(int argc, char** argv)
     const auto count = *std::max_element(objects.begin(), objects.end());
     progress.done(std::to_string(count) + " objects");
 
-    progress.start("Saving " + settings.output);
     appendField(file.cloud, "object", objects);
     appendField(file.cloud, "structure", segmentation.getStructure());
-    saveCloud(settings.output, file.cloud, file.origin, file.orientation);
+    settings.colors.apply(file, "object");
+    settings.coordinates.apply(file, settings.output);
+    progress.start("Saving " + settings.output);
+    saveCloud(settings.output, file.cloud, file.frame);
     progress.done();
     progress.summary(settings.output + ": " + std::to_string(count) + " objects");
   });

@@ -13,6 +13,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -216,19 +217,28 @@ Picture::textHeight(int scale)
   return dots_high * scale;
 }
 
+std::string
+pngBytes(const Picture& picture)
+{
+  png_image image;
+  std::memset(&image, 0, sizeof(image));
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(picture.width_);
+  image.height = static_cast<png_uint_32>(picture.height_);
+  image.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(
+          &image, bytes.data(), &size, 0, picture.pixels_.data(), 0, nullptr) == 0)
+    throw std::runtime_error(std::string("PNG: ") + image.message);
+  bytes.resize(size);
+  return bytes;
+}
+
 void
 savePng(const std::string& path, const Picture& picture)
 {
-  saveAtomically(path, [&picture](const std::string& temporary) {
-    png_image image;
-    std::memset(&image, 0, sizeof(image));
-    image.version = PNG_IMAGE_VERSION;
-    image.width = static_cast<png_uint_32>(picture.width_);
-    image.height = static_cast<png_uint_32>(picture.height_);
-    image.format = PNG_FORMAT_RGB;
-    return png_image_write_to_file(
-               &image, temporary.c_str(), 0, picture.pixels_.data(), 0, nullptr) != 0;
-  });
+  saveText(path, pngBytes(picture));
 }
 
 } // namespace pcl::indoor::tool

@@ -79,9 +79,13 @@ private:
   int width_;
   int height_;
   std::vector<std::uint8_t> pixels_; ///< red, green, blue; row after row
-  friend void
-  savePng(const std::string& path, const Picture& picture);
+  friend std::string
+  pngBytes(const Picture& picture);
 };
+
+/** \brief What a PNG file of the picture holds. */
+std::string
+pngBytes(const Picture& picture);
 
 /** \brief Write a PNG file, whole or not at all.
  * \throws ToolError if it cannot be written

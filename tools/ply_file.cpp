@@ -204,20 +204,32 @@ readVertices(PlyBody& body,
     }
 }
 
-/** The pose that PCL's writer puts into an element "camera". */
+/** The pose that PCL's writer puts into an element "camera", and the rows of the cloud
+ * if they fit its points. */
 void
 readCamera(PlyBody& body,
            const Element& camera,
            const std::string& path,
+           PCLPointCloud2& cloud,
            Eigen::Vector4f& origin,
            Eigen::Quaternionf& orientation)
 {
   std::map<std::string, float> values;
+  std::map<std::string, std::uint32_t> counts;
   for (const auto& property : camera.properties) {
     std::uint8_t bytes[8] = {};
     readProperty(body, property, path, bytes);
     if (property.type == PCLPointField::FLOAT32)
       std::memcpy(&values[property.name], bytes, sizeof(float));
+    else if (property.type == PCLPointField::INT32)
+      std::memcpy(&counts[property.name], bytes, sizeof(std::uint32_t));
+  }
+  const std::uint64_t columns = counts["viewportx"], rows = counts["viewporty"];
+  if (columns * rows == static_cast<std::uint64_t>(cloud.width) * cloud.height &&
+      rows > 0) {
+    cloud.width = counts["viewportx"];
+    cloud.height = counts["viewporty"];
+    cloud.row_step = cloud.width * cloud.point_step;
   }
   Eigen::Matrix3f rotation;
   for (int row = 0; row < 3; ++row) {
@@ -317,7 +329,7 @@ readPly(const std::string& path,
       found = true;
     }
     else if (element->name == "camera" && element->count == 1)
-      readCamera(body, *element, path, origin, orientation);
+      readCamera(body, *element, path, cloud, origin, orientation);
     else
       skip(body, *element, path);
   }

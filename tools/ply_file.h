@@ -21,7 +21,8 @@ namespace pcl::indoor::tool {
  * Properties get the names that PCL gives them: nx, ny, nz become normal_x, ...; red,
  * green, blue of 8 bits become rgb. Lists are left out. PCL's own reader is not used
  * because it stops the program at a damaged file.
- * \param[out] origin, orientation the pose of the element "camera", if there is one
+ * \param[out] origin, orientation the pose of the element "camera", if there is one;
+ * its viewport gives rows and columns if these fit the points
  * \throws ToolError if the file is no PLY, has no points, or fewer than its header
  * promises
  */

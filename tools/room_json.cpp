@@ -87,6 +87,8 @@ inputJson(const CloudFile& file,
   json["input"] = std::filesystem::path(file.path).filename().string();
   json["parameters"] = parameters;
   json["unit"] = "metre";
+  json["offset"] = {
+      file.frame.offset.x(), file.frame.offset.y(), file.frame.offset.z()};
   json["points"] = file.points->size();
   json["finite_points"] = file.finite_count;
   json["points_in_rooms"] = static_cast<std::size_t>(

@@ -46,6 +46,7 @@ roomsJson(const std::vector<Room>& rooms,
           const Eigen::Vector3d& offset);
 
 /** \brief What is known of the input: file, parameters, unit, numbers of points.
+ * \param[in] file with the offset of the cloud that is written
  * \param[in] parameters the values that were used, for the record
  * \param[in] room_of_point 0 = none
  */

@@ -5,6 +5,8 @@
 
 #include "cloud_file.h"
 #include "options.h"
+#include "point_colors.h"
+#include "point_coordinates.h"
 #include "room_json.h"
 #include "room_picture.h"
 #include "room_svg.h"
@@ -22,6 +24,8 @@ struct Options {
   std::string method = "slab";
   ScanFrame frame;
   pcl::indoor::BuildingRoomsOptions rooms;
+  PointColors colors;
+  PointCoordinates coordinates;
 };
 
 /** Options of the thesis's method, Sec. 3.2.3. */
@@ -65,7 +69,7 @@ makeParser(Options& options)
                       "pcl::RoomSegmentation; adds the field room.");
   parser.positional("input", options.input, "PCD or PLY file")
       .positional(
-          "output.pcd", options.output, "the input with the field room, 0 = none")
+          "output.pcd|ply", options.output, "the input with the field room, 0 = none")
       .text("-map",
             options.map,
             "beginning of the names of three pictures: _rooms.png and _rooms.svg with "
@@ -106,6 +110,8 @@ makeParser(Options& options)
               "",
               Range::atLeast(0));
   options.frame.addOptions(parser);
+  options.colors.addOption(parser, {"room"});
+  options.coordinates.addOption(parser);
   addFieldOptions(parser, options.rooms);
   parser.expert({"-min_width",
                  "-persistence",
@@ -123,7 +129,7 @@ makeParser(Options& options)
 void
 requireWritableResults(const Options& options)
 {
-  requireWritable(options.output);
+  requireWritableCloud(options.output);
   if (!options.json.empty())
     requireWritable(options.json);
   if (!options.map.empty())
@@ -131,13 +137,15 @@ requireWritableResults(const Options& options)
       requireWritable(options.map + name);
 }
 
-void
-saveDescription(const Options& options,
-                const std::string& parameters,
-                const Segmentation& segmentation,
-                const std::vector<std::uint32_t>& rooms,
-                const CloudFile& file)
+/** What is known of the rooms; not yet in place. */
+std::vector<OutputFile>
+describe(const Options& options,
+         const std::string& parameters,
+         const Segmentation& segmentation,
+         const std::vector<std::uint32_t>& rooms,
+         const CloudFile& file)
 {
+  std::vector<OutputFile> files;
   const auto& building = segmentation.getBuilding();
   if (!options.json.empty()) {
     auto json = inputJson(file, parameters, rooms);
@@ -145,20 +153,24 @@ saveDescription(const Options& options,
     json["storeys"] = building.storeys.size();
     json["rooms"] =
         roomsJson(segmentation.getRooms(), segmentation.getOpenings(), file.offset);
-    saveText(options.json, jsonText(json));
+    files.push_back(writtenBeside(options.json, jsonText(json)));
   }
   if (!options.map.empty()) {
-    savePng(options.map + "_rooms.png", drawRooms(building));
-    savePng(options.map + "_field.png", drawPotentialField(building));
-    saveText(options.map + "_rooms.svg", roomsSvg(building));
+    const auto save = [&](const std::string& name, const std::string& bytes) {
+      files.push_back(writtenBeside(options.map + name, bytes));
+    };
+    save("_rooms.png", pngBytes(drawRooms(building)));
+    save("_field.png", pngBytes(drawPotentialField(building)));
+    save("_rooms.svg", roomsSvg(building));
   }
+  return files;
 }
 
-/** The room of each point; what is known of the rooms is saved. */
-std::vector<std::uint32_t>
+/** Adds the room of each point to the cloud; returns what describes the rooms. */
+std::vector<OutputFile>
 segment(const Options& options,
         const std::string& parameters,
-        const CloudFile& file,
+        CloudFile& file,
         Progress& progress,
         std::string& summary)
 {
@@ -169,11 +181,13 @@ segment(const Options& options,
     progress.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;
   });
-  auto rooms = segmentRooms(file, options.frame, segmentation);
+  const auto rooms = segmentRooms(file, options.frame, segmentation);
   progress.done(summaryOf(segmentation));
   summary = summaryOf(segmentation);
-  saveDescription(options, parameters, segmentation, rooms, file);
-  return rooms;
+  appendField(file.cloud, "room", rooms);
+  options.colors.apply(file, "room", options.frame.upAxis());
+  options.coordinates.apply(file, options.output);
+  return describe(options, parameters, segmentation, rooms, file);
 }
 
 } // namespace
@@ -193,12 +207,12 @@ main(int argc, char** argv)
                                    ? pcl::indoor::RoomMethod::CeilingSlab
                                    : pcl::indoor::RoomMethod::PotentialField;
     std::string summary;
-    const auto rooms = segment(options, parser.values(), file, progress, summary);
+    auto files = segment(options, parser.values(), file, progress, summary);
     file.points.reset(); // saving a large cloud needs the memory
 
     progress.start("Saving " + options.output);
-    appendField(file.cloud, "room", rooms);
-    saveCloud(options.output, file.cloud, file.origin, file.orientation);
+    files.push_back(cloudBeside(options.output, file.cloud, file.frame));
+    commitTogether(files);
     progress.done();
     progress.summary(options.output + ": " + summary);
   });

@@ -88,7 +88,7 @@ makeParser(Options& options)
                   options.plan_file,
                   "plan of the building, or random:home:SEED, random:office:SEED, with "
                   ":cluttered behind it for many small things")
-      .positional("output.pcd", options.output_file, "the scan")
+      .positional("output.pcd|ply", options.output_file, "the scan")
       .number("-spacing",
               options.trajectory.spacing,
               "distance between positions",
@@ -149,7 +149,7 @@ requireUsable(const Options& options)
                       std::to_string(angle) + " degrees");
   if (options.lean_towards >= 0 && options.lean < 0)
     throw ToolError("-lean_towards needs -lean");
-  requireWritable(options.output_file);
+  requireWritableCloud(options.output_file);
   if (!options.json_file.empty())
     requireWritable(options.json_file);
 }
@@ -187,9 +187,12 @@ simulate(Options& options, Progress& progress)
   pcl::indoor::thinScan(scan, options.leaf_size);
   if (scan.points.empty())
     throw ToolError(options.plan_file + ": no ray found a surface");
-  saveCloud(options.output_file, toCloud(scan));
+  std::vector<OutputFile> files;
   if (!options.json_file.empty())
-    saveText(options.json_file, pcl::indoor::describeScene(building, trajectory));
+    files.push_back(writtenBeside(options.json_file,
+                                  pcl::indoor::describeScene(building, trajectory)));
+  files.push_back(cloudBeside(options.output_file, toCloud(scan), {}));
+  commitTogether(files);
   progress.done(std::to_string(scan.points.size()) + " points");
   progress.summary(options.output_file + ": " + std::to_string(scan.points.size()) +
                    " points");

@@ -67,6 +67,9 @@ case $case in
   missing_value) extra=("$number"); expected="$number: the value is missing" ;;
   missing_argument) set --; expected='is missing|are needed' ;;
   unwritable_output) output=$input/output.pcd; expected='output.pcd(_rooms.png)?: cannot be ' ;;
+  wrong_extension) output=$folder/output.las; expected='output.las: cannot be written, .las is ' ;;
+  folder_in_folder) # one of the results cannot be replaced
+    mkdir -p "$output/classes.png"; expected='output.pcd/classes.png: cannot be written, it is a folder' ;;
   *) echo "unknown case $case"; exit 1 ;;
 esac
 [ "$case" = missing_file ] || [ -e "$input" ] || good_cloud > "$input"

@@ -38,15 +38,17 @@ using pcl::indoor::test::bytesOf;
 /** A folder of its own for each test, gone afterwards. */
 class ToolResults : public pcl::indoor::test::FolderTest {
 protected:
-  /** Runs a tool; it must succeed and print nothing where no terminal is. */
+  /** Runs a tool; it must succeed and print nothing, or this, where no terminal is. */
   void
-  run(const std::string& tool, const std::string& arguments) const
+  run(const std::string& tool,
+      const std::string& arguments,
+      const std::string& said = "") const
   {
     const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
                                 arguments + " -quiet > " + path("said") + " 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << command << "\n"
                                                << bytesOf(path("said"));
-    EXPECT_EQ(bytesOf(path("said")), "") << command;
+    EXPECT_EQ(bytesOf(path("said")), said) << command;
   }
 
   /** Runs a tool that must complain in one line and write no out.pcd. */
@@ -158,7 +160,7 @@ TEST_F(ToolResults, RoomSegmentationAddsTheRoomAndKeepsTheRest)
   const auto out = loadCloud(path("out.pcd"));
   expectEveryFinitePointHas(out, "room");
   EXPECT_EQ(readLabels(out, "intensity"), readLabels(in, "intensity"));
-  EXPECT_EQ(out.origin, in.origin);
+  EXPECT_EQ(out.frame.origin, in.frame.origin);
   const auto rooms = readLabels(out, "room");
   EXPECT_EQ(*std::max_element(rooms.begin(), rooms.end()), 2u);
 }
@@ -339,14 +341,28 @@ TEST_F(ToolResults, PipelineKeepsLargeCoordinatesAndTheirLabels)
   };
   write("near.ply", Eigen::Vector3d::Zero());
   write("far.ply", shift);
-  run("pcl_indoor_pipeline", path("near.ply") + " " + path("near"));
-  run("pcl_indoor_pipeline", path("far.ply") + " " + path("far"));
+  const auto note = [&](const std::string& name, const std::string& offset) {
+    return "Note: " + path(name + "/cloud.pcd") + ": x, y, z are floats" + offset +
+           "; -double writes doubles\n";
+  };
+  run("pcl_indoor_pipeline", path("near.ply") + " " + path("near"), note("near", ""));
+  run("pcl_indoor_pipeline",
+      path("far.ply") + " " + path("far"),
+      note("far", ", to which the offset 691003 5334001 0 has to be added"));
   const auto near = loadCloud(path("near/cloud.pcd"));
   const auto far = loadCloud(path("far/cloud.pcd"));
   EXPECT_EQ(readLabels(near, "room"), readLabels(far, "room"));
   EXPECT_GT(far.offset.x(), 600000.0);
   const auto scene = nlohmann::json::parse(bytesOf(path("far/scene.json")));
   EXPECT_NEAR(scene["rooms"][0]["box"]["lower"][0].get<double>(), shift.x(), 8.0);
+  EXPECT_EQ(scene["offset"], nlohmann::json({691003.0, 5334001.0, 0.0}));
+  pcl::PointCloud<pcl::PointXYZRGB> seen; // by PCL's own reader
+  ASSERT_EQ(pcl::io::loadPCDFile(path("far/cloud.pcd"), seen), 0);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (pcl::isFinite(cloud[i])) {
+      EXPECT_NEAR(seen[i].x + 691003.0, cloud[i].x + shift.x(), 1e-6);
+      EXPECT_NEAR(seen[i].z, cloud[i].z + shift.z(), 1e-4);
+    }
 }
 
 TEST_F(ToolResults, PipelineKeepsTheArrangementOfOrganisedClouds)
