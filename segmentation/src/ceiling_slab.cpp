@@ -108,8 +108,9 @@ ceilingLayers(const VoxelGrid<std::uint8_t>& occupancy,
 {
   const PixelMap<int> top = highestOccupied(occupancy, storey);
   PixelMap<int> ceiling = top;
-  const int radius =
-      static_cast<int>(std::lround(0.5 * options.window / occupancy.voxel_size));
+  const int radius = static_cast<int>( // a window need not be larger than the map
+      std::lround(std::min(0.5 * options.window / occupancy.voxel_size,
+                           static_cast<double>(std::max(top.nx, top.ny)))));
   for (int x = 0; x < top.nx; ++x)
     slidingMaximum(&ceiling.values[top.index(x, 0)], top.ny, 1, radius);
   for (int y = 0; y < top.ny; ++y)
@@ -142,8 +143,10 @@ slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
            const PixelMap<int>& ceiling,
            const CeilingSlabOptions& options)
 {
-  const auto layers = [&](double length) {
-    return static_cast<int>(std::lround(length / occupancy.voxel_size + 0.01));
+  const auto layers = [&](double length) { // there are no more than the grid has
+    return static_cast<int>(
+        std::lround(std::min(length / occupancy.voxel_size + 0.01,
+                             static_cast<double>(occupancy.shape.nz))));
   };
   const int least = std::max(2, layers(options.gap));
   const int greatest = std::max(least, layers(options.max_gap));

@@ -83,6 +83,22 @@ isWall(int x, int y)
 
 } // namespace
 
+TEST(CeilingSlab, AWindowLargerThanTheMapIsTheMap)
+{
+  const auto grid = boxRoom();
+  CeilingSlabOptions whole, huge;
+  whole.window = 2 * 40 * grid.voxel_size;
+  huge.window = 1e9; // a row of so many voxels would not fit into memory
+  const VerticalRange storey{0, 30};
+  EXPECT_EQ(ceilingLayers(grid, storey, huge).values,
+            ceilingLayers(grid, storey, whole).values);
+  const auto ceiling = ceilingLayers(grid, storey, {});
+  whole.max_gap = 30 * grid.voxel_size;
+  huge.max_gap = 1e9;
+  EXPECT_EQ(slabLayers(grid, storey, ceiling, huge).first,
+            slabLayers(grid, storey, ceiling, whole).first);
+}
+
 TEST(CeilingLayers, EqualsBruteForce)
 {
   std::mt19937 rng(1);
