@@ -182,8 +182,8 @@ segment(const Options& options,
     return true;
   });
   const auto rooms = segmentRooms(file, options.frame, segmentation);
-  progress.done(summaryOf(segmentation));
   summary = summaryOf(segmentation);
+  progress.done(summary);
   appendField(file.cloud, "room", rooms);
   options.colors.apply(file, "room", options.frame.upAxis());
   options.coordinates.apply(file, options.output);

@@ -4,6 +4,7 @@
  */
 #include "object_pieces.h"
 
+#include "object_voxels.h"
 #include "wall_frames.h"
 
 #include <pcl/segmentation/flat_things.h>
@@ -93,15 +94,13 @@ cutPieces(const std::vector<Eigen::Vector3f>& points,
           const ObjectSegmentationOptions& options,
           ObjectSegmentation& result)
 {
-  const auto& planes = result.plane_of_voxel;
-  std::vector<std::uint8_t> in_plane, point_in_plane;
-  for (const auto plane : planes)
-    in_plane.push_back(plane != 0);
+  const auto in_plane = inStructure(result);
   FlatThingOptions things;
   things.up = options.up;
   things.voxel_size = options.voxel_size;
   result.segment_of_point =
       partFlatThings(points, result.voxels, piece_of_voxel, in_plane, things);
+  std::vector<std::uint8_t> point_in_plane;
   for (const auto voxel : result.voxels.cells.cell_of_point)
     point_in_plane.push_back(in_plane[voxel]);
   cutGaps(points, point_in_plane, options, result);

@@ -71,16 +71,6 @@ joinSupervoxels(const ObjectSegmentation& result,
       {options.bend_threshold_degrees, options.min_segment_size});
 }
 
-std::vector<std::uint8_t>
-flagsOf(const std::vector<std::uint32_t>& plane_of_voxel)
-{
-  std::vector<std::uint8_t> flags;
-  flags.reserve(plane_of_voxel.size());
-  for (const auto plane : plane_of_voxel)
-    flags.push_back(plane != 0);
-  return flags;
-}
-
 /** Segments of voxels, the planes after those of the supervoxels; too small ones,
  * islands among removed voxels, are left open. */
 std::vector<std::uint32_t>
@@ -112,19 +102,20 @@ std::optional<std::size_t>
 gatherRemainder(double supervoxel, ObjectSegmentation& result)
 {
   auto& segments = result.segment_of_point;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs; // segments and voxels
-  pairs.reserve(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    pairs.emplace_back(segments[i], result.voxels.cells.cell_of_point[i]);
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  std::vector<std::uint32_t> voxel_count(pairs.empty() ? 0 : pairs.back().first + 1, 0);
-  for (const auto& [segment, voxel] : pairs)
-    ++voxel_count[segment];
+  const auto highest = std::max_element(segments.begin(), segments.end());
+  const auto remainder = highest == segments.end() ? 0 : *highest + 1;
+  std::vector<std::vector<std::uint32_t>> voxels(remainder); // as many as are enough
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    auto& own = voxels[segments[i]];
+    const auto voxel = result.voxels.cells.cell_of_point[i];
+    if (static_cast<double>(own.size()) < supervoxel &&
+        std::find(own.begin(), own.end(), voxel) == own.end())
+      own.push_back(voxel);
+  }
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < segments.size(); ++i)
-    if (voxel_count[segments[i]] < supervoxel) {
-      segments[i] = static_cast<std::uint32_t>(voxel_count.size());
+    if (static_cast<double>(voxels[segments[i]].size()) < supervoxel) {
+      segments[i] = remainder;
       first = first.value_or(i);
     }
   return first;
@@ -159,7 +150,7 @@ partitionVoxels(const ObjectSegmentationOptions& options, ObjectSegmentation& re
 {
   const pcl::indoor::SurfaceDistance distance{
       options.seed_size, options.spatial_weight, options.normal_weight};
-  const auto in_plane = flagsOf(result.plane_of_voxel);
+  const auto in_plane = inStructure(result);
   result.removed = pcl::indoor::findNonConvexVoxels(result.voxels, in_plane, options);
   auto left_out = in_plane;
   for (std::size_t v = 0; v < left_out.size(); ++v)

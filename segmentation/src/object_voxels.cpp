@@ -106,6 +106,16 @@ makeObjectVoxels(const ObjectSegmentationInput& input,
 }
 
 std::vector<std::uint8_t>
+inStructure(const ObjectSegmentation& result)
+{
+  std::vector<std::uint8_t> flags;
+  flags.reserve(result.plane_of_voxel.size());
+  for (const auto plane : result.plane_of_voxel)
+    flags.push_back(plane != 0);
+  return flags;
+}
+
+std::vector<std::uint8_t>
 findNonConvexVoxels(const SurfaceVoxels& voxels,
                     const std::vector<std::uint8_t>& in_plane,
                     const ObjectSegmentationOptions& options)

@@ -20,6 +20,10 @@ makeObjectVoxels(const ObjectSegmentationInput& input,
                  const ObjectSegmentationOptions& options,
                  ObjectSegmentation& result);
 
+/** Flags of the voxels in planes of floor, walls and ceiling. */
+std::vector<std::uint8_t>
+inStructure(const ObjectSegmentation& result);
+
 /** Eq. (4.2) for voxels: the points of the voxels around are counted.
  * \param[in] in_plane flags of voxels that are not looked at */
 std::vector<std::uint8_t>
