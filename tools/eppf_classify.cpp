@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "file_classification.h"
-#include "options.h"
-#include "output_file.h"
+#include "command_line/options.h"
+#include "files/output_file.h"
+#include "objects/file_classification.h"
 
 #include <pcl/ml/model_file.h>
 

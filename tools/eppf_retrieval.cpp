@@ -2,10 +2,10 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "cloud_file.h"
-#include "eppf_options.h"
-#include "options.h"
-#include "retrieval_report.h"
+#include "command_line/options.h"
+#include "files/cloud_file.h"
+#include "objects/eppf_options.h"
+#include "retrieval/retrieval_report.h"
 
 #include <algorithm>
 #include <charconv>

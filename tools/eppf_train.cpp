@@ -2,12 +2,12 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "confusion_picture.h"
-#include "object_files.h"
-#include "output_file.h"
-#include "training_pool.h"
-#include "training_report.h"
-#include "training_settings.h"
+#include "files/output_file.h"
+#include "objects/object_files.h"
+#include "pictures/confusion_picture.h"
+#include "training/training_pool.h"
+#include "training/training_report.h"
+#include "training/training_settings.h"
 #include <pcl/ml/parallel_objects.h>
 
 #include <pcl/ml/model_file.h>

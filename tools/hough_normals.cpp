@@ -3,9 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "cloud_file.h"
-#include "options.h"
-#include "point_coordinates.h"
+#include "command_line/options.h"
+#include "files/cloud_file.h"
+#include "files/point_coordinates.h"
 
 #include <pcl/features/hough_normals.h>
 

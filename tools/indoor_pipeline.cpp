@@ -2,16 +2,16 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "category_names.h" // for other_class
-#include "class_picture.h"
-#include "cloud_file.h"
-#include "options.h"
-#include "point_colors.h"
-#include "point_coordinates.h"
-#include "room_objects.h"
-#include "room_picture.h"
-#include "scan_frame.h"
-#include "scene_file.h"
+#include "command_line/options.h"
+#include "files/cloud_file.h"
+#include "files/point_colors.h"
+#include "files/point_coordinates.h"
+#include "objects/category_names.h" // for other_class
+#include "pictures/class_picture.h"
+#include "pictures/room_picture.h"
+#include "scene/room_objects.h"
+#include "scene/scan_frame.h"
+#include "scene/scene_file.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/ml/model_file.h>

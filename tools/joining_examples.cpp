@@ -2,11 +2,11 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "category_names.h"
-#include "cloud_file.h"
-#include "options.h"
-#include "output_file.h"
-#include "printable.h"
+#include "command_line/options.h"
+#include "command_line/printable.h"
+#include "files/cloud_file.h"
+#include "files/output_file.h"
+#include "objects/category_names.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/segmentation/noise_resilient_lccp.h>

@@ -3,13 +3,13 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "cloud_file.h"
-#include "comparison_picture.h"
-#include "json_text.h"
-#include "measured_segmentation.h"
-#include "options.h"
-#include "printable.h"
-#include "upstream_lccp.h"
+#include "command_line/options.h"
+#include "command_line/printable.h"
+#include "comparison/measured_segmentation.h"
+#include "comparison/upstream_lccp.h"
+#include "files/cloud_file.h"
+#include "files/json_text.h"
+#include "pictures/comparison_picture.h"
 
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/segmentation_metrics.h>

@@ -3,10 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "cloud_file.h"
-#include "options.h"
-#include "point_colors.h"
-#include "point_coordinates.h"
+#include "command_line/options.h"
+#include "files/cloud_file.h"
+#include "files/point_colors.h"
+#include "files/point_coordinates.h"
 
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>

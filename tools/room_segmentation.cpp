@@ -3,14 +3,14 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "cloud_file.h"
-#include "options.h"
-#include "point_colors.h"
-#include "point_coordinates.h"
-#include "room_json.h"
-#include "room_picture.h"
-#include "room_svg.h"
-#include "scan_frame.h"
+#include "command_line/options.h"
+#include "files/cloud_file.h"
+#include "files/point_colors.h"
+#include "files/point_coordinates.h"
+#include "pictures/room_picture.h"
+#include "pictures/room_svg.h"
+#include "scene/room_json.h"
+#include "scene/scan_frame.h"
 
 #include <pcl/segmentation/room_segmentation.h>
 

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "cloud_file.h"
-#include "options.h"
+#include "command_line/options.h"
+#include "files/cloud_file.h"
 
 #include <pcl/conversions.h>
 #include <pcl/simulation/building.h>

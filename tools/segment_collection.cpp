@@ -2,13 +2,13 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "category_names.h"
-#include "cloud_file.h"
-#include "object_files.h"
-#include "options.h"
-#include "random_numbers.h"
-#include "room_objects.h"
-#include "scan_frame.h"
+#include "command_line/options.h"
+#include "files/cloud_file.h"
+#include "objects/category_names.h"
+#include "objects/object_files.h"
+#include "objects/random_numbers.h"
+#include "scene/room_objects.h"
+#include "scene/scan_frame.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "cloud_file.h"
-#include "options.h"
+#include "command_line/options.h"
+#include "files/cloud_file.h"
 
 #include <pcl/segmentation/segmentation_metrics.h>
 

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/features/oriented_point.h>
-#include <pcl/filters/usable_point.h>
+#include <pcl/indoor/usable_point.h>
 
 #include <cmath>
 

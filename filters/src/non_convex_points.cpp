@@ -5,7 +5,7 @@
 #include <pcl/filters/non_convex_points.h>
 
 #include <pcl/exceptions.h>
-#include <pcl/filters/point_cells.h>
+#include <pcl/indoor/point_cells.h>
 
 #include <cmath>
 #include <limits>

@@ -5,9 +5,9 @@
 #include <pcl/filters/scan_outliers.h>
 
 #include <pcl/exceptions.h>
-#include <pcl/filters/neighbor_distance.h>
 #include <pcl/filters/radius_outlier_removal.h>
 #include <pcl/filters/statistical_outlier_removal.h>
+#include <pcl/indoor/neighbor_distance.h>
 #include <pcl/point_types.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "model_header.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/filters/plain_message.h>
+#include <pcl/indoor/plain_message.h>
 #include <pcl/ml/model_file.h>
 
 #include <boost/crc.hpp>

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/exceptions.h>
-#include <pcl/filters/plain_message.h>
+#include <pcl/indoor/plain_message.h>
 #include <pcl/ml/network.h>
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 #include "support/boost_grid_cut.h"
 #include "support/hard_cuts.h"
 
-#include <pcl/segmentation/enclosure.h>
-#include <pcl/segmentation/grid_cut.h>
+#include "rooms/space/grid_cut.h"
+#include <pcl/segmentation/rooms/enclosure.h>
 
 #include <benchmark/benchmark.h>
 

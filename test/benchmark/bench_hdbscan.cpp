@@ -4,7 +4,7 @@
  */
 
 #include <pcl/segmentation/hdbscan.h>
-#include <pcl/segmentation/map_clustering.h>
+#include <pcl/segmentation/rooms/map_clustering.h>
 
 #include <benchmark/benchmark.h>
 

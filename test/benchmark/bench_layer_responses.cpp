@@ -12,9 +12,9 @@
 // before ReLU. A row per bin of f4; in it, from top to bottom, a block per bin of f3,
 // with f1 along x and f2 along y. The median of a column is white, lower values are
 // blue, higher ones red.
-#include "object_files.h"
-#include "options.h"
-#include "picture.h"
+#include "command_line/options.h"
+#include "objects/object_files.h"
+#include "pictures/picture.h"
 
 #include <pcl/ml/model_file.h>
 #include <pcl/ml/network_inference.h>

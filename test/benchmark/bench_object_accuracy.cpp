@@ -16,11 +16,11 @@
  * room is also turned about the vertical with -turns. object_accuracy.py runs all
  * sources. */
 
-#include "cloud_file.h"
-#include "options.h"
-#include "upstream_lccp.h"
+#include "command_line/options.h"
+#include "comparison/upstream_lccp.h"
+#include "files/cloud_file.h"
 
-#include <pcl/filters/point_cells.h>
+#include <pcl/indoor/point_cells.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/segmentation_metrics.h>
 

@@ -10,7 +10,7 @@
  *
  * Rooms have the part of each point in the field label, 0 = not judged. */
 
-#include "line_plot.h"
+#include "pictures/line_plot.h"
 
 #include <pcl/common/point_tests.h>
 #include <pcl/io/pcd_io.h>

@@ -3,11 +3,11 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/field_connectivity.h>
-#include <pcl/segmentation/map_labels.h>
-#include <pcl/segmentation/map_random_walker.h>
-#include <pcl/segmentation/potential_field.h>
-#include <pcl/segmentation/visibility.h>
+#include "rooms/field/map_labels.h"
+#include "rooms/field/map_random_walker.h"
+#include "rooms/field/potential_field.h"
+#include <pcl/segmentation/rooms/field_connectivity.h>
+#include <pcl/segmentation/rooms/visibility.h>
 
 #include <benchmark/benchmark.h>
 

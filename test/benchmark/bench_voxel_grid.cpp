@@ -5,13 +5,13 @@
 
 #include "office_floor.h"
 
+#include "rooms/space/dominant_directions.h"
+#include "rooms/space/vertical_cleanup.h"
+#include "rooms/space/voxel_normals.h"
 #include <pcl/filters/voxel_grid.h>
-#include <pcl/segmentation/dominant_directions.h>
-#include <pcl/segmentation/enclosure.h>
-#include <pcl/segmentation/occupancy_grid.h>
-#include <pcl/segmentation/storeys.h>
-#include <pcl/segmentation/vertical_cleanup.h>
-#include <pcl/segmentation/voxel_normals.h>
+#include <pcl/segmentation/rooms/enclosure.h>
+#include <pcl/segmentation/rooms/occupancy_grid.h>
+#include <pcl/segmentation/rooms/storeys.h>
 
 #include <pcl/point_types.h>
 

@@ -5,9 +5,9 @@
 
 #pragma once
 
-#include <pcl/segmentation/field_connectivity.h>
-#include <pcl/segmentation/potential_field.h>
-#include <pcl/segmentation/visibility.h>
+#include "rooms/field/potential_field.h"
+#include <pcl/segmentation/rooms/field_connectivity.h>
+#include <pcl/segmentation/rooms/visibility.h>
 
 #include <random>
 

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/voxel_grid.h>
+#include <pcl/indoor/voxel_grid.h>
 
 #include <Eigen/Core>
 

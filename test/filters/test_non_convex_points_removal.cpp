@@ -7,7 +7,7 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/filters/non_convex_points_removal.h>
-#include <pcl/filters/point_resolution.h>
+#include <pcl/indoor/point_resolution.h>
 #include <pcl/point_types.h>
 
 #include <gtest/gtest.h>

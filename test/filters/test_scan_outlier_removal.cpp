@@ -6,8 +6,8 @@
 #include "support/object_scene.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/filters/neighbor_distance.h>
 #include <pcl/filters/scan_outlier_removal.h>
+#include <pcl/indoor/neighbor_distance.h>
 #include <pcl/point_types.h>
 
 #include <gtest/gtest.h>

@@ -8,18 +8,18 @@
 // the file stays in the working folder as fuzz_input.*
 // fuzz_readers CORPUS FILE: gives one file to the reader of its ending
 #include "amount.h"
-#include "category_names.h"
-#include "cloud_file.h"
-#include "mesh_file.h"
+#include "command_line/options.h"
+#include "files/cloud_file.h"
+#include "files/mesh_file.h"
+#include "files/ply_file.h"
 #include "mutation.h"
-#include "options.h"
-#include "ply_file.h"
+#include "objects/category_names.h"
 #include "support/folder_test.h" // for bytesOf
 
 #include <pcl/console/print.h>
 #include <pcl/exceptions.h>
 #include <pcl/ml/model_file.h>
-#include <pcl/segmentation/boosted_trees.h>
+#include <pcl/segmentation/objects/boosted_trees.h>
 #include <pcl/simulation/building.h>
 #include <pcl/simulation/plan.h>
 

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "segmentation/segmented_scene.h"
+#include "segmentation/objects/segmented_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/grid_cut.h>
+#include "rooms/space/grid_cut.h"
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/grid_cut.h>
+#include "rooms/space/grid_cut.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
  */
 // Runs pcl_segment_collection and pcl_indoor_pipeline on the simulated flat and looks
 // at the segments that are saved and at the classes that objects get.
-#include "cloud_file.h"
-#include "object_files.h"
+#include "files/cloud_file.h"
+#include "objects/object_files.h"
 #include "support/folder_test.h"
 
 #include <pcl/conversions.h>

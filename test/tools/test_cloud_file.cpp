@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "cloud_file.h"
+#include "files/cloud_file.h"
 
 #include "support/folder_test.h"
 

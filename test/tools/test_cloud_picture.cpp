@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "cloud_picture.h"
-#include "comparison_picture.h"
+#include "pictures/cloud_picture.h"
+#include "pictures/comparison_picture.h"
 
 #include <gtest/gtest.h>
 

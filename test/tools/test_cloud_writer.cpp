@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "cloud_writer.h"
+#include "files/cloud_writer.h"
 
-#include "cloud_file.h"
+#include "files/cloud_file.h"
 #include "support/folder_test.h"
 
 #include <pcl/common/io.h>

@@ -4,7 +4,7 @@
  */
 // Runs pcl_joining_examples on a simulated home and looks at the examples it saves, and
 // pcl_noise_resilient_lccp at several levels.
-#include "cloud_file.h"
+#include "files/cloud_file.h"
 #include "support/folder_test.h"
 
 #include <gtest/gtest.h>

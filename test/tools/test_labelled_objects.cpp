@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "labelled_objects.h"
-#include "options.h" // for ToolError
+#include "command_line/options.h" // for ToolError
+#include "objects/labelled_objects.h"
 #include "support/folder_test.h"
 
 #include <pcl/console/print.h>

@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "measured_segmentation.h"
-#include "options.h"
+#include "command_line/options.h"
+#include "comparison/measured_segmentation.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "mesh_file.h"
-#include "object_files.h"
+#include "files/mesh_file.h"
+#include "objects/object_files.h"
 #include "support/folder_test.h"
 
 #include <fstream>

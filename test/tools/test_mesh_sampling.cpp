@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "mesh_sampling.h"
+#include "objects/mesh_sampling.h"
 
 #include <pcl/exceptions.h>
 

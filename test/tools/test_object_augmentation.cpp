@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "object_augmentation.h"
+#include "objects/object_augmentation.h"
 
 #include <gtest/gtest.h>
 

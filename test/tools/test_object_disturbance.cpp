@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "object_disturbance.h"
+#include "objects/object_disturbance.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "options.h"
+#include "command_line/options.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "output_file.h"
+#include "files/output_file.h"
 
-#include "options.h" // for ToolError
+#include "command_line/options.h" // for ToolError
 #include "support/folder_test.h"
 
 #include <gtest/gtest.h>

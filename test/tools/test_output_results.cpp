@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 // Runs the tools, found by PCL_INDOOR_TOOLS, and looks at the form of what they write.
-#include "cloud_file.h"
-#include "picture.h"
+#include "files/cloud_file.h"
+#include "pictures/picture.h"
 #include "support/folder_test.h"
 #include "support/synthetic_scenes.h"
 

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "options.h" // for ToolError
-#include "picture.h"
+#include "command_line/options.h" // for ToolError
+#include "pictures/picture.h"
 
 #include <png.h>
 

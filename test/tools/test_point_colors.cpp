@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "point_colors.h"
+#include "files/point_colors.h"
 
-#include "picture.h"
+#include "pictures/picture.h"
 #include "support/folder_test.h"
 
 #include <pcl/conversions.h>

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "point_coordinates.h"
+#include "files/point_coordinates.h"
 
 #include "support/folder_test.h"
 

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 // Runs the tools, found by PCL_INDOOR_TOOLS, with the options of pre-processing.
-#include "cloud_file.h"
+#include "files/cloud_file.h"
 #include "support/folder_test.h"
 #include "support/object_scene.h"
 

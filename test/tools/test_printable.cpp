@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "printable.h"
+#include "command_line/printable.h"
 
 #include <pcl/exceptions.h>
 

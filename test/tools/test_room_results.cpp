@@ -4,7 +4,7 @@
  */
 // Runs pcl_room_segmentation on the simulated flat and looks at the maps and the JSON
 // file that it writes.
-#include "cloud_file.h"
+#include "files/cloud_file.h"
 #include "support/folder_test.h"
 
 #include <pcl/conversions.h>

@@ -4,7 +4,7 @@
  */
 // Runs the installed-like tools, found by PCL_INDOOR_TOOLS, on good input and looks at
 // what they write.
-#include "cloud_file.h"
+#include "files/cloud_file.h"
 #include "support/folder_test.h"
 #include "support/synthetic_scenes.h"
 

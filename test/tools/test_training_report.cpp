@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "progress.h"
-#include "training_report.h"
+#include "command_line/progress.h"
+#include "training/training_report.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl/features/sign_graph.h>
-#include <pcl/filters/point_cells.h> // for Adjacency
+#include <pcl/indoor/point_cells.h> // for Adjacency
 
 #include <Eigen/Core>
 

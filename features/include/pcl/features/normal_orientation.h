@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/filters/point_cells.h> // for Adjacency
+#include <pcl/indoor/point_cells.h> // for Adjacency
 
 #include <Eigen/Core>
 

@@ -5,11 +5,11 @@
 
 #pragma once
 
-#include <pcl/segmentation/interior_space.h>
-#include <pcl/segmentation/occupancy_grid.h>
-#include <pcl/segmentation/room_map.h>
-#include <pcl/segmentation/storeys.h>
-#include <pcl/segmentation/wall_sides.h>
+#include <pcl/segmentation/rooms/interior_space.h>
+#include <pcl/segmentation/rooms/occupancy_grid.h>
+#include <pcl/segmentation/rooms/room_map.h>
+#include <pcl/segmentation/rooms/storeys.h>
+#include <pcl/segmentation/rooms/wall_sides.h>
 
 #include <Eigen/Core>
 

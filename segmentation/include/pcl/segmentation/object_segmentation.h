@@ -5,9 +5,9 @@
 #pragma once
 
 #include <pcl/features/normal_orientation.h>
-#include <pcl/segmentation/object_joining.h>
-#include <pcl/segmentation/room_structure.h>
-#include <pcl/segmentation/surface_graph.h>
+#include <pcl/segmentation/objects/object_joining.h>
+#include <pcl/segmentation/objects/room_structure.h>
+#include <pcl/segmentation/objects/surface_graph.h>
 
 #include <Eigen/Core>
 

@@ -7,8 +7,8 @@
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/console/print.h>
 #include <pcl/features/hough_normals.h>
-#include <pcl/filters/neighbor_distance.h>
-#include <pcl/filters/usable_point.h>
+#include <pcl/indoor/neighbor_distance.h>
+#include <pcl/indoor/usable_point.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
-#include <pcl/filters/usable_point.h>
+#include <pcl/indoor/usable_point.h>
 #include <pcl/point_cloud.h>
 #include <pcl/types.h>
 

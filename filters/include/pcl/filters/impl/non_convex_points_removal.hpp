@@ -5,9 +5,9 @@
 #pragma once
 
 #include <pcl/filters/non_convex_points_removal.h>
-#include <pcl/filters/plain_message.h>
-#include <pcl/filters/point_resolution.h>
-#include <pcl/filters/usable_point.h>
+#include <pcl/indoor/plain_message.h>
+#include <pcl/indoor/point_resolution.h>
+#include <pcl/indoor/usable_point.h>
 
 namespace pcl {
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl/filters/scan_outlier_removal.h>
-#include <pcl/filters/usable_point.h>
+#include <pcl/indoor/usable_point.h>
 
 #include <string>
 #include <vector>

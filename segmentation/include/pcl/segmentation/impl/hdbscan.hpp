@@ -5,8 +5,8 @@
 
 #pragma once
 
+#include <pcl/indoor/useful_threads.h>
 #include <pcl/segmentation/hdbscan.h>
-#include <pcl/segmentation/useful_threads.h>
 
 #include <algorithm>
 #include <atomic>

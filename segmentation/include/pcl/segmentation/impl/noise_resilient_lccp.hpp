@@ -6,8 +6,8 @@
 
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
-#include <pcl/filters/plain_message.h>
-#include <pcl/filters/usable_point.h>
+#include <pcl/indoor/plain_message.h>
+#include <pcl/indoor/usable_point.h>
 
 #include <algorithm>
 

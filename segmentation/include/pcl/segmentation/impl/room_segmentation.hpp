@@ -8,10 +8,10 @@
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/console/print.h>
 #include <pcl/exceptions.h>
-#include <pcl/filters/plain_message.h>
 #include <pcl/impl/pcl_base.hpp>
-#include <pcl/segmentation/building_frame.h>
+#include <pcl/indoor/plain_message.h>
 #include <pcl/segmentation/room_segmentation.h>
+#include <pcl/segmentation/rooms/building_frame.h>
 
 #include <algorithm>
 #include <cmath>

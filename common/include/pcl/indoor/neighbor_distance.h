@@ -1,0 +1,77 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/indoor/point_cells.h> // for Adjacency
+#include <pcl/indoor/usable_point.h>
+#include <pcl/point_cloud.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Mean distance of each point to its closest other points, Eq. (2.1).
+ * Cost: one search tree, and a search in it per point.
+ * \param[in] points finite points, metres, local frame
+ * \param[in] neighbors k, at least 1; fewer where there are fewer other points
+ * \param[in] threads 0 = automatic; the result does not depend on it
+ * \return metres, one per point; 0 if there is no other
+ * \throws pcl::BadArgumentException if neighbors is 0
+ */
+std::vector<float>
+meanNeighborDistances(const std::vector<Eigen::Vector3f>& points,
+                      unsigned neighbors,
+                      unsigned threads = 0);
+
+/** \brief Radius of a neighbourhood by the rule of Eq. (2.9): 2.5 times the mean
+ * distance of points to their closest neighbours, 8 of them. The median stands for the
+ * mean over the points, so that outliers do not matter.
+ * \param[in] points finite points, metres, local frame
+ * \return metres; 0 for less than two different points
+ */
+double
+neighborhoodRadius(const std::vector<Eigen::Vector3f>& points, unsigned threads = 0);
+
+/** \brief List the closest other points of each point, and each point for those, in
+ * ascending order. \param[in] neighbors at least 1; as for meanNeighborDistances()
+ */
+Adjacency
+nearestNeighbors(const std::vector<Eigen::Vector3f>& points,
+                 unsigned neighbors,
+                 unsigned threads = 0);
+
+/** \brief Collect the usable points of a cloud, each minus the first of them: nothing
+ * is lost in large coordinates. */
+template <typename PointT>
+std::vector<Eigen::Vector3f>
+finitePoints(const PointCloud<PointT>& cloud)
+{
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(cloud.size());
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (const auto& point : cloud) {
+    if (!isUsablePoint(point))
+      continue;
+    const Eigen::Vector3d position = point.getVector3fMap().template cast<double>();
+    if (points.empty())
+      origin = position;
+    points.push_back((position - origin).template cast<float>());
+  }
+  return points;
+}
+
+/** \brief The same radius for the usable points of a cloud. */
+template <typename PointT>
+double
+neighborhoodRadius(const PointCloud<PointT>& cloud, unsigned threads = 0)
+{
+  return neighborhoodRadius(finitePoints(cloud), threads);
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,40 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/indoor/point_cells.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Mean distance of the points to their nearest other points: the resolution
+ * that the radius rule of Eq. (2.9), R = 2.5 times it, refers to. \param[in] points
+ * finite points, metres, local frame \return metres; 0 for less than two points
+ */
+double
+meanResolution(const std::vector<Eigen::Vector3f>& points);
+
+/** \brief Median distance of points to their nearest other points, from about two
+ * thousand of them: a resolution that outliers do not change, without a search tree.
+ * \param[in] points finite points, metres, local frame
+ * \param[in] cells the points in cells of any size
+ * \return metres; infinity if most points have no other in their cell and those around
+ */
+double
+medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& cells);
+
+/** \brief Raise a voxel size to 2.5 times the resolution of the points, the factor of
+ * Eq. (2.9), so that the voxels of a sparse surface touch.
+ * \return metres, at least the voxel size
+ */
+double
+raisedToResolution(const std::vector<Eigen::Vector3f>& points, double voxel_size);
+
+} // namespace indoor
+} // namespace pcl

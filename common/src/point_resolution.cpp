@@ -1,0 +1,105 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/indoor/point_resolution.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace {
+
+constexpr std::size_t sample_count = 2000;
+
+/** The same point whatever the order of the input. */
+std::uint32_t
+firstPoint(const std::vector<Eigen::Vector3f>& points,
+           const pcl::indoor::PointCells& cells,
+           std::uint32_t cell)
+{
+  const auto key = [&](std::uint32_t i) {
+    return std::make_tuple(points[i].x(), points[i].y(), points[i].z());
+  };
+  const auto begin = cells.points.begin();
+  return *std::min_element(begin + cells.offsets[cell],
+                           begin + cells.offsets[cell + 1],
+                           [&](auto a, auto b) { return key(a) < key(b); });
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+double
+meanResolution(const std::vector<Eigen::Vector3f>& points)
+{
+  if (points.size() < 2)
+    return 0;
+  const auto cloud = pcl::make_shared<PointCloud<PointXYZ>>();
+  cloud->reserve(points.size());
+  for (const auto& point : points)
+    cloud->emplace_back(point.x(), point.y(), point.z());
+  search::KdTree<PointXYZ> tree(true);
+  tree.setInputCloud(cloud);
+  Indices neighbours(2);
+  std::vector<float> squared_distances(2);
+  double sum = 0;
+  for (const auto& point : *cloud) {
+    tree.nearestKSearch(point, 2, neighbours, squared_distances);
+    sum += std::sqrt(squared_distances[1]);
+  }
+  return sum / static_cast<double>(points.size());
+}
+
+double
+medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& cells)
+{
+  const auto around = cellAdjacency(cells.keys);
+  const auto stride = std::max<std::size_t>(1, cells.size() / sample_count);
+  std::vector<double> distances;
+  for (std::size_t c = 0; c < cells.size(); c += stride) {
+    const auto cell = static_cast<std::uint32_t>(c);
+    const auto query = firstPoint(points, cells, cell);
+    float nearest = std::numeric_limits<float>::infinity();
+    const auto visit = [&](std::uint32_t other_cell) {
+      for (auto i = cells.offsets[other_cell]; i < cells.offsets[other_cell + 1]; ++i)
+        if (cells.points[i] != query)
+          nearest = std::min(nearest,
+                             (points[cells.points[i]] - points[query]).squaredNorm());
+    };
+    visit(cell);
+    for (auto j = around.offsets[cell]; j < around.offsets[cell + 1]; ++j)
+      visit(around.targets[j]);
+    distances.push_back(std::sqrt(nearest));
+  }
+  if (distances.empty())
+    return std::numeric_limits<double>::infinity();
+  const auto middle =
+      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+double
+raisedToResolution(const std::vector<Eigen::Vector3f>& points, double voxel_size)
+{
+  constexpr double factor = 2.5; // Eq. (2.9)
+  constexpr int most_doublings = 12;
+  double cell_size = voxel_size;
+  for (int i = 0; i < most_doublings && points.size() > 1; ++i, cell_size *= 2) {
+    const auto resolution = medianResolution(points, groupByCell(points, cell_size));
+    if (std::isfinite(resolution))
+      return std::max(voxel_size, factor * resolution);
+  }
+  return voxel_size;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,118 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/objects/surface_voxels.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief What counts as floor, wall or ceiling of a room. */
+struct RoomStructureOptions {
+  double voxel_size = 0.03;     ///< of the voxels, metres (> 0)
+  float flat_curvature = 0.03f; ///< voxels of at most this curvature start a plane
+  double min_area = 0.02;       ///< share of all voxels (0 to 1)
+  /** share of the room's extent that a plane has in one of its directions (0 to 1) */
+  double min_span = 0.85;
+  double min_length = 1.5; ///< in that direction, metres (>= 0): rooms are not lower
+  /** share of a plane that has nothing behind it, from two voxels on however far (0 to
+   * 1): the double of a wall is nearer */
+  double min_free = 0.7;
+  /** points count to a plane within this many standard deviations of it (> 0) */
+  double deviations = 3;
+};
+
+/** \brief A plane around a room. */
+struct StructurePlane {
+  Eigen::Vector3d normal;            ///< unit length, into the room
+  double offset = 0;                 ///< normal * x = offset for x in the plane
+  std::vector<std::uint32_t> voxels; ///< that it was fitted to
+
+  /** \brief Get the signed distance, positive on the side of the room. */
+  double
+  heightOf(const Eigen::Vector3d& position) const
+  {
+    return normal.dot(position) - offset;
+  }
+};
+
+/** \brief What a segment is that is no thing. */
+enum class StructureKind : std::uint8_t {
+  None = 0, ///< it is a thing
+  Floor = 1,
+  Wall = 2,
+  Ceiling = 3,
+  Remainder = 4 ///< all pieces that are too small to be told, one segment
+};
+
+/** \brief Tell floor and ceiling, up to 45 degrees from level, from walls.
+ * \param[in] up against gravity, unit length */
+StructureKind
+kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
+
+/** \brief Find the planes that enclose a room: floor, ceiling and walls.
+ * Flat regions are grown over touching voxels, and those in one plane put together. A
+ * plane belongs to the structure if it reaches from one side of the room to the other
+ * and nothing was seen behind it: neither a desk, under which there is the floor, nor a
+ * cabinet's front, which is lower than the room. No direction is taken for up. The cost
+ * is linear in the number of voxels.
+ * \param[in] voxels with normals, most of them into the room, and curvatures
+ * \return the largest plane first; may be empty
+ * \throws pcl::BadArgumentException if an option is out of range
+ */
+std::vector<StructurePlane>
+findRoomStructure(const SurfaceVoxels& voxels, const RoomStructureOptions& options);
+
+/** \brief Get three orthogonal directions that fit the planes: the normals of the first
+ * and of the next that is orthogonal to it.
+ * \return one direction per column; the axes if there are no planes
+ */
+Eigen::Matrix3d
+axesOf(const std::vector<StructurePlane>& planes);
+
+/** \brief Tell which points lie in the planes of the structure.
+ * The tolerance of a plane follows from the deviations of its own points, and is at
+ * most one voxel: what is flat against a wall stays apart from it if the noise allows.
+ * \param[in] points that the voxels were made of
+ * \return the number of its plane, from 1, for each point; 0 for all others
+ */
+std::vector<std::uint32_t>
+pointsOfStructure(const std::vector<Eigen::Vector3f>& points,
+                  const SurfaceVoxels& voxels,
+                  const std::vector<StructurePlane>& planes,
+                  const RoomStructureOptions& options);
+
+/** \brief Gather points into voxels that hold points of one plane only.
+ * Voxels of different planes, and those of the planes and of other points, are no
+ * neighbours.
+ * \param[in] plane_of_point as given by pointsOfStructure()
+ * \param[out] plane_of_voxel the same per voxel
+ */
+SurfaceVoxels
+separateVoxels(const std::vector<Eigen::Vector3f>& points,
+               const std::vector<std::uint32_t>& plane_of_point,
+               double voxel_size,
+               std::vector<std::uint32_t>& plane_of_voxel);
+
+/** \brief Give small flat remains in front of a plane back to it: noise, and the second
+ * of two registrations of a wall.
+ * \param[in] patch_size groups of touching voxels of fewer than this are given to a
+ * plane if none of them is farther than two voxels from it
+ * \param[in] min_size so are those of fewer than this, if none is farther than one
+ * voxel \param[in,out] plane_of_voxel as given by separateVoxels()
+ */
+void
+returnIslands(const SurfaceVoxels& voxels,
+              const std::vector<StructurePlane>& planes,
+              double voxel_size,
+              std::size_t patch_size,
+              std::size_t min_size,
+              std::vector<std::uint32_t>& plane_of_voxel);
+
+} // namespace indoor
+} // namespace pcl

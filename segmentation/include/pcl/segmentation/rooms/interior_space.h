@@ -1,0 +1,61 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/indoor/voxel_grid.h>
+#include <pcl/segmentation/rooms/enclosure.h>
+#include <pcl/segmentation/rooms/occupancy_grid.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief How interior free space is told from exterior (Sec. 3.2.1). */
+struct InteriorSpaceOptions {
+  double voxel_size = 0.2; ///< metres; rounded to a multiple of the input's voxels
+  EnclosureWeights weights;
+  double smoothness = 0.6;        ///< E_{v,u} of Eq. (3.2) where labels differ (>= 0)
+  std::size_t max_directions = 4; ///< of enclosure, the best supported ones
+  double min_direction_support = 0.02; ///< see HorizontalDirection
+  double max_lean = 0.5; ///< of a wall, radians from the vertical; farther it is a roof
+  int threads = 0;       ///< 0 = automatic
+};
+
+/** \brief The interior free space of a building, on coarser voxels than the map's. */
+struct InteriorSpace {
+  int factor = 1;                          ///< map pixels per voxel, along each axis
+  std::vector<Eigen::Vector2d> directions; ///< of the walls, in the frame of the grid
+  VoxelGrid<std::uint8_t> occupancy;       ///< cleaned up; 1 = occupied
+  VoxelGrid<std::uint8_t> inside;          ///< 1 = interior free space
+};
+
+/** \brief Find the directions of a building's walls (Sec. 3.2.1.2), the best supported
+ * one first.
+ * \param[in] points the points that the grid was made of
+ * \param[in] building their occupancy grid
+ * \return horizontal unit vectors in the frame of the points, at right angles or not
+ */
+std::vector<Eigen::Vector2d>
+wallDirections(const std::vector<Eigen::Vector3f>& points,
+               const OccupancyGrid& building,
+               const InteriorSpaceOptions& options = {});
+
+/** \brief Find the interior free space (Sec. 3.2.1): isolated voxels removed, evidence
+ * of enclosure (Eq. 3.1), minimum cut (Eq. 3.2).
+ * \param[in] building occupancy grid
+ * \param[in] directions of the walls, in the frame of the points
+ */
+InteriorSpace
+interiorSpace(const OccupancyGrid& building,
+              const std::vector<Eigen::Vector2d>& directions,
+              const InteriorSpaceOptions& options = {});
+
+} // namespace indoor
+} // namespace pcl

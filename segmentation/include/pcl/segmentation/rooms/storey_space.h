@@ -1,0 +1,41 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/indoor/voxel_grid.h>
+#include <pcl/segmentation/rooms/ceiling_slab.h> // for VerticalRange
+#include <pcl/segmentation/rooms/interior_space.h>
+#include <pcl/segmentation/rooms/storeys.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief The part of a building's voxels that makes up one storey.
+ * A slab thinner than a voxel belongs to both storeys: it is the ceiling of the one and
+ * the floor of the other.
+ */
+struct StoreySpace {
+  VoxelGrid<std::uint8_t> occupancy; ///< the layers of the storey; 1 = occupied
+  int first_layer = 0;    ///< layer of the building's grid that is layer 0 here
+  VerticalRange range;    ///< layers from the typical floor to the highest ceiling
+  InteriorSpace interior; ///< the same part of the coarser voxels
+};
+
+/** \brief Divide a building's voxels among its storeys.
+ * \param[in] occupancy of the whole building
+ * \param[in] interior of the same
+ * \param[in] storeys of the same
+ */
+std::vector<StoreySpace>
+storeySpaces(const VoxelGrid<std::uint8_t>& occupancy,
+             const InteriorSpace& interior,
+             const Storeys& storeys);
+
+} // namespace indoor
+} // namespace pcl

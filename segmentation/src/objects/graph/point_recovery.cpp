@@ -1,0 +1,118 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/graph/point_recovery.h"
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace {
+
+constexpr unsigned iterations = 20;    // S of Algorithm 1
+constexpr double accepted_share = 0.8; // P_r of Algorithm 1
+
+constexpr std::uint32_t none = pcl::indoor::Supervoxels::none;
+
+/** An entry of W in Algorithm 1. */
+struct Proposal {
+  float distance;
+  std::uint32_t place;
+  std::uint32_t label;
+};
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+void
+recoverLabels(const std::vector<Eigen::Vector3f>& positions,
+              const std::vector<Eigen::Vector3f>& normals,
+              const Adjacency& neighbors,
+              const SurfaceDistance& distance,
+              std::vector<std::uint32_t>& labels)
+{
+  if (positions.size() != labels.size() || normals.size() != labels.size() ||
+      neighbors.offsets.size() != labels.size() + 1)
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        labels.size()
+                            << " labels have " << positions.size() << " positions and "
+                            << normals.size() << " normals.");
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t i = 0; i < labels.size(); ++i)
+    if (labels[i] == none)
+      open.push_back(i);
+  const auto propose = [&](std::uint32_t place) {
+    Proposal best{0, place, none};
+    for (auto j = neighbors.offsets[place]; j < neighbors.offsets[place + 1]; ++j) {
+      const auto other = neighbors.targets[j];
+      if (labels[other] == none)
+        continue;
+      const float d =
+          distance(positions[place], normals[place], positions[other], normals[other]);
+      if (best.label == none || d < best.distance)
+        best = {d, place, labels[other]};
+    }
+    return best;
+  };
+  for (unsigned round = 0; !open.empty(); ++round) {
+    std::vector<Proposal> proposals;
+    for (const auto place : open) {
+      const auto proposal = propose(place);
+      if (proposal.label != none)
+        proposals.push_back(proposal);
+    }
+    if (proposals.empty())
+      break;
+    auto accepted = proposals.size();
+    if (round + 1 < iterations) {
+      std::sort(proposals.begin(), proposals.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.distance, a.place) < std::tie(b.distance, b.place);
+      });
+      const auto share =
+          std::lround(accepted_share * static_cast<double>(proposals.size()));
+      accepted = static_cast<std::size_t>(std::max(1l, share));
+    }
+    for (std::size_t i = 0; i < accepted; ++i)
+      labels[proposals[i].place] = proposals[i].label;
+    open.erase(std::remove_if(open.begin(),
+                              open.end(),
+                              [&](auto place) { return labels[place] != none; }),
+               open.end());
+  }
+}
+
+std::uint32_t
+labelRemainder(const Adjacency& neighbors,
+               std::uint32_t first_label,
+               std::vector<std::uint32_t>& labels)
+{
+  std::vector<std::uint32_t> stack;
+  auto next = first_label;
+  for (std::uint32_t first = 0; first < labels.size(); ++first) {
+    if (labels[first] != none)
+      continue;
+    labels[first] = next;
+    stack.assign(1, first);
+    while (!stack.empty()) {
+      const auto place = stack.back();
+      stack.pop_back();
+      for (auto j = neighbors.offsets[place]; j < neighbors.offsets[place + 1]; ++j) {
+        const auto other = neighbors.targets[j];
+        if (labels[other] == none) {
+          labels[other] = next;
+          stack.push_back(other);
+        }
+      }
+    }
+    ++next;
+  }
+  return next;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,256 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/objects/supervoxel_growing.h>
+
+#include <pcl/exceptions.h>
+
+#include <cmath>
+#include <limits>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace {
+
+using pcl::indoor::SurfaceDistance;
+using pcl::indoor::SurfaceVoxels;
+
+constexpr std::uint32_t none = pcl::indoor::Supervoxels::none;
+
+int
+threadCount(unsigned threads)
+{
+#ifdef _OPENMP
+  return threads == 0 ? omp_get_max_threads() : static_cast<int>(threads);
+#else
+  return threads == 0 ? 1 : static_cast<int>(threads);
+#endif
+}
+
+/** Means of the members of each patch. */
+struct Patches {
+  std::vector<Eigen::Vector3f> centroids;
+  std::vector<Eigen::Vector3f> normals;
+  std::vector<std::uint32_t> counts;
+};
+
+Patches
+averagePatches(const SurfaceVoxels& voxels,
+               const std::vector<std::uint32_t>& labels,
+               std::size_t patch_count)
+{
+  std::vector<Eigen::Vector3d> positions(patch_count, Eigen::Vector3d::Zero());
+  std::vector<Eigen::Vector3d> normals(patch_count, Eigen::Vector3d::Zero());
+  Patches patches;
+  patches.counts.assign(patch_count, 0);
+  for (std::size_t v = 0; v < labels.size(); ++v) {
+    if (labels[v] == none)
+      continue;
+    positions[labels[v]] += voxels.centroids[v].cast<double>();
+    normals[labels[v]] += voxels.normals[v].cast<double>();
+    ++patches.counts[labels[v]];
+  }
+  patches.centroids.resize(patch_count);
+  patches.normals.resize(patch_count);
+  for (std::size_t i = 0; i < patch_count; ++i) {
+    const double count = std::max(patches.counts[i], 1u);
+    patches.centroids[i] = (positions[i] / count).cast<float>();
+    patches.normals[i] = normals[i].norm() > 1e-9
+                             ? Eigen::Vector3f(normals[i].normalized().cast<float>())
+                             : Eigen::Vector3f::Zero();
+  }
+  return patches;
+}
+
+/** One seed per occupied cell of the seed grid: the voxel nearest to the cell's mean.
+ */
+std::vector<std::uint32_t>
+placeSeeds(const SurfaceVoxels& voxels,
+           const std::vector<std::uint8_t>& left_out,
+           double grid_scale)
+{
+  std::vector<std::uint32_t> members;
+  std::vector<Eigen::Vector3f> places;
+  for (std::uint32_t v = 0; v < voxels.size(); ++v)
+    if (left_out.empty() || !left_out[v]) {
+      members.push_back(v);
+      places.push_back(pcl::indoor::cellIndex(voxels.cells.keys[v]).cast<float>());
+    }
+  const auto cells = pcl::indoor::groupByCell(places, grid_scale);
+  std::vector<std::uint32_t> seeds;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto begin = cells.offsets[c], end = cells.offsets[c + 1];
+    Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+    for (auto i = begin; i < end; ++i)
+      mean += places[cells.points[i]];
+    mean /= static_cast<float>(end - begin);
+    auto best = cells.points[begin];
+    for (auto i = begin; i < end; ++i)
+      if ((places[cells.points[i]] - mean).squaredNorm() <
+          (places[best] - mean).squaredNorm())
+        best = cells.points[i];
+    seeds.push_back(members[best]);
+  }
+  return seeds;
+}
+
+/** The nearest of the patches around a voxel; its own patch wins ties. */
+std::uint32_t
+nearestPatch(const SurfaceVoxels& voxels,
+             const std::vector<std::uint32_t>& labels,
+             const Patches& patches,
+             const SurfaceDistance& distance,
+             std::uint32_t voxel)
+{
+  std::uint32_t best = none, last = none;
+  float nearest = std::numeric_limits<float>::max();
+  const auto consider = [&](std::uint32_t label) {
+    if (label == none || label == last)
+      return;
+    last = label;
+    const float d = distance(voxels.centroids[voxel],
+                             voxels.normals[voxel],
+                             patches.centroids[label],
+                             patches.normals[label]);
+    if (d < nearest || (d == nearest && label < best && best != labels[voxel])) {
+      nearest = d;
+      best = label;
+    }
+  };
+  consider(labels[voxel]);
+  const auto end = voxels.neighbors.offsets[voxel + 1];
+  for (auto j = voxels.neighbors.offsets[voxel]; j < end; ++j)
+    consider(labels[voxels.neighbors.targets[j]]);
+  return best;
+}
+
+/** One round: all voxels choose at once; only those without a patch if asked. */
+bool
+chooseOnce(const SurfaceVoxels& voxels,
+           const std::vector<std::uint8_t>& left_out,
+           const Patches& patches,
+           const SurfaceDistance& distance,
+           bool only_unassigned,
+           int threads,
+           std::vector<std::uint32_t>& labels)
+{
+  auto chosen = labels;
+  const auto count = static_cast<std::ptrdiff_t>(labels.size());
+  bool changed = false;
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(|| : changed)
+  for (std::ptrdiff_t v = 0; v < count; ++v) {
+    if ((!left_out.empty() && left_out[v]) || (only_unassigned && labels[v] != none))
+      continue;
+    chosen[v] =
+        nearestPatch(voxels, labels, patches, distance, static_cast<std::uint32_t>(v));
+    changed = changed || chosen[v] != labels[v];
+  }
+  labels.swap(chosen);
+  return changed;
+}
+
+/** Connected parts of equal label, numbered by first voxel; voxels left out get none.
+ */
+std::vector<std::uint32_t>
+connectedParts(const SurfaceVoxels& voxels,
+               const std::vector<std::uint8_t>& left_out,
+               const std::vector<std::uint32_t>& labels,
+               std::vector<std::uint32_t>& part_sizes)
+{
+  std::vector<std::uint32_t> part(labels.size(), none), stack;
+  part_sizes.clear();
+  for (std::uint32_t first = 0; first < labels.size(); ++first) {
+    if (part[first] != none || (!left_out.empty() && left_out[first]))
+      continue;
+    const auto number = static_cast<std::uint32_t>(part_sizes.size());
+    part_sizes.push_back(0);
+    part[first] = number;
+    stack.assign(1, first);
+    while (!stack.empty()) {
+      const auto v = stack.back();
+      stack.pop_back();
+      ++part_sizes[number];
+      for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
+           ++j) {
+        const auto other = voxels.neighbors.targets[j];
+        if (part[other] == none && labels[other] == labels[first] &&
+            (left_out.empty() || !left_out[other])) {
+          part[other] = number;
+          stack.push_back(other);
+        }
+      }
+    }
+  }
+  return part;
+}
+
+/** Take the patch from all but the largest connected part of each. */
+void
+releaseFragments(const SurfaceVoxels& voxels,
+                 const std::vector<std::uint8_t>& left_out,
+                 std::size_t patch_count,
+                 std::vector<std::uint32_t>& labels)
+{
+  std::vector<std::uint32_t> sizes;
+  const auto part = connectedParts(voxels, left_out, labels, sizes);
+  std::vector<std::uint32_t> largest(patch_count, none);
+  for (std::size_t v = 0; v < labels.size(); ++v) {
+    if (labels[v] == none)
+      continue;
+    auto& best = largest[labels[v]];
+    if (best == none || sizes[part[v]] > sizes[best])
+      best = part[v];
+  }
+  for (std::size_t v = 0; v < labels.size(); ++v)
+    if (labels[v] != none && part[v] != largest[labels[v]])
+      labels[v] = none;
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+Supervoxels
+growSupervoxels(const SurfaceVoxels& voxels,
+                const std::vector<std::uint8_t>& left_out,
+                double grid_scale,
+                const SurfaceDistance& distance,
+                unsigned threads)
+{
+  if (!(grid_scale >= 1))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "Seeds must be at least one voxel apart, not " << grid_scale
+                                                                       << ".");
+  const int workers = threadCount(threads);
+  const auto seeds = placeSeeds(voxels, left_out, grid_scale);
+  std::vector<std::uint32_t> labels(voxels.size(), none);
+  for (std::uint32_t i = 0; i < seeds.size(); ++i)
+    labels[seeds[i]] = i;
+  // As far as the original: a patch may reach 1.8 times the seed size.
+  const auto rounds = static_cast<int>(std::ceil(1.8 * grid_scale));
+  auto patches = averagePatches(voxels, labels, seeds.size());
+  for (int round = 0; round < rounds; ++round) {
+    if (!chooseOnce(voxels, left_out, patches, distance, false, workers, labels))
+      break;
+    patches = averagePatches(voxels, labels, seeds.size());
+  }
+  releaseFragments(voxels, left_out, seeds.size(), labels);
+  for (int round = 0; round < rounds; ++round)
+    if (!chooseOnce(voxels, left_out, patches, distance, true, workers, labels))
+      break;
+  std::vector<std::uint32_t> sizes;
+  Supervoxels supervoxels;
+  supervoxels.label_of_voxel = connectedParts(voxels, left_out, labels, sizes);
+  patches = averagePatches(voxels, supervoxels.label_of_voxel, sizes.size());
+  supervoxels.centroids = std::move(patches.centroids);
+  supervoxels.normals = std::move(patches.normals);
+  supervoxels.voxel_counts = std::move(sizes);
+  return supervoxels;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,169 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/objects/direction_hull.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+/** Of a convex polygon, in order. */
+using Corners = std::vector<Eigen::Vector2d>;
+
+/** Keep of a polygon what is on or below a line, whose heights its corners have. */
+void
+clip(const Corners& corners, const std::vector<double>& heights, Corners& kept)
+{
+  kept.clear();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t next = i + 1 == corners.size() ? 0 : i + 1;
+    if (heights[i] <= 0)
+      kept.push_back(corners[i]);
+    if ((heights[i] < 0 && heights[next] > 0) || (heights[i] > 0 && heights[next] < 0))
+      kept.emplace_back(corners[i] + (corners[next] - corners[i]) * heights[i] /
+                                         (heights[i] - heights[next]));
+  }
+}
+
+double
+areaOf(const Corners& corners)
+{
+  double twice = 0;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const Eigen::Vector2d a = corners[i - 1] - corners[0], b = corners[i] - corners[0];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+DirectionHulls::DirectionHulls(const Eigen::Matrix3f& axes)
+: axes_(axes)
+{
+  // In ascending order of length: the axes themselves come first, -x to +x.
+  std::size_t next = 0;
+  for (const int length : {1, 2, 3, 5})
+    for (int x = -2; x <= 2; ++x)
+      for (int y = -2; y <= 2; ++y)
+        for (int z = -2; z <= 2; ++z)
+          if (x * x + y * y + z * z == length)
+            directions_[next++] = Eigen::Vector3d(x, y, z).normalized();
+  for (std::size_t face = 0; face < count; ++face) {
+    const Eigen::Vector3d normal = directions_[face], u = normal.unitOrthogonal(),
+                          v = normal.cross(u);
+    auto cut = cuts_[face].begin();
+    for (std::size_t other = 0; other < count; ++other)
+      if (other != face)
+        *cut++ = {other,
+                  u.dot(directions_[other]),
+                  v.dot(directions_[other]),
+                  normal.dot(directions_[other])};
+    // Those that are likely to cut most first: hidden faces are soon known.
+    std::stable_sort(cuts_[face].begin(),
+                     cuts_[face].end(),
+                     [](const auto& a, const auto& b) { return a.along > b.along; });
+  }
+}
+
+HullReach
+DirectionHulls::reachOf(const std::vector<Eigen::Vector3f>& places, float margin) const
+{
+  HullReach reach;
+  std::vector<float> heights(places.size());
+  const auto outliers = static_cast<std::ptrdiff_t>(places.size() / 100);
+  for (std::size_t d = 0; d < count; ++d) {
+    const Eigen::Vector3f direction = axes_ * directions_[d].cast<float>();
+    std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
+      return direction.dot(p);
+    });
+    const auto last = heights.end() - 1 - outliers;
+    std::nth_element(heights.begin(), last, heights.end());
+    reach[d] = *last + margin;
+  }
+  return reach;
+}
+
+double
+DirectionHulls::volume(const HullReach& reach) const
+{
+  if (boxVolume(reach) <= 0)
+    return 0;
+  // Heights of the faces over the middle of the box, and a radius around all of it
+  const Eigen::Vector3d high(reach[5], reach[4], reach[3]),
+      low(-reach[0], -reach[1], -reach[2]);
+  const Eigen::Vector3d middle = (low + high) / 2;
+  std::array<double, count> heights;
+  for (std::size_t face = 0; face < count; ++face)
+    heights[face] = reach[face] - directions_[face].dot(middle);
+  double volume = 0; // of the pyramids from the middle to the faces
+  for (std::size_t face = 0; face < count; ++face)
+    volume += heights[face] * faceArea(heights, face, (high - low).norm()) / 3;
+  return volume;
+}
+
+double
+DirectionHulls::boxVolume(const HullReach& reach) const
+{
+  double volume = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    volume *= std::max(0.0, static_cast<double>(reach[axis]) + reach[5 - axis]);
+  return volume;
+}
+
+double
+DirectionHulls::faceArea(const std::array<double, count>& heights,
+                         std::size_t face,
+                         double radius) const
+{
+  Corners corners{
+      {-radius, -radius}, {radius, -radius}, {radius, radius}, {-radius, radius}};
+  Corners kept;
+  std::vector<double> above;
+  for (const auto& cut : cuts_[face]) {
+    const double line = heights[cut.face] - heights[face] * cut.along;
+    above.clear();
+    bool cuts = false;
+    for (const auto& corner : corners) {
+      above.push_back(cut.u * corner.x() + cut.v * corner.y() - line);
+      cuts = cuts || above.back() > 0;
+    }
+    if (!cuts)
+      continue;
+    clip(corners, above, kept);
+    corners.swap(kept);
+    if (corners.size() < 3)
+      return 0;
+  }
+  return areaOf(corners);
+}
+
+HullReach
+hullOfBoth(const HullReach& a, const HullReach& b)
+{
+  HullReach both;
+  std::transform(a.begin(), a.end(), b.begin(), both.begin(), [](float x, float y) {
+    return std::max(x, y);
+  });
+  return both;
+}
+
+HullReach
+commonHull(const HullReach& a, const HullReach& b)
+{
+  HullReach common;
+  std::transform(a.begin(), a.end(), b.begin(), common.begin(), [](float x, float y) {
+    return std::min(x, y);
+  });
+  return common;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,388 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/join/joining_features.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace {
+
+using pcl::indoor::OutlineReach;
+
+struct Direction {
+  double x, y;
+};
+
+const std::array<Direction, 16>&
+outlineDirections()
+{
+  static const auto directions = [] {
+    std::array<Direction, 16> made;
+    for (std::size_t d = 0; d < made.size(); ++d) {
+      const double angle = 2 * M_PI * static_cast<double>(d) / made.size();
+      made[d] = {std::cos(angle), std::sin(angle)};
+    }
+    return made;
+  }();
+  return directions;
+}
+
+/** Area of the polygon with these reaches, clipped face by face. */
+double
+outlineArea(const OutlineReach& reach)
+{
+  const auto& directions = outlineDirections();
+  const double x0 = -reach[8], x1 = reach[0], y0 = -reach[12], y1 = reach[4];
+  if (!(x1 > x0) || !(y1 > y0))
+    return 0;
+  // the box first, the other faces cut its corners
+  std::array<Direction, 40> corners{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}, kept;
+  std::size_t count = 4;
+  for (std::size_t d = 0; d < directions.size(); ++d) {
+    if (d % 4 == 0)
+      continue;
+    std::size_t kept_count = 0;
+    const auto above = [&](const Direction& p) {
+      return directions[d].x * p.x + directions[d].y * p.y - reach[d];
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& here = corners[i];
+      const auto& next = corners[i + 1 == count ? 0 : i + 1];
+      const double h = above(here), n = above(next);
+      if (h <= 0)
+        kept[kept_count++] = here;
+      if ((h < 0 && n > 0) || (h > 0 && n < 0)) {
+        const double t = h / (h - n);
+        kept[kept_count++] = {here.x + t * (next.x - here.x),
+                              here.y + t * (next.y - here.y)};
+      }
+    }
+    count = kept_count;
+    std::swap(corners, kept);
+    if (count < 3)
+      return 0;
+  }
+  double twice = 0;
+  for (std::size_t i = 2; i < count; ++i)
+    twice += (corners[i - 1].x - corners[0].x) * (corners[i].y - corners[0].y) -
+             (corners[i].x - corners[0].x) * (corners[i - 1].y - corners[0].y);
+  return twice / 2;
+}
+
+template <typename Limit>
+OutlineReach
+combine(const OutlineReach& a, const OutlineReach& b, Limit limit)
+{
+  OutlineReach reach;
+  for (std::size_t d = 0; d < reach.size(); ++d)
+    reach[d] = limit(a[d], b[d]);
+  return reach;
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+/** Features in their order. */
+class PairDescription::FeatureList {
+public:
+  void
+  put(double value)
+  {
+    features_[next_++] = static_cast<float>(value);
+  }
+
+  void
+  putLog(double value, double least)
+  {
+    put(std::log(std::max(value, least)));
+  }
+
+  const JoiningFeatures&
+  features() const
+  {
+    assert(next_ == features_.size());
+    return features_;
+  }
+
+private:
+  JoiningFeatures features_{};
+  std::size_t next_ = 0;
+};
+
+const std::array<const char*, std::tuple_size<JoiningFeatures>::value>&
+joiningFeatureNames()
+{
+  static const std::array<const char*, std::tuple_size<JoiningFeatures>::value> names =
+      {{"log area, a",
+        "height, a",
+        "low, a",
+        "high, a",
+        "thickness, a",
+        "middle, a",
+        "length, a",
+        "level, a",
+        "one-sided, a",
+        "second direction, a",
+        "main direction, a",
+        "log outline, a",
+        "log volume, a",
+        "log area, b",
+        "height, b",
+        "low, b",
+        "high, b",
+        "thickness, b",
+        "middle, b",
+        "length, b",
+        "level, b",
+        "one-sided, b",
+        "second direction, b",
+        "main direction, b",
+        "log outline, b",
+        "log volume, b",
+        "touching share, a",
+        "touching length, a",
+        "share of touching, a",
+        "height of contact, a",
+        "touching share, b",
+        "touching length, b",
+        "share of touching, b",
+        "height of contact, b",
+        "length of contact",
+        "width of contact",
+        "uprightness of contact",
+        "bend",
+        "deviation of bend",
+        "log bends",
+        "concave share",
+        "b over the plane of a",
+        "a over the plane of b",
+        "thickness of both",
+        "middle of both",
+        "cosine of normals",
+        "air over smaller",
+        "air over hull",
+        "air of boxes",
+        "log hull",
+        "surface over hull",
+        "box of a within b",
+        "outline of smaller within",
+        "outline in common",
+        "log outline of both",
+        "heights in common",
+        "low, b - a",
+        "high, b - a",
+        "gap",
+        "log near cells",
+        "near in line",
+        "log parts, a",
+        "log parts, b",
+        "contacts, a",
+        "contacts, b",
+        "voxel size"}};
+  return names;
+}
+
+PairDescription::PairDescription(const PieceGraph& graph)
+: voxel_size_(graph.voxel_size)
+, floor_(graph.floor)
+, hulls_(Eigen::Matrix3f::Identity())
+{}
+
+PieceShape
+PairDescription::shapeOf(const Piece& piece) const
+{
+  PieceShape shape;
+  shape.volume = hulls_.volume(piece.reach);
+  shape.box_volume = hulls_.boxVolume(piece.reach);
+  shape.outline_area = outlineArea(piece.outline);
+  shape.mean = piece.positions.mean();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(piece.positions.covariance());
+  shape.deviations = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+  shape.thin = solver.eigenvectors().col(0);
+  solver.computeDirect(piece.normals.squares / std::max(1.0, piece.normals.count),
+                       Eigen::EigenvaluesOnly);
+  shape.normal_shares = solver.eigenvalues();
+  shape.low = -piece.reach[2] - floor_; // directions 0 to 5 are -x -y -z +z +y +x
+  shape.high = piece.reach[3] - floor_;
+  return shape;
+}
+
+void
+PairDescription::putPieces(const PairSide& a,
+                           const PairSide& b,
+                           FeatureList& list) const
+{
+  for (const auto* side : {&a, &b}) {
+    const auto& [piece, shape, touching, contacts] = *side;
+    list.putLog(piece.positions.count * voxel_size_ * voxel_size_, 1e-6);
+    list.put(shape.high - shape.low);
+    list.put(shape.low);
+    list.put(shape.high);
+    for (int i = 0; i < 3; ++i)
+      list.put(shape.deviations[i]);
+    list.put(piece.normals.squares(2, 2) / piece.normals.count);
+    list.put(piece.normals.mean().norm());
+    list.put(shape.normal_shares[1]);
+    list.put(shape.normal_shares[2]);
+    list.putLog(shape.outline_area, voxel_size_ * voxel_size_);
+    list.putLog(shape.volume, std::pow(voxel_size_, 3));
+  }
+}
+
+void
+PairDescription::putContact(const PairSide& a,
+                            const PairSide& b,
+                            const PieceContact& contact,
+                            FeatureList& list) const
+{
+  const Eigen::Vector3d place =
+      contact.places.count > 0 ? contact.places.mean()
+                               : Eigen::Vector3d(0.5 * (a.shape.mean + b.shape.mean));
+  const double height = place.z() - floor_;
+  const auto put_side = [&](const PairSide& side, double touching) {
+    const double voxels = side.piece.positions.count;
+    const auto& shape = side.shape;
+    list.put(touching / voxels);
+    list.put(touching / std::sqrt(voxels));
+    list.put(touching / std::max(1.0, side.touching));
+    list.put((height - shape.low) / std::max(voxel_size_, shape.high - shape.low));
+  };
+  put_side(a, contact.first_voxels);
+  put_side(b, contact.second_voxels);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(contact.places.covariance());
+  const Eigen::Vector3d spread = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+  list.put(spread[2]);
+  list.put(spread[1]);
+  list.put(contact.places.count > 0 ? std::abs(solver.eigenvectors()(2, 2)) : -1);
+}
+
+void
+PairDescription::putBend(const PieceContact& contact, FeatureList& list)
+{
+  if (!(contact.bends > 0)) {
+    list.put(-90); // below all bends
+    list.put(-1);
+    list.putLog(0, 0.5);
+    list.put(-1);
+    return;
+  }
+  const double bend = contact.bend_sum / contact.bends;
+  list.put(bend);
+  list.put(
+      std::sqrt(std::max(0.0, contact.bend_squares / contact.bends - bend * bend)));
+  list.putLog(contact.bends, 0.5);
+  list.put(contact.concave_bends / contact.bends);
+}
+
+void
+PairDescription::putPlanes(const PairSide& a,
+                           const PairSide& b,
+                           FeatureList& list) const
+{
+  const Eigen::Vector3d between = b.shape.mean - a.shape.mean;
+  for (const auto* side : {&a, &b})
+    list.put(std::abs(side->shape.thin.dot(between)) /
+             (voxel_size_ + side->shape.deviations[0]));
+  auto both = a.piece.positions;
+  both += b.piece.positions;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(both.covariance(), Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d deviations = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+  list.put(deviations[0]);
+  list.put(deviations[1]);
+  const Eigen::Vector3d normal_a = a.piece.normals.mean(),
+                        normal_b = b.piece.normals.mean();
+  list.put(normal_a.dot(normal_b) / std::max(0.05, normal_a.norm() * normal_b.norm()));
+}
+
+void
+PairDescription::putHulls(const PairSide& a, const PairSide& b, FeatureList& list) const
+{
+  constexpr double most = 20; // times the smaller
+  const double least_volume = std::pow(voxel_size_, 3);
+  const auto reach = hullOfBoth(a.piece.reach, b.piece.reach);
+  const double volume = hulls_.volume(reach);
+  const double air = volume - a.shape.volume - b.shape.volume;
+  list.put(
+      std::max(-2.0,
+               std::min(most,
+                        air / std::max(least_volume,
+                                       std::min(a.shape.volume, b.shape.volume)))));
+  list.put(air / std::max(least_volume, volume));
+  const double common_box = hulls_.boxVolume(commonHull(a.piece.reach, b.piece.reach));
+  const double box_air =
+      hulls_.boxVolume(reach) - a.shape.box_volume - b.shape.box_volume + common_box;
+  list.put(
+      std::min(most,
+               box_air / std::max(least_volume,
+                                  std::min(a.shape.box_volume, b.shape.box_volume))));
+  list.putLog(volume, least_volume);
+  const double area =
+      (a.piece.positions.count + b.piece.positions.count) * voxel_size_ * voxel_size_;
+  list.put(area / std::pow(std::max(least_volume, volume), 2.0 / 3));
+  list.put(common_box / std::max(least_volume, a.shape.box_volume));
+
+  const double least_area = voxel_size_ * voxel_size_;
+  const double common =
+      outlineArea(combine(a.piece.outline, b.piece.outline, [](float x, float y) {
+        return std::min(x, y);
+      }));
+  const double both =
+      outlineArea(combine(a.piece.outline, b.piece.outline, [](float x, float y) {
+        return std::max(x, y);
+      }));
+  list.put(common /
+           std::max(least_area, std::min(a.shape.outline_area, b.shape.outline_area)));
+  list.put(common / std::max(least_area, both));
+  list.putLog(both, least_area);
+}
+
+void
+PairDescription::putHeights(const PairSide& a,
+                            const PairSide& b,
+                            FeatureList& list) const
+{
+  const double overlap =
+      std::min(a.shape.high, b.shape.high) - std::max(a.shape.low, b.shape.low);
+  list.put(overlap /
+           std::max(voxel_size_,
+                    std::min(a.shape.high - a.shape.low, b.shape.high - b.shape.low)));
+  list.put(b.shape.low - a.shape.low);
+  list.put(b.shape.high - a.shape.high);
+}
+
+JoiningFeatures
+PairDescription::describe(const PairSide& side_a,
+                          const PairSide& side_b,
+                          const PieceContact& contact) const
+{
+  FeatureList list;
+  putPieces(side_a, side_b, list);
+  putContact(side_a, side_b, contact, list);
+  putBend(contact, list);
+  putPlanes(side_a, side_b, list);
+  putHulls(side_a, side_b, list);
+  putHeights(side_a, side_b, list);
+  const double none = 1; // metres: no gap
+  list.put(contact.near_cells > 0 ? contact.gap : none);
+  list.putLog(contact.near_cells, 0.5);
+  list.put(contact.near_cells > 0 ? contact.near_in_line / contact.near_cells : -1);
+  list.putLog(side_a.piece.parts, 1);
+  list.putLog(side_b.piece.parts, 1);
+  list.put(side_a.contacts);
+  list.put(side_b.contacts);
+  list.put(voxel_size_);
+  return list.features();
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,71 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/objects/object_joining.h>
+
+namespace pcl {
+namespace indoor {
+
+/** What follows from a piece alone. */
+struct PieceShape {
+  double volume = 0, box_volume = 0; ///< of its hull, m^3
+  double outline_area = 0;           ///< seen from above, m^2
+  Eigen::Vector3d mean, deviations;  ///< of its places, ascending, metres
+  Eigen::Vector3d thin;              ///< direction in which it is thinnest
+  Eigen::Vector3d normal_shares;     ///< of three orthogonal directions, ascending
+  double low = 0, high = 0;          ///< over the floor, metres
+};
+
+/** One of two pieces. */
+struct PairSide {
+  const Piece& piece;
+  const PieceShape& shape;
+  double touching = 0; ///< voxels that touch others, some of them more than once
+  double contacts = 0; ///< number of others that are near
+};
+
+/** Tells how two pieces lie to each other. */
+class PairDescription {
+public:
+  explicit PairDescription(const PieceGraph& graph);
+
+  PieceShape
+  shapeOf(const Piece& piece) const;
+
+  /** \param[in] a the smaller, the first of the contact */
+  JoiningFeatures
+  describe(const PairSide& a, const PairSide& b, const PieceContact& contact) const;
+
+private:
+  class FeatureList;
+
+  void
+  putPieces(const PairSide& a, const PairSide& b, FeatureList& list) const;
+
+  void
+  putContact(const PairSide& a,
+             const PairSide& b,
+             const PieceContact& contact,
+             FeatureList& list) const;
+
+  static void
+  putBend(const PieceContact& contact, FeatureList& list);
+
+  void
+  putPlanes(const PairSide& a, const PairSide& b, FeatureList& list) const;
+
+  void
+  putHulls(const PairSide& a, const PairSide& b, FeatureList& list) const;
+
+  void
+  putHeights(const PairSide& a, const PairSide& b, FeatureList& list) const;
+
+  double voxel_size_, floor_;
+  DirectionHulls hulls_;
+};
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,68 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/objects/object_joining.h>
+
+#include "bundled_joining.h"
+
+#include <pcl/exceptions.h>
+
+#include <sstream>
+#include <string>
+
+namespace {
+
+using pcl::indoor::BoostedTrees;
+using pcl::indoor::JoiningScale;
+
+/** The trees of each scale follow its name. */
+BoostedTrees
+readTrees(const std::string& scale)
+{
+  std::istringstream text{std::string(pcl::indoor::bundled_joining)};
+  std::string name;
+  while (text >> name) {
+    auto trees = BoostedTrees::read(text);
+    if (name == scale)
+      return trees;
+  }
+  PCL_THROW_EXCEPTION(pcl::BadArgumentException, "No trees for " << scale << ".");
+}
+
+const BoostedTrees&
+bundledTrees(JoiningScale scale)
+{
+  static const auto parts = readTrees("parts"), objects = readTrees("objects");
+  return scale == JoiningScale::Parts ? parts : objects;
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+LearnedCriterion::LearnedCriterion(JoiningScale scale)
+: LearnedCriterion(bundledTrees(scale))
+{}
+
+LearnedCriterion::LearnedCriterion(BoostedTrees trees)
+: trees_(std::move(trees))
+{
+  if (trees_.featureCount() != std::tuple_size<JoiningFeatures>::value)
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The trees are for "
+                            << trees_.featureCount() << " features, not for "
+                            << std::tuple_size<JoiningFeatures>::value << ".");
+}
+
+float
+LearnedCriterion::probability(const JoiningFeatures& features,
+                              std::uint32_t /*a*/,
+                              std::uint32_t /*b*/)
+{
+  return trees_.probability(features.data());
+}
+
+} // namespace indoor
+} // namespace pcl

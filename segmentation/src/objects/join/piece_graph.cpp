@@ -1,0 +1,341 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/indoor/point_cells.h>
+#include <pcl/segmentation/objects/piece_graph.h>
+
+#include <pcl/indoor/ground_frame.h>
+#include <pcl/indoor/quantile.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace {
+
+using pcl::indoor::OutlineReach;
+using pcl::indoor::Piece;
+using pcl::indoor::PieceContact;
+using pcl::indoor::PieceSurface;
+using pcl::indoor::StructurePlane;
+
+constexpr double cell_voxels = 3;      // edge of the cells that tell what is near
+constexpr double in_line = 0.5;        // voxels from a tangent plane
+constexpr double lowest_share = 0.005; // of all voxels, below the floor's height
+
+using ContactMap = std::map<std::pair<std::uint32_t, std::uint32_t>, PieceContact>;
+
+PieceContact&
+contactOf(std::uint32_t a, std::uint32_t b, ContactMap& contacts)
+{
+  const auto pair = std::minmax(a, b);
+  auto& contact = contacts[pair];
+  contact.first = pair.first;
+  contact.second = pair.second;
+  return contact;
+}
+
+/** z is up, x across the largest wall. */
+Eigen::Matrix3d
+roomFrame(const std::vector<StructurePlane>& planes, const Eigen::Vector3f& up)
+{
+  Eigen::Matrix3d frame = pcl::indoor::groundFrame(up);
+  for (const auto& plane : planes) {
+    const Eigen::Vector3d z = up.cast<double>();
+    const Eigen::Vector3d across = plane.normal - plane.normal.dot(z) * z;
+    if (across.norm() < 0.7)
+      continue;
+    frame.row(0) = across.normalized();
+    frame.row(1) = z.cross(across).normalized();
+    break;
+  }
+  return frame;
+}
+
+OutlineReach
+outlineOf(const std::vector<Eigen::Vector3f>& places, float margin)
+{
+  OutlineReach reach;
+  std::vector<float> heights(places.size());
+  const auto outliers = static_cast<std::ptrdiff_t>(places.size() / 100);
+  for (std::size_t d = 0; d < reach.size(); ++d) {
+    const double angle = 2 * M_PI * static_cast<double>(d) / reach.size();
+    const Eigen::Vector2f direction(static_cast<float>(std::cos(angle)),
+                                    static_cast<float>(std::sin(angle)));
+    std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
+      return direction.dot(p.template head<2>());
+    });
+    const auto last = heights.end() - 1 - outliers;
+    std::nth_element(heights.begin(), last, heights.end());
+    reach[d] = *last + margin;
+  }
+  return reach;
+}
+
+/** The voxels in no plane, in the frame of the room. */
+struct LooseVoxels {
+  std::vector<std::uint32_t> voxels, pieces;
+  std::vector<Eigen::Vector3f> positions, normals; ///< one per entry of voxels
+  double floor = 0; ///< height of the lowest voxels, also of planes, metres
+};
+
+LooseVoxels
+placesOf(const PieceSurface& surface, const Eigen::Matrix3f& frame)
+{
+  LooseVoxels loose;
+  std::vector<double> heights;
+  for (std::uint32_t v = 0; v < surface.voxels.size(); ++v) {
+    const Eigen::Vector3f position = frame * surface.voxels.centroids[v];
+    heights.push_back(position.z());
+    if (surface.plane_of_voxel[v] != 0)
+      continue;
+    loose.voxels.push_back(v);
+    loose.pieces.push_back(surface.piece_of_voxel[v]);
+    loose.positions.push_back(position);
+    loose.normals.push_back(frame * surface.voxels.normals[v]);
+  }
+  if (!heights.empty())
+    loose.floor = pcl::indoor::quantile(heights, lowest_share);
+  return loose;
+}
+
+std::vector<Piece>
+describePieces(const PieceSurface& surface, const LooseVoxels& loose)
+{
+  std::vector<Piece> pieces(surface.piece_count);
+  std::vector<std::vector<Eigen::Vector3f>> positions_of(surface.piece_count);
+  for (std::size_t i = 0; i < loose.voxels.size(); ++i) {
+    auto& piece = pieces[loose.pieces[i]];
+    piece.positions.add(loose.positions[i].cast<double>());
+    piece.normals.add(loose.normals[i].cast<double>());
+    positions_of[loose.pieces[i]].push_back(loose.positions[i]);
+  }
+  const pcl::indoor::DirectionHulls hulls(Eigen::Matrix3f::Identity());
+  const float margin = 0.5f * static_cast<float>(surface.voxel_size);
+  for (std::uint32_t p = 0; p < surface.piece_count; ++p)
+    if (!positions_of[p].empty()) {
+      pieces[p].reach = hulls.reachOf(positions_of[p], margin);
+      pieces[p].outline = outlineOf(positions_of[p], margin);
+    }
+  return pieces;
+}
+
+/** Where voxels of two pieces are neighbours. */
+void
+addTouching(const PieceSurface& surface, const LooseVoxels& loose, ContactMap& contacts)
+{
+  const auto& neighbors = surface.voxels.neighbors;
+  std::vector<std::uint32_t> entry_of_voxel(surface.voxels.size(), 0), around;
+  for (std::uint32_t i = 0; i < loose.voxels.size(); ++i)
+    entry_of_voxel[loose.voxels[i]] = i;
+  for (std::uint32_t i = 0; i < loose.voxels.size(); ++i) {
+    const auto voxel = loose.voxels[i], own = loose.pieces[i];
+    around.clear();
+    for (auto j = neighbors.offsets[voxel]; j < neighbors.offsets[voxel + 1]; ++j) {
+      const auto other = neighbors.targets[j];
+      const auto piece = surface.piece_of_voxel[other];
+      if (surface.plane_of_voxel[other] != 0 || piece == own)
+        continue;
+      around.push_back(piece);
+      if (voxel < other)
+        contactOf(own, piece, contacts)
+            .places.add(0.5 *
+                        (loose.positions[i] + loose.positions[entry_of_voxel[other]])
+                            .cast<double>());
+    }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    for (const auto piece : around) {
+      auto& contact = contactOf(own, piece, contacts);
+      ++(own < piece ? contact.first_voxels : contact.second_voxels);
+    }
+  }
+}
+
+/** The voxels of a piece within a cell. */
+struct CellShare {
+  std::uint32_t piece = 0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+  double count = 0;
+};
+
+/** What each piece has in a cell, pieces in ascending order. */
+std::vector<CellShare>
+sharesOf(const LooseVoxels& loose,
+         const pcl::indoor::PointCells& cells,
+         std::uint32_t cell)
+{
+  std::map<std::uint32_t, CellShare> share_of_piece;
+  for (auto i = cells.offsets[cell]; i < cells.offsets[cell + 1]; ++i) {
+    const auto entry = cells.points[i];
+    auto& share = share_of_piece[loose.pieces[entry]];
+    share.place += loose.positions[entry].cast<double>();
+    share.normal += loose.normals[entry].cast<double>();
+    ++share.count;
+  }
+  std::vector<CellShare> shares;
+  for (auto& [piece, share] : share_of_piece) {
+    share.piece = piece;
+    share.place /= share.count;
+    share.normal.normalize();
+    shares.push_back(share);
+  }
+  return shares;
+}
+
+void
+addNearPair(const CellShare& a,
+            const CellShare& b,
+            double voxel_size,
+            PieceContact& contact)
+{
+  const Eigen::Vector3d between = b.place - a.place;
+  const double distance = between.norm();
+  contact.gap = contact.near_cells == 0 ? distance : std::min(contact.gap, distance);
+  ++contact.near_cells;
+  contact.near_in_line += std::abs(a.normal.dot(between)) < in_line * voxel_size &&
+                          std::abs(b.normal.dot(between)) < in_line * voxel_size;
+}
+
+/** Pieces in the same cell or in cells that touch. */
+void
+addNear(const LooseVoxels& loose, double voxel_size, ContactMap& contacts)
+{
+  const auto cells =
+      pcl::indoor::groupByCell(loose.positions, cell_voxels * voxel_size);
+  const auto around = pcl::indoor::cellAdjacency(cells.keys);
+  std::vector<std::vector<CellShare>> shares(cells.size());
+  for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
+    shares[cell] = sharesOf(loose, cells, cell);
+  const auto look = [&](const CellShare& a, const CellShare& b) {
+    if (a.piece != b.piece)
+      addNearPair(a, b, voxel_size, contactOf(a.piece, b.piece, contacts));
+  };
+  for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
+    for (std::size_t i = 0; i < shares[cell].size(); ++i) {
+      for (std::size_t j = i + 1; j < shares[cell].size(); ++j)
+        look(shares[cell][i], shares[cell][j]);
+      for (auto n = around.offsets[cell]; n < around.offsets[cell + 1]; ++n)
+        if (around.targets[n] > cell)
+          for (const auto& other : shares[around.targets[n]])
+            look(shares[cell][i], other);
+    }
+}
+
+/** How the supervoxels of two pieces bend where they touch. */
+void
+addBends(const PieceSurface& surface, ContactMap& contacts)
+{
+  using pcl::indoor::Supervoxels;
+  std::vector<std::uint32_t> piece_of_supervoxel(surface.supervoxels.size(),
+                                                 Supervoxels::none);
+  for (std::size_t v = 0; v < surface.voxels.size(); ++v)
+    if (const auto supervoxel = surface.supervoxels.label_of_voxel[v];
+        supervoxel != Supervoxels::none)
+      piece_of_supervoxel[supervoxel] = surface.piece_of_voxel[v];
+  for (const auto& border :
+       pcl::indoor::bendBorders(surface.supervoxels, surface.edges)) {
+    const auto a = piece_of_supervoxel[border.source],
+               b = piece_of_supervoxel[border.target];
+    if (a == b)
+      continue;
+    auto& contact = contactOf(a, b, contacts);
+    contact.bends += border.length;
+    contact.bend_sum += border.length * border.cost;
+    contact.bend_squares += border.length * border.cost * border.cost;
+    contact.concave_bends += border.cost > 0 ? border.length : 0;
+  }
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+void
+VectorMoments::add(const Eigen::Vector3d& vector, double weight)
+{
+  count += weight;
+  sum += weight * vector;
+  squares += weight * vector * vector.transpose();
+}
+
+VectorMoments&
+VectorMoments::operator+=(const VectorMoments& other)
+{
+  count += other.count;
+  sum += other.sum;
+  squares += other.squares;
+  return *this;
+}
+
+Eigen::Vector3d
+VectorMoments::mean() const
+{
+  return count > 0 ? Eigen::Vector3d(sum / count) : Eigen::Vector3d(0, 0, 0);
+}
+
+Eigen::Matrix3d
+VectorMoments::covariance() const
+{
+  if (!(count > 0))
+    return Eigen::Matrix3d::Zero();
+  const Eigen::Vector3d middle = mean();
+  return squares / count - middle * middle.transpose();
+}
+
+Piece&
+Piece::operator+=(const Piece& other)
+{
+  positions += other.positions;
+  normals += other.normals;
+  reach = hullOfBoth(reach, other.reach);
+  for (std::size_t d = 0; d < outline.size(); ++d)
+    outline[d] = std::max(outline[d], other.outline[d]);
+  parts += other.parts;
+  return *this;
+}
+
+PieceContact&
+PieceContact::operator+=(const PieceContact& other)
+{
+  const bool same = first == other.first;
+  first_voxels += same ? other.first_voxels : other.second_voxels;
+  second_voxels += same ? other.second_voxels : other.first_voxels;
+  places += other.places;
+  bends += other.bends;
+  bend_sum += other.bend_sum;
+  bend_squares += other.bend_squares;
+  concave_bends += other.concave_bends;
+  if (near_cells == 0 || (other.near_cells > 0 && other.gap < gap))
+    gap = other.gap;
+  near_cells += other.near_cells;
+  near_in_line += other.near_in_line;
+  return *this;
+}
+
+PieceGraph
+pieceGraph(const PieceSurface& surface,
+           const std::vector<StructurePlane>& planes,
+           const Eigen::Vector3f& up)
+{
+  const auto places = placesOf(surface, roomFrame(planes, up).cast<float>());
+  PieceGraph graph;
+  graph.voxel_size = surface.voxel_size;
+  graph.floor = places.floor;
+  graph.pieces = describePieces(surface, places);
+  ContactMap contacts;
+  addTouching(surface, places, contacts);
+  addNear(places, surface.voxel_size, contacts);
+  addBends(surface, contacts);
+  for (const auto& entry : contacts)
+    graph.contacts.push_back(entry.second);
+  return graph;
+}
+
+} // namespace indoor
+} // namespace pcl

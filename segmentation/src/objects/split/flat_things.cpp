@@ -1,0 +1,250 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/split/flat_things.h"
+
+#include "objects/split/height_map.h"
+#include "objects/split/segment_members.h"
+#include <pcl/indoor/ground_frame.h>
+#include <pcl/indoor/quantile.h>
+
+#include <pcl/exceptions.h>
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using pcl::indoor::deviation_per_median;
+using pcl::indoor::FlatThingOptions;
+using pcl::indoor::HeightMap;
+using pcl::indoor::quantile;
+using pcl::indoor::SurfaceVoxels;
+
+constexpr double level_cosine = 0.9; // normals of a horizontal surface: 26 degrees
+constexpr double most_cells = 1 << 22;
+constexpr int fit_rounds = 5;
+
+/** A plane over the ground: height = slope * place + offset. */
+struct Level {
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+  double offset = 0;
+
+  double
+  above(const Eigen::Vector3d& place) const
+  {
+    return place.z() - slope.dot(place.head<2>()) - offset;
+  }
+};
+
+Level
+fitted(const std::vector<Eigen::Vector3d>& places)
+{
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d products = Eigen::Vector3d::Zero();
+  for (const auto& place : places) {
+    const Eigen::Vector3d ground(place.x(), place.y(), 1);
+    squares += ground * ground.transpose();
+    products += place.z() * ground;
+  }
+  const Eigen::Vector3d solution = squares.ldlt().solve(products);
+  Level level;
+  level.slope = solution.head<2>();
+  level.offset = solution.z();
+  return level;
+}
+
+/** Plane through most of the places; what lies on it counts less and less. */
+Level
+fitLevel(const std::vector<Eigen::Vector3d>& places, double least_deviation)
+{
+  auto kept = places;
+  Level level;
+  std::vector<double> heights;
+  for (int round = 0; round < fit_rounds && kept.size() >= 3; ++round) {
+    level = fitted(kept);
+    heights.clear();
+    for (const auto& place : kept)
+      heights.push_back(level.above(place));
+    const double middle = quantile(heights, 0.5);
+    level.offset += middle;
+    heights.clear();
+    for (const auto& place : kept)
+      heights.push_back(std::abs(level.above(place)));
+    const double deviation =
+        std::max(deviation_per_median * quantile(heights, 0.5), least_deviation);
+    kept.clear();
+    for (const auto& place : places)
+      if (std::abs(level.above(place)) < 2.5 * deviation)
+        kept.push_back(place);
+  }
+  return level;
+}
+
+/** The places at the height where most of them lie, within a voxel and a half. */
+std::vector<Eigen::Vector3d>
+mostCommonHeight(const std::vector<Eigen::Vector3d>& places, double voxel_size)
+{
+  const double bin = voxel_size / 2;
+  double lowest = places.front().z(), highest = lowest;
+  for (const auto& place : places) {
+    lowest = std::min(lowest, place.z());
+    highest = std::max(highest, place.z());
+  }
+  const auto bin_of = [&](const Eigen::Vector3d& place) {
+    return static_cast<std::size_t>((place.z() - lowest) / bin) + 1;
+  };
+  std::vector<std::uint32_t> counts(
+      static_cast<std::size_t>((highest - lowest) / bin) + 3, 0);
+  for (const auto& place : places)
+    ++counts[bin_of(place)];
+  std::size_t best = 1;
+  const auto around = [&](std::size_t b) {
+    return counts[b - 1] + counts[b] + counts[b + 1];
+  };
+  for (std::size_t b = 1; b + 1 < counts.size(); ++b)
+    if (around(b) > around(best))
+      best = b;
+  std::vector<Eigen::Vector3d> chosen;
+  for (const auto& place : places)
+    if (bin_of(place) + 1 >= best && bin_of(place) <= best + 1)
+      chosen.push_back(place);
+  return chosen;
+}
+
+/** Looks for things on the segments, one after the other. */
+class ThingFinder {
+public:
+  ThingFinder(const std::vector<Eigen::Vector3f>& points,
+              const SurfaceVoxels& voxels,
+              const FlatThingOptions& options)
+  : points_(points)
+  , voxels_(voxels)
+  , options_(options)
+  , frame_(pcl::indoor::groundFrame(options.up))
+  {}
+
+  /** \return the things' points, one list per thing */
+  std::vector<std::vector<std::uint32_t>>
+  thingsOn(const std::vector<std::uint32_t>& members) const
+  {
+    std::vector<Eigen::Vector3d> level_places;
+    for (const auto v : members)
+      if (std::abs(voxels_.normals[v].dot(options_.up)) > level_cosine)
+        level_places.push_back(placeOf(voxels_.centroids[v]));
+    if (level_places.size() < options_.min_surface)
+      return {};
+    level_places = mostCommonHeight(level_places, options_.voxel_size);
+    if (level_places.size() < options_.min_surface)
+      return {};
+    const Level level = fitLevel(level_places, options_.voxel_size / 30);
+    HeightMap map(level_places, options_.voxel_size);
+    if (map.cellCount() > most_cells)
+      return {};
+    const auto candidates = pointsAbove(members, level, map);
+    const auto thing_of_cell = map.findThings(options_);
+    std::vector<std::vector<std::uint32_t>> things(map.thingCount());
+    for (const auto& [point, cell] : candidates)
+      if (thing_of_cell[cell] != 0)
+        things[thing_of_cell[cell] - 1].push_back(point);
+    return things;
+  }
+
+private:
+  Eigen::Vector3d
+  placeOf(const Eigen::Vector3f& position) const
+  {
+    return frame_ * position.cast<double>();
+  }
+
+  /** Points on the surface and above it with their cells; their heights go into the
+   * map. */
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+  pointsAbove(const std::vector<std::uint32_t>& members,
+              const Level& level,
+              HeightMap& map) const
+  {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+    const auto& cells = voxels_.cells;
+    for (const auto v : members)
+      for (auto i = cells.offsets[v]; i < cells.offsets[v + 1]; ++i) {
+        const Eigen::Vector3d place = placeOf(points_[cells.points[i]]);
+        const double height = level.above(place);
+        std::uint32_t cell = 0;
+        if (!(height > -options_.voxel_size / 2) || !map.find(place.head<2>(), cell))
+          continue;
+        if (height > options_.max_height)
+          map.addHigh(cell);
+        else
+          map.add(cell, height);
+        found.emplace_back(cells.points[i], cell);
+      }
+    return found;
+  }
+
+  const std::vector<Eigen::Vector3f>& points_;
+  const SurfaceVoxels& voxels_;
+  const FlatThingOptions& options_;
+  Eigen::Matrix3d frame_;
+};
+
+void
+requireValid(const std::vector<Eigen::Vector3f>& points,
+             const SurfaceVoxels& voxels,
+             const std::vector<std::uint32_t>& segment_of_voxel,
+             const std::vector<std::uint8_t>& left_out,
+             const FlatThingOptions& options)
+{
+  if (points.size() != voxels.cells.cell_of_point.size() ||
+      segment_of_voxel.size() != voxels.size() || left_out.size() != voxels.size())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        voxels.size()
+                            << " voxels of " << voxels.cells.cell_of_point.size()
+                            << " points have " << points.size() << " points, "
+                            << segment_of_voxel.size() << " segments and "
+                            << left_out.size() << " flags.");
+  if (!(options.voxel_size > 0) || !(options.max_height > 0) ||
+      !(options.min_surface >= 1) || !(options.min_area >= 1) ||
+      !(options.max_area_share > 0) || !(options.min_surrounded >= 0) ||
+      !(options.min_surrounded <= 1) || !(options.deviations > 0) ||
+      !(options.min_rise > 0) || !(std::abs(options.up.norm() - 1) < 1e-3f))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "Flat things need positive sizes and a unit vector up.");
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+std::vector<std::uint32_t>
+partFlatThings(const std::vector<Eigen::Vector3f>& points,
+               const SurfaceVoxels& voxels,
+               const std::vector<std::uint32_t>& segment_of_voxel,
+               const std::vector<std::uint8_t>& left_out,
+               const FlatThingOptions& options)
+{
+  requireValid(points, voxels, segment_of_voxel, left_out, options);
+  std::vector<std::uint32_t> segment_of_point(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    segment_of_point[i] = segment_of_voxel[voxels.cells.cell_of_point[i]];
+  if (voxels.size() == 0)
+    return segment_of_point;
+  const auto members = membersOfSegments(left_out, segment_of_voxel);
+  auto next = static_cast<std::uint32_t>(members.size());
+  const ThingFinder finder(points, voxels, options);
+  for (const auto& segment : members) {
+    for (const auto& thing : finder.thingsOn(segment)) {
+      for (const auto point : thing)
+        segment_of_point[point] = next;
+      ++next;
+    }
+  }
+  return segment_of_point;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,228 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/split/height_map.h"
+
+#include <pcl/indoor/quantile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+constexpr double empty = std::numeric_limits<double>::quiet_NaN();
+constexpr double outline_share = 0.35;   // of a thing's height
+constexpr double most_high_points = 0.3; // with more it is part of a higher one
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+HeightMap::HeightMap(const std::vector<Eigen::Vector3d>& places, double cell_size)
+: cell_size_(cell_size)
+{
+  Eigen::Array2d low = places.front().head<2>().array(), high = low;
+  for (const auto& place : places) {
+    low = low.min(place.head<2>().array());
+    high = high.max(place.head<2>().array());
+  }
+  corner_ = low - cell_size;
+  const Eigen::Array2d extent = ((high - low) / cell_size).floor() + 3;
+  cell_count_ = extent.prod();
+  shape_ = extent.min(1e6).cast<int>();
+}
+
+bool
+HeightMap::find(const Eigen::Vector2d& place, std::uint32_t& cell) const
+{
+  const Eigen::Array2d index = ((place - corner_) / cell_size_).array().floor();
+  if ((index < 0).any() || (index >= shape_.cast<double>()).any())
+    return false;
+  cell = static_cast<std::uint32_t>(index.x() * shape_.y() + index.y());
+  return true;
+}
+
+void
+HeightMap::prepare()
+{
+  if (!counts_.empty())
+    return;
+  counts_.assign(static_cast<std::size_t>(cell_count_), 0);
+  high_counts_ = counts_;
+  sums_.assign(counts_.size(), 0);
+}
+
+void
+HeightMap::add(std::uint32_t cell, double height)
+{
+  prepare();
+  sums_[cell] += height;
+  ++counts_[cell];
+}
+
+void
+HeightMap::addHigh(std::uint32_t cell)
+{
+  prepare();
+  ++high_counts_[cell];
+}
+
+template <typename Function>
+void
+HeightMap::forNeighbors(std::uint32_t cell, Function function) const
+{
+  const int x = static_cast<int>(cell) / shape_.y(),
+            y = static_cast<int>(cell) % shape_.y();
+  for (int i = std::max(x - 1, 0); i <= std::min(x + 1, shape_.x() - 1); ++i)
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, shape_.y() - 1); ++j)
+      if (i != x || j != y)
+        function(static_cast<std::uint32_t>(i * shape_.y() + j));
+}
+
+void
+HeightMap::smoothHeights()
+{
+  heights_.assign(counts_.size(), empty);
+  for (std::uint32_t cell = 0; cell < counts_.size(); ++cell) {
+    if (counts_[cell] == 0)
+      continue;
+    double sum = sums_[cell];
+    std::uint32_t count = counts_[cell];
+    forNeighbors(cell, [&](std::uint32_t other) {
+      sum += sums_[other];
+      count += counts_[other];
+    });
+    heights_[cell] = sum / count;
+  }
+}
+
+bool
+HeightMap::measureSurface(double tolerance, double min_cells)
+{
+  std::vector<double> near;
+  for (const double height : heights_)
+    if (std::abs(height) < tolerance)
+      near.push_back(height);
+  if (static_cast<double>(near.size()) < min_cells)
+    return false;
+  surface_ = quantile(near, 0.5);
+  std::vector<double> depths;
+  for (const double height : near)
+    if (height <= surface_)
+      depths.push_back(surface_ - height);
+  deviation_ = deviation_per_median * quantile(depths, 0.5);
+  surface_cells_ = near.size();
+  return true;
+}
+
+template <typename Take>
+HeightMap::Cells
+HeightMap::connected(std::uint32_t first, Take take) const
+{
+  Cells cells;
+  if (take(first))
+    cells.push_back(first);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    forNeighbors(cells[i], [&](std::uint32_t other) {
+      if (take(other))
+        cells.push_back(other);
+    });
+  return cells;
+}
+
+double
+HeightMap::outlineOf(const Cells& raised) const
+{
+  std::vector<double> rises;
+  for (const auto cell : raised)
+    rises.push_back(heights_[cell] - surface_);
+  return surface_ + outline_share * quantile(rises, 0.75);
+}
+
+HeightMap::Cells
+HeightMap::largestAbove(double outline, const Cells& raised)
+{
+  for (const auto cell : raised)
+    if (meanHeight(cell) > outline)
+      states_[cell] = State::High;
+  Cells largest;
+  for (const auto cell : raised) {
+    auto cells = connected(cell, [&](std::uint32_t other) {
+      const bool is_high = states_[other] == State::High;
+      if (is_high)
+        states_[other] = State::Visited;
+      return is_high;
+    });
+    if (cells.size() > largest.size())
+      largest = std::move(cells);
+  }
+  return largest;
+}
+
+double
+HeightMap::shareAround(const Cells& thing) const
+{
+  auto inside = thing;
+  std::sort(inside.begin(), inside.end());
+  std::size_t around = 0, occupied = 0;
+  for (const auto cell : thing)
+    forNeighbors(cell, [&](std::uint32_t other) {
+      const bool is_around = !std::binary_search(inside.begin(), inside.end(), other);
+      around += is_around;
+      occupied += is_around && counts_[other] > 0;
+    });
+  return static_cast<double>(occupied) / static_cast<double>(around);
+}
+
+bool
+HeightMap::isThing(const Cells& thing, const FlatThingOptions& options) const
+{
+  double points = 0, high_points = 0;
+  for (const auto cell : thing) {
+    points += counts_[cell] + high_counts_[cell];
+    high_points += high_counts_[cell];
+  }
+  const auto area = static_cast<double>(thing.size());
+  return area >= options.min_area && high_points <= most_high_points * points &&
+         area <= options.max_area_share * static_cast<double>(surface_cells_) &&
+         shareAround(thing) >= options.min_surrounded;
+}
+
+std::vector<std::uint32_t>
+HeightMap::findThings(const FlatThingOptions& options)
+{
+  std::vector<std::uint32_t> thing_of_cell(static_cast<std::size_t>(cell_count_), 0);
+  thing_count_ = 0;
+  if (counts_.empty())
+    return thing_of_cell;
+  smoothHeights();
+  if (!measureSurface(options.voxel_size, options.min_surface))
+    return thing_of_cell;
+  const double high =
+      std::max(options.deviations * deviation_, options.min_rise * options.voxel_size);
+  const double low = high / 2;
+  states_.assign(counts_.size(), State::Open);
+  for (std::uint32_t first = 0; first < counts_.size(); ++first) {
+    if (states_[first] != State::Open || !(heights_[first] - surface_ > high))
+      continue;
+    const auto raised = connected(first, [&](std::uint32_t cell) {
+      if (states_[cell] != State::Open || !(heights_[cell] - surface_ > low))
+        return false;
+      states_[cell] = State::Visited;
+      return true;
+    });
+    const auto thing = largestAbove(outlineOf(raised), raised);
+    if (!isThing(thing, options))
+      continue;
+    ++thing_count_;
+    for (const auto cell : thing)
+      thing_of_cell[cell] = static_cast<std::uint32_t>(thing_count_);
+  }
+  return thing_of_cell;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,112 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "objects/split/flat_things.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Mean heights above a surface in the cells of a regular grid. */
+class HeightMap {
+public:
+  /** \param[in] places on the surface; x and y count, the grid holds all of them */
+  HeightMap(const std::vector<Eigen::Vector3d>& places, double cell_size);
+
+  double
+  cellCount() const
+  {
+    return cell_count_;
+  }
+
+  /** \return false if the place is outside of the grid */
+  bool
+  find(const Eigen::Vector2d& place, std::uint32_t& cell) const;
+
+  void
+  add(std::uint32_t cell, double height);
+
+  /** \brief Count a point that is higher than things may be. */
+  void
+  addHigh(std::uint32_t cell);
+
+  /** \brief Find connected cells that rise above the others.
+   * \return the number of its thing, from 1, for each cell; 0 for all others
+   */
+  std::vector<std::uint32_t>
+  findThings(const FlatThingOptions& options);
+
+  /** \brief Get the number of things that were found. */
+  std::size_t
+  thingCount() const
+  {
+    return thing_count_;
+  }
+
+private:
+  using Cells = std::vector<std::uint32_t>;
+  enum class State : std::uint8_t { Open, Visited, High };
+
+  /** Memory is taken for the first point only: the grid may be too large. */
+  void
+  prepare();
+
+  template <typename Function>
+  void
+  forNeighbors(std::uint32_t cell, Function function) const;
+
+  void
+  smoothHeights();
+
+  /** Height of the surface and its standard deviation, from the cells below it: no
+   * thing lies there. */
+  bool
+  measureSurface(double tolerance, double min_cells);
+
+  /** The first cell and those connected to it, as far as take() takes them; it takes
+   * none twice. */
+  template <typename Take>
+  Cells
+  connected(std::uint32_t first, Take take) const;
+
+  double
+  meanHeight(std::uint32_t cell) const
+  {
+    return sums_[cell] / counts_[cell];
+  }
+
+  /** Height, a share of that of the raised cells, from which cells are of a thing. */
+  double
+  outlineOf(const Cells& raised) const;
+
+  Cells
+  largestAbove(double outline, const Cells& raised);
+
+  /** Of the cells around a thing, counted once for each that they touch, those with
+   * points. */
+  double
+  shareAround(const Cells& thing) const;
+
+  bool
+  isThing(const Cells& thing, const FlatThingOptions& options) const;
+
+  double cell_size_;
+  Eigen::Vector2d corner_;
+  Eigen::Array2i shape_;
+  double cell_count_;
+  std::vector<double> sums_, heights_;
+  std::vector<std::uint32_t> counts_, high_counts_;
+  std::vector<State> states_;
+  double surface_ = 0, deviation_ = 0;
+  std::size_t surface_cells_ = 0, thing_count_ = 0;
+};
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,60 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "objects/split/segment_members.h"
+#include <pcl/indoor/thread_count.h>
+
+#include <cstdint>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** Cut a segment, and its parts, as long as cut_once returns more than one part. */
+template <typename CutOnce>
+std::vector<SegmentMembers>
+cutRepeatedly(const SegmentMembers& members, const CutOnce& cut_once)
+{
+  std::vector<SegmentMembers> open(1, members), parts;
+  while (!open.empty()) {
+    const auto whole = std::move(open.back());
+    open.pop_back();
+    auto cut = cut_once(whole);
+    auto& target = cut.size() == 1 ? parts : open;
+    std::move(cut.begin(), cut.end(), std::back_inserter(target));
+  }
+  return parts;
+}
+
+/** Replace each segment by the parts that parts_of makes of its members, which must not
+ * throw; the first part keeps the segment's number, the others follow those that were
+ * there. Points that are left out keep their segment. REQUIRES: points.
+ */
+template <typename PartsOf>
+void
+partSegments(const std::vector<std::uint8_t>& left_out,
+             unsigned threads,
+             const PartsOf& parts_of,
+             std::vector<std::uint32_t>& segment_of_point)
+{
+  const auto segments = membersOfSegments(left_out, segment_of_point);
+  auto next = static_cast<std::uint32_t>(segments.size());
+  std::vector<std::vector<SegmentMembers>> parts(segments.size());
+  const auto count = static_cast<std::ptrdiff_t>(segments.size());
+#pragma omp parallel for schedule(dynamic, 1)                                          \
+    num_threads(threadCount(static_cast <int>(threads)))
+  for (std::ptrdiff_t s = 0; s < count; ++s)
+    parts[s] = parts_of(segments[s]);
+  for (const auto& cut : parts)
+    for (std::size_t part = 1; part < cut.size(); ++part, ++next)
+      for (const auto i : cut[part])
+        segment_of_point[i] = next;
+}
+
+} // namespace indoor
+} // namespace pcl

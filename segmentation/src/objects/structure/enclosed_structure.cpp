@@ -1,0 +1,298 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/structure/enclosed_structure.h"
+
+#include "objects/structure/plane_frame.h"
+#include "objects/structure/point_groups.h"
+#include "objects/structure/wall_frames.h"
+
+#include <pcl/exceptions.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+namespace {
+
+using pcl::indoor::PlaneCell;
+using pcl::indoor::PlaneFrame;
+using pcl::indoor::PlaneShadow;
+using pcl::indoor::PointGroups;
+using pcl::indoor::StructurePlane;
+
+using Members = pcl::indoor::SegmentMembers;
+using Box = pcl::indoor::PointBox;
+
+constexpr double touch = 2; // voxels from a plane: what is nearer touches it
+constexpr double cover = 1; // voxels: what is farther hides the plane
+/** Share of a segment that is across the plane: what lies along it is no closed object,
+ * but a picture, or the double of a wall. */
+constexpr double min_across = 0.1;
+constexpr double cells_per_point = 20; // with more, a segment is too sparse
+
+/** The plane ends where others begin, which stand on it. */
+void
+markEnds(const PlaneFrame& frame,
+         const PlaneCell& low,
+         const PlaneCell& high,
+         const std::vector<const StructurePlane*>& others,
+         double voxel_size,
+         PlaneShadow& shadow)
+{
+  for (const auto* other : others) {
+    const auto side = frame.sideOf(other->normal);
+    for (auto row = low[1]; row <= high[1]; ++row)
+      for (auto column = low[0]; column <= high[0]; ++column)
+        if (std::abs(other->heightOf(frame.placeOf({column, row}))) <
+            touch * voxel_size)
+          shadow.end({column, row}, side);
+  }
+}
+
+/** A point seen along the normal of a plane. */
+struct Projection {
+  PlaneCell cell;
+  double depth; // from the plane, voxels
+  bool is_across;
+};
+
+/** The cells of a plane that a segment encloses from one side.
+ * \param[in] is_frame what is within its outline is its own, covered or not */
+std::vector<PlaneCell>
+cellsEnclosedBy(const std::vector<Projection>& segment,
+                bool is_frame,
+                const PlaneFrame& frame,
+                const std::vector<const StructurePlane*>& others,
+                double voxel_size)
+{
+  if (segment.empty())
+    return {};
+  auto low = segment.front().cell, high = low;
+  std::size_t touching = 0, deep = 0, across = 0;
+  for (const auto& [cell, depth, is_across] : segment) {
+    touching += depth < touch;
+    deep += depth > cover;
+    across += is_across;
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], cell[k]);
+      high[k] = std::max(high[k], cell[k]);
+    }
+  }
+  const auto size = static_cast<double>(segment.size());
+  const auto cells = static_cast<double>(high[0] - low[0] + 1) *
+                     static_cast<double>(high[1] - low[1] + 1);
+  if (touching == 0 || (deep == 0 && !is_frame) ||
+      static_cast<double>(across) < min_across * size || cells > cells_per_point * size)
+    return {};
+  PlaneShadow shadow(low, high);
+  for (const auto& [cell, depth, is_across] : segment) {
+    if (depth < touch)
+      shadow.mark(cell, PlaneShadow::closing);
+    if (depth > cover)
+      shadow.mark(cell, PlaneShadow::covered);
+  }
+  if (is_frame)
+    shadow.coverAll();
+  markEnds(frame, low, high, others, voxel_size, shadow);
+  return shadow.enclosed();
+}
+
+struct CellHash {
+  std::size_t
+  operator()(const PlaneCell& cell) const
+  {
+    return std::hash<std::int64_t>()(cell[0] * 0x9E3779B1 + cell[1]);
+  }
+};
+
+using SegmentOfCell = std::unordered_map<PlaneCell, std::uint32_t, CellHash>;
+using MembersOfCell = std::unordered_map<PlaneCell, Members, CellHash>;
+
+MembersOfCell
+membersOfCells(const std::vector<Eigen::Vector3f>& points,
+               const Members& members,
+               const PlaneFrame& frame)
+{
+  MembersOfCell members_of_cell;
+  for (const auto i : members)
+    members_of_cell[frame.cellOf(points[i])].push_back(i);
+  return members_of_cell;
+}
+
+std::size_t
+countMembers(const std::vector<PlaneCell>& cells, const MembersOfCell& members_of_cell)
+{
+  std::size_t count = 0;
+  for (const auto& cell : cells)
+    if (const auto found = members_of_cell.find(cell); found != members_of_cell.end())
+      count += found->second.size();
+  return count;
+}
+
+Members
+smallestFirst(const PointGroups& objects)
+{
+  Members order;
+  for (std::uint32_t s = 0; s < objects.members.size(); ++s)
+    if (!objects.members[s].empty())
+      order.push_back(s);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+    return objects.members[a].size() < objects.members[b].size();
+  });
+  return order;
+}
+
+/** Looks for the segments around cells of planes. */
+class EnclosureFinder {
+public:
+  EnclosureFinder(const std::vector<Eigen::Vector3f>& points,
+                  const pcl::indoor::SurfaceVoxels& voxels,
+                  const std::vector<StructurePlane>& planes,
+                  const PointGroups& structure,
+                  const PointGroups& objects,
+                  double voxel_size)
+  : points_(points)
+  , voxels_(voxels)
+  , planes_(planes)
+  , objects_(objects)
+  , smallest_first_(smallestFirst(objects))
+  , voxel_size_(voxel_size)
+  {
+    for (const auto& box : structure.boxes)
+      reach_.push_back(pcl::indoor::widened(box, touch * voxel_size));
+    for (const auto& members : structure.members)
+      max_opening_.push_back(members.size() / 2);
+  }
+
+  /** Who encloses which cells of a plane; of several, the smallest. */
+  SegmentOfCell
+  segmentsAround(std::size_t plane,
+                 const PlaneFrame& frame,
+                 const MembersOfCell& members_of_cell) const
+  {
+    SegmentOfCell segments;
+    for (const auto s : smallest_first_) {
+      const auto& members = objects_.members[s];
+      if (!reach_[plane].intersects(objects_.boxes[s]) || !touches(members, frame))
+        continue;
+      const auto others = planesAcross(plane, objects_.boxes[s]);
+      const bool is_frame = isThinAlong(planes_[plane], points_, members);
+      for (const auto& side : project(members, frame)) {
+        const auto cells = cellsEnclosedBy(side, is_frame, frame, others, voxel_size_);
+        if (is_frame && countMembers(cells, members_of_cell) > max_opening_[plane])
+          continue;
+        for (const auto& cell : cells)
+          segments.emplace(cell, s);
+      }
+    }
+    return segments;
+  }
+
+private:
+  bool
+  touches(const Members& members, const PlaneFrame& frame) const
+  {
+    return std::any_of(members.begin(), members.end(), [&](std::uint32_t i) {
+      return std::abs(frame.heightOf(points_[i])) < touch;
+    });
+  }
+
+  /** Those that a segment reaches, and that stand on the plane. */
+  std::vector<const StructurePlane*>
+  planesAcross(std::size_t plane, const Box& segment) const
+  {
+    std::vector<const StructurePlane*> others;
+    for (std::size_t q = 0; q < planes_.size(); ++q)
+      if (std::abs(planes_[q].normal.dot(planes_[plane].normal)) < 0.3 &&
+          reach_[q].intersects(segment))
+        others.push_back(&planes_[q]);
+    return others;
+  }
+
+  /** The points before a plane and those behind it, both with those that lie in it. */
+  std::array<std::vector<Projection>, 2>
+  project(const Members& members, const PlaneFrame& frame) const
+  {
+    std::array<std::vector<Projection>, 2> sides;
+    for (const auto i : members) {
+      const double height = frame.heightOf(points_[i]);
+      const auto cell = frame.cellOf(points_[i]);
+      const bool is_across =
+          frame.isAcross(voxels_.normals[voxels_.cells.cell_of_point[i]]);
+      if (height >= -1)
+        sides[0].push_back({cell, height, is_across});
+      if (height <= 1)
+        sides[1].push_back({cell, -height, is_across});
+    }
+    return sides;
+  }
+
+  const std::vector<Eigen::Vector3f>& points_;
+  const pcl::indoor::SurfaceVoxels& voxels_;
+  const std::vector<StructurePlane>& planes_;
+  const PointGroups& objects_;
+  Members smallest_first_;
+  double voxel_size_;
+  std::vector<Box> reach_;               // of the planes
+  std::vector<std::size_t> max_opening_; // in the planes, points
+};
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+std::size_t
+yieldEnclosed(const std::vector<Eigen::Vector3f>& points,
+              const SurfaceVoxels& voxels,
+              const std::vector<StructurePlane>& planes,
+              double voxel_size,
+              const Eigen::Vector3f& up,
+              const std::vector<std::uint32_t>& plane_of_voxel,
+              std::vector<std::uint32_t>& segment_of_point)
+{
+  const auto& voxel_of_point = voxels.cells.cell_of_point;
+  if (voxel_of_point.size() != points.size() ||
+      segment_of_point.size() != points.size() ||
+      plane_of_voxel.size() != voxels.size() || voxels.normals.size() != voxels.size())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        points.size()
+                            << " points are " << voxel_of_point.size()
+                            << " in voxels, with " << segment_of_point.size()
+                            << " segments; " << voxels.size() << " voxels have "
+                            << plane_of_voxel.size() << " numbers of planes and "
+                            << voxels.normals.size() << " normals.");
+  if (points.empty() || planes.empty())
+    return 0;
+  const auto groups =
+      groupPoints(points, voxels, planes.size(), plane_of_voxel, segment_of_point);
+  const EnclosureFinder finder(
+      points, voxels, planes, groups.planes, groups.objects, voxel_size);
+  const auto axes = axesOf(planes);
+  std::size_t yielded = 0;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (kindOf(planes[p], up) != StructureKind::Wall)
+      continue;
+    const PlaneFrame frame(planes[p], axes, voxel_size);
+    const auto members_of_cell =
+        membersOfCells(points, groups.planes.members[p], frame);
+    for (const auto& [cell, segment] :
+         finder.segmentsAround(p, frame, members_of_cell)) {
+      const auto members = members_of_cell.find(cell);
+      if (members == members_of_cell.end())
+        continue;
+      yielded += members->second.size();
+      for (const auto i : members->second)
+        segment_of_point[i] = segment;
+    }
+  }
+  return yielded;
+}
+
+} // namespace indoor
+} // namespace pcl

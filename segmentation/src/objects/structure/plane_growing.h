@@ -1,0 +1,20 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/objects/room_structure.h>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Grow flat regions over touching voxels and put those of one plane together.
+ * \return planes in the order of the size of their largest region; regions of fewer
+ * than 50 voxels are left out
+ */
+std::vector<StructurePlane>
+growPlanes(const SurfaceVoxels& voxels, double voxel_size, float flat_curvature);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,75 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "objects/split/segment_members.h"
+
+#include <pcl/segmentation/objects/surface_voxels.h>
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+using PointBox = Eigen::AlignedBox3f;
+
+/** Groups of points, with the boxes around them. */
+struct PointGroups {
+  std::vector<SegmentMembers> members;
+  std::vector<PointBox> boxes;
+
+  explicit PointGroups(std::size_t count)
+  : members(count)
+  , boxes(count)
+  {}
+
+  void
+  add(std::uint32_t group, std::uint32_t index, const Eigen::Vector3f& point)
+  {
+    members[group].push_back(index);
+    boxes[group].extend(point);
+  }
+};
+
+/** The points of each plane, and those of each other segment. */
+struct PlanesAndObjects {
+  PointGroups planes, objects;
+};
+
+/** \param[in] plane_of_voxel the number of its plane, from 1 to the count; 0 for
+ * objects \param[in] segment_of_point numbered from 0. REQUIRES: points. */
+inline PlanesAndObjects
+groupPoints(const std::vector<Eigen::Vector3f>& points,
+            const SurfaceVoxels& voxels,
+            std::size_t plane_count,
+            const std::vector<std::uint32_t>& plane_of_voxel,
+            const std::vector<std::uint32_t>& segment_of_point)
+{
+  PlanesAndObjects groups{PointGroups(plane_count),
+                          PointGroups(1 + *std::max_element(segment_of_point.begin(),
+                                                            segment_of_point.end()))};
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const auto plane = plane_of_voxel[voxels.cells.cell_of_point[i]];
+    if (plane == 0)
+      groups.objects.add(segment_of_point[i], i, points[i]);
+    else
+      groups.planes.add(plane - 1, i, points[i]);
+  }
+  return groups;
+}
+
+inline PointBox
+widened(const PointBox& box, double by)
+{
+  const Eigen::Vector3f margin = Eigen::Vector3f::Constant(static_cast<float>(by));
+  return PointBox(box.min() - margin, box.max() + margin);
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,305 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/objects/room_structure.h>
+
+#include "objects/structure/plane_growing.h"
+#include "objects/structure/plane_raster.h"
+
+#include <pcl/exceptions.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using pcl::indoor::PlaneRaster;
+using pcl::indoor::RoomStructureOptions;
+using pcl::indoor::StructurePlane;
+using pcl::indoor::SurfaceVoxels;
+
+void
+requireValid(const RoomStructureOptions& options)
+{
+  if (!(options.voxel_size > 0) || !std::isfinite(options.voxel_size))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The voxel size must be positive, not " << options.voxel_size
+                                                                << " m.");
+  for (const double share : {options.min_area, options.min_span, options.min_free})
+    if (!(share >= 0 && share <= 1))
+      PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                          "Shares of the room's structure must be in [0, 1], not "
+                              << share << ".");
+  if (!(options.min_length >= 0))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The least length of a plane must not be negative, not "
+                            << options.min_length << " m.");
+  if (!(options.deviations > 0))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The number of standard deviations must be positive, not "
+                            << options.deviations << ".");
+}
+
+/** Distance between the 1st and the 99th percentile. */
+double
+spreadOf(std::vector<double>& heights)
+{
+  const auto rest = static_cast<std::ptrdiff_t>(heights.size() / 100);
+  std::nth_element(heights.begin(), heights.begin() + rest, heights.end());
+  const double low = heights[rest];
+  std::nth_element(heights.begin(), heights.end() - 1 - rest, heights.end());
+  return heights[heights.size() - 1 - rest] - low;
+}
+
+double
+extentOf(const SurfaceVoxels& voxels,
+         const std::vector<std::uint32_t>* members,
+         const Eigen::Vector3d& direction)
+{
+  std::vector<double> heights;
+  const auto add = [&](std::uint32_t v) {
+    heights.push_back(direction.dot(voxels.centroids[v].cast<double>()));
+  };
+  if (members)
+    for (const auto v : *members)
+      add(v);
+  else
+    for (std::uint32_t v = 0; v < voxels.size(); ++v)
+      add(v);
+  return spreadOf(heights);
+}
+
+/** The standard deviation of a plane's points, from their median distance. */
+double
+deviationOf(const std::vector<Eigen::Vector3f>& points,
+            const SurfaceVoxels& voxels,
+            const StructurePlane& plane)
+{
+  std::vector<double> distances;
+  for (const auto v : plane.voxels)
+    for (auto i = voxels.cells.offsets[v]; i < voxels.cells.offsets[v + 1]; ++i)
+      distances.push_back(
+          std::abs(plane.normal.dot(points[voxels.cells.points[i]].cast<double>()) -
+                   plane.offset));
+  const auto middle =
+      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return 1.4826 * *middle; // of a normal distribution
+}
+
+/** The voxels of a plane and those at most two voxels from them. */
+std::vector<std::uint32_t>
+withSurroundings(const SurfaceVoxels& voxels, const StructurePlane& plane)
+{
+  constexpr int rounds = 2;
+  std::vector<std::uint8_t> taken(voxels.size(), 0);
+  auto found = plane.voxels;
+  for (const auto v : found)
+    taken[v] = 1;
+  std::size_t begin = 0;
+  for (int round = 0; round < rounds; ++round) {
+    const auto end = found.size();
+    for (; begin < end; ++begin) {
+      const auto v = found[begin];
+      for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
+           ++j) {
+        const auto other = voxels.neighbors.targets[j];
+        if (!taken[other]) {
+          taken[other] = 1;
+          found.push_back(other);
+        }
+      }
+    }
+  }
+  return found;
+}
+
+/** Places in the grid: along x, the points of each plane beside those of the others. */
+std::vector<Eigen::Vector3f>
+besideEachOther(const std::vector<Eigen::Vector3f>& points,
+                const std::vector<std::uint32_t>& plane_of_point,
+                double voxel_size)
+{
+  if (points.empty())
+    return {};
+  struct Interval {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+  };
+  const auto last = *std::max_element(plane_of_point.begin(), plane_of_point.end());
+  std::vector<Interval> intervals(last + 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto& interval = intervals[plane_of_point[i]];
+    interval.low = std::min<double>(interval.low, points[i].x());
+    interval.high = std::max<double>(interval.high, points[i].x());
+  }
+  std::vector<double> shift(last + 1, 0.0);
+  double end = intervals[0].high;
+  for (std::uint32_t plane = 1; plane <= last; ++plane) {
+    const auto& [low, high] = intervals[plane];
+    if (low > high) // it has no points
+      continue;
+    if (std::isfinite(end))
+      shift[plane] = (std::ceil((end - low) / voxel_size) + 3) * voxel_size;
+    end = high + shift[plane];
+  }
+  auto places = points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    places[i].x() = static_cast<float>(points[i].x() + shift[plane_of_point[i]]);
+  return places;
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+Eigen::Matrix3d
+axesOf(const std::vector<StructurePlane>& planes)
+{
+  if (planes.empty())
+    return Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d first = planes.front().normal;
+  Eigen::Vector3d second = first.unitOrthogonal();
+  for (const auto& plane : planes)
+    if (std::abs(plane.normal.dot(first)) < 0.1) {
+      second = (plane.normal - plane.normal.dot(first) * first).normalized();
+      break;
+    }
+  Eigen::Matrix3d axes;
+  axes << first, second, first.cross(second);
+  return axes;
+}
+
+StructureKind
+kindOf(const StructurePlane& plane, const Eigen::Vector3f& up)
+{
+  const double cosine = plane.normal.dot(up.cast<double>());
+  if (std::abs(cosine) < M_SQRT1_2)
+    return StructureKind::Wall;
+  return cosine > 0 ? StructureKind::Floor : StructureKind::Ceiling;
+}
+
+std::vector<StructurePlane>
+findRoomStructure(const SurfaceVoxels& voxels, const RoomStructureOptions& options)
+{
+  requireValid(options);
+  const double least = options.min_area * static_cast<double>(voxels.size());
+  auto planes = growPlanes(voxels, options.voxel_size, options.flat_curvature);
+  if (planes.empty())
+    return {};
+  const auto axes = axesOf(planes);
+  std::array<double, 3> room;
+  for (int a = 0; a < 3; ++a)
+    room[a] = extentOf(voxels, nullptr, axes.col(a));
+  const auto spans = [&](const StructurePlane& plane) {
+    for (int a = 0; a < 3; ++a)
+      if (std::abs(axes.col(a).dot(plane.normal)) < 0.3 &&
+          extentOf(voxels, &plane.voxels, axes.col(a)) >=
+              std::max(options.min_span * room[a], options.min_length))
+        return true;
+    return false;
+  };
+  std::vector<StructurePlane> structure;
+  for (auto& plane : planes) {
+    if (static_cast<double>(plane.voxels.size()) < least || !spans(plane))
+      continue;
+    // Walls seen from several places appear double: what is near does not count.
+    PlaneRaster raster(voxels, plane, 2 * options.voxel_size);
+    raster.look(voxels, 2 * options.voxel_size);
+    if (raster.freeShare() >= options.min_free)
+      structure.push_back(std::move(plane));
+  }
+  return structure;
+}
+
+std::vector<std::uint32_t>
+pointsOfStructure(const std::vector<Eigen::Vector3f>& points,
+                  const SurfaceVoxels& voxels,
+                  const std::vector<StructurePlane>& planes,
+                  const RoomStructureOptions& options)
+{
+  requireValid(options);
+  std::vector<std::uint32_t> plane_of_point(points.size(), 0);
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const auto& plane = planes[p];
+    const double tolerance =
+        std::min(options.voxel_size,
+                 std::max(options.deviations * deviationOf(points, voxels, plane),
+                          0.1 * options.voxel_size));
+    for (const auto v : withSurroundings(voxels, plane))
+      for (auto i = voxels.cells.offsets[v]; i < voxels.cells.offsets[v + 1]; ++i) {
+        const auto point = voxels.cells.points[i];
+        if (plane_of_point[point] == 0 &&
+            std::abs(plane.heightOf(points[point].cast<double>())) <= tolerance)
+          plane_of_point[point] = static_cast<std::uint32_t>(p + 1);
+      }
+  }
+  return plane_of_point;
+}
+
+SurfaceVoxels
+separateVoxels(const std::vector<Eigen::Vector3f>& points,
+               const std::vector<std::uint32_t>& plane_of_point,
+               double voxel_size,
+               std::vector<std::uint32_t>& plane_of_voxel)
+{
+  if (plane_of_point.size() != points.size())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        points.size() << " points have " << plane_of_point.size()
+                                      << " numbers of planes.");
+  const auto grid_points = besideEachOther(points, plane_of_point, voxel_size);
+  auto voxels = surfaceVoxels(points, grid_points, voxel_size);
+  plane_of_voxel.assign(voxels.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    plane_of_voxel[voxels.cells.cell_of_point[i]] = plane_of_point[i];
+  return voxels;
+}
+
+void
+returnIslands(const SurfaceVoxels& voxels,
+              const std::vector<StructurePlane>& planes,
+              double voxel_size,
+              std::size_t patch_size,
+              std::size_t min_size,
+              std::vector<std::uint32_t>& plane_of_voxel)
+{
+  std::vector<std::uint8_t> seen(voxels.size(), 0);
+  std::vector<std::uint32_t> island;
+  const auto lies_in = [&](const StructurePlane& plane) {
+    const double reach = (island.size() < patch_size ? 2 : 1) * voxel_size;
+    return std::all_of(island.begin(), island.end(), [&](std::uint32_t v) {
+      return std::abs(plane.normal.dot(voxels.centroids[v].cast<double>()) -
+                      plane.offset) <= reach;
+    });
+  };
+  for (std::uint32_t first = 0; first < voxels.size(); ++first) {
+    if (seen[first] || plane_of_voxel[first] != 0)
+      continue;
+    seen[first] = 1;
+    island.assign(1, first);
+    for (std::size_t i = 0; i < island.size(); ++i)
+      for (auto j = voxels.neighbors.offsets[island[i]];
+           j < voxels.neighbors.offsets[island[i] + 1];
+           ++j) {
+        const auto other = voxels.neighbors.targets[j];
+        if (!seen[other] && plane_of_voxel[other] == 0) {
+          seen[other] = 1;
+          island.push_back(other);
+        }
+      }
+    if (island.size() >= std::max(min_size, patch_size))
+      continue;
+    const auto plane = std::find_if(planes.begin(), planes.end(), lies_in);
+    if (plane != planes.end())
+      for (const auto v : island)
+        plane_of_voxel[v] = static_cast<std::uint32_t>(plane - planes.begin() + 1);
+  }
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,152 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/structure/structure_contacts.h"
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using pcl::indoor::Adjacency;
+using pcl::indoor::StructurePlane;
+using pcl::indoor::SurfaceVoxels;
+
+/** The tangent plane of a voxel does not tell more than this far, in voxels. */
+constexpr double reach = 1.5;
+
+/** The objects' voxels that have points in each of the surrounding voxels. */
+Adjacency
+objectsIn(const SurfaceVoxels& surroundings,
+          const SurfaceVoxels& voxels,
+          const std::vector<std::uint32_t>& plane_of_voxel)
+{
+  Adjacency objects;
+  auto& offsets = objects.offsets;
+  offsets.assign(surroundings.size() + 1, 0);
+  std::vector<std::uint32_t> last(surroundings.size(), 0); // to have entered it, from 1
+  const auto for_each = [&](const auto& enter) {
+    std::fill(last.begin(), last.end(), 0);
+    for (std::uint32_t v = 0; v < voxels.size(); ++v) {
+      if (plane_of_voxel[v] != 0 || voxels.normals[v].isZero())
+        continue;
+      for (auto i = voxels.cells.offsets[v]; i < voxels.cells.offsets[v + 1]; ++i) {
+        const auto place = surroundings.cells.cell_of_point[voxels.cells.points[i]];
+        if (last[place] == v + 1)
+          continue;
+        last[place] = v + 1;
+        enter(place, v);
+      }
+    }
+  };
+  for_each([&](std::uint32_t place, std::uint32_t) { ++offsets[place + 1]; });
+  for (std::size_t place = 0; place < surroundings.size(); ++place)
+    offsets[place + 1] += offsets[place];
+  objects.targets.resize(offsets.back());
+  auto next = offsets;
+  for_each([&](std::uint32_t place, std::uint32_t v) {
+    objects.targets[next[place]++] = v;
+  });
+  return objects;
+}
+
+/** The objects' voxels in one of the surrounding voxels and those that touch it. */
+void
+gatherAround(std::uint32_t place,
+             const SurfaceVoxels& surroundings,
+             const Adjacency& objects,
+             std::vector<std::uint32_t>& found)
+{
+  found.clear();
+  const auto add = [&](std::uint32_t cell) {
+    found.insert(found.end(),
+                 objects.targets.begin() + objects.offsets[cell],
+                 objects.targets.begin() + objects.offsets[cell + 1]);
+  };
+  add(place);
+  const auto& around = surroundings.neighbors;
+  for (auto j = around.offsets[place]; j < around.offsets[place + 1]; ++j)
+    add(around.targets[j]);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
+/** The voxel whose surface a point is nearest to; its own if that is the plane's. */
+std::uint32_t
+nearestSurface(const Eigen::Vector3f& point,
+               const StructurePlane& plane,
+               std::uint32_t own,
+               const std::vector<std::uint32_t>& around,
+               const SurfaceVoxels& voxels,
+               double voxel_size)
+{
+  auto nearest = own;
+  double least = std::abs(plane.heightOf(point.cast<double>()));
+  for (const auto v : around) {
+    const Eigen::Vector3d way = (point - voxels.centroids[v]).cast<double>();
+    const double distance = std::abs(voxels.normals[v].cast<double>().dot(way));
+    if (distance < least && way.norm() <= reach * voxel_size) {
+      least = distance;
+      nearest = v;
+    }
+  }
+  return nearest;
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+std::size_t
+yieldContacts(const std::vector<Eigen::Vector3f>& points,
+              const SurfaceVoxels& surroundings,
+              const std::vector<StructurePlane>& planes,
+              double voxel_size,
+              const std::vector<std::uint32_t>& plane_of_voxel,
+              SurfaceVoxels& voxels)
+{
+  if (surroundings.cells.cell_of_point.size() != points.size() ||
+      voxels.cells.cell_of_point.size() != points.size())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        points.size()
+                            << " points are " << voxels.cells.cell_of_point.size()
+                            << " in voxels and "
+                            << surroundings.cells.cell_of_point.size() << " around.");
+  if (plane_of_voxel.size() != voxels.size() || voxels.normals.size() != voxels.size())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        voxels.size() << " voxels have " << plane_of_voxel.size()
+                                      << " numbers of planes and "
+                                      << voxels.normals.size() << " normals.");
+  const auto objects = objectsIn(surroundings, voxels, plane_of_voxel);
+  std::vector<std::uint32_t> around;
+  std::size_t yielded = 0;
+  for (std::uint32_t place = 0; place < surroundings.size(); ++place) {
+    bool gathered = false;
+    const auto& cells = surroundings.cells;
+    for (auto i = cells.offsets[place]; i < cells.offsets[place + 1]; ++i) {
+      auto& voxel = voxels.cells.cell_of_point[cells.points[i]];
+      if (plane_of_voxel[voxel] == 0)
+        continue;
+      if (!gathered)
+        gatherAround(place, surroundings, objects, around);
+      gathered = true;
+      const auto nearest = nearestSurface(points[cells.points[i]],
+                                          planes[plane_of_voxel[voxel] - 1],
+                                          voxel,
+                                          around,
+                                          voxels,
+                                          voxel_size);
+      yielded += nearest != voxel;
+      voxel = nearest;
+    }
+  }
+  listPoints(voxels.cells);
+  return yielded;
+}
+
+} // namespace indoor
+} // namespace pcl

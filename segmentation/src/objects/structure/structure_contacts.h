@@ -1,0 +1,41 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/objects/room_structure.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Give the points at which objects touch floor and walls back to the objects.
+ * The sides of a cupboard reach down to the floor and back to the wall; what lies
+ * within the tolerance of these planes was taken for them. A point goes to the nearest
+ * surface: to that voxel of no plane, of those around it, from whose tangent plane it
+ * is least far, if it is less far from it than from its own plane. Centroids, normals
+ * and curvatures stay as they are; the cost is linear in the number of points.
+ * \param[in] points as given to separateVoxels(), whose points and voxels these are
+ * \param[in] surroundings voxels of the same points and size that ignore the planes;
+ * only their cells and neighbours are used
+ * \param[in] planes as given by findRoomStructure()
+ * \param[in] voxel_size metres
+ * \param[in] plane_of_voxel as given by separateVoxels() and returnIslands()
+ * \param[in,out] voxels as given by separateVoxels(), with normals; only the cells
+ * change, and voxels of planes may be left without points
+ * \return how many points changed sides
+ * \throws pcl::BadArgumentException if sizes differ
+ */
+std::size_t
+yieldContacts(const std::vector<Eigen::Vector3f>& points,
+              const SurfaceVoxels& surroundings,
+              const std::vector<StructurePlane>& planes,
+              double voxel_size,
+              const std::vector<std::uint32_t>& plane_of_voxel,
+              SurfaceVoxels& voxels);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,101 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/structure/wall_frames.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using pcl::indoor::SegmentMembers;
+using pcl::indoor::StructurePlane;
+
+constexpr double max_outliers = 0.05; // share of a frame's points that are farther off
+constexpr double min_behind = 0.05;   // share of a frame's points behind the wall
+constexpr double max_tilt = 0.3;      // of a wall, sine
+
+bool
+reachesBehind(const StructurePlane& wall,
+              const std::vector<Eigen::Vector3f>& points,
+              const SegmentMembers& members,
+              double voxel_size)
+{
+  const auto behind =
+      std::count_if(members.begin(), members.end(), [&](std::uint32_t i) {
+        return wall.heightOf(points[i].cast<double>()) < -voxel_size;
+      });
+  return static_cast<double>(behind) >=
+         min_behind * static_cast<double>(members.size());
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+bool
+isThinAlong(const StructurePlane& plane,
+            const std::vector<Eigen::Vector3f>& points,
+            const std::vector<std::uint32_t>& members)
+{
+  const double allowed = max_outliers * static_cast<double>(members.size());
+  double far = 0;
+  return std::all_of(members.begin(), members.end(), [&](std::uint32_t i) {
+    far += std::abs(plane.heightOf(points[i].cast<double>())) > frame_depth;
+    return far <= allowed;
+  });
+}
+
+std::vector<WallFrame>
+framesInWalls(const std::vector<Eigen::Vector3f>& points,
+              const std::vector<StructurePlane>& planes,
+              const PlanesAndObjects& groups,
+              double voxel_size,
+              const Eigen::Vector3f& up)
+{
+  std::vector<WallFrame> frames;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const auto& plane = planes[p];
+    if (std::abs(plane.normal.dot(up.cast<double>())) >= max_tilt)
+      continue;
+    const auto reach = widened(groups.planes.boxes[p], frame_depth);
+    for (std::uint32_t s = 0; s < groups.objects.members.size(); ++s) {
+      const auto& members = groups.objects.members[s];
+      if (reach.intersects(groups.objects.boxes[s]) &&
+          isThinAlong(plane, points, members) &&
+          reachesBehind(plane, points, members, voxel_size))
+        frames.push_back({p, s});
+    }
+  }
+  return frames;
+}
+
+std::vector<std::uint8_t>
+flagStructureAndFrames(const std::vector<Eigen::Vector3f>& points,
+                       const SurfaceVoxels& voxels,
+                       const std::vector<StructurePlane>& planes,
+                       const std::vector<std::uint32_t>& plane_of_voxel,
+                       double voxel_size,
+                       const Eigen::Vector3f& up,
+                       const std::vector<std::uint32_t>& segment_of_point)
+{
+  std::vector<std::uint8_t> flags(points.size(), 0);
+  if (points.empty() || planes.empty())
+    return flags;
+  const auto groups =
+      groupPoints(points, voxels, planes.size(), plane_of_voxel, segment_of_point);
+  const auto flag = [&flags](const SegmentMembers& members) {
+    for (const auto i : members)
+      flags[i] = 1;
+  };
+  for (const auto& plane : groups.planes.members)
+    flag(plane);
+  for (const auto& frame : framesInWalls(points, planes, groups, voxel_size, up))
+    flag(groups.objects.members[frame.segment]);
+  return flags;
+}
+
+} // namespace indoor
+} // namespace pcl

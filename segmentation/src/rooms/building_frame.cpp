@@ -1,0 +1,146 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/rooms/building_frame.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** The turn from the cloud's frame into one with z up; of zeros and ones, and thus
+ * exact, where an axis of the cloud points up. */
+Eigen::Matrix3d
+turnUpright(const Eigen::Vector3f& up_axis)
+{
+  const Eigen::Vector3d up = up_axis.cast<double>().normalized();
+  int level = 0; // the cloud's axis that is the most level
+  up.cwiseAbs().minCoeff(&level);
+  const Eigen::Vector3d x =
+      (Eigen::Vector3d::Unit(level) - up[level] * up).normalized();
+  Eigen::Matrix3d turn;
+  turn << x.transpose(), up.cross(x).transpose(), up.transpose();
+  return turn;
+}
+
+/** What is farther than this from the middle of a scan, along an axis, is no part of
+ * a building; nearer, a float holds half a millimetre. */
+constexpr double near = 4096.0; // metres
+
+/** Turned and in metres, but not moved yet. */
+Eigen::Vector3d
+turned(const Eigen::Matrix3d& turn,
+       double metres_per_unit,
+       const Eigen::Vector3f& point)
+{
+  return metres_per_unit * (turn * point.cast<double>());
+}
+
+Eigen::Vector3d
+medianOf(const std::vector<Eigen::Vector3f>& points,
+         const Eigen::Matrix3d& turn,
+         double metres_per_unit)
+{
+  Eigen::Vector3d median;
+  std::vector<double> values(points.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      values[i] = turned(turn, metres_per_unit, points[i])[axis];
+    const auto middle = values.begin() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    median[axis] = *middle;
+  }
+  return median;
+}
+
+/** Whole metres near the turned points: a float holds coordinates near the origin only.
+ */
+Eigen::Vector3d
+originNear(const std::vector<Eigen::Vector3f>& points,
+           const Eigen::Matrix3d& turn,
+           double metres_per_unit)
+{
+  Eigen::AlignedBox3d box;
+  for (const auto& point : points)
+    box.extend(turned(turn, metres_per_unit, point));
+  if ((box.sizes().array() < near).all())
+    return box.min().array().floor();
+  const Eigen::Vector3d median = medianOf(points, turn, metres_per_unit);
+  box.setEmpty();
+  for (const auto& point : points) {
+    const Eigen::Vector3d p = turned(turn, metres_per_unit, point);
+    if (((p - median).array().abs() < near).all())
+      box.extend(p);
+  }
+  const Eigen::Vector3d origin =
+      box.isEmpty() || !(box.sizes().array() < near).all() ? median : box.min();
+  return origin.array().floor();
+}
+
+} // namespace
+
+Eigen::Isometry3d
+moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,
+                      const Eigen::Vector3f& up_axis,
+                      double metres_per_unit)
+{
+  constexpr double farthest = 1e9; // metres; far from what a float can hold
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  if (points.empty())
+    return pose;
+  const Eigen::Matrix3d turn = turnUpright(up_axis);
+  const Eigen::Vector3d origin = originNear(points, turn, metres_per_unit);
+  for (auto& point : points)
+    point = (turned(turn, metres_per_unit, point) - origin)
+                .cwiseMax(-farthest)
+                .cwiseMin(farthest)
+                .cast<float>();
+  pose.linear() = turn.transpose();
+  pose.translation() = turn.transpose() * origin;
+  return pose;
+}
+
+std::vector<std::size_t>
+takeOutFarPoints(std::vector<Eigen::Vector3f>& points)
+{
+  std::vector<std::size_t> taken;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    // the origin is the lower corner or the middle of what is near
+    if ((points[i].array().abs() > static_cast<float>(near)).any())
+      taken.push_back(i);
+    else
+      points[kept++] = points[i];
+  points.resize(kept);
+  return taken;
+}
+
+void
+placeInCloud(const Eigen::Isometry3d& pose,
+             double metres_per_unit,
+             const std::vector<Eigen::AlignedBox3f>& boxes,
+             std::vector<Room>& rooms,
+             std::vector<RoomOpening>& openings)
+{
+  const auto toCloud = [&](const Eigen::Vector3d& place) -> Eigen::Vector3d {
+    return pose * place / metres_per_unit;
+  };
+  for (auto& opening : openings)
+    opening.position = toCloud(opening.position);
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    rooms[i].lower = boxes[i].min().cast<double>();
+    rooms[i].upper = boxes[i].max().cast<double>();
+    rooms[i].centroid = toCloud(rooms[i].centroid);
+    for (auto& line : rooms[i].footprint)
+      for (auto& corner : line)
+        corner = toCloud(corner);
+  }
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,189 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/rooms/storey_space.h>
+
+#include "rooms/outline/room_layout.h"
+#include "rooms/space/closed_surfaces.h"
+#include "rooms/storeys/storey_labels.h"
+#include <pcl/indoor/thread_count.h>
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** The storey of each point; points outside the grid have none that matters. */
+std::vector<std::uint8_t>
+storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
+                const BuildingRooms& building,
+                int threads)
+{
+  const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  std::vector<std::uint8_t> storey_of(points.size(), 0);
+  if (building.levels.borders.empty())
+    return storey_of;
+#pragma omp parallel for schedule(static) num_threads(threadCount(threads))
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(points.size()); ++i) {
+    if (building.occupancy.cells[i] < 0)
+      continue;
+    const std::int32_t pixel = building.occupancy.cells[i] / grid.shape.nz;
+    storey_of[i] = static_cast<std::uint8_t>(building.levels.storeyAt(
+        pixel / grid.shape.ny, pixel % grid.shape.ny, points[i].z()));
+  }
+  return storey_of;
+}
+
+std::vector<Room>
+describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double size = building.occupancy.grid.voxel_size;
+  std::vector<Room> rooms;
+  for (std::size_t s = 0; s < building.storeys.size(); ++s) {
+    const RoomMap& map = building.storeys[s];
+    for (const std::uint32_t label : building.room_of[s])
+      if (label > rooms.size()) {
+        Room room;
+        room.label = label;
+        room.storey = static_cast<std::uint32_t>(s);
+        room.lower.setConstant(infinity);
+        room.upper.setConstant(-infinity);
+        room.centroid.setZero();
+        rooms.push_back(room);
+      }
+    for (std::size_t i = 0; i < map.free_labels.size(); ++i) {
+      if (map.free_labels.values[i] <= 0)
+        continue;
+      Room& room = rooms[building.room_of[s][map.free_labels.values[i]] - 1];
+      room.volume += size * size * size * (map.ceiling.values[i] - map.range.begin);
+      room.area += size * size;
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (building.point_labels[i] > 0) {
+      Room& room = rooms[building.point_labels[i] - 1];
+      const Eigen::Vector3d point = points[i].cast<double>();
+      ++room.point_count;
+      room.lower = room.lower.cwiseMin(point);
+      room.upper = room.upper.cwiseMax(point);
+      room.centroid += point;
+    }
+  for (Room& room : rooms) {
+    room.height = room.area > 0 ? room.volume / room.area : 0.0;
+    room.centroid /= std::max<double>(1.0, room.point_count);
+  }
+  return rooms;
+}
+
+/** How far the grid is turned so that most walls lie along its voxels, radians: less
+ * than a degree is none, and whole tenths of degrees, or the order of the points would
+ * matter. */
+double
+yawAlong(const std::vector<Eigen::Vector2d>& directions)
+{
+  if (directions.empty())
+    return 0.0;
+  constexpr double degree = M_PI / 180.0;
+  const double angle = std::atan2(directions[0].y(), directions[0].x()) / degree;
+  const double yaw = angle - 90.0 * std::round(angle / 90.0); // -45 ... 45
+  return std::abs(yaw) < 1.0 ? 0.0 : 0.1 * degree * std::round(10.0 * yaw);
+}
+
+/** The points' grid, not turned; an automatic voxel size is found from it.
+ * \param[in] voxel_size metres, 0 = automatic
+ * \param[in,out] options the voxel size is filled in
+ */
+OccupancyGrid
+gridOf(const std::vector<Eigen::Vector3f>& points,
+       double voxel_size,
+       OccupancyGridOptions& options)
+{
+  options.voxel_size = voxel_size > 0.0 ? voxel_size : smallest_automatic_voxel;
+  OccupancyGrid grid = occupancyGrid(points, options);
+  if (voxel_size > 0.0)
+    return grid;
+  options.voxel_size = closedVoxelSize(grid.grid, largest_automatic_voxel);
+  if (options.voxel_size > grid.grid.voxel_size)
+    grid = occupancyGrid(points, options);
+  return grid;
+}
+
+} // namespace
+
+BuildingRooms
+segmentBuilding(const std::vector<Eigen::Vector3f>& points,
+                BuildingRoomsOptions options,
+                const ProgressCallback& progress)
+{
+  const std::string problem = findInvalidOption(options);
+  if (!problem.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  options.interior.threads = options.threads;
+  options.storeys.threads = options.threads;
+  options.map.threads = options.map.field_rooms.threads = options.threads;
+  options.walls.threads = options.threads;
+  const auto stopped = [&](double share, const char* stage) {
+    return progress && !progress(share, stage);
+  };
+  if (points.empty())
+    return {};
+  BuildingRooms building;
+  OccupancyGridOptions grid_options;
+  grid_options.threads = options.threads;
+  if (stopped(0.0, "occupancy grid"))
+    return {};
+  building.occupancy = gridOf(points, options.voxel_size, grid_options);
+  building.point_labels.assign(points.size(), 0);
+  const auto directions = wallDirections(points, building.occupancy, options.interior);
+  grid_options.yaw = yawAlong(directions);
+  if (grid_options.yaw != 0.0)
+    building.occupancy = occupancyGrid(points, grid_options);
+
+  const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  if (stopped(0.2, "interior space"))
+    return {};
+  building.interior = interiorSpace(building.occupancy, directions, options.interior);
+  if (stopped(0.4, "storeys"))
+    return {};
+  building.levels = findStoreys(grid, options.storeys);
+  refineBorders(points, building.occupancy, building.levels);
+  std::uint32_t room_count = 0;
+  const auto spaces = storeySpaces(grid, building.interior, building.levels);
+  for (const auto& space : spaces) {
+    const double part = static_cast<double>(building.storeys.size()) / spaces.size();
+    if (stopped(0.5 + 0.3 * part, "rooms of a storey"))
+      return {};
+    building.storeys.push_back(segmentRoomMap(space, options.map));
+    auto& room_of = building.room_of.emplace_back();
+    for (std::int32_t label = 0; label <= building.storeys.back().room_count; ++label)
+      room_of.push_back(label == 0 ? 0 : ++room_count);
+    addOpenings(points, space, building);
+  }
+  if (stopped(0.8, "rooms of the points"))
+    return {};
+  const auto storey_of = storeysOfPoints(points, building, options.threads);
+  for (std::size_t s = 0; s < building.storeys.size(); ++s)
+    StoreyLabels(points, building.occupancy, building.storeys[s], options)
+        .assign(storey_of,
+                static_cast<std::uint8_t>(s),
+                building.room_of[s],
+                building.point_labels);
+  building.rooms = describeRooms(points, building);
+  addFootprints(points, building);
+  if (stopped(1.0, "done"))
+    return {};
+  return building;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,142 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/rooms/open_plan.h>
+#include <pcl/segmentation/rooms/visibility.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** Pixels of a space, evenly spread over it. */
+std::vector<Eigen::Vector3i>
+somePixels(const std::vector<std::vector<std::uint32_t>>& pixels,
+           const std::vector<std::int32_t>& space,
+           int ny)
+{
+  constexpr std::size_t enough = 64;
+  std::vector<std::uint32_t> all;
+  for (const auto label : space)
+    all.insert(all.end(), pixels[label].begin(), pixels[label].end());
+  const std::size_t count = std::min(enough, all.size());
+  std::vector<Eigen::Vector3i> some;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto pixel = static_cast<int>(all[(2 * k + 1) * all.size() / (2 * count)]);
+    some.emplace_back(pixel / ny, pixel % ny, 0);
+  }
+  return some;
+}
+
+} // namespace
+
+PixelMap<std::int32_t>
+fillIslands(PixelMap<std::int32_t> rooms)
+{
+  PixelMap<std::uint8_t> seen{rooms.nx, rooms.ny, {}};
+  seen.values.assign(rooms.size(), 0);
+  std::vector<std::size_t> part;
+  for (std::size_t start = 0; start < rooms.size(); ++start) {
+    if (rooms.values[start] != 0 || seen.values[start])
+      continue;
+    part.assign(1, start);
+    seen.values[start] = 1;
+    std::int32_t around = 0; // the room around the part
+    bool is_island = true;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const int x = static_cast<int>(part[k] / rooms.ny);
+      const int y = static_cast<int>(part[k] % rooms.ny);
+      for (int u = x - 1; u <= x + 1; ++u)
+        for (int v = y - 1; v <= y + 1; ++v) {
+          if (!rooms.contains(u, v)) {
+            is_island = false;
+            continue;
+          }
+          const std::int32_t room = rooms.at(u, v);
+          if (room != 0) {
+            is_island = is_island && (around == 0 || around == room);
+            around = room;
+          }
+          else if (!seen.at(u, v)) {
+            seen.at(u, v) = 1;
+            part.push_back(rooms.index(u, v));
+          }
+        }
+    }
+    if (is_island)
+      for (const std::size_t pixel : part)
+        rooms.values[pixel] = around;
+  }
+  return rooms;
+}
+
+OpenPlan::OpenPlan(const PixelMap<std::int32_t>& labels,
+                   const PixelMap<float>& field,
+                   double pixel_size,
+                   const OpenPlanOptions& options)
+: options_(options)
+, pixel_area_(pixel_size * pixel_size)
+{
+  walls_.shape = {labels.nx, labels.ny, 1};
+  walls_.values.resize(field.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    walls_.values[i] = !(field.values[i] > 0);
+    const auto label = static_cast<std::size_t>(labels.values[i]);
+    if (label >= pixels_.size()) {
+      pixels_.resize(label + 1);
+      width_.resize(label + 1, 0.0);
+    }
+    if (label == 0)
+      continue;
+    pixels_[label].push_back(static_cast<std::uint32_t>(i));
+    width_[label] = std::max(width_[label], 2.0 * field.values[i]);
+  }
+}
+
+double
+OpenPlan::area(const std::vector<std::int32_t>& space) const
+{
+  double area = 0.0;
+  for (const auto label : space)
+    area += pixel_area_ * static_cast<double>(pixels_[label].size());
+  return area;
+}
+
+bool
+OpenPlan::isHabitable(const std::vector<std::int32_t>& space) const
+{
+  double width = 0.0;
+  for (const auto label : space)
+    width = std::max(width, width_[label]);
+  return area(space) >= options_.habitable_area &&
+         area(space) <= options_.max_elongation * width * width;
+}
+
+double
+OpenPlan::sharedView(const std::vector<std::int32_t>& a,
+                     const std::vector<std::int32_t>& b) const
+{
+  const auto from = somePixels(pixels_, a, walls_.shape.ny);
+  const auto to = somePixels(pixels_, b, walls_.shape.ny);
+  std::size_t open = 0;
+  for (const auto& p : from)
+    for (const auto& q : to)
+      open += lineOfSight(walls_, p, q);
+  const std::size_t lines = from.size() * to.size();
+  return lines > 0 ? static_cast<double>(open) / static_cast<double>(lines) : 0.0;
+}
+
+bool
+OpenPlan::separates(const std::vector<std::int32_t>& a,
+                    const std::vector<std::int32_t>& b) const
+{
+  return isHabitable(a) && isHabitable(b) &&
+         sharedView(a, b) <= options_.max_shared_view;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,332 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/map/nearest_sites.h"
+#include <pcl/indoor/disjoint_sets.h>
+#include <pcl/segmentation/rooms/region_borders.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+constexpr double passage_height = 1.6; // metres; lower openings let nobody pass
+
+/** Of two rooms with different ceilings, up to which one their border is looked at. */
+enum class BorderTop {
+  HigherCeiling, ///< all of the wall that one of them has
+  LowerCeiling   ///< where both are
+};
+
+using RegionPair = std::pair<std::int32_t, std::int32_t>;
+
+/** Looks across the border between two pixels. */
+class BorderSection {
+public:
+  BorderSection(const VoxelGrid<std::uint8_t>& occupancy,
+                const VerticalRange& storey,
+                const PixelMap<int>& ceiling,
+                BorderTop top)
+  : occupancy_(occupancy)
+  , storey_(storey)
+  , ceiling_(ceiling)
+  , top_(top)
+  , closed_(occupancy.shape.nz)
+  {}
+
+  /** Measure how many layers are open on the straight way between two pixels.
+   * \return {layers from floor to ceiling, layers that are open} */
+  std::pair<int, int>
+  measure(int x0, int y0, int x1, int y1)
+  {
+    const auto [lower, higher] = std::minmax(ceiling_.at(x0, y0), ceiling_.at(x1, y1));
+    const int top = top_ == BorderTop::LowerCeiling ? lower : higher;
+    std::fill(closed_.begin(), closed_.end(), 0);
+    const int steps = std::max({std::abs(x1 - x0), std::abs(y1 - y0), 1});
+    for (int k = 0; k <= steps; ++k) {
+      const int x = x0 + static_cast<int>(std::lround((x1 - x0) * k / double(steps)));
+      const int y = y0 + static_cast<int>(std::lround((y1 - y0) * k / double(steps)));
+      const std::uint8_t* column = &occupancy_.values[occupancy_.shape.index(x, y, 0)];
+      for (int z = storey_.begin; z < top; ++z)
+        closed_[z] |= column[z];
+    }
+    const int bottom = storey_.begin + 1; // above the floor
+    if (top <= bottom)
+      return {0, 0};
+    const int open = static_cast<int>(
+        std::count(closed_.begin() + bottom, closed_.begin() + top, 0));
+    return {top - bottom, open};
+  }
+
+private:
+  const VoxelGrid<std::uint8_t>& occupancy_;
+  const VerticalRange& storey_;
+  const PixelMap<int>& ceiling_;
+  BorderTop top_;
+  std::vector<std::uint8_t> closed_;
+};
+
+/** Call piece(p, q, layers, open layers) for each side between a pixel p and the next
+ * one, q, along x or y if they are of different regions. */
+template <typename Piece>
+void
+walkBorders(const VoxelGrid<std::uint8_t>& occupancy,
+            const VerticalRange& storey,
+            const PixelMap<int>& ceiling,
+            const PixelMap<std::int32_t>& labels,
+            const PixelMap<std::int32_t>& free_labels,
+            BorderTop top,
+            const Piece& piece)
+{
+  PixelMap<std::uint8_t> sites{labels.nx, labels.ny, {}};
+  sites.values.resize(sites.size());
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    sites.values[i] = free_labels.values[i] != 0;
+  const NearestSites nearest = nearestSites(sites);
+  BorderSection section(occupancy, storey, ceiling, top);
+  const auto look = [&](std::size_t p, std::size_t q) {
+    const std::int32_t a = labels.values[p], b = labels.values[q];
+    if (a == b || a == 0 || b == 0)
+      return;
+    const std::int32_t from = nearest.site.values[p], to = nearest.site.values[q];
+    if (from < 0 || to < 0)
+      return; // nothing is free anywhere
+    const int ny = labels.ny;
+    const auto [height, open] = section.measure(from / ny, from % ny, to / ny, to % ny);
+    piece(p, q, height, open);
+  };
+  for (int x = 0; x < labels.nx; ++x)
+    for (int y = 0; y < labels.ny; ++y) {
+      if (x + 1 < labels.nx)
+        look(labels.index(x, y), labels.index(x + 1, y));
+      if (y + 1 < labels.ny)
+        look(labels.index(x, y), labels.index(x, y + 1));
+    }
+}
+
+/** A piece of border that a person can pass: one side of a pixel. */
+struct OpenPiece {
+  double x = 0.0, y = 0.0; ///< its middle, pixels
+  bool across_x = false;   ///< one passes it along x
+  int open = 0;            ///< open layers
+};
+
+/** The pieces of one opening as one. */
+RegionOpening
+joinPieces(const std::vector<OpenPiece>& pieces, double size)
+{
+  RegionOpening opening;
+  double across_x = 0.0, open = 0.0;
+  for (const OpenPiece& piece : pieces) {
+    opening.x += piece.x;
+    opening.y += piece.y;
+    across_x += piece.across_x;
+    open += piece.open;
+  }
+  const double count = static_cast<double>(pieces.size());
+  opening.x /= count;
+  opening.y /= count;
+  // a border that is no line of the grid goes in stairs; this is the way past them
+  opening.width = size * std::hypot(across_x, count - across_x);
+  opening.area = opening.width * size * open / count;
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const OpenPiece& piece : pieces) {
+    const Eigen::Vector2d from(piece.x - opening.x, piece.y - opening.y);
+    spread += from * from.transpose();
+    const int axis = piece.across_x ? 1 : 0; // the piece itself
+    spread(axis, axis) += 1.0 / 12.0;
+  }
+  opening.along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>()
+                      .computeDirect(spread)
+                      .eigenvectors()
+                      .col(1);
+  return opening;
+}
+
+/** Put pieces together whose middles are at most two pixels apart: a lone point in a
+ * doorway does not divide it. */
+std::vector<std::vector<OpenPiece>>
+connectedPieces(const std::vector<OpenPiece>& pieces)
+{
+  const auto place = [](double x, double y) { // half pixels
+    return std::make_pair(std::lround(2 * x), std::lround(2 * y));
+  };
+  std::map<std::pair<long, long>, int> piece_at;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    piece_at[place(pieces[i].x, pieces[i].y)] = static_cast<int>(i);
+  DisjointSets sets(static_cast<int>(pieces.size()));
+  for (const auto& [here, piece] : piece_at)
+    for (long dx = -4; dx <= 4; ++dx)
+      for (long dy = -4; dy <= 4; ++dy) {
+        const auto other = piece_at.find({here.first + dx, here.second + dy});
+        if (other == piece_at.end() || dx * dx + dy * dy > 16)
+          continue;
+        const int a = sets.find(piece), b = sets.find(other->second);
+        if (a != b)
+          sets.merge(a, b);
+      }
+  std::map<int, std::size_t> group_of;
+  std::vector<std::vector<OpenPiece>> groups;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto root = sets.find(static_cast<int>(i));
+    const auto group = group_of.emplace(root, groups.size()).first->second;
+    if (group == groups.size())
+      groups.emplace_back();
+    groups[group].push_back(pieces[i]);
+  }
+  return groups;
+}
+
+} // namespace
+
+std::vector<RegionBorder>
+regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
+              const VerticalRange& storey,
+              const PixelMap<int>& ceiling,
+              const PixelMap<std::int32_t>& labels,
+              const PixelMap<std::int32_t>& free_labels)
+{
+  const double size = occupancy.voxel_size;
+  const auto ny = static_cast<std::size_t>(labels.ny);
+  std::map<RegionPair, RegionBorder> borders;
+  const auto add = [&](std::size_t p, std::size_t q, int height, int open) {
+    RegionBorder& border = borders[std::minmax(labels.values[p], labels.values[q])];
+    border.border_area += size * size * height;
+    border.open_area += size * size * open;
+    if (open * size >= passage_height) {
+      border.opening_area += size * size * height;
+      border.opening_run[p / ny == q / ny] += size;
+    }
+  };
+  walkBorders(
+      occupancy, storey, ceiling, labels, free_labels, BorderTop::HigherCeiling, add);
+
+  std::vector<RegionBorder> result;
+  for (auto& [pair, border] : borders) {
+    std::tie(border.a, border.b) = pair;
+    result.push_back(border);
+  }
+  return result;
+}
+
+std::vector<RegionOpening>
+regionOpenings(const VoxelGrid<std::uint8_t>& occupancy,
+               const VerticalRange& storey,
+               const PixelMap<int>& ceiling,
+               const PixelMap<std::int32_t>& labels,
+               const PixelMap<std::int32_t>& free_labels,
+               double min_width)
+{
+  const double size = occupancy.voxel_size;
+  const auto ny = static_cast<std::size_t>(labels.ny);
+  std::map<RegionPair, std::vector<OpenPiece>> pieces;
+  const auto add = [&](std::size_t p, std::size_t q, int, int open) {
+    if (open * size < passage_height)
+      return;
+    OpenPiece piece;
+    piece.x = 0.5 * static_cast<double>(p / ny + q / ny) + 0.5;
+    piece.y = 0.5 * static_cast<double>(p % ny + q % ny) + 0.5;
+    piece.across_x = p / ny != q / ny;
+    piece.open = open;
+    pieces[std::minmax(labels.values[p], labels.values[q])].push_back(piece);
+  };
+  walkBorders(
+      occupancy, storey, ceiling, labels, free_labels, BorderTop::LowerCeiling, add);
+
+  std::vector<RegionOpening> openings;
+  for (const auto& [pair, of_pair] : pieces)
+    for (const auto& group : connectedPieces(of_pair)) {
+      RegionOpening opening = joinPieces(group, size);
+      std::tie(opening.a, opening.b) = pair;
+      if (opening.width > min_width - 1e-9)
+        openings.push_back(opening);
+    }
+  return openings;
+}
+
+std::vector<std::int32_t>
+mergeOpenRegions(std::vector<RegionBorder> borders,
+                 std::vector<double> section,
+                 const MergeOptions& options,
+                 const StayApart& stay_apart)
+{
+  std::vector<std::int32_t> label(section.size());
+  for (std::size_t i = 0; i < label.size(); ++i)
+    label[i] = static_cast<std::int32_t>(i);
+  const auto regionsOf = [&](std::int32_t space) {
+    std::vector<std::int32_t> regions;
+    for (std::size_t i = 0; i < label.size(); ++i)
+      if (label[i] == space)
+        regions.push_back(static_cast<std::int32_t>(i));
+    return regions;
+  };
+  std::set<RegionPair> apart; // spaces that stay so until one of them grows
+  while (true) {
+    // The borders of joined regions add up, so shares are looked at anew after a join.
+    const auto share = [&](const RegionBorder& border) {
+      const bool below_lintel =
+          border.open_area < options.open_height * border.opening_area;
+      const bool is_door = border.opening_run.norm() < options.door_width;
+      const double part =
+          border.open_area /
+          std::max(border.border_area, std::min(section[border.a], section[border.b]));
+      return below_lintel || apart.count({border.a, border.b}) > 0 ||
+                     (is_door && part <= options.door_share)
+                 ? 0.0
+                 : part;
+    };
+    const auto widest = std::max_element(
+        borders.begin(), borders.end(), [&](const auto& first, const auto& second) {
+          return share(first) < share(second);
+        });
+    if (widest == borders.end() || !(share(*widest) > options.open_share))
+      return label;
+    const std::int32_t kept = widest->a, gone = widest->b;
+    if (stay_apart && stay_apart(regionsOf(kept), regionsOf(gone))) {
+      apart.insert({kept, gone});
+      continue;
+    }
+    for (auto pair = apart.begin(); pair != apart.end();) {
+      const bool grows = pair->first == kept || pair->second == kept ||
+                         pair->first == gone || pair->second == gone;
+      pair = grows ? apart.erase(pair) : std::next(pair);
+    }
+    section[kept] = std::max(section[kept], section[gone]);
+    for (auto& each : label)
+      if (each == gone)
+        each = kept;
+    std::map<RegionPair, RegionBorder> joined;
+    for (RegionBorder border : borders) {
+      const std::int32_t a = border.a == gone ? kept : border.a;
+      const std::int32_t b = border.b == gone ? kept : border.b;
+      if (a == b)
+        continue;
+      std::tie(border.a, border.b) = std::minmax(a, b);
+      RegionBorder& sum = joined[{border.a, border.b}];
+      sum.a = border.a;
+      sum.b = border.b;
+      sum.border_area += border.border_area;
+      sum.opening_area += border.opening_area;
+      sum.opening_run += border.opening_run;
+      sum.open_area += border.open_area;
+    }
+    borders.clear();
+    for (const auto& [pair, border] : joined)
+      borders.push_back(border);
+  }
+}
+
+} // namespace indoor
+} // namespace pcl

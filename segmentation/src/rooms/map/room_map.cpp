@@ -1,0 +1,387 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/field/potential_field.h"
+#include "rooms/map/nearest_sites.h"
+#include "rooms/map/persistent_basins.h"
+#include "rooms/map/wall_lean.h"
+#include <pcl/segmentation/rooms/open_plan.h>
+#include <pcl/segmentation/rooms/room_map.h>
+
+#include "rooms/map/inner_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** Whether a column holds an occupied voxel. */
+bool
+holdsSomething(const VoxelGrid<std::uint8_t>& grid, std::size_t pixel)
+{
+  const auto column = grid.values.begin() + pixel * grid.shape.nz;
+  return std::any_of(
+      column, column + grid.shape.nz, [](auto value) { return value != 0; });
+}
+
+/** Columns with something in them. */
+PixelMap<std::uint8_t>
+heldColumns(const VoxelGrid<std::uint8_t>& occupancy)
+{
+  PixelMap<std::uint8_t> held{occupancy.shape.nx, occupancy.shape.ny, {}};
+  held.values.resize(held.size());
+  for (std::size_t i = 0; i < held.size(); ++i)
+    held.values[i] = holdsSomething(occupancy, i);
+  return held;
+}
+
+/** Columns with something in them, and the gaps between those (closing by a disc; there
+ * is nothing beyond the map). */
+PixelMap<std::uint8_t>
+closed(const PixelMap<std::uint8_t>& held,
+       double radius,
+       double pixel_size,
+       int threads)
+{
+  const double reach = std::pow(radius / pixel_size, 2);
+  const int margin = static_cast<int>(radius / pixel_size) + 1;
+  const auto beyond = [&](const PixelMap<std::uint8_t>& map) {
+    PixelMap<std::uint8_t> far = map;
+    const auto squared = squaredDistanceMap(map, threads);
+    for (std::size_t i = 0; i < far.size(); ++i)
+      far.values[i] = squared.values[i] > reach;
+    return far;
+  };
+  PixelMap<std::uint8_t> wide{held.nx + 2 * margin, held.ny + 2 * margin, {}};
+  wide.values.assign(wide.size(), 0);
+  for (int x = 0; x < held.nx; ++x)
+    for (int y = 0; y < held.ny; ++y)
+      wide.at(x + margin, y + margin) = held.at(x, y);
+  wide = beyond(beyond(wide));
+  PixelMap<std::uint8_t> result = held;
+  for (int x = 0; x < held.nx; ++x)
+    for (int y = 0; y < held.ny; ++y)
+      result.at(x, y) = wide.at(x + margin, y + margin);
+  return result;
+}
+
+/** Whether enough of the columns with something in them are inside, 40 %: a basement
+ * with as much ground outside had 46 %, a room without floor and ceiling 39 %. */
+bool
+coversEnough(const PixelMap<std::uint8_t>& inside, const VoxelGrid<std::uint8_t>& grid)
+{
+  std::size_t covered = 0, both = 0;
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    if (holdsSomething(grid, i)) {
+      ++covered;
+      both += inside.values[i] != 0;
+    }
+  return 5 * both >= 2 * covered;
+}
+
+/** The columns that hold no more exterior free voxels than interior ones between the
+ * floor and the ceiling. A scan in which these are few (such as one room whose floor
+ * and ceiling were cut away) gives no evidence of enclosure: then all its columns. */
+PixelMap<std::uint8_t>
+insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling, int threads)
+{
+  const InteriorSpace& interior = space.interior;
+  const int factor = interior.factor;
+  const int offset = space.first_layer % factor; // the coarse layers may begin below
+  PixelMap<std::uint8_t> inside{ceiling.nx, ceiling.ny, {}};
+  inside.values.assign(inside.size(), 0);
+  for (int x = 0; x < inside.nx; ++x)
+    for (int y = 0; y < inside.ny; ++y) {
+      const int end =
+          std::min((ceiling.at(x, y) + offset) / factor, interior.inside.shape.nz);
+      int surplus = 0;
+      for (int z = (space.range.begin + offset) / factor; z < end; ++z)
+        if (interior.inside.at(x / factor, y / factor, z))
+          ++surplus;
+        else if (!interior.occupancy.at(x / factor, y / factor, z))
+          --surplus;
+      inside.at(x, y) = ceiling.at(x, y) >= 0 && surplus >= 0;
+    }
+  if (!coversEnough(inside, space.occupancy))
+    return closed(
+        heldColumns(space.occupancy), 0.5, space.occupancy.voxel_size, threads);
+  return inside;
+}
+
+/** Distance of each pixel to the next obstacle, metres; 0 on it. */
+PixelMap<float>
+distanceTo(const PixelMap<std::uint8_t>& obstacles, double pixel_size, int threads)
+{
+  const PixelMap<std::uint32_t> squared = squaredDistanceMap(obstacles, threads);
+  PixelMap<float> field{obstacles.nx, obstacles.ny, {}};
+  field.values.resize(field.size());
+  for (std::size_t i = 0; i < field.size(); ++i)
+    field.values[i] =
+        static_cast<float>(pixel_size * std::sqrt(double(squared.values[i])));
+  return field;
+}
+
+/** Distance of each free pixel inside to the next blocked or outside one, metres. */
+PixelMap<float>
+freeDistance(const PixelMap<std::uint8_t>& blocked,
+             const PixelMap<std::uint8_t>& inside,
+             double pixel_size,
+             int threads)
+{
+  PixelMap<std::uint8_t> obstacles = blocked;
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+    obstacles.values[i] |= !inside.values[i];
+  return distanceTo(obstacles, pixel_size, threads);
+}
+
+/** Basins of the free pixels that a disc of the smallest room width can cover: gaps,
+ * also those between the two faces of a wall, neither are rooms nor join them. */
+PixelMap<std::int32_t>
+basinsOfWidth(const PixelMap<float>& field,
+              const BasinOptions& basins,
+              double pixel_size,
+              const RoomMapOptions& options)
+{
+  const double radius = 0.5 * options.min_width;
+  PixelMap<float> centers = field;
+  for (auto& distance : centers.values)
+    if (distance < radius)
+      distance = 0.0f;
+  PixelMap<std::int32_t> labels = persistentBasins(centers, basins);
+  growLabels(labels, radius / pixel_size);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (!(field.values[i] > 0))
+      labels.values[i] = 0;
+  return labels;
+}
+
+/** Remove labels of regions that are no rooms: too small, or of whose columns most hold
+ * nothing, such as the hollow of a thick wall, which no scanner looks into. */
+void
+dropNoRooms(const VoxelGrid<std::uint8_t>& occupancy,
+            const RoomMapOptions& options,
+            PixelMap<std::int32_t>& labels)
+{
+  const std::int32_t count =
+      *std::max_element(labels.values.begin(), labels.values.end());
+  std::vector<std::size_t> area(count + 1, 0), held(count + 1, 0);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels.values[i] != 0) {
+      ++area[labels.values[i]];
+      held[labels.values[i]] += holdsSomething(occupancy, i);
+    }
+  const double pixel_area = occupancy.voxel_size * occupancy.voxel_size;
+  for (auto& label : labels.values)
+    if (area[label] * pixel_area < options.min_area || 2 * held[label] < area[label])
+      label = 0;
+}
+
+/** Per label: the widest section through the region, twice its half width times its
+ * height, m^2. */
+std::vector<double>
+sectionAreas(const PixelMap<std::int32_t>& labels,
+             const PixelMap<float>& field,
+             const RoomMap& map,
+             double pixel_size)
+{
+  const std::int32_t count =
+      *std::max_element(labels.values.begin(), labels.values.end());
+  std::vector<double> section(count + 1, 0.0);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const double height = pixel_size * (map.ceiling.values[i] - map.range.begin);
+    double& widest = section[labels.values[i]];
+    widest = std::max(widest, 2.0 * field.values[i] * height);
+  }
+  return section;
+}
+
+/** New numbers 1 ... n for merged labels, in the order of their first pixel. */
+std::vector<std::int32_t>
+numbersOf(const PixelMap<std::int32_t>& labels, const std::vector<std::int32_t>& merged)
+{
+  std::vector<std::int32_t> number(merged.size(), 0);
+  std::int32_t count = 0;
+  for (const auto label : labels.values)
+    if (label != 0 && number[merged[label]] == 0)
+      number[merged[label]] = ++count;
+  for (std::size_t i = 0; i < merged.size(); ++i)
+    number[i] = number[merged[i]];
+  return number;
+}
+
+/** The pieces of the rooms that lie in different basins: a number per pixel, and the
+ * room of each number. */
+PixelMap<std::int32_t>
+piecesOfRooms(const PixelMap<std::int32_t>& rooms,
+              const PixelMap<std::int32_t>& basins,
+              std::vector<std::int32_t>& room_of)
+{
+  PixelMap<std::int32_t> pieces{rooms.nx, rooms.ny, {}};
+  pieces.values.assign(pieces.size(), 0);
+  room_of.assign(1, 0);
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> number;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::int32_t room = rooms.values[i], basin = basins.values[i];
+    if (room == 0 || basin == 0)
+      continue;
+    const auto next = static_cast<std::int32_t>(room_of.size());
+    const auto [place, is_new] = number.insert({{room, basin}, next});
+    if (is_new)
+      room_of.push_back(room);
+    pieces.values[i] = place->second;
+  }
+  return pieces;
+}
+
+/** Divide rooms that are two spaces of an open plan. */
+void
+divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap& map)
+{
+  const double size = space.occupancy.voxel_size;
+  const auto rooms = fillIslands(map.free_labels);
+  PixelMap<std::uint8_t> walls{rooms.nx, rooms.ny, {}};
+  for (const auto room : rooms.values)
+    walls.values.push_back(room == 0);
+  const auto field = distanceTo(walls, size, options.threads);
+  std::vector<std::int32_t> room_of;
+  BasinOptions open_plan;
+  open_plan.persistence = options.open_plan.persistence;
+  const auto pieces =
+      piecesOfRooms(rooms, basinsOfWidth(field, open_plan, size, options), room_of);
+  const OpenPlan plan(pieces, field, size, options.open_plan);
+  PixelMap<std::int32_t> grown = pieces;
+  growLabels(grown, options.reach / size);
+  MergeOptions all;
+  all.open_share = all.open_height = 0.0;
+  const auto space_of = mergeOpenRegions(
+      regionBorders(space.occupancy, map.range, map.ceiling, grown, pieces),
+      sectionAreas(pieces, field, map, size),
+      all,
+      [&](const auto& a, const auto& b) {
+        return room_of[a.front()] != room_of[b.front()] || plan.separates(a, b);
+      });
+
+  // The largest space of a room keeps its number, and what is no space joins it.
+  std::vector<std::vector<std::int32_t>> members(room_of.size());
+  for (std::size_t piece = 1; piece < room_of.size(); ++piece)
+    members[space_of[piece]].push_back(static_cast<std::int32_t>(piece));
+  std::vector<std::int32_t> largest(map.room_count + 1, 0);
+  for (std::size_t each = 1; each < members.size(); ++each) {
+    std::int32_t& first = largest[room_of[each]];
+    if (plan.area(members[each]) > plan.area(members[first]))
+      first = static_cast<std::int32_t>(each);
+  }
+  std::int32_t count = map.room_count;
+  std::vector<std::int32_t> label_of(members.size(), 0); // per space; 0 = as before
+  for (std::size_t each = 1; each < members.size(); ++each)
+    if (largest[room_of[each]] != static_cast<std::int32_t>(each) &&
+        plan.isHabitable(members[each]))
+      label_of[each] = ++count;
+  if (count == map.room_count)
+    return;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (const std::int32_t label = label_of[space_of[pieces.values[i]]];
+        label != 0 && map.free_labels.values[i] != 0)
+      map.free_labels.values[i] = label;
+  map.room_count = count;
+  map.labels = map.free_labels;
+  growLabels(map.labels, options.reach / size);
+}
+
+/** The rooms of the thesis's method on the pixels of the map. */
+PixelMap<std::int32_t>
+fieldRoomsOnMap(const FieldRooms& rooms, int factor, const PixelMap<float>& field)
+{
+  PixelMap<std::int32_t> labels{field.nx, field.ny, {}};
+  labels.values.resize(labels.size());
+  for (int x = 0; x < field.nx; ++x)
+    for (int y = 0; y < field.ny; ++y)
+      labels.at(x, y) = rooms.labels.at(x / factor, y / factor) + 1;
+  return labels;
+}
+
+} // namespace
+
+RoomMap
+segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
+{
+  const VoxelGrid<std::uint8_t>& occupancy = space.occupancy;
+  const double size = occupancy.voxel_size;
+  RoomMap map;
+  map.first_layer = space.first_layer;
+  map.range = space.range;
+  map.ceiling = ceilingLayers(occupancy, map.range, options.slab);
+  map.slab = slabLayers(occupancy, map.range, map.ceiling, options.slab);
+  map.blocked = blockedColumns(occupancy, map.range, map.ceiling, map.slab);
+  removeSpecks(map.blocked,
+               static_cast<int>(std::lround(options.slab.min_wall / size)));
+  auto inside = insideColumns(space, map.ceiling, options.threads);
+  WallLeanOptions leaning;
+  leaning.threads = options.threads;
+  map.lean = leanMap(
+      wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked, leaning),
+      map.blocked.nx,
+      map.blocked.ny,
+      size);
+  if (!map.lean.values.empty()) { // above a wall that leans, the slab may be outside
+    const auto held = straightenedColumns(
+        occupancy, map.lean, slabHeights(map.range, map.ceiling, map.slab));
+    const auto covered = closed(held, 0.5, size, options.threads);
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      inside.values[i] &= covered.values[i];
+  }
+  map.field = freeDistance(map.blocked, inside, size, options.threads);
+  if (options.method == RoomMethod::CeilingSlab) {
+    BasinOptions basins;
+    basins.persistence = options.persistence;
+    basins.door = 0.5 * options.door_width;
+    map.free_labels = basinsOfWidth(map.field, basins, size, options);
+    dropNoRooms(occupancy, options, map.free_labels);
+  }
+  else {
+    map.field_rooms = segmentFieldMap(space.interior, options.field_rooms);
+    map.free_labels =
+        fieldRoomsOnMap(map.field_rooms, space.interior.factor, map.field);
+  }
+
+  map.labels = map.free_labels;
+  growLabels(map.labels, options.reach / size);
+  MergeOptions merging = options.merging;
+  merging.door_width = options.door_width;
+  if (options.method == RoomMethod::PotentialField)
+    merging.open_share = std::numeric_limits<double>::infinity(); // HDBSCAN decides
+  const auto merged = mergeOpenRegions(
+      regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
+      sectionAreas(map.free_labels, map.field, map, size),
+      merging);
+  const auto number = numbersOf(map.labels, merged);
+  for (auto& label : map.free_labels.values)
+    label = number[label];
+  for (auto& label : map.labels.values)
+    label = number[label];
+  map.room_count = *std::max_element(number.begin(), number.end());
+  if (options.method == RoomMethod::CeilingSlab) {
+    constexpr double thickest_wall = 0.5; // metres
+    divideAtInnerWalls(map.free_labels,
+                       map.room_count,
+                       space.interior.directions,
+                       static_cast<int>(std::lround(thickest_wall / size)),
+                       options.open_plan.min_wall_share,
+                       options.open_plan.habitable_area / (size * size));
+    map.labels = map.free_labels;
+    growLabels(map.labels, options.reach / size);
+    divideOpenPlans(space, options, map);
+  }
+  return map;
+}
+
+} // namespace indoor
+} // namespace pcl

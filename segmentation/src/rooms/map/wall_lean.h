@@ -1,0 +1,92 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/indoor/voxel_grid.h>
+#include <pcl/segmentation/rooms/ceiling_slab.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief How far walls may lean, and over what length one is looked at. */
+struct WallLeanOptions {
+  double max_lean = 0.5; ///< radians from the vertical; farther it is a roof (< pi/2)
+  double window = 1.0;   ///< length of a stretch of wall, metres (> 0)
+  int threads = 0;       ///< 0 = automatic; the result does not depend on it
+};
+
+/** \brief A stretch of wall, seen from above. */
+struct WallStretch {
+  Eigen::Vector2d place;  ///< its middle in the slab, pixels
+  Eigen::Vector2d normal; ///< horizontal unit vector across it
+  double lean = 0.0;      ///< how far it moves along the normal per height downwards
+  double weight = 0.0;    ///< inverse variance of the lean, in voxels
+};
+
+/** \brief Measure how much the walls below a slab lean.
+ *
+ * Walls are found in the slab below the ceiling. For each stretch of one the lean is
+ * taken that gathers its occupied voxels, from the slab to the floor, best in the
+ * vertical section across the wall, and a line is fitted to those near it. So furniture
+ * and the curve of a vault do not matter as long as most of the wall is straight; below
+ * lintels there is no stretch. Linear in the length of walls.
+ * \param[in] occupancy of a storey; non-zero = occupied
+ * \param[in] storey the layers that count
+ * \param[in] ceiling as ceilingLayers() gives it
+ * \param[in] slab as slabLayers() gives it
+ * \param[in] blocked as blockedColumns() gives it
+ * \throws pcl::BadArgumentException if an option is out of range
+ */
+std::vector<WallStretch>
+wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
+              const VerticalRange& storey,
+              const PixelMap<int>& ceiling,
+              const SlabLayers& slab,
+              const PixelMap<std::uint8_t>& blocked,
+              const WallLeanOptions& options = {});
+
+/** \brief How far all that stands around a pixel moves per height downwards, along x
+ * and y: the least squares of what the walls within about a metre say. A wall tells
+ * only how far it moves across itself; at a corner two walls tell both.
+ * \param[in] nx, ny size of the map
+ * \param[in] pixel_size metres
+ * \return nothing (no values) if all stretches are upright
+ */
+PixelMap<Eigen::Vector2f>
+leanMap(const std::vector<WallStretch>& stretches, int nx, int ny, double pixel_size);
+
+/** \brief The height of the slab's middle over each pixel, in layers; where there is no
+ * ceiling, that below the storey's highest layer. */
+PixelMap<float>
+slabHeights(const VerticalRange& storey,
+            const PixelMap<int>& ceiling,
+            const SlabLayers& slab);
+
+/** \brief Where something would be at the height of the slab if it stood upright.
+ * \param[in] lean as leanMap() gives it
+ * \param[in] slab as slabHeights() gives it
+ * \param[in] place where it is, in pixels and layers
+ */
+Eigen::Vector2d
+straightened(const PixelMap<Eigen::Vector2f>& lean,
+             const PixelMap<float>& slab,
+             const Eigen::Vector3d& place);
+
+/** \brief The columns that would hold something if all stood upright: 1, others 0.
+ * \param[in] occupancy of a storey; non-zero = occupied
+ */
+PixelMap<std::uint8_t>
+straightenedColumns(const VoxelGrid<std::uint8_t>& occupancy,
+                    const PixelMap<Eigen::Vector2f>& lean,
+                    const PixelMap<float>& slab);
+
+} // namespace indoor
+} // namespace pcl

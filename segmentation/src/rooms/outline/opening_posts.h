@@ -1,0 +1,65 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/segmentation/rooms/occupancy_grid.h>
+#include <pcl/segmentation/rooms/region_borders.h>
+#include <pcl/segmentation/rooms/room_map.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Tells how wide openings are by the points of their posts: a voxel is clear or
+ * not, and each post takes up to one of a door's width.
+ *
+ * A post is the first face across the opening, within the thickness of the wall: a leaf
+ * that stands open is beside it. The lintel says where the wall's faces are.
+ */
+class OpeningPosts {
+public:
+  /** \param[in] openings,occupancy,map of one storey; must outlive this */
+  OpeningPosts(const std::vector<RegionOpening>& openings,
+               const OccupancyGrid& occupancy,
+               const RoomMap& map);
+
+  /** \brief Look at a point of the building. */
+  void
+  add(const Eigen::Vector3f& point, std::int32_t cell);
+
+  /** \brief Get the ends of an opening, metres from its middle along it and against
+   * it; where no post is seen, that of the voxels. */
+  std::pair<double, double>
+  ends(std::size_t opening) const;
+
+private:
+  /** What was seen of one opening, metres from its middle: (along, beside). */
+  struct Seen {
+    std::vector<double> lintel;                        ///< beside
+    std::array<std::vector<Eigen::Vector2d>, 2> posts; ///< against it, along it
+  };
+
+  /** Where the wall is, beside the middle of an opening. */
+  std::pair<double, double>
+  wall(const Seen& seen) const;
+
+  const std::vector<RegionOpening>& openings_;
+  const OccupancyGrid& occupancy_;
+  const RoomMap& map_;
+  Eigen::Matrix2d turn_;
+  double floor_;                                          ///< metres
+  std::vector<std::uint8_t> is_near_;                     ///< per pixel
+  std::vector<std::pair<std::size_t, std::size_t>> near_; ///< pixels and openings
+  std::vector<Seen> seen_;
+};
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,222 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/outline/room_layout.h"
+
+#include "rooms/outline/opening_posts.h"
+#include "rooms/outline/room_levels.h"
+
+#include "rooms/outline/room_footprint.h"
+#include "rooms/outline/room_outline.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** Turns places on the map of a storey, pixels, into places on its floor. */
+class FloorPlane {
+public:
+  FloorPlane(const OccupancyGrid& occupancy, const RoomMap& map)
+  : occupancy_(occupancy)
+  , layer_(map.first_layer + map.range.begin + 0.5)
+  {}
+
+  Eigen::Vector3d
+  operator()(double x, double y) const
+  {
+    const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
+    return occupancy_.toCloud(grid.origin +
+                              grid.voxel_size * Eigen::Vector3d(x, y, layer_));
+  }
+
+private:
+  const OccupancyGrid& occupancy_;
+  double layer_; ///< middle of the floor's voxels
+};
+
+/** Columns of which at least half is occupied between the floor and the slab, in
+ * themselves or beside them: walls, also behind low furniture, but nothing that hangs.
+ */
+PixelMap<std::uint8_t>
+uprightColumns(const OccupancyGrid& occupancy, const RoomMap& map)
+{
+  const GridShape& shape = occupancy.grid.shape;
+  PixelMap<std::uint8_t> upright{shape.nx, shape.ny, {}};
+  upright.values.assign(upright.size(), 0);
+  for (int x = 1; x + 1 < shape.nx; ++x)
+    for (int y = 1; y + 1 < shape.ny; ++y) {
+      if (!map.blocked.at(x, y))
+        continue;
+      const int begin = map.first_layer + map.range.begin + 1;
+      const int end = map.first_layer + map.ceiling.at(x, y) - map.slab.last;
+      int occupied = 0;
+      for (int z = begin; z < end; ++z) {
+        bool is_occupied = false;
+        for (int u = x - 1; u <= x + 1; ++u)
+          for (int v = y - 1; v <= y + 1; ++v)
+            is_occupied |= occupancy.grid.at(u, v, z) != 0;
+        occupied += is_occupied;
+      }
+      upright.at(x, y) = 4 * occupied >= 3 * (end - begin);
+    }
+  return upright;
+}
+
+/** Points on the map, pixels, per label of a room. */
+struct SlabPoints {
+  std::vector<std::vector<Eigen::Vector2d>> walls, all;
+};
+
+/** Where the points of each room lie in the slab below the ceiling, where nearly all
+ * that is seen is wall. */
+SlabPoints
+slabPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
+{
+  const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  const Eigen::Matrix2d turn = building.occupancy.turn();
+  std::vector<PixelMap<std::uint8_t>> upright;
+  for (const RoomMap& map : building.storeys)
+    upright.push_back(uprightColumns(building.occupancy, map));
+  SlabPoints places;
+  places.walls.resize(building.rooms.size() + 1);
+  places.all.resize(building.rooms.size() + 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t label = building.point_labels[i];
+    if (label == 0)
+      continue;
+    const std::uint32_t storey = building.rooms[label - 1].storey;
+    const RoomMap& map = building.storeys[storey];
+    const std::int32_t cell = building.occupancy.cells[i];
+    const std::int32_t pixel = cell / grid.shape.nz;
+    const int below =
+        map.ceiling.values[pixel] + map.first_layer - cell % grid.shape.nz;
+    if (below < map.slab.first || below > map.slab.last)
+      continue;
+    const Eigen::Vector2d place =
+        (turn * points[i].head<2>().cast<double>() - grid.origin.head<2>()) /
+        grid.voxel_size;
+    places.all[label].push_back(place);
+    if (upright[storey].values[pixel])
+      places.walls[label].push_back(place);
+  }
+  return places;
+}
+
+/** Whether a place lies within a ring: a ray from it crosses the ring oddly often. */
+bool
+isWithin(const Eigen::Vector2d& place, const std::vector<Eigen::Vector2d>& ring)
+{
+  bool within = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if ((a.y() > place.y()) != (b.y() > place.y()) &&
+        place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      within = !within;
+  }
+  return within;
+}
+
+/** Whether a part of the map holds no free space of other rooms. */
+bool
+isFreeOfOthers(const std::vector<Eigen::Vector2d>& part,
+               const PixelMap<std::int32_t>& free_labels,
+               std::int32_t label)
+{
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : part)
+    box.extend(corner);
+  const Eigen::Vector2i first = box.min().array().floor().max(0.0).cast<int>();
+  const int end_x =
+      std::min(free_labels.nx, static_cast<int>(std::ceil(box.max().x())));
+  const int end_y =
+      std::min(free_labels.ny, static_cast<int>(std::ceil(box.max().y())));
+  for (int x = first.x(); x < end_x; ++x)
+    for (int y = first.y(); y < end_y; ++y) {
+      const std::int32_t here = free_labels.at(x, y);
+      if (here > 0 && here != label && isWithin({x + 0.5, y + 0.5}, part))
+        return false;
+    }
+  return true;
+}
+
+} // namespace
+
+void
+addOpenings(const std::vector<Eigen::Vector3f>& points,
+            const StoreySpace& space,
+            BuildingRooms& building)
+{
+  const RoomMap& map = building.storeys.back();
+  const double size = building.occupancy.grid.voxel_size;
+  const auto& room_of = building.room_of.back();
+  const FloorPlane on_floor(building.occupancy, map);
+  const auto found = regionOpenings(
+      space.occupancy, map.range, map.ceiling, map.labels, map.free_labels);
+  OpeningPosts posts(found, building.occupancy, map);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    posts.add(points[i], building.occupancy.cells[i]);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto [along, against] = posts.ends(k);
+    const Eigen::Vector2d middle = Eigen::Vector2d(found[k].x, found[k].y) +
+                                   0.5 * (along - against) / size * found[k].along;
+    RoomOpening opening;
+    opening.room_a = room_of[found[k].a];
+    opening.room_b = room_of[found[k].b];
+    opening.position = on_floor(middle.x(), middle.y());
+    opening.width = along + against;
+    opening.area = found[k].area * opening.width / found[k].width;
+    building.openings.push_back(opening);
+  }
+}
+
+void
+addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& building)
+{
+  constexpr double tolerance = 1.5; // pixels: straight walls at any angle become lines
+  constexpr double reach = 1.0;     // metres: cupboards and ducts are hardly deeper
+  const double size = building.occupancy.grid.voxel_size;
+  const SlabPoints places = slabPoints(points, building);
+  const auto levels = roomLevels(points, building);
+  for (std::size_t s = 0; s < building.storeys.size(); ++s) {
+    const RoomMap& map = building.storeys[s];
+    const FloorPlane on_floor(building.occupancy, map);
+    const auto outlines = traceOutlines(map.free_labels, map.room_count);
+    for (std::int32_t label = 1; label <= map.room_count; ++label) {
+      Room& room = building.rooms[building.room_of[s][label] - 1];
+      room.area = 0.0;
+      FootprintWalls behind;
+      behind.walls = WallPoints(places.walls[room.label]);
+      behind.others = WallPoints(places.all[room.label]);
+      behind.reach = reach / size;
+      behind.may_cover = [&](const auto& part) {
+        return isFreeOfOthers(part, map.free_labels, label);
+      };
+      for (const auto& ring : outlines[label]) {
+        const auto corners = moveToWalls(simplifyOutline(ring, tolerance), behind);
+        if (corners.empty())
+          continue;
+        room.area += size * size * signedArea(corners);
+        std::vector<Eigen::Vector3d> line;
+        for (const auto& corner : corners) {
+          line.push_back(on_floor(corner.x(), corner.y()));
+          line.back().z() = levels[room.label].floor;
+        }
+        room.footprint.push_back(line);
+      }
+      room.height = levels[room.label].ceiling - levels[room.label].floor;
+      room.volume = room.area * room.height;
+    }
+  }
+}
+
+} // namespace indoor
+} // namespace pcl

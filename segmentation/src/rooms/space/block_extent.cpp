@@ -1,0 +1,318 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/space/block_extent.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+using Block = Eigen::Vector3i;
+
+constexpr int key_bits = 21;
+constexpr int half = 1 << (key_bits - 1); // blocks to either side of the origin
+
+std::uint64_t
+packed(std::uint64_t x, std::uint64_t y, std::uint64_t z)
+{
+  return x << 2 * key_bits | y << key_bits | z;
+}
+
+/** \brief The key of a block; what is more than a million blocks away is clamped. */
+std::uint64_t
+keyOf(const Block& block)
+{
+  const auto part = [](int v) {
+    return static_cast<std::uint64_t>(std::clamp(v, -half, half - 1) + half);
+  };
+  return packed(part(block.x()), part(block.y()), part(block.z()));
+}
+
+/** \brief The key of the block around a point. */
+std::uint64_t
+keyOf(const Eigen::Vector3f& point, double scale)
+{
+  // Not negative after the shift, so that the cast is the floor.
+  const auto part = [&](float v) {
+    const double shifted = scale * v + half;
+    return static_cast<std::uint64_t>(
+        std::min(std::max(shifted, 0.0), 2.0 * half - 1.0));
+  };
+  return packed(part(point.x()), part(point.y()), part(point.z()));
+}
+
+Block
+blockOf(std::uint64_t key)
+{
+  const auto part = [&](int shift) {
+    return static_cast<int>(key >> shift & (2 * half - 1)) - half;
+  };
+  return {part(2 * key_bits), part(key_bits), part(0)};
+}
+
+/** \brief Counts per key, in an open hash table that grows. */
+class BlockCounts {
+public:
+  BlockCounts()
+  : slots_(1 << 12)
+  {}
+
+  std::uint32_t&
+  operator[](std::uint64_t key)
+  {
+    Slot& slot = slots_[find(key)];
+    if (slot.key == key)
+      return slot.count;
+    if (2 * (used_ + 1) > slots_.size()) {
+      grow();
+      return (*this)[key];
+    }
+    ++used_;
+    slot.key = key;
+    return slot.count;
+  }
+
+  /** \brief The count of a block, or null if it has none. */
+  const std::uint32_t*
+  lookUp(std::uint64_t key) const
+  {
+    const Slot& slot = slots_[find(key)];
+    return slot.key == key ? &slot.count : nullptr;
+  }
+
+  /** \brief All blocks and their counts in ascending order of the keys. */
+  std::vector<std::pair<std::uint64_t, std::uint32_t>>
+  sorted() const
+  {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> blocks;
+    blocks.reserve(used_);
+    for (const Slot& slot : slots_)
+      if (slot.key != empty)
+        blocks.emplace_back(slot.key, slot.count);
+    std::sort(blocks.begin(), blocks.end());
+    return blocks;
+  }
+
+private:
+  static constexpr std::uint64_t empty = ~std::uint64_t{0};
+
+  struct Slot {
+    std::uint64_t key = empty;
+    std::uint32_t count = 0;
+  };
+
+  std::size_t
+  find(std::uint64_t key) const
+  {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t place = (key * 0x9e3779b97f4a7c15u >> 32) & mask;
+    while (slots_[place].key != key && slots_[place].key != empty)
+      place = (place + 1) & mask;
+    return place;
+  }
+
+  void
+  grow()
+  {
+    std::vector<Slot> old(2 * slots_.size());
+    old.swap(slots_);
+    for (const Slot& slot : old)
+      if (slot.key != empty)
+        slots_[find(slot.key)] = slot;
+  }
+
+  std::vector<Slot> slots_;
+  std::size_t used_ = 0;
+};
+
+/** \brief Counts of the blocks seen last, one place for each block of a building of
+ * usual size: no search in the table for most points.
+ */
+class RecentCounts {
+public:
+  explicit RecentCounts(BlockCounts& table)
+  : table_(table)
+  , slots_(1 << 15)
+  {}
+
+  void
+  add(std::uint64_t key)
+  {
+    // 64 x 64 x 8 blocks by the last bits of the coordinates
+    const std::uint64_t place =
+        (key >> 2 * key_bits & 63) << 9 | (key >> key_bits & 63) << 3 | (key & 7);
+    Slot& slot = slots_[place];
+    if (slot.key != key) {
+      if (slot.count > 0)
+        table_[slot.key] += slot.count;
+      slot.key = key;
+      slot.count = 0;
+    }
+    ++slot.count;
+  }
+
+  void
+  flush()
+  {
+    for (const Slot& slot : slots_)
+      if (slot.count > 0)
+        table_[slot.key] += slot.count;
+  }
+
+private:
+  struct Slot {
+    std::uint64_t key = 0;
+    std::uint32_t count = 0;
+  };
+
+  BlockCounts& table_;
+  std::vector<Slot> slots_;
+};
+
+using SortedBlocks = std::vector<std::pair<std::uint64_t, std::uint32_t>>;
+
+SortedBlocks
+countBlocks(const std::vector<Eigen::Vector3f>& points,
+            const BlockExtentOptions& options)
+{
+  const auto count = static_cast<std::ptrdiff_t>(points.size());
+  const double scale = 1.0 / options.block_size;
+  BlockCounts all;
+#pragma omp parallel num_threads(options.threads)
+  {
+    BlockCounts own;
+    RecentCounts recent(own);
+#pragma omp for schedule(static) nowait
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+      recent.add(keyOf(points[i], scale));
+    recent.flush();
+#pragma omp critical
+    for (const auto& [key, points_in_block] : own.sorted())
+      all[key] += points_in_block;
+  }
+  return all.sorted();
+}
+
+void
+dropSparse(SortedBlocks& blocks, double min_density)
+{
+  std::vector<std::uint32_t> counts;
+  counts.reserve(blocks.size());
+  for (const auto& block : blocks)
+    counts.push_back(block.second);
+  const auto middle = counts.begin() + counts.size() / 2;
+  std::nth_element(counts.begin(), middle, counts.end());
+  const double least = min_density * *middle;
+  const auto sparse = [&](const auto& block) { return block.second < least; };
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), sparse), blocks.end());
+}
+
+/** \brief A connected part of the cloud. */
+struct Part {
+  std::uint64_t points = 0;
+  double blocks = 0.0;
+  Eigen::Array3d low;
+  Eigen::Array3d high; // upper corner of the last block
+};
+
+void
+addBlock(Part& part, const Block& block, std::uint32_t points)
+{
+  const Eigen::Array3d low = block.cast<double>().array();
+  part.low = part.points == 0 ? low : part.low.min(low).eval();
+  part.high = part.points == 0 ? low + 1.0 : part.high.max(low + 1.0).eval();
+  part.points += points;
+  part.blocks += 1.0;
+}
+
+/** \brief The parts that are connected over faces, edges and corners of blocks. */
+std::vector<Part>
+connectedParts(const SortedBlocks& blocks)
+{
+  BlockCounts numbers;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    numbers[blocks[b].first] = static_cast<std::uint32_t>(b);
+  std::vector<char> seen(blocks.size(), 0);
+  std::vector<std::size_t> stack;
+  std::vector<Part> parts;
+  for (std::size_t start = 0; start < blocks.size(); ++start) {
+    if (seen[start])
+      continue;
+    Part part;
+    seen[start] = 1;
+    stack.assign(1, start);
+    while (!stack.empty()) {
+      const std::size_t current = stack.back();
+      stack.pop_back();
+      const Block block = blockOf(blocks[current].first);
+      addBlock(part, block, blocks[current].second);
+      for (int n = 0; n < 27; ++n) {
+        const Block step(n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
+        const std::uint32_t* other = numbers.lookUp(keyOf(block + step));
+        if (!other || seen[*other])
+          continue;
+        seen[*other] = 1;
+        stack.push_back(*other);
+      }
+    }
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+/** \brief Take parts into the box, largest first, while they are worth the space. */
+Part
+mergeWorthwhile(std::vector<Part> parts, double max_growth)
+{
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    return a.points > b.points;
+  });
+  Part kept = parts.front();
+  parts.erase(parts.begin());
+  bool changed = true;
+  while (changed) { // a part that was too far may be near now
+    changed = false;
+    for (auto part = parts.begin(); part != parts.end();) {
+      const Eigen::Array3d low = kept.low.min(part->low);
+      const Eigen::Array3d high = kept.high.max(part->high);
+      const double growth = (high - low).prod() - (kept.high - kept.low).prod();
+      if (growth > max_growth * part->blocks) {
+        ++part;
+        continue;
+      }
+      kept.low = low;
+      kept.high = high;
+      part = parts.erase(part);
+      changed = true;
+    }
+  }
+  return kept;
+}
+
+} // namespace
+
+Box
+blockExtent(const std::vector<Eigen::Vector3f>& points,
+            const BlockExtentOptions& options)
+{
+  SortedBlocks blocks = countBlocks(points, options);
+  dropSparse(blocks, options.min_density);
+  const Part kept = mergeWorthwhile(connectedParts(blocks), options.max_growth);
+  // The noise of a surface on the border of a block lies in a block too sparse to
+  // count.
+  constexpr double noise = 0.5;
+  Box box;
+  box.low = (kept.low - noise).matrix() * options.block_size;
+  box.high = (kept.high + noise).matrix() * options.block_size;
+  return box;
+}
+
+} // namespace indoor
+} // namespace pcl

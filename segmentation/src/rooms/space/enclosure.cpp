@@ -1,0 +1,239 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/rooms/enclosure.h>
+
+#include "rooms/space/grid_cut.h"
+
+#include <pcl/indoor/thread_count.h>
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+constexpr int first_direction_bit = 2;
+constexpr int passed_bit = 7; // set between the two passes of a sweep
+constexpr std::size_t max_directions = passed_bit - first_direction_bit;
+
+void
+requireSameSize(std::size_t values, const GridShape& shape)
+{
+  if (values != shape.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        values << " values do not fill a grid of " << shape.size()
+                               << " voxels.");
+}
+
+void
+requireValid(const std::vector<Eigen::Vector2d>& directions)
+{
+  if (directions.size() > max_directions)
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "At most " << max_directions << " directions are possible, not "
+                                   << directions.size() << ".");
+  for (const auto& direction : directions)
+    if (!direction.allFinite() || direction.isZero(0.0))
+      PCL_THROW_EXCEPTION(BadArgumentException,
+                          "A direction must be finite and not 0.");
+}
+
+/** \brief The discretised lines along a direction: line l holds, at step i of the major
+ * axis, the column l + first + shift[i] of the minor axis.
+ */
+struct LineBundle {
+  bool along_x;           // the major axis is x
+  int steps;              // length of the major axis
+  int width;              // length of the minor axis
+  std::vector<int> shift; // per step
+  int first;              // smallest number of a line
+  int count;              // number of lines
+
+  LineBundle(const GridShape& shape, const Eigen::Vector2d& direction)
+  : along_x(std::abs(direction.x()) >= std::abs(direction.y()))
+  , steps(along_x ? shape.nx : shape.ny)
+  , width(along_x ? shape.ny : shape.nx)
+  , shift(steps)
+  {
+    const double slope =
+        along_x ? direction.y() / direction.x() : direction.x() / direction.y();
+    for (int i = 0; i < steps; ++i)
+      shift[i] = static_cast<int>(std::floor(i * slope + 0.5));
+    const int last = steps > 0 ? shift.back() : 0;
+    first = -std::max(last, 0);
+    count = width - first - std::min(last, 0);
+  }
+
+  std::size_t
+  column(const GridShape& shape, int step, int across) const
+  {
+    return along_x ? shape.index(step, across, 0) : shape.index(across, step, 0);
+  }
+};
+
+/** \brief Sweep the lines begin ... end - 1 to and fro; state has nz values per line.
+ */
+void
+sweepLines(const LineBundle& lines,
+           int begin,
+           int end,
+           int bit,
+           const VoxelGrid<std::uint8_t>& occupancy,
+           std::vector<std::uint8_t>& state,
+           std::vector<std::uint8_t>& bits)
+{
+  const int nz = occupancy.shape.nz;
+  for (const bool forward : {true, false}) {
+    state.assign(static_cast<std::size_t>(end - begin) * nz, 0);
+    for (int i = 0; i < lines.steps; ++i) {
+      const int step = forward ? i : lines.steps - 1 - i;
+      const int offset = lines.first + lines.shift[step];
+      const int line_begin = std::max(begin, -offset);
+      const int line_end = std::min(end, lines.width - offset);
+      for (int line = line_begin; line < line_end; ++line) {
+        const std::size_t base = lines.column(occupancy.shape, step, line + offset);
+        const std::uint8_t* occupied = &occupancy.values[base];
+        std::uint8_t* seen = &state[static_cast<std::size_t>(line - begin) * nz];
+        std::uint8_t* out = &bits[base];
+        if (forward)
+          for (int z = 0; z < nz; ++z) {
+            out[z] = static_cast<std::uint8_t>(out[z] | seen[z] << passed_bit);
+            seen[z] |= occupied[z] != 0;
+          }
+        else
+          for (int z = 0; z < nz; ++z) {
+            const int both = out[z] >> passed_bit & seen[z];
+            out[z] = static_cast<std::uint8_t>((out[z] & 0x7f) | both << bit);
+            seen[z] |= occupied[z] != 0;
+          }
+      }
+    }
+  }
+}
+
+void
+sweep(const LineBundle& lines,
+      int bit,
+      const VoxelGrid<std::uint8_t>& occupancy,
+      int threads,
+      std::vector<std::uint8_t>& bits)
+{
+  // Lines do not share voxels, so that bands of lines are independent.
+  const int bands = std::min(lines.count, 4 * threads);
+#pragma omp parallel num_threads(threads)
+  {
+    std::vector<std::uint8_t> state;
+#pragma omp for schedule(dynamic)
+    for (int band = 0; band < bands; ++band)
+      sweepLines(lines,
+                 static_cast<int>(static_cast<long>(lines.count) * band / bands),
+                 static_cast<int>(static_cast<long>(lines.count) * (band + 1) / bands),
+                 bit,
+                 occupancy,
+                 state,
+                 bits);
+  }
+}
+
+/** \brief The vertical bits, and 0 for occupied voxels. */
+void
+finishColumn(const std::uint8_t* occupied, int nz, std::uint8_t* bits)
+{
+  int below = 0;
+  for (int z = 0; z < nz; ++z) {
+    bits[z] = static_cast<std::uint8_t>(bits[z] | below);
+    below |= occupied[z] ? ENCLOSED_BELOW : 0;
+  }
+  int above = 0;
+  for (int z = nz - 1; z >= 0; --z) {
+    bits[z] =
+        occupied[z] ? std::uint8_t{0} : static_cast<std::uint8_t>(bits[z] | above);
+    above |= occupied[z] ? ENCLOSED_ABOVE : 0;
+  }
+}
+
+} // namespace
+
+VoxelGrid<std::uint8_t>
+enclosure(const VoxelGrid<std::uint8_t>& occupancy,
+          const std::vector<Eigen::Vector2d>& directions,
+          int threads)
+{
+  const GridShape& shape = occupancy.shape;
+  requireSameSize(occupancy.values.size(), shape);
+  requireValid(directions);
+  const int thread_count = threadCount(threads);
+  VoxelGrid<std::uint8_t> bits;
+  bits.shape = shape;
+  bits.origin = occupancy.origin;
+  bits.voxel_size = occupancy.voxel_size;
+  bits.values.assign(shape.size(), 0);
+  if (bits.values.empty())
+    return bits;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    sweep(LineBundle(shape, directions[i]),
+          first_direction_bit + static_cast<int>(i),
+          occupancy,
+          thread_count,
+          bits.values);
+  const auto columns = static_cast<std::ptrdiff_t>(shape.nx) * shape.ny;
+#pragma omp parallel for schedule(static) num_threads(thread_count)
+  for (std::ptrdiff_t c = 0; c < columns; ++c)
+    finishColumn(&occupancy.values[c * shape.nz], shape.nz, &bits.values[c * shape.nz]);
+  return bits;
+}
+
+double
+enclosureEvidence(std::uint8_t bits,
+                  int direction_count,
+                  const EnclosureWeights& weights)
+{
+  const bool below = bits & ENCLOSED_BELOW;
+  const bool above = bits & ENCLOSED_ABOVE;
+  double evidence = (below ? weights.below : 0.0) + (above ? weights.above : 0.0) +
+                    (below && above ? weights.vertical : 0.0);
+  for (int i = 0; i < direction_count; ++i)
+    if (bits & ENCLOSED_ALONG_DIRECTION << i)
+      evidence += weights.horizontal / direction_count;
+  return evidence;
+}
+
+std::vector<std::int16_t>
+interiorGain(const VoxelGrid<std::uint8_t>& occupancy,
+             const VoxelGrid<std::uint8_t>& bits,
+             int direction_count,
+             const EnclosureWeights& weights,
+             double unit)
+{
+  requireSameSize(occupancy.values.size(), occupancy.shape);
+  requireSameSize(bits.values.size(), occupancy.shape);
+  if (!(unit > 0.0))
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "The unit must be positive, not " << unit << ".");
+  std::array<std::int16_t, 256> table; // few ways to be enclosed, many voxels
+  for (int value = 0; value < 256; ++value) {
+    const double gain =
+        (enclosureEvidence(static_cast<std::uint8_t>(value), direction_count, weights) -
+         weights.exterior) /
+        unit;
+    if (!(std::abs(gain) < GRID_CUT_MAX_GAIN))
+      PCL_THROW_EXCEPTION(BadArgumentException,
+                          "A gain of " << gain << " units leaves the range.");
+    table[value] = static_cast<std::int16_t>(std::lround(gain));
+  }
+  std::vector<std::int16_t> gain(occupancy.values.size());
+  for (std::size_t v = 0; v < gain.size(); ++v)
+    gain[v] = occupancy.values[v] ? GRID_CUT_EXCLUDED : table[bits.values[v]];
+  return gain;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,85 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/space/grid_cut.h"
+
+#include "rooms/space/grid_cut_solver.h"
+
+#include <pcl/exceptions.h>
+
+#include <limits>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+void
+requireValid(const GridShape& shape,
+             const std::vector<std::int16_t>& gain,
+             int smoothness)
+{
+  if (gain.size() != shape.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        gain.size() << " gains do not fill a grid of " << shape.size()
+                                    << " voxels.");
+  const std::size_t padded = 64 * GridBricks(shape).size();
+  if (gain.size() >= std::numeric_limits<std::int32_t>::max() ||
+      padded > std::numeric_limits<GridBricks::Index>::max())
+    PCL_THROW_EXCEPTION(BadArgumentException, gain.size() << " voxels are too many.");
+  if (smoothness < 0 || smoothness > GRID_CUT_MAX_SMOOTHNESS)
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "The smoothness must lie in 0 ... " << GRID_CUT_MAX_SMOOTHNESS
+                                                            << ", not " << smoothness
+                                                            << ".");
+}
+
+} // namespace
+
+GridCut
+cutGrid(const GridShape& shape, const std::vector<std::int16_t>& gain, int smoothness)
+{
+  requireValid(shape, gain, smoothness);
+  GridCutSolver solver(shape, gain, smoothness);
+  GridCut cut;
+  cut.energy = solver.run();
+  cut.inside = solver.inside();
+  return cut;
+}
+
+std::int64_t
+gridCutEnergy(const GridShape& shape,
+              const std::vector<std::int16_t>& gain,
+              int smoothness,
+              const std::vector<std::uint8_t>& inside)
+{
+  requireValid(shape, gain, smoothness);
+  if (inside.size() != gain.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        inside.size() << " labels do not fill a grid of "
+                                      << shape.size() << " voxels.");
+  const std::size_t y_step = shape.nz;
+  const std::size_t x_step = y_step * shape.ny;
+  const auto differ = [&](std::size_t a, std::size_t b) {
+    return gain[a] != GRID_CUT_EXCLUDED && gain[b] != GRID_CUT_EXCLUDED &&
+           (inside[a] != 0) != (inside[b] != 0);
+  };
+  std::int64_t unary = 0;
+  std::int64_t pairs = 0;
+  std::size_t v = 0;
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y)
+      for (int z = 0; z < shape.nz; ++z, ++v) {
+        if (gain[v] != GRID_CUT_EXCLUDED && (gain[v] > 0) != (inside[v] != 0))
+          unary += std::abs(static_cast<int>(gain[v]));
+        pairs += x > 0 && differ(v, v - x_step);
+        pairs += y > 0 && differ(v, v - y_step);
+        pairs += z > 0 && differ(v, v - 1);
+      }
+  return unary + pairs * smoothness;
+}
+
+} // namespace indoor
+} // namespace pcl

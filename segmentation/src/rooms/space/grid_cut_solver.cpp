@@ -1,0 +1,380 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/space/grid_cut_solver.h"
+
+#include "rooms/space/grid_cut.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+/** \brief The first measurements end early: most of what flows is soon there. */
+constexpr int first_radius = 4;
+/** \brief What it costs to discharge a voxel, in voxels measured. */
+constexpr std::size_t discharge_cost = 8;
+
+int
+sign(int direction)
+{
+  return direction % 2 == 0 ? 1 : -1;
+}
+
+} // namespace
+
+GridCutSolver::GridCutSolver(const GridShape& shape,
+                             const std::vector<std::int16_t>& gain,
+                             int smoothness)
+: shape_(shape)
+, grid_(shape)
+, capacity_(smoothness)
+, bricks_(grid_.size())
+, excess_(64 * grid_.size())
+, flow_(64 * grid_.size())
+, level_(64 * grid_.size(), far)
+, reaching_(grid_.size() + 1)
+, next_(64 * grid_.size())
+{
+  setUp(gain);
+}
+
+void
+GridCutSolver::setUp(const std::vector<std::int16_t>& gain)
+{
+  std::size_t v = 0;
+  for (int x = 0; x < shape_.nx; ++x)
+    for (int y = 0; y < shape_.ny; ++y)
+      for (int z = 0; z < shape_.nz; ++z, ++v) {
+        if (gain[v] == GRID_CUT_EXCLUDED)
+          continue;
+        const std::size_t i = grid_.index(x, y, z);
+        Brick& brick = bricks_[i / 64];
+        excess_[i] = gain[v];
+        amount_[gain[v] > 0 ? EXCESS : DEFICIT] += std::abs(gain[v]);
+        brick.side[EXCESS] |= static_cast<Bits>(gain[v] > 0) << i % 64;
+        brick.side[DEFICIT] |= static_cast<Bits>(gain[v] < 0) << i % 64;
+        brick.reached |= Bits{1} << i % 64; // takes part; for link() alone
+      }
+  if (capacity_ > 0)
+    link();
+}
+
+/** \brief Nothing flows yet: all edges between voxels that take part are open. */
+void
+GridCutSolver::link()
+{
+  Index b = 0;
+  for (int x = 0; x < shape_.nx; x += 4)
+    for (int y = 0; y < shape_.ny; y += 4)
+      for (int z = 0; z < shape_.nz; z += 4, ++b) {
+        const bool inner[6] = {x + 4 < shape_.nx,
+                               x > 0,
+                               y + 4 < shape_.ny,
+                               y > 0,
+                               z + 4 < shape_.nz,
+                               z > 0};
+        Brick& brick = bricks_[b];
+        for (int d = 0; d < 6; ++d) {
+          Bits there = GridBricks::within(brick.reached, opposite(d));
+          if (inner[d])
+            there |=
+                GridBricks::across(bricks_[grid_.brick(b, d)].reached, opposite(d));
+          brick.open[EXCESS][d] = brick.open[DEFICIT][d] = brick.reached & there;
+        }
+      }
+}
+
+/** \brief Phases until nothing can meet. The excess flows in those numbered by a power
+ * of two: between two of them distances only grow, which bounds the number of phases.
+ */
+std::int64_t
+GridCutSolver::run()
+{
+  std::int64_t energy = amount_[EXCESS];
+  std::int64_t radius = first_radius;
+  for (unsigned phase = 1;;) {
+    const bool turn = phase > 1 && (phase & (phase - 1)) == 0;
+    flowing_ = turn ? EXCESS : DEFICIT;
+    measure(radius);
+    if (complete_ && highest_ < 0)
+      break;
+    flowDownhill();
+    if (limit_ == radius)
+      radius *= 2;
+    else
+      ++phase;
+  }
+  energy -= findInside();
+  return energy;
+}
+
+/** \brief Give the voxels from which the flowing side can come to a goal their
+ * distance, up to a radius and until more was found than the goals can take.
+ */
+void
+GridCutSolver::measure(std::int64_t radius)
+{
+  begin();
+  std::int64_t found = 0;
+  while (!front_.empty() && limit_ < radius && found < amount_[goals()])
+    found += climb();
+  complete_ = front_.empty();
+  forgetUnreached();
+}
+
+/** \brief The goals are on the ground. */
+void
+GridCutSolver::begin()
+{
+  front_.clear();
+  first_.assign(1, none);
+  limit_ = 0;
+  highest_ = -1;
+  reached_ = 0;
+  for (Index b = 0; b < bricks_.size(); ++b) {
+    Brick& brick = bricks_[b];
+    brick.reached = brick.side[goals()];
+    if (brick.reached != 0)
+      front_.push_back({b, brick.reached});
+    forEachBit(brick.reached & ~brick.ground,
+               [&](Index v) { level_[Index{64} * b + v] = 0; });
+    brick.ground = brick.reached;
+  }
+}
+
+/** \brief Measure the next level. \return how much of the flowing side is there */
+std::int64_t
+GridCutSolver::climb()
+{
+  for (const Part& part : front_)
+    spread(part);
+  return settle();
+}
+
+/** \brief Reach the voxels from which a part can be come to. */
+void
+GridCutSolver::spread(const Part& part)
+{
+  const Bits* open = bricks_[part.brick].open[flowing_];
+  Bits within = 0;
+  for (int d = 0; d < 6; ++d) {
+    const Bits voxels = part.voxels & open[d];
+    within |= GridBricks::within(voxels, d);
+    if (const Bits across = GridBricks::across(voxels, d))
+      reach(grid_.brick(part.brick, d), across);
+  }
+  reach(part.brick, within);
+}
+
+/** \brief Reach voxels of a brick. */
+void
+GridCutSolver::reach(Index b, Bits voxels)
+{
+  Brick& brick = bricks_[b];
+  voxels &= ~brick.reached;
+  const bool begins = brick.reaching == 0 && voxels != 0;
+  brick.reaching |= voxels;
+  reaching_[reaching_count_] = b; // without a branch that nothing could predict
+  reaching_count_ += begins;
+}
+
+/** \brief What is being reached makes up the next level. \return how much is there */
+std::int64_t
+GridCutSolver::settle()
+{
+  std::int64_t found = 0;
+  ++limit_;
+  front_.clear();
+  first_.push_back(none);
+  for (std::size_t r = 0; r < reaching_count_; ++r) {
+    const Index b = reaching_[r];
+    Brick& brick = bricks_[b];
+    front_.push_back({b, brick.reaching});
+    brick.reached |= brick.reaching;
+    forEachBit(brick.reaching, [&](Index v) {
+      level_[Index{64} * b + v] = limit_;
+      ++reached_;
+    });
+    forEachBit(brick.reaching & brick.side[flowing_], [&](Index v) {
+      found += std::abs(excess_[Index{64} * b + v]);
+      activate(Index{64} * b + v);
+    });
+    brick.reaching = 0;
+  }
+  reaching_count_ = 0;
+  return found;
+}
+
+/** \brief What cannot reach a goal, when all was measured, never will. */
+void
+GridCutSolver::forgetUnreached()
+{
+  for (Index b = 0; b < bricks_.size(); ++b) {
+    Brick& brick = bricks_[b];
+    forEachBit(brick.known & ~brick.reached,
+               [&](Index v) { level_[Index{64} * b + v] = far; });
+    brick.known = brick.reached;
+    if (!complete_)
+      continue;
+    forEachBit(brick.side[flowing_] & ~brick.reached, [&](Index v) {
+      amount_[flowing_] -= std::abs(excess_[Index{64} * b + v]);
+    });
+    brick.side[flowing_] &= brick.reached;
+  }
+}
+
+void
+GridCutSolver::activate(Index i)
+{
+  const std::int32_t level = level_[i];
+  next_[i] = first_[level];
+  first_[level] = i;
+  highest_ = std::max(highest_, level);
+}
+
+/** \brief Let all that was found flow, farthest first; lift what is stuck, and again,
+ * while that is cheaper than to measure again.
+ */
+void
+GridCutSolver::flowDownhill()
+{
+  std::size_t discharged = 0;
+  do {
+    stuck_.clear();
+    for (; highest_ >= 0; --highest_)
+      while (first_[highest_] != none) {
+        const Index i = first_[highest_];
+        first_[highest_] = next_[i];
+        prefetch(next_[i]);
+        discharge(i);
+        ++discharged;
+      }
+    for (const Index i : stuck_)
+      activate(i);
+  } while (!stuck_.empty() && discharged * discharge_cost < reached_);
+}
+
+/** \brief Waiting for memory takes longer than a discharge. */
+void
+GridCutSolver::prefetch(Index i) const
+{
+  if (i == none)
+    return;
+  __builtin_prefetch(&next_[i]);
+  __builtin_prefetch(&level_[i]);
+  __builtin_prefetch(&excess_[i]);
+  __builtin_prefetch(&flow_[i]);
+  __builtin_prefetch(&bricks_[i / 64]);
+}
+
+/** \brief Push what a voxel has to its lower neighbours, as far as it fits; lift it to
+ * where the rest can flow on.
+ */
+void
+GridCutSolver::discharge(Index i)
+{
+  const Brick& brick = bricks_[i / 64];
+  const std::int32_t level = level_[i];
+  std::int32_t lowest = far;
+  for (int d = 0; d < 6; ++d) {
+    if (!(brick.open[goals()][d] >> i % 64 & 1))
+      continue;
+    const Index j = grid_.neighbour(i, d);
+    if (level_[j] != level - 1) {
+      lowest = std::min(lowest, level_[j]);
+      continue;
+    }
+    push(i, j, d);
+    if (excess_[i] == 0)
+      return;
+  }
+  if (lowest >= limit_)
+    return;
+  level_[i] = lowest + 1;
+  stuck_.push_back(i);
+}
+
+/** \brief Push as much as there is and as fits to a neighbour. */
+void
+GridCutSolver::push(Index i, Index j, int d)
+{
+  const int towards = flowing_ == EXCESS ? 1 : -1; // deficits go against the flow
+  const int along = sign(d) * towards;
+  std::int16_t& flow = flow_[d % 2 == 0 ? i : j][d / 2];
+  const int room = capacity_ - along * flow;
+  const int amount = std::min(towards * excess_[i], room);
+  flow = static_cast<std::int16_t>(flow + along * amount);
+
+  Brick& from = bricks_[i / 64];
+  Brick& to = bricks_[j / 64];
+  const Bits v = Bits{1} << i % 64;
+  const Bits w = Bits{1} << j % 64;
+  from.open[flowing_][d] |= v; // it can come back
+  to.open[goals()][opposite(d)] |= w;
+  if (amount == room) {
+    from.open[goals()][d] &= ~v;
+    to.open[flowing_][opposite(d)] &= ~w;
+  }
+
+  excess_[i] -= towards * amount;
+  if (excess_[i] == 0)
+    from.side[flowing_] &= ~v;
+  const int before = towards * excess_[j];
+  excess_[j] += towards * amount;
+  if (before < 0) {
+    const int met = std::min(amount, -before);
+    amount_[EXCESS] -= met;
+    amount_[DEFICIT] -= met;
+    if (met == -before)
+      to.side[goals()] &= ~w;
+  }
+  if (before <= 0 && before + amount > 0) {
+    to.side[flowing_] |= w;
+    activate(j);
+  }
+}
+
+/** \brief Reach all that can be reached from excess that is left. \return how much that
+ * is
+ */
+std::int64_t
+GridCutSolver::findInside()
+{
+  std::int64_t left = 0;
+  for (Index b = 0; b < bricks_.size(); ++b) {
+    Brick& brick = bricks_[b];
+    brick.side[EXCESS] = brick.side[DEFICIT] = 0;
+    for (Index v = 0; v < 64; ++v) {
+      const std::int32_t excess = excess_[Index{64} * b + v];
+      brick.side[EXCESS] |= static_cast<Bits>(excess > 0) << v;
+      left += std::max(excess, 0);
+    }
+  }
+  flowing_ = DEFICIT;
+  begin();
+  while (!front_.empty())
+    climb();
+  return left;
+}
+
+std::vector<std::uint8_t>
+GridCutSolver::inside() const
+{
+  std::vector<std::uint8_t> inside;
+  inside.reserve(shape_.size());
+  for (int x = 0; x < shape_.nx; ++x)
+    for (int y = 0; y < shape_.ny; ++y)
+      for (int z = 0; z < shape_.nz; ++z) {
+        const std::size_t i = grid_.index(x, y, z);
+        inside.push_back(bricks_[i / 64].reached >> i % 64 & 1);
+      }
+  return inside;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,137 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include "rooms/space/grid_bricks.h"
+
+#include <pcl/indoor/voxel_grid.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Maximum flow on a 6-connected grid by pushing along shortest paths (after
+ * Goldberg and Tarjan 1988), in phases in which everything moves at once.
+ *
+ * A voxel that would rather be inside begins with excess, one that would rather be
+ * outside with a deficit; where they meet, both vanish. In each phase one side flows
+ * and the other one is its goal: the distance of all voxels to the nearest goal is
+ * measured, 64 voxels at a time, until more was found than the goals can take. Then
+ * what was found flows downhill, the farthest first, so that what meets goes on
+ * together. What is stuck is lifted and tries again while that is cheaper than to
+ * measure again. Mostly the deficits flow; now and then the excess does, or many small
+ * goals along a corridor would be served one by one.
+ *
+ * All edges have the same capacity to and fro, thus one number per edge tells how much
+ * more it can take in both directions.
+ */
+class GridCutSolver {
+public:
+  GridCutSolver(const GridShape& shape,
+                const std::vector<std::int16_t>& gain,
+                int smoothness);
+
+  /** \brief Find the maximum flow. \return its value */
+  std::int64_t
+  run();
+
+  /** \brief After run(), what can be reached from excess that is left: the fewest
+   * voxels that can be inside.
+   */
+  std::vector<std::uint8_t>
+  inside() const;
+
+private:
+  using Index = GridBricks::Index;
+  using Bits = GridBricks::Bits;
+  static constexpr Index none = ~Index{0};
+  static constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
+
+  enum Side : std::uint8_t { EXCESS, DEFICIT };
+
+  /** \brief One bit per voxel. */
+  struct Brick {
+    Bits side[2] = {};    // has some of a side that may still meet the other one
+    Bits open[2][6] = {}; // more of a side can come from the neighbour in direction d
+    Bits reached = 0;     // by the measurement
+    Bits reaching = 0;    // by the level at work
+    Bits known = 0;       // the level is not far
+    Bits ground = 0;      // goals: the level is 0
+  };
+
+  /** \brief Some voxels of a brick. */
+  struct Part {
+    Index brick;
+    Bits voxels;
+  };
+
+  void
+  setUp(const std::vector<std::int16_t>& gain);
+  void
+  link();
+  Side
+  goals() const
+  {
+    return flowing_ == EXCESS ? DEFICIT : EXCESS;
+  }
+
+  void
+  measure(std::int64_t radius);
+  void
+  begin();
+  std::int64_t
+  climb();
+  void
+  spread(const Part& part);
+  void
+  reach(Index b, Bits voxels);
+  std::int64_t
+  settle();
+  void
+  forgetUnreached();
+
+  void
+  activate(Index i);
+  void
+  flowDownhill();
+  void
+  prefetch(Index i) const;
+  void
+  discharge(Index i);
+  void
+  push(Index i, Index j, int d);
+  std::int64_t
+  findInside();
+
+  GridShape shape_;
+  GridBricks grid_;
+  int capacity_;
+  std::vector<Brick> bricks_;
+  std::vector<std::int32_t> excess_;              // deficits are negative
+  std::vector<std::array<std::int16_t, 3>> flow_; // to the neighbours at +x, +y, +z
+  std::vector<std::int32_t> level_; // no more than the distance to the nearest goal
+
+  std::int64_t amount_[2] = {}; // how much of a side may still meet the other one
+  Side flowing_ = EXCESS;       // in this phase; the other side is the goal
+  std::vector<Part> front_;     // the highest level
+  std::vector<Index> reaching_; // bricks of the next one
+  std::size_t reaching_count_ = 0;
+  std::size_t reached_ = 0; // voxels
+  std::int32_t limit_ = 0;  // the highest level
+  bool complete_ = false;   // all that can reach a goal was measured
+
+  std::vector<Index> first_; // per level, a list of voxels that have something to push
+  std::vector<Index> next_;  // in that list
+  std::int32_t highest_ = -1;
+  std::vector<Index> stuck_;
+};
+
+} // namespace indoor
+} // namespace pcl

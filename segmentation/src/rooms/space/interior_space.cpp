@@ -1,0 +1,127 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/space/dominant_directions.h"
+#include "rooms/space/grid_cut.h"
+#include "rooms/space/vertical_cleanup.h"
+#include "rooms/space/voxel_normals.h"
+#include <pcl/segmentation/rooms/interior_space.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+constexpr double gain_unit = 0.01; // of the energy, Eq. (3.2)
+
+VoxelGrid<std::uint8_t>
+coarser(const VoxelGrid<std::uint8_t>& fine, int factor)
+{
+  const auto groups = [&](int count) { return (count + factor - 1) / factor; };
+  VoxelGrid<std::uint8_t> coarse;
+  coarse.origin = fine.origin;
+  coarse.voxel_size = fine.voxel_size * factor;
+  coarse.shape = {groups(fine.shape.nx), groups(fine.shape.ny), groups(fine.shape.nz)};
+  coarse.values.assign(coarse.shape.size(), 0);
+  for (int x = 0; x < fine.shape.nx; ++x)
+    for (int y = 0; y < fine.shape.ny; ++y) {
+      const auto* from = &fine.values[fine.shape.index(x, y, 0)];
+      auto* to = &coarse.values[coarse.shape.index(x / factor, y / factor, 0)];
+      for (int z = 0; z < fine.shape.nz; ++z)
+        to[z / factor] |= from[z];
+    }
+  return coarse;
+}
+
+/** The points of some square tiles of the map, so many that enough are left: directions
+ * need no more. Which tiles are taken depends on their place alone. */
+OccupancyGrid
+someTiles(const std::vector<Eigen::Vector3f>& points,
+          const OccupancyGrid& building,
+          std::vector<Eigen::Vector3f>& chosen)
+{
+  constexpr std::size_t enough = 500000; // points
+  constexpr int tile = 16;               // pixels along x and y
+  const unsigned one_in =
+      static_cast<unsigned>(std::max<std::size_t>(1, points.size() / enough));
+  const GridShape& shape = building.grid.shape;
+  OccupancyGrid part;
+  part.grid.shape = shape; // its values are not needed
+  part.grid.origin = building.grid.origin;
+  part.grid.voxel_size = building.grid.voxel_size;
+  part.yaw = building.yaw;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::int32_t cell = building.cells[i];
+    if (cell < 0)
+      continue;
+    const unsigned x = static_cast<unsigned>(cell / shape.nz / shape.ny / tile);
+    const unsigned y = static_cast<unsigned>(cell / shape.nz % shape.ny / tile);
+    if ((x * 73856093u ^ y * 19349663u) / 16 % one_in != 0)
+      continue;
+    chosen.push_back(points[i]);
+    part.cells.push_back(cell);
+  }
+  return part;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector2d>
+wallDirections(const std::vector<Eigen::Vector3f>& points,
+               const OccupancyGrid& building,
+               const InteriorSpaceOptions& options)
+{
+  VoxelNormalsOptions sampling;
+  sampling.threads = options.threads;
+  std::vector<Eigen::Vector3f> chosen;
+  const OccupancyGrid part = someTiles(points, building, chosen);
+  WeightedNormals sample = voxelNormals(chosen, part, sampling);
+  for (auto& normal : sample.normals) // a wall that leans counts by where it heads
+    if (std::abs(normal.z()) < std::sin(options.max_lean)) {
+      normal.z() = 0.0;
+      normal.normalize();
+    }
+  std::vector<Eigen::Vector2d> directions;
+  for (const auto& found :
+       horizontalDirections(manhattanFrames(sample.normals, sample.weights))) {
+    const bool few = directions.size() < 2; // Eq. (3.1) has two
+    if (directions.size() < options.max_directions &&
+        (few || found.support >= options.min_direction_support))
+      directions.push_back(found.direction.head<2>());
+  }
+  return directions;
+}
+
+InteriorSpace
+interiorSpace(const OccupancyGrid& building,
+              const std::vector<Eigen::Vector2d>& directions,
+              const InteriorSpaceOptions& options)
+{
+  InteriorSpace space;
+  space.factor = std::max(
+      1, static_cast<int>(std::lround(options.voxel_size / building.grid.voxel_size)));
+  for (const auto& direction : directions)
+    space.directions.push_back(
+        building.toGrid({direction.x(), direction.y(), 0.0}).head<2>());
+  space.occupancy = coarser(building.grid, space.factor);
+  cleanUpVertically(space.occupancy, 1, options.threads);
+
+  const int count = static_cast<int>(space.directions.size());
+  const auto bits = enclosure(space.occupancy, space.directions, options.threads);
+  const auto gain =
+      interiorGain(space.occupancy, bits, count, options.weights, gain_unit);
+  space.inside = space.occupancy;
+  space.inside.values =
+      cutGrid(space.occupancy.shape,
+              gain,
+              static_cast<int>(std::lround(options.smoothness / gain_unit)))
+          .inside;
+  return space;
+}
+
+} // namespace indoor
+} // namespace pcl

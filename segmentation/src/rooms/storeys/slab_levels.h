@@ -1,0 +1,54 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/indoor/voxel_grid.h>
+#include <pcl/segmentation/rooms/storeys.h>
+
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Occupied voxels of a column with enough free space above and below. */
+struct SlabGroup {
+  int x;
+  int y;
+  int low;  // lowest voxel: the ceiling below
+  int high; // highest voxel: the floor above
+
+  double
+  middle() const
+  {
+    return 0.5 * (low + high);
+  }
+};
+
+/** \brief The slabs of about one height. */
+struct SlabLevel {
+  std::vector<SlabGroup> groups; // in the order of their columns
+  double low = 0.0;              // median of the groups' lower ends, in voxels
+  double high = 0.0;             // median of the groups' upper ends
+
+  double
+  middle() const
+  {
+    return 0.5 * (low + high);
+  }
+};
+
+/** \brief The heights at which slabs divide a building, lowest first.
+ *
+ * A slab is level over metres, which neither stairs nor furniture are: the top or the
+ * underside of most columns around it goes on at its height. The heights that most such
+ * columns share are levels.
+ * REQUIRES: valid options, as many values as voxels.
+ */
+std::vector<SlabLevel>
+findSlabLevels(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& options);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,162 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/storeys/storey_openings.h"
+
+#include "rooms/map/map_regions.h"
+#include "rooms/storeys/rectangle_sums.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+using Mask = PixelMap<std::uint8_t>;
+
+/** \brief Close holes that are narrower than twice the radius. */
+PixelMap<float>
+closed(const PixelMap<float>& map, int radius)
+{
+  PixelMap<float> grown = map;
+  RectangleSums set(map);
+  for (int x = 0; x < map.nx; ++x)
+    for (int y = 0; y < map.ny; ++y)
+      grown.at(x, y) = set.around(x, y, radius) > 0.0;
+  PixelMap<float> result = map;
+  RectangleSums grown_set(grown);
+  for (int x = 0; x < map.nx; ++x)
+    for (int y = 0; y < map.ny; ++y)
+      result.at(x, y) =
+          grown_set.around(x, y, radius) == grown_set.pixelsAround(x, y, radius);
+  return result;
+}
+
+enum State : std::uint8_t { UNKNOWN, CUT, OPEN, OPEN_BELOW_CEILING };
+
+/** \brief Whether there is room for a storey in a column above a layer. */
+bool
+hasStoreyAbove(const std::uint8_t* column, int nz, int layer, int clearance)
+{
+  int free = 0;
+  for (int z = layer; z < nz; ++z) {
+    if (column[z] && free >= clearance)
+      return true;
+    free = column[z] ? 0 : free + 1;
+  }
+  return false;
+}
+
+/** \brief Whether a column has a free space at a level whose floor is clearly lower.
+ * \return OPEN, or OPEN_BELOW_CEILING if there is no room for a storey above; UNKNOWN
+ * if the column has no such space
+ */
+State
+openness(const std::uint8_t* column, int nz, int level, int depth, int clearance)
+{
+  const int low = std::max(0, level - depth);
+  const auto occupied = [](std::uint8_t value) { return value != 0; };
+  if (level + 1 >= nz || std::any_of(column + low, column + level + 2, occupied) ||
+      std::none_of(column, column + low, occupied))
+    return UNKNOWN;
+  if (std::none_of(column + level + 2, column + nz, occupied))
+    return UNKNOWN;
+  return hasStoreyAbove(column, nz, level, clearance) ? OPEN : OPEN_BELOW_CEILING;
+}
+
+/** \brief Cut the open regions that are too small, columns.
+ * \param[in] min_hall if there is room for a storey above
+ * \param[in] min_room if not
+ */
+void
+cutSmallOpenings(Mask& states, double min_hall, double min_room)
+{
+  forEachRegion(states, Neighbours::Four, [&](const auto& region) {
+    const double least = states.values[region.front()] == OPEN ? min_hall : min_room;
+    if (static_cast<double>(region.size()) < least)
+      for (const std::size_t pixel : region)
+        states.values[pixel] = CUT;
+  });
+}
+
+/** \brief Cut the openings in the ceilings of rooms most of which lies below the slab:
+ * these are galleries. A hall is open over most of its floor.
+ * \param[in] low the layers right below the slab begin there, with lintels in them
+ */
+void
+cutGalleries(const VoxelGrid<std::uint8_t>& occupancy, int low, int high, Mask& states)
+{
+  const GridShape& shape = occupancy.shape;
+  Mask rooms = states;
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y) {
+      const std::uint8_t* column = &occupancy.values[shape.index(x, y, 0)];
+      const auto occupied = [](std::uint8_t value) { return value != 0; };
+      rooms.at(x, y) =
+          states.at(x, y) != UNKNOWN && std::none_of(column + std::max(0, low),
+                                                     column + std::max(0, high + 1),
+                                                     occupied);
+    }
+  forEachRegion(rooms, Neighbours::Four, [&](const auto& room) {
+    const auto open = std::count_if(room.begin(), room.end(), [&](std::size_t pixel) {
+      return states.values[pixel] != CUT;
+    });
+    if (2 * static_cast<std::size_t>(open) >= room.size())
+      return;
+    for (const std::size_t pixel : room)
+      states.values[pixel] = CUT;
+  });
+}
+
+} // namespace
+
+PixelMap<std::uint8_t>
+openColumns(const VoxelGrid<std::uint8_t>& occupancy,
+            const PixelMap<float>& slab,
+            int level,
+            const StoreyOptions& options)
+{
+  const GridShape& shape = occupancy.shape;
+  const double size = occupancy.voxel_size;
+  const auto whole = closed(slab, static_cast<int>(std::lround(options.bridge / size)));
+  constexpr double min_depth = 0.5; // of a floor below the level, metres
+  const int depth = static_cast<int>(std::lround(min_depth / size));
+  const int clearance = static_cast<int>(std::lround(options.min_clearance / size));
+  Mask states;
+  states.nx = shape.nx;
+  states.ny = shape.ny;
+  states.values.assign(states.size(), UNKNOWN);
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y)
+      states.at(x, y) = whole.at(x, y) > 0.0f
+                            ? CUT
+                            : openness(&occupancy.values[shape.index(x, y, 0)],
+                                       shape.nz,
+                                       level,
+                                       depth,
+                                       clearance);
+  constexpr double lintel_low = 0.7, lintel_high = 0.5; // below the level, metres
+  cutGalleries(occupancy,
+               level - static_cast<int>(std::lround(lintel_low / size)),
+               level - static_cast<int>(std::lround(lintel_high / size)),
+               states);
+  constexpr double least_room = 2.0; // m^2; smaller ones are gaps in what was seen
+  cutSmallOpenings(
+      states, options.min_opening_area / (size * size), least_room / (size * size));
+  for (auto& state : states.values)
+    state = state == OPEN_BELOW_CEILING ? OPEN : State{state};
+  // Unknown columns (walls, outside) go with the nearest known ones.
+  spreadValues(states, [](std::size_t, std::size_t) { return true; });
+  for (auto& state : states.values)
+    state = state == OPEN;
+  return states;
+}
+
+} // namespace indoor
+} // namespace pcl

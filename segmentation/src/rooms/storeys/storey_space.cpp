@@ -1,0 +1,100 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/rooms/storey_space.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** Per column the layers of one storey. */
+struct ColumnRanges {
+  PixelMap<int> begin, end;
+  int lowest, highest; // over all columns
+};
+
+ColumnRanges
+columnRanges(const VoxelGrid<std::uint8_t>& grid, const Storeys& storeys, std::size_t k)
+{
+  const int nz = grid.shape.nz;
+  const auto layerOf = [&](float height) { // a border lies in this layer
+    const double layer = (height - grid.origin.z()) / grid.voxel_size;
+    return static_cast<int>(std::clamp(std::floor(layer), -1.0, double(nz)));
+  };
+  ColumnRanges ranges{{grid.shape.nx, grid.shape.ny, {}}, {}, nz, 0};
+  ranges.begin.values.assign(ranges.begin.size(), 0);
+  ranges.end = ranges.begin;
+  for (std::size_t i = 0; i < ranges.begin.size(); ++i) {
+    int& begin = ranges.begin.values[i];
+    int& end = ranges.end.values[i];
+    begin = k == 0 ? 0 : std::max(0, layerOf(storeys.borders[k - 1].values[i]));
+    end = k == storeys.borders.size()
+              ? nz
+              : std::min(nz, layerOf(storeys.borders[k].values[i]) + 1);
+    if (begin >= end)
+      continue;
+    ranges.lowest = std::min(ranges.lowest, begin);
+    ranges.highest = std::max(ranges.highest, end);
+  }
+  ranges.lowest = std::min(ranges.lowest, std::max(0, ranges.highest - 1));
+  return ranges;
+}
+
+/** The voxels within the ranges; the others are 0. */
+VoxelGrid<std::uint8_t>
+cut(const VoxelGrid<std::uint8_t>& grid, const ColumnRanges& ranges, int factor)
+{
+  const int first = ranges.lowest / factor;
+  VoxelGrid<std::uint8_t> part;
+  part.voxel_size = grid.voxel_size;
+  part.origin = grid.origin + Eigen::Vector3d(0, 0, first * grid.voxel_size);
+  part.shape = {
+      grid.shape.nx, grid.shape.ny, (ranges.highest + factor - 1) / factor - first};
+  part.values.assign(part.shape.size(), 0);
+  for (int x = 0; x < part.shape.nx; ++x)
+    for (int y = 0; y < part.shape.ny; ++y) {
+      const int u = std::min(x * factor, ranges.begin.nx - 1);
+      const int v = std::min(y * factor, ranges.begin.ny - 1);
+      const int begin = ranges.begin.at(u, v) / factor;
+      const int end = (ranges.end.at(u, v) + factor - 1) / factor;
+      for (int z = begin; z < end; ++z)
+        part.at(x, y, z - first) = grid.at(x, y, z);
+    }
+  return part;
+}
+
+} // namespace
+
+std::vector<StoreySpace>
+storeySpaces(const VoxelGrid<std::uint8_t>& occupancy,
+             const InteriorSpace& interior,
+             const Storeys& storeys)
+{
+  std::vector<StoreySpace> spaces;
+  for (std::size_t k = 0; k <= storeys.borders.size(); ++k) {
+    const ColumnRanges ranges = columnRanges(occupancy, storeys, k);
+    StoreySpace space;
+    space.occupancy = cut(occupancy, ranges, 1);
+    space.first_layer = ranges.lowest;
+    const double floor =
+        (storeys.storeys[k].floor - space.occupancy.origin.z()) / occupancy.voxel_size;
+    const int layers = space.occupancy.shape.nz;
+    space.range = {static_cast<int>(
+                       std::clamp(std::floor(floor), 0.0, std::max(0.0, layers - 1.0))),
+                   layers};
+    space.interior.factor = interior.factor;
+    space.interior.directions = interior.directions;
+    space.interior.occupancy = cut(interior.occupancy, ranges, interior.factor);
+    space.interior.inside = cut(interior.inside, ranges, interior.factor);
+    spaces.push_back(std::move(space));
+  }
+  return spaces;
+}
+
+} // namespace indoor
+} // namespace pcl

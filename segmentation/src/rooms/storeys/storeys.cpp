@@ -1,0 +1,218 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/rooms/storeys.h>
+
+#include "rooms/storeys/rectangle_sums.h"
+#include "rooms/storeys/slab_levels.h"
+#include "rooms/storeys/storey_openings.h"
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+void
+requireValid(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& options)
+{
+  if (occupancy.values.size() != occupancy.shape.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        occupancy.values.size()
+                            << " values do not fill a grid of "
+                            << occupancy.shape.size() << " voxels.");
+  if (!occupancy.values.empty() && !(occupancy.voxel_size > 0.0))
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "The voxel size must be positive, not " << occupancy.voxel_size
+                                                                << " m.");
+  const bool valid = options.min_clearance > 0.0 && options.max_slab >= 0.0 &&
+                     options.min_slab_area > 0.0 && options.bridge >= 0.0 &&
+                     options.min_opening_area >= 0.0;
+  if (!valid)
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "A length or area of the storeys is out of range.");
+}
+
+/** \brief The border at a level: halfway between the ceiling below and the floor above
+ * as they are nearby.
+ */
+PixelMap<float>
+borderOf(const VoxelGrid<std::uint8_t>& occupancy,
+         const SlabLevel& level,
+         const StoreyOptions& options)
+{
+  constexpr double nearby = 1.0; // metres
+  const GridShape& shape = occupancy.shape;
+  const double size = occupancy.voxel_size;
+  PixelMap<float> votes{shape.nx, shape.ny, {}};
+  votes.values.assign(votes.size(), 0.0f);
+  PixelMap<float> thin = votes;
+  PixelMap<float> middles = votes;
+  for (const auto& group : level.groups) {
+    votes.at(group.x, group.y) = 1.0f;
+    if (group.high - group.low > level.high - level.low + 1.0)
+      continue; // with furniture or lamps
+    thin.at(group.x, group.y) = 1.0f;
+    middles.at(group.x, group.y) = static_cast<float>(group.middle());
+  }
+  const auto open = openColumns(
+      occupancy, votes, static_cast<int>(std::lround(level.middle())), options);
+  RectangleSums counts(thin);
+  RectangleSums sums(middles);
+  const int radius = static_cast<int>(std::lround(nearby / size));
+  PixelMap<float> border = votes;
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y) {
+      const double count = counts.around(x, y, radius);
+      const double middle =
+          count > 0.5 ? sums.around(x, y, radius) / count : level.middle();
+      border.at(x, y) =
+          open.at(x, y)
+              ? std::numeric_limits<float>::infinity()
+              : static_cast<float>(occupancy.origin.z() + (middle + 0.5) * size);
+    }
+  return border;
+}
+
+/** \brief The most frequent lowest and highest occupied voxel of the columns. */
+std::pair<int, int>
+outerLevels(const VoxelGrid<std::uint8_t>& occupancy)
+{
+  const int nz = occupancy.shape.nz;
+  std::vector<int> lowest(nz + 1, 0);
+  std::vector<int> highest(nz + 1, 0);
+  for (std::size_t base = 0; base < occupancy.values.size(); base += nz) {
+    const auto begin = occupancy.values.begin() + static_cast<std::ptrdiff_t>(base);
+    int low = 0;
+    while (low < nz && !begin[low])
+      ++low;
+    if (low == nz)
+      continue;
+    int high = nz - 1;
+    while (!begin[high])
+      --high;
+    ++lowest[low];
+    ++highest[high];
+  }
+  const auto mode = [](const std::vector<int>& counts) {
+    return static_cast<int>(std::max_element(counts.begin(), counts.end()) -
+                            counts.begin());
+  };
+  return {mode(lowest), mode(highest)};
+}
+
+/** \brief The middle of the emptiest stretch between the two surfaces of a slab, in
+ * bins; counts.size() / 2 if there is one surface only.
+ */
+double
+valley(const std::vector<int>& counts)
+{
+  constexpr int apart = 4; // peaks that are closer are one surface
+  const int size = static_cast<int>(counts.size());
+  const int peak =
+      static_cast<int>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+  // The other surface rises most above the lowest count on the way to it.
+  int other = peak;
+  int rise = counts[peak] / 10;
+  for (const int step : {-1, 1}) {
+    int lowest = counts[peak];
+    for (int i = peak; i >= 0 && i < size; i += step) {
+      lowest = std::min(lowest, counts[i]);
+      if (std::abs(i - peak) >= apart && counts[i] - lowest > rise) {
+        rise = counts[i] - lowest;
+        other = i;
+      }
+    }
+  }
+  if (other == peak)
+    return 0.5 * size;
+  const int begin = std::min(peak, other);
+  const int end = std::max(peak, other);
+  const int least = *std::min_element(counts.begin() + begin, counts.begin() + end);
+  int first = begin;
+  while (counts[first] > least + rise / 20)
+    ++first;
+  int last = end;
+  while (counts[last] > least + rise / 20)
+    --last;
+  return 0.5 * (first + last + 1);
+}
+
+} // namespace
+
+int
+Storeys::storeyAt(int x, int y, double z) const
+{
+  for (std::size_t k = borders.size(); k > 0; --k)
+    if (z > borders[k - 1].at(x, y))
+      return static_cast<int>(k);
+  return 0;
+}
+
+Storeys
+findStoreys(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& options)
+{
+  requireValid(occupancy, options);
+  Storeys result;
+  if (occupancy.values.empty()) {
+    result.storeys.emplace_back();
+    return result;
+  }
+  const auto levels = findSlabLevels(occupancy, options);
+  const auto heightOf = [&](double voxel) {
+    return occupancy.origin.z() + (voxel + 0.5) * occupancy.voxel_size;
+  };
+  const auto [lowest, highest] = outerLevels(occupancy);
+  Storey storey;
+  storey.floor = heightOf(lowest);
+  for (const SlabLevel& level : levels) {
+    storey.ceiling = heightOf(level.low);
+    result.storeys.push_back(storey);
+    storey.floor = heightOf(level.high);
+    result.borders.push_back(borderOf(occupancy, level, options));
+  }
+  storey.ceiling = heightOf(highest);
+  result.storeys.push_back(storey);
+  return result;
+}
+
+void
+refineBorders(const std::vector<Eigen::Vector3f>& points,
+              const OccupancyGrid& grid,
+              Storeys& storeys)
+{
+  constexpr double bin = 0.01; // metres
+  if (points.size() != grid.cells.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "The grid was made of " << grid.cells.size()
+                                                << " points, not of " << points.size()
+                                                << ".");
+  const GridShape& shape = grid.grid.shape;
+  // A voxel's surface may lie on either side of its middle.
+  const auto half = static_cast<int>(std::lround(2.0 * grid.grid.voxel_size / bin));
+  for (auto& border : storeys.borders) {
+    std::vector<int> counts(2 * half, 0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (grid.cells[i] < 0)
+        continue;
+      const double from = border.values[grid.cells[i] / shape.nz];
+      const double height = std::floor((points[i].z() - from) / bin);
+      if (height >= -half && height < half) // not where the border is infinite
+        ++counts[static_cast<int>(height) + half];
+    }
+    const auto shift = static_cast<float>((valley(counts) - half) * bin);
+    for (float& value : border.values)
+      value += shift;
+  }
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,80 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "objects/join/joining_features.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace test {
+
+using Places = std::vector<Eigen::Vector3f>;
+
+constexpr double voxel_size = 0.03;
+
+/** A piece of these places, each of them that many voxels. */
+inline Piece
+pieceOf(const Places& places,
+        const Places& normals,
+        double voxels = 1,
+        float margin = 0)
+{
+  Piece piece;
+  for (const auto& place : places)
+    piece.positions.add(place.cast<double>(), voxels);
+  for (const auto& normal : normals)
+    piece.normals.add(normal.cast<double>(),
+                      piece.positions.count / static_cast<double>(normals.size()));
+  piece.reach = DirectionHulls(Eigen::Matrix3f::Identity()).reachOf(places, margin);
+  for (std::size_t d = 0; d < 16; ++d) {
+    const float angle = static_cast<float>(d) * static_cast<float>(M_PI) / 8;
+    const Eigen::Vector3f direction(std::cos(angle), std::sin(angle), 0);
+    piece.outline[d] = -1e9f;
+    for (const auto& place : places)
+      piece.outline[d] = std::max(piece.outline[d], direction.dot(place) + margin);
+  }
+  return piece;
+}
+
+/** Two pieces as they are described. */
+struct Pair {
+  Piece a, b;
+  PieceContact contact{};
+  double floor = 0;
+  double touching_a = 0, touching_b = 0, contacts_a = 1, contacts_b = 1;
+
+  JoiningFeatures
+  features() const
+  {
+    PieceGraph graph;
+    graph.voxel_size = voxel_size;
+    graph.floor = floor;
+    const PairDescription description(graph);
+    const auto shape_a = description.shapeOf(a), shape_b = description.shapeOf(b);
+    return description.describe({a, shape_a, touching_a, contacts_a},
+                                {b, shape_b, touching_b, contacts_b},
+                                contact);
+  }
+};
+
+inline std::size_t
+indexOf(const std::string& name)
+{
+  const auto& names = joiningFeatureNames();
+  const auto found = std::find(names.begin(), names.end(), name);
+  EXPECT_NE(found, names.end()) << name;
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+} // namespace test
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,194 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "support/object_scene.h"
+
+#include "objects/split/flat_things.h"
+
+#include <pcl/exceptions.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::test;
+
+namespace {
+
+constexpr double voxel_size = 0.03;
+
+using Area = Eigen::AlignedBox2f;
+
+/** A desk's top, 1.5 m x 0.8 m, with a gap where a thing of this height (object 2)
+ * hides it. */
+LabelledPoints
+deskWithThing(float height,
+              float noise,
+              const Area& area = Area(Eigen::Vector2f(0.5f, 0.3f),
+                                      Eigen::Vector2f(0.9f, 0.5f)))
+{
+  LabelledPoints scene;
+  std::mt19937 rng(5);
+  scene.addRectangle(
+      {0, 0, 0}, {1.5f, 0, 0}, {0, 0.8f, 0}, {0, 0, 1}, 1, 0.007f, noise, rng);
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    auto& point = scene.points[i];
+    if (area.contains(point.head<2>())) {
+      point.z() += height;
+      scene.objects[i] = 2;
+    }
+  }
+  return scene;
+}
+
+/** All points of one segment in the input. */
+std::vector<std::uint32_t>
+parted(const LabelledPoints& scene,
+       const FlatThingOptions& options = {},
+       bool leave_out = false)
+{
+  auto voxels = surfaceVoxels(scene.points, {}, voxel_size);
+  estimateNormals(scene.points, voxels, 1, 2);
+  return partFlatThings(scene.points,
+                        voxels,
+                        std::vector<std::uint32_t>(voxels.size(), 0),
+                        std::vector<std::uint8_t>(voxels.size(), leave_out),
+                        options);
+}
+
+/** Share of the points for which the second segment is not the scene's object 2. */
+double
+errorShare(const LabelledPoints& scene, const std::vector<std::uint32_t>& labels)
+{
+  double wrong = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    wrong += (labels[i] == 1) != (scene.objects[i] == 2);
+  return wrong / static_cast<double>(labels.size());
+}
+
+TEST(FlatThings, PartsAKeyboardFromANoisyDesk)
+{
+  const auto scene = deskWithThing(0.02f, 0.005f);
+  const auto labels = parted(scene);
+  EXPECT_EQ(segmentCount(labels), 2u);
+  EXPECT_LT(errorShare(scene, labels), 0.02); // the thing has 6.7 % of the points
+}
+
+TEST(FlatThings, LeavesAPlainSurfaceWhole)
+{
+  EXPECT_EQ(segmentCount(parted(deskWithThing(0, 0.005f))), 1u);
+}
+
+TEST(FlatThings, NeedsARiseAboveTheUnevennessOfTheSurface)
+{
+  auto wavy = deskWithThing(0.008f, 0.002f);
+  for (auto& point : wavy.points)
+    point.z() += 0.012f * std::sin(12 * point.x()) * std::cos(11 * point.y());
+  EXPECT_EQ(segmentCount(parted(wavy)), 1u);
+  FlatThingOptions sensitive;
+  sensitive.deviations = 1;
+  EXPECT_GT(segmentCount(parted(wavy, sensitive)), 1u);
+}
+
+TEST(FlatThings, LeavesWhatIsHigherThanAThing)
+{
+  const auto tower = deskWithThing(0.2f, 0.002f);
+  EXPECT_EQ(segmentCount(parted(tower)), 1u);
+  FlatThingOptions higher;
+  higher.max_height = 0.3;
+  EXPECT_EQ(segmentCount(parted(tower, higher)), 2u);
+}
+
+TEST(FlatThings, LeavesWhatIsNoSmallerThanTheSurface)
+{
+  const auto desk_with = [](float width) {
+    return deskWithThing(
+        0.03f,
+        0.003f,
+        Area(Eigen::Vector2f(0.4f, 0.1f), Eigen::Vector2f(0.4f + width, 0.7f)));
+  };
+  EXPECT_EQ(segmentCount(parted(desk_with(0.35f))), 2u) << "18 % of the desk";
+  EXPECT_EQ(segmentCount(parted(desk_with(0.6f))), 1u) << "30 % of the desk";
+  FlatThingOptions options;
+  options.max_area_share = 1;
+  EXPECT_EQ(segmentCount(parted(desk_with(0.6f), options)), 2u);
+}
+
+TEST(FlatThings, LeavesWhatTheSurfaceIsNotAround)
+{
+  const auto desk_with_strip = [](float from) { // a board's edge, or a ruler
+    return deskWithThing(
+        0.03f,
+        0.003f,
+        Area(Eigen::Vector2f(-1, from), Eigen::Vector2f(2, from + 0.1f)));
+  };
+  EXPECT_EQ(segmentCount(parted(desk_with_strip(0.3f))), 2u);
+  EXPECT_EQ(segmentCount(parted(desk_with_strip(-0.02f))), 1u);
+  FlatThingOptions options;
+  options.min_surrounded = 0.2;
+  EXPECT_EQ(segmentCount(parted(desk_with_strip(-0.02f), options)), 2u);
+}
+
+TEST(FlatThings, TakesWhatStandsOnAThingAlong)
+{
+  auto scene = deskWithThing(0.05f, 0.003f);
+  std::mt19937 rng(6);
+  scene.addRectangle(
+      {0.7f, 0.38f, 0.05f}, {0, 0.04f, 0}, {0, 0, 0.3f}, {1, 0, 0}, 2, 0.007f, 0, rng);
+  const auto labels = parted(scene);
+  EXPECT_EQ(segmentCount(labels), 2u);
+  EXPECT_LT(errorShare(scene, labels), 0.02);
+}
+
+TEST(FlatThings, KeepsVoxelsThatAreLeftOut)
+{
+  EXPECT_EQ(segmentCount(parted(deskWithThing(0.02f, 0.005f), {}, true)), 1u);
+}
+
+TEST(FlatThings, FollowsTheDirectionUp)
+{
+  const auto upright = deskWithThing(0.02f, 0.003f);
+  auto turned = upright;
+  const Eigen::Matrix3f rotation =
+      Eigen::AngleAxisf(1.1f, Eigen::Vector3f(2, -1, 1).normalized())
+          .toRotationMatrix();
+  turned.turn(rotation);
+  FlatThingOptions options;
+  EXPECT_EQ(segmentCount(parted(turned, options)), 1u);
+  options.up = rotation * Eigen::Vector3f::UnitZ();
+  const auto labels = parted(turned, options);
+  EXPECT_EQ(segmentCount(labels), 2u);
+  EXPECT_LT(errorShare(turned, labels), 0.02);
+}
+
+TEST(FlatThings, DoesNotDependOnTheOrderOfThePoints)
+{
+  const auto scene = deskWithThing(0.02f, 0.005f);
+  std::mt19937 rng(8);
+  const auto order = shuffledOrder(scene.points.size(), rng);
+  const auto labels = parted(scene), other = parted(scene.reordered(order));
+  for (std::size_t i = 0; i < order.size(); ++i)
+    ASSERT_EQ(other[i], labels[order[i]]);
+}
+
+TEST(FlatThings, RefusesWrongInput)
+{
+  const auto scene = deskWithThing(0.02f, 0.005f);
+  FlatThingOptions options;
+  options.up = {0, 0, 2};
+  EXPECT_THROW(parted(scene, options), pcl::BadArgumentException);
+  options = {};
+  options.max_height = 0;
+  EXPECT_THROW(parted(scene, options), pcl::BadArgumentException);
+  EXPECT_THROW(
+      partFlatThings(scene.points, surfaceVoxels(scene.points, {}, 0.03), {}, {}, {}),
+      pcl::BadArgumentException);
+  EXPECT_TRUE(partFlatThings({}, surfaceVoxels({}, {}, 0.03), {}, {}, {}).empty());
+}
+
+} // namespace

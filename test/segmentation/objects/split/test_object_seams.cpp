@@ -1,0 +1,276 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "support/object_scene.h"
+
+#include "objects/split/object_seams.h"
+#include "rooms/space/voxel_normals.h"
+
+#include <pcl/exceptions.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::test;
+
+namespace {
+
+constexpr float spacing = 0.015f, noise = 0.004f;
+
+/** Closed cabinets of 0.6 m in a row (objects 1, 2 ...), seen between each other as far
+ * as a depth from the front. */
+LabelledPoints
+cabinets(int count, float seen_depth = 0.3f, float height_of_last = 0.9f)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(5);
+  for (int i = 0; i < count; ++i)
+    scene.addBox({static_cast<float>(i) * 0.61f, 0, 0},
+                 {0.6f, 0.6f, i + 1 == count ? height_of_last : 0.9f},
+                 static_cast<std::uint32_t>(i + 1),
+                 spacing,
+                 noise,
+                 rng);
+  const float width = 0.61f * static_cast<float>(count) - 0.01f;
+  scene.removeIf([&](const Eigen::Vector3f& p) { // not seen
+    const bool is_within = p.x() > 0.05f && p.x() < width - 0.05f && p.z() < 0.85f;
+    return p.y() > 0.58f || (is_within && p.y() > seen_depth && p.y() < 0.58f);
+  });
+  return scene;
+}
+
+/** A shelf of 1.21 m with boards each 0.3 m and an upright in its middle; the back is
+ * closed, its normals and those of the boards point into it. */
+LabelledPoints
+openShelf()
+{
+  LabelledPoints scene;
+  std::mt19937 rng(6);
+  const Eigen::Vector3f x(1.21f, 0, 0), y(0, 0.4f, 0), z(0, 0, 1.5f);
+  scene.addRectangle({0, 0.4f, 0}, x, z, {0, -1, 0}, 1, spacing, noise, rng);
+  for (int board = 0; board <= 5; ++board)
+    scene.addRectangle({0, 0, 0.3f * static_cast<float>(board)},
+                       x,
+                       y,
+                       {0, 0, board == 5 ? -1.0f : 1.0f},
+                       1,
+                       spacing,
+                       noise,
+                       rng);
+  for (const float side : {0.0f, 0.6f, 0.61f, 1.21f})
+    scene.addRectangle(
+        {side, 0, 0}, y, z, {side > 0.6f ? 1.0f : -1.0f, 0, 0}, 1, spacing, noise, rng);
+  return scene;
+}
+
+/** All points of one segment in the input, with their own normals. */
+std::vector<std::uint32_t>
+parted(const LabelledPoints& scene,
+       const ObjectSeamOptions& options = {},
+       bool leave_out = false)
+{
+  auto voxels = surfaceVoxels(scene.points, {}, options.voxel_size);
+  voxels.normals.resize(voxels.size());
+  averageNormals(scene.normals, voxels);
+  std::vector<std::uint32_t> labels(scene.points.size(), 1);
+  partAtSeams(scene.points,
+              voxels,
+              std::vector<std::uint8_t>(scene.points.size(), leave_out),
+              options,
+              labels);
+  return labels;
+}
+
+/** Share of the points that are in another segment than most of their object. */
+double
+strayShare(const LabelledPoints& scene, const std::vector<std::uint32_t>& labels)
+{
+  std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> counts;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    ++counts[scene.objects[i]][labels[i]];
+  std::size_t stray = labels.size();
+  for (const auto& [object, count] : counts) {
+    std::size_t most = 0;
+    for (const auto& [label, size] : count)
+      most = std::max(most, size);
+    stray -= most;
+  }
+  return static_cast<double>(stray) / static_cast<double>(labels.size());
+}
+
+TEST(ObjectSeams, PartCabinetsWhicheverWayTheyStand)
+{
+  for (const float angle : {0.0f, 0.3f, 1.2f, 2.8f}) {
+    auto scene = cabinets(3);
+    scene.turn(Eigen::AngleAxisf(angle, Eigen::Vector3f::UnitZ()).toRotationMatrix());
+    const auto labels = parted(scene);
+    EXPECT_EQ(segmentCount(labels), 3u) << angle;
+    EXPECT_LT(strayShare(scene, labels), 0.02) << angle;
+  }
+}
+
+TEST(ObjectSeams, AreNotSeenWhereNothingIsSeenBetween)
+{
+  EXPECT_EQ(segmentCount(parted(cabinets(2, 0.03f))), 1u);
+  EXPECT_EQ(segmentCount(parted(cabinets(1))), 1u);
+}
+
+TEST(ObjectSeams, GiveASideThatRisesAboveToTheTallerBody)
+{
+  const auto scene = cabinets(2, 0.6f, 1.8f);
+  auto only_one_side = scene;
+  std::size_t i = 0;
+  only_one_side.removeIf([&](const Eigen::Vector3f& p) {
+    return scene.objects[i++] == 1 && p.x() > 0.59f && p.z() < 0.88f && p.y() > 0.02f;
+  });
+  const auto labels = parted(only_one_side);
+  EXPECT_EQ(segmentCount(labels), 2u);
+  EXPECT_LT(strayShare(only_one_side, labels), 0.02);
+}
+
+TEST(ObjectSeams, LeaveTheCompartmentsOfAnOpenShelfTogether)
+{
+  EXPECT_EQ(segmentCount(parted(openShelf())), 1u);
+  ObjectSeamOptions options;
+  options.outward = 0;
+  EXPECT_EQ(segmentCount(parted(openShelf(), options)), 2u)
+      << "it is the normals that tell";
+}
+
+TEST(ObjectSeams, LeaveATableOnItsPanelWhole)
+{
+  LabelledPoints table;
+  std::mt19937 rng(3);
+  table.addRectangle(
+      {0, 0, 0.7f}, {1.6f, 0, 0}, {0, 0.8f, 0}, {0, 0, 1}, 1, spacing, noise, rng);
+  table.addRectangle(
+      {0.8f, 0.05f, 0}, {0, 0.7f, 0}, {0, 0, 0.68f}, {1, 0, 0}, 1, spacing, noise, rng);
+  EXPECT_EQ(segmentCount(parted(table)), 1u) << "what is below it is open";
+}
+
+TEST(ObjectSeams, LeaveADeskWithDrawersWholeInSpiteOfStrays)
+{
+  LabelledPoints desk;
+  std::mt19937 rng(3);
+  const auto add = [&](const Eigen::Vector3f& corner,
+                       const Eigen::Vector3f& u,
+                       const Eigen::Vector3f& v,
+                       const Eigen::Vector3f& normal) {
+    desk.addRectangle(corner, u, v, normal, 1, spacing, noise, rng);
+  };
+  const Eigen::Vector3f depth(0, 0.7f, 0), height(0, 0, 0.7f);
+  add({0, 0, 0.7f}, {1.5f, 0, 0}, depth, {0, 0, 1});
+  add({0, 0, 0}, {0.45f, 0, 0}, height, {0, -1, 0}); // the drawers
+  add({0, 0, 0}, depth, height, {-1, 0, 0});
+  add({0.45f, 0, 0}, depth, height, {1, 0, 0});
+  add({1.5f, 0, 0}, depth, height, {1, 0, 0}); // the end board
+  for (const float z : {0.13f, 0.16f})         // strays
+    add({0.5f, 0.01f, z}, {0.05f, 0, 0}, {0, 0, 0.02f}, {0, -1, 0});
+  EXPECT_EQ(segmentCount(parted(desk)), 1u);
+  ObjectSeamOptions options;
+  options.enclosed = 0;
+  EXPECT_EQ(segmentCount(parted(desk, options)), 2u);
+}
+
+TEST(ObjectSeams, NeedBodiesOnBothSides)
+{
+  ObjectSeamOptions options;
+  options.min_side = 0.7; // both cabinets are narrower
+  EXPECT_EQ(segmentCount(parted(cabinets(2), options)), 1u);
+}
+
+TEST(ObjectSeams, LeaveLeftOutAndOtherSegmentsAlone)
+{
+  const auto scene = cabinets(2);
+  EXPECT_EQ(segmentCount(parted(scene, {}, true)), 1u);
+  auto voxels = surfaceVoxels(scene.points, {}, 0.03);
+  voxels.normals.resize(voxels.size());
+  averageNormals(scene.normals, voxels);
+  auto labels = scene.objects;
+  partAtSeams(scene.points,
+              voxels,
+              std::vector<std::uint8_t>(scene.points.size(), 0),
+              {},
+              labels);
+  EXPECT_EQ(labels, scene.objects);
+}
+
+TEST(ObjectSeams, AreTheSameForAnyThreadsAndOrder)
+{
+  const auto scene = cabinets(3);
+  ObjectSeamOptions options;
+  options.threads = 1;
+  const auto labels = parted(scene, options);
+  options.threads = 3;
+  EXPECT_EQ(parted(scene, options), labels);
+  std::mt19937 rng(2);
+  const auto order = shuffledOrder(scene.points.size(), rng);
+  std::vector<std::uint32_t> expected;
+  for (const auto i : order)
+    expected.push_back(labels[i]);
+  EXPECT_EQ(renamed(parted(scene.reordered(order))), renamed(expected));
+}
+
+TEST(ObjectSeams, LeaveWhatReachesTooFarWhole)
+{
+  auto scene = cabinets(2);
+  scene.points.emplace_back(0, 0, 5e6f);
+  scene.normals.emplace_back(0, 0, 1);
+  scene.objects.push_back(1);
+  ObjectSeamOptions options;
+  const auto voxels = [&] {
+    auto made = surfaceVoxels(scene.points, {}, 1e3); // of any size
+    made.normals.assign(made.size(), Eigen::Vector3f::UnitZ());
+    return made;
+  }();
+  std::vector<std::uint32_t> labels(scene.points.size(), 0);
+  partAtSeams(scene.points,
+              voxels,
+              std::vector<std::uint8_t>(scene.points.size(), 0),
+              options,
+              labels);
+  EXPECT_EQ(segmentCount(labels), 1u);
+}
+
+TEST(ObjectSeams, LeaveDegenerateInputAlone)
+{
+  std::vector<std::uint32_t> none;
+  EXPECT_NO_THROW(partAtSeams({}, {}, {}, {}, none));
+  LabelledPoints same;
+  same.points.assign(500, {1, 2, 3});
+  same.normals.assign(500, {0, 0, 1});
+  same.objects.assign(500, 1);
+  EXPECT_EQ(segmentCount(parted(same)), 1u);
+}
+
+TEST(ObjectSeams, RefuseWrongInput)
+{
+  const auto scene = cabinets(1);
+  const auto refused = [&](const ObjectSeamOptions& options) {
+    EXPECT_THROW(parted(scene, options), pcl::BadArgumentException);
+  };
+  ObjectSeamOptions options;
+  options.density = 0.5;
+  refused(options);
+  options = {};
+  options.cover = 1.5;
+  refused(options);
+  options = {};
+  options.min_cells = 0;
+  refused(options);
+  options = {};
+  options.directions = 0;
+  refused(options);
+  options = {};
+  options.up = {0, 0, 2};
+  refused(options);
+  std::vector<std::uint32_t> labels(3, 0);
+  EXPECT_THROW(partAtSeams(scene.points, {}, {}, {}, labels),
+               pcl::BadArgumentException);
+}
+
+} // namespace

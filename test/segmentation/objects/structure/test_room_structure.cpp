@@ -1,0 +1,305 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "support/object_scene.h"
+
+#include <pcl/segmentation/objects/room_structure.h>
+
+#include <pcl/exceptions.h>
+#include <pcl/features/normal_orientation.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::test;
+
+namespace {
+
+constexpr double voxel_size = 0.04;
+const Eigen::Vector3f middle(2, 1.2f, 1.2f); // of the room
+
+/** The floor with two boxes (1 to 3), a ceiling and four walls (4 to 8). */
+LabelledPoints
+closedRoom()
+{
+  auto scene = floorWithTwoBoxes();
+  std::mt19937 rng(5);
+  const Eigen::Vector3f x(4, 0, 0), y(0, 2.5f, 0), z(0, 0, 2.4f), o(0, 0, 0);
+  scene.addRectangle(z, x, y, {0, 0, -1}, 4, 0.015f, 0.003f, rng);
+  scene.addRectangle(o, x, z, {0, 1, 0}, 5, 0.015f, 0.003f, rng);
+  scene.addRectangle(y, x, z, {0, -1, 0}, 6, 0.015f, 0.003f, rng);
+  scene.addRectangle(o, y, z, {1, 0, 0}, 7, 0.015f, 0.003f, rng);
+  scene.addRectangle(x, y, z, {-1, 0, 0}, 8, 0.015f, 0.003f, rng);
+  return scene;
+}
+
+SurfaceVoxels
+voxelsOf(const LabelledPoints& scene)
+{
+  auto voxels = surfaceVoxels(scene.points, {}, voxel_size);
+  estimateNormals(scene.points, voxels, 1, 1);
+  orientTowards(middle, voxels.centroids, voxels.normals);
+  return voxels;
+}
+
+RoomStructureOptions
+options()
+{
+  RoomStructureOptions options;
+  options.voxel_size = voxel_size;
+  return options;
+}
+
+std::vector<std::uint32_t>
+planesOf(const LabelledPoints& scene)
+{
+  const auto voxels = voxelsOf(scene);
+  return pointsOfStructure(
+      scene.points, voxels, findRoomStructure(voxels, options()), options());
+}
+
+/** Share of an object's points that are in a plane. */
+double
+shareInPlanes(const LabelledPoints& scene,
+              const std::vector<std::uint32_t>& planes,
+              std::uint32_t object)
+{
+  double in_planes = 0, all = 0;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (scene.objects[i] == object) {
+      ++all;
+      in_planes += planes[i] != 0;
+    }
+  return in_planes / all;
+}
+
+} // namespace
+
+TEST(RoomStructure, IsFloorCeilingAndWallsButNotTheBoxes)
+{
+  const auto scene = closedRoom();
+  const auto planes = findRoomStructure(voxelsOf(scene), options());
+  ASSERT_EQ(planes.size(), 6u);
+  for (const auto& plane : planes) {
+    EXPECT_NEAR(plane.normal.norm(), 1, 1e-9);
+    EXPECT_GT(plane.normal.cwiseAbs().maxCoeff(), 0.999);
+    EXPECT_GT(plane.normal.dot(middle.cast<double>()), plane.offset); // into the room
+  }
+  const auto plane_of_point = planesOf(scene);
+  for (const std::uint32_t object : {1, 4, 5, 6, 7, 8})
+    EXPECT_GT(shareInPlanes(scene, plane_of_point, object), 0.98) << object;
+  for (const std::uint32_t object : {2, 3}) // but for their lowest rows of points
+    EXPECT_LT(shareInPlanes(scene, plane_of_point, object), 0.05) << object;
+}
+
+TEST(RoomStructure, DoesNotNeedWallsNorTakeSidesOfBoxesForThem)
+{
+  // The boxes' sides are as high as the scene, and from the viewpoint nothing is behind
+  // the far ones, but they are lower than any room.
+  const auto scene = floorWithTwoBoxes();
+  const auto planes = findRoomStructure(voxelsOf(scene), options());
+  ASSERT_EQ(planes.size(), 1u);
+  EXPECT_GT(planes.front().normal.z(), 0.999);
+  EXPECT_NEAR(planes.front().offset, 0, 0.002);
+}
+
+TEST(RoomStructure, KeepsABoardInFrontOfAWallApart)
+{
+  auto scene = closedRoom();
+  std::mt19937 rng(6);
+  scene.addRectangle({1, 0.025f, 1}, // less than a voxel from the wall
+                     {1, 0, 0},
+                     {0, 0, 0.7f},
+                     {0, 1, 0},
+                     9,
+                     0.015f,
+                     0.003f,
+                     rng);
+  scene.removeIf([](const Eigen::Vector3f& p) { // the wall behind it is hidden
+    return p.y() < 0.012f && p.x() > 1 && p.x() < 2 && p.z() > 1 && p.z() < 1.7f;
+  });
+  const auto planes = planesOf(scene);
+  EXPECT_LT(shareInPlanes(scene, planes, 9), 0.02);
+  EXPECT_GT(shareInPlanes(scene, planes, 5), 0.98);
+}
+
+TEST(RoomStructure, KeepsPlinthsInFrontOfAPlaneApart)
+{
+  auto scene = closedRoom();
+  std::mt19937 rng(10);
+  for (const float x : {0.1f, 3.0f}) // 2.5 voxels above the floor, which shows
+    scene.addRectangle(
+        {x, 1.5f, 0.1f}, {0.9f, 0, 0}, {0, 0.9f, 0}, {0, 0, 1}, 9, 0.01f, 0.003f, rng);
+  const auto voxels = voxelsOf(scene);
+  EXPECT_EQ(findRoomStructure(voxels, options()).size(), 6u);
+  EXPECT_LT(shareInPlanes(scene, planesOf(scene), 9), 0.02);
+}
+
+TEST(RoomStructure, PlanesOfOneSideOnly)
+{
+  const auto scene = closedRoom();
+  auto voxels = voxelsOf(scene);
+  for (auto& normal : voxels.normals) // now everything lies behind the planes
+    normal *= -1;
+  EXPECT_TRUE(findRoomStructure(voxels, options()).empty());
+}
+
+TEST(RoomStructure, SeparateVoxelsHoldPointsOfOnePlane)
+{
+  const auto scene = closedRoom();
+  const auto plane_of_point = planesOf(scene);
+  std::vector<std::uint32_t> plane_of_voxel;
+  const auto voxels =
+      separateVoxels(scene.points, plane_of_point, voxel_size, plane_of_voxel);
+  ASSERT_EQ(plane_of_voxel.size(), voxels.size());
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    const auto v = voxels.cells.cell_of_point[i];
+    ASSERT_EQ(plane_of_voxel[v], plane_of_point[i]);
+    ASSERT_LT((voxels.centroids[v] - scene.points[i]).norm(), 2 * voxel_size);
+  }
+  std::size_t links = 0;
+  for (std::size_t v = 0; v < voxels.size(); ++v)
+    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
+         ++j, ++links)
+      ASSERT_EQ(plane_of_voxel[v], plane_of_voxel[voxels.neighbors.targets[j]]);
+  EXPECT_GT(links, 4 * voxels.size());
+}
+
+TEST(RoomStructure, PartsOfAPlaneMayBeFarApart)
+{
+  auto scene = floorWithTwoBoxes();
+  const auto count = scene.points.size();
+  for (std::size_t i = 0; i < count; ++i) // exactly in one plane
+    if (scene.objects[i] == 1) {
+      scene.points[i].z() = 0;
+      scene.points.emplace_back(scene.points[i] + Eigen::Vector3f(4e4f, 3e4f, 0));
+      scene.objects.push_back(1);
+    }
+  auto voxels = surfaceVoxels(scene.points, {}, voxel_size);
+  estimateNormals(scene.points, voxels, 1, 1);
+  orientTowards({0, 0, 1e6f}, voxels.centroids, voxels.normals);
+  const auto planes = findRoomStructure(voxels, options());
+  ASSERT_EQ(planes.size(), 1u);
+  float farthest = 0;
+  for (const auto v : planes.front().voxels)
+    farthest = std::max(farthest, voxels.centroids[v].x());
+  EXPECT_GT(farthest, 4e4f);
+}
+
+TEST(RoomStructure, PointsAstrayDoNotForbidSeparateVoxels)
+{
+  auto scene = closedRoom();
+  auto plane_of_point = planesOf(scene);
+  scene.points.emplace_back(6e4f, 0.0f, 0.0f); // most of the extent that voxels allow
+  plane_of_point.push_back(0);
+  std::vector<std::uint32_t> plane_of_voxel;
+  const auto voxels =
+      separateVoxels(scene.points, plane_of_point, voxel_size, plane_of_voxel);
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    const auto v = voxels.cells.cell_of_point[i];
+    ASSERT_EQ(plane_of_voxel[v], plane_of_point[i]);
+    ASSERT_LT((voxels.centroids[v] - scene.points[i]).norm(), 2 * voxel_size);
+  }
+}
+
+TEST(RoomStructure, SmallFlatIslandsGoBackToThePlane)
+{
+  auto scene = closedRoom();
+  std::mt19937 rng(9);
+  const auto add = [&](const Eigen::Vector3f& corner, const Eigen::Vector3f& height) {
+    scene.addRectangle(corner, {0.1f, 0, 0}, height, {0, 1, 0}, 9, 0.015f, 0.0f, rng);
+  };
+  add({1, 0.03f, 1}, {0, 0, 0.1f});     // before the wall
+  add({3, 0.03f, 1}, {0, 0.2f, 0});     // sticks out of it
+  add({3.5f, 0.06f, 1}, {0, 0, 0.02f}); // a speck at 1.5 voxels
+  const auto voxels = voxelsOf(scene);
+  const auto planes = findRoomStructure(voxels, options());
+  const auto plane_of_point =
+      pointsOfStructure(scene.points, voxels, planes, options());
+  std::vector<std::uint32_t> before;
+  const auto separated =
+      separateVoxels(scene.points, plane_of_point, voxel_size, before);
+  auto after = before;
+  returnIslands(separated, planes, voxel_size, 8, 30, after);
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    const auto v = separated.cells.cell_of_point[i];
+    if (scene.objects[i] != 9)
+      continue;
+    EXPECT_EQ(before[v], 0u);
+    const float x = scene.points[i].x();
+    EXPECT_EQ(after[v] != 0, x < 2 || x > 3.3f);
+  }
+  auto no_specks = before;
+  returnIslands(separated, planes, voxel_size, 1, 30, no_specks);
+  EXPECT_NE(no_specks, after);
+  auto too_large = before;
+  returnIslands(separated, planes, voxel_size, 2, 2, too_large);
+  EXPECT_EQ(too_large, before);
+}
+
+TEST(RoomStructure, AxesFollowThePlanes)
+{
+  EXPECT_EQ(axesOf({}), Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+  const auto scene = closedRoom();
+  const auto axes = axesOf(findRoomStructure(voxelsOf(scene), options()));
+  EXPECT_NEAR((axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm(), 0, 1e-9);
+  for (int a = 0; a < 3; ++a)
+    EXPECT_GT(axes.col(a).cwiseAbs().maxCoeff(), 0.999);
+}
+
+TEST(RoomStructure, FloorsAndCeilingsAreLessSteepThanWalls)
+{
+  const Eigen::Vector3f up = Eigen::Vector3f(0.1f, -0.2f, 1).normalized();
+  const Eigen::Vector3d along = up.cast<double>().unitOrthogonal();
+  for (const auto& [degrees, kind] : {std::make_pair(0, StructureKind::Floor),
+                                      {44, StructureKind::Floor},
+                                      {46, StructureKind::Wall},
+                                      {90, StructureKind::Wall},
+                                      {134, StructureKind::Wall},
+                                      {136, StructureKind::Ceiling},
+                                      {180, StructureKind::Ceiling}}) {
+    const double angle = degrees * M_PI / 180;
+    const Eigen::Vector3d normal =
+        std::cos(angle) * up.cast<double>() + std::sin(angle) * along;
+    EXPECT_EQ(kindOf({normal, 1, {}}, up), kind) << degrees << " degrees";
+  }
+}
+
+TEST(RoomStructure, NothingInNothing)
+{
+  EXPECT_TRUE(findRoomStructure(surfaceVoxels({}, {}, 1), options()).empty());
+  std::vector<std::uint32_t> planes;
+  EXPECT_EQ(separateVoxels({}, {}, 1, planes).size(), 0u);
+}
+
+TEST(RoomStructure, RejectsWrongOptions)
+{
+  const auto voxels = voxelsOf(floorWithTwoBoxes());
+  auto wrong = options();
+  wrong.voxel_size = 0;
+  EXPECT_THROW(findRoomStructure(voxels, wrong), pcl::BadArgumentException);
+  for (double RoomStructureOptions::*share : {&RoomStructureOptions::min_area,
+                                              &RoomStructureOptions::min_span,
+                                              &RoomStructureOptions::min_free}) {
+    wrong = options();
+    wrong.*share = 1.5;
+    EXPECT_THROW(findRoomStructure(voxels, wrong), pcl::BadArgumentException);
+  }
+  wrong = options();
+  wrong.min_length = -1;
+  EXPECT_THROW(findRoomStructure(voxels, wrong), pcl::BadArgumentException);
+  wrong = options();
+  wrong.deviations = 0;
+  EXPECT_THROW(findRoomStructure(voxels, wrong), pcl::BadArgumentException);
+  std::vector<std::uint32_t> planes;
+  EXPECT_THROW(separateVoxels({Eigen::Vector3f::Zero()}, {}, 1, planes),
+               pcl::BadArgumentException);
+}

@@ -1,0 +1,373 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "files/cloud_file.h"
+
+#include "files/cloud_check.h"
+#include "files/file_header.h"
+#include "files/ply_file.h"
+
+#include <pcl/common/io.h> // for getFieldIndex
+#include <pcl/console/print.h>
+#include <pcl/indoor/usable_point.h>
+#include <pcl/io/pcd_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <mutex>
+
+namespace pcl::indoor::tool {
+namespace {
+
+/** Keeps PCL's readers and writers, which print what they also return, silent for as
+ * long as one of these lives, in any thread. */
+class SilentPcl {
+public:
+  SilentPcl()
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (users++ > 0)
+      return;
+    level = console::getVerbosityLevel();
+    cerr = std::cerr.rdbuf(nullptr);
+    console::setVerbosityLevel(console::L_ALWAYS);
+  }
+
+  ~SilentPcl()
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (--users > 0)
+      return;
+    std::cerr.rdbuf(cerr);
+    console::setVerbosityLevel(level);
+  }
+
+  SilentPcl(const SilentPcl&) = delete;
+  SilentPcl&
+  operator=(const SilentPcl&) = delete;
+
+private:
+  // of the whole program, as what they keep is
+  inline static std::mutex mutex;
+  inline static int users = 0;
+  inline static console::VERBOSITY_LEVEL level = console::L_INFO;
+  inline static std::streambuf* cerr = nullptr;
+};
+
+/** A field's value of one point as a double; every type a PCD can have. */
+double
+valueAt(const std::uint8_t* bytes, std::uint8_t datatype)
+{
+  const auto as = [bytes](auto value) {
+    std::memcpy(&value, bytes, sizeof(value)); // fields need not be aligned
+    return static_cast<double>(value);
+  };
+  switch (datatype) {
+  case PCLPointField::INT8:
+    return as(std::int8_t());
+  case PCLPointField::UINT8:
+    return as(std::uint8_t());
+  case PCLPointField::INT16:
+    return as(std::int16_t());
+  case PCLPointField::UINT16:
+    return as(std::uint16_t());
+  case PCLPointField::INT32:
+    return as(std::int32_t());
+  case PCLPointField::UINT32:
+    return as(std::uint32_t());
+  case PCLPointField::FLOAT32:
+    return as(float());
+  case PCLPointField::FLOAT64:
+    return as(double());
+  default:
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+bool
+isRealField(const PCLPointCloud2& cloud, const std::string& name)
+{
+  const int index = getFieldIndex(cloud, name);
+  if (index < 0)
+    return false;
+  const auto type = cloud.fields[index].datatype;
+  return type == PCLPointField::FLOAT32 || type == PCLPointField::FLOAT64;
+}
+
+std::size_t
+pointCount(const PCLPointCloud2& cloud)
+{
+  return static_cast<std::size_t>(cloud.width) * cloud.height;
+}
+
+std::vector<double>
+readReals(const PCLPointCloud2& cloud, const std::string& name)
+{
+  const auto& field = cloud.fields[getFieldIndex(cloud, name)];
+  std::vector<double> values(pointCount(cloud));
+  const std::uint8_t* bytes = cloud.data.data() + field.offset;
+  for (auto& value : values) {
+    value = valueAt(bytes, field.datatype);
+    bytes += cloud.point_step;
+  }
+  return values;
+}
+
+/** PCL's reader walks over the body by what it made of the header: nothing may be amiss
+ * there. */
+bool
+isReadAsChecked(const CloudFile& file, std::uint64_t checked_bytes)
+{
+  CloudFile trial;
+  int version = 0;
+  int data_type = 0;
+  unsigned int data_begin = 0;
+  return PCDReader().readHeader(file.path,
+                                trial.cloud,
+                                trial.frame.origin,
+                                trial.frame.orientation,
+                                version,
+                                data_type,
+                                data_begin) == 0 &&
+         trial.cloud.data.size() == checked_bytes;
+}
+
+void
+readFile(CloudFile& file)
+{
+  const auto checked = checkCloudFile(file.path);
+  const SilentPcl silence;
+  int result = 0;
+  try {
+    int version = 0;
+    if (checked.format == CloudFormat::PCD && !isReadAsChecked(file, checked.bytes))
+      result = -1;
+    else if (checked.format == CloudFormat::PCD)
+      result = PCDReader().read(
+          file.path, file.cloud, file.frame.origin, file.frame.orientation, version);
+    else
+      readPly(file.path, file.cloud, file.frame.origin, file.frame.orientation);
+  } catch (const ToolError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    result = -1; // the readers' own texts name neither file nor reason
+  }
+  if (result < 0)
+    throw ToolError(file.path + ": the file is damaged, its points cannot be read");
+  std::ifstream stream(file.path, std::ios::binary);
+  const char* const last = checked.format == CloudFormat::PCD ? "DATA" : "end_header";
+  file.frame.offset = readFileHeader(stream, last, file.path).offset;
+}
+
+/** Large coordinates lose their millimetres in a float: choose what to subtract, the
+ * same for any order of points. */
+double
+offsetOf(const std::vector<double>& values)
+{
+  constexpr double large = 1000.0; // metres; below, a float resolves 0.06 mm
+  std::vector<double> finite;
+  finite.reserve(values.size());
+  for (const double value : values)
+    if (std::isfinite(value))
+      finite.push_back(value);
+  if (finite.empty())
+    return 0.0;
+  const auto middle = finite.begin() + static_cast<std::ptrdiff_t>(finite.size() / 2);
+  std::nth_element(finite.begin(), middle, finite.end()); // outliers do not move it
+  return std::abs(*middle) > large ? std::floor(*middle) : 0.0;
+}
+
+/** The distance between two values of a field that are as large as this one. */
+double
+stepAt(const PCLPointCloud2& cloud, const std::string& name, double value)
+{
+  const double size = std::abs(value);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (cloud.fields[getFieldIndex(cloud, name)].datatype == PCLPointField::FLOAT64)
+    return std::nextafter(size, infinity) - size;
+  const auto real = static_cast<float>(size);
+  return std::nextafter(real, std::numeric_limits<float>::infinity()) - real;
+}
+
+void
+fillPoints(CloudFile& file)
+{
+  constexpr const char* names[] = {"x", "y", "z"};
+  const std::vector<double> coordinates[3] = {readReals(file.cloud, names[0]),
+                                              readReals(file.cloud, names[1]),
+                                              readReals(file.cloud, names[2])};
+  Eigen::Vector3d middle; // of large coordinates
+  for (int axis = 0; axis < 3; ++axis) {
+    middle[axis] = offsetOf(coordinates[axis]);
+    if (middle[axis] != 0.0)
+      file.coordinate_step =
+          std::max(file.coordinate_step, stepAt(file.cloud, names[axis], middle[axis]));
+  }
+  file.offset = file.frame.offset + middle;
+  auto points = pcl::make_shared<PointCloud<PointXYZ>>();
+  points->width = file.cloud.width;
+  points->height = file.cloud.height;
+  points->header.frame_id = file.cloud.header.frame_id;
+  points->sensor_origin_ = file.frame.origin;
+  points->sensor_origin_.head<3>() =
+      (file.frame.origin.head<3>().cast<double>() - middle).cast<float>();
+  points->sensor_orientation_ = file.frame.orientation;
+  points->resize(pointCount(file.cloud), PointXYZ(NAN, NAN, NAN));
+  points->width = file.cloud.width; // resize() made it one row
+  points->height = file.cloud.height;
+  for (std::size_t i = 0; i < points->size(); ++i) {
+    const Eigen::Vector3d point(
+        coordinates[0][i], coordinates[1][i], coordinates[2][i]);
+    const Eigen::Vector3f local = (point - middle).cast<float>();
+    if (!isUsable(local))
+      continue;
+    (*points)[i].getVector3fMap() = local;
+    ++file.finite_count;
+  }
+  points->is_dense = file.finite_count == points->size();
+  file.points = points;
+}
+
+} // namespace
+
+CloudFile
+loadCloud(const std::string& path, std::size_t least_points)
+{
+  CloudFile file;
+  file.path = path;
+  readFile(file);
+  for (const char* name : {"x", "y", "z"})
+    if (!isRealField(file.cloud, name))
+      throw ToolError(path + ": the file has no floating-point field '" + name + "'");
+  if (pointCount(file.cloud) == 0)
+    throw ToolError(path + ": the cloud is empty (0 points)");
+  if (file.cloud.data.size() < pointCount(file.cloud) * file.cloud.point_step)
+    throw ToolError(path + ": the file is damaged, points are missing");
+  fillPoints(file);
+  if (file.finite_count == 0)
+    throw ToolError(path + ": none of its " + std::to_string(file.points->size()) +
+                    " points is finite and less than 1e9 units from their middle");
+  if (file.finite_count < least_points)
+    throw ToolError(path + ": " + std::to_string(file.finite_count) +
+                    " finite points are too few, " + std::to_string(least_points) +
+                    " are needed");
+  file.has_normals = isRealField(file.cloud, "normal_x") &&
+                     isRealField(file.cloud, "normal_y") &&
+                     isRealField(file.cloud, "normal_z");
+  return file;
+}
+
+PointCloud<Normal>::Ptr
+readNormals(const CloudFile& file)
+{
+  if (!file.has_normals)
+    throw ToolError(file.path + ": the file has no normals");
+  const auto x = readReals(file.cloud, "normal_x");
+  const auto y = readReals(file.cloud, "normal_y");
+  const auto z = readReals(file.cloud, "normal_z");
+  std::vector<double> curvature(x.size(), 0.0);
+  if (isRealField(file.cloud, "curvature"))
+    curvature = readReals(file.cloud, "curvature");
+  auto normals = pcl::make_shared<PointCloud<Normal>>();
+  normals->resize(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    (*normals)[i].getNormalVector3fMap() =
+        Eigen::Vector3d(x[i], y[i], z[i]).cast<float>();
+    (*normals)[i].curvature = static_cast<float>(curvature[i]);
+    normals->is_dense &= (*normals)[i].getNormalVector3fMap().allFinite();
+  }
+  normals->width = file.cloud.width;
+  normals->height = file.cloud.height;
+  return normals;
+}
+
+bool
+hasField(const PCLPointCloud2& cloud, const std::string& name)
+{
+  return getFieldIndex(cloud, name) >= 0;
+}
+
+std::vector<std::uint32_t>
+readLabels(const CloudFile& file, const std::string& name)
+{
+  if (!hasField(file.cloud, name))
+    throw ToolError(file.path + ": the file has no field '" + name + "'");
+  const auto values = readReals(file.cloud, name);
+  std::vector<std::uint32_t> labels(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double value = values[i];
+    if (!(value >= 0.0 && value <= 4294967295.0) || value != std::floor(value))
+      throw ToolError(file.path + ": field '" + name + "' of point " +
+                      std::to_string(i) + " is " + std::to_string(value) +
+                      ", not a label");
+    labels[i] = static_cast<std::uint32_t>(value);
+  }
+  return labels;
+}
+
+void
+removeField(PCLPointCloud2& cloud, const std::string& name)
+{
+  const auto same_name = [&name](const PCLPointField& f) { return f.name == name; };
+  cloud.fields.erase(
+      std::remove_if(cloud.fields.begin(), cloud.fields.end(), same_name),
+      cloud.fields.end());
+}
+
+namespace {
+
+template <typename T>
+void
+appendValues(PCLPointCloud2& cloud,
+             const std::string& name,
+             const std::vector<T>& values,
+             std::uint8_t datatype)
+{
+  if (values.size() != pointCount(cloud))
+    throw ToolError("field '" + name + "': " + std::to_string(values.size()) +
+                    " values for " + std::to_string(pointCount(cloud)) + " points");
+  removeField(cloud, name);
+  const std::size_t old_step = cloud.point_step;
+  const std::size_t new_step = old_step + sizeof(T);
+  std::vector<std::uint8_t> data(values.size() * new_step);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::memcpy(&data[i * new_step], &cloud.data[i * old_step], old_step);
+    std::memcpy(&data[i * new_step + old_step], &values[i], sizeof(T));
+  }
+  PCLPointField field;
+  field.name = name;
+  field.offset = static_cast<std::uint32_t>(old_step);
+  field.datatype = datatype;
+  field.count = 1;
+  cloud.fields.push_back(field);
+  cloud.point_step = static_cast<std::uint32_t>(new_step);
+  cloud.row_step = cloud.point_step * cloud.width;
+  cloud.data = std::move(data);
+}
+
+} // namespace
+
+void
+appendField(PCLPointCloud2& cloud,
+            const std::string& name,
+            const std::vector<std::uint32_t>& values)
+{
+  appendValues(cloud, name, values, PCLPointField::UINT32);
+}
+
+void
+appendRealField(PCLPointCloud2& cloud,
+                const std::string& name,
+                const std::vector<float>& values)
+{
+  appendValues(cloud, name, values, PCLPointField::FLOAT32);
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,85 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "command_line/options.h" // for ToolError
+#include "files/cloud_writer.h"   // for CloudFrame
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief A point cloud as its file gave it, and its points for computing. */
+struct CloudFile {
+  std::string path;
+  PCLPointCloud2 cloud; ///< every field of the file, bytes unchanged
+  CloudFrame frame;     ///< the sensor's pose and the offset that the file tells
+
+  /** The points in the file's order and arrangement, each coordinate minus \a offset;
+   * NaN where one is not finite, or too large to compute with, see isUsable(). Its
+   * sensor's pose is in the same frame. */
+  PointCloud<PointXYZ>::Ptr points;
+  /** The offset that the file tells, and whole units near the middle of coordinates
+   * that are large all the same (for example UTM); otherwise zero. */
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  /** The greatest distance between neighbouring numbers in which large coordinates are
+   * stored: floats are coarse. 0 without large coordinates. */
+  double coordinate_step = 0.0;
+  std::size_t finite_count = 0; ///< of \a points without NaN
+  bool has_normals = false;     ///< the file has normal_x, normal_y, normal_z
+};
+
+/** \brief Read a PCD (ascii, binary, binary_compressed) or PLY file; which one it is,
+ * its content says.
+ *
+ * Prints nothing.
+ * \throws ToolError if the file is missing, is no cloud, is shorter than its header
+ * says, lacks float x, y, z, or holds fewer than \a least_points finite points
+ */
+CloudFile
+loadCloud(const std::string& path, std::size_t least_points = 2);
+
+/** \brief The normals of a cloud with \a has_normals, in its order; curvature 0 where
+ * the file has none. */
+PointCloud<Normal>::Ptr
+readNormals(const CloudFile& file);
+
+/** \brief Does the cloud have such a field? */
+bool
+hasField(const PCLPointCloud2& cloud, const std::string& name);
+
+/** \brief A field of whole numbers, one value per point.
+ * \throws ToolError if the field is missing or a value is negative, fractional or too
+ * large
+ */
+std::vector<std::uint32_t>
+readLabels(const CloudFile& file, const std::string& name);
+
+/** \brief Take a field away, if there is one of that name; its bytes stay as padding.
+ */
+void
+removeField(PCLPointCloud2& cloud, const std::string& name);
+
+/** \brief Append a field of unsigned integers or floats; a field of that name is
+ * replaced. \param[in] values one per point
+ */
+void
+appendField(PCLPointCloud2& cloud,
+            const std::string& name,
+            const std::vector<std::uint32_t>& values);
+void
+appendRealField(PCLPointCloud2& cloud,
+                const std::string& name,
+                const std::vector<float>& values);
+
+} // namespace pcl::indoor::tool

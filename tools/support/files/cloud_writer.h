@@ -1,0 +1,53 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/output_file.h"
+
+#include <pcl/PCLPointCloud2.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief Where the points of a file lie. */
+struct CloudFrame {
+  Eigen::Vector4f origin = Eigen::Vector4f::Zero(); ///< the sensor's pose
+  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+  /** What has to be added to x, y, z and the origin: a comment of the file. */
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+};
+
+/** \brief Find out, before the long work, that a cloud cannot be written there.
+ * \param[in] pcd_only the cloud is none of points, which PLY is for
+ * \throws ToolError as requireWritable() or if the name ends neither in .pcd nor in
+ * .ply; a name without an extension means PCD
+ */
+void
+requireWritableCloud(const std::string& path, bool pcd_only = false);
+
+/** \brief Write all fields of a cloud but do not put the file in place: binary PLY if
+ * the name ends in .ply, otherwise compressed PCD (not compressed if it does not
+ * shrink or is above 4 GB).
+ *
+ * The fields have the names and types that PCL's readers give them back as.
+ * \throws ToolError if it cannot be written, or if a field has integers of 64 bits,
+ * which PLY has not
+ */
+OutputFile
+cloudBeside(const std::string& path,
+            const PCLPointCloud2& cloud,
+            const CloudFrame& frame);
+
+/** \brief Write a cloud and put it in place. */
+void
+saveCloud(const std::string& path,
+          const PCLPointCloud2& cloud,
+          const CloudFrame& frame = {});
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,143 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "files/foreign_format.h"
+
+#include "files/file_header.h" // for wordsOf
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+namespace pcl::indoor::tool {
+namespace {
+
+enum class Converter { Pdal, CloudCompare, Gunzip, Unzip };
+
+struct Format {
+  const char* name;
+  std::vector<std::string> endings; ///< of file names, small letters
+  Converter converter;
+};
+
+const std::vector<Format> formats = {
+    {"a LAS file", {".las"}, Converter::Pdal},
+    {"a LAZ file", {".laz"}, Converter::Pdal},
+    {"an E57 file", {".e57"}, Converter::CloudCompare},
+    {"a table of numbers as text (XYZ, CSV)",
+     {".xyz", ".csv", ".txt", ".asc", ".pts", ".ptx"},
+     Converter::CloudCompare},
+    {"a file compressed by gzip", {".gz"}, Converter::Gunzip},
+    {"a ZIP archive", {".zip"}, Converter::Unzip}};
+const Format& las = formats[0];
+const Format& laz = formats[1];
+const Format& e57 = formats[2];
+const Format& table = formats[3];
+const Format& gzip = formats[4];
+const Format& zip = formats[5];
+
+std::string
+endingOf(const std::string& path)
+{
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& letter : ending)
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return ending;
+}
+
+/** Does the second line, or the only one, begin with three numbers? The first may hold
+ * the names of columns. */
+bool
+isTable(const std::string& beginning)
+{
+  const auto first_end = beginning.find('\n');
+  std::string row = beginning.substr(first_end == beginning.npos ? 0 : first_end + 1);
+  row = row.substr(0, row.find('\n'));
+  const auto is_separator = [](char letter) { return letter == ',' || letter == ';'; };
+  std::replace_if(row.begin(), row.end(), is_separator, ' ');
+  const auto words = wordsOf(row);
+  const auto is_number = [](const std::string& word) {
+    char* end = nullptr;
+    std::strtod(word.c_str(), &end);
+    return end == word.c_str() + word.size();
+  };
+  return words.size() >= 3 && std::all_of(words.begin(), words.begin() + 3, is_number);
+}
+
+const Format*
+formatOf(const std::string& path, const std::string& beginning)
+{
+  const auto begins_with = [&](const std::string& magic) {
+    return beginning.compare(0, magic.size(), magic) == 0;
+  };
+  const std::string ending = endingOf(path);
+  constexpr std::size_t las_point_format = 104; // its highest bit says LAZ
+  if (begins_with("LASF"))
+    return beginning.size() > las_point_format &&
+                   (static_cast<unsigned char>(beginning[las_point_format]) & 0x80) != 0
+               ? &laz
+               : &las;
+  if (begins_with("ASTM-E57"))
+    return &e57;
+  if (begins_with("\x1f\x8b"))
+    return &gzip;
+  if (begins_with("PK\x03\x04"))
+    return &zip;
+  if (isTable(beginning))
+    return &table;
+  for (const auto& format : formats)
+    if (std::count(format.endings.begin(), format.endings.end(), ending) > 0)
+      return &format;
+  return nullptr;
+}
+
+/** A file name as a shell wants it. */
+std::string
+quoted(const std::string& name)
+{
+  const auto is_plain = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+           std::string("/._-+:@%").find(letter) != std::string::npos;
+  };
+  if (std::all_of(name.begin(), name.end(), is_plain))
+    return name;
+  std::string text = "'";
+  for (const char letter : name)
+    text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + "'";
+}
+
+} // namespace
+
+std::string
+describeForeignFormat(const std::string& path, const std::string& beginning)
+{
+  const auto* const format = formatOf(path, beginning);
+  if (format == nullptr)
+    return "";
+  const std::string input = quoted(path);
+  std::filesystem::path ply = path;
+  ply.replace_extension(".ply");
+  std::string command;
+  switch (format->converter) {
+  case Converter::Pdal:
+    command = "convert it: pdal translate " + input + " " + quoted(ply.string());
+    break;
+  case Converter::CloudCompare:
+    command = "convert it: CloudCompare -SILENT -O " + input +
+              " -C_EXPORT_FMT PLY -SAVE_CLOUDS";
+    break;
+  case Converter::Gunzip:
+    command = "unpack it: gunzip -k " + input;
+    break;
+  case Converter::Unzip:
+    command = "unpack it: unzip " + input;
+    break;
+  }
+  return std::string(format->name) + "; " + command;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,71 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/category_names.h"
+
+#include "command_line/options.h" // for ToolError
+#include "command_line/printable.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace pcl::indoor::tool {
+namespace {
+
+using Json = nlohmann::json;
+
+/** \brief What a JSON file gives, read by a function; its complaints name the file. */
+template <typename Read>
+auto
+fromJsonFile(const std::string& path, const Read& read)
+{
+  std::ifstream stream(path);
+  if (!stream)
+    throw ToolError(path + ": cannot be opened");
+  try {
+    return read(Json::parse(stream));
+  } catch (const Json::exception& problem) {
+    throw ToolError(path + ": " + messageOf(problem));
+  }
+}
+
+} // namespace
+
+std::map<std::uint32_t, std::string>
+readCategoryNames(const std::string& path)
+{
+  return fromJsonFile(path, [&](const Json& json) {
+    std::map<std::uint32_t, std::string> names;
+    if (json.contains("categories"))
+      for (const auto& name : json.at("categories"))
+        names.emplace(static_cast<std::uint32_t>(names.size()),
+                      name.get<std::string>());
+    else
+      for (const auto& [number, name] : json.at("classes").items()) {
+        if (number.empty() || number.size() > 9 ||
+            number.find_first_not_of("0123456789") != std::string::npos)
+          throw ToolError(path + ": '" + number + "' in 'classes' is no number");
+        names.emplace(static_cast<std::uint32_t>(std::stoul(number)),
+                      name.get<std::string>());
+      }
+    return names;
+  });
+}
+
+std::map<std::string, std::string>
+readClassMap(const std::string& path)
+{
+  return fromJsonFile(path, [&](const Json& json) {
+    std::map<std::string, std::string> class_of_name;
+    for (const auto& [class_name, names] : json.items())
+      for (const auto& name : names)
+        if (!class_of_name.emplace(name.get<std::string>(), class_name).second)
+          throw ToolError(path + ": '" + name.get<std::string>() +
+                          "' belongs to two classes");
+    return class_of_name;
+  });
+}
+
+} // namespace pcl::indoor::tool

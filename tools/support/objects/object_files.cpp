@@ -1,0 +1,187 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/object_files.h"
+
+#include "files/mesh_file.h"
+
+#include <pcl/common/centroid.h>
+#include <pcl/common/io.h>
+#include <pcl/conversions.h>
+#include <pcl/exceptions.h>
+#include <pcl/features/impl/oriented_points.hpp>
+#include <pcl/features/normal_3d.h>
+#include <pcl/search/kdtree.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+
+namespace pcl::indoor::tool {
+namespace {
+
+bool
+isMesh(const std::filesystem::path& path)
+{
+  return path.extension() == ".off" || path.extension() == ".obj";
+}
+
+bool
+isObject(const std::filesystem::path& path)
+{
+  return path.extension() == ".pcd" || path.extension() == ".ply" || isMesh(path);
+}
+
+PointCloud<PointNormal>::Ptr
+sampledObject(const Mesh& mesh, const std::string& path)
+{
+  constexpr std::uint32_t seed = 1; // the same file gives the same object
+  auto object = pcl::make_shared<PointCloud<PointNormal>>();
+  try {
+    for (const auto& drawn : sampleMesh(mesh, mesh_point_count, seed)) {
+      PointNormal point;
+      point.getVector3fMap() = drawn.position;
+      point.getNormalVector3fMap() = drawn.normal;
+      object->push_back(point);
+    }
+  } catch (const BadArgumentException&) { // its triangles are within its vertices
+    throw ToolError(path + ": no face of the mesh has an area");
+  }
+  return object;
+}
+
+constexpr const char* floor_field = "floor_distance";
+
+/** \brief A float field of the first point; NaN if there is none. */
+float
+firstValue(const PCLPointCloud2& cloud, const std::string& name)
+{
+  for (const auto& field : cloud.fields)
+    if (field.name == name && field.datatype == PCLPointField::FLOAT32 &&
+        cloud.data.size() >= field.offset + sizeof(float)) {
+      float value = 0.0f;
+      std::memcpy(&value, cloud.data.data() + field.offset, sizeof(float));
+      return value;
+    }
+  return std::numeric_limits<float>::quiet_NaN();
+}
+
+} // namespace
+
+std::vector<std::string>
+findObjects(const std::string& folder)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw ToolError(folder + ": no such folder");
+  std::vector<std::string> paths;
+  for (fs::recursive_directory_iterator entry(folder, error), end; entry != end;
+       entry.increment(error)) {
+    if (error)
+      break;
+    if (entry->is_regular_file() && isObject(entry->path()))
+      paths.push_back(entry->path().lexically_relative(folder).string()); // links stay
+  }
+  if (error)
+    throw ToolError(folder + ": cannot be read: " + error.message());
+  if (paths.empty())
+    throw ToolError(folder + ": no .pcd, .ply, .off or .obj file in this folder");
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+std::string
+classFolder(const std::string& path)
+{
+  const auto end = path.find('/');
+  return end == std::string::npos ? "" : path.substr(0, end);
+}
+
+void
+estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
+{
+  auto points = pcl::make_shared<PointCloud<PointXYZ>>();
+  copyPointCloud(cloud, *points);
+  // A cloud in rows would be searched by its rows, which miss neighbours.
+  points->width = static_cast<std::uint32_t>(points->size());
+  points->height = 1;
+  NormalEstimation<PointXYZ, Normal> estimation;
+  estimation.setInputCloud(points);
+  estimation.setKSearch(neighbor_count);
+  Eigen::Vector4f centroid;
+  compute3DCentroid(*points, centroid); // of the finite ones
+  estimation.setViewPoint(centroid.x(), centroid.y(), centroid.z());
+  PointCloud<Normal> normals;
+  estimation.compute(normals);
+  for (std::size_t k = 0; k < cloud.size(); ++k) {
+    cloud[k].getNormalVector3fMap() = normals[k].getNormalVector3fMap();
+    cloud[k].curvature = normals[k].curvature;
+  }
+}
+
+PlacedObject
+loadPlacedObject(const std::string& path, int neighbor_count)
+{
+  if (isMesh(path))
+    return {sampledObject(readMesh(path), path), {}};
+  const auto file = loadCloud(path);
+  const auto mesh = plyMesh(file);
+  if (!mesh.triangles.empty())
+    return {sampledObject(mesh, path), {}};
+  auto object = pcl::make_shared<PointCloud<PointNormal>>();
+  copyPointCloud(*file.points, *object);
+  object->is_dense = file.finite_count == object->size();
+  file.points->is_dense = object->is_dense;
+  if (file.has_normals) {
+    const auto normals = readNormals(file);
+    for (std::size_t k = 0; k < object->size(); ++k)
+      (*object)[k].getNormalVector3fMap() = (*normals)[k].getNormalVector3fMap();
+  }
+  else
+    estimateNormals(*object, neighbor_count);
+  return {object, readPlace(file)};
+}
+
+PointCloud<PointNormal>::Ptr
+loadObject(const std::string& path, int neighbor_count)
+{
+  return loadPlacedObject(path, neighbor_count).cloud;
+}
+
+std::vector<OrientedPoint>
+classifierPoints(const PointCloud<PointNormal>& cloud)
+{
+  Indices all(cloud.size());
+  std::iota(all.begin(), all.end(), 0);
+  return orientedPoints(cloud, cloud, all);
+}
+
+void
+saveObject(const std::string& path, const ObjectSurface& object)
+{
+  PointCloud<PointNormal> points;
+  for (const auto& [position, normal] : object.points) {
+    PointNormal point;
+    point.getVector3fMap() = position;
+    point.getNormalVector3fMap() = normal;
+    points.push_back(point);
+  }
+  PCLPointCloud2 cloud;
+  toPCLPointCloud2(points, cloud);
+  appendRealField(
+      cloud, floor_field, std::vector<float>(points.size(), object.floor_distance));
+  saveCloud(path, cloud);
+}
+
+ObjectPlace
+readPlace(const CloudFile& file)
+{
+  const float distance = firstValue(file.cloud, floor_field);
+  return distance >= 0.0f ? ObjectPlace{true, distance} : ObjectPlace();
+}
+
+} // namespace pcl::indoor::tool

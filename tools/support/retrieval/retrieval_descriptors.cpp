@@ -1,0 +1,166 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "retrieval/retrieval_descriptors.h"
+
+#include "objects/object_files.h"
+
+#include <pcl/features/eppf.h>
+#include <pcl/features/esf.h>
+#include <pcl/features/gasd.h>
+#include <pcl/features/impl/oriented_points.hpp>
+#include <pcl/features/our_cvfh.h>
+#include <pcl/features/surflet_pair.h>
+#include <pcl/features/vfh.h>
+#include <pcl/search/kdtree.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::indoor::tool {
+namespace {
+
+template <typename SignatureT>
+std::vector<float>
+firstHistogram(const PointCloud<SignatureT>& signatures)
+{
+  if (signatures.empty())
+    return {};
+  const auto& histogram = signatures[0].histogram;
+  return {std::begin(histogram), std::end(histogram)};
+}
+
+/** \brief Distances below this join two points of a surface sampled with that many. */
+float
+sampleSpacing(const RetrievalObject& object)
+{
+  // A unit object has a surface of about 3, so n samples are about sqrt(3 / n) apart.
+  OrientedPoint point;
+  std::vector<OrientedPoint> points;
+  for (const auto& p : *object.points) {
+    point.position = p.getVector3fMap();
+    points.push_back(point);
+  }
+  return objectExtent(points) * std::sqrt(3.0f / static_cast<float>(points.size()));
+}
+
+std::vector<float>
+describeByESF(const RetrievalObject& object, std::uint32_t)
+{
+  ESFEstimation<PointXYZ, ESFSignature640> estimation; // seeds itself from the clock
+  estimation.setInputCloud(object.points);
+  PointCloud<ESFSignature640> output;
+  estimation.compute(output);
+  return firstHistogram(output);
+}
+
+std::vector<float>
+describeByVFH(const RetrievalObject& object, std::uint32_t)
+{
+  VFHEstimation<PointXYZ, Normal, VFHSignature308> estimation;
+  estimation.setInputCloud(object.points);
+  estimation.setInputNormals(object.normals);
+  estimation.setSearchMethod(pcl::make_shared<search::KdTree<PointXYZ>>());
+  PointCloud<VFHSignature308> output;
+  estimation.compute(output);
+  return firstHistogram(output);
+}
+
+std::vector<float>
+describeByOURCVFH(const RetrievalObject& object, std::uint32_t)
+{
+  // Its defaults are lengths of table-top scenes in metres; these follow the object.
+  const float spacing = sampleSpacing(object);
+  OURCVFHEstimation<PointXYZ, Normal, VFHSignature308> estimation;
+  estimation.setInputCloud(object.points);
+  estimation.setInputNormals(object.normals);
+  estimation.setSearchMethod(pcl::make_shared<search::KdTree<PointXYZ>>());
+  estimation.setRadiusNormals(3 * spacing);
+  estimation.setClusterTolerance(3 * spacing);
+  PointCloud<VFHSignature308> output;
+  estimation.compute(output);
+  return firstHistogram(output);
+}
+
+std::vector<float>
+describeByGASD(const RetrievalObject& object, std::uint32_t)
+{
+  GASDEstimation<PointXYZ, GASDSignature512> estimation;
+  estimation.setInputCloud(object.points);
+  PointCloud<GASDSignature512> output;
+  estimation.compute(output);
+  return firstHistogram(output);
+}
+
+} // namespace
+
+RetrievalObject
+makeRetrievalObject(const PointCloud<PointNormal>& surface, int neighbor_count)
+{
+  RetrievalObject object{pcl::make_shared<PointCloud<PointNormal>>(),
+                         pcl::make_shared<PointCloud<PointXYZ>>(),
+                         pcl::make_shared<PointCloud<Normal>>()};
+  for (const auto& point : surface)
+    if (point.getVector3fMap().allFinite() && point.getNormalVector3fMap().allFinite())
+      object.surface->push_back(point);
+  const auto& kept = *object.surface;
+  const bool has_curvature =
+      std::any_of(kept.begin(), kept.end(), [](const auto& point) {
+        return point.curvature > 0.0f;
+      });
+  auto curved = kept;
+  if (!has_curvature && !kept.empty())
+    estimateNormals(curved, neighbor_count);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    object.points->push_back({kept[k].x, kept[k].y, kept[k].z});
+    object.normals->push_back(
+        {kept[k].normal_x, kept[k].normal_y, kept[k].normal_z, curved[k].curvature});
+  }
+  return object;
+}
+
+RetrievalDescriptor
+eppfDescriptor(const std::string& name, const EPPFOptions& options)
+{
+  const auto describe = [options](const RetrievalObject& object, std::uint32_t seed) {
+    Indices indices(object.surface->size());
+    for (std::size_t k = 0; k < indices.size(); ++k)
+      indices[k] = static_cast<index_t>(k);
+    auto seeded = options;
+    seeded.seed += seed;
+    return eppfHistogram(orientedPoints(*object.surface, *object.surface, indices),
+                         seeded);
+  };
+  return {name, true, false, describe};
+}
+
+RetrievalDescriptor
+surfletPairDescriptor(int bin_count)
+{
+  const auto describe = [bin_count](const RetrievalObject& object, std::uint32_t seed) {
+    Indices indices(object.surface->size());
+    for (std::size_t k = 0; k < indices.size(); ++k)
+      indices[k] = static_cast<index_t>(k);
+    SurfletPairOptions options;
+    options.bin_count = bin_count;
+    options.seed += seed;
+    return surfletPairHistogram(
+        orientedPoints(*object.surface, *object.surface, indices), options);
+  };
+  return {bin_count == 5 ? "wahl" : "wahl_" + std::to_string(bin_count),
+          true,
+          false,
+          describe};
+}
+
+std::vector<RetrievalDescriptor>
+peerDescriptors()
+{
+  return {{"esf", true, false, describeByESF},
+          {"vfh", false, false, describeByVFH},
+          {"our_cvfh", false, true, describeByOURCVFH},
+          {"gasd", false, false, describeByGASD}};
+}
+
+} // namespace pcl::indoor::tool

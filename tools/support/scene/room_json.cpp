@@ -1,0 +1,101 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "scene/room_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json
+footprintJson(const Room& room, const Eigen::Vector3d& offset)
+{
+  Json lines = Json::array();
+  for (const auto& line : room.footprint) {
+    Json corners = Json::array();
+    for (const auto& corner : line)
+      corners.push_back(positionJson(corner + offset));
+    lines.push_back(std::move(corners));
+  }
+  return lines;
+}
+
+Json
+neighboursJson(const Room& room,
+               const std::vector<RoomOpening>& openings,
+               const Eigen::Vector3d& offset)
+{
+  Json neighbours = Json::array();
+  for (const auto& opening : openings) {
+    if (opening.room_a != room.label && opening.room_b != room.label)
+      continue;
+    Json json;
+    json["room"] = opening.room_a == room.label ? opening.room_b : opening.room_a;
+    json["position"] = positionJson(opening.position + offset);
+    json["width"] = rounded(opening.width);
+    json["area"] = rounded(opening.area);
+    neighbours.push_back(std::move(json));
+  }
+  return neighbours;
+}
+
+} // namespace
+
+Json
+positionJson(const Eigen::Vector3d& position)
+{
+  return {rounded(position.x()), rounded(position.y()), rounded(position.z())};
+}
+
+Json
+roomsJson(const std::vector<Room>& rooms,
+          const std::vector<RoomOpening>& openings,
+          const Eigen::Vector3d& offset)
+{
+  Json list = Json::array();
+  for (const auto& room : rooms) {
+    Json json;
+    json["room"] = room.label;
+    json["storey"] = room.storey;
+    if (room.point_count > 0)
+      addPlaceJson(json, room, offset);
+    else
+      json["points"] = 0;
+    json["area"] = rounded(room.area);
+    json["height"] = rounded(room.height);
+    json["volume"] = rounded(room.volume);
+    json["footprint"] = footprintJson(room, offset);
+    json["neighbours"] = neighboursJson(room, openings, offset);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json
+inputJson(const CloudFile& file,
+          const std::string& parameters,
+          const std::vector<std::uint32_t>& room_of_point)
+{
+  Json json;
+  json["input"] = std::filesystem::path(file.path).filename().string();
+  json["parameters"] = parameters;
+  json["unit"] = "metre";
+  json["offset"] = {
+      file.frame.offset.x(), file.frame.offset.y(), file.frame.offset.z()};
+  json["points"] = file.points->size();
+  json["finite_points"] = file.finite_count;
+  json["points_in_rooms"] = static_cast<std::size_t>(
+      std::count_if(room_of_point.begin(), room_of_point.end(), [](std::uint32_t room) {
+        return room > 0;
+      }));
+  return json;
+}
+
+} // namespace pcl::indoor::tool

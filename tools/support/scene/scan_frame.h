@@ -1,0 +1,55 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/cloud_file.h"
+
+#include <pcl/segmentation/room_segmentation.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief How a scan's coordinates are meant: the options -unit and -up. */
+struct ScanFrame {
+  std::string unit = "m";
+  std::string up = "z";
+
+  void
+  addOptions(OptionParser& parser);
+
+  double
+  metresPerUnit() const;
+
+  /** \brief The direction of a text such as "-y". */
+  Eigen::Vector3f
+  upAxis() const;
+};
+
+/** \brief Find the rooms; what is implausible is said on stderr, a line each.
+ * \param[in,out] segmentation its parameters are set; frame and input are set here
+ * \return the room of each point
+ * \throws AlreadyReported if the segmentation has printed why it failed
+ */
+std::vector<std::uint32_t>
+segmentRooms(const CloudFile& file,
+             const ScanFrame& frame,
+             RoomSegmentation<PointXYZ>& segmentation);
+
+/** \brief What the tool says on a terminal: number of rooms, an automatic voxel size
+ * that was raised, points that were left out. */
+std::string
+summaryOf(const RoomSegmentation<PointXYZ>& segmentation);
+
+/** \brief Unit of the coordinates, voxel size, points left out and warnings. */
+void
+addReportJson(nlohmann::ordered_json& json,
+              const ScanFrame& frame,
+              const ScanReport& report);
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,59 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/cloud_file.h"
+#include "scene/object_classes.h"
+#include "scene/scan_frame.h"
+
+#include <pcl/segmentation/building_rooms.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief An object of a scene, in the frame of CloudFile::points. */
+struct SceneObject {
+  std::uint32_t room = 0;
+  std::uint32_t structure = 0; ///< a StructureKind
+  std::size_t point_count = 0;
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< corner of the box
+  Eigen::Vector3d upper = Eigen::Vector3d::Zero();
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+};
+
+/** \brief What was found in a scan; positions in the frame of CloudFile::points. */
+struct Scene {
+  std::vector<std::uint32_t> room_of_point;      ///< 0 = none
+  std::vector<std::uint32_t> object_of_point;    ///< 0 = none
+  std::vector<std::uint32_t> structure_of_point; ///< a StructureKind
+  std::vector<Room> rooms;                       ///< in the order of their labels
+  std::vector<RoomOpening> openings;             ///< between the rooms
+  std::vector<SceneObject> objects;              ///< object i + 1 is the i-th
+  SceneClasses classes;                          ///< of the objects
+  BuildingRooms building;
+  ScanReport report;
+};
+
+/** \brief Room, kind, box, centre and number of points of each object.
+ * \param[in] scene with rooms, objects and structure of the points */
+std::vector<SceneObject>
+measureObjects(const PointCloud<PointXYZ>& points, const Scene& scene);
+
+/** \brief The JSON text of a scene; positions in the frame and the unit of the file,
+ * areas and lengths in metres. \param[in] parameters the values that were used, for the
+ * record
+ */
+std::string
+sceneText(const Scene& scene,
+          const CloudFile& file,
+          const ScanFrame& frame,
+          const std::string& parameters);
+
+} // namespace pcl::indoor::tool

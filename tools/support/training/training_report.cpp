@@ -1,0 +1,148 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "training/training_report.h"
+
+#include "pictures/line_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pcl::indoor::tool {
+namespace {
+
+/** \brief A step of 1, 2 or 5 times a power of ten, of which at most six make the
+ * whole. */
+double
+stepOf(double whole)
+{
+  double step = std::pow(10.0, std::floor(std::log10(whole / 6.0)));
+  for (const double factor : {2.0, 2.5, 2.0}) { // 1, 2, 5, 10
+    if (step * 6.0 >= whole)
+      break;
+    step *= factor;
+  }
+  return step;
+}
+
+/** \brief A curve per network and part, of one value of each epoch. */
+template <typename Value>
+std::vector<Curve>
+curvesOf(const EpochLog& log, bool is_validation, const Value& value)
+{
+  std::vector<Curve> curves;
+  for (std::size_t k = 0; k < log.size(); ++k) {
+    Curve curve;
+    curve.name = is_validation ? "validation" : "training";
+    if (log.size() > 1)
+      curve.name += " " + std::to_string(k + 1);
+    curve.color = labelColor(static_cast<std::uint32_t>(k + 1));
+    curve.dashed = is_validation;
+    for (const auto& epoch : log[k])
+      curve.points.emplace_back(epoch.epoch, value(epoch));
+    curves.push_back(curve);
+  }
+  return curves;
+}
+
+} // namespace
+
+std::string
+logHeader()
+{
+  return "network,epoch,training_loss,training_accuracy,validation_loss,"
+         "validation_accuracy\n";
+}
+
+std::string
+logLine(std::size_t network, const EpochReport& epoch, bool has_validation)
+{
+  char line[200];
+  std::snprintf(line,
+                sizeof(line),
+                "%zu,%d,%.9g,%.9g",
+                network,
+                epoch.epoch,
+                epoch.training_loss,
+                epoch.training_accuracy);
+  std::string text = line;
+  if (has_validation) {
+    std::snprintf(line,
+                  sizeof(line),
+                  ",%.9g,%.9g",
+                  epoch.validation_loss,
+                  epoch.validation_accuracy);
+    return text + line + "\n";
+  }
+  return text + ",,\n";
+}
+
+std::string
+logText(const EpochLog& log, bool has_validation)
+{
+  std::string text = logHeader();
+  for (std::size_t k = 0; k < log.size(); ++k)
+    for (const auto& epoch : log[k])
+      text += logLine(k + 1, epoch, has_validation);
+  return text;
+}
+
+Picture
+curvesPicture(const EpochLog& log, bool has_validation)
+{
+  std::vector<Curve> losses, accuracies;
+  for (const bool is_validation : {false, true}) {
+    if (is_validation && !has_validation)
+      continue;
+    for (auto& curve : curvesOf(log, is_validation, [&](const EpochReport& epoch) {
+           return is_validation ? epoch.validation_loss : epoch.training_loss;
+         }))
+      losses.push_back(std::move(curve));
+    for (auto& curve : curvesOf(log, is_validation, [&](const EpochReport& epoch) {
+           return 100.0 *
+                  (is_validation ? epoch.validation_accuracy : epoch.training_accuracy);
+         }))
+      accuracies.push_back(std::move(curve));
+  }
+  double epochs = 1.0;
+  double loss = 1e-6;
+  for (const auto& curve : losses)
+    for (const auto& point : curve.points) {
+      epochs = std::max(epochs, point.first);
+      loss = std::max(loss, point.second);
+    }
+  const double x_step = std::max(stepOf(epochs), 1.0);
+  const double y_step = stepOf(loss);
+  const auto upper = LinePlot(epochs, y_step * std::ceil(loss / y_step))
+                         .draw("Loss", "epoch", "", losses, x_step, y_step);
+  const auto lower =
+      LinePlot(epochs, 100.0).draw("Accuracy", "epoch", "%", accuracies, x_step, 20.0);
+  Picture picture(upper.width(), upper.height() + lower.height());
+  picture.paste(upper, 0, 0);
+  picture.paste(lower, 0, upper.height());
+  return picture;
+}
+
+std::string
+scoresText(const ConfusionMatrix& confusion)
+{
+  std::size_t objects = 0;
+  for (std::size_t truth = 0; truth < confusion.class_count; ++truth)
+    objects += confusion.objectCount(truth);
+  const auto scores = classificationScores(confusion);
+  char text[200];
+  std::snprintf(text,
+                sizeof(text),
+                "%zu objects: total accuracy %.2f %%, mean accuracy %.2f %%, mean "
+                "recall %.2f %%, F1 %.3f\n",
+                objects,
+                100.0 * scores.total_accuracy,
+                100.0 * scores.mean_accuracy,
+                100.0 * scores.mean_recall,
+                scores.f1);
+  return text;
+}
+
+} // namespace pcl::indoor::tool
