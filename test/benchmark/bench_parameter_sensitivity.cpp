@@ -55,7 +55,7 @@ labelsOfSupervoxels(const ObjectSegmentation& result,
 {
   std::vector<std::map<std::uint32_t, std::size_t>> counts(result.supervoxels.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const auto voxel = result.voxels.cells.cell_of_point[i];
+    const auto voxel = result.scene.voxels.cells.cell_of_point[i];
     const auto supervoxel = result.supervoxels.label_of_voxel[voxel];
     if (supervoxel != Supervoxels::none && labels[i] != 0)
       ++counts[supervoxel][labels[i]];
@@ -83,8 +83,8 @@ countEdges(const ObjectSegmentation& graph,
            const std::vector<std::uint8_t>& removed)
 {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-  const auto& neighbors = graph.voxels.neighbors;
-  for (std::uint32_t v = 0; v < graph.voxels.size(); ++v)
+  const auto& neighbors = graph.scene.voxels.neighbors;
+  for (std::uint32_t v = 0; v < graph.scene.voxels.size(); ++v)
     for (auto j = neighbors.offsets[v]; j < neighbors.offsets[v + 1]; ++j) {
       const auto other = neighbors.targets[j];
       const auto a = graph.supervoxels.label_of_voxel[v];

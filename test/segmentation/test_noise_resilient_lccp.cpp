@@ -35,7 +35,7 @@ TEST(NoiseResilientLCCP, TurnsNormalsIntoARoomByItself)
   segmentation.setInputCloud(cloudOf(scene.points));
   Labels labels;
   segmentation.segment(labels);
-  const auto& voxels = segmentation.getResult().voxels;
+  const auto& voxels = segmentation.getResult().scene.voxels;
   std::size_t right = 0;
   for (std::size_t i = 0; i < scene.points.size(); ++i)
     right += voxels.normals[voxels.cells.cell_of_point[i]].dot(scene.normals[i]) > 0;
@@ -217,7 +217,7 @@ TEST(NoiseResilientLCCP, TheFirstPointIsLikeAllOthers)
     segmentation.setInputCloud(cloudOf(cloud));
     Labels labels;
     segmentation.segment(labels);
-    return segmentation.getResult().voxels.cells.keys;
+    return segmentation.getResult().scene.voxels.cells.keys;
   };
   const auto voxels = voxelsOf(points);
   EXPECT_GT(voxels.size(), 100u);

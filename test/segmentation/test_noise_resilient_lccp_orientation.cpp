@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
@@ -33,7 +33,7 @@ wall()
 double
 shareForwards(const Segmentation& segmentation)
 {
-  const auto& normals = segmentation.getResult().voxels.normals;
+  const auto& normals = segmentation.getResult().scene.voxels.normals;
   std::size_t forwards = 0;
   for (const auto& normal : normals)
     forwards += normal.y() > 0;

@@ -98,7 +98,7 @@ TEST(NoiseResilientLCCPSteps, KeepsFloorCeilingAndWallsOutOfTheGraph)
   Labels labels;
   segmentation.segment(labels);
   const auto planes = [&] {
-    const auto& of_voxels = segmentation.getResult().plane_of_voxel;
+    const auto& of_voxels = segmentation.getResult().scene.plane_of_voxel;
     return of_voxels.empty() ? 0
                              : *std::max_element(of_voxels.begin(), of_voxels.end());
   };

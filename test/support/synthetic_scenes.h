@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include <Eigen/Geometry>
 

@@ -5,7 +5,7 @@
 // Runs the tools, found by PCL_INDOOR_TOOLS, with the options of pre-processing.
 #include "files/cloud_file.h"
 #include "support/folder_test.h"
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include <pcl/io/pcd_io.h>
 

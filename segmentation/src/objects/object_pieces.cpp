@@ -4,7 +4,7 @@
  */
 #include "objects/object_pieces.h"
 
-#include "objects/graph/object_voxels.h"
+#include "objects/segment_names.h"
 #include "objects/structure/wall_frames.h"
 
 #include "objects/split/flat_things.h"
@@ -16,15 +16,14 @@
 namespace {
 
 using pcl::indoor::ObjectSegmentation;
-using pcl::indoor::ObjectSegmentationOptions;
 
 /** The piece of most points of each voxel. */
 std::vector<std::uint32_t>
 piecesOfVoxels(const ObjectSegmentation& result)
 {
-  const auto& cells = result.voxels.cells;
-  std::vector<std::uint32_t> piece_of_voxel(result.voxels.size(), 0), pieces;
-  for (std::size_t v = 0; v < result.voxels.size(); ++v) {
+  const auto& cells = result.scene.voxels.cells;
+  std::vector<std::uint32_t> piece_of_voxel(result.scene.voxels.size(), 0), pieces;
+  for (std::size_t v = 0; v < result.scene.voxels.size(); ++v) {
     pieces.clear();
     for (auto i = cells.offsets[v]; i < cells.offsets[v + 1]; ++i)
       pieces.push_back(result.piece_of_point[cells.points[i]]);
@@ -55,74 +54,33 @@ withSinglePieces(const ObjectSegmentation& result, std::vector<std::uint8_t> fla
   return flags;
 }
 
-void
-cutGaps(const std::vector<Eigen::Vector3f>& points,
-        const std::vector<std::uint8_t>& left_out,
-        const ObjectSegmentationOptions& options,
-        ObjectSegmentation& result)
-{
-  pcl::indoor::ObjectGapOptions gaps;
-  gaps.up = options.up;
-  gaps.voxel_size = options.voxel_size;
-  gaps.threads = options.threads;
-  pcl::indoor::partAtGaps(points, left_out, gaps, result.segment_of_point);
-}
-
 } // namespace
 
 namespace pcl {
 namespace indoor {
 
 void
-numberSegments(ObjectSegmentation& result)
+cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& result)
 {
-  const auto highest =
-      std::max_element(result.segment_of_point.begin(), result.segment_of_point.end());
-  std::vector<std::uint32_t> number(
-      highest == result.segment_of_point.end() ? 0 : *highest + 1, Supervoxels::none);
-  result.segment_count = 0;
-  for (auto& segment : result.segment_of_point) {
-    if (number[segment] == Supervoxels::none)
-      number[segment] = result.segment_count++;
-    segment = number[segment];
-  }
+  const auto& scene = result.scene;
+  result.segment_of_point = partFlatThings(scene, piece_of_voxel);
+  std::vector<std::uint8_t> in_structure;
+  for (std::size_t i = 0; i < scene.points.size(); ++i)
+    in_structure.push_back(scene.planeOfPoint(i) != 0);
+  partAtGaps(scene, in_structure, result.segment_of_point);
 }
 
 void
-cutPieces(const std::vector<Eigen::Vector3f>& points,
-          const std::vector<std::uint32_t>& piece_of_voxel,
-          const ObjectSegmentationOptions& options,
-          ObjectSegmentation& result)
-{
-  const auto in_plane = inStructure(result);
-  FlatThingOptions things;
-  things.up = options.up;
-  things.voxel_size = options.voxel_size;
-  result.segment_of_point =
-      partFlatThings(points, result.voxels, piece_of_voxel, in_plane, things);
-  std::vector<std::uint8_t> point_in_plane;
-  for (const auto voxel : result.voxels.cells.cell_of_point)
-    point_in_plane.push_back(in_plane[voxel]);
-  cutGaps(points, point_in_plane, options, result);
-}
-
-void
-joinPiecesOfRoom(const std::vector<StructurePlane>& planes,
-                 const ObjectSegmentationOptions& options,
-                 ObjectSegmentation& result)
+joinPiecesOfRoom(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
 {
   numberSegments(result);
   result.piece_of_point = result.segment_of_point;
   const auto piece_of_voxel = piecesOfVoxels(result);
-  result.pieces = pieceGraph({result.voxels,
-                              result.plane_of_voxel,
+  result.pieces = pieceGraph({result.scene,
                               piece_of_voxel,
                               result.segment_count,
                               result.supervoxels,
-                              result.edges,
-                              options.voxel_size},
-                             planes,
-                             options.up);
+                              result.edges});
   LearnedCriterion criterion(options.scale);
   result.joins = joinPieces(result.pieces, criterion);
   const auto segment_of_piece =
@@ -132,24 +90,11 @@ joinPiecesOfRoom(const std::vector<StructurePlane>& planes,
 }
 
 void
-cutBodies(const std::vector<Eigen::Vector3f>& points,
-          const std::vector<StructurePlane>& planes,
-          const ObjectSegmentationOptions& options,
-          ObjectSegmentation& result)
+cutBodies(ObjectSegmentation& result)
 {
-  const auto left_out = flagStructureAndFrames(points,
-                                               result.voxels,
-                                               planes,
-                                               result.plane_of_voxel,
-                                               options.voxel_size,
-                                               options.up,
-                                               result.segment_of_point);
-  cutGaps(points, withSinglePieces(result, left_out), options, result);
-  ObjectSeamOptions seams;
-  seams.up = options.up;
-  seams.voxel_size = options.voxel_size;
-  seams.threads = options.threads;
-  partAtSeams(points, result.voxels, left_out, seams, result.segment_of_point);
+  const auto left_out = flagStructureAndFrames(result.scene, result.segment_of_point);
+  partAtGaps(result.scene, withSinglePieces(result, left_out), result.segment_of_point);
+  partAtSeams(result.scene, left_out, result.segment_of_point);
 }
 
 } // namespace indoor

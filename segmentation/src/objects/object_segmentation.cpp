@@ -2,21 +2,20 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/object_segmentation.h>
-
-#include "objects/graph/object_voxels.h"
-#include "objects/object_pieces.h"
-
+#include "objects/graph/non_convex_voxels.h"
 #include "objects/graph/point_recovery.h"
+#include "objects/graph/scene_making.h"
+#include "objects/object_pieces.h"
+#include "objects/segment_names.h"
 #include "objects/structure/enclosed_structure.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/indoor/point_resolution.h>
-#include <pcl/segmentation/objects/graph_segmentation.h>
+#include <pcl/segmentation/object_segmentation.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
+#include <utility>
 
 namespace {
 
@@ -81,12 +80,12 @@ segmentsOfVoxels(const std::vector<std::uint32_t>& segment_of_supervoxel,
   std::vector<std::uint32_t> size(segment_of_supervoxel.size(), 0);
   for (const auto segment : segment_of_supervoxel)
     ++size[segment];
-  std::vector<std::uint32_t> segments(result.voxels.size(), Supervoxels::none);
-  for (std::size_t v = 0; v < result.voxels.size(); ++v) {
+  std::vector<std::uint32_t> segments(result.scene.voxels.size(), Supervoxels::none);
+  for (std::size_t v = 0; v < result.scene.voxels.size(); ++v) {
     const auto supervoxel = result.supervoxels.label_of_voxel[v];
-    if (result.plane_of_voxel[v] != 0)
+    if (result.scene.plane_of_voxel[v] != 0)
       segments[v] =
-          static_cast<std::uint32_t>(size.size()) + result.plane_of_voxel[v] - 1;
+          static_cast<std::uint32_t>(size.size()) + result.scene.plane_of_voxel[v] - 1;
     if (supervoxel == Supervoxels::none)
       continue;
     const auto segment = segment_of_supervoxel[supervoxel];
@@ -96,87 +95,36 @@ segmentsOfVoxels(const std::vector<std::uint32_t>& segment_of_supervoxel,
   return segments;
 }
 
-/** Put segments of fewer voxels than a supervoxel, too small to be told, into one.
- * \return a point of it; none if there is none */
-std::optional<std::size_t>
-gatherRemainder(double supervoxel, ObjectSegmentation& result)
-{
-  auto& segments = result.segment_of_point;
-  const auto highest = std::max_element(segments.begin(), segments.end());
-  const auto remainder = highest == segments.end() ? 0 : *highest + 1;
-  std::vector<std::vector<std::uint32_t>> voxels(remainder); // as many as are enough
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    auto& own = voxels[segments[i]];
-    const auto voxel = result.voxels.cells.cell_of_point[i];
-    if (static_cast<double>(own.size()) < supervoxel &&
-        std::find(own.begin(), own.end(), voxel) == own.end())
-      own.push_back(voxel);
-  }
-  std::optional<std::size_t> first;
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    if (static_cast<double>(voxels[segments[i]].size()) < supervoxel) {
-      segments[i] = remainder;
-      first = first.value_or(i);
-    }
-  return first;
-}
-
-/** What the segments of most points of the planes are. */
-std::vector<pcl::indoor::StructureKind>
-structureOfSegments(const std::vector<pcl::indoor::StructurePlane>& planes,
-                    const Eigen::Vector3f& up,
-                    const ObjectSegmentation& result)
-{
-  std::vector<std::map<std::uint32_t, std::size_t>> counts(planes.size());
-  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i)
-    if (const auto plane = result.plane_of_voxel[result.voxels.cells.cell_of_point[i]])
-      ++counts[plane - 1][result.segment_of_point[i]];
-  std::vector<pcl::indoor::StructureKind> kinds(result.segment_count,
-                                                pcl::indoor::StructureKind::None);
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const auto most = std::max_element(
-        counts[p].begin(), counts[p].end(), [](const auto& a, const auto& b) {
-          return a.second < b.second;
-        });
-    if (most != counts[p].end())
-      kinds[most->first] = kindOf(planes[p], up);
-  }
-  return kinds;
-}
-
 /** The segment of every voxel: that of its supervoxel, recovered, or its plane. */
 std::vector<std::uint32_t>
 partitionVoxels(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
 {
   const pcl::indoor::SurfaceDistance distance{
       options.seed_size, options.spatial_weight, options.normal_weight};
-  const auto in_plane = inStructure(result);
-  result.removed = pcl::indoor::findNonConvexVoxels(result.voxels, in_plane, options);
-  auto left_out = in_plane;
+  const auto& scene = result.scene;
+  result.removed = pcl::indoor::findNonConvexVoxels(scene, options);
+  auto left_out = scene.structureFlags();
   for (std::size_t v = 0; v < left_out.size(); ++v)
     left_out[v] |= result.removed[v];
   result.supervoxels =
-      pcl::indoor::growSupervoxels(result.voxels,
+      pcl::indoor::growSupervoxels(result.scene.voxels,
                                    left_out,
                                    options.seed_size / options.voxel_size,
                                    distance,
                                    options.threads);
   result.edges = pcl::indoor::surfaceEdges(
-      result.voxels, result.supervoxels, options.concavity_tolerance_degrees);
+      result.scene.voxels, result.supervoxels, options.concavity_tolerance_degrees);
   auto segments = segmentsOfVoxels(
       joinSupervoxels(result, options, distance), options.min_segment_size, result);
-  pcl::indoor::recoverLabels(result.voxels.centroids,
-                             result.voxels.normals,
-                             result.voxels.neighbors,
+  pcl::indoor::recoverLabels(result.scene.voxels.centroids,
+                             result.scene.voxels.normals,
+                             result.scene.voxels.neighbors,
                              distance,
                              segments);
-  const auto& planes = result.plane_of_voxel;
-  const auto last = std::max_element(planes.begin(), planes.end());
-  const auto plane_count = last == planes.end() ? 0 : *last;
-  pcl::indoor::labelRemainder(result.voxels.neighbors,
-                              static_cast<std::uint32_t>(result.supervoxels.size()) +
-                                  plane_count,
-                              segments);
+  pcl::indoor::labelRemainder(
+      scene.voxels.neighbors,
+      static_cast<std::uint32_t>(result.supervoxels.size() + scene.planes.size()),
+      segments);
   return segments;
 }
 
@@ -186,38 +134,27 @@ namespace pcl {
 namespace indoor {
 
 ObjectSegmentation
-segmentObjects(const ObjectSegmentationInput& input,
+segmentObjects(ObjectSegmentationInput input,
                const ObjectSegmentationOptions& given_options)
 {
   const auto options = checkedOptions(input, given_options);
+  const bool is_room = !input.single_camera;
   ObjectSegmentation result;
-  result.voxel_size = options.voxel_size;
-  const auto planes = makeObjectVoxels(input, options, result);
+  result.scene = makeObjectScene(std::move(input), options);
   const auto segment_of_voxel = partitionVoxels(options, result);
-  result.segment_of_point.reserve(input.points.size());
-  for (const auto voxel : result.voxels.cells.cell_of_point)
-    result.segment_of_point.push_back(segment_of_voxel[voxel]);
-  if (options.partition == Partition::Pieces && !input.single_camera) {
-    cutPieces(input.points, segment_of_voxel, options, result);
-    joinPiecesOfRoom(planes, options, result);
-    cutBodies(input.points, planes, options, result);
+  if (options.partition == Partition::Pieces && is_room) {
+    cutPieces(segment_of_voxel, result);
+    joinPiecesOfRoom(options, result);
+    cutBodies(result);
   }
-  yieldEnclosed(input.points,
-                result.voxels,
-                planes,
-                options.voxel_size,
-                options.up,
-                result.plane_of_voxel,
-                result.segment_of_point);
-  std::optional<std::size_t> remainder;
+  else
+    for (const auto voxel : result.scene.voxels.cells.cell_of_point)
+      result.segment_of_point.push_back(segment_of_voxel[voxel]);
+  yieldEnclosed(result.scene, result.segment_of_point);
   if (options.partition == Partition::Pieces)
-    remainder =
-        gatherRemainder(std::pow(options.seed_size / options.voxel_size, 2), result);
-  numberSegments(result);
-  result.structure_of_segment = structureOfSegments(planes, options.up, result);
-  if (remainder)
-    result.structure_of_segment[result.segment_of_point[*remainder]] =
-        StructureKind::Remainder;
+    nameSegments(std::pow(options.seed_size / options.voxel_size, 2), result);
+  else
+    nameSegments(0, result);
   return result;
 }
 

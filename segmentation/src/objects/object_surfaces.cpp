@@ -116,7 +116,7 @@ objectSurfaces(const ObjectSegmentation& room,
                const std::vector<std::uint32_t>& object_of_point,
                std::uint32_t object_count)
 {
-  const auto& voxels = room.voxels;
+  const auto& voxels = room.scene.voxels;
   if (object_of_point.size() != voxels.cells.cell_of_point.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         object_of_point.size()

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "support/labelled_cloud.h"
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/segmentation_metrics.h>

@@ -40,8 +40,8 @@ public:
   segmentation() const
   {
     ObjectSegmentation result;
-    result.voxels = surfaceVoxels(points_, {}, 0.4 * step);
-    averageNormals(normals_, result.voxels);
+    result.scene.voxels = surfaceVoxels(points_, {}, 0.4 * step);
+    averageNormals(normals_, result.scene.voxels);
     return result;
   }
 

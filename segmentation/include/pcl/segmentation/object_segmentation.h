@@ -6,7 +6,7 @@
 
 #include <pcl/features/normal_orientation.h>
 #include <pcl/segmentation/objects/object_joining.h>
-#include <pcl/segmentation/objects/room_structure.h>
+#include <pcl/segmentation/objects/object_scene.h>
 #include <pcl/segmentation/objects/surface_graph.h>
 
 #include <Eigen/Core>
@@ -92,10 +92,7 @@ singleViewOptions();
 
 /** \brief Segments and what led to them. */
 struct ObjectSegmentation {
-  double voxel_size = 0; ///< that was used, metres
-  SurfaceVoxels voxels;
-  /** per voxel: number of the floor's, ceiling's or wall's plane, from 1; 0 = none */
-  std::vector<std::uint32_t> plane_of_voxel;
+  ObjectScene scene; ///< with the points of the input and the voxel size that was used
   std::vector<std::uint8_t> removed; ///< per voxel: non-convex, taken out and recovered
   Supervoxels supervoxels; ///< of the voxels that are in no plane and not removed
   std::vector<SurfaceEdge> edges;            ///< between supervoxels
@@ -119,8 +116,7 @@ struct ObjectSegmentation {
  * \throws pcl::BadArgumentException if an option is out of range or sizes differ
  */
 ObjectSegmentation
-segmentObjects(const ObjectSegmentationInput& input,
-               const ObjectSegmentationOptions& options);
+segmentObjects(ObjectSegmentationInput input, const ObjectSegmentationOptions& options);
 
 /** \brief Find what is wrong with the options.
  * \return one sentence with parameter, value and unit; empty if nothing is

@@ -88,15 +88,15 @@ placesOf(const PieceSurface& surface, const Eigen::Matrix3f& frame)
 {
   LooseVoxels loose;
   std::vector<double> heights;
-  for (std::uint32_t v = 0; v < surface.voxels.size(); ++v) {
-    const Eigen::Vector3f position = frame * surface.voxels.centroids[v];
+  for (std::uint32_t v = 0; v < surface.scene.voxels.size(); ++v) {
+    const Eigen::Vector3f position = frame * surface.scene.voxels.centroids[v];
     heights.push_back(position.z());
-    if (surface.plane_of_voxel[v] != 0)
+    if (surface.scene.plane_of_voxel[v] != 0)
       continue;
     loose.voxels.push_back(v);
     loose.pieces.push_back(surface.piece_of_voxel[v]);
     loose.positions.push_back(position);
-    loose.normals.push_back(frame * surface.voxels.normals[v]);
+    loose.normals.push_back(frame * surface.scene.voxels.normals[v]);
   }
   if (!heights.empty())
     loose.floor = pcl::indoor::quantile(heights, lowest_share);
@@ -115,7 +115,7 @@ describePieces(const PieceSurface& surface, const LooseVoxels& loose)
     positions_of[loose.pieces[i]].push_back(loose.positions[i]);
   }
   const pcl::indoor::DirectionHulls hulls(Eigen::Matrix3f::Identity());
-  const float margin = 0.5f * static_cast<float>(surface.voxel_size);
+  const float margin = 0.5f * static_cast<float>(surface.scene.voxel_size);
   for (std::uint32_t p = 0; p < surface.piece_count; ++p)
     if (!positions_of[p].empty()) {
       pieces[p].reach = hulls.reachOf(positions_of[p], margin);
@@ -128,8 +128,8 @@ describePieces(const PieceSurface& surface, const LooseVoxels& loose)
 void
 addTouching(const PieceSurface& surface, const LooseVoxels& loose, ContactMap& contacts)
 {
-  const auto& neighbors = surface.voxels.neighbors;
-  std::vector<std::uint32_t> entry_of_voxel(surface.voxels.size(), 0), around;
+  const auto& neighbors = surface.scene.voxels.neighbors;
+  std::vector<std::uint32_t> entry_of_voxel(surface.scene.voxels.size(), 0), around;
   for (std::uint32_t i = 0; i < loose.voxels.size(); ++i)
     entry_of_voxel[loose.voxels[i]] = i;
   for (std::uint32_t i = 0; i < loose.voxels.size(); ++i) {
@@ -138,7 +138,7 @@ addTouching(const PieceSurface& surface, const LooseVoxels& loose, ContactMap& c
     for (auto j = neighbors.offsets[voxel]; j < neighbors.offsets[voxel + 1]; ++j) {
       const auto other = neighbors.targets[j];
       const auto piece = surface.piece_of_voxel[other];
-      if (surface.plane_of_voxel[other] != 0 || piece == own)
+      if (surface.scene.plane_of_voxel[other] != 0 || piece == own)
         continue;
       around.push_back(piece);
       if (voxel < other)
@@ -233,7 +233,7 @@ addBends(const PieceSurface& surface, ContactMap& contacts)
   using pcl::indoor::Supervoxels;
   std::vector<std::uint32_t> piece_of_supervoxel(surface.supervoxels.size(),
                                                  Supervoxels::none);
-  for (std::size_t v = 0; v < surface.voxels.size(); ++v)
+  for (std::size_t v = 0; v < surface.scene.voxels.size(); ++v)
     if (const auto supervoxel = surface.supervoxels.label_of_voxel[v];
         supervoxel != Supervoxels::none)
       piece_of_supervoxel[supervoxel] = surface.piece_of_voxel[v];
@@ -319,18 +319,18 @@ PieceContact::operator+=(const PieceContact& other)
 }
 
 PieceGraph
-pieceGraph(const PieceSurface& surface,
-           const std::vector<StructurePlane>& planes,
-           const Eigen::Vector3f& up)
+pieceGraph(const PieceSurface& surface)
 {
-  const auto places = placesOf(surface, roomFrame(planes, up).cast<float>());
+  const auto& scene = surface.scene;
+  const auto places =
+      placesOf(surface, roomFrame(scene.planes, scene.up).cast<float>());
   PieceGraph graph;
-  graph.voxel_size = surface.voxel_size;
+  graph.voxel_size = surface.scene.voxel_size;
   graph.floor = places.floor;
   graph.pieces = describePieces(surface, places);
   ContactMap contacts;
   addTouching(surface, places, contacts);
-  addNear(places, surface.voxel_size, contacts);
+  addNear(places, surface.scene.voxel_size, contacts);
   addBends(surface, contacts);
   for (const auto& entry : contacts)
     graph.contacts.push_back(entry.second);

@@ -19,14 +19,15 @@
 namespace {
 
 using pcl::indoor::deviation_per_median;
-using pcl::indoor::FlatThingOptions;
 using pcl::indoor::HeightMap;
+using pcl::indoor::ObjectScene;
 using pcl::indoor::quantile;
-using pcl::indoor::SurfaceVoxels;
 
 constexpr double level_cosine = 0.9; // normals of a horizontal surface: 26 degrees
 constexpr double most_cells = 1 << 22;
 constexpr int fit_rounds = 5;
+// metres; a thing with more than 30 % of its points above this has sides that part it
+constexpr double max_height = 0.12;
 
 /** A plane over the ground: height = slope * place + offset. */
 struct Level {
@@ -118,13 +119,9 @@ mostCommonHeight(const std::vector<Eigen::Vector3d>& places, double voxel_size)
 /** Looks for things on the segments, one after the other. */
 class ThingFinder {
 public:
-  ThingFinder(const std::vector<Eigen::Vector3f>& points,
-              const SurfaceVoxels& voxels,
-              const FlatThingOptions& options)
-  : points_(points)
-  , voxels_(voxels)
-  , options_(options)
-  , frame_(pcl::indoor::groundFrame(options.up))
+  explicit ThingFinder(const ObjectScene& scene)
+  : scene_(scene)
+  , frame_(pcl::indoor::groundFrame(scene.up))
   {}
 
   /** \return the things' points, one list per thing */
@@ -133,19 +130,19 @@ public:
   {
     std::vector<Eigen::Vector3d> level_places;
     for (const auto v : members)
-      if (std::abs(voxels_.normals[v].dot(options_.up)) > level_cosine)
-        level_places.push_back(placeOf(voxels_.centroids[v]));
-    if (level_places.size() < options_.min_surface)
+      if (std::abs(scene_.voxels.normals[v].dot(scene_.up)) > level_cosine)
+        level_places.push_back(placeOf(scene_.voxels.centroids[v]));
+    if (level_places.size() < pcl::indoor::min_thing_surface)
       return {};
-    level_places = mostCommonHeight(level_places, options_.voxel_size);
-    if (level_places.size() < options_.min_surface)
+    level_places = mostCommonHeight(level_places, scene_.voxel_size);
+    if (level_places.size() < pcl::indoor::min_thing_surface)
       return {};
-    const Level level = fitLevel(level_places, options_.voxel_size / 30);
-    HeightMap map(level_places, options_.voxel_size);
+    const Level level = fitLevel(level_places, scene_.voxel_size / 30);
+    HeightMap map(level_places, scene_.voxel_size);
     if (map.cellCount() > most_cells)
       return {};
     const auto candidates = pointsAbove(members, level, map);
-    const auto thing_of_cell = map.findThings(options_);
+    const auto thing_of_cell = map.findThings();
     std::vector<std::vector<std::uint32_t>> things(map.thingCount());
     for (const auto& [point, cell] : candidates)
       if (thing_of_cell[cell] != 0)
@@ -168,15 +165,15 @@ private:
               HeightMap& map) const
   {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-    const auto& cells = voxels_.cells;
+    const auto& cells = scene_.voxels.cells;
     for (const auto v : members)
       for (auto i = cells.offsets[v]; i < cells.offsets[v + 1]; ++i) {
-        const Eigen::Vector3d place = placeOf(points_[cells.points[i]]);
+        const Eigen::Vector3d place = placeOf(scene_.points[cells.points[i]]);
         const double height = level.above(place);
         std::uint32_t cell = 0;
-        if (!(height > -options_.voxel_size / 2) || !map.find(place.head<2>(), cell))
+        if (!(height > -scene_.voxel_size / 2) || !map.find(place.head<2>(), cell))
           continue;
-        if (height > options_.max_height)
+        if (height > max_height)
           map.addHigh(cell);
         else
           map.add(cell, height);
@@ -185,35 +182,9 @@ private:
     return found;
   }
 
-  const std::vector<Eigen::Vector3f>& points_;
-  const SurfaceVoxels& voxels_;
-  const FlatThingOptions& options_;
+  const ObjectScene& scene_;
   Eigen::Matrix3d frame_;
 };
-
-void
-requireValid(const std::vector<Eigen::Vector3f>& points,
-             const SurfaceVoxels& voxels,
-             const std::vector<std::uint32_t>& segment_of_voxel,
-             const std::vector<std::uint8_t>& left_out,
-             const FlatThingOptions& options)
-{
-  if (points.size() != voxels.cells.cell_of_point.size() ||
-      segment_of_voxel.size() != voxels.size() || left_out.size() != voxels.size())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        voxels.size()
-                            << " voxels of " << voxels.cells.cell_of_point.size()
-                            << " points have " << points.size() << " points, "
-                            << segment_of_voxel.size() << " segments and "
-                            << left_out.size() << " flags.");
-  if (!(options.voxel_size > 0) || !(options.max_height > 0) ||
-      !(options.min_surface >= 1) || !(options.min_area >= 1) ||
-      !(options.max_area_share > 0) || !(options.min_surrounded >= 0) ||
-      !(options.min_surrounded <= 1) || !(options.deviations > 0) ||
-      !(options.min_rise > 0) || !(std::abs(options.up.norm() - 1) < 1e-3f))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "Flat things need positive sizes and a unit vector up.");
-}
 
 } // namespace
 
@@ -221,21 +192,23 @@ namespace pcl {
 namespace indoor {
 
 std::vector<std::uint32_t>
-partFlatThings(const std::vector<Eigen::Vector3f>& points,
-               const SurfaceVoxels& voxels,
-               const std::vector<std::uint32_t>& segment_of_voxel,
-               const std::vector<std::uint8_t>& left_out,
-               const FlatThingOptions& options)
+partFlatThings(const ObjectScene& scene,
+               const std::vector<std::uint32_t>& segment_of_voxel)
 {
-  requireValid(points, voxels, segment_of_voxel, left_out, options);
-  std::vector<std::uint32_t> segment_of_point(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
+  requireConsistent(scene, scene.points.size());
+  const auto& voxels = scene.voxels;
+  if (segment_of_voxel.size() != voxels.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        voxels.size() << " voxels have " << segment_of_voxel.size()
+                                      << " segments.");
+  std::vector<std::uint32_t> segment_of_point(scene.points.size());
+  for (std::size_t i = 0; i < scene.points.size(); ++i)
     segment_of_point[i] = segment_of_voxel[voxels.cells.cell_of_point[i]];
   if (voxels.size() == 0)
     return segment_of_point;
-  const auto members = membersOfSegments(left_out, segment_of_voxel);
+  const auto members = membersOfSegments(scene.structureFlags(), segment_of_voxel);
   auto next = static_cast<std::uint32_t>(members.size());
-  const ThingFinder finder(points, voxels, options);
+  const ThingFinder finder(scene);
   for (const auto& segment : members) {
     for (const auto& thing : finder.thingsOn(segment)) {
       for (const auto point : thing)

@@ -16,6 +16,13 @@ constexpr double empty = std::numeric_limits<double>::quiet_NaN();
 constexpr double outline_share = 0.35;   // of a thing's height
 constexpr double most_high_points = 0.3; // with more it is part of a higher one
 
+constexpr double min_area = 4;          // of a thing, cells
+constexpr double max_area_share = 0.25; // of a thing over that of the surface
+constexpr double min_surrounded = 0.5;  // share of the cells at its rim with points
+constexpr double deviations =
+    3; // of the surface's heights that a thing rises, at least
+constexpr double min_rise = 0.1; // and at least this, cells
+
 } // namespace
 
 namespace pcl {
@@ -178,7 +185,7 @@ HeightMap::shareAround(const Cells& thing) const
 }
 
 bool
-HeightMap::isThing(const Cells& thing, const FlatThingOptions& options) const
+HeightMap::isThing(const Cells& thing) const
 {
   double points = 0, high_points = 0;
   for (const auto cell : thing) {
@@ -186,23 +193,22 @@ HeightMap::isThing(const Cells& thing, const FlatThingOptions& options) const
     high_points += high_counts_[cell];
   }
   const auto area = static_cast<double>(thing.size());
-  return area >= options.min_area && high_points <= most_high_points * points &&
-         area <= options.max_area_share * static_cast<double>(surface_cells_) &&
-         shareAround(thing) >= options.min_surrounded;
+  return area >= min_area && high_points <= most_high_points * points &&
+         area <= max_area_share * static_cast<double>(surface_cells_) &&
+         shareAround(thing) >= min_surrounded;
 }
 
 std::vector<std::uint32_t>
-HeightMap::findThings(const FlatThingOptions& options)
+HeightMap::findThings()
 {
   std::vector<std::uint32_t> thing_of_cell(static_cast<std::size_t>(cell_count_), 0);
   thing_count_ = 0;
   if (counts_.empty())
     return thing_of_cell;
   smoothHeights();
-  if (!measureSurface(options.voxel_size, options.min_surface))
+  if (!measureSurface(cell_size_, min_thing_surface))
     return thing_of_cell;
-  const double high =
-      std::max(options.deviations * deviation_, options.min_rise * options.voxel_size);
+  const double high = std::max(deviations * deviation_, min_rise * cell_size_);
   const double low = high / 2;
   states_.assign(counts_.size(), State::Open);
   for (std::uint32_t first = 0; first < counts_.size(); ++first) {
@@ -215,7 +221,7 @@ HeightMap::findThings(const FlatThingOptions& options)
       return true;
     });
     const auto thing = largestAbove(outlineOf(raised), raised);
-    if (!isThing(thing, options))
+    if (!isThing(thing))
       continue;
     ++thing_count_;
     for (const auto cell : thing)

@@ -4,8 +4,6 @@
  */
 #pragma once
 
-#include "objects/split/flat_things.h"
-
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -13,6 +11,9 @@
 
 namespace pcl {
 namespace indoor {
+
+/** Least area of a surface that things lie on, voxels. */
+constexpr double min_thing_surface = 64;
 
 /** \brief Mean heights above a surface in the cells of a regular grid. */
 class HeightMap {
@@ -41,7 +42,7 @@ public:
    * \return the number of its thing, from 1, for each cell; 0 for all others
    */
   std::vector<std::uint32_t>
-  findThings(const FlatThingOptions& options);
+  findThings();
 
   /** \brief Get the number of things that were found. */
   std::size_t
@@ -95,7 +96,7 @@ private:
   shareAround(const Cells& thing) const;
 
   bool
-  isThing(const Cells& thing, const FlatThingOptions& options) const;
+  isThing(const Cells& thing) const;
 
   double cell_size_;
   Eigen::Vector2d corner_;

@@ -18,12 +18,26 @@
 
 namespace {
 
-using pcl::indoor::ObjectGapOptions;
+using pcl::indoor::ObjectScene;
 using pcl::indoor::SliceCounts;
 
 using Members = pcl::indoor::SegmentMembers;
 
 constexpr double farthest = 1 << 20; // extent of a segment, halves of voxels
+constexpr double min_width = 0.5;    // of a gap, voxels
+/** a gap holds at most this share of the points expected from the slices of its width
+ * beside it: noise blurs its sides */
+constexpr double remainder = 0.25;
+/** and this many standard deviations of its number of points fewer */
+constexpr double deviations = 2;
+/** a gap is this many times as wide as any other stretch on either side that is as
+ * empty, as far as four times its least width, so that the gaps between the lines of a
+ * scanner do not count */
+constexpr double prominence = 1.5;
+/** segments are looked at only if they occupy this many cells of half a voxel for each
+ * voxel, for the same reason: lines that bend leave no empty stretches */
+constexpr double min_density = 1.5;
+constexpr unsigned directions = 60; // of upright planes that are tried, in 180 degrees
 
 /** Gaps across one direction: where to cut, and how clear the clearest is. */
 struct Cuts {
@@ -37,9 +51,8 @@ class Slices {
 public:
   static constexpr std::ptrdiff_t per_gap = 4;
 
-  Slices(const SliceCounts& counts, const ObjectGapOptions& options)
-  : options_(options)
-  , counts_(counts)
+  explicit Slices(const SliceCounts& counts)
+  : counts_(counts)
   {}
 
   /** The middle of the clearest place of each gap; sets how clear the clearest is. */
@@ -83,15 +96,15 @@ private:
   {
     const double beside =
         std::min(held(i - reach, i), held(i + per_gap, i + per_gap + reach));
-    const double allowed = options_.remainder * beside * per_gap / reach;
+    const double allowed = remainder * beside * per_gap / reach;
     const double rest = held(i, i + per_gap);
     // The count is random; its deviation is the root, and one more than none was seen.
-    const double lacking = allowed - rest - options_.deviations * std::sqrt(rest + 1);
+    const double lacking = allowed - rest - deviations * std::sqrt(rest + 1);
     if (!(lacking > 0))
       return 0;
     // Beside dense sides of furniture its front is thin, but no gap.
     const double own = rest / per_gap;
-    const double as_empty = own + options_.deviations * std::sqrt(own + 1);
+    const double as_empty = own + deviations * std::sqrt(own + 1);
     return isWidest(i, std::min(allowed / per_gap, as_empty)) ? lacking : 0;
   }
 
@@ -113,8 +126,7 @@ private:
     const auto other = std::max(
         emptyStretch(std::max<std::ptrdiff_t>(begin - around, 0), begin, allowed),
         emptyStretch(end, std::min(end + around, size()), allowed));
-    return static_cast<double>(end - begin) >=
-           options_.prominence * static_cast<double>(other);
+    return static_cast<double>(end - begin) >= prominence * static_cast<double>(other);
   }
 
   /** The longest run of empty slices; there is nothing beyond the first and the last.
@@ -131,17 +143,15 @@ private:
     return longest;
   }
 
-  const ObjectGapOptions& options_;
   const SliceCounts& counts_;
 };
 
 /** Cuts segments at their gaps, one after the other. */
 class GapCutter {
 public:
-  GapCutter(const std::vector<Eigen::Vector3f>& points, const ObjectGapOptions& options)
-  : points_(points)
-  , options_(options)
-  , frame_(pcl::indoor::groundFrame(options.up))
+  explicit GapCutter(const ObjectScene& scene)
+  : scene_(scene)
+  , frame_(pcl::indoor::groundFrame(scene.up))
   {}
 
   /** \return the parts; one of all members if there is no gap */
@@ -159,8 +169,7 @@ private:
   bool
   isLargeEnough(const Members& members) const
   {
-    return static_cast<double>(members.size()) * options_.remainder >
-           4 * options_.deviations;
+    return static_cast<double>(members.size()) * remainder > 4 * deviations;
   }
 
   /** Whether points fill the voxels: the lines of a sparse scan do not, nor what
@@ -172,16 +181,14 @@ private:
     places.reserve(members.size());
     Eigen::AlignedBox3d box;
     for (const auto i : members) {
-      places.push_back(points_[i]);
-      box.extend(points_[i].cast<double>());
+      places.push_back(scene_.points[i]);
+      box.extend(scene_.points[i].cast<double>());
     }
-    if (box.sizes().maxCoeff() > farthest * options_.voxel_size / 2)
+    if (box.sizes().maxCoeff() > farthest * scene_.voxel_size / 2)
       return false;
-    const auto voxels = pcl::indoor::groupByCell(places, options_.voxel_size).size();
-    const auto halves =
-        pcl::indoor::groupByCell(places, options_.voxel_size / 2).size();
-    return static_cast<double>(halves) >=
-           options_.min_density * static_cast<double>(voxels);
+    const auto voxels = pcl::indoor::groupByCell(places, scene_.voxel_size).size();
+    const auto halves = pcl::indoor::groupByCell(places, scene_.voxel_size / 2).size();
+    return static_cast<double>(halves) >= min_density * static_cast<double>(voxels);
   }
 
   std::vector<Members>
@@ -193,11 +200,11 @@ private:
     places.reserve(members.size());
     const Eigen::Matrix<float, 2, 3> ground = frame_.topRows<2>().cast<float>();
     for (const auto i : members)
-      places.emplace_back(ground * points_[i]);
+      places.emplace_back(ground * scene_.points[i]);
     Cuts best;
     Eigen::Vector2f best_direction = Eigen::Vector2f::Zero();
-    for (unsigned d = 0; d < options_.directions; ++d) {
-      const auto direction = pcl::indoor::levelDirection(d, options_.directions);
+    for (unsigned d = 0; d < directions; ++d) {
+      const auto direction = pcl::indoor::levelDirection(d, directions);
       auto cuts = cutsAcross(places, direction);
       if (cuts.clearness > best.clearness) {
         best = std::move(cuts);
@@ -215,11 +222,10 @@ private:
     along.reserve(places.size());
     for (const auto& place : places)
       along.push_back(direction.dot(place));
-    const SliceCounts counts(along,
-                             options_.width * options_.voxel_size / Slices::per_gap);
+    const SliceCounts counts(along, min_width * scene_.voxel_size / Slices::per_gap);
     Cuts cuts;
     cuts.grid = counts.grid();
-    cuts.slices = Slices(counts, options_).findGaps(cuts.clearness);
+    cuts.slices = Slices(counts).findGaps(cuts.clearness);
     return cuts;
   }
 
@@ -241,30 +247,9 @@ private:
     return parts;
   }
 
-  const std::vector<Eigen::Vector3f>& points_;
-  const ObjectGapOptions& options_;
+  const ObjectScene& scene_;
   Eigen::Matrix3d frame_;
 };
-
-void
-requireValid(std::size_t point_count,
-             std::size_t flag_count,
-             std::size_t segment_count,
-             const ObjectGapOptions& options)
-{
-  if (flag_count != point_count || segment_count != point_count)
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        point_count << " points have " << flag_count << " flags and "
-                                    << segment_count << " segments.");
-  const auto is_share = [](double value) { return value >= 0 && value <= 1; };
-  if (!(options.voxel_size > 0) || !(options.width > 0) || options.directions < 1 ||
-      !(options.deviations >= 0) || !is_share(options.remainder) ||
-      !(options.prominence >= 0) || !(options.min_density >= 0) ||
-      !(std::abs(options.up.norm() - 1) < 1e-3f))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "Gaps need positive sizes, shares from 0 to 1 and a unit "
-                        "vector up.");
-}
 
 } // namespace
 
@@ -272,18 +257,18 @@ namespace pcl {
 namespace indoor {
 
 void
-partAtGaps(const std::vector<Eigen::Vector3f>& points,
+partAtGaps(const ObjectScene& scene,
            const std::vector<std::uint8_t>& left_out,
-           const ObjectGapOptions& options,
            std::vector<std::uint32_t>& segment_of_point)
 {
-  requireValid(points.size(), left_out.size(), segment_of_point.size(), options);
-  if (points.empty())
+  requireConsistent(scene, segment_of_point.size());
+  requireConsistent(scene, left_out.size());
+  if (scene.points.empty())
     return;
-  const GapCutter cutter(points, options);
+  const GapCutter cutter(scene);
   partSegments(
       left_out,
-      options.threads,
+      scene.threads,
       [&cutter](const Members& members) { return cutter.partsOf(members); },
       segment_of_point);
 }

@@ -19,13 +19,23 @@
 
 namespace {
 
-using pcl::indoor::ObjectSeamOptions;
+using pcl::indoor::ObjectScene;
 using pcl::indoor::SeamSection;
 using Profile = pcl::indoor::SeamProfile;
 
 using Members = pcl::indoor::SegmentMembers;
 
 constexpr double farthest = 4096; // extent of a segment, voxels
+constexpr double min_cover = 0.3; // share of the inside that a seam fills
+constexpr double min_depth = 2;   // of the inside, cells of a voxel
+/** share of a seam's cells, outside of what either side fills, that are inside: the
+ * side of a desk's drawers has a few, where points lie under the desk, but not so many
+ */
+constexpr double enclosed = 0.15;
+constexpr unsigned min_cells = 8; // of a voxel that a seam fills there
+/** share of the points on either side whose normals point away from the inside */
+constexpr double min_outward = 0.5;
+constexpr unsigned directions = 60; // of upright planes that are tried, in 180 degrees
 const float farthest_turn = std::cos(static_cast<float>(M_PI) / 15); // 12 degrees
 
 /** A place to cut, across a level direction. */
@@ -43,19 +53,19 @@ public:
   /** \param places, normals in the ground frame */
   SeamFinder(const std::vector<Eigen::Vector3f>& places,
              const std::vector<Eigen::Vector3f>& normals,
-             const ObjectSeamOptions& options)
+             double voxel_size)
   : places_(places)
   , normals_(normals)
-  , options_(options)
+  , voxel_size_(voxel_size)
   {}
 
   Seam
   find() const
   {
     Seam best;
-    for (unsigned d = 0; d < options_.directions; ++d) {
+    for (unsigned d = 0; d < directions; ++d) {
       const Profile profile(
-          places_, pcl::indoor::levelDirection(d, options_.directions), options_);
+          places_, pcl::indoor::levelDirection(d, directions), voxel_size_);
       for (const auto peak : profile.peaks()) {
         auto seam = seamAt(profile, peak);
         if (!(seam.excess > 0))
@@ -80,7 +90,7 @@ private:
   Seam
   turned(const Seam& seam) const
   {
-    const Profile profile(places_, seam.normal, options_);
+    const Profile profile(places_, seam.normal, voxel_size_);
     const auto middle = profile.grid().sliceAt(seam.normal.dot(seam.middle));
     Seam best = seam;
     for (const auto peak : profile.peaks())
@@ -95,7 +105,7 @@ private:
   Seam
   seamAt(const Profile& profile, std::ptrdiff_t peak) const
   {
-    const auto voxel = static_cast<float>(options_.voxel_size);
+    const auto voxel = static_cast<float>(voxel_size_);
     const float centre = profile.grid().placeOf(peak);
     std::vector<std::uint32_t> sheet, sides;
     Eigen::AlignedBox2f box;
@@ -114,10 +124,10 @@ private:
                   inSection(profile, places_[i]));
     section.close();
     const auto filled = static_cast<double>(section.filled());
-    if (filled < options_.min_cells || section.cover() < options_.cover ||
-        filled < options_.enclosed * static_cast<double>(section.sheet()) ||
-        section.depth() < options_.min_depth ||
-        outwardShare(profile, section, sides, centre) < options_.outward)
+    if (filled < min_cells || section.cover() < min_cover ||
+        filled < enclosed * static_cast<double>(section.sheet()) ||
+        section.depth() < min_depth ||
+        outwardShare(profile, section, sides, centre) < min_outward)
       return {};
     Seam seam;
     seam.excess = profile.excess(peak);
@@ -191,29 +201,26 @@ private:
 
   const std::vector<Eigen::Vector3f>& places_;
   const std::vector<Eigen::Vector3f>& normals_;
-  const ObjectSeamOptions& options_;
+  double voxel_size_;
 };
 
 std::vector<Members>
-cutOnce(const Members& members,
-        const std::vector<Eigen::Vector3f>& points,
-        const pcl::indoor::SurfaceVoxels& voxels,
-        const Eigen::Matrix3f& frame,
-        const ObjectSeamOptions& options)
+cutOnce(const Members& members, const ObjectScene& scene, const Eigen::Matrix3f& frame)
 {
+  const auto& voxels = scene.voxels;
   std::vector<Eigen::Vector3f> places, normals;
   Eigen::AlignedBox3f box;
   for (const auto i : members) {
-    places.emplace_back(frame * points[i]);
+    places.emplace_back(frame * scene.points[i]);
     box.extend(places.back());
   }
-  if (members.size() < options.min_cells ||
-      box.sizes().head<2>().norm() < 2 * options.min_side ||
-      box.sizes().maxCoeff() > farthest * options.voxel_size)
+  if (members.size() < min_cells ||
+      box.sizes().head<2>().norm() < 2 * pcl::indoor::min_seam_side ||
+      box.sizes().maxCoeff() > farthest * scene.voxel_size)
     return {members};
   for (const auto i : members)
     normals.emplace_back(frame * voxels.normals[voxels.cells.cell_of_point[i]]);
-  const auto seam = SeamFinder(places, normals, options).find();
+  const auto seam = SeamFinder(places, normals, scene.voxel_size).find();
   if (!(seam.excess > 0))
     return {members};
   std::vector<Members> parts(2);
@@ -223,55 +230,27 @@ cutOnce(const Members& members,
   return parts;
 }
 
-void
-requireValid(std::size_t point_count,
-             const pcl::indoor::SurfaceVoxels& voxels,
-             std::size_t flag_count,
-             std::size_t segment_count,
-             const ObjectSeamOptions& options)
-{
-  if (flag_count != point_count || segment_count != point_count ||
-      voxels.cells.cell_of_point.size() != point_count ||
-      voxels.normals.size() != voxels.size())
-    PCL_THROW_EXCEPTION(
-        pcl::BadArgumentException,
-        point_count << " points have " << flag_count << " flags, " << segment_count
-                    << " segments and " << voxels.cells.cell_of_point.size()
-                    << " voxels, those " << voxels.normals.size() << " normals.");
-  const auto is_share = [](double value) { return value >= 0 && value <= 1; };
-  if (!(options.voxel_size > 0) || !(options.density >= 1) || options.directions < 1 ||
-      !is_share(options.balance) || !is_share(options.cover) ||
-      !is_share(options.outward) || !is_share(options.enclosed) ||
-      !(options.min_side >= 0) || !(options.min_depth >= 0) || options.min_cells < 1 ||
-      !(std::abs(options.up.norm() - 1) < 1e-3f))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "Seams need positive sizes, a density of at least 1, shares "
-                        "from 0 to 1 and a unit vector up.");
-}
-
 } // namespace
 
 namespace pcl {
 namespace indoor {
 
 void
-partAtSeams(const std::vector<Eigen::Vector3f>& points,
-            const SurfaceVoxels& voxels,
+partAtSeams(const ObjectScene& scene,
             const std::vector<std::uint8_t>& left_out,
-            const ObjectSeamOptions& options,
             std::vector<std::uint32_t>& segment_of_point)
 {
-  requireValid(
-      points.size(), voxels, left_out.size(), segment_of_point.size(), options);
-  if (points.empty())
+  requireConsistent(scene, segment_of_point.size());
+  requireConsistent(scene, left_out.size());
+  if (scene.points.empty())
     return;
-  const Eigen::Matrix3f frame = groundFrame(options.up).cast<float>();
+  const Eigen::Matrix3f frame = groundFrame(scene.up).cast<float>();
   partSegments(
       left_out,
-      options.threads,
+      scene.threads,
       [&](const Members& segment) {
         return cutRepeatedly(segment, [&](const Members& whole) {
-          return cutOnce(whole, points, voxels, frame, options);
+          return cutOnce(whole, scene, frame);
         });
       },
       segment_of_point);

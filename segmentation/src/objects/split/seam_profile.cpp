@@ -14,6 +14,11 @@ constexpr std::ptrdiff_t beside_begin = pcl::indoor::SeamProfile::per_voxel;
 constexpr std::ptrdiff_t beside_end = 3 * pcl::indoor::SeamProfile::per_voxel;
 constexpr double voxels_beside = 2;
 constexpr double deviations = 3; // of a count, that are chance
+/** a sheet holds this many times the points of the slices beside it */
+constexpr double density = 1.8;
+/** the slices beside it hold at least this share of each other: the segment goes on, on
+ * both sides */
+constexpr double balance = 0.5;
 
 std::vector<float>
 placesAlong(const std::vector<Eigen::Vector3f>& places,
@@ -33,11 +38,10 @@ namespace indoor {
 
 SeamProfile::SeamProfile(const std::vector<Eigen::Vector3f>& places,
                          const Eigen::Vector2f& direction,
-                         const ObjectSeamOptions& options)
-: options_(options)
-, direction_(direction)
+                         double voxel_size)
+: direction_(direction)
 , along_(placesAlong(places, direction))
-, counts_(along_, options.voxel_size / per_voxel)
+, counts_(along_, voxel_size / per_voxel)
 {}
 
 double
@@ -50,8 +54,7 @@ std::vector<std::ptrdiff_t>
 SeamProfile::peaks() const
 {
   const auto margin = std::max(
-      beside_end,
-      static_cast<std::ptrdiff_t>(std::ceil(options_.min_side / grid().width)));
+      beside_end, static_cast<std::ptrdiff_t>(std::ceil(min_seam_side / grid().width)));
   std::vector<std::ptrdiff_t> found;
   for (auto i = margin; i + margin < counts_.size(); ++i)
     if (isPeak(i))
@@ -82,8 +85,8 @@ SeamProfile::isPeak(std::ptrdiff_t i) const
 {
   const double here = sheet(i);
   const double more = std::max(before(i), behind(i));
-  if (here < options_.density * more + deviations * std::sqrt(more) ||
-      std::min(before(i), behind(i)) < options_.balance * more)
+  if (here < density * more + deviations * std::sqrt(more) ||
+      std::min(before(i), behind(i)) < balance * more)
     return false;
   for (auto other = i - per_voxel; other <= i + per_voxel; ++other)
     if (sheet(other) > here || (sheet(other) == here && other < i))

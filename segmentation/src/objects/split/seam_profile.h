@@ -6,8 +6,6 @@
 
 #include "objects/split/slice_counts.h"
 
-#include "objects/split/object_seams.h"
-
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -15,6 +13,8 @@
 
 namespace pcl {
 namespace indoor {
+
+constexpr double min_seam_side = 0.35; ///< of a segment beside a seam, metres
 
 /** The points of a segment along one level direction, counted in thin slices. */
 class SeamProfile {
@@ -24,7 +24,7 @@ public:
   /** \param[in] places whose first two coordinates are level. REQUIRES: points. */
   SeamProfile(const std::vector<Eigen::Vector3f>& places,
               const Eigen::Vector2f& direction,
-              const ObjectSeamOptions& options);
+              double voxel_size);
 
   const Eigen::Vector2f&
   direction() const
@@ -66,7 +66,6 @@ private:
   bool
   isPeak(std::ptrdiff_t i) const;
 
-  const ObjectSeamOptions& options_;
   Eigen::Vector2f direction_;
   std::vector<float> along_;
   SliceCounts counts_;

@@ -8,8 +8,6 @@
 #include "objects/structure/point_groups.h"
 #include "objects/structure/wall_frames.h"
 
-#include <pcl/exceptions.h>
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -19,6 +17,7 @@
 
 namespace {
 
+using pcl::indoor::ObjectScene;
 using pcl::indoor::PlaneCell;
 using pcl::indoor::PlaneFrame;
 using pcl::indoor::PlaneShadow;
@@ -150,21 +149,15 @@ smallestFirst(const PointGroups& objects)
 /** Looks for the segments around cells of planes. */
 class EnclosureFinder {
 public:
-  EnclosureFinder(const std::vector<Eigen::Vector3f>& points,
-                  const pcl::indoor::SurfaceVoxels& voxels,
-                  const std::vector<StructurePlane>& planes,
+  EnclosureFinder(const ObjectScene& scene,
                   const PointGroups& structure,
-                  const PointGroups& objects,
-                  double voxel_size)
-  : points_(points)
-  , voxels_(voxels)
-  , planes_(planes)
+                  const PointGroups& objects)
+  : scene_(scene)
   , objects_(objects)
   , smallest_first_(smallestFirst(objects))
-  , voxel_size_(voxel_size)
   {
     for (const auto& box : structure.boxes)
-      reach_.push_back(pcl::indoor::widened(box, touch * voxel_size));
+      reach_.push_back(pcl::indoor::widened(box, touch * scene.voxel_size));
     for (const auto& members : structure.members)
       max_opening_.push_back(members.size() / 2);
   }
@@ -181,9 +174,10 @@ public:
       if (!reach_[plane].intersects(objects_.boxes[s]) || !touches(members, frame))
         continue;
       const auto others = planesAcross(plane, objects_.boxes[s]);
-      const bool is_frame = isThinAlong(planes_[plane], points_, members);
+      const bool is_frame = isThinAlong(scene_.planes[plane], scene_.points, members);
       for (const auto& side : project(members, frame)) {
-        const auto cells = cellsEnclosedBy(side, is_frame, frame, others, voxel_size_);
+        const auto cells =
+            cellsEnclosedBy(side, is_frame, frame, others, scene_.voxel_size);
         if (is_frame && countMembers(cells, members_of_cell) > max_opening_[plane])
           continue;
         for (const auto& cell : cells)
@@ -198,7 +192,7 @@ private:
   touches(const Members& members, const PlaneFrame& frame) const
   {
     return std::any_of(members.begin(), members.end(), [&](std::uint32_t i) {
-      return std::abs(frame.heightOf(points_[i])) < touch;
+      return std::abs(frame.heightOf(scene_.points[i])) < touch;
     });
   }
 
@@ -207,10 +201,10 @@ private:
   planesAcross(std::size_t plane, const Box& segment) const
   {
     std::vector<const StructurePlane*> others;
-    for (std::size_t q = 0; q < planes_.size(); ++q)
-      if (std::abs(planes_[q].normal.dot(planes_[plane].normal)) < 0.3 &&
+    for (std::size_t q = 0; q < scene_.planes.size(); ++q)
+      if (std::abs(scene_.planes[q].normal.dot(scene_.planes[plane].normal)) < 0.3 &&
           reach_[q].intersects(segment))
-        others.push_back(&planes_[q]);
+        others.push_back(&scene_.planes[q]);
     return others;
   }
 
@@ -220,10 +214,10 @@ private:
   {
     std::array<std::vector<Projection>, 2> sides;
     for (const auto i : members) {
-      const double height = frame.heightOf(points_[i]);
-      const auto cell = frame.cellOf(points_[i]);
+      const double height = frame.heightOf(scene_.points[i]);
+      const auto cell = frame.cellOf(scene_.points[i]);
       const bool is_across =
-          frame.isAcross(voxels_.normals[voxels_.cells.cell_of_point[i]]);
+          frame.isAcross(scene_.voxels.normals[scene_.voxels.cells.cell_of_point[i]]);
       if (height >= -1)
         sides[0].push_back({cell, height, is_across});
       if (height <= 1)
@@ -232,12 +226,9 @@ private:
     return sides;
   }
 
-  const std::vector<Eigen::Vector3f>& points_;
-  const pcl::indoor::SurfaceVoxels& voxels_;
-  const std::vector<StructurePlane>& planes_;
+  const ObjectScene& scene_;
   const PointGroups& objects_;
   Members smallest_first_;
-  double voxel_size_;
   std::vector<Box> reach_;               // of the planes
   std::vector<std::size_t> max_opening_; // in the planes, points
 };
@@ -248,39 +239,21 @@ namespace pcl {
 namespace indoor {
 
 std::size_t
-yieldEnclosed(const std::vector<Eigen::Vector3f>& points,
-              const SurfaceVoxels& voxels,
-              const std::vector<StructurePlane>& planes,
-              double voxel_size,
-              const Eigen::Vector3f& up,
-              const std::vector<std::uint32_t>& plane_of_voxel,
-              std::vector<std::uint32_t>& segment_of_point)
+yieldEnclosed(const ObjectScene& scene, std::vector<std::uint32_t>& segment_of_point)
 {
-  const auto& voxel_of_point = voxels.cells.cell_of_point;
-  if (voxel_of_point.size() != points.size() ||
-      segment_of_point.size() != points.size() ||
-      plane_of_voxel.size() != voxels.size() || voxels.normals.size() != voxels.size())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        points.size()
-                            << " points are " << voxel_of_point.size()
-                            << " in voxels, with " << segment_of_point.size()
-                            << " segments; " << voxels.size() << " voxels have "
-                            << plane_of_voxel.size() << " numbers of planes and "
-                            << voxels.normals.size() << " normals.");
-  if (points.empty() || planes.empty())
+  requireConsistent(scene, segment_of_point.size());
+  if (scene.points.empty() || scene.planes.empty())
     return 0;
-  const auto groups =
-      groupPoints(points, voxels, planes.size(), plane_of_voxel, segment_of_point);
-  const EnclosureFinder finder(
-      points, voxels, planes, groups.planes, groups.objects, voxel_size);
-  const auto axes = axesOf(planes);
+  const auto groups = groupPoints(scene, segment_of_point);
+  const EnclosureFinder finder(scene, groups.planes, groups.objects);
+  const auto axes = axesOf(scene.planes);
   std::size_t yielded = 0;
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    if (kindOf(planes[p], up) != StructureKind::Wall)
+  for (std::size_t p = 0; p < scene.planes.size(); ++p) {
+    if (kindOf(scene.planes[p], scene.up) != StructureKind::Wall)
       continue;
-    const PlaneFrame frame(planes[p], axes, voxel_size);
+    const PlaneFrame frame(scene.planes[p], axes, scene.voxel_size);
     const auto members_of_cell =
-        membersOfCells(points, groups.planes.members[p], frame);
+        membersOfCells(scene.points, groups.planes.members[p], frame);
     for (const auto& [cell, segment] :
          finder.segmentsAround(p, frame, members_of_cell)) {
       const auto members = members_of_cell.find(cell);

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/objects/room_structure.h>
+#include <pcl/segmentation/objects/object_scene.h>
 
 #include <cstdint>
 #include <vector>
@@ -28,24 +28,12 @@ namespace indoor {
  * Floor and ceiling only end walls: what stands on a floor hides it, but does not own
  * it. No step of the thesis. The cost is linear in the points and in the cells of the
  * segments that reach planes.
- * \param[in] points as given to separateVoxels()
- * \param[in] voxels as given by separateVoxels(); their cells and normals are used
- * \param[in] planes as given by findRoomStructure()
- * \param[in] voxel_size metres
- * \param[in] up against gravity, unit length
- * \param[in] plane_of_voxel the number of its plane, from 1; 0 for objects
  * \param[in,out] segment_of_point numbered from 0
  * \return how many points changed sides
  * \throws pcl::BadArgumentException if sizes differ
  */
 std::size_t
-yieldEnclosed(const std::vector<Eigen::Vector3f>& points,
-              const SurfaceVoxels& voxels,
-              const std::vector<StructurePlane>& planes,
-              double voxel_size,
-              const Eigen::Vector3f& up,
-              const std::vector<std::uint32_t>& plane_of_voxel,
-              std::vector<std::uint32_t>& segment_of_point);
+yieldEnclosed(const ObjectScene& scene, std::vector<std::uint32_t>& segment_of_point);
 
 } // namespace indoor
 } // namespace pcl

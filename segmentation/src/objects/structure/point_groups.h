@@ -6,10 +6,11 @@
 
 #include "objects/split/segment_members.h"
 
-#include <pcl/segmentation/objects/surface_voxels.h>
+#include <pcl/segmentation/objects/object_scene.h>
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -42,24 +43,20 @@ struct PlanesAndObjects {
   PointGroups planes, objects;
 };
 
-/** \param[in] plane_of_voxel the number of its plane, from 1 to the count; 0 for
- * objects \param[in] segment_of_point numbered from 0. REQUIRES: points. */
+/** \param[in] segment_of_point numbered from 0. REQUIRES: points. */
 inline PlanesAndObjects
-groupPoints(const std::vector<Eigen::Vector3f>& points,
-            const SurfaceVoxels& voxels,
-            std::size_t plane_count,
-            const std::vector<std::uint32_t>& plane_of_voxel,
+groupPoints(const ObjectScene& scene,
             const std::vector<std::uint32_t>& segment_of_point)
 {
-  PlanesAndObjects groups{PointGroups(plane_count),
+  PlanesAndObjects groups{PointGroups(scene.planes.size()),
                           PointGroups(1 + *std::max_element(segment_of_point.begin(),
                                                             segment_of_point.end()))};
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const auto plane = plane_of_voxel[voxels.cells.cell_of_point[i]];
+  for (std::uint32_t i = 0; i < scene.points.size(); ++i) {
+    const auto plane = scene.planeOfPoint(i);
     if (plane == 0)
-      groups.objects.add(segment_of_point[i], i, points[i]);
+      groups.objects.add(segment_of_point[i], i, scene.points[i]);
     else
-      groups.planes.add(plane - 1, i, points[i]);
+      groups.planes.add(plane - 1, i, scene.points[i]);
   }
   return groups;
 }

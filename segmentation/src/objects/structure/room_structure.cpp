@@ -19,31 +19,16 @@
 namespace {
 
 using pcl::indoor::PlaneRaster;
-using pcl::indoor::RoomStructureOptions;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
-void
-requireValid(const RoomStructureOptions& options)
-{
-  if (!(options.voxel_size > 0) || !std::isfinite(options.voxel_size))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "The voxel size must be positive, not " << options.voxel_size
-                                                                << " m.");
-  for (const double share : {options.min_area, options.min_span, options.min_free})
-    if (!(share >= 0 && share <= 1))
-      PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                          "Shares of the room's structure must be in [0, 1], not "
-                              << share << ".");
-  if (!(options.min_length >= 0))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "The least length of a plane must not be negative, not "
-                            << options.min_length << " m.");
-  if (!(options.deviations > 0))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "The number of standard deviations must be positive, not "
-                            << options.deviations << ".");
-}
+constexpr float flat_curvature = 0.03f; // of voxels that start a plane, at most
+constexpr double min_area = 0.02;       // share of all voxels
+constexpr double min_span = 0.85; // share of the room's extent in one of its directions
+constexpr double min_length = 1.5; // in that direction, metres: rooms are not lower
+constexpr double min_free = 0.7;   // share of a plane with nothing behind it
+constexpr double behind = 2; // from so many voxels on: the double of a wall is nearer
+constexpr double deviations = 3; // within so many a point counts to its plane
 
 /** Distance between the 1st and the 99th percentile. */
 double
@@ -185,11 +170,13 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up)
 }
 
 std::vector<StructurePlane>
-findRoomStructure(const SurfaceVoxels& voxels, const RoomStructureOptions& options)
+findRoomStructure(const SurfaceVoxels& voxels, double voxel_size)
 {
-  requireValid(options);
-  const double least = options.min_area * static_cast<double>(voxels.size());
-  auto planes = growPlanes(voxels, options.voxel_size, options.flat_curvature);
+  if (!(voxel_size > 0) || !std::isfinite(voxel_size))
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "The voxel size must be positive, not " << voxel_size << " m.");
+  const double least = min_area * static_cast<double>(voxels.size());
+  auto planes = growPlanes(voxels, voxel_size, flat_curvature);
   if (planes.empty())
     return {};
   const auto axes = axesOf(planes);
@@ -200,7 +187,7 @@ findRoomStructure(const SurfaceVoxels& voxels, const RoomStructureOptions& optio
     for (int a = 0; a < 3; ++a)
       if (std::abs(axes.col(a).dot(plane.normal)) < 0.3 &&
           extentOf(voxels, &plane.voxels, axes.col(a)) >=
-              std::max(options.min_span * room[a], options.min_length))
+              std::max(min_span * room[a], min_length))
         return true;
     return false;
   };
@@ -209,9 +196,9 @@ findRoomStructure(const SurfaceVoxels& voxels, const RoomStructureOptions& optio
     if (static_cast<double>(plane.voxels.size()) < least || !spans(plane))
       continue;
     // Walls seen from several places appear double: what is near does not count.
-    PlaneRaster raster(voxels, plane, 2 * options.voxel_size);
-    raster.look(voxels, 2 * options.voxel_size);
-    if (raster.freeShare() >= options.min_free)
+    PlaneRaster raster(voxels, plane, behind * voxel_size);
+    raster.look(voxels, behind * voxel_size);
+    if (raster.freeShare() >= min_free)
       structure.push_back(std::move(plane));
   }
   return structure;
@@ -221,16 +208,14 @@ std::vector<std::uint32_t>
 pointsOfStructure(const std::vector<Eigen::Vector3f>& points,
                   const SurfaceVoxels& voxels,
                   const std::vector<StructurePlane>& planes,
-                  const RoomStructureOptions& options)
+                  double voxel_size)
 {
-  requireValid(options);
   std::vector<std::uint32_t> plane_of_point(points.size(), 0);
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const auto& plane = planes[p];
-    const double tolerance =
-        std::min(options.voxel_size,
-                 std::max(options.deviations * deviationOf(points, voxels, plane),
-                          0.1 * options.voxel_size));
+    const double tolerance = std::min(
+        voxel_size,
+        std::max(deviations * deviationOf(points, voxels, plane), 0.1 * voxel_size));
     for (const auto v : withSurroundings(voxels, plane))
       for (auto i = voxels.cells.offsets[v]; i < voxels.cells.offsets[v + 1]; ++i) {
         const auto point = voxels.cells.points[i];
@@ -258,47 +243,6 @@ separateVoxels(const std::vector<Eigen::Vector3f>& points,
   for (std::size_t i = 0; i < points.size(); ++i)
     plane_of_voxel[voxels.cells.cell_of_point[i]] = plane_of_point[i];
   return voxels;
-}
-
-void
-returnIslands(const SurfaceVoxels& voxels,
-              const std::vector<StructurePlane>& planes,
-              double voxel_size,
-              std::size_t patch_size,
-              std::size_t min_size,
-              std::vector<std::uint32_t>& plane_of_voxel)
-{
-  std::vector<std::uint8_t> seen(voxels.size(), 0);
-  std::vector<std::uint32_t> island;
-  const auto lies_in = [&](const StructurePlane& plane) {
-    const double reach = (island.size() < patch_size ? 2 : 1) * voxel_size;
-    return std::all_of(island.begin(), island.end(), [&](std::uint32_t v) {
-      return std::abs(plane.normal.dot(voxels.centroids[v].cast<double>()) -
-                      plane.offset) <= reach;
-    });
-  };
-  for (std::uint32_t first = 0; first < voxels.size(); ++first) {
-    if (seen[first] || plane_of_voxel[first] != 0)
-      continue;
-    seen[first] = 1;
-    island.assign(1, first);
-    for (std::size_t i = 0; i < island.size(); ++i)
-      for (auto j = voxels.neighbors.offsets[island[i]];
-           j < voxels.neighbors.offsets[island[i] + 1];
-           ++j) {
-        const auto other = voxels.neighbors.targets[j];
-        if (!seen[other] && plane_of_voxel[other] == 0) {
-          seen[other] = 1;
-          island.push_back(other);
-        }
-      }
-    if (island.size() >= std::max(min_size, patch_size))
-      continue;
-    const auto plane = std::find_if(planes.begin(), planes.end(), lies_in);
-    if (plane != planes.end())
-      for (const auto v : island)
-        plane_of_voxel[v] = static_cast<std::uint32_t>(plane - planes.begin() + 1);
-  }
 }
 
 } // namespace indoor

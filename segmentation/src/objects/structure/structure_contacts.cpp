@@ -4,8 +4,6 @@
  */
 #include "objects/structure/structure_contacts.h"
 
-#include <pcl/exceptions.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -102,25 +100,11 @@ namespace pcl {
 namespace indoor {
 
 std::size_t
-yieldContacts(const std::vector<Eigen::Vector3f>& points,
-              const SurfaceVoxels& surroundings,
-              const std::vector<StructurePlane>& planes,
-              double voxel_size,
-              const std::vector<std::uint32_t>& plane_of_voxel,
-              SurfaceVoxels& voxels)
+yieldContacts(const SurfaceVoxels& surroundings, ObjectScene& scene)
 {
-  if (surroundings.cells.cell_of_point.size() != points.size() ||
-      voxels.cells.cell_of_point.size() != points.size())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        points.size()
-                            << " points are " << voxels.cells.cell_of_point.size()
-                            << " in voxels and "
-                            << surroundings.cells.cell_of_point.size() << " around.");
-  if (plane_of_voxel.size() != voxels.size() || voxels.normals.size() != voxels.size())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        voxels.size() << " voxels have " << plane_of_voxel.size()
-                                      << " numbers of planes and "
-                                      << voxels.normals.size() << " normals.");
+  requireConsistent(scene, surroundings.cells.cell_of_point.size());
+  auto& voxels = scene.voxels;
+  const auto& plane_of_voxel = scene.plane_of_voxel;
   const auto objects = objectsIn(surroundings, voxels, plane_of_voxel);
   std::vector<std::uint32_t> around;
   std::size_t yielded = 0;
@@ -134,12 +118,12 @@ yieldContacts(const std::vector<Eigen::Vector3f>& points,
       if (!gathered)
         gatherAround(place, surroundings, objects, around);
       gathered = true;
-      const auto nearest = nearestSurface(points[cells.points[i]],
-                                          planes[plane_of_voxel[voxel] - 1],
+      const auto nearest = nearestSurface(scene.points[cells.points[i]],
+                                          scene.planes[plane_of_voxel[voxel] - 1],
                                           voxel,
                                           around,
                                           voxels,
-                                          voxel_size);
+                                          scene.voxel_size);
       yielded += nearest != voxel;
       voxel = nearest;
     }

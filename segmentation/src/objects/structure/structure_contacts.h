@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/objects/room_structure.h>
+#include <pcl/segmentation/objects/object_scene.h>
 
 #include <cstdint>
 #include <vector>
@@ -18,24 +18,15 @@ namespace indoor {
  * surface: to that voxel of no plane, of those around it, from whose tangent plane it
  * is least far, if it is less far from it than from its own plane. Centroids, normals
  * and curvatures stay as they are; the cost is linear in the number of points.
- * \param[in] points as given to separateVoxels(), whose points and voxels these are
  * \param[in] surroundings voxels of the same points and size that ignore the planes;
  * only their cells and neighbours are used
- * \param[in] planes as given by findRoomStructure()
- * \param[in] voxel_size metres
- * \param[in] plane_of_voxel as given by separateVoxels() and returnIslands()
- * \param[in,out] voxels as given by separateVoxels(), with normals; only the cells
+ * \param[in,out] scene whose voxels hold points of one plane only; only their cells
  * change, and voxels of planes may be left without points
  * \return how many points changed sides
  * \throws pcl::BadArgumentException if sizes differ
  */
 std::size_t
-yieldContacts(const std::vector<Eigen::Vector3f>& points,
-              const SurfaceVoxels& surroundings,
-              const std::vector<StructurePlane>& planes,
-              double voxel_size,
-              const std::vector<std::uint32_t>& plane_of_voxel,
-              SurfaceVoxels& voxels);
+yieldContacts(const SurfaceVoxels& surroundings, ObjectScene& scene);
 
 } // namespace indoor
 } // namespace pcl

@@ -49,23 +49,19 @@ isThinAlong(const StructurePlane& plane,
 }
 
 std::vector<WallFrame>
-framesInWalls(const std::vector<Eigen::Vector3f>& points,
-              const std::vector<StructurePlane>& planes,
-              const PlanesAndObjects& groups,
-              double voxel_size,
-              const Eigen::Vector3f& up)
+framesInWalls(const ObjectScene& scene, const PlanesAndObjects& groups)
 {
   std::vector<WallFrame> frames;
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const auto& plane = planes[p];
-    if (std::abs(plane.normal.dot(up.cast<double>())) >= max_tilt)
+  for (std::size_t p = 0; p < scene.planes.size(); ++p) {
+    const auto& plane = scene.planes[p];
+    if (std::abs(plane.normal.dot(scene.up.cast<double>())) >= max_tilt)
       continue;
     const auto reach = widened(groups.planes.boxes[p], frame_depth);
     for (std::uint32_t s = 0; s < groups.objects.members.size(); ++s) {
       const auto& members = groups.objects.members[s];
       if (reach.intersects(groups.objects.boxes[s]) &&
-          isThinAlong(plane, points, members) &&
-          reachesBehind(plane, points, members, voxel_size))
+          isThinAlong(plane, scene.points, members) &&
+          reachesBehind(plane, scene.points, members, scene.voxel_size))
         frames.push_back({p, s});
     }
   }
@@ -73,26 +69,20 @@ framesInWalls(const std::vector<Eigen::Vector3f>& points,
 }
 
 std::vector<std::uint8_t>
-flagStructureAndFrames(const std::vector<Eigen::Vector3f>& points,
-                       const SurfaceVoxels& voxels,
-                       const std::vector<StructurePlane>& planes,
-                       const std::vector<std::uint32_t>& plane_of_voxel,
-                       double voxel_size,
-                       const Eigen::Vector3f& up,
+flagStructureAndFrames(const ObjectScene& scene,
                        const std::vector<std::uint32_t>& segment_of_point)
 {
-  std::vector<std::uint8_t> flags(points.size(), 0);
-  if (points.empty() || planes.empty())
+  std::vector<std::uint8_t> flags(scene.points.size(), 0);
+  if (scene.points.empty() || scene.planes.empty())
     return flags;
-  const auto groups =
-      groupPoints(points, voxels, planes.size(), plane_of_voxel, segment_of_point);
+  const auto groups = groupPoints(scene, segment_of_point);
   const auto flag = [&flags](const SegmentMembers& members) {
     for (const auto i : members)
       flags[i] = 1;
   };
   for (const auto& plane : groups.planes.members)
     flag(plane);
-  for (const auto& frame : framesInWalls(points, planes, groups, voxel_size, up))
+  for (const auto& frame : framesInWalls(scene, groups))
     flag(groups.objects.members[frame.segment]);
   return flags;
 }

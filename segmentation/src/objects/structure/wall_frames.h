@@ -34,33 +34,18 @@ struct WallFrame {
 /** \brief Find the frames in upright planes. A frame is a segment that is thin along a
  * wall, not beside it, and has a twentieth of its points more than a voxel behind it; a
  * wall cabinet is as thin, but before its wall.
- * \param[in] planes whose normals point into the room
  * \param[in] groups the points of the planes, and of all other segments
- * \param[in] up against gravity, unit length
  */
 std::vector<WallFrame>
-framesInWalls(const std::vector<Eigen::Vector3f>& points,
-              const std::vector<StructurePlane>& planes,
-              const PlanesAndObjects& groups,
-              double voxel_size,
-              const Eigen::Vector3f& up);
+framesInWalls(const ObjectScene& scene, const PlanesAndObjects& groups);
 
 /** \brief Flag the points that stay in one segment: those of the structure, and those
  * of the frames of doors and windows.
- * \param[in] voxels of the points
- * \param[in] planes whose normals point into the room
- * \param[in] plane_of_voxel the number of its plane, from 1; 0 for objects
- * \param[in] up against gravity, unit length
  * \param[in] segment_of_point numbered from 0
  * \return one flag per point
  */
 std::vector<std::uint8_t>
-flagStructureAndFrames(const std::vector<Eigen::Vector3f>& points,
-                       const SurfaceVoxels& voxels,
-                       const std::vector<StructurePlane>& planes,
-                       const std::vector<std::uint32_t>& plane_of_voxel,
-                       double voxel_size,
-                       const Eigen::Vector3f& up,
+flagStructureAndFrames(const ObjectScene& scene,
                        const std::vector<std::uint32_t>& segment_of_point);
 
 } // namespace indoor

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/segmentation/objects/border_clustering.h>

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include <pcl/segmentation/objects/piece_graph.h>
 
@@ -34,28 +34,17 @@ floorAndWall(const Eigen::Matrix3d& turn)
           {turn * Eigen::Vector3d(1, 0, 0), -3, {}}};
 }
 
-/** All that pieces are made of, and that it stands for. */
-struct Scene {
-  SurfaceVoxels voxels;
-  Labels plane_of_voxel, piece_of_voxel;
+/** All that pieces are made of, and that it stands for; without points. */
+struct Scene : ObjectScene {
+  Labels piece_of_voxel;
   Supervoxels supervoxels;
   std::vector<SurfaceEdge> edges;
   std::uint32_t piece_count = 0;
-  std::vector<StructurePlane> planes;
-  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
 
   PieceGraph
   graph() const
   {
-    return pieceGraph({voxels,
-                       plane_of_voxel,
-                       piece_of_voxel,
-                       piece_count,
-                       supervoxels,
-                       edges,
-                       voxel_size},
-                      planes,
-                      up);
+    return pieceGraph({*this, piece_of_voxel, piece_count, supervoxels, edges});
   }
 
   /** Give each supervoxel a piece, the planes the last one. */

@@ -3,9 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include "objects/split/flat_things.h"
+#include "segmentation/objects/scene_of_points.h"
 
 #include <pcl/exceptions.h>
 
@@ -48,17 +49,15 @@ deskWithThing(float height,
 
 /** All points of one segment in the input. */
 std::vector<std::uint32_t>
-parted(const LabelledPoints& scene,
-       const FlatThingOptions& options = {},
-       bool leave_out = false)
+parted(const LabelledPoints& labelled,
+       const Eigen::Vector3f& up = Eigen::Vector3f::UnitZ(),
+       bool is_structure = false)
 {
-  auto voxels = surfaceVoxels(scene.points, {}, voxel_size);
-  estimateNormals(scene.points, voxels, 1, 2);
-  return partFlatThings(scene.points,
-                        voxels,
-                        std::vector<std::uint32_t>(voxels.size(), 0),
-                        std::vector<std::uint8_t>(voxels.size(), leave_out),
-                        options);
+  auto scene = sceneOfPoints(labelled.points, voxel_size);
+  scene.up = up;
+  estimateNormals(scene.points, scene.voxels, 1, 2);
+  scene.plane_of_voxel.assign(scene.voxels.size(), is_structure);
+  return partFlatThings(scene, std::vector<std::uint32_t>(scene.voxels.size(), 0));
 }
 
 /** Share of the points for which the second segment is not the scene's object 2. */
@@ -90,18 +89,13 @@ TEST(FlatThings, NeedsARiseAboveTheUnevennessOfTheSurface)
   for (auto& point : wavy.points)
     point.z() += 0.012f * std::sin(12 * point.x()) * std::cos(11 * point.y());
   EXPECT_EQ(segmentCount(parted(wavy)), 1u);
-  FlatThingOptions sensitive;
-  sensitive.deviations = 1;
-  EXPECT_GT(segmentCount(parted(wavy, sensitive)), 1u);
 }
 
 TEST(FlatThings, LeavesWhatIsHigherThanAThing)
 {
   const auto tower = deskWithThing(0.2f, 0.002f);
   EXPECT_EQ(segmentCount(parted(tower)), 1u);
-  FlatThingOptions higher;
-  higher.max_height = 0.3;
-  EXPECT_EQ(segmentCount(parted(tower, higher)), 2u);
+  EXPECT_EQ(segmentCount(parted(deskWithThing(0.1f, 0.002f))), 2u);
 }
 
 TEST(FlatThings, LeavesWhatIsNoSmallerThanTheSurface)
@@ -114,9 +108,6 @@ TEST(FlatThings, LeavesWhatIsNoSmallerThanTheSurface)
   };
   EXPECT_EQ(segmentCount(parted(desk_with(0.35f))), 2u) << "18 % of the desk";
   EXPECT_EQ(segmentCount(parted(desk_with(0.6f))), 1u) << "30 % of the desk";
-  FlatThingOptions options;
-  options.max_area_share = 1;
-  EXPECT_EQ(segmentCount(parted(desk_with(0.6f), options)), 2u);
 }
 
 TEST(FlatThings, LeavesWhatTheSurfaceIsNotAround)
@@ -129,9 +120,6 @@ TEST(FlatThings, LeavesWhatTheSurfaceIsNotAround)
   };
   EXPECT_EQ(segmentCount(parted(desk_with_strip(0.3f))), 2u);
   EXPECT_EQ(segmentCount(parted(desk_with_strip(-0.02f))), 1u);
-  FlatThingOptions options;
-  options.min_surrounded = 0.2;
-  EXPECT_EQ(segmentCount(parted(desk_with_strip(-0.02f), options)), 2u);
 }
 
 TEST(FlatThings, TakesWhatStandsOnAThingAlong)
@@ -147,7 +135,7 @@ TEST(FlatThings, TakesWhatStandsOnAThingAlong)
 
 TEST(FlatThings, KeepsVoxelsThatAreLeftOut)
 {
-  EXPECT_EQ(segmentCount(parted(deskWithThing(0.02f, 0.005f), {}, true)), 1u);
+  EXPECT_EQ(segmentCount(parted(deskWithThing(0.02f, 0.005f), {0, 0, 1}, true)), 1u);
 }
 
 TEST(FlatThings, FollowsTheDirectionUp)
@@ -158,10 +146,8 @@ TEST(FlatThings, FollowsTheDirectionUp)
       Eigen::AngleAxisf(1.1f, Eigen::Vector3f(2, -1, 1).normalized())
           .toRotationMatrix();
   turned.turn(rotation);
-  FlatThingOptions options;
-  EXPECT_EQ(segmentCount(parted(turned, options)), 1u);
-  options.up = rotation * Eigen::Vector3f::UnitZ();
-  const auto labels = parted(turned, options);
+  EXPECT_EQ(segmentCount(parted(turned)), 1u);
+  const auto labels = parted(turned, rotation * Eigen::Vector3f::UnitZ());
   EXPECT_EQ(segmentCount(labels), 2u);
   EXPECT_LT(errorShare(turned, labels), 0.02);
 }
@@ -178,17 +164,11 @@ TEST(FlatThings, DoesNotDependOnTheOrderOfThePoints)
 
 TEST(FlatThings, RefusesWrongInput)
 {
-  const auto scene = deskWithThing(0.02f, 0.005f);
-  FlatThingOptions options;
-  options.up = {0, 0, 2};
-  EXPECT_THROW(parted(scene, options), pcl::BadArgumentException);
-  options = {};
-  options.max_height = 0;
-  EXPECT_THROW(parted(scene, options), pcl::BadArgumentException);
-  EXPECT_THROW(
-      partFlatThings(scene.points, surfaceVoxels(scene.points, {}, 0.03), {}, {}, {}),
-      pcl::BadArgumentException);
-  EXPECT_TRUE(partFlatThings({}, surfaceVoxels({}, {}, 0.03), {}, {}, {}).empty());
+  const auto desk = deskWithThing(0.02f, 0.005f);
+  EXPECT_THROW(parted(desk, {0, 0, 2}), pcl::BadArgumentException);
+  EXPECT_THROW(partFlatThings(sceneOfPoints(desk.points, voxel_size), {}),
+               pcl::BadArgumentException);
+  EXPECT_TRUE(partFlatThings(sceneOfPoints({}, voxel_size), {}).empty());
 }
 
 } // namespace

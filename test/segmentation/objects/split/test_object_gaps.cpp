@@ -3,9 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include "objects/split/object_gaps.h"
+#include "segmentation/objects/scene_of_points.h"
 
 #include <pcl/exceptions.h>
 
@@ -45,16 +46,17 @@ aboutTheVertical(float angle)
 
 /** All points of one segment in the input. */
 std::vector<std::uint32_t>
-parted(const LabelledPoints& scene,
-       const ObjectGapOptions& options = {},
-       bool leave_out = false)
+parted(const ObjectScene& scene, bool leave_out = false)
 {
   std::vector<std::uint32_t> labels(scene.points.size(), 1);
-  partAtGaps(scene.points,
-             std::vector<std::uint8_t>(scene.points.size(), leave_out),
-             options,
-             labels);
+  partAtGaps(scene, std::vector<std::uint8_t>(scene.points.size(), leave_out), labels);
   return labels;
+}
+
+std::vector<std::uint32_t>
+parted(const LabelledPoints& labelled)
+{
+  return parted(sceneOfPoints(labelled.points, 0.03));
 }
 
 TEST(ObjectGaps, PartsBookcasesWhicheverWayTheyStand)
@@ -83,9 +85,7 @@ TEST(ObjectGaps, PartsBodiesWhoseSidesHoldMostPoints)
             x + side + random(-0.005f, 0.005f), random(0, 0.6f), random(0, 1.7f));
     scene.objects.resize(scene.points.size(), object);
   }
-  ObjectGapOptions options;
-  options.voxel_size = 0.05;
-  EXPECT_EQ(renamed(parted(scene, options)), renamed(scene.objects));
+  EXPECT_EQ(renamed(parted(sceneOfPoints(scene.points, 0.05))), renamed(scene.objects));
 }
 
 TEST(ObjectGaps, LeavesWhatTouchesWhole)
@@ -156,17 +156,6 @@ TEST(ObjectGaps, LeavesTheRingsOfAScannerTogether)
     for (const float per_metre : {33.0f, 50.0f, 100.0f})
       EXPECT_EQ(segmentCount(parted(rings(distance, per_metre))), 1u)
           << distance << " m, " << per_metre << " per metre";
-  ObjectGapOptions options;
-  options.prominence = 0.5;
-  EXPECT_GT(segmentCount(parted(rings(0.045f, 100), options)), 1u);
-}
-
-TEST(ObjectGaps, NeedsDensePoints)
-{
-  auto scene = bookcases(2, 0.04f);
-  ObjectGapOptions options;
-  options.min_density = 5;
-  EXPECT_EQ(segmentCount(parted(scene, options)), 1u);
 }
 
 /** Slices of a quarter of a gap's width along x, with so many points each. */
@@ -196,26 +185,19 @@ rowWithGap(int in_gap)
 TEST(ObjectGaps, NeedsFewPointsInTheGapForTheirChance)
 {
   // 40 are expected: a quarter of them, less k, less twice the root of k + 1
-  ObjectGapOptions options;
-  options.directions = 2; // along x, and along y, where nothing is to be found
-  EXPECT_EQ(segmentCount(parted(rowWithGap(0), options)), 2u);
-  EXPECT_EQ(segmentCount(parted(rowWithGap(5), options)), 2u); // 10 - 5 - 4.90
-  EXPECT_EQ(segmentCount(parted(rowWithGap(6), options)), 1u); // 10 - 6 - 5.29
-  options.deviations = 0;
-  EXPECT_EQ(segmentCount(parted(rowWithGap(9), options)), 2u);
-  EXPECT_EQ(segmentCount(parted(rowWithGap(10), options)), 1u);
+  EXPECT_EQ(segmentCount(parted(rowWithGap(0))), 2u);
+  EXPECT_EQ(segmentCount(parted(rowWithGap(5))), 2u); // 10 - 5 - 4.90
+  EXPECT_EQ(segmentCount(parted(rowWithGap(6))), 1u); // 10 - 6 - 5.29
 }
 
 TEST(ObjectGaps, MustBeWiderThanOtherEmptyStretches)
 {
-  // Two slices are empty beside the four of the gap.
-  const std::vector<int> counts = {20, 20, 20, 0,  0,  20, 20, 20, 0,  0,
-                                   0,  0,  9,  20, 20, 20, 20, 20, 20, 20};
-  ObjectGapOptions options;
-  options.directions = 2; // along x, and along y, where nothing is to be found
-  EXPECT_EQ(segmentCount(parted(rowOfSlices(counts), options)), 2u);
-  options.prominence = 2.1;
-  EXPECT_EQ(segmentCount(parted(rowOfSlices(counts), options)), 1u);
+  // Two, then three slices are empty beside the four of the gap.
+  std::vector<int> counts = {20, 20, 20, 0,  0,  20, 20, 20, 0,  0,
+                             0,  0,  9,  20, 20, 20, 20, 20, 20, 20};
+  EXPECT_EQ(segmentCount(parted(rowOfSlices(counts))), 2u);
+  counts[2] = 0;
+  EXPECT_EQ(segmentCount(parted(rowOfSlices(counts))), 1u);
 }
 
 TEST(ObjectGaps, FollowsTheDirectionUp)
@@ -226,19 +208,19 @@ TEST(ObjectGaps, FollowsTheDirectionUp)
           .toRotationMatrix();
   scene.turn(rotation);
   EXPECT_EQ(segmentCount(parted(scene)), 1u);
-  ObjectGapOptions options;
-  options.up = rotation * Eigen::Vector3f::UnitZ();
-  EXPECT_EQ(renamed(parted(scene, options)), renamed(scene.objects));
+  auto upright = sceneOfPoints(scene.points, 0.03);
+  upright.up = rotation * Eigen::Vector3f::UnitZ();
+  EXPECT_EQ(renamed(parted(upright)), renamed(scene.objects));
 }
 
 TEST(ObjectGaps, KeepsOtherSegmentsAndPointsThatAreLeftOut)
 {
-  const auto scene = bookcases(2, 0.04f);
-  EXPECT_EQ(segmentCount(parted(scene, {}, true)), 1u);
-  auto labels = scene.objects; // 1 and 2
-  partAtGaps(
-      scene.points, std::vector<std::uint8_t>(scene.points.size(), 0), {}, labels);
-  EXPECT_EQ(labels, scene.objects);
+  const auto labelled = bookcases(2, 0.04f);
+  const auto scene = sceneOfPoints(labelled.points, 0.03);
+  EXPECT_EQ(segmentCount(parted(scene, true)), 1u);
+  auto labels = labelled.objects; // 1 and 2
+  partAtGaps(scene, std::vector<std::uint8_t>(labels.size(), 0), labels);
+  EXPECT_EQ(labels, labelled.objects);
 }
 
 TEST(ObjectGaps, DependsNeitherOnTheOrderNorOnThreads)
@@ -246,14 +228,13 @@ TEST(ObjectGaps, DependsNeitherOnTheOrderNorOnThreads)
   const auto scene = bookcases(4, 0.04f);
   std::mt19937 rng(8);
   const auto order = shuffledOrder(scene.points.size(), rng);
-  ObjectGapOptions serial;
-  serial.threads = 1;
-  const auto labels = parted(scene, serial), other = parted(scene.reordered(order));
+  auto with_threads = sceneOfPoints(scene.points, 0.03);
+  with_threads.threads = 1;
+  const auto labels = parted(with_threads), other = parted(scene.reordered(order));
   for (std::size_t i = 0; i < order.size(); ++i)
     ASSERT_EQ(other[i], labels[order[i]]);
-  ObjectGapOptions parallel;
-  parallel.threads = 3;
-  EXPECT_EQ(parted(scene, parallel), labels);
+  with_threads.threads = 3;
+  EXPECT_EQ(parted(with_threads), labels);
 }
 
 TEST(ObjectGaps, BearsPointsThatAreFewOrEqual)
@@ -272,24 +253,22 @@ TEST(ObjectGaps, LeavesWhatReachesTooFarWhole)
   EXPECT_EQ(segmentCount(parted(scene)), 2u);
   for (const float far : {1e5f, 1e9f}) {
     scene.points.emplace_back(far, 0, 0);
-    EXPECT_EQ(segmentCount(parted(scene)), 1u) << far;
+    auto wide = sceneOfPoints(scene.points, 1e4);
+    wide.voxel_size = 0.03;
+    EXPECT_EQ(segmentCount(parted(wide)), 1u) << far;
   }
 }
 
 TEST(ObjectGaps, RefusesWrongInput)
 {
-  const auto scene = bookcases(1, 0);
-  ObjectGapOptions options;
-  options.width = 0;
-  EXPECT_THROW(parted(scene, options), pcl::BadArgumentException);
-  options = {};
-  options.remainder = 1.5;
-  EXPECT_THROW(parted(scene, options), pcl::BadArgumentException);
-  options = {};
-  options.up = {0, 0, 2};
-  EXPECT_THROW(parted(scene, options), pcl::BadArgumentException);
+  auto scene = sceneOfPoints(bookcases(1, 0).points, 0.03);
   std::vector<std::uint32_t> labels(3, 0);
-  EXPECT_THROW(partAtGaps(scene.points, {}, {}, labels), pcl::BadArgumentException);
+  EXPECT_THROW(partAtGaps(scene, {}, labels), pcl::BadArgumentException);
+  scene.up = {0, 0, 2};
+  EXPECT_THROW(parted(scene), pcl::BadArgumentException);
+  scene.up = {0, 0, 1};
+  scene.voxel_size = 0;
+  EXPECT_THROW(parted(scene), pcl::BadArgumentException);
 }
 
 } // namespace

@@ -3,10 +3,11 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include "objects/split/object_seams.h"
 #include "rooms/space/voxel_normals.h"
+#include "segmentation/objects/scene_of_points.h"
 
 #include <pcl/exceptions.h>
 
@@ -69,20 +70,25 @@ openShelf()
 
 /** All points of one segment in the input, with their own normals. */
 std::vector<std::uint32_t>
-parted(const LabelledPoints& scene,
-       const ObjectSeamOptions& options = {},
-       bool leave_out = false)
+parted(const ObjectScene& scene, bool leave_out = false)
 {
-  auto voxels = surfaceVoxels(scene.points, {}, options.voxel_size);
-  voxels.normals.resize(voxels.size());
-  averageNormals(scene.normals, voxels);
   std::vector<std::uint32_t> labels(scene.points.size(), 1);
-  partAtSeams(scene.points,
-              voxels,
-              std::vector<std::uint8_t>(scene.points.size(), leave_out),
-              options,
-              labels);
+  partAtSeams(scene, std::vector<std::uint8_t>(scene.points.size(), leave_out), labels);
   return labels;
+}
+
+ObjectScene
+sceneOf(const LabelledPoints& labelled)
+{
+  auto scene = sceneOfPoints(labelled.points, 0.03);
+  averageNormals(labelled.normals, scene.voxels);
+  return scene;
+}
+
+std::vector<std::uint32_t>
+parted(const LabelledPoints& labelled)
+{
+  return parted(sceneOf(labelled));
 }
 
 /** Share of the points that are in another segment than most of their object. */
@@ -135,10 +141,10 @@ TEST(ObjectSeams, GiveASideThatRisesAboveToTheTallerBody)
 TEST(ObjectSeams, LeaveTheCompartmentsOfAnOpenShelfTogether)
 {
   EXPECT_EQ(segmentCount(parted(openShelf())), 1u);
-  ObjectSeamOptions options;
-  options.outward = 0;
-  EXPECT_EQ(segmentCount(parted(openShelf(), options)), 2u)
-      << "it is the normals that tell";
+  auto closed = openShelf();
+  for (auto& normal : closed.normals)
+    normal *= -1;
+  EXPECT_EQ(segmentCount(parted(closed)), 2u) << "it is the normals that tell";
 }
 
 TEST(ObjectSeams, LeaveATableOnItsPanelWhole)
@@ -171,42 +177,33 @@ TEST(ObjectSeams, LeaveADeskWithDrawersWholeInSpiteOfStrays)
   for (const float z : {0.13f, 0.16f})         // strays
     add({0.5f, 0.01f, z}, {0.05f, 0, 0}, {0, 0, 0.02f}, {0, -1, 0});
   EXPECT_EQ(segmentCount(parted(desk)), 1u);
-  ObjectSeamOptions options;
-  options.enclosed = 0;
-  EXPECT_EQ(segmentCount(parted(desk, options)), 2u);
 }
 
 TEST(ObjectSeams, NeedBodiesOnBothSides)
 {
-  ObjectSeamOptions options;
-  options.min_side = 0.7; // both cabinets are narrower
-  EXPECT_EQ(segmentCount(parted(cabinets(2), options)), 1u);
+  auto cut_off = cabinets(2); // 0.1 m of the second is left
+  cut_off.removeIf([](const Eigen::Vector3f& p) { return p.x() > 0.7f; });
+  EXPECT_EQ(segmentCount(parted(cut_off)), 1u);
 }
 
 TEST(ObjectSeams, LeaveLeftOutAndOtherSegmentsAlone)
 {
-  const auto scene = cabinets(2);
-  EXPECT_EQ(segmentCount(parted(scene, {}, true)), 1u);
-  auto voxels = surfaceVoxels(scene.points, {}, 0.03);
-  voxels.normals.resize(voxels.size());
-  averageNormals(scene.normals, voxels);
-  auto labels = scene.objects;
-  partAtSeams(scene.points,
-              voxels,
-              std::vector<std::uint8_t>(scene.points.size(), 0),
-              {},
-              labels);
-  EXPECT_EQ(labels, scene.objects);
+  const auto labelled = cabinets(2);
+  const auto scene = sceneOf(labelled);
+  EXPECT_EQ(segmentCount(parted(scene, true)), 1u);
+  auto labels = labelled.objects;
+  partAtSeams(scene, std::vector<std::uint8_t>(labels.size(), 0), labels);
+  EXPECT_EQ(labels, labelled.objects);
 }
 
 TEST(ObjectSeams, AreTheSameForAnyThreadsAndOrder)
 {
   const auto scene = cabinets(3);
-  ObjectSeamOptions options;
-  options.threads = 1;
-  const auto labels = parted(scene, options);
-  options.threads = 3;
-  EXPECT_EQ(parted(scene, options), labels);
+  auto with_threads = sceneOf(scene);
+  with_threads.threads = 1;
+  const auto labels = parted(with_threads);
+  with_threads.threads = 3;
+  EXPECT_EQ(parted(with_threads), labels);
   std::mt19937 rng(2);
   const auto order = shuffledOrder(scene.points.size(), rng);
   std::vector<std::uint32_t> expected;
@@ -217,29 +214,17 @@ TEST(ObjectSeams, AreTheSameForAnyThreadsAndOrder)
 
 TEST(ObjectSeams, LeaveWhatReachesTooFarWhole)
 {
-  auto scene = cabinets(2);
-  scene.points.emplace_back(0, 0, 5e6f);
-  scene.normals.emplace_back(0, 0, 1);
-  scene.objects.push_back(1);
-  ObjectSeamOptions options;
-  const auto voxels = [&] {
-    auto made = surfaceVoxels(scene.points, {}, 1e3); // of any size
-    made.normals.assign(made.size(), Eigen::Vector3f::UnitZ());
-    return made;
-  }();
-  std::vector<std::uint32_t> labels(scene.points.size(), 0);
-  partAtSeams(scene.points,
-              voxels,
-              std::vector<std::uint8_t>(scene.points.size(), 0),
-              options,
-              labels);
-  EXPECT_EQ(segmentCount(labels), 1u);
+  auto points = cabinets(2).points;
+  points.emplace_back(0, 0, 5e6f);
+  auto scene = sceneOfPoints(points, 1e3); // voxels of any size
+  scene.voxel_size = 0.03;
+  scene.voxels.normals.assign(scene.voxels.size(), Eigen::Vector3f::UnitZ());
+  EXPECT_EQ(segmentCount(parted(scene)), 1u);
 }
 
 TEST(ObjectSeams, LeaveDegenerateInputAlone)
 {
-  std::vector<std::uint32_t> none;
-  EXPECT_NO_THROW(partAtSeams({}, {}, {}, {}, none));
+  EXPECT_TRUE(parted(LabelledPoints()).empty());
   LabelledPoints same;
   same.points.assign(500, {1, 2, 3});
   same.normals.assign(500, {0, 0, 1});
@@ -249,28 +234,14 @@ TEST(ObjectSeams, LeaveDegenerateInputAlone)
 
 TEST(ObjectSeams, RefuseWrongInput)
 {
-  const auto scene = cabinets(1);
-  const auto refused = [&](const ObjectSeamOptions& options) {
-    EXPECT_THROW(parted(scene, options), pcl::BadArgumentException);
-  };
-  ObjectSeamOptions options;
-  options.density = 0.5;
-  refused(options);
-  options = {};
-  options.cover = 1.5;
-  refused(options);
-  options = {};
-  options.min_cells = 0;
-  refused(options);
-  options = {};
-  options.directions = 0;
-  refused(options);
-  options = {};
-  options.up = {0, 0, 2};
-  refused(options);
+  auto scene = sceneOf(cabinets(1));
   std::vector<std::uint32_t> labels(3, 0);
-  EXPECT_THROW(partAtSeams(scene.points, {}, {}, {}, labels),
-               pcl::BadArgumentException);
+  EXPECT_THROW(partAtSeams(scene, {}, labels), pcl::BadArgumentException);
+  scene.up = {0, 0, 2};
+  EXPECT_THROW(parted(scene), pcl::BadArgumentException);
+  scene.up = {0, 0, 1};
+  scene.voxels.normals.pop_back();
+  EXPECT_THROW(parted(scene), pcl::BadArgumentException);
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include "objects/structure/enclosed_structure.h"
 
@@ -106,20 +106,18 @@ struct EnclosedScene {
   Labels
   yielded(std::size_t* count = nullptr) const
   {
-    Labels plane_of_point, plane_of_voxel;
+    ObjectScene scene;
+    scene.points = labelled.points;
+    scene.planes = planes;
+    scene.voxel_size = voxel_size;
+    Labels plane_of_point;
     for (std::size_t i = 0; i < labelled.points.size(); ++i)
       plane_of_point.push_back(isOfPlane(i) ? labelled.objects[i] : 0);
-    auto voxels =
-        separateVoxels(labelled.points, plane_of_point, voxel_size, plane_of_voxel);
-    estimateNormals(labelled.points, voxels, 1, 1);
+    scene.voxels = separateVoxels(
+        labelled.points, plane_of_point, voxel_size, scene.plane_of_voxel);
+    estimateNormals(labelled.points, scene.voxels, 1, 1);
     auto segments = labelled.objects;
-    const auto changed = yieldEnclosed(labelled.points,
-                                       voxels,
-                                       planes,
-                                       voxel_size,
-                                       Eigen::Vector3f::UnitZ(),
-                                       plane_of_voxel,
-                                       segments);
+    const auto changed = yieldEnclosed(scene, segments);
     std::size_t different = 0;
     for (std::size_t i = 0; i < segments.size(); ++i)
       different += segments[i] != labelled.objects[i];

@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "segmentation/objects/scene_of_points.h"
 #include "segmentation/objects/structure/enclosed_scene.h"
 
 #include <pcl/exceptions.h>
@@ -281,10 +282,7 @@ TEST(EnclosedStructure, APointAstrayDoesNotFillTheMemory)
 TEST(EnclosedStructure, NothingWithoutPlanesOrPoints)
 {
   Labels none;
-  EXPECT_EQ(
-      yieldEnclosed(
-          {}, surfaceVoxels({}, {}, 1), {}, 1, Eigen::Vector3f::UnitZ(), {}, none),
-      0u);
+  EXPECT_EQ(yieldEnclosed(ObjectScene(), none), 0u);
   Scene scene;
   scene.addFaces(cabinet, tube | front);
   scene.planes.clear();
@@ -295,22 +293,16 @@ TEST(EnclosedStructure, NothingWithoutPlanesOrPoints)
 
 TEST(EnclosedStructure, RejectsWrongSizes)
 {
-  const std::vector<Eigen::Vector3f> points(2, Eigen::Vector3f::Zero());
-  auto voxels = surfaceVoxels(points, {}, 1);
-  voxels.normals.assign(1, Eigen::Vector3f::UnitZ());
-  const std::vector<StructurePlane> planes(1, {Eigen::Vector3d::UnitZ(), 0, {}});
-  const auto yield = [&](std::size_t point_count,
-                         std::size_t voxel_count,
-                         std::size_t segment_count) {
-    Labels segments(segment_count, 0);
-    yieldEnclosed(std::vector<Eigen::Vector3f>(point_count, Eigen::Vector3f::Zero()),
-                  voxels,
-                  planes,
-                  1,
-                  Eigen::Vector3f::UnitZ(),
-                  Labels(voxel_count, 0),
-                  segments);
-  };
+  auto scene =
+      sceneOfPoints(std::vector<Eigen::Vector3f>(2, Eigen::Vector3f::Zero()), 1);
+  scene.planes = {{Eigen::Vector3d::UnitZ(), 0, {}}};
+  const auto yield =
+      [&](std::size_t point_count, std::size_t voxel_count, std::size_t segment_count) {
+        scene.points.resize(point_count, Eigen::Vector3f::Zero());
+        scene.plane_of_voxel.resize(voxel_count, 0);
+        Labels segments(segment_count, 0);
+        yieldEnclosed(scene, segments);
+      };
   EXPECT_NO_THROW(yield(2, 1, 2));
   EXPECT_THROW(yield(1, 1, 1), pcl::BadArgumentException);
   EXPECT_THROW(yield(2, 2, 2), pcl::BadArgumentException);

@@ -3,7 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
+
+#include "objects/structure/structure_islands.h"
 
 #include <pcl/segmentation/objects/room_structure.h>
 
@@ -50,20 +52,12 @@ voxelsOf(const LabelledPoints& scene)
   return voxels;
 }
 
-RoomStructureOptions
-options()
-{
-  RoomStructureOptions options;
-  options.voxel_size = voxel_size;
-  return options;
-}
-
 std::vector<std::uint32_t>
 planesOf(const LabelledPoints& scene)
 {
   const auto voxels = voxelsOf(scene);
   return pointsOfStructure(
-      scene.points, voxels, findRoomStructure(voxels, options()), options());
+      scene.points, voxels, findRoomStructure(voxels, voxel_size), voxel_size);
 }
 
 /** Share of an object's points that are in a plane. */
@@ -86,7 +80,7 @@ shareInPlanes(const LabelledPoints& scene,
 TEST(RoomStructure, IsFloorCeilingAndWallsButNotTheBoxes)
 {
   const auto scene = closedRoom();
-  const auto planes = findRoomStructure(voxelsOf(scene), options());
+  const auto planes = findRoomStructure(voxelsOf(scene), voxel_size);
   ASSERT_EQ(planes.size(), 6u);
   for (const auto& plane : planes) {
     EXPECT_NEAR(plane.normal.norm(), 1, 1e-9);
@@ -105,7 +99,7 @@ TEST(RoomStructure, DoesNotNeedWallsNorTakeSidesOfBoxesForThem)
   // The boxes' sides are as high as the scene, and from the viewpoint nothing is behind
   // the far ones, but they are lower than any room.
   const auto scene = floorWithTwoBoxes();
-  const auto planes = findRoomStructure(voxelsOf(scene), options());
+  const auto planes = findRoomStructure(voxelsOf(scene), voxel_size);
   ASSERT_EQ(planes.size(), 1u);
   EXPECT_GT(planes.front().normal.z(), 0.999);
   EXPECT_NEAR(planes.front().offset, 0, 0.002);
@@ -139,7 +133,7 @@ TEST(RoomStructure, KeepsPlinthsInFrontOfAPlaneApart)
     scene.addRectangle(
         {x, 1.5f, 0.1f}, {0.9f, 0, 0}, {0, 0.9f, 0}, {0, 0, 1}, 9, 0.01f, 0.003f, rng);
   const auto voxels = voxelsOf(scene);
-  EXPECT_EQ(findRoomStructure(voxels, options()).size(), 6u);
+  EXPECT_EQ(findRoomStructure(voxels, voxel_size).size(), 6u);
   EXPECT_LT(shareInPlanes(scene, planesOf(scene), 9), 0.02);
 }
 
@@ -149,7 +143,7 @@ TEST(RoomStructure, PlanesOfOneSideOnly)
   auto voxels = voxelsOf(scene);
   for (auto& normal : voxels.normals) // now everything lies behind the planes
     normal *= -1;
-  EXPECT_TRUE(findRoomStructure(voxels, options()).empty());
+  EXPECT_TRUE(findRoomStructure(voxels, voxel_size).empty());
 }
 
 TEST(RoomStructure, SeparateVoxelsHoldPointsOfOnePlane)
@@ -186,7 +180,7 @@ TEST(RoomStructure, PartsOfAPlaneMayBeFarApart)
   auto voxels = surfaceVoxels(scene.points, {}, voxel_size);
   estimateNormals(scene.points, voxels, 1, 1);
   orientTowards({0, 0, 1e6f}, voxels.centroids, voxels.normals);
-  const auto planes = findRoomStructure(voxels, options());
+  const auto planes = findRoomStructure(voxels, voxel_size);
   ASSERT_EQ(planes.size(), 1u);
   float farthest = 0;
   for (const auto v : planes.front().voxels)
@@ -221,35 +215,36 @@ TEST(RoomStructure, SmallFlatIslandsGoBackToThePlane)
   add({3, 0.03f, 1}, {0, 0.2f, 0});     // sticks out of it
   add({3.5f, 0.06f, 1}, {0, 0, 0.02f}); // a speck at 1.5 voxels
   const auto voxels = voxelsOf(scene);
-  const auto planes = findRoomStructure(voxels, options());
+  ObjectScene apart;
+  apart.voxel_size = voxel_size;
+  apart.planes = findRoomStructure(voxels, voxel_size);
   const auto plane_of_point =
-      pointsOfStructure(scene.points, voxels, planes, options());
-  std::vector<std::uint32_t> before;
-  const auto separated =
-      separateVoxels(scene.points, plane_of_point, voxel_size, before);
-  auto after = before;
-  returnIslands(separated, planes, voxel_size, 8, 30, after);
+      pointsOfStructure(scene.points, voxels, apart.planes, voxel_size);
+  apart.voxels =
+      separateVoxels(scene.points, plane_of_point, voxel_size, apart.plane_of_voxel);
+  const auto returned = [&](std::size_t patch_size, std::size_t min_size) {
+    auto other = apart;
+    returnIslands(patch_size, min_size, other);
+    return other.plane_of_voxel;
+  };
+  const auto after = returned(8, 30);
   for (std::size_t i = 0; i < scene.points.size(); ++i) {
-    const auto v = separated.cells.cell_of_point[i];
+    const auto v = apart.voxels.cells.cell_of_point[i];
     if (scene.objects[i] != 9)
       continue;
-    EXPECT_EQ(before[v], 0u);
+    EXPECT_EQ(apart.plane_of_voxel[v], 0u);
     const float x = scene.points[i].x();
     EXPECT_EQ(after[v] != 0, x < 2 || x > 3.3f);
   }
-  auto no_specks = before;
-  returnIslands(separated, planes, voxel_size, 1, 30, no_specks);
-  EXPECT_NE(no_specks, after);
-  auto too_large = before;
-  returnIslands(separated, planes, voxel_size, 2, 2, too_large);
-  EXPECT_EQ(too_large, before);
+  EXPECT_NE(returned(1, 30), after) << "no specks";
+  EXPECT_EQ(returned(2, 2), apart.plane_of_voxel) << "too large";
 }
 
 TEST(RoomStructure, AxesFollowThePlanes)
 {
   EXPECT_EQ(axesOf({}), Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
   const auto scene = closedRoom();
-  const auto axes = axesOf(findRoomStructure(voxelsOf(scene), options()));
+  const auto axes = axesOf(findRoomStructure(voxelsOf(scene), voxel_size));
   EXPECT_NEAR((axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm(), 0, 1e-9);
   for (int a = 0; a < 3; ++a)
     EXPECT_GT(axes.col(a).cwiseAbs().maxCoeff(), 0.999);
@@ -275,30 +270,15 @@ TEST(RoomStructure, FloorsAndCeilingsAreLessSteepThanWalls)
 
 TEST(RoomStructure, NothingInNothing)
 {
-  EXPECT_TRUE(findRoomStructure(surfaceVoxels({}, {}, 1), options()).empty());
+  EXPECT_TRUE(findRoomStructure(surfaceVoxels({}, {}, 1), voxel_size).empty());
   std::vector<std::uint32_t> planes;
   EXPECT_EQ(separateVoxels({}, {}, 1, planes).size(), 0u);
 }
 
-TEST(RoomStructure, RejectsWrongOptions)
+TEST(RoomStructure, RejectsWrongInput)
 {
   const auto voxels = voxelsOf(floorWithTwoBoxes());
-  auto wrong = options();
-  wrong.voxel_size = 0;
-  EXPECT_THROW(findRoomStructure(voxels, wrong), pcl::BadArgumentException);
-  for (double RoomStructureOptions::*share : {&RoomStructureOptions::min_area,
-                                              &RoomStructureOptions::min_span,
-                                              &RoomStructureOptions::min_free}) {
-    wrong = options();
-    wrong.*share = 1.5;
-    EXPECT_THROW(findRoomStructure(voxels, wrong), pcl::BadArgumentException);
-  }
-  wrong = options();
-  wrong.min_length = -1;
-  EXPECT_THROW(findRoomStructure(voxels, wrong), pcl::BadArgumentException);
-  wrong = options();
-  wrong.deviations = 0;
-  EXPECT_THROW(findRoomStructure(voxels, wrong), pcl::BadArgumentException);
+  EXPECT_THROW(findRoomStructure(voxels, 0), pcl::BadArgumentException);
   std::vector<std::uint32_t> planes;
   EXPECT_THROW(separateVoxels({Eigen::Vector3f::Zero()}, {}, 1, planes),
                pcl::BadArgumentException);

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/object_scene.h"
+#include "support/labelled_points.h"
 
 #include "objects/structure/structure_contacts.h"
 
@@ -51,22 +51,18 @@ corner()
 }
 
 /** The scene with its planes set apart. */
-struct Apart {
-  std::vector<Eigen::Vector3f> points;
-  std::vector<StructurePlane> planes;
-  SurfaceVoxels surroundings, voxels;
-  std::vector<std::uint32_t> plane_of_voxel;
+struct Apart : ObjectScene {
+  SurfaceVoxels surroundings;
 
-  explicit Apart(const std::vector<Eigen::Vector3f>& points)
-  : points(points)
+  explicit Apart(const std::vector<Eigen::Vector3f>& scanned)
   {
-    RoomStructureOptions options;
-    options.voxel_size = voxel_size;
+    points = scanned;
+    voxel_size = ::voxel_size;
     surroundings = surfaceVoxels(points, {}, voxel_size);
     addNormals(surroundings);
-    planes = findRoomStructure(surroundings, options);
+    planes = findRoomStructure(surroundings, voxel_size);
     const auto plane_of_point =
-        pointsOfStructure(points, surroundings, planes, options);
+        pointsOfStructure(points, surroundings, planes, voxel_size);
     voxels = separateVoxels(points, plane_of_point, voxel_size, plane_of_voxel);
     addNormals(voxels);
   }
@@ -74,8 +70,7 @@ struct Apart {
   std::size_t
   yield()
   {
-    return yieldContacts(
-        points, surroundings, planes, voxel_size, plane_of_voxel, voxels);
+    return yieldContacts(surroundings, *this);
   }
 
   /** Share of an object's points that are in a plane. */
@@ -86,7 +81,7 @@ struct Apart {
     for (std::size_t i = 0; i < points.size(); ++i)
       if (scene.objects[i] == object) {
         ++all;
-        in_planes += plane_of_voxel[voxels.cells.cell_of_point[i]] != 0;
+        in_planes += planeOfPoint(i) != 0;
       }
     return in_planes / all;
   }

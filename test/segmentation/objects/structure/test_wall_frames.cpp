@@ -51,23 +51,23 @@ flagsOf(const std::vector<Eigen::Vector3f>& points,
         const std::vector<StructurePlane>& planes = {wall},
         const Eigen::Vector3f& upwards = up)
 {
-  std::vector<Eigen::Vector3f> all;
+  ObjectScene scene;
+  scene.voxel_size = voxel_size;
+  scene.planes = planes;
+  scene.up = upwards;
   std::vector<std::uint32_t> segment_of_point;
-  SurfaceVoxels voxels;
-  std::vector<std::uint32_t> plane_of_voxel;
   for (std::uint32_t plane = 1; plane <= planes.size(); ++plane)
     for (const float side : {-1.0f, 1.0f}) {
-      all.emplace_back(2, side, 1 + side);
+      scene.points.emplace_back(2, side, 1 + side);
       segment_of_point.push_back(0);
-      plane_of_voxel.push_back(plane);
+      scene.plane_of_voxel.push_back(plane);
     }
-  all.insert(all.end(), points.begin(), points.end());
+  scene.points.insert(scene.points.end(), points.begin(), points.end());
   segment_of_point.insert(segment_of_point.end(), segments.begin(), segments.end());
-  plane_of_voxel.resize(all.size(), 0);
-  for (std::uint32_t i = 0; i < all.size(); ++i)
-    voxels.cells.cell_of_point.push_back(i);
-  const auto flags = flagStructureAndFrames(
-      all, voxels, planes, plane_of_voxel, voxel_size, upwards, segment_of_point);
+  scene.plane_of_voxel.resize(scene.points.size(), 0);
+  for (std::uint32_t i = 0; i < scene.points.size(); ++i)
+    scene.voxels.cells.cell_of_point.push_back(i);
+  const auto flags = flagStructureAndFrames(scene, segment_of_point);
   for (std::size_t i = 0; i < wall_points * planes.size(); ++i)
     EXPECT_EQ(flags[i], 1);
   const auto first = static_cast<std::ptrdiff_t>(wall_points * planes.size());
@@ -141,7 +141,7 @@ TEST(WallFrames, AreFoundAmongOthers)
   for (std::size_t i = 0; i < flags.size(); ++i)
     EXPECT_EQ(flags[i], segments[i] == 0) << i;
   EXPECT_TRUE(flagsOf({}, {}).empty());
-  EXPECT_TRUE(flagStructureAndFrames({}, {}, {wall}, {}, voxel_size, up, {}).empty());
+  EXPECT_TRUE(flagStructureAndFrames(ObjectScene(), {}).empty());
 }
 
 } // namespace

@@ -375,7 +375,7 @@ NoiseResilientLCCP<PointT>::getRemovedIndices() const
 {
   Indices removed;
   for (std::size_t i = 0; i < finite_.size(); ++i)
-    if (result_.removed[result_.voxels.cells.cell_of_point[i]])
+    if (result_.removed[result_.scene.voxels.cells.cell_of_point[i]])
       removed.push_back(finite_[i]);
   return removed;
 }
@@ -386,7 +386,7 @@ NoiseResilientLCCP<PointT>::getStructureIndices() const
 {
   Indices structure;
   for (std::size_t i = 0; i < finite_.size(); ++i)
-    if (result_.plane_of_voxel[result_.voxels.cells.cell_of_point[i]] != 0)
+    if (result_.scene.planeOfPoint(i) != 0)
       structure.push_back(finite_[i]);
   return structure;
 }
@@ -430,7 +430,7 @@ NoiseResilientLCCP<PointT>::getSupervoxelLabels() const
   std::vector<std::uint32_t> labels(input_size_, 0);
   for (std::size_t i = 0; i < finite_.size(); ++i) {
     const auto label =
-        result_.supervoxels.label_of_voxel[result_.voxels.cells.cell_of_point[i]];
+        result_.supervoxels.label_of_voxel[result_.scene.voxels.cells.cell_of_point[i]];
     if (label != indoor::Supervoxels::none)
       labels[finite_[i]] = label + 1;
   }

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl/segmentation/objects/direction_hull.h>
-#include <pcl/segmentation/objects/room_structure.h>
+#include <pcl/segmentation/objects/object_scene.h>
 #include <pcl/segmentation/objects/surface_graph.h>
 #include <pcl/segmentation/objects/surface_voxels.h>
 
@@ -85,27 +85,21 @@ struct PieceGraph {
 
 /** \brief What pieces are made of. */
 struct PieceSurface {
-  const SurfaceVoxels& voxels;                      ///< with normals
-  const std::vector<std::uint32_t>& plane_of_voxel; ///< from 1, 0 = none
+  const ObjectScene& scene;
   /** 0 ... piece_count - 1; those of planes are not looked at */
   const std::vector<std::uint32_t>& piece_of_voxel;
   std::uint32_t piece_count = 0;
   const Supervoxels& supervoxels;
   const std::vector<SurfaceEdge>& edges; ///< between supervoxels
-  double voxel_size = 0.03;              ///< metres
 };
 
 /** \brief Describe the pieces of a room and their contacts. Pieces touch where their
  * voxels are neighbours, and are near where they are at most about six voxels apart.
  * Floor, ceiling and walls have no contacts. The cost is linear in the number of
- * voxels.
- * \param[in] planes floor, ceiling and walls; x will be across the first wall
- * \param[in] up against gravity, unit length
+ * voxels. In the frame of the room x is across the first wall.
  */
 PieceGraph
-pieceGraph(const PieceSurface& surface,
-           const std::vector<StructurePlane>& planes,
-           const Eigen::Vector3f& up);
+pieceGraph(const PieceSurface& surface);
 
 } // namespace indoor
 } // namespace pcl

@@ -12,21 +12,6 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief What counts as floor, wall or ceiling of a room. */
-struct RoomStructureOptions {
-  double voxel_size = 0.03;     ///< of the voxels, metres (> 0)
-  float flat_curvature = 0.03f; ///< voxels of at most this curvature start a plane
-  double min_area = 0.02;       ///< share of all voxels (0 to 1)
-  /** share of the room's extent that a plane has in one of its directions (0 to 1) */
-  double min_span = 0.85;
-  double min_length = 1.5; ///< in that direction, metres (>= 0): rooms are not lower
-  /** share of a plane that has nothing behind it, from two voxels on however far (0 to
-   * 1): the double of a wall is nearer */
-  double min_free = 0.7;
-  /** points count to a plane within this many standard deviations of it (> 0) */
-  double deviations = 3;
-};
-
 /** \brief A plane around a room. */
 struct StructurePlane {
   Eigen::Vector3d normal;            ///< unit length, into the room
@@ -62,11 +47,12 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
  * cabinet's front, which is lower than the room. No direction is taken for up. The cost
  * is linear in the number of voxels.
  * \param[in] voxels with normals, most of them into the room, and curvatures
+ * \param[in] voxel_size of the voxels, metres
  * \return the largest plane first; may be empty
- * \throws pcl::BadArgumentException if an option is out of range
+ * \throws pcl::BadArgumentException if the voxel size is not positive
  */
 std::vector<StructurePlane>
-findRoomStructure(const SurfaceVoxels& voxels, const RoomStructureOptions& options);
+findRoomStructure(const SurfaceVoxels& voxels, double voxel_size);
 
 /** \brief Get three orthogonal directions that fit the planes: the normals of the first
  * and of the next that is orthogonal to it.
@@ -85,7 +71,7 @@ std::vector<std::uint32_t>
 pointsOfStructure(const std::vector<Eigen::Vector3f>& points,
                   const SurfaceVoxels& voxels,
                   const std::vector<StructurePlane>& planes,
-                  const RoomStructureOptions& options);
+                  double voxel_size);
 
 /** \brief Gather points into voxels that hold points of one plane only.
  * Voxels of different planes, and those of the planes and of other points, are no
@@ -98,21 +84,6 @@ separateVoxels(const std::vector<Eigen::Vector3f>& points,
                const std::vector<std::uint32_t>& plane_of_point,
                double voxel_size,
                std::vector<std::uint32_t>& plane_of_voxel);
-
-/** \brief Give small flat remains in front of a plane back to it: noise, and the second
- * of two registrations of a wall.
- * \param[in] patch_size groups of touching voxels of fewer than this are given to a
- * plane if none of them is farther than two voxels from it
- * \param[in] min_size so are those of fewer than this, if none is farther than one
- * voxel \param[in,out] plane_of_voxel as given by separateVoxels()
- */
-void
-returnIslands(const SurfaceVoxels& voxels,
-              const std::vector<StructurePlane>& planes,
-              double voxel_size,
-              std::size_t patch_size,
-              std::size_t min_size,
-              std::vector<std::uint32_t>& plane_of_voxel);
 
 } // namespace indoor
 } // namespace pcl

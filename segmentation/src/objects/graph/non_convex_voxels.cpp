@@ -1,0 +1,40 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/graph/non_convex_voxels.h"
+
+#include <pcl/filters/non_convex_points.h>
+
+#include <cmath>
+
+namespace pcl {
+namespace indoor {
+
+std::vector<std::uint8_t>
+findNonConvexVoxels(const ObjectScene& scene, const ObjectSegmentationOptions& options)
+{
+  const auto& voxels = scene.voxels;
+  const double on_plane = options.plane_tolerance * scene.voxel_size;
+  std::vector<std::uint8_t> removed(voxels.size(), 0);
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    if (scene.plane_of_voxel[v] != 0 ||
+        !(voxels.curvatures[v] > options.curvature_threshold))
+      continue;
+    double positive = 0, negative = 0;
+    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
+         ++j) {
+      const auto other = voxels.neighbors.targets[j];
+      const float height =
+          voxels.normals[v].dot(voxels.centroids[other] - voxels.centroids[v]);
+      const auto points = voxels.cells.offsets[other + 1] - voxels.cells.offsets[other];
+      if (std::abs(height) > on_plane)
+        (height > 0 ? positive : negative) += points;
+    }
+    removed[v] = isNonConvex(positive, negative, options.ratio_threshold);
+  }
+  return removed;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,132 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/graph/scene_making.h"
+
+#include "objects/structure/structure_contacts.h"
+#include "objects/structure/structure_islands.h"
+
+#include <pcl/exceptions.h>
+#include <pcl/features/normal_orientation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace {
+
+using pcl::indoor::ObjectSegmentationInput;
+using pcl::indoor::ObjectSegmentationOptions;
+using pcl::indoor::SurfaceVoxels;
+
+constexpr unsigned normal_rings = 1; // reach of normals and curvature, voxels
+
+/** The single-camera transform of LCCP: voxels that grow with the distance. */
+std::vector<Eigen::Vector3f>
+singleCameraGrid(const ObjectSegmentationInput& input)
+{
+  std::vector<Eigen::Vector3f> grid_points;
+  grid_points.reserve(input.points.size());
+  for (const auto& point : input.points) {
+    const Eigen::Vector3f ray = point - input.viewpoint.front();
+    const float depth = std::max(ray.z(), 1e-3f);
+    grid_points.emplace_back(ray.x() / depth, ray.y() / depth, std::log(depth));
+  }
+  return grid_points;
+}
+
+void
+findNormals(const ObjectSegmentationInput& input,
+            const ObjectSegmentationOptions& options,
+            unsigned thinning,
+            SurfaceVoxels& voxels)
+{
+  pcl::indoor::estimateNormals(input.points, voxels, normal_rings, options.threads);
+  if (!input.normals.empty()) {
+    pcl::indoor::averageNormals(input.normals, voxels);
+    return;
+  }
+  pcl::indoor::FreeSpaceOptions free_space;
+  free_space.cell_size = 2 * options.voxel_size;
+  free_space.threads = options.threads;
+  free_space.sample_stride *= thinning;
+  pcl::indoor::orientNormals(options.orientation,
+                             voxels.centroids,
+                             voxels.neighbors,
+                             input.viewpoint,
+                             free_space,
+                             voxels.normals);
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+std::vector<std::uint8_t>
+ObjectScene::structureFlags() const
+{
+  std::vector<std::uint8_t> flags;
+  flags.reserve(plane_of_voxel.size());
+  for (const auto plane : plane_of_voxel)
+    flags.push_back(plane != 0);
+  return flags;
+}
+
+void
+requireConsistent(const ObjectScene& scene, std::size_t label_count)
+{
+  const auto& voxels = scene.voxels;
+  const auto count = scene.points.size();
+  if (voxels.cells.cell_of_point.size() != count || label_count != count ||
+      scene.plane_of_voxel.size() != voxels.size() ||
+      voxels.normals.size() != voxels.size())
+    PCL_THROW_EXCEPTION(
+        BadArgumentException,
+        count << " points are " << voxels.cells.cell_of_point.size()
+              << " in voxels, with " << label_count << " labels; " << voxels.size()
+              << " voxels have " << scene.plane_of_voxel.size()
+              << " numbers of planes and " << voxels.normals.size() << " normals.");
+  if (!(scene.voxel_size > 0) || !(std::abs(scene.up.norm() - 1) < 1e-3f))
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "A scene needs a positive voxel size and a unit vector up.");
+}
+
+ObjectScene
+makeObjectScene(ObjectSegmentationInput input, const ObjectSegmentationOptions& options)
+{
+  ObjectScene scene;
+  scene.up = options.up;
+  scene.voxel_size = options.voxel_size;
+  scene.threads = options.threads;
+  scene.voxels = surfaceVoxels(input.points,
+                               input.single_camera ? singleCameraGrid(input)
+                                                   : std::vector<Eigen::Vector3f>(),
+                               options.voxel_size);
+  // Normals for the sides of large planes need fewer votes.
+  const bool separate = options.separate_structure && !input.single_camera;
+  findNormals(input, options, separate ? 4 : 1, scene.voxels);
+  scene.plane_of_voxel.assign(scene.voxels.size(), 0);
+  if (separate)
+    scene.planes = findRoomStructure(scene.voxels, options.voxel_size);
+  if (!scene.planes.empty()) {
+    const auto surroundings = std::move(scene.voxels);
+    const auto plane_of_point =
+        pointsOfStructure(input.points, surroundings, scene.planes, options.voxel_size);
+    scene.voxels = separateVoxels(
+        input.points, plane_of_point, options.voxel_size, scene.plane_of_voxel);
+    findNormals(input, options, 1, scene.voxels);
+    scene.points = std::move(input.points);
+    const double seed_voxels = options.seed_size / options.voxel_size;
+    const auto patch = static_cast<std::size_t>(seed_voxels * seed_voxels);
+    returnIslands(patch, options.min_segment_size * patch, scene);
+    yieldContacts(surroundings, scene);
+    return scene;
+  }
+  scene.points = std::move(input.points);
+  return scene;
+}
+
+} // namespace indoor
+} // namespace pcl
