@@ -203,7 +203,8 @@ chosenOptions(const Settings& settings, bool organised)
   options.scale = preset.scale;
   options.joining_level =
       settings.level < 0 ? preset.joining_level : static_cast<float>(settings.level);
-  options.adapt_to_resolution = !(settings.voxel_resolution > 0);
+  options.adapt_to_resolution =
+      preset.adapt_to_resolution && !(settings.voxel_resolution > 0);
   options.partition = settings.partition == "auto"   ? preset.partition
                       : settings.partition == "lccp" ? Partition::Lccp
                       : settings.partition == "graph"

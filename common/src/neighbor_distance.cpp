@@ -5,6 +5,7 @@
 #include <pcl/indoor/neighbor_distance.h>
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/threads.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
 
@@ -12,10 +13,6 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace {
 
@@ -83,12 +80,7 @@ visitNearest(const std::vector<Eigen::Vector3f>& points,
   pcl::search::KdTree<pcl::PointXYZ> tree(true);
   tree.setInputCloud(cloud);
   const auto count = static_cast<std::ptrdiff_t>(points.size());
-#ifdef _OPENMP
-  const int team = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();
-#else
-  (void)threads;
-#endif
-#pragma omp parallel num_threads(team)
+#pragma omp parallel num_threads(pcl::indoor::threadCount(threads))
   {
     pcl::Indices found;
     std::vector<float> squared;

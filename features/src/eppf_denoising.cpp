@@ -47,7 +47,7 @@ denoised(const std::vector<OrientedPoint>& points,
   object.points.resize(some.size());
   object.weights.resize(some.size());
   const auto block_count = static_cast<int>(some.blocks.size());
-#pragma omp parallel num_threads(pairThreadCount(number_of_threads))
+#pragma omp parallel num_threads(threadCount(number_of_threads))
   {
     Nearby nearby;
 #pragma omp for schedule(dynamic, 4)

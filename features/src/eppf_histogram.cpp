@@ -8,6 +8,7 @@
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_denoising.h>
 #include <pcl/features/eppf_histogram.h>
+#include <pcl/indoor/threads.h>
 
 #include <algorithm>
 #include <cmath>
@@ -155,7 +156,7 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
     PCL_THROW_EXCEPTION(BadArgumentException, problem);
   const bool is_stratified = options.sampling == PairSampling::Stratified;
   [[maybe_unused]] const int threads =
-      std::min(pairThreadCount(options.number_of_threads), 2);
+      std::min(threadCount(options.number_of_threads), 2);
   std::vector<std::uint32_t> order;
   float extent = 0.0f;
 #pragma omp parallel sections num_threads(threads) if (threads > 1)

@@ -104,7 +104,7 @@ measureNoise(const std::vector<OrientedPoint>& points,
   noise.evidence = evidenceOfFew(some, spacing);
   if (!(noise.evidence > 0.0f))
     return {};
-  const int threads = pairThreadCount(number_of_threads);
+  const int threads = threadCount(number_of_threads);
   noise.evidence *= evidenceOfMany(some, spacing, threads);
   if (!(noise.evidence > 0.0f))
     return {};

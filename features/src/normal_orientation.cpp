@@ -8,15 +8,12 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_graph.h>
+#include <pcl/indoor/threads.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace {
 
@@ -28,16 +25,6 @@ constexpr int spreading_rounds = 4;
 constexpr float clearance_share = 0.4f; // of the largest: no viewpoints under tables
 constexpr float smooth_cosine =
     0.8f; // normals of one surface differ by less than 37 deg
-
-int
-threadCount(unsigned threads)
-{
-#ifdef _OPENMP
-  return threads == 0 ? omp_get_max_threads() : static_cast<int>(threads);
-#else
-  return threads == 0 ? 1 : static_cast<int>(threads);
-#endif
-}
 
 void
 requireValid(const FreeSpaceOptions& options)
@@ -212,7 +199,7 @@ collectVotes(const std::vector<Eigen::Vector3f>& positions,
   const double extent = static_cast<double>(all.sizes().maxCoeff());
   const auto blocks = pcl::indoor::groupByCell(
       sampled, std::max(least_block_size, extent / most_blocks));
-#pragma omp parallel num_threads(threadCount(options.threads))
+#pragma omp parallel num_threads(pcl::indoor::threadCount(options.threads))
   {
     NearestViewpoints nearest(viewpoints, options.viewpoints);
 #pragma omp for schedule(dynamic, 1)
@@ -244,7 +231,7 @@ spreadVotes(const std::vector<Eigen::Vector3f>& normals,
 {
   std::vector<float> sums(votes.size());
   const auto count = static_cast<std::ptrdiff_t>(votes.size());
-#pragma omp parallel for num_threads(threadCount(threads))
+#pragma omp parallel for num_threads(pcl::indoor::threadCount(threads))
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     float sum = votes[i];
     for (auto j = neighbors.offsets[i]; j < neighbors.offsets[i + 1]; ++j) {

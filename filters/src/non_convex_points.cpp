@@ -6,29 +6,16 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/point_cells.h>
+#include <pcl/indoor/threads.h>
 
 #include <cmath>
 #include <limits>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace {
 
 using pcl::indoor::Adjacency;
 using pcl::indoor::NonConvexityOptions;
 using pcl::indoor::PointCells;
-
-int
-threadCount(unsigned threads)
-{
-#ifdef _OPENMP
-  return threads == 0 ? omp_get_max_threads() : static_cast<int>(threads);
-#else
-  return threads == 0 ? 1 : static_cast<int>(threads);
-#endif
-}
 
 void
 requireValid(const NonConvexityOptions& options)

@@ -2,18 +2,16 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/exceptions.h>
 #include <pcl/ml/histogram_distance.h>
+
+#include <pcl/exceptions.h>
+#include <pcl/indoor/threads.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace pcl {
 namespace indoor {
@@ -107,17 +105,6 @@ distanceBetween(const Prepared& queries,
   return sumOver(size, [=](std::size_t k) {
     return (a[k] - b[k]) * (a[k] - b[k]) / std::max(a[k] + b[k], tiny);
   });
-}
-
-int
-threadCount(unsigned int wanted)
-{
-#ifdef _OPENMP
-  return wanted == 0 ? omp_get_max_threads() : static_cast<int>(wanted);
-#else
-  static_cast<void>(wanted);
-  return 1;
-#endif
 }
 
 } // namespace

@@ -250,7 +250,7 @@ TEST(NoiseResilientLCCP, RaisesItsVoxelsForSparseClouds)
   segmentation.setInputNormals(normalsOf(scene));
   Labels labels;
   segmentation.segment(labels);
-  EXPECT_NEAR(segmentation.getResult().voxel_size, 0.125, 0.02); // 2.5 spacings
+  EXPECT_NEAR(segmentation.getResult().scene.voxel_size, 0.125, 0.02); // 2.5 spacings
   EXPECT_EQ(scoreDetections(countOverlaps(scene.objects, labels)).right_count, 3u);
   auto options = segmentation.getOptions();
   options.adapt_to_resolution = false;
@@ -284,4 +284,9 @@ TEST(NoiseResilientLCCP, OrganisedCloudsAreSeenFromTheirSensor)
   for (const auto& point : output)
     labels.push_back(point.label);
   EXPECT_EQ(agreement(truth, labels), 1);
+  EXPECT_LT(segmentation.getResult().scene.voxel_size, 0.02)
+      << "of a single view, as nothing was chosen";
+  segmentation.setVoxelResolution(0.02);
+  segmentation.segment(output);
+  EXPECT_DOUBLE_EQ(segmentation.getResult().scene.voxel_size, 0.02);
 }

@@ -12,6 +12,8 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::test;
@@ -25,7 +27,7 @@ TEST(NoiseResilientLCCPUse, SmallInputs)
   }
   const Cloud::Ptr nothing(new Cloud);
   nothing->emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f);
-  EXPECT_EQ(segmented(nothing), Labels{0});
+  EXPECT_TRUE(segmented(nothing).empty());
   EXPECT_TRUE(segmented(Cloud::Ptr(new Cloud)).empty());
 }
 
@@ -247,4 +249,103 @@ TYPED_TEST(NoiseResilientLCCPOf, GivesTheSameForAllPointTypes)
   Labels labels;
   segmentation.segment(labels);
   EXPECT_EQ(labels, segmented(cloudOf(scene.points)));
+}
+
+TEST(NoiseResilientLCCPUse, AllOutputsAreAlike)
+{
+  const auto scene = floorWithTwoBoxes();
+  const auto cloud = cloudOf(scene.points);
+  (*cloud)[7].x = std::numeric_limits<float>::quiet_NaN();
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloud);
+  segmentation.setViewPoint(2, 1, 3);
+  Labels labels;
+  segmentation.segment(labels);
+  EXPECT_EQ(labels[7], 0u);
+  std::vector<pcl::PointIndices> segments;
+  segmentation.segment(segments);
+  ASSERT_EQ(segments.size(), *std::max_element(labels.begin(), labels.end()));
+  std::size_t listed = 0;
+  for (std::size_t s = 0; s < segments.size(); ++s)
+    for (const auto index : segments[s].indices) {
+      ASSERT_EQ(labels[index], s + 1);
+      ++listed;
+    }
+  EXPECT_EQ(listed, labels.size() - 1);
+  pcl::PointCloud<pcl::PointXYZL> output;
+  segmentation.segment(output);
+  ASSERT_EQ(output.size(), labels.size());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    ASSERT_EQ(output[i].label, labels[i]);
+  segmentation.setVoxelResolution(-1);
+  segmentation.segment(segments);
+  EXPECT_TRUE(segments.empty());
+  segmentation.segment(output);
+  EXPECT_TRUE(output.empty());
+}
+
+TEST(NoiseResilientLCCPUse, ProgressRisesFromZeroToOneAndCanStopTheWork)
+{
+  const auto cloud = cloudOf(roomWithTwoBoxes().points);
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloud);
+  std::vector<double> shares;
+  segmentation.setProgressCallback([&](double share, const char* stage) {
+    EXPECT_FALSE(std::string(stage).empty());
+    shares.push_back(share);
+    return true;
+  });
+  Labels labels;
+  segmentation.segment(labels);
+  ASSERT_GE(shares.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.front(), 0);
+  EXPECT_EQ(shares.back(), 1);
+  for (const double last : shares) {
+    segmentation.setProgressCallback(
+        [&](double share, const char*) { return share < last; });
+    segmentation.segment(labels);
+    EXPECT_TRUE(labels.empty()) << last;
+    EXPECT_TRUE(segmentation.getStructureIndices().empty());
+  }
+  segmentation.setProgressCallback({});
+  segmentation.segment(labels);
+  EXPECT_EQ(labels.size(), cloud->size());
+}
+
+TEST(NoiseResilientLCCPUse, TheDirectionUpMayPointAnywhere)
+{
+  const auto scene = roomWithTwoBoxes();
+  auto lying = scene;
+  Eigen::Matrix3f turn; // z becomes y
+  turn << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  lying.turn(turn);
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  Labels upright, labels;
+  segmentation.segment(upright);
+  segmentation.setInputCloud(cloudOf(lying.points));
+  segmentation.setUpAxis({0, 2, 0});
+  EXPECT_EQ(segmentation.getUpAxis(), Eigen::Vector3f(0, 1, 0));
+  segmentation.segment(labels);
+  EXPECT_GT(agreement(upright, labels), 0.99);
+  segmentation.setUpAxis({0, 0, 0});
+  segmentation.segment(labels);
+  EXPECT_TRUE(labels.empty());
+}
+
+TEST(NoiseResilientLCCPUse, SettersHaveGetters)
+{
+  Segmentation segmentation;
+  EXPECT_EQ(segmentation.getNumberOfThreads(), 0u);
+  segmentation.setNumberOfThreads(3);
+  EXPECT_EQ(segmentation.getNumberOfThreads(), 3u);
+  EXPECT_EQ(segmentation.getViewPoint(), Eigen::Vector3d(0, 0, 0));
+  segmentation.setViewPoint(1, 2, 3);
+  EXPECT_EQ(segmentation.getViewPoint(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_FALSE(segmentation.getUseSingleCameraTransform());
+  segmentation.setInputCloud(Cloud::Ptr(new Cloud(4, 3)));
+  EXPECT_TRUE(segmentation.getUseSingleCameraTransform()) << "it is organised";
+  segmentation.setUseSingleCameraTransform(false);
+  EXPECT_FALSE(segmentation.getUseSingleCameraTransform());
 }

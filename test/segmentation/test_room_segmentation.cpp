@@ -225,7 +225,11 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
        [](auto& s) {
          s.setUpAxis({nan_value, 0, 1});
        }},
-      {"threads -1", [](auto& s) { s.setNumberOfThreads(-1); }}};
+      {"threads -1", [](auto& s) {
+         auto options = s.getOptions();
+         options.threads = -1;
+         s.setOptions(options);
+       }}};
   const auto cloud = cloudOf(twoRooms().points);
   for (const auto& [what, set] : table) {
     Segmentation segmentation;

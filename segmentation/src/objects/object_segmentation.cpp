@@ -5,6 +5,7 @@
 #include "objects/graph/non_convex_voxels.h"
 #include "objects/graph/point_recovery.h"
 #include "objects/graph/scene_making.h"
+#include "objects/graph/supervoxel_joining.h"
 #include "objects/object_pieces.h"
 #include "objects/segment_names.h"
 #include "objects/structure/enclosed_structure.h"
@@ -42,32 +43,13 @@ checkedOptions(const ObjectSegmentationInput& input,
                         "A single camera needs a viewpoint.");
   auto options = given;
   options.threads = std::min(given.threads, 1024u); // each needs memory for its stack
-  if (given.adapt_to_resolution && !input.single_camera) {
-    options.voxel_size =
-        pcl::indoor::raisedToResolution(input.points, given.voxel_size);
+  if (given.adapt_to_resolution) {
+    const auto grid_points = pcl::indoor::gridPoints(input);
+    options.voxel_size = pcl::indoor::raisedToResolution(
+        input.single_camera ? grid_points : input.points, given.voxel_size);
     options.seed_size *= options.voxel_size / given.voxel_size;
   }
   return options;
-}
-
-std::vector<std::uint32_t>
-joinSupervoxels(const ObjectSegmentation& result,
-                const ObjectSegmentationOptions& options,
-                const pcl::indoor::SurfaceDistance& distance)
-{
-  const auto count = result.supervoxels.size();
-  if (options.partition == Partition::Lccp)
-    return pcl::indoor::convexSegments(count, result.edges);
-  if (options.partition == Partition::FelzenszwalbHuttenlocher)
-    return pcl::indoor::segmentGraph(
-        count,
-        pcl::indoor::weighEdges(
-            result.supervoxels, result.edges, distance, options.concavity_weight),
-        {options.graph_scale, options.min_segment_size});
-  return pcl::indoor::clusterByBorders(
-      count,
-      pcl::indoor::bendBorders(result.supervoxels, result.edges),
-      {options.bend_threshold_degrees, options.min_segment_size});
 }
 
 /** Segments of voxels, the planes after those of the supervoxels; too small ones,
@@ -99,8 +81,7 @@ segmentsOfVoxels(const std::vector<std::uint32_t>& segment_of_supervoxel,
 std::vector<std::uint32_t>
 partitionVoxels(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
 {
-  const pcl::indoor::SurfaceDistance distance{
-      options.seed_size, options.spatial_weight, options.normal_weight};
+  const auto distance = distanceOf(options);
   const auto& scene = result.scene;
   result.removed = pcl::indoor::findNonConvexVoxels(scene, options);
   auto left_out = scene.structureFlags();
@@ -114,8 +95,10 @@ partitionVoxels(const ObjectSegmentationOptions& options, ObjectSegmentation& re
                                    options.threads);
   result.edges = pcl::indoor::surfaceEdges(
       result.scene.voxels, result.supervoxels, options.concavity_tolerance_degrees);
-  auto segments = segmentsOfVoxels(
-      joinSupervoxels(result, options, distance), options.min_segment_size, result);
+  auto segments =
+      segmentsOfVoxels(joinSupervoxels(result.supervoxels, result.edges, options),
+                       options.min_segment_size,
+                       result);
   pcl::indoor::recoverLabels(result.scene.voxels.centroids,
                              result.scene.voxels.normals,
                              result.scene.voxels.neighbors,
@@ -135,14 +118,25 @@ namespace indoor {
 
 ObjectSegmentation
 segmentObjects(ObjectSegmentationInput input,
-               const ObjectSegmentationOptions& given_options)
+               const ObjectSegmentationOptions& given_options,
+               const ProgressCallback& progress)
 {
   const auto options = checkedOptions(input, given_options);
+  const auto stops = [&progress](double share, const char* stage) {
+    return progress && !progress(share, stage);
+  };
+  const bool has_pieces = options.partition == Partition::Pieces;
   const bool is_room = !input.single_camera;
   ObjectSegmentation result;
+  if (stops(0, "voxels and structure"))
+    return {};
   result.scene = makeObjectScene(std::move(input), options);
+  if (stops(0.5, "supervoxels"))
+    return {};
   const auto segment_of_voxel = partitionVoxels(options, result);
-  if (options.partition == Partition::Pieces && is_room) {
+  if (stops(0.6, "objects"))
+    return {};
+  if (has_pieces && is_room) {
     cutPieces(segment_of_voxel, result);
     joinPiecesOfRoom(options, result);
     cutBodies(result);
@@ -151,11 +145,9 @@ segmentObjects(ObjectSegmentationInput input,
     for (const auto voxel : result.scene.voxels.cells.cell_of_point)
       result.segment_of_point.push_back(segment_of_voxel[voxel]);
   yieldEnclosed(result.scene, result.segment_of_point);
-  if (options.partition == Partition::Pieces)
-    nameSegments(std::pow(options.seed_size / options.voxel_size, 2), result);
-  else
-    nameSegments(0, result);
-  return result;
+  nameSegments(has_pieces ? std::pow(options.seed_size / options.voxel_size, 2) : 0,
+               result);
+  return stops(1, "done") ? ObjectSegmentation() : result;
 }
 
 } // namespace indoor

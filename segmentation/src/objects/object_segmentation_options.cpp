@@ -97,6 +97,7 @@ ObjectSegmentationOptions
 thesisOptions()
 {
   ObjectSegmentationOptions options;
+  options.adapt_to_resolution = false;
   options.separate_structure = false;
   options.plane_tolerance = 0;
   options.partition = Partition::FelzenszwalbHuttenlocher;

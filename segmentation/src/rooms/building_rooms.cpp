@@ -9,7 +9,7 @@
 #include "rooms/outline/room_layout.h"
 #include "rooms/space/closed_surfaces.h"
 #include "rooms/storeys/storey_labels.h"
-#include <pcl/indoor/thread_count.h>
+#include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
 

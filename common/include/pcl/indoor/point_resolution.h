@@ -13,13 +13,6 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Mean distance of the points to their nearest other points: the resolution
- * that the radius rule of Eq. (2.9), R = 2.5 times it, refers to. \param[in] points
- * finite points, metres, local frame \return metres; 0 for less than two points
- */
-double
-meanResolution(const std::vector<Eigen::Vector3f>& points);
-
 /** \brief Median distance of points to their nearest other points, from about two
  * thousand of them: a resolution that outliers do not change, without a search tree.
  * \param[in] points finite points, metres, local frame

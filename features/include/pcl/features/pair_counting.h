@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/threads.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -15,10 +17,6 @@ namespace pcl {
 namespace indoor {
 
 constexpr std::size_t pair_block_size = 512; ///< pairs that are worked on together
-
-/** \brief Number of threads to use for a number asked for, 0 meaning all. */
-int
-pairThreadCount(unsigned int wanted);
 
 /** \brief Counts per bin, block after block on several threads.
  *
@@ -35,8 +33,8 @@ countBlocks(std::size_t block_count,
 {
   std::vector<std::uint64_t> counts(bin_count);
   const auto last = static_cast<std::int64_t>(block_count);
-  const int threads = static_cast<int>(
-      std::min<std::int64_t>(pairThreadCount(number_of_threads), last));
+  const int threads =
+      static_cast<int>(std::min<std::int64_t>(threadCount(number_of_threads), last));
   if (threads <= 1) {
     for (std::int64_t block = 0; block < last; ++block)
       count_block(static_cast<std::size_t>(block), counts);

@@ -5,12 +5,10 @@
 #pragma once
 
 #include <cstddef>
+#include <pcl/indoor/threads.h>
+
 #include <cstdint>
 #include <exception>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace pcl {
 namespace indoor {
@@ -23,14 +21,8 @@ template <typename Visit>
 void
 forEachObject(std::size_t count, unsigned int number_of_threads, const Visit& visit)
 {
-#ifdef _OPENMP
-  const int threads = number_of_threads == 0 ? omp_get_max_threads()
-                                             : static_cast<int>(number_of_threads);
-#else
-  static_cast<void>(number_of_threads);
-#endif
   std::exception_ptr problem;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(number_of_threads))
   for (std::int64_t k = 0; k < static_cast<std::int64_t>(count); ++k)
     try {
       visit(static_cast<std::size_t>(k));

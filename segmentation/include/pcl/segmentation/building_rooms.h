@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/progress_callback.h>
 #include <pcl/segmentation/rooms/interior_space.h>
 #include <pcl/segmentation/rooms/occupancy_grid.h>
 #include <pcl/segmentation/rooms/room_map.h>
@@ -14,7 +15,6 @@
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -67,10 +67,6 @@ struct RoomOpening {
   double width = 0.0;       ///< metres
   double area = 0.0;        ///< m^2
 };
-
-/** \brief Is told what share of the work is done, 0 ... 1 and never less than before,
- * and what comes next; returns whether to go on. */
-using ProgressCallback = std::function<bool(double share, const char* stage)>;
 
 /** \brief The rooms of a building and every step on the way to them. */
 struct BuildingRooms {

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <pcl/pcl_base.h>
+#include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/PointIndices.h>
 #include <pcl/segmentation/object_segmentation.h>
 
 #include <cstdint>
@@ -164,7 +166,9 @@ public:
   float
   getConcavityToleranceThreshold() const;
 
-  /** \brief Set all parameters at once, also those without a setter of their own. */
+  /** \brief Set all parameters at once, also those without a setter of their own.
+   * Where no parameter was ever set, a single view is segmented with
+   * indoor::singleViewOptions(), all else with the defaults. */
   void
   setOptions(const indoor::ObjectSegmentationOptions& options);
 
@@ -175,6 +179,19 @@ public:
   /** \brief Set where the sensor stood, in the frame of the cloud. */
   void
   setViewPoint(double x, double y, double z);
+
+  /** \brief Get where the sensor stood; the origin if it was not set. */
+  Eigen::Vector3d
+  getViewPoint() const;
+
+  /** \brief Set which direction of the cloud points up, of any length (default +z);
+   * without meaning for a single view. */
+  void
+  setUpAxis(const Eigen::Vector3f& axis);
+
+  /** \brief Get the direction up, of unit length. */
+  const Eigen::Vector3f&
+  getUpAxis() const;
 
   /** \brief Set which way estimated normals are turned.
    * \param[in] orientation default: to the viewpoint if there is one, else to the free
@@ -193,9 +210,27 @@ public:
   void
   setUseSingleCameraTransform(bool use);
 
-  /** \brief Set the number of threads; 0 (default) for as many as OpenMP offers. */
+  /** \brief Get whether voxels grow with the distance: what was set, or else what the
+   * input asks for. */
+  bool
+  getUseSingleCameraTransform() const;
+
+  /** \brief Set the number of threads; the result does not depend on it.
+   * \param[in] threads 0 = as many as the machine offers (default 0) */
   void
   setNumberOfThreads(unsigned threads = 0);
+
+  /** \brief Get the number of threads. */
+  unsigned
+  getNumberOfThreads() const;
+
+  /** \brief Set whom segment() tells how far it is.
+   * \param[in] callback given the share of the work, rising from 0 to 1, and the stage
+   * that begins; if it returns false, segment() stops, prints nothing and leaves empty
+   * outputs (default none)
+   */
+  void
+  setProgressCallback(const indoor::ProgressCallback& callback);
 
   /** \brief Segment the cloud.
    * \param[out] labels one per point of the input, 1 to the number of segments in the
@@ -210,6 +245,46 @@ public:
    */
   void
   segment(PointCloud<PointXYZL>& output);
+
+  /** \brief Segment the cloud.
+   * \param[out] segments the points of each segment, as indices into the input cloud;
+   * empty after an error
+   */
+  void
+  segment(std::vector<PointIndices>& segments);
+
+  /** \brief Start from supervoxels, as LCCPSegmentation does: segment() without output
+   * joins them, relabelCloud() gives the segments. See indoor::segmentSupervoxels().
+   * \param[in] supervoxels by label, as SupervoxelClustering::extract() gives them
+   * \param[in] adjacency of the labels, as getSupervoxelAdjacency() gives it
+   */
+  template <typename SupervoxelPtr>
+  void
+  setInputSupervoxels(const std::map<std::uint32_t, SupervoxelPtr>& supervoxels,
+                      const std::multimap<std::uint32_t, std::uint32_t>& adjacency)
+  {
+    given_ = indoor::NamedSupervoxels();
+    given_.adjacency = adjacency;
+    for (const auto& [label, supervoxel] : supervoxels) {
+      given_.names.push_back(label);
+      given_.supervoxels.centroids.push_back(supervoxel->centroid_.getVector3fMap());
+      given_.supervoxels.normals.push_back(supervoxel->normal_.getNormalVector3fMap());
+      given_.supervoxels.voxel_counts.push_back(1);
+    }
+  }
+
+  /** \brief Join the supervoxels that were set. */
+  void
+  segment();
+
+  /** \brief Replace labels of supervoxels by those of their segments, from 1; 0 where
+   * there is no such supervoxel. */
+  void
+  relabelCloud(PointCloud<PointXYZL>& labeled_cloud) const;
+
+  /** \brief Get the segment of each supervoxel that was set, from 1. */
+  const std::map<std::uint32_t, std::uint32_t>&
+  getSupervoxelToSegmentMap() const;
 
   /** \brief Get the points that the last segment() took out and recovered. */
   Indices
@@ -263,11 +338,23 @@ private:
   bool
   initCompute();
 
+  /** \brief The options, of which one is about to be chosen. */
+  indoor::ObjectSegmentationOptions&
+  chosen();
+
+  /** \brief Those that were chosen, or those for the input. */
+  indoor::ObjectSegmentationOptions
+  optionsForInput() const;
+
   indoor::ObjectSegmentationInput
   localInput();
 
   PointCloudN::ConstPtr normals_;
   indoor::ObjectSegmentationOptions options_;
+  bool chosen_ = false; // whether any parameter of the method was set
+  indoor::ProgressCallback progress_;
+  indoor::NamedSupervoxels given_;
+  std::map<std::uint32_t, std::uint32_t> segment_of_supervoxel_;
   std::vector<Eigen::Vector3d> viewpoint_; // none or one
   enum class Camera { Automatic, Single, Any } camera_ = Camera::Automatic;
   Indices finite_; // the points that were segmented

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/normal_orientation.h>
+#include <pcl/indoor/progress_callback.h>
 #include <pcl/segmentation/objects/object_joining.h>
 #include <pcl/segmentation/objects/object_scene.h>
 #include <pcl/segmentation/objects/surface_graph.h>
@@ -12,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,7 +32,7 @@ struct ObjectSegmentationOptions {
   double voxel_size = 0.03; ///< R_voxel, metres (> 0)
   double seed_size = 0.12;  ///< R_seed, metres (>= voxel_size)
   /** raise both sizes in proportion where points are too sparse for the voxel size, see
-   * raisedToResolution(); never for a single camera */
+   * raisedToResolution() */
   bool adapt_to_resolution = true;
   /** keep floor, ceiling and walls out of the graph, see findRoomStructure(): nothing
    * is joined through them; never for a single camera */
@@ -68,8 +70,8 @@ struct ObjectSegmentationOptions {
 ObjectSegmentationOptions
 partsOptions();
 
-/** \brief The thesis's own choice: its graph segmentation with C = 3, and no more.
- */
+/** \brief The thesis's own choice: its graph segmentation with C = 3 and voxels of the
+ * size that is given, and no more. */
 ObjectSegmentationOptions
 thesisOptions();
 
@@ -113,10 +115,30 @@ struct ObjectSegmentation {
  * pieces that are probably one thing. Works on voxels throughout, so its cost is linear
  * in the number of points and small.
  * Every point gets a segment.
+ * \param[in] progress called before each stage and at the end with 1; may be empty
+ * \return without segments and labels if \a progress returned false
  * \throws pcl::BadArgumentException if an option is out of range or sizes differ
  */
 ObjectSegmentation
-segmentObjects(ObjectSegmentationInput input, const ObjectSegmentationOptions& options);
+segmentObjects(ObjectSegmentationInput input,
+               const ObjectSegmentationOptions& options,
+               const ProgressCallback& progress = {});
+
+/** \brief Supervoxels of another segmentation, by names of its own. */
+struct NamedSupervoxels {
+  std::vector<std::uint32_t> names; ///< ascending
+  Supervoxels supervoxels; ///< centroids and normals, in the order of the names
+  std::multimap<std::uint32_t, std::uint32_t> adjacency; ///< both ways
+};
+
+/** \brief Join given supervoxels to segments, by the partition of the options alone:
+ * there are no points to take out, and no pieces are joined by the learned criterion.
+ * Edges to names that are not there do not count.
+ * \return the segment of each name, from 1
+ */
+std::map<std::uint32_t, std::uint32_t>
+segmentSupervoxels(const NamedSupervoxels& given,
+                   const ObjectSegmentationOptions& options);
 
 /** \brief Find what is wrong with the options.
  * \return one sentence with parameter, value and unit; empty if nothing is

@@ -9,10 +9,13 @@
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <pcl/pcl_base.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -153,15 +156,15 @@ public:
    * \param[in] threads 0 = as many as the machine offers (default 0)
    */
   void
-  setNumberOfThreads(int threads)
+  setNumberOfThreads(unsigned threads = 0)
   {
-    options_.threads = threads;
+    options_.threads = static_cast<int>(std::min(threads, 1024u));
   }
 
-  int
+  unsigned
   getNumberOfThreads() const
   {
-    return options_.threads;
+    return static_cast<unsigned>(options_.threads);
   }
 
   /** \brief Set which direction of the cloud points up, of any length (default +z). */
@@ -230,6 +233,13 @@ public:
    */
   void
   segment(std::vector<PointIndices>& rooms);
+
+  /** \brief Find the rooms.
+   * \param[out] output the input's coordinates with the rooms as labels, organised as
+   * it is; empty after an error
+   */
+  void
+  segment(pcl::PointCloud<PointXYZL>& output);
 
   /** \brief The voxel size that the last run used, which points it left out, and its
    * warnings, which were printed, too: an unlikely unit or up axis, coordinates too

@@ -22,20 +22,6 @@ using pcl::indoor::SurfaceVoxels;
 
 constexpr unsigned normal_rings = 1; // reach of normals and curvature, voxels
 
-/** The single-camera transform of LCCP: voxels that grow with the distance. */
-std::vector<Eigen::Vector3f>
-singleCameraGrid(const ObjectSegmentationInput& input)
-{
-  std::vector<Eigen::Vector3f> grid_points;
-  grid_points.reserve(input.points.size());
-  for (const auto& point : input.points) {
-    const Eigen::Vector3f ray = point - input.viewpoint.front();
-    const float depth = std::max(ray.z(), 1e-3f);
-    grid_points.emplace_back(ray.x() / depth, ray.y() / depth, std::log(depth));
-  }
-  return grid_points;
-}
-
 void
 findNormals(const ObjectSegmentationInput& input,
             const ObjectSegmentationOptions& options,
@@ -93,6 +79,21 @@ requireConsistent(const ObjectScene& scene, std::size_t label_count)
                         "A scene needs a positive voxel size and a unit vector up.");
 }
 
+std::vector<Eigen::Vector3f>
+gridPoints(const ObjectSegmentationInput& input)
+{
+  std::vector<Eigen::Vector3f> grid_points;
+  if (!input.single_camera)
+    return grid_points;
+  grid_points.reserve(input.points.size());
+  for (const auto& point : input.points) {
+    const Eigen::Vector3f ray = point - input.viewpoint.front();
+    const float depth = std::max(ray.z(), 1e-3f);
+    grid_points.emplace_back(ray.x() / depth, ray.y() / depth, std::log(depth));
+  }
+  return grid_points;
+}
+
 ObjectScene
 makeObjectScene(ObjectSegmentationInput input, const ObjectSegmentationOptions& options)
 {
@@ -100,10 +101,7 @@ makeObjectScene(ObjectSegmentationInput input, const ObjectSegmentationOptions& 
   scene.up = options.up;
   scene.voxel_size = options.voxel_size;
   scene.threads = options.threads;
-  scene.voxels = surfaceVoxels(input.points,
-                               input.single_camera ? singleCameraGrid(input)
-                                                   : std::vector<Eigen::Vector3f>(),
-                               options.voxel_size);
+  scene.voxels = surfaceVoxels(input.points, gridPoints(input), options.voxel_size);
   // Normals for the sides of large planes need fewer votes.
   const bool separate = options.separate_structure && !input.single_camera;
   findNormals(input, options, separate ? 4 : 1, scene.voxels);

@@ -5,13 +5,10 @@
 #include <pcl/segmentation/objects/supervoxel_growing.h>
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/threads.h>
 
 #include <cmath>
 #include <limits>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace {
 
@@ -19,16 +16,6 @@ using pcl::indoor::SurfaceDistance;
 using pcl::indoor::SurfaceVoxels;
 
 constexpr std::uint32_t none = pcl::indoor::Supervoxels::none;
-
-int
-threadCount(unsigned threads)
-{
-#ifdef _OPENMP
-  return threads == 0 ? omp_get_max_threads() : static_cast<int>(threads);
-#else
-  return threads == 0 ? 1 : static_cast<int>(threads);
-#endif
-}
 
 /** Means of the members of each patch. */
 struct Patches {

@@ -5,14 +5,11 @@
 #include <pcl/segmentation/objects/surface_voxels.h>
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/threads.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace {
 
@@ -20,16 +17,6 @@ using pcl::indoor::SurfaceVoxels;
 
 /** Sums over points: their number, coordinates, and products of coordinates. */
 using Moments = Eigen::Matrix<double, 10, 1>;
-
-int
-threadCount(unsigned threads)
-{
-#ifdef _OPENMP
-  return threads == 0 ? omp_get_max_threads() : static_cast<int>(threads);
-#else
-  return threads == 0 ? 1 : static_cast<int>(threads);
-#endif
-}
 
 Moments
 momentsOf(const Eigen::Vector3d& p)

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "objects/split/segment_members.h"
-#include <pcl/indoor/thread_count.h>
+#include <pcl/indoor/threads.h>
 
 #include <cstdint>
 #include <iterator>
@@ -46,8 +46,7 @@ partSegments(const std::vector<std::uint8_t>& left_out,
   auto next = static_cast<std::uint32_t>(segments.size());
   std::vector<std::vector<SegmentMembers>> parts(segments.size());
   const auto count = static_cast<std::ptrdiff_t>(segments.size());
-#pragma omp parallel for schedule(dynamic, 1)                                          \
-    num_threads(threadCount(static_cast <int>(threads)))
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threadCount(threads))
   for (std::ptrdiff_t s = 0; s < count; ++s)
     parts[s] = parts_of(segments[s]);
   for (const auto& cut : parts)

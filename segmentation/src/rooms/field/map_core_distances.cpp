@@ -5,7 +5,7 @@
 
 #include "rooms/field/map_blocks.h"
 
-#include <pcl/indoor/useful_threads.h>
+#include <pcl/indoor/threads.h>
 #include <pcl/segmentation/rooms/map_clustering.h>
 
 #include <algorithm>

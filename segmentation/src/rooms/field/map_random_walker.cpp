@@ -4,7 +4,7 @@
  */
 
 #include "rooms/field/map_random_walker.h"
-#include <pcl/indoor/useful_threads.h>
+#include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
 

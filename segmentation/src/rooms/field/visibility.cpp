@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/indoor/useful_threads.h>
+#include <pcl/indoor/threads.h>
 #include <pcl/segmentation/rooms/visibility.h>
 
 #include <pcl/exceptions.h>

@@ -5,7 +5,7 @@
 
 #include "rooms/map/wall_lean.h"
 
-#include <pcl/indoor/thread_count.h>
+#include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
 

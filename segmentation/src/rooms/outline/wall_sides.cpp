@@ -5,7 +5,7 @@
 
 #include <pcl/segmentation/rooms/wall_sides.h>
 
-#include <pcl/indoor/thread_count.h>
+#include <pcl/indoor/threads.h>
 
 #include <Eigen/Eigenvalues>
 

@@ -7,7 +7,7 @@
 
 #include "rooms/space/grid_cut.h"
 
-#include <pcl/indoor/thread_count.h>
+#include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
 

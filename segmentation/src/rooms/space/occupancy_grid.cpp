@@ -6,7 +6,7 @@
 #include <pcl/segmentation/rooms/occupancy_grid.h>
 
 #include "rooms/space/block_extent.h"
-#include <pcl/indoor/thread_count.h>
+#include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
 

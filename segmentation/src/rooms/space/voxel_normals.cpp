@@ -5,7 +5,7 @@
 
 #include "rooms/space/voxel_normals.h"
 
-#include <pcl/indoor/thread_count.h>
+#include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
 

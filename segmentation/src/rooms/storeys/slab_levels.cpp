@@ -6,7 +6,7 @@
 #include "rooms/storeys/slab_levels.h"
 
 #include "rooms/map/map_regions.h"
-#include <pcl/indoor/thread_count.h>
+#include <pcl/indoor/threads.h>
 
 #include <algorithm>
 #include <cmath>

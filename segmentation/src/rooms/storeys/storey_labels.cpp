@@ -8,7 +8,7 @@
 #include "rooms/field/potential_field.h"
 #include "rooms/map/wall_lean.h"
 
-#include <pcl/indoor/thread_count.h>
+#include <pcl/indoor/threads.h>
 
 #include <algorithm>
 #include <cmath>

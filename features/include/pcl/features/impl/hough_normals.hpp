@@ -8,6 +8,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/hough_normals.h>
 #include <pcl/indoor/neighbor_distance.h>
+#include <pcl/indoor/threads.h>
 #include <pcl/indoor/usable_point.h>
 
 #include <algorithm>
@@ -17,10 +18,6 @@
 #include <tuple>
 #include <utility>
 #include <vector>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace pcl {
 
@@ -129,10 +126,7 @@ HoughNormalEstimation<PointInT, PointOutT>::computeFeature(PointCloudOut& output
   const auto first = indoor::firstInPlace(*input_, *indices_);
   const auto count = static_cast<std::ptrdiff_t>(indices_->size());
   bool dense = true;
-#ifdef _OPENMP
-  const int threads = threads_ > 0 ? static_cast<int>(threads_) : omp_get_max_threads();
-#endif
-#pragma omp parallel num_threads(threads) reduction(&& : dense)
+#pragma omp parallel num_threads(indoor::threadCount(threads_)) reduction(&& : dense)
   {
     auto estimator = shared;
     Indices neighbors;

@@ -5,8 +5,8 @@
 #pragma once
 
 #include <pcl/filters/non_convex_points_removal.h>
+#include <pcl/indoor/neighbor_distance.h>
 #include <pcl/indoor/plain_message.h>
-#include <pcl/indoor/point_resolution.h>
 #include <pcl/indoor/usable_point.h>
 
 namespace pcl {
@@ -147,7 +147,7 @@ NonConvexPointsRemoval<PointT, PointNT>::applyFilter(Indices& indices)
     curvatures.push_back((*normals_)[index].curvature);
   }
   auto options = options_;
-  options.radius = radius_ > 0 ? radius_ : 2.5 * indoor::meanResolution(points);
+  options.radius = radius_ > 0 ? radius_ : indoor::neighborhoodRadius(points);
   if (!(options.radius > 0)) // no two different points: no neighbourhood
     options.radius = 1;
   std::vector<std::uint8_t> non_convex;

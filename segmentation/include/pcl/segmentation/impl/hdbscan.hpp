@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/useful_threads.h>
+#include <pcl/indoor/threads.h>
 #include <pcl/segmentation/hdbscan.h>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
+#include <pcl/indoor/labelled_outputs.h>
 #include <pcl/indoor/plain_message.h>
 #include <pcl/indoor/usable_point.h>
 
@@ -31,7 +32,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setVoxelResolution(double value)
 {
-  options_.voxel_size = value;
+  chosen().voxel_size = value;
 }
 
 template <typename PointT>
@@ -45,7 +46,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setSeedResolution(double value)
 {
-  options_.seed_size = value;
+  chosen().seed_size = value;
 }
 
 template <typename PointT>
@@ -59,7 +60,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setCurvatureThreshold(float value)
 {
-  options_.curvature_threshold = value;
+  chosen().curvature_threshold = value;
 }
 
 template <typename PointT>
@@ -73,7 +74,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setRatioThreshold(float value)
 {
-  options_.ratio_threshold = value;
+  chosen().ratio_threshold = value;
 }
 
 template <typename PointT>
@@ -87,7 +88,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setPartition(Partition partition)
 {
-  options_.partition = partition;
+  chosen().partition = partition;
 }
 
 template <typename PointT>
@@ -101,7 +102,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setBendThreshold(float value)
 {
-  options_.bend_threshold_degrees = value;
+  chosen().bend_threshold_degrees = value;
 }
 
 template <typename PointT>
@@ -115,7 +116,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setJoiningScale(indoor::JoiningScale value)
 {
-  options_.scale = value;
+  chosen().scale = value;
 }
 
 template <typename PointT>
@@ -129,7 +130,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setJoiningLevel(float value)
 {
-  options_.joining_level = value;
+  chosen().joining_level = value;
 }
 
 template <typename PointT>
@@ -143,7 +144,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setGraphScale(float value)
 {
-  options_.graph_scale = value;
+  chosen().graph_scale = value;
 }
 
 template <typename PointT>
@@ -157,7 +158,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setMinSegmentSize(std::uint32_t value)
 {
-  options_.min_segment_size = value;
+  chosen().min_segment_size = value;
 }
 
 template <typename PointT>
@@ -171,7 +172,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setConcavityToleranceThreshold(float value)
 {
-  options_.concavity_tolerance_degrees = value;
+  chosen().concavity_tolerance_degrees = value;
 }
 
 template <typename PointT>
@@ -185,7 +186,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setOptions(const indoor::ObjectSegmentationOptions& options)
 {
-  options_ = options;
+  chosen() = options;
 }
 
 template <typename PointT>
@@ -200,6 +201,27 @@ void
 NoiseResilientLCCP<PointT>::setViewPoint(double x, double y, double z)
 {
   viewpoint_.assign(1, Eigen::Vector3d(x, y, z));
+}
+
+template <typename PointT>
+Eigen::Vector3d
+NoiseResilientLCCP<PointT>::getViewPoint() const
+{
+  return viewpoint_.empty() ? Eigen::Vector3d(0, 0, 0) : viewpoint_.front();
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setUpAxis(const Eigen::Vector3f& axis)
+{
+  options_.up = axis.normalized();
+}
+
+template <typename PointT>
+const Eigen::Vector3f&
+NoiseResilientLCCP<PointT>::getUpAxis() const
+{
+  return options_.up;
 }
 
 template <typename PointT>
@@ -224,10 +246,54 @@ NoiseResilientLCCP<PointT>::setUseSingleCameraTransform(bool use)
 }
 
 template <typename PointT>
+bool
+NoiseResilientLCCP<PointT>::getUseSingleCameraTransform() const
+{
+  const bool organised = input_ && input_->height > 1;
+  return camera_ == Camera::Single || (camera_ == Camera::Automatic && organised);
+}
+
+template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setNumberOfThreads(unsigned threads)
 {
   options_.threads = threads;
+}
+
+template <typename PointT>
+unsigned
+NoiseResilientLCCP<PointT>::getNumberOfThreads() const
+{
+  return options_.threads;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setProgressCallback(
+    const indoor::ProgressCallback& callback)
+{
+  progress_ = callback;
+}
+
+template <typename PointT>
+indoor::ObjectSegmentationOptions&
+NoiseResilientLCCP<PointT>::chosen()
+{
+  chosen_ = true;
+  return options_;
+}
+
+template <typename PointT>
+indoor::ObjectSegmentationOptions
+NoiseResilientLCCP<PointT>::optionsForInput() const
+{
+  if (chosen_ || !getUseSingleCameraTransform())
+    return options_;
+  auto options = indoor::singleViewOptions();
+  options.up = options_.up;
+  options.orientation = options_.orientation;
+  options.threads = options_.threads;
+  return options;
 }
 
 template <typename PointT>
@@ -237,6 +303,10 @@ NoiseResilientLCCP<PointT>::initCompute()
   const char* where = "[pcl::NoiseResilientLCCP::initCompute]";
   if (!PCLBase<PointT>::initCompute()) {
     PCL_ERROR("%s No input cloud was set.\n", where);
+    return false;
+  }
+  if (input_->empty() || indices_->empty()) {
+    PCL_ERROR("%s The input has no points.\n", where);
     return false;
   }
   for (const auto index : *indices_)
@@ -277,9 +347,7 @@ indoor::ObjectSegmentationInput
 NoiseResilientLCCP<PointT>::localInput()
 {
   indoor::ObjectSegmentationInput local;
-  const bool organised = input_->height > 1;
-  local.single_camera =
-      camera_ == Camera::Single || (camera_ == Camera::Automatic && organised);
+  local.single_camera = getUseSingleCameraTransform();
   Eigen::Vector3d sensor =
       input_->sensor_origin_.template head<3>().template cast<double>();
   if (!viewpoint_.empty())
@@ -320,16 +388,27 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   input_size_ = 0;
   if (!initCompute())
     return;
-  input_size_ = input_->size();
+  auto input = localInput();
+  bool goes_on = true;
+  const auto progress = [&](double share, const char* stage) {
+    goes_on = !progress_ || progress_(share, stage);
+    return goes_on;
+  };
   try {
-    result_ = indoor::segmentObjects(localInput(), options_);
+    if (finite_.empty())
+      PCL_THROW_EXCEPTION(BadArgumentException, "No point is finite.");
+    result_ = indoor::segmentObjects(std::move(input), optionsForInput(), progress);
   } catch (const PCLException& error) { // voxels too small for the extent of the cloud
     PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n",
               indoor::plainMessage(error).c_str());
+    goes_on = false;
+  }
+  if (!goes_on) {
     finite_.clear();
     this->deinitCompute();
     return;
   }
+  input_size_ = input_->size();
   labels.assign(input_size_, 0);
   std::vector<std::uint32_t> name_of_segment(result_.segment_count, 0);
   std::vector<std::uint32_t> segment_of_point(input_size_, indoor::Supervoxels::none);
@@ -351,22 +430,48 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::segment(PointCloud<PointXYZL>& output)
 {
-  output.clear();
   std::vector<std::uint32_t> labels;
   segment(labels);
-  if (labels.empty())
-    return;
-  output.header = input_->header;
-  output.sensor_origin_ = input_->sensor_origin_;
-  output.sensor_orientation_ = input_->sensor_orientation_;
-  output.is_dense = input_->is_dense;
-  output.resize(labels.size());
-  output.width = input_->width;
-  output.height = input_->height;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    output[i].getVector3fMap() = (*input_)[i].getVector3fMap();
-    output[i].label = labels[i];
+  indoor::labelCloud(input_, labels, output);
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::segment(std::vector<PointIndices>& segments)
+{
+  std::vector<std::uint32_t> labels;
+  segment(labels);
+  segments = indoor::indicesOfLabels(input_, labels, result_.segment_count);
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::segment()
+{
+  segment_of_supervoxel_.clear();
+  const auto problem = given_.names.empty() ? "No supervoxels were set."
+                                            : indoor::findInvalidOption(options_);
+  if (!problem.empty())
+    PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n", problem.c_str());
+  else
+    segment_of_supervoxel_ = indoor::segmentSupervoxels(given_, options_);
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::relabelCloud(PointCloud<PointXYZL>& labeled_cloud) const
+{
+  for (auto& point : labeled_cloud) {
+    const auto segment = segment_of_supervoxel_.find(point.label);
+    point.label = segment == segment_of_supervoxel_.end() ? 0 : segment->second;
   }
+}
+
+template <typename PointT>
+const std::map<std::uint32_t, std::uint32_t>&
+NoiseResilientLCCP<PointT>::getSupervoxelToSegmentMap() const
+{
+  return segment_of_supervoxel_;
 }
 
 template <typename PointT>

@@ -9,6 +9,7 @@
 #include <pcl/console/print.h>
 #include <pcl/exceptions.h>
 #include <pcl/impl/pcl_base.hpp>
+#include <pcl/indoor/labelled_outputs.h>
 #include <pcl/indoor/plain_message.h>
 #include <pcl/segmentation/room_segmentation.h>
 #include <pcl/segmentation/rooms/building_frame.h>
@@ -174,15 +175,18 @@ template <typename PointT>
 void
 RoomSegmentation<PointT>::segment(std::vector<PointIndices>& rooms)
 {
-  rooms.clear();
   std::vector<std::uint32_t> labels;
   segment(labels);
-  rooms.resize(rooms_.size());
-  for (auto& room : rooms)
-    room.header = input_->header;
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] > 0)
-      rooms[labels[i] - 1].indices.push_back(static_cast<index_t>(i));
+  rooms = indoor::indicesOfLabels(input_, labels, rooms_.size());
+}
+
+template <typename PointT>
+void
+RoomSegmentation<PointT>::segment(pcl::PointCloud<PointXYZL>& output)
+{
+  std::vector<std::uint32_t> labels;
+  segment(labels);
+  indoor::labelCloud(input_, labels, output);
 }
 
 } // namespace pcl
