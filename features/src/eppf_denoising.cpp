@@ -2,9 +2,10 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/features/eppf_denoising.h>
+
 #include "local_planes.h"
 
-#include <pcl/features/eppf_denoising.h>
 #include <pcl/features/pair_counting.h>
 #include <pcl/features/pair_sampling.h>
 

@@ -2,12 +2,13 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/features/eppf_histogram.h>
+
 #include "eppf_pair_counter.h"
 #include "harmonic_sums.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_denoising.h>
-#include <pcl/features/eppf_histogram.h>
 #include <pcl/indoor/threads.h>
 
 #include <algorithm>

@@ -2,9 +2,10 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/features/surflet_pair_histogram.h>
+
 #include <pcl/exceptions.h>
 #include <pcl/features/pair_counting.h>
-#include <pcl/features/surflet_pair_histogram.h>
 
 #include <Eigen/Geometry> // for cross
 

@@ -2,11 +2,12 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/ml/model_file.h>
+
 #include "model_header.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/plain_message.h>
-#include <pcl/ml/model_file.h>
 
 #include <boost/crc.hpp>
 

@@ -2,9 +2,10 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/ml/network.h>
+
 #include <pcl/exceptions.h>
 #include <pcl/indoor/plain_message.h>
-#include <pcl/ml/network.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/exceptions.h>
 #include <pcl/ml/network_designs.h>
+
+#include <pcl/exceptions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,11 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/ml/network_inference.h>
+
 #include "network_evaluation.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/ml/network_inference.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -2,12 +2,13 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/ml/object_classifier.h>
+
 #include "network_evaluation.h"
 #include <pcl/ml/parallel_objects.h>
 
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_histogram.h>
-#include <pcl/ml/object_classifier.h>
 #include <pcl/ml/upright_profile.h>
 
 #include <algorithm>

@@ -2,13 +2,14 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/simulation/building.h>
+
 #include "ceiling_facets.h"
 #include "furniture_placement.h"
 #include "leaning_walls.h"
 #include "platforms.h"
 #include "room_shell.h"
 
-#include <pcl/simulation/building.h>
 #include <pcl/simulation/furniture.h>
 #include <pcl/simulation/random_draw.h> // for mixSeed
 

@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "room_furnisher.h"
-
 #include <pcl/simulation/random_plan.h>
+
+#include "room_furnisher.h"
 
 #include <map>
 

@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/simulation/random_draw.h>
 #include <pcl/simulation/range_sensor.h>
+
+#include <pcl/simulation/random_draw.h>
 
 #include <Eigen/Geometry>
 

@@ -152,7 +152,7 @@ corridorOfPieces(int side)
 {
   std::mt19937 rng(68);
   return corridor(
-      side, pcl::indoor::GRID_CUT_MAX_SMOOTHNESS, [&](std::size_t i, std::size_t size) {
+      side, pcl::indoor::grid_cut_max_smoothness, [&](std::size_t i, std::size_t size) {
         const int piece = rng() % 100 == 0;
         return i < size / 2 ? piece : -piece;
       });

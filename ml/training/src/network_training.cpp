@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/ml/network_training.h>
+
 #include "adam.h"
 #include "network_module.h"
 #include "training_checkpoint.h"
@@ -9,7 +11,6 @@
 #include "training_resources.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/ml/network_training.h>
 
 #include <algorithm>
 #include <cmath>

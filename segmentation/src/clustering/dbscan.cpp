@@ -3,8 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/indoor/disjoint_sets.h>
 #include <pcl/segmentation/dbscan.h>
+
+#include <pcl/indoor/disjoint_sets.h>
 
 #include <pcl/exceptions.h>
 

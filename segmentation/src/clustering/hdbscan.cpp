@@ -3,8 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "clustering/single_linkage.h"
 #include <pcl/segmentation/hdbscan.h>
+
+#include "clustering/single_linkage.h"
 
 #include <pcl/exceptions.h>
 
@@ -130,7 +131,7 @@ orderedSum(std::vector<double>& values)
 
 using Flags = std::vector<char>;
 
-constexpr double kRounding = 1e-12; // relative; of sums of stabilities
+constexpr double rounding = 1e-12; // relative; of sums of stabilities
 
 /** The set of clusters, none within another, of the largest total stability; of equally
  * stable ones the larger clusters.
@@ -145,7 +146,7 @@ selectStablest(const std::vector<CondensedCluster>& clusters, bool root_allowed)
     const double children = orderedSum(below[c]);
     const bool allowed = c > 0 || root_allowed;
     selected[c] =
-        allowed && (leaf || clusters[c].stability >= children * (1.0 - kRounding));
+        allowed && (leaf || clusters[c].stability >= children * (1.0 - rounding));
     if (clusters[c].parent >= 0)
       below[static_cast<std::size_t>(clusters[c].parent)].push_back(
           selected[c] ? clusters[c].stability : children);

@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/segmentation/object_segmentation.h>
+
 #include "objects/graph/non_convex_voxels.h"
 #include "objects/graph/point_recovery.h"
 #include "objects/graph/scene_making.h"
@@ -12,7 +14,6 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/point_resolution.h>
-#include <pcl/segmentation/object_segmentation.h>
 
 #include <algorithm>
 #include <cmath>

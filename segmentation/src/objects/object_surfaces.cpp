@@ -2,9 +2,10 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include <pcl/segmentation/object_surfaces.h>
+
 #include <pcl/exceptions.h>
 #include <pcl/indoor/voxel_grid.h> // for PixelMap
-#include <pcl/segmentation/object_surfaces.h>
 
 #include <algorithm>
 #include <limits>

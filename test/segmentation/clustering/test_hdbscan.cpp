@@ -24,7 +24,7 @@ using Matrix = HDBSCANBruteForce::Matrix;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /** Points in a few clumps on an integer lattice: ties and duplicates abound. */
 Matrix
@@ -133,7 +133,7 @@ TEST(HDBSCAN, EqualsBruteForceOnArbitraryDistances)
       for (auto& row : d)
         for (double& value : row)
           if (value > 20.0)
-            value = kInfinity;
+            value = infinity;
     expectEqualsBruteForce(d, randomOptions(rng), trial);
   }
 }
@@ -146,7 +146,7 @@ TEST(HDBSCAN, TheGraphOfAllPairsEqualsTheDenseDistances)
     for (auto& row : d)
       for (double& value : row)
         if (value > 5.0 + trial)
-          value = kInfinity;
+          value = infinity;
     const auto options = randomOptions(rng);
     auto edges = finiteEdges(d);
     const auto dense = hdbscanDense(d, options);

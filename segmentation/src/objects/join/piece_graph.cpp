@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/indoor/point_cells.h>
 #include <pcl/segmentation/objects/piece_graph.h>
+
+#include <pcl/indoor/point_cells.h>
 
 #include <pcl/indoor/ground_frame.h>
 #include <pcl/indoor/quantile.h>

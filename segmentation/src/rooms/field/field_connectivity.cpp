@@ -3,8 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/indoor/disjoint_sets.h>
 #include <pcl/segmentation/rooms/field_connectivity.h>
+
+#include <pcl/indoor/disjoint_sets.h>
 
 #include <pcl/exceptions.h>
 
@@ -17,7 +18,7 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-constexpr std::size_t kBlock = 16; // gaps per block of the range minima
+constexpr std::size_t block_edge = 16; // gaps per block of the range minima
 
 void
 requireUsable(const std::vector<float>& values, const char* what)
@@ -128,12 +129,12 @@ FieldConnectivity::linkPixels(const PixelMap<float>& field,
 void
 FieldConnectivity::buildRangeMinima()
 {
-  std::vector<float> level((gaps_.size() + kBlock - 1) / kBlock);
+  std::vector<float> level((gaps_.size() + block_edge - 1) / block_edge);
   for (std::size_t b = 0; b < level.size(); ++b)
     level[b] = *std::min_element(
-        gaps_.begin() + static_cast<std::ptrdiff_t>(b * kBlock),
+        gaps_.begin() + static_cast<std::ptrdiff_t>(b * block_edge),
         gaps_.begin() +
-            static_cast<std::ptrdiff_t>(std::min((b + 1) * kBlock, gaps_.size())));
+            static_cast<std::ptrdiff_t>(std::min((b + 1) * block_edge, gaps_.size())));
   for (std::size_t width = 1; !level.empty(); width *= 2) {
     block_minima_.push_back(level);
     if (level.size() <= width)
@@ -148,7 +149,7 @@ FieldConnectivity::buildRangeMinima()
 float
 FieldConnectivity::smallestGap(std::size_t first, std::size_t last) const
 {
-  const std::size_t first_block = first / kBlock, last_block = last / kBlock;
+  const std::size_t first_block = first / block_edge, last_block = last / block_edge;
   const auto scan = [this](std::size_t from, std::size_t to, float smallest) {
     for (std::size_t i = from; i <= to; ++i)
       smallest = std::min(smallest, gaps_[i]);
@@ -156,8 +157,8 @@ FieldConnectivity::smallestGap(std::size_t first, std::size_t last) const
   };
   if (first_block == last_block)
     return scan(first, last, gaps_[first]);
-  float smallest = scan(first, (first_block + 1) * kBlock - 1, gaps_[first]);
-  smallest = scan(last_block * kBlock, last, smallest);
+  float smallest = scan(first, (first_block + 1) * block_edge - 1, gaps_[first]);
+  smallest = scan(last_block * block_edge, last, smallest);
   const std::size_t blocks = last_block - first_block - 1; // whole ones between
   if (blocks == 0)
     return smallest;

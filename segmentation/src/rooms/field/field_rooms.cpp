@@ -3,11 +3,12 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/segmentation/rooms/field_rooms.h>
+
 #include "rooms/field/map_labels.h"
 #include "rooms/field/map_random_walker.h"
 #include "rooms/field/potential_field.h"
 #include <pcl/segmentation/rooms/ceiling_slab.h>
-#include <pcl/segmentation/rooms/field_rooms.h>
 #include <pcl/segmentation/rooms/visibility.h>
 
 #include <pcl/exceptions.h>

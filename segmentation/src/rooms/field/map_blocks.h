@@ -18,15 +18,15 @@ namespace pcl {
 namespace indoor {
 
 /** Lower bounds of distances are rounded differently than the distances themselves. */
-constexpr double kSafe = 1.0 - 1e-12;
+constexpr double safely = 1.0 - 1e-12;
 
 /** \brief The pixels of a map in square blocks, to look around one of them. */
 class MapBlocks {
 public:
   explicit MapBlocks(const MapDistance& distance)
   : distance_(distance)
-  , nx_((distance.mapWidth() + kBlock - 1) / kBlock)
-  , ny_((distance.mapHeight() + kBlock - 1) / kBlock)
+  , nx_((distance.mapWidth() + block_edge - 1) / block_edge)
+  , ny_((distance.mapHeight() + block_edge - 1) / block_edge)
   , begin_(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) + 1, 0)
   , points_(distance.size())
   , max_level_(begin_.size() - 1, 0.0f)
@@ -56,9 +56,9 @@ public:
   std::size_t
   blockOf(std::size_t i) const
   {
-    return static_cast<std::size_t>(distance_.x(i) / kBlock) *
+    return static_cast<std::size_t>(distance_.x(i) / block_edge) *
                static_cast<std::size_t>(ny_) +
-           static_cast<std::size_t>(distance_.y(i) / kBlock);
+           static_cast<std::size_t>(distance_.y(i) / block_edge);
   }
 
   /** What the points of a block see. */
@@ -90,13 +90,13 @@ public:
   forEachAround(std::size_t i, const Enough& enough, const Visit& visit) const
   {
     const int x = distance_.x(i), y = distance_.y(i);
-    const int bx = x / kBlock, by = y / kBlock;
+    const int bx = x / block_edge, by = y / block_edge;
     const int rings = std::max({bx, nx_ - 1 - bx, by, ny_ - 1 - by});
     for (int ring = 0; ring <= rings; ++ring) {
       // the nearest side of the ring, in pixels from the point
-      const int dx = std::min(x % kBlock, kBlock - 1 - x % kBlock);
-      const int dy = std::min(y % kBlock, kBlock - 1 - y % kBlock);
-      if (ring > 0 && enough((ring - 1) * kBlock + std::min(dx, dy) + 1))
+      const int dx = std::min(x % block_edge, block_edge - 1 - x % block_edge);
+      const int dy = std::min(y % block_edge, block_edge - 1 - y % block_edge);
+      if (ring > 0 && enough((ring - 1) * block_edge + std::min(dx, dy) + 1))
         return;
       for (int u = std::max(bx - ring, 0); u <= std::min(bx + ring, nx_ - 1); ++u) {
         const bool whole = std::abs(u - bx) == ring; // else only its two ends
@@ -110,13 +110,15 @@ public:
   }
 
 private:
-  static constexpr int kBlock = 8; // pixels along the edge of a block
+  static constexpr int block_edge = 8; // pixels along the edge of a block
 
   static double
   gap(int x, int u, int y, int v)
   {
-    const int dx = std::max({u * kBlock - x, x - (u * kBlock + kBlock - 1), 0});
-    const int dy = std::max({v * kBlock - y, y - (v * kBlock + kBlock - 1), 0});
+    const int dx =
+        std::max({u * block_edge - x, x - (u * block_edge + block_edge - 1), 0});
+    const int dy =
+        std::max({v * block_edge - y, y - (v * block_edge + block_edge - 1), 0});
     return std::sqrt(static_cast<double>(dx * dx + dy * dy));
   }
 

@@ -72,7 +72,8 @@ mapCoreDistances(const MapDistance& distance, std::size_t min_samples, int threa
       const float level = own[distance.pixels()[i]]; // nobody is connected at a higher
       nearest.clear();
       const auto tooFar = [&](double pixels, float highest) {
-        return (distance.euclideanPart(pixels) + distance.fieldPart(highest)) * kSafe >=
+        return (distance.euclideanPart(pixels) + distance.fieldPart(highest)) *
+                   safely >=
                nearest.bound();
       };
       blocks.forEachAround(

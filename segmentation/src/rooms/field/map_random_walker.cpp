@@ -20,8 +20,8 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-constexpr double kSmallestWeight = 1e-10; // keeps the Laplacian regular
-constexpr double kTie = 1e-9;             // of probabilities; far above rounding
+constexpr double smallest_weight = 1e-10; // keeps the Laplacian regular
+constexpr double tie = 1e-9;              // of probabilities; far above rounding
 
 /** The pixels of a region and where each stands in it. */
 struct Region {
@@ -109,7 +109,7 @@ private:
   weight(std::size_t i, std::size_t j) const // Eq. (2.11)
   {
     const double step = static_cast<double>(values_.values[i]) - values_.values[j];
-    return std::max(std::exp(-options_.beta * step * step), kSmallestWeight);
+    return std::max(std::exp(-options_.beta * step * step), smallest_weight);
   }
 
   /** Minimises Eq. (2.12) for each label of a region, given the seeds around it. */
@@ -151,13 +151,13 @@ private:
                    const std::vector<Eigen::Triplet<double>>& towards_seeds,
                    PixelMap<int>& result) const
   {
-    constexpr Eigen::Index kBatch = 8;
+    constexpr Eigen::Index batch = 8;
     const auto size = static_cast<Eigen::Index>(region.pixels.size());
     const auto labels = static_cast<Eigen::Index>(region.labels.size());
     Eigen::VectorXd best = Eigen::VectorXd::Constant(size, -1.0);
-    Eigen::MatrixXd probability(size, std::min(kBatch, labels));
-    for (Eigen::Index first = 0; first < labels; first += kBatch) {
-      const Eigen::Index count = std::min(kBatch, labels - first);
+    Eigen::MatrixXd probability(size, std::min(batch, labels));
+    for (Eigen::Index first = 0; first < labels; first += batch) {
+      const Eigen::Index count = std::min(batch, labels - first);
       probability.setZero();
       for (const auto& entry : towards_seeds)
         if (entry.col() >= first && entry.col() < first + count)
@@ -170,7 +170,7 @@ private:
       }
       for (Eigen::Index row = 0; row < size; ++row)
         for (Eigen::Index l = 0; l < count; ++l)
-          if (probability(row, l) > best[row] + kTie) {
+          if (probability(row, l) > best[row] + tie) {
             best[row] = probability(row, l);
             result.values[region.pixels[static_cast<std::size_t>(row)]] =
                 region.labels[static_cast<std::size_t>(first + l)];

@@ -18,7 +18,7 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /** Boruvka's algorithm: in each round every component takes its shortest edge outwards.
  * What keeps that cheap is that the ultrametric of the field tells for each pixel how
@@ -37,11 +37,11 @@ public:
   , component_(core.size())
   , least_(core)
   , candidate_(core.size())
-  , candidate_reach_(core.size(), kInfinity)
+  , candidate_reach_(core.size(), infinity)
   , foreign_part_(core.size())
   , best_(core.size())
   , block_component_(blocks_.count())
-  , block_core_(blocks_.count(), kInfinity)
+  , block_core_(blocks_.count(), infinity)
   {
     orderByField();
     place_.assign(static_cast<std::size_t>(distance.mapWidth()) *
@@ -145,7 +145,7 @@ private:
   linkToDenserNeighbours()
   {
     for (std::size_t i = 0; i < core_.size(); ++i) {
-      bool linked = core_[i] == kInfinity;
+      bool linked = core_[i] == infinity;
       forEachNeighbour(i, [&](std::size_t j) {
         const bool denser = core_[j] < core_[i] || (core_[j] == core_[i] && j < i);
         if (linked || !denser || distance_(i, j) > core_[i])
@@ -161,7 +161,7 @@ private:
   {
     for (std::size_t i = 0; i < component_.size(); ++i) {
       component_[i] = sets_.find(static_cast<std::uint32_t>(i));
-      best_[i].store(kInfinity, std::memory_order_relaxed);
+      best_[i].store(infinity, std::memory_order_relaxed);
     }
     boundForeignLevels();
     std::fill(block_component_.begin(), block_component_.end(), kNobody);
@@ -175,13 +175,13 @@ private:
       seen[b] = 1;
     }
     for (std::size_t i = 0; i < component_.size(); ++i) {
-      if (candidate_reach_[i] < kInfinity && component_[candidate_[i]] == component_[i])
-        candidate_reach_[i] = kInfinity; // joined meanwhile
+      if (candidate_reach_[i] < infinity && component_[candidate_[i]] == component_[i])
+        candidate_reach_[i] = infinity; // joined meanwhile
       forEachNeighbour(i, [&](std::size_t j) {
         if (component_[j] != component_[i] && std::max(core_[i], core_[j]) < bestOf(i))
           offer(i, j, reach(i, j));
       });
-      if (candidate_reach_[i] < kInfinity)
+      if (candidate_reach_[i] < infinity)
         lower(best_[component_[i]], candidate_reach_[i]);
     }
   }
@@ -245,7 +245,7 @@ private:
     const double field_part = foreign_part_[i];
     const auto tooFar = [&](double pixels) {
       const double least =
-          std::max(core_[i], (field_part + distance_.euclideanPart(pixels)) * kSafe);
+          std::max(core_[i], (field_part + distance_.euclideanPart(pixels)) * safely);
       return least >= bestOf(i);
     };
     if (least_[i] >= bestOf(i) || tooFar(1.0))
@@ -256,7 +256,7 @@ private:
         return;
       const double near = field_part + distance_.euclideanPart(gap) +
                           distance_.leastVisibilityPart(i, blocks_.view(block));
-      if (near * kSafe >= bestOf(i))
+      if (near * safely >= bestOf(i))
         return;
       blocks_.forEachPoint(block, [&](std::size_t j) {
         if (component_[j] == component_[i] || core_[j] >= bestOf(i))
@@ -264,10 +264,10 @@ private:
         // each lies in another component than the other; cheap parts first
         double least = std::max(field_part, foreign_part_[j]) +
                        distance_.euclideanPart(distance_.pixelsBetween(i, j));
-        if (least * kSafe >= bestOf(i))
+        if (least * safely >= bestOf(i))
           return;
         least += distance_.visibilityPart(i, j);
-        if (least * kSafe < bestOf(i))
+        if (least * safely < bestOf(i))
           offer(i, j, reach(i, j));
       });
     });
@@ -278,7 +278,7 @@ private:
   takeShortestEdges()
   {
     for (std::size_t i = 0; i < component_.size(); ++i)
-      if (candidate_reach_[i] < kInfinity && candidate_reach_[i] == bestOf(i)) {
+      if (candidate_reach_[i] < infinity && candidate_reach_[i] == bestOf(i)) {
         best_[component_[i]].store(-1.0, std::memory_order_relaxed); // taken
         join(i, candidate_[i], candidate_reach_[i]);
       }

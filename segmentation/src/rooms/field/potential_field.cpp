@@ -86,7 +86,7 @@ private:
   std::vector<double> half_reciprocal_;
 };
 
-constexpr std::size_t kBatch = 16; // lines taken together: a cache line of values
+constexpr std::size_t batch = 16; // lines taken together: a cache line of values
 
 /** One pass along an axis: `count` slabs of lines; in a slab, line j of `lines` has its
  * elements at slab_start + j + k * stride, k < length.
@@ -100,17 +100,17 @@ transformAlong(std::vector<std::uint32_t>& values,
                int length,
                int threads)
 {
-  const std::size_t batches = (lines + kBatch - 1) / kBatch;
+  const std::size_t batches = (lines + batch - 1) / batch;
   const auto jobs = static_cast<std::ptrdiff_t>(slabs * batches);
 #pragma omp parallel num_threads(threads)
   {
     LineTransform transform(length);
-    std::vector<std::uint32_t> buffer(kBatch * static_cast<std::size_t>(length));
+    std::vector<std::uint32_t> buffer(batch * static_cast<std::size_t>(length));
 #pragma omp for schedule(static)
     for (std::ptrdiff_t job = 0; job < jobs; ++job) {
       const std::size_t slab = static_cast<std::size_t>(job) / batches;
-      const std::size_t first = static_cast<std::size_t>(job) % batches * kBatch;
-      const std::size_t width = std::min(kBatch, lines - first);
+      const std::size_t first = static_cast<std::size_t>(job) % batches * batch;
+      const std::size_t width = std::min(batch, lines - first);
       std::uint32_t* start = values.data() + slab * slab_stride + first;
       const auto size = static_cast<std::size_t>(length);
       for (std::size_t k = 0; k < size; ++k)

@@ -3,8 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/indoor/threads.h>
 #include <pcl/segmentation/rooms/visibility.h>
+
+#include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
 

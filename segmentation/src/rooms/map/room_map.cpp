@@ -3,12 +3,13 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/segmentation/rooms/room_map.h>
+
 #include "rooms/field/potential_field.h"
 #include "rooms/map/nearest_sites.h"
 #include "rooms/map/persistent_basins.h"
 #include "rooms/map/wall_lean.h"
 #include <pcl/segmentation/rooms/open_plan.h>
-#include <pcl/segmentation/rooms/room_map.h>
 
 #include "rooms/map/inner_walls.h"
 

@@ -224,7 +224,7 @@ interiorGain(const VoxelGrid<std::uint8_t>& occupancy,
         (enclosureEvidence(static_cast<std::uint8_t>(value), direction_count, weights) -
          weights.exterior) /
         unit;
-    if (!(std::abs(gain) < GRID_CUT_MAX_GAIN))
+    if (!(std::abs(gain) < grid_cut_max_gain))
       PCL_THROW_EXCEPTION(BadArgumentException,
                           "A gain of " << gain << " units leaves the range.");
     table[value] = static_cast<std::int16_t>(std::lround(gain));

@@ -29,9 +29,9 @@ requireValid(const GridShape& shape,
   if (gain.size() >= std::numeric_limits<std::int32_t>::max() ||
       padded > std::numeric_limits<GridBricks::Index>::max())
     PCL_THROW_EXCEPTION(BadArgumentException, gain.size() << " voxels are too many.");
-  if (smoothness < 0 || smoothness > GRID_CUT_MAX_SMOOTHNESS)
+  if (smoothness < 0 || smoothness > grid_cut_max_smoothness)
     PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The smoothness must lie in 0 ... " << GRID_CUT_MAX_SMOOTHNESS
+                        "The smoothness must lie in 0 ... " << grid_cut_max_smoothness
                                                             << ", not " << smoothness
                                                             << ".");
 }

@@ -16,9 +16,9 @@ namespace indoor {
 /** \brief The gain of voxels that take no part in the cut. */
 constexpr std::int16_t GRID_CUT_EXCLUDED = INT16_MIN;
 /** \brief The largest absolute value of a gain. */
-constexpr int GRID_CUT_MAX_GAIN = INT16_MAX;
+constexpr int grid_cut_max_gain = INT16_MAX;
 /** \brief The largest smoothness. */
-constexpr int GRID_CUT_MAX_SMOOTHNESS = 16383;
+constexpr int grid_cut_max_smoothness = 16383;
 
 /** \brief The cheapest labelling of a grid. */
 struct GridCut {
@@ -46,7 +46,7 @@ struct GridCut {
  * \param[in] gain per voxel, how much cheaper inside is than outside; or
  * GRID_CUT_EXCLUDED
  * \param[in] smoothness cost of a pair of neighbours with different labels
- * (0 ... GRID_CUT_MAX_SMOOTHNESS)
+ * (0 ... grid_cut_max_smoothness)
  * \throws pcl::BadArgumentException if the number of gains does not fit the shape, the
  * smoothness leaves its range, or the grid has more than 2^31 - 2 voxels, or 2^32 with
  * its sides rounded up

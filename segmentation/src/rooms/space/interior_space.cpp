@@ -3,11 +3,12 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/segmentation/rooms/interior_space.h>
+
 #include "rooms/space/dominant_directions.h"
 #include "rooms/space/grid_cut.h"
 #include "rooms/space/vertical_cleanup.h"
 #include "rooms/space/voxel_normals.h"
-#include <pcl/segmentation/rooms/interior_space.h>
 
 #include <algorithm>
 #include <cmath>

@@ -177,15 +177,16 @@ TEST(MapRandomWalker, StopsAtAStepOfTheValues)
 
 TEST(MapRandomWalker, SurvivesWeightsThatVanish)
 {
-  constexpr std::size_t kPixels = 120 * 120; // enough to be worth two threads
+  constexpr std::size_t pixel_count = 120 * 120; // enough to be worth two threads
   PixelMap<float> values{120, 120, {}};
-  PixelMap<int> labels{120, 120, std::vector<int>(kPixels, -1)};
-  for (std::size_t i = 0; i < kPixels; ++i)
+  PixelMap<int> labels{120, 120, std::vector<int>(pixel_count, -1)};
+  for (std::size_t i = 0; i < pixel_count; ++i)
     values.values.push_back(static_cast<float>((i * 7919) % 1000));
   labels.values[0] = 0;
-  labels.values[kPixels - 1] = 1;
-  labels.values[kPixels / 2] = 2;
-  const PixelMap<std::uint8_t> mask{120, 120, std::vector<std::uint8_t>(kPixels, 1)};
+  labels.values[pixel_count - 1] = 1;
+  labels.values[pixel_count / 2] = 2;
+  const PixelMap<std::uint8_t> mask{
+      120, 120, std::vector<std::uint8_t>(pixel_count, 1)};
   MapRandomWalkerOptions threads;
   threads.threads = 1;
   const auto one = pcl::indoor::mapRandomWalker(values, labels, mask, threads);

@@ -114,8 +114,8 @@ TEST(CutGrid, SameAsBoostAtTheLimitsOfTheRange)
 {
   std::mt19937 rng(14);
   for (int trial = 0; trial < 30; ++trial) {
-    Problem problem = randomProblem(rng, 8, GRID_CUT_MAX_GAIN, 1);
-    problem.smoothness = GRID_CUT_MAX_SMOOTHNESS;
+    Problem problem = randomProblem(rng, 8, grid_cut_max_gain, 1);
+    problem.smoothness = grid_cut_max_smoothness;
     expectSameAsBoost(problem, trial);
   }
 }
@@ -208,7 +208,7 @@ TEST(CutGrid, RefusesBadArguments)
 {
   EXPECT_THROW(cutGrid({1, 1, 2}, {1}, 3), pcl::BadArgumentException);
   EXPECT_THROW(cutGrid({1, 1, 1}, {1}, -1), pcl::BadArgumentException);
-  EXPECT_THROW(cutGrid({1, 1, 1}, {1}, GRID_CUT_MAX_SMOOTHNESS + 1),
+  EXPECT_THROW(cutGrid({1, 1, 1}, {1}, grid_cut_max_smoothness + 1),
                pcl::BadArgumentException);
   EXPECT_THROW(gridCutEnergy({1, 1, 1}, {1}, 1, {}), pcl::BadArgumentException);
 }
