@@ -157,3 +157,28 @@ TEST(RoomSegmentation, AFloorOrAWallAloneDoesNotCrash)
   EXPECT_EQ(segmented(cloudOf(floor.points)).size(), floor.points.size());
   EXPECT_EQ(segmented(cloudOf(wall.points)).size(), wall.points.size());
 }
+
+TEST(RoomSegmentation, AllOutputsAreAlike)
+{
+  const auto cloud = cloudOf(twoRooms().points);
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloud);
+  Labels labels;
+  segmentation.segment(labels);
+  std::vector<pcl::PointIndices> rooms;
+  segmentation.segment(rooms);
+  ASSERT_EQ(rooms.size(), 2u);
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    for (const auto index : rooms[r].indices)
+      ASSERT_EQ(labels[index], r + 1);
+  pcl::PointCloud<pcl::PointXYZL> output;
+  segmentation.segment(output);
+  ASSERT_EQ(output.size(), labels.size());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    ASSERT_EQ(output[i].label, labels[i]);
+  segmentation.setInputCloud(nullptr);
+  segmentation.segment(output);
+  EXPECT_TRUE(output.empty());
+  segmentation.segment(rooms);
+  EXPECT_TRUE(rooms.empty());
+}
