@@ -27,8 +27,8 @@ namespace pcl {
  * method plays no part. Cost: linear in pairs, about 60 ns each. \note The paper:
  * Bobkov et al., "Noise-resistant deep learning for object classification in
  * three-dimensional point clouds using a point pair descriptor", IEEE Robotics and
- * Automation Letters 3 (2018). Deviations from it are listed in docs/descriptors.md.
- * \ingroup features
+ * Automation Letters 3 (2018). Deviations from it are listed in
+ * docs/method/descriptors.md. \ingroup features
  */
 template <typename PointInT, typename PointNT, typename PointOutT = EPPFSignature1200>
 class EPPFEstimation : public FeatureFromNormals<PointInT, PointNT, PointOutT> {

@@ -29,7 +29,7 @@ namespace pcl {
  * threads nor, but for rounding and the names of labels, on the order of the points.
  * \note The method: D. Bobkov et al., "Noise-resistant Unsupervised Object Segmentation
  * in Multi-view Indoor Point Clouds", VISAPP 2017; here Sec. 4.2. Deviations are listed
- * in docs/objects.md.
+ * in docs/method/objects.md.
  * \ingroup segmentation
  */
 template <typename PointT>
