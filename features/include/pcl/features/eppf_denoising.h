@@ -12,25 +12,24 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief What the points of an object tell about their noise. */
+/** \brief The noise of an object's points. */
 struct PointNoise {
-  float evidence = 0.0f;  ///< 0: none, the object is left as it is; 1: certain
+  float evidence = 0.0f;  ///< how sure it is that there is noise: 0 none, 1 certain
   float deviation = 0.0f; ///< of the noise on a coordinate, metres; 0 without evidence
 };
 
 /** \brief Measure the noise of an object from the points themselves.
  *
- * Evidence: of 32 neighbourhoods of 16 points, spread over the object, the second
- * flattest is looked at; if it is not flat, of 128 the thirteenth. A surface without
- * noise has flat places almost always; with noise nearly as large as the distance of
- * points none is flat. Deviation: the residual of local planes, in a window that is
- * widened until it holds the noise. Finer noise counts as none.
- * \param[in] points near the origin
- * \param[in] order a space-filling order of the points, see spaceFillingOrder()
- * \param[in] extent of the object, metres
- * \param[in] number_of_threads 0 meaning all; the result does not depend on it
- * \return nothing for fewer than 256 points, whose neighbourhoods are not local. Time:
- * linear, of at most 4096 points evenly along the order
+ * A surface without noise almost always has flat places; with noise nearly as large as
+ * the distance of points none is flat. So the evidence is how flat the second flattest
+ * of 32 neighbourhoods of 16 points is; if it is not flat, the thirteenth of 128. The
+ * deviation is the residual of local planes, in a window that is widened until it is
+ * wider than the noise. Noise below about half of the distance of points counts as
+ * none. \param[in] points near the origin \param[in] order a space-filling order of the
+ * points, see spaceFillingOrder() \param[in] extent of the object, metres \param[in]
+ * number_of_threads 0 meaning all; the result does not depend on it \return nothing for
+ * fewer than 256 points, whose neighbourhoods are not local. Time: linear, of at most
+ * 4096 points evenly along the order
  */
 PointNoise
 measureNoise(const std::vector<OrientedPoint>& points,

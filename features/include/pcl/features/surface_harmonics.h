@@ -12,7 +12,7 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Numbers that surfaceHarmonics() consists of; all 0: none. */
+/** \brief How many values surfaceHarmonics() gives, and of what; all 0: none. */
 struct HarmonicBins {
   int shells = 0;    ///< around the middle of an object, 0 ... 64
   int degree = 0;    ///< of the finest spherical harmonics, 0 ... 8

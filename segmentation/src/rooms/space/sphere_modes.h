@@ -12,7 +12,7 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief A unit direction without sense, and its share of all weight. */
+/** \brief A unit direction, the same as its opposite, and its share of all weight. */
 struct WeightedDirection {
   Eigen::Vector3d direction;
   double weight;

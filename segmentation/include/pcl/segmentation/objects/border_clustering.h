@@ -16,7 +16,7 @@ namespace indoor {
 struct Border {
   std::uint32_t source = 0;
   std::uint32_t target = 0;
-  double cost = 0; ///< evidence for a boundary of objects; the lower, the sooner joined
+  double cost = 0;   ///< evidence that an object ends here; low ones are joined first
   double length = 0; ///< weight of the cost in averages (> 0)
 };
 

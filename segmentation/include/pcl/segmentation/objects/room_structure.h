@@ -26,13 +26,13 @@ struct StructurePlane {
   }
 };
 
-/** \brief What a segment is that is no thing. */
+/** \brief Whether a segment is a thing, or what else it is. */
 enum class StructureKind : std::uint8_t {
-  None = 0, ///< it is a thing
+  None = 0, ///< a thing
   Floor = 1,
   Wall = 2,
   Ceiling = 3,
-  Remainder = 4 ///< all pieces that are too small to be told, one segment
+  Remainder = 4 ///< all pieces smaller than a supervoxel, as one segment
 };
 
 /** \brief Tell floor and ceiling, up to 45 degrees from level, from walls.

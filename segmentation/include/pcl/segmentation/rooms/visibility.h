@@ -67,7 +67,8 @@ visibilityVectors(const VoxelGrid<std::uint8_t>& occupancy,
 double
 visibilityDistance(const VisibilityVectors& vectors, std::size_t i, std::size_t j);
 
-/** \brief What a group of voxels has in common, to bound distances to all of them. */
+/** \brief What all or some voxels of a group see: it gives a lower bound of the
+ * distance to any of them. */
 struct VisibilityGroup {
   std::vector<std::uint64_t> all; ///< landmarks that every one of them sees
   std::vector<std::uint64_t> any; ///< landmarks that at least one of them sees
