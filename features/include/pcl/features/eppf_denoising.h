@@ -25,11 +25,13 @@ struct PointNoise {
  * of 32 neighbourhoods of 16 points is; if it is not flat, the thirteenth of 128. The
  * deviation is the residual of local planes, in a window that is widened until it is
  * wider than the noise. Noise below about half of the distance of points counts as
- * none. \param[in] points near the origin \param[in] order a space-filling order of the
- * points, see spaceFillingOrder() \param[in] extent of the object, metres \param[in]
- * number_of_threads 0 meaning all; the result does not depend on it \return nothing for
- * fewer than 256 points, whose neighbourhoods are not local. Time: linear, of at most
- * 4096 points evenly along the order
+ * none.
+ * \param[in] points near the origin
+ * \param[in] order a space-filling order of the points, see spaceFillingOrder()
+ * \param[in] extent of the object, metres
+ * \param[in] number_of_threads 0 meaning all; the result does not depend on it
+ * \return nothing for fewer than 256 points, whose neighbourhoods are not local. Time:
+ * linear, of at most 4096 points evenly along the order
  */
 PointNoise
 measureNoise(const std::vector<OrientedPoint>& points,

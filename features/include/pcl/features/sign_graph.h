@@ -18,7 +18,9 @@ struct SignEdge {
 };
 
 /** \brief Sum the strengths of the edges whose wish the signs do not grant: the energy
- * that signs should make small. \param[in] signs +1 or -1, one per node */
+ * that signs should make small.
+ * \param[in] signs +1 or -1, one per node
+ */
 double
 signEnergy(const std::vector<std::int8_t>& signs, const std::vector<SignEdge>& edges);
 

@@ -67,11 +67,13 @@ principalFrame(const std::vector<OrientedPoint>& points, double middle_share = 0
  * shortest axis. Then the distances follow: the share of the points in each of these
  * shells. To each value 0.002 is added, a tenth of what chance gives with 2,000 points:
  * the ratio of smaller values tells nothing. Where two axes are of one length the
- * points decide by chance which one is longer. Time: linear. \param[in] points at least
- * one, with normals of unit length \param[in] frame see principalFrame() \param[in]
- * scale metres, above 0 \param[in] bins at least one \param[in] number_of_threads 0
- * meaning all; the result does not depend on it \return bins.size() values that add up
- * to 1
+ * points decide by chance which one is longer. Time: linear.
+ * \param[in] points at least one, with normals of unit length
+ * \param[in] frame see principalFrame()
+ * \param[in] scale metres, above 0
+ * \param[in] bins at least one
+ * \param[in] number_of_threads 0 meaning all; the result does not depend on it
+ * \return bins.size() values that add up to 1
  */
 std::vector<double>
 surfaceHarmonics(const std::vector<OrientedPoint>& points,

@@ -35,8 +35,8 @@ unitWarning(const ScanSigns& signs, double metres_per_unit);
 
 /** \brief Warn if the unit seems to be feet: most rooms and doors are too high for
  * metres and right for feet. At least five rooms are needed, as halls and churches have
- * few; so small homes in feet are not noticed. \return one line; empty if metres are
- * plausible
+ * few; so small homes in feet are not noticed.
+ * \return one line; empty if metres are plausible
  */
 std::string
 feetWarning(const std::vector<Room>& rooms,

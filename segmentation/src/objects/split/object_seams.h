@@ -28,10 +28,11 @@ namespace indoor {
  * The cut goes through the middle of the sheet. If the sheet goes on where one of the
  * two bodies ends, as the side of a refrigerator does above a worktop, the sheet
  * belongs to the other body. Segments that reach over more than 4096 voxels are left as
- * they are. The cost is linear in the number of points times directions. \param[in]
- * left_out one per point: such points (floor, walls) keep their segment \param[in,out]
- * segment_of_point numbered from 0; new segments follow those that were there \throws
- * pcl::BadArgumentException if sizes differ
+ * they are. The cost is linear in the number of points times directions.
+ * \param[in] left_out one per point: such points (floor, walls) keep their segment
+ * \param[in,out] segment_of_point numbered from 0; new segments follow those that were
+ * there
+ * \throws pcl::BadArgumentException if sizes differ
  */
 void
 partAtSeams(const ObjectScene& scene,

@@ -34,8 +34,8 @@ struct WallFrame {
 /** \brief Find the frames of doors and windows in upright planes. A frame is a segment
  * that meets the extent of a wall, is thin along it (see isThinAlong()), with at least
  * 5 % of its points more than a voxel behind the wall. A wall cabinet may be as thin,
- * but has no points behind the wall. \param[in] groups the points of the planes, and of
- * all other segments
+ * but has no points behind the wall.
+ * \param[in] groups the points of the planes, and of all other segments
  */
 std::vector<WallFrame>
 framesInWalls(const ObjectScene& scene, const PlanesAndObjects& groups);

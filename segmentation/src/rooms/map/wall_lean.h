@@ -55,9 +55,10 @@ wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
 
 /** \brief The shift along x and y, per unit of height going down, of what stands around
  * each pixel: a least-squares fit to the walls within about a metre. One wall tells
- * only the shift across itself; at a corner two walls tell both components. \param[in]
- * nx, ny size of the map \param[in] pixel_size metres \return nothing (no values) if
- * all stretches are upright
+ * only the shift across itself; at a corner two walls tell both components.
+ * \param[in] nx, ny size of the map
+ * \param[in] pixel_size metres
+ * \return nothing (no values) if all stretches are upright
  */
 PixelMap<Eigen::Vector2f>
 leanMap(const std::vector<WallStretch>& stretches, int nx, int ny, double pixel_size);

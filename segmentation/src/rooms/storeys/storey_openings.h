@@ -18,8 +18,8 @@ namespace indoor {
  * A column is high if it is free around the level, and occupied somewhere below and
  * above. A group of high columns is a hall if it is large and not narrow, as the well
  * of a stair is, or if its ceiling is too low for another storey above the level.
- * Columns of walls and of the outside go with the nearest others. \return 1 in the
- * columns of halls, else 0
+ * Columns of walls and of the outside go with the nearest others.
+ * \return 1 in the columns of halls, else 0
  *
  * \param[in] slab not 0 where there is a slab at the level
  * \param[in] level height of the level, in voxels

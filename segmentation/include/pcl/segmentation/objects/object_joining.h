@@ -74,9 +74,10 @@ private:
 
 /** \brief Join pieces, the most probable pair first. After each join the features of
  * the union are found anew. The cost is n log n for n contacts, about 0.03 ms each time
- * that a pair is judged. \param[in] least_level joins that are less probable are not
- * made \return the joins in their order, by descending level: with a higher least_level
- * the result would be the first of them
+ * that a pair is judged.
+ * \param[in] least_level joins that are less probable are not made
+ * \return the joins in their order, by descending level: with a higher least_level the
+ * result would be the first of them
  */
 std::vector<PieceJoin>
 joinPieces(const PieceGraph& graph,

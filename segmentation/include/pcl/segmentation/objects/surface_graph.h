@@ -29,8 +29,8 @@ isConvexEdge(const Eigen::Vector3f& position_1,
  * positive where concave, negative where convex. It is 0 where the surface is flat, so
  * that noise of the normals averages out over a border. Convex bends count at most 20
  * degrees, concave ones at most 60. Where LCCP cannot tell convex from concave (its
- * sanity criterion), 0.4 of the angle counts as concave. \return degrees, from -20 to
- * 60
+ * sanity criterion), 0.4 of the angle counts as concave.
+ * \return degrees, from -20 to 60
  */
 float
 bendDegrees(const Eigen::Vector3f& position_1,

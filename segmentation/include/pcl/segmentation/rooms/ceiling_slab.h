@@ -77,7 +77,9 @@ slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
  * A column is blocked if it has an occupied voxel in the slab from which to the ceiling
  * no two layers in a row are free in all 3 x 3 columns around it.
  * \param[in] ceiling as ceilingLayers() gives it; pixels without ceiling are not
- * blocked \param[in] slab as slabLayers() gives it \return 1 = blocked, 0 = free
+ * blocked
+ * \param[in] slab as slabLayers() gives it
+ * \return 1 = blocked, 0 = free
  */
 PixelMap<std::uint8_t>
 blockedColumns(const VoxelGrid<std::uint8_t>& occupancy,

@@ -61,8 +61,8 @@ visibilityVectors(const VoxelGrid<std::uint8_t>& occupancy,
 
 /** \brief D^vis of Eq. (3.5): the positions that differ over the sum of both vectors.
  * The thesis prints a Hamming distance that counts equal positions; those that differ
- * are meant. \return 0 (the same view) to 1 (nothing in common); 0 if neither sees
- * anything
+ * are meant.
+ * \return 0 (the same view) to 1 (nothing in common); 0 if neither sees anything
  */
 double
 visibilityDistance(const VisibilityVectors& vectors, std::size_t i, std::size_t j);
