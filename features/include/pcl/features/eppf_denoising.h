@@ -43,16 +43,17 @@ measureNoise(const std::vector<OrientedPoint>& points,
 struct DenoisedObject {
   std::vector<OrientedPoint> points; ///< along the order, at most 4096
   std::vector<float> weights; ///< of each point, how flat its surface is: 0 ... 1
-  float extent = 0.0f;        ///< metres, less the farthest points' noise
+  float extent = 0.0f;        ///< metres, without what noise adds to it
 };
 
 /** \brief Move points to planes through their neighbours, and tell how far the planes
  * can be trusted.
  *
  * The neighbours are weighted by a Gaussian 1.2 deviations of the noise wide. Normals
- * stay. All is in proportion to the evidence, so that there is no jump between an
- * object that is left as it is and one that is not. Time: with the square of the
- * points, of which there are at most 4096; no result depends on the number of threads.
+ * stay. How far points move grows from 0 with the evidence of noise, so that there is
+ * no jump between an object without noise and one with little. Time: with the square of
+ * the points, of which there are at most 4096; no result depends on the number of
+ * threads.
  */
 DenoisedObject
 denoised(const std::vector<OrientedPoint>& points,

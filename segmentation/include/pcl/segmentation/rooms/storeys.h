@@ -23,8 +23,8 @@ struct StoreyOptions {
                          ///< hangs under it, metres (>= 0)
   double min_slab_area = 10.0; ///< least area of a slab, m^2 (> 0); larger ignores
                                ///< galleries
-  double bridge = 1.5; ///< openings in a slab up to twice as wide are cut at its
-                       ///< height (stairs), metres (>= 0)
+  double bridge = 1.5; ///< openings in a slab that are at most twice this wide, as of
+                       ///< stairs, are cut at the slab's height, metres (>= 0)
   double min_opening_area = 12.0; ///< a larger opening is a hall, m^2 (>= 0); it
                                   ///< belongs to the storey of its floor
   int threads = 0;                ///< 0 = automatic; the result does not depend on it
