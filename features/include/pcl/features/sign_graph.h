@@ -31,10 +31,12 @@ signEnergy(const std::vector<std::int8_t>& signs, const std::vector<SignEdge>& e
  * of edges that so become parallel are added up, and so on until no edge is left. Then
  * single signs are flipped while that lowers the energy. If signs exist that satisfy
  * all edges, as they do on a surface wherever it has two sides, the result is one of
- * these. Cost: about linear in the number of edges. \param[in] edges between nodes 0 to
- * node_count - 1; their order plays no part but for ties and rounding \param[out]
- * component if not null, the connected component of each node, numbered from 0 by first
- * node; edges of weight 0, and edges that cancel each other out, connect nothing
+ * these. Cost: about linear in the number of edges.
+ * \param[in] edges between nodes 0 to node_count - 1; their order plays no part but for
+ * ties and rounding
+ * \param[out] component if not null, the connected component of each node, numbered
+ * from 0 by first node; edges of weight 0, and edges that cancel each other out,
+ * connect nothing
  * \return +1 or -1, one per node; the first node of a component has +1
  * \throws pcl::BadArgumentException if an edge leaves the graph
  */

@@ -50,8 +50,9 @@ public:
   getInputNormals() const;
 
   /** \brief Set the radius of the neighbourhood that is counted.
-   * \param[in] radius metres, positive; 0 (default) for 2.5 times the mean resolution
-   * of the cloud, Eq. (2.9). Larger is less sensitive to noise and blurs small objects.
+   * \param[in] radius metres, positive; 0 (default) for that of Eq. (2.9), see
+   * indoor::neighborhoodRadius(). Larger is less sensitive to noise and blurs small
+   * objects.
    */
   void
   setRadius(double radius);

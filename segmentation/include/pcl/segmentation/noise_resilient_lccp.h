@@ -156,8 +156,8 @@ public:
   getMinSegmentSize() const;
 
   /** \brief Set up to which difference of normals concave edges count as convex, for
-   * the two partitions other than Partition::Pieces. \param[in] degrees 0 to 180
-   * (default 10), as in LCCPSegmentation
+   * the two partitions other than Partition::Pieces.
+   * \param[in] degrees 0 to 180 (default 10), as in LCCPSegmentation
    */
   void
   setConcavityToleranceThreshold(float degrees);
@@ -205,7 +205,8 @@ public:
   getNormalOrientation() const;
 
   /** \brief Use voxels that grow with the distance from a single camera looking along
-   * z. \param[in] use default: for organised clouds with more than one row
+   * z.
+   * \param[in] use default: for organised clouds with more than one row
    */
   void
   setUseSingleCameraTransform(bool use);

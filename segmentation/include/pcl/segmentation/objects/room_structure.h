@@ -40,15 +40,16 @@ enum class StructureKind : std::uint8_t {
 StructureKind
 kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
 
-/** \brief Find the planes that enclose a room: floor, ceiling and walls.
- * Flat regions are grown over touching voxels, and those in one plane put together. A
- * plane belongs to the structure if it reaches from one side of the room to the other
- * and nothing was seen behind it. A desk is none, as the floor lies behind it; nor is a
- * cabinet's front, which is lower than the room. Which way is up need not be known. The
- * cost is linear in the number of voxels. \param[in] voxels with normals, most of them
- * into the room, and curvatures \param[in] voxel_size of the voxels, metres \return the
- * largest plane first; may be empty \throws pcl::BadArgumentException if the voxel size
- * is not positive
+/** \brief Find the planes that enclose a room: floor, ceiling and walls. Flat regions
+ * are grown over touching voxels, and those in one plane put together. A plane belongs
+ * to the structure if it reaches from one side of the room to the other and nothing was
+ * seen behind it. A desk is none, as the floor lies behind it; nor is a cabinet's
+ * front, which is lower than the room. Which way is up need not be known. The cost is
+ * linear in the number of voxels.
+ * \param[in] voxels with normals, most of them into the room, and curvatures
+ * \param[in] voxel_size of the voxels, metres
+ * \return the largest plane first; may be empty
+ * \throws pcl::BadArgumentException if the voxel size is not positive
  */
 std::vector<StructurePlane>
 findRoomStructure(const SurfaceVoxels& voxels, double voxel_size);
