@@ -11,9 +11,10 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Fit a plane to the neighbours that lie on the plane at the origin whose
- * normal is about known. What lies on it, the shortest interval tells that holds the
- * origin and a third of all heights over the plane. \param[in] normal unit length
+/** \brief Fit a plane to the neighbours near the plane through the origin with a given,
+ * inexact normal. Near are those whose height over that plane lies in the shortest
+ * interval that holds 0 and a third of all heights.
+ * \param[in] normal unit length
  * \param[in] largest_turn radians
  * \param[out] heights scratch
  * \return the normal of the fitted plane; the given one if that differs by more than

@@ -14,7 +14,8 @@ trap 'rm -rf "$folder"' EXIT
 "$cmake" --install "$build" --prefix "$folder/prefix" > "$folder/install.log"
 mkdir "$folder/source"
 cp "$here/CMakeLists.txt" "$here/consumer.cpp" "$folder/source"
-"$here/gather_readme.sh" "$here/../../README.md" "$folder/source/readme.cpp"
+"$here/gather_examples.sh" "$here/../../README.md" "$here/../../docs/guide/"{rooms,objects,normals,descriptors_and_classes}.md \
+  "$folder/source/examples.cpp"
 
 configure() {
   "$cmake" -S "$folder/source" -B "$1" -Wno-dev -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$folder/prefix" > "$1.log" 2>&1
@@ -23,6 +24,15 @@ configure() {
 configure "$folder/build" || { cat "$folder/build.log"; exit 1; }
 "$cmake" --build "$folder/build"
 "$folder/build/consumer"
+
+# the program of docs/guide/cpp.md, by its own CMakeLists.txt
+mkdir "$folder/guide"
+firstBlock() { awk -v begin="\`\`\`$1" '/^```/ { if (inside) exit; inside = $0 == begin; next } inside' "$here/../../docs/guide/cpp.md"; }
+firstBlock cpp > "$folder/guide/rooms_and_things.cpp"
+firstBlock cmake > "$folder/guide/CMakeLists.txt"
+"$cmake" -S "$folder/guide" -B "$folder/guide/build" -Wno-dev -DCMAKE_PREFIX_PATH="$folder/prefix" > "$folder/guide.log" 2>&1 \
+  || { cat "$folder/guide.log"; exit 1; }
+"$cmake" --build "$folder/guide/build"
 
 # who trains networks needs none of libtorch's headers; the component is there only where it was built
 cat > "$folder/source/training.cpp" << 'END'
@@ -38,7 +48,7 @@ int main()
 }
 END
 cp "$folder/source/CMakeLists.txt" "$folder/CMakeLists.txt"
-sed -i 's/COMPONENTS segmentation features/COMPONENTS training/; /consumer PRIVATE/,$d' "$folder/source/CMakeLists.txt"
+sed -i 's/COMPONENTS segmentation features ml/COMPONENTS training/; /consumer PRIVATE/,$d' "$folder/source/CMakeLists.txt"
 sed -i 's/consumer consumer.cpp/consumer training.cpp/' "$folder/source/CMakeLists.txt"
 echo 'target_link_libraries(consumer PRIVATE pcl_indoor::training)' >> "$folder/source/CMakeLists.txt"
 if [ -n "$(find "$folder/prefix" -name libpcl_indoor_training.so)" ]; then
@@ -51,7 +61,7 @@ elif configure "$folder/training"; then
 fi
 mv "$folder/CMakeLists.txt" "$folder/source/CMakeLists.txt"
 
-sed -i 's/COMPONENTS segmentation features/COMPONENTS no_such_module/' "$folder/source/CMakeLists.txt"
+sed -i 's/COMPONENTS segmentation features ml/COMPONENTS no_such_module/' "$folder/source/CMakeLists.txt"
 if configure "$folder/unknown"; then
   echo "An unknown component is found"
   exit 1

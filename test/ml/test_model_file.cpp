@@ -177,7 +177,7 @@ TEST(ModelFile, GivesBackWhatWasStored)
   EXPECT_EQ(modelBytes(modelFromBytes(bytes), true), bytes);
 }
 
-/** The format as docs/classes.md has it. */
+/** The format as docs/method/classes.md has it. */
 TEST(ModelFile, IsAsDocumented)
 {
   auto model = tinyModel();

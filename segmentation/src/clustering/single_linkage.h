@@ -57,8 +57,9 @@ struct SingleLinkageTree {
 
 /** \brief Build the hierarchy from a minimum spanning forest.
  * \param[in] forest edges in any order; trees are joined at an infinite distance, as
- * are the ends of infinitely long edges \throws pcl::BadArgumentException if the edges
- * are no forest of the points or a distance is negative or NaN
+ * are the ends of infinitely long edges
+ * \throws pcl::BadArgumentException if the edges are no forest of the points or a
+ * distance is negative or NaN
  */
 SingleLinkageTree
 singleLinkageTree(std::size_t count, std::vector<HDBSCANEdge> forest);

@@ -41,7 +41,8 @@ piecesOfVoxels(const ObjectSegmentation& result)
   return piece_of_voxel;
 }
 
-/** The flags, and those of the segments that are one piece: these were cut before. */
+/** The flags, set also for points of segments that are a single piece: pieces were
+ * already parted at gaps. */
 std::vector<std::uint8_t>
 withSinglePieces(const ObjectSegmentation& result, std::vector<std::uint8_t> flags)
 {

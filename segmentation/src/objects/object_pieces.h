@@ -13,8 +13,10 @@
 namespace pcl {
 namespace indoor {
 
-/** Part what points tell apart, but voxels do not: flat things from what they lie on,
- * and both sides of narrow gaps. Sets the segments of the points. */
+/** Part pieces where points show what voxels are too coarse for: flat things from the
+ * surface they lie on, and the two sides of narrow gaps. Sets the segments of the
+ * points.
+ */
 void
 cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& result);
 
@@ -22,7 +24,7 @@ cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& 
 void
 joinPiecesOfRoom(const ObjectSegmentationOptions& options, ObjectSegmentation& result);
 
-/** Part bodies at gaps and at the sides with which they stand against each other. */
+/** Part objects at gaps, and at seams between bodies that stand against each other. */
 void
 cutBodies(ObjectSegmentation& result);
 

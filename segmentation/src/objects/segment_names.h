@@ -13,9 +13,9 @@ namespace indoor {
 void
 numberSegments(ObjectSegmentation& result);
 
-/** Number the segments, and tell which are floor, wall or ceiling. Those of fewer
- * voxels than a supervoxel, too small to be told, become one, the remainder. \param[in]
- * supervoxel voxels; 0 for no remainder */
+/** Number the segments, and say which are floor, wall or ceiling. Segments of fewer
+ * voxels than a supervoxel has become one segment together, the remainder.
+ * \param[in] supervoxel voxels of a supervoxel; 0 for no remainder */
 void
 nameSegments(double supervoxel, ObjectSegmentation& result);
 

@@ -71,7 +71,8 @@ void
 removeField(PCLPointCloud2& cloud, const std::string& name);
 
 /** \brief Append a field of unsigned integers or floats; a field of that name is
- * replaced. \param[in] values one per point
+ * replaced.
+ * \param[in] values one per point
  */
 void
 appendField(PCLPointCloud2& cloud,

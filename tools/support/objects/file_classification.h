@@ -22,13 +22,15 @@ struct ObjectFile {
 };
 
 /** \brief The clouds of a folder, sorted; FOLDER/CLASS/OBJECT.pcd is of the class
- * CLASS. \throws ToolError if it is no folder or holds none
+ * CLASS.
+ * \throws ToolError if it is no folder or holds none
  */
 std::vector<ObjectFile>
 objectsOfFolder(const std::string& folder);
 
 /** \brief The files of a command line's files and folders, of which no file is looked
- * for. \throws ToolError if a folder holds none
+ * for.
+ * \throws ToolError if a folder holds none
  */
 std::vector<ObjectFile>
 objectFiles(const std::vector<std::string>& paths);
@@ -65,8 +67,9 @@ classifyByModel(const std::vector<ObjectFile>& files,
  * By pair harmonics: the confidence of a class is its share of 1 / distance^2
  * (symmetric Kullback-Leibler) of each class's nearest object. By Point-NN: it is the
  * class's score of pointNNScores(), and the pose of objects matters. A file is not
- * compared with itself, so that a folder can be compared with itself. \param[in] known
- * each with its true class \throws ToolError if a file is unusable or none of a class
+ * compared with itself, so that a folder can be compared with itself.
+ * \param[in] known each with its true class
+ * \throws ToolError if a file is unusable or none of a class
  */
 std::vector<ClassifiedFile>
 classifyByNearest(const std::vector<ObjectFile>& files,

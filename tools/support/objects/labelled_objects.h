@@ -28,7 +28,8 @@ struct LabelledObjects {
 /** \brief Complain about the first of some problems, and say how many there are.
  * \param[in] problems one per thing, empty for those without
  * \param[in] things what those with a problem are called, for example "unreadable
- * files" \throws ToolError if there are any
+ * files"
+ * \throws ToolError if there are any
  */
 void
 requireNoProblems(const std::vector<std::string>& problems, const std::string& things);

@@ -62,7 +62,8 @@ std::vector<OrientedPoint>
 classifierPoints(const PointCloud<PointNormal>& cloud);
 
 /** \brief Save an object as a cloud with normals and, in the field floor_distance, how
- * far it is above the floor. \throws ToolError as saveCloud()
+ * far it is above the floor.
+ * \throws ToolError as saveCloud()
  */
 void
 saveObject(const std::string& path, const ObjectSurface& object);

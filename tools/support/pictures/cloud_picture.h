@@ -17,9 +17,9 @@ namespace pcl::indoor::tool {
 class CloudView {
 public:
   /** \brief A room from obliquely above, without the surfaces that are seen from
-   * behind: the ceiling and the walls on this side. \param[in] points metres, z up;
-   * those that are not finite are left out \param[in] normals towards the room, one per
-   * point; zero or NaN: seen from any side
+   * behind: the ceiling and the walls on this side.
+   * \param[in] points metres, z up; those that are not finite are left out
+   * \param[in] normals towards the room, one per point; zero or NaN: seen from any side
    */
   static CloudView
   fromAbove(const std::vector<Eigen::Vector3f>& points,
@@ -35,7 +35,9 @@ public:
              int height);
 
   /** \brief Draw the points in the colours of their labels, lighter where they face the
-   * camera. \param[in] labels one per point */
+   * camera.
+   * \param[in] labels one per point
+   */
   Picture
   draw(const std::vector<std::uint32_t>& labels) const;
 

@@ -20,7 +20,7 @@ TrainingOptions
 recommendedTraining();
 
 /** \brief What pcl_eppf_train is asked for; the defaults are the training that is
- * recommended, see docs/classes.md. */
+ * recommended, see docs/guide/training.md. */
 struct TrainingSettings {
   std::string folder;
   std::string model;

@@ -38,7 +38,8 @@ double
 neighborhoodRadius(const std::vector<Eigen::Vector3f>& points, unsigned threads = 0);
 
 /** \brief List the closest other points of each point, and each point for those, in
- * ascending order. \param[in] neighbors at least 1; as for meanNeighborDistances()
+ * ascending order.
+ * \param[in] neighbors at least 1; as for meanNeighborDistances()
  */
 Adjacency
 nearestNeighbors(const std::vector<Eigen::Vector3f>& points,

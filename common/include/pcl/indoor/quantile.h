@@ -11,7 +11,7 @@
 namespace pcl {
 namespace indoor {
 
-/** Times the median of absolute differences: the standard deviation of normal noise. */
+/** The standard deviation of normal noise over the median of its absolute values. */
 constexpr double deviation_per_median = 1.4826;
 
 /** \brief Get the value that a share of the others does not exceed.

@@ -24,10 +24,10 @@ namespace pcl {
  *
  * Only points and normals of the indices are read; one that is not finite is skipped,
  * and a normal of another length than 1 is brought to it. A search surface or search
- * method plays no part. Cost: linear in pairs, about 60 ns each. \note The paper:
- * Bobkov et al., "Noise-resistant deep learning for object classification in
+ * method plays no part. Cost: linear in pairs, about 60 ns each.
+ * \note Bobkov et al., "Noise-resistant deep learning for object classification in
  * three-dimensional point clouds using a point pair descriptor", IEEE Robotics and
- * Automation Letters 3 (2018). Deviations from it are listed in docs/descriptors.md.
+ * Automation Letters 3 (2018). Deviations: docs/method/descriptors.md.
  * \ingroup features
  */
 template <typename PointInT, typename PointNT, typename PointOutT = EPPFSignature1200>
@@ -82,9 +82,9 @@ public:
   }
 
   /** \brief Set or get the length that the distance bins spread over.
-   * With the size of the largest object of a set, descriptors tell sizes apart, with
-   * each object's own, shapes. Longer distances fall into the last bin. \param[in]
-   * scale metres; 0: the object's own largest extent (default 0)
+   * If it is that of the largest object of a set, descriptors tell sizes apart; if it
+   * is each object's own, shapes alone. Longer distances fall into the last bin.
+   * \param[in] scale metres; 0: the object's own largest extent (default 0)
    */
   void
   setScale(double scale)
@@ -109,8 +109,7 @@ public:
     return options_.seed;
   }
 
-  /** \brief Set or get the number of threads, 0 meaning all (default 1); no result
-   * depends on it. */
+  /** \brief Set or get the number of threads; 0: all (default 1); no result differs. */
   void
   setNumberOfThreads(unsigned int number_of_threads)
   {
@@ -217,9 +216,9 @@ public:
     return options_.denoising;
   }
 
-  /** \brief Compute the descriptor of all points in the indices.
-   * Shadows Feature::compute(), which would first allocate one output point per input
-   * point. \param[out] output one descriptor; all NaN if no two usable points differ in
+  /** \brief Compute the descriptor of all points in the indices. Shadows
+   * Feature::compute(), which would first allocate one output point per input point.
+   * \param[out] output one descriptor; all NaN if no two usable points differ in
    * position; empty after an error
    */
   void

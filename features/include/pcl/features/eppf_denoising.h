@@ -12,19 +12,20 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief What the points of an object tell about their noise. */
+/** \brief The noise of an object's points. */
 struct PointNoise {
-  float evidence = 0.0f;  ///< 0: none, the object is left as it is; 1: certain
+  float evidence = 0.0f;  ///< how sure it is that there is noise: 0 none, 1 certain
   float deviation = 0.0f; ///< of the noise on a coordinate, metres; 0 without evidence
 };
 
 /** \brief Measure the noise of an object from the points themselves.
  *
- * Evidence: of 32 neighbourhoods of 16 points, spread over the object, the second
- * flattest is looked at; if it is not flat, of 128 the thirteenth. A surface without
- * noise has flat places almost always; with noise nearly as large as the distance of
- * points none is flat. Deviation: the residual of local planes, in a window that is
- * widened until it holds the noise. Finer noise counts as none.
+ * A surface without noise almost always has flat places; with noise nearly as large as
+ * the distance of points none is flat. So the evidence is how flat the second flattest
+ * of 32 neighbourhoods of 16 points is; if it is not flat, the thirteenth of 128. The
+ * deviation is the residual of local planes, in a window that is widened until it is
+ * wider than the noise. Noise below about half of the distance of points counts as
+ * none.
  * \param[in] points near the origin
  * \param[in] order a space-filling order of the points, see spaceFillingOrder()
  * \param[in] extent of the object, metres
@@ -42,16 +43,17 @@ measureNoise(const std::vector<OrientedPoint>& points,
 struct DenoisedObject {
   std::vector<OrientedPoint> points; ///< along the order, at most 4096
   std::vector<float> weights; ///< of each point, how flat its surface is: 0 ... 1
-  float extent = 0.0f;        ///< metres, less the farthest points' noise
+  float extent = 0.0f;        ///< metres, without what noise adds to it
 };
 
 /** \brief Move points to planes through their neighbours, and tell how far the planes
  * can be trusted.
  *
  * The neighbours are weighted by a Gaussian 1.2 deviations of the noise wide. Normals
- * stay. All is in proportion to the evidence, so that there is no jump between an
- * object that is left as it is and one that is not. Time: with the square of the
- * points, of which there are at most 4096; no result depends on the number of threads.
+ * stay. How far points move grows from 0 with the evidence of noise, so that there is
+ * no jump between an object without noise and one with little. Time: with the square of
+ * the points, of which there are at most 4096; no result depends on the number of
+ * threads.
  */
 DenoisedObject
 denoised(const std::vector<OrientedPoint>& points,

@@ -23,7 +23,7 @@ namespace pcl {
  * radius is twice that of Eq. (2.9). Results depend neither on the number of threads
  * nor on the order of the points. Cost: linear in points times triples.
  * \note A. Boulch, R. Marlet, "Fast and robust normal estimation for point clouds with
- * sharp features", SGP 2012; here Sec. 2.1.5.2. Deviations: docs/normals.md.
+ * sharp features", SGP 2012; here Sec. 2.1.5.2. Deviations: docs/method/normals.md.
  * \ingroup features
  */
 template <typename PointInT, typename PointOutT = Normal>

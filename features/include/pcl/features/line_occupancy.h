@@ -34,7 +34,8 @@ public:
 
   /** \brief Mark the voxels of points in a cube around them.
    * \param[in] points at least one; the cube's edge is the longest of their bounding
-   * box \param[in] grid_size voxels per edge, 2 to 64
+   * box
+   * \param[in] grid_size voxels per edge, 2 to 64
    */
   LineOccupancy(const std::vector<OrientedPoint>& points, int grid_size);
 

@@ -41,8 +41,9 @@ struct FreeSpaceOptions {
 /** \brief Find places in the free space between the surfaces, far from them and from
  * each other: where a scanner may have stood. Free is a place that surfaces enclose
  * from at least five of the six axis directions; if there is none, the middle of the
- * bounding box is returned. \param[in] positions metres, local frame; outliers are cut
- * off \return at least one place, unless there are no positions
+ * bounding box is returned.
+ * \param[in] positions metres, local frame; outliers are cut off
+ * \return at least one place, unless there are no positions
  */
 std::vector<Eigen::Vector3f>
 findViewpoints(const std::vector<Eigen::Vector3f>& positions,
@@ -52,8 +53,10 @@ findViewpoints(const std::vector<Eigen::Vector3f>& positions,
  * the poses of the sensor are not known. Places found by findViewpoints() vote for the
  * side from which they see a position; votes spread over smooth surfaces (Eq. (2.7)),
  * so that a surface is turned as a whole. Cost is linear in the number of positions
- * times viewpoints. \param[in] positions metres, local frame \param[in] neighbors which
- * positions lie side by side \param[in,out] normals one per position
+ * times viewpoints.
+ * \param[in] positions metres, local frame
+ * \param[in] neighbors which positions lie side by side
+ * \param[in,out] normals one per position
  */
 void
 orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,

@@ -22,8 +22,8 @@ struct OrientedPoint {
  *
  * Walks from the point farthest from the centroid to the point farthest from that one,
  * and on while the distance grows, a few times through the points in all. At least 1 /
- * sqrt(3) of the true diameter, and for most shapes the diameter itself. \return
- * metres; 0 for no point, one point, or points all in one place
+ * sqrt(3) of the true diameter, and for most shapes the diameter itself.
+ * \return metres; 0 for no point, one point, or points all in one place
  */
 float
 objectExtent(const std::vector<OrientedPoint>& points);

@@ -53,14 +53,14 @@ countBlocks(std::size_t block_count,
   return counts;
 }
 
-/** \brief Number of blocks that some things make, the last one not always full. */
+/** \brief Number of blocks for a number of items; the last block may not be full. */
 inline std::size_t
 blockCount(std::size_t count, std::size_t block_size)
 {
   return (count + block_size - 1) / block_size;
 }
 
-/** \brief First of the things of a block, and one past its last. */
+/** \brief First item of a block, and one past its last. */
 inline std::pair<std::size_t, std::size_t>
 blockRange(std::size_t block, std::size_t count, std::size_t block_size)
 {

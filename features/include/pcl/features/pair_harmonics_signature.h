@@ -16,7 +16,8 @@ namespace pcl {
  * from the centre, see indoor::surfaceHarmonics() and indoor::pairHarmonicsOptions().
  * They add up to 1; all are NaN if the object had no usable pair of points. It has a
  * PCD field of its own, as its values cannot be compared with those of an
- * EPPFSignature1200. \ingroup features
+ * EPPFSignature1200.
+ * \ingroup features
  */
 struct PairHarmonicsSignature1200 {
   float histogram[1200] = {};

@@ -10,29 +10,30 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief A wish that two nodes have the same sign, or different ones. */
+/** \brief An edge that asks for the same sign of two nodes, or for different ones. */
 struct SignEdge {
   std::uint32_t source = 0;
   std::uint32_t target = 0;
   float weight = 0; ///< how strong; positive for the same sign, negative for different
 };
 
-/** \brief Sum the strengths of the edges whose wish the signs do not grant: the energy
- * that signs should make small. \param[in] signs +1 or -1, one per node */
+/** \brief Sum the strengths of the edges that signs do not satisfy: the energy, which
+ * should be small.
+ * \param[in] signs +1 or -1, one per node
+ */
 double
 signEnergy(const std::vector<std::int8_t>& signs, const std::vector<SignEdge>& edges);
 
 /** \brief Choose signs of small energy.
  *
  * The least energy is a maximum cut, hard to find in general. Signs are found by
- * contraction: nodes that are each other's strongest neighbours become one, the wishes
- * between what was joined are added up, and so on until nothing is connected; then
- * single signs are flipped while that lowers the energy. The result is exact, of energy
- * 0, if all wishes can be granted, as they can for the sides of a surface wherever it
- * has two.
- * Cost: about linear in the number of edges.
- * \param[in] edges between nodes 0 to node_count - 1; their order plays no part but
- * for ties and rounding
+ * contraction: nodes that are each other's strongest neighbours become one, the weights
+ * of edges that so become parallel are added up, and so on until no edge is left. Then
+ * single signs are flipped while that lowers the energy. If signs exist that satisfy
+ * all edges, as they do on a surface wherever it has two sides, the result is one of
+ * these. Cost: about linear in the number of edges.
+ * \param[in] edges between nodes 0 to node_count - 1; their order plays no part but for
+ * ties and rounding
  * \param[out] component if not null, the connected component of each node, numbered
  * from 0 by first node; edges of weight 0, and edges that cancel each other out,
  * connect nothing

@@ -12,7 +12,7 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Numbers that surfaceHarmonics() consists of; all 0: none. */
+/** \brief How many values surfaceHarmonics() gives, and of what; all 0: none. */
 struct HarmonicBins {
   int shells = 0;    ///< around the middle of an object, 0 ... 64
   int degree = 0;    ///< of the finest spherical harmonics, 0 ... 8
@@ -67,11 +67,13 @@ principalFrame(const std::vector<OrientedPoint>& points, double middle_share = 0
  * shortest axis. Then the distances follow: the share of the points in each of these
  * shells. To each value 0.002 is added, a tenth of what chance gives with 2,000 points:
  * the ratio of smaller values tells nothing. Where two axes are of one length the
- * points decide by chance which one is longer. Time: linear. \param[in] points at least
- * one, with normals of unit length \param[in] frame see principalFrame() \param[in]
- * scale metres, above 0 \param[in] bins at least one \param[in] number_of_threads 0
- * meaning all; the result does not depend on it \return bins.size() values that add up
- * to 1
+ * points decide by chance which one is longer. Time: linear.
+ * \param[in] points at least one, with normals of unit length
+ * \param[in] frame see principalFrame()
+ * \param[in] scale metres, above 0
+ * \param[in] bins at least one
+ * \param[in] number_of_threads 0 meaning all; the result does not depend on it
+ * \return bins.size() values that add up to 1
  */
 std::vector<double>
 surfaceHarmonics(const std::vector<OrientedPoint>& points,

@@ -15,9 +15,11 @@ namespace pcl {
  * Counts four features of pairs of oriented points, three angles of one normal in the
  * frame of the other and the distance: a global descriptor that stays the same when the
  * object is turned. Needs normals that point to the same side of the surface. Cost:
- * linear in pairs. \note The paper: E. Wahl, U. Hillenbrand, G. Hirzinger,
- * "Surflet-pair-relation histograms: a statistical 3D-shape representation for rapid
- * classification", 3DIM 2003. \ingroup features
+ * linear in pairs.
+ * \note The paper: E. Wahl, U. Hillenbrand, G. Hirzinger, "Surflet-pair-relation
+ * histograms: a statistical 3D-shape representation for rapid classification", 3DIM
+ * 2003.
+ * \ingroup features
  */
 template <typename PointInT,
           typename PointNT,
@@ -106,9 +108,9 @@ public:
     return options_.sampling;
   }
 
-  /** \brief Compute the descriptor of all points in the indices.
-   * Shadows Feature::compute(), which would first allocate one output point per input
-   * point. \param[out] output one descriptor; all NaN if no two usable points differ in
+  /** \brief Compute the descriptor of all points in the indices. Shadows
+   * Feature::compute(), which would first allocate one output point per input point.
+   * \param[out] output one descriptor; all NaN if no two usable points differ in
    * position; empty after an error
    */
   void

@@ -32,7 +32,8 @@ struct SurfletPairOptions {
  * the two, so that the frame u = n1, v = (d x u) / |d x u|, w = u x v exists wherever
  * it can: alpha = atan2(w.n2, u.n2), beta = v.n2, gamma = u.d / |d|, delta = |d|. Where
  * both normals lie along the line, the turn around it is undefined and alpha = beta =
- * 0. \param[in] one,two at different positions
+ * 0.
+ * \param[in] one,two at different positions
  */
 std::array<float, 4>
 surfletPairFeatures(const OrientedPoint& one, const OrientedPoint& two);
@@ -41,12 +42,13 @@ surfletPairFeatures(const OrientedPoint& one, const OrientedPoint& two);
  *
  * E. Wahl, U. Hillenbrand, G. Hirzinger, "Surflet-pair-relation histograms: a
  * statistical 3D-shape representation for rapid classification", 3DIM 2003. The bin of
- * a pair is
- * ((alpha * n + beta) * n + gamma) * n + delta. The same options give the same bits for
- * any number of threads. \param[in] points finite points with normals of unit length,
- * near the origin \param[in] options see SurfletPairOptions \return bin_count^4 values
- * that add up to 1; all NaN if fewer than two points differ in position \throws
- * pcl::BadArgumentException if an option is out of its range
+ * a pair is ((alpha * n + beta) * n + gamma) * n + delta. The same options give the
+ * same bits for any number of threads.
+ * \param[in] points finite points with normals of unit length, near the origin
+ * \param[in] options see SurfletPairOptions
+ * \return bin_count^4 values that add up to 1; all NaN if fewer than two points differ
+ * in position
+ * \throws pcl::BadArgumentException if an option is out of its range
  */
 std::vector<float>
 surfletPairHistogram(const std::vector<OrientedPoint>& points,

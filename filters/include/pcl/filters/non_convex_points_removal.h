@@ -20,9 +20,11 @@ namespace pcl {
  *
  * The normals must point out of the objects, towards the side they were seen from;
  * their curvature field is used. Cost is linear in the number of points above the
- * threshold. \note The method: D. Bobkov et al., "Noise-resistant Unsupervised Object
- * Segmentation in Multi-view Indoor Point Clouds", VISAPP 2017; here Sec. 4.2.1, Eq.
- * (4.2). Deviations are listed in docs/objects.md. \ingroup filters
+ * threshold.
+ * \note The method: D. Bobkov et al., "Noise-resistant Unsupervised Object Segmentation
+ * in Multi-view Indoor Point Clouds", VISAPP 2017; here Sec. 4.2.1, Eq. (4.2).
+ * Deviations are listed in docs/method/objects.md.
+ * \ingroup filters
  */
 template <typename PointT, typename PointNT>
 class NonConvexPointsRemoval : public FilterIndices<PointT> {
@@ -48,8 +50,9 @@ public:
   getInputNormals() const;
 
   /** \brief Set the radius of the neighbourhood that is counted.
-   * \param[in] radius metres, positive; 0 (default) for 2.5 times the mean resolution
-   * of the cloud, Eq. (2.9). Larger is less sensitive to noise and blurs small objects.
+   * \param[in] radius metres, positive; 0 (default) for that of Eq. (2.9), see
+   * indoor::neighborhoodRadius(). Larger is less sensitive to noise and blurs small
+   * objects.
    */
   void
   setRadius(double radius);

@@ -31,8 +31,8 @@ public:
   explicit ScanOutlierRemoval(bool extract_removed_indices = false);
 
   /** \brief Set the radius within which a point must have neighbours.
-   * \param[in] radius metres, positive; 0 (default) for 2.5 times the mean resolution
-   * of the cloud, Eq. (2.9). Larger removes less.
+   * \param[in] radius metres, positive; 0 (default) for that of Eq. (2.9), see
+   * indoor::neighborhoodRadius(). Larger removes less.
    */
   void
   setRadiusSearch(double radius);

@@ -30,8 +30,8 @@ struct ConfusionMatrix {
 
 /** \brief Count predictions.
  * \param[in] truth,predicted classes 0 ... class_count - 1, one per object; predicted
- * may be negative for none \throws pcl::BadArgumentException if the lengths differ or a
- * class is out of range
+ * may be negative for none
+ * \throws pcl::BadArgumentException if the lengths differ or a class is out of range
  */
 ConfusionMatrix
 confusionMatrix(const std::vector<int>& truth,

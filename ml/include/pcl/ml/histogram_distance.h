@@ -36,9 +36,10 @@ struct DistanceTable {
   }
 };
 
-/** \brief What takes the place of zero bins in the Kullback-Leibler distance,
- * Sec. 5.2.2. \return half of the smallest bin above zero of all histograms; the
- * smallest normal float if there is none
+/** \brief What takes the place of zero bins in the Kullback-Leibler distance, Sec.
+ * 5.2.2.
+ * \return half of the smallest bin above zero of all histograms; the smallest normal
+ * float if there is none
  */
 float
 emptyBinValue(const Histograms& histograms);
@@ -47,10 +48,11 @@ emptyBinValue(const Histograms& histograms);
  *
  * Bins of 0 take the emptyBinValue() of both sets together. The logarithm of each bin
  * is taken once, not once per pair. The result does not depend on the number of
- * threads. \param[in] queries,gallery without negative bins \param[in]
- * number_of_threads 0: as many as the machine has \return a row per query, a column per
- * histogram of the gallery \throws pcl::BadArgumentException if the numbers of bins
- * differ
+ * threads.
+ * \param[in] queries,gallery without negative bins
+ * \param[in] number_of_threads 0: as many as the machine has
+ * \return a row per query, a column per histogram of the gallery
+ * \throws pcl::BadArgumentException if the numbers of bins differ
  */
 DistanceTable
 histogramDistances(const Histograms& queries,

@@ -14,7 +14,7 @@ namespace indoor {
 /** \brief A model as the bytes of its file.
  *
  * A line that names format and version, a line of JSON (classes, input, layers, how
- * weights are stored), the weights, and checksums of both: docs/classes.md.
+ * weights are stored), the weights, and checksums of both: docs/method/classes.md.
  * \param[in] half_precision store weights of dense and convolution layers in 16 bits
  * instead of 32
  * \throws pcl::BadArgumentException if the model is wrong, a name of a class is not

@@ -41,8 +41,8 @@ std::vector<float>
 contextValues(const std::vector<OrientedPoint>& points, const ObjectPlace& place);
 
 /** \brief Sides of the smallest rectangle, turned anyhow, around points of the plane,
- * to about 1e-5 of its length. \return length, and width that is not longer; zeros for
- * no points
+ * to about 1e-5 of its length.
+ * \return length, and width that is not longer; zeros for no points
  */
 Eigen::Vector2f
 smallestRectangle(std::vector<Eigen::Vector2f> points);

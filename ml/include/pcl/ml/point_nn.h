@@ -33,11 +33,12 @@ struct PointNNOptions {
  * own and to unit deviation, and its own values again, adds and multiplies sines and
  * cosines of the neighbours' places around it, and keeps the sum of maximum and mean.
  * The same pooling makes one descriptor of all. The deviations are those within the
- * object, not of a batch. A turned object has another descriptor. \param[in] points
- * finite; centred and brought into the unit sphere first; of too many those farthest
- * from each other are taken \return embedding_size * 2^stage_count values of length 1;
- * all NaN if no two points differ \throws pcl::BadArgumentException if an option is out
- * of its range
+ * object, not of a batch. A turned object has another descriptor.
+ * \param[in] points finite; centred and brought into the unit sphere first; of too many
+ * those farthest from each other are taken
+ * \return embedding_size * 2^stage_count values of length 1; all NaN if no two points
+ * differ
+ * \throws pcl::BadArgumentException if an option is out of its range
  */
 std::vector<float>
 pointNNDescriptor(const std::vector<Eigen::Vector3f>& points,
@@ -57,8 +58,9 @@ struct PointNNMemory {
  * The paper's authors choose it on the test set; the default is the best of 10, 30, 100
  * ... 10,000 within a memory, each object against the others
  * \return one score per class; empty if the descriptor or all of the memory is not
- * finite \throws pcl::BadArgumentException if lengths differ, or a label is negative or
- * not below class_count
+ * finite
+ * \throws pcl::BadArgumentException if lengths differ, or a label is negative or not
+ * below class_count
  */
 std::vector<float>
 pointNNScores(const std::vector<float>& descriptor,

@@ -75,23 +75,24 @@ struct HDBSCANEdge {
  * is needed.
  *
  * Time O(count^2) calls of the distance, many of them spared; memory O(count). Where
- * most pairs are too far apart to matter, the graph version is far cheaper. \param[in]
- * count number of points \param[in] distance callable as double distance(std::size_t i,
- * std::size_t j), called from several threads at once; symmetric, 0 or more, not NaN;
- * infinity is allowed; the triangle inequality is not needed \throws
- * pcl::BadArgumentException if an option or a distance is out of its range
+ * most pairs are too far apart to matter, the graph version is far cheaper.
+ * \param[in] count number of points
+ * \param[in] distance callable as double distance(std::size_t i, std::size_t j), called
+ * from several threads at once; symmetric, 0 or more, not NaN; infinity is allowed; the
+ * triangle inequality is not needed
+ * \throws pcl::BadArgumentException if an option or a distance is out of its range
  */
 template <typename Distance>
 HDBSCANResult
 hdbscan(std::size_t count, const Distance& distance, const HDBSCANOptions& options);
 
-/** \brief HDBSCAN* of a graph: pairs without an edge are infinitely far apart.
- * Time O(m log m) for m edges, memory O(m). Equal to the dense version of such
- * distances. \param[in] edges parallel edges and loops are allowed: the shortest
- * counts, loops do not; a point with fewer than min_samples - 1 neighbours has an
- * infinite core distance and becomes noise (pass core distances where that is not
- * meant) \throws pcl::BadArgumentException if an edge leaves the graph, or an option or
- * a distance is out of its range
+/** \brief HDBSCAN* of a graph: pairs without an edge are infinitely far apart. Time O(m
+ * log m) for m edges, memory O(m). Equal to the dense version of such distances.
+ * \param[in] edges parallel edges and loops are allowed: the shortest counts, loops do
+ * not; a point with fewer than min_samples - 1 neighbours has an infinite core distance
+ * and becomes noise (pass core distances where that is not meant)
+ * \throws pcl::BadArgumentException if an edge leaves the graph, or an option or a
+ * distance is out of its range
  */
 HDBSCANResult
 hdbscan(std::size_t count,

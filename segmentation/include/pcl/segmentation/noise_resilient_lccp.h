@@ -29,7 +29,7 @@ namespace pcl {
  * threads nor, but for rounding and the names of labels, on the order of the points.
  * \note The method: D. Bobkov et al., "Noise-resistant Unsupervised Object Segmentation
  * in Multi-view Indoor Point Clouds", VISAPP 2017; here Sec. 4.2. Deviations are listed
- * in docs/objects.md.
+ * in docs/method/objects.md.
  * \ingroup segmentation
  */
 template <typename PointT>
@@ -156,8 +156,8 @@ public:
   getMinSegmentSize() const;
 
   /** \brief Set up to which difference of normals concave edges count as convex, for
-   * the two partitions other than Partition::Pieces. \param[in] degrees 0 to 180
-   * (default 10), as in LCCPSegmentation
+   * the two partitions other than Partition::Pieces.
+   * \param[in] degrees 0 to 180 (default 10), as in LCCPSegmentation
    */
   void
   setConcavityToleranceThreshold(float degrees);
@@ -205,7 +205,8 @@ public:
   getNormalOrientation() const;
 
   /** \brief Use voxels that grow with the distance from a single camera looking along
-   * z. \param[in] use default: for organised clouds with more than one row
+   * z.
+   * \param[in] use default: for organised clouds with more than one row
    */
   void
   setUseSingleCameraTransform(bool use);

@@ -100,8 +100,8 @@ struct ObjectSegmentation {
   std::vector<SurfaceEdge> edges;            ///< between supervoxels
   std::vector<std::uint32_t> piece_of_point; ///< for Partition::Pieces, else empty
   PieceGraph pieces;                         ///< those of the planes have no voxels
-  /** the order in which pieces become one, as far as it is of any use: those up to a
-   * level are a segmentation, see segmentsAtLevel() */
+  /** joins of pieces, the most probable first; those of at least a level give a
+   * segmentation, see segmentsAtLevel() */
   std::vector<PieceJoin> joins;
   std::vector<std::uint32_t> segment_of_point; ///< 0 ... segment_count - 1
   std::uint32_t segment_count = 0;

@@ -30,8 +30,8 @@ namespace pcl {
  *
  * Time and memory are linear in the points and in the voxels of the space they occupy.
  * \note D. Bobkov, Semantic Understanding of 3D Point Clouds of Indoor Environments,
- * Technical University of Munich, 2019, chapter 3; docs/rooms.md lists deviations.
- * \ingroup segmentation
+ * Technical University of Munich, 2019, chapter 3; docs/method/rooms.md lists
+ * deviations. \ingroup segmentation
  */
 template <typename PointT>
 class RoomSegmentation : public PCLBase<PointT> {

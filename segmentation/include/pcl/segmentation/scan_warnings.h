@@ -25,7 +25,7 @@ struct ScanReport {
   Indices outside; ///< points beyond the extent of the building, in no room; ascending
 };
 
-/** \brief Whether rooms as high as they seem to be tell of another unit.
+/** \brief Warn if the height of the rooms suggests another unit than the one set.
  * \param[in] signs of the points in metres, as they were given
  * \param[in] metres_per_unit that the user has set (> 0)
  * \return one line; empty if the height is plausible, or not known
@@ -33,17 +33,17 @@ struct ScanReport {
 std::string
 unitWarning(const ScanSigns& signs, double metres_per_unit);
 
-/** \brief Whether the rooms tell of feet: most of them and of their doors are too high
- * for metres and right for feet. Halls and churches have few rooms, and low doors; so
- * have small homes, which are not told from these. \return one line; empty if metres
- * are plausible
+/** \brief Warn if the unit seems to be feet: most rooms and doors are too high for
+ * metres and right for feet. At least five rooms are needed, as halls and churches have
+ * few; so small homes in feet are not noticed.
+ * \return one line; empty if metres are plausible
  */
 std::string
 feetWarning(const std::vector<Room>& rooms,
             const std::vector<RoomOpening>& openings,
             double metres_per_unit);
 
-/** \brief Whether the scan lies on its side.
+/** \brief Warn if the scan lies on its side.
  * \param[in] signs of the points with z as up axis
  * \param[in] turn from that frame to the frame of the cloud
  * \return one line; empty if not
@@ -55,7 +55,7 @@ axisWarning(const ScanSigns& signs, const Eigen::Matrix3d& turn);
 double
 floatStep(double value);
 
-/** \brief Whether coordinates are too coarse for the voxels.
+/** \brief Warn if coordinates are too coarse for the voxels.
  * \param[in] step between two of them, metres
  * \param[in] voxel_size metres, 0 = automatic
  * \return one line; empty if not
@@ -63,7 +63,7 @@ floatStep(double value);
 std::string
 stepWarning(double step, double voxel_size);
 
-/** \brief Whether much of a cloud lies beyond the kept extent.
+/** \brief Warn if a tenth or more of a cloud lies beyond the extent of the building.
  * \return one line; empty if less than a tenth
  */
 std::string

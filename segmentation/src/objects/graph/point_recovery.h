@@ -13,14 +13,15 @@ namespace pcl {
 namespace indoor {
 
 /** \brief Spread labels to the places without one, along the surface (Sec. 4.2.3,
- * Algorithm 1).
- * In each round every place without label that touches labelled ones proposes the label
- * of the nearest by Eq. (4.4); the best 80 % (P_r) of the proposals are accepted. All
- * are in the last of 20 rounds (S) and after it, until nothing changes. Places that
- * touch no labelled place keep none. \param[in] positions one per place \param[in]
- * normals one per place \param[in] neighbors which places touch \param[in,out] labels
- * one per place, Supervoxels::none for places without \throws pcl::BadArgumentException
- * if an option is out of range or sizes differ
+ * Algorithm 1). In each round every place without label that touches labelled ones
+ * proposes the label of the nearest by Eq. (4.4); the best 80 % (P_r) of the proposals
+ * are accepted. All are in the last of 20 rounds (S) and after it, until nothing
+ * changes. Places that touch no labelled place keep none.
+ * \param[in] positions one per place
+ * \param[in] normals one per place
+ * \param[in] neighbors which places touch
+ * \param[in,out] labels one per place, Supervoxels::none for places without
+ * \throws pcl::BadArgumentException if an option is out of range or sizes differ
  */
 void
 recoverLabels(const std::vector<Eigen::Vector3f>& positions,

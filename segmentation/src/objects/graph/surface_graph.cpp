@@ -32,8 +32,8 @@ angleDegrees(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
   return std::acos(std::max(-1.0f, std::min(1.0f, a.dot(b) / norms))) * degrees;
 }
 
-/** LCCP's sanity criterion: the patches' planes meet beside, not between them, so that
- * convex and concave are not defined. */
+/** LCCP's sanity criterion: the planes of the two patches do not meet between them but
+ * beside them, so that the edge is neither convex nor concave. */
 bool
 isSingular(const Eigen::Vector3f& towards_1,
            const Eigen::Vector3f& normal_1,

@@ -23,8 +23,9 @@ struct PieceShape {
 struct PairSide {
   const Piece& piece;
   const PieceShape& shape;
-  double touching = 0; ///< voxels that touch others, some of them more than once
-  double contacts = 0; ///< number of others that are near
+  double touching = 0; ///< voxels that touch other pieces; one that touches two counts
+                       ///< twice
+  double contacts = 0; ///< number of other pieces that are near
 };
 
 /** Tells how two pieces lie to each other. */

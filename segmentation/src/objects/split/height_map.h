@@ -55,7 +55,7 @@ private:
   using Cells = std::vector<std::uint32_t>;
   enum class State : std::uint8_t { Open, Visited, High };
 
-  /** Memory is taken for the first point only: the grid may be too large. */
+  /** Allocate the grid when the first point comes: the caller first checks its size. */
   void
   prepare();
 
@@ -83,15 +83,16 @@ private:
     return sums_[cell] / counts_[cell];
   }
 
-  /** Height, a share of that of the raised cells, from which cells are of a thing. */
+  /** Height from which a cell is part of a thing: a share of how high the raised cells
+   * are. */
   double
   outlineOf(const Cells& raised) const;
 
   Cells
   largestAbove(double outline, const Cells& raised);
 
-  /** Of the cells around a thing, counted once for each that they touch, those with
-   * points. */
+  /** Share of the cells at the rim of a thing that hold points; a cell counts once for
+   * each cell of the thing that it touches. */
   double
   shareAround(const Cells& thing) const;
 

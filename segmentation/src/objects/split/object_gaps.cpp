@@ -30,12 +30,13 @@ constexpr double min_width = 0.5;    // of a gap, voxels
 constexpr double remainder = 0.25;
 /** and this many standard deviations of its number of points fewer */
 constexpr double deviations = 2;
-/** a gap is this many times as wide as any other stretch on either side that is as
- * empty, as far as four times its least width, so that the gaps between the lines of a
- * scanner do not count */
+/** a gap is this many times as wide as any other empty stretch near it (within four
+ * times the least width): the spaces between the lines of a scanner are alike and do
+ * not count */
 constexpr double prominence = 1.5;
-/** segments are looked at only if they occupy this many cells of half a voxel for each
- * voxel, for the same reason: lines that bend leave no empty stretches */
+/** a segment is looked at only if it occupies this many cells of half a voxel per
+ * voxel: otherwise its points lie in lines of a scanner, with empty space between them
+ */
 constexpr double min_density = 1.5;
 constexpr unsigned directions = 60; // of upright planes that are tried, in 180 degrees
 
@@ -98,11 +99,11 @@ private:
         std::min(held(i - reach, i), held(i + per_gap, i + per_gap + reach));
     const double allowed = remainder * beside * per_gap / reach;
     const double rest = held(i, i + per_gap);
-    // The count is random; its deviation is the root, and one more than none was seen.
+    // A count n of random points has a deviation of sqrt(n); of 0 that of 1 is taken.
     const double lacking = allowed - rest - deviations * std::sqrt(rest + 1);
     if (!(lacking > 0))
       return 0;
-    // Beside dense sides of furniture its front is thin, but no gap.
+    // The front of furniture has fewer points than its sides, but is no gap.
     const double own = rest / per_gap;
     const double as_empty = own + deviations * std::sqrt(own + 1);
     return isWidest(i, std::min(allowed / per_gap, as_empty)) ? lacking : 0;

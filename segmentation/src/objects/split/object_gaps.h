@@ -13,13 +13,13 @@ namespace pcl {
 namespace indoor {
 
 /** \brief Part segments at narrow empty gaps: bookcases side by side, the two halves of
- * a double desk, chairs in a row. Voxels on both sides of a gap touch, and surfaces
- * that continue each other across it bend nothing; but an upright slice through the
- * whole segment that holds hardly any of its points, though the slices beside it hold
- * many, is no chance. What bridges a gap with less than a quarter of what stands beside
- * it counts as noise. A segment that reaches over more than 2^20 halves of a voxel is
- * left as it is. No step of the thesis. The cost is linear in the number of points
- * times directions.
+ * a double desk, chairs in a row. No step of the thesis.
+ *
+ * The voxels on both sides of a gap touch, and the surfaces continue each other, so
+ * voxels do not show the gap. Points do: an upright slice through the whole segment
+ * holds hardly any points, though the slices beside it hold many. Up to a quarter of
+ * their number counts as noise. A segment that reaches over more than 2^20 halves of a
+ * voxel is left as it is. The cost is linear in the number of points times directions.
  * \param[in] left_out one per point: such points (floor, walls) keep their segment
  * \param[in,out] segment_of_point numbered from 0; new segments follow those that were
  * there

@@ -28,9 +28,8 @@ using Members = pcl::indoor::SegmentMembers;
 constexpr double farthest = 4096; // extent of a segment, voxels
 constexpr double min_cover = 0.3; // share of the inside that a seam fills
 constexpr double min_depth = 2;   // of the inside, cells of a voxel
-/** share of a seam's cells, outside of what either side fills, that are inside: the
- * side of a desk's drawers has a few, where points lie under the desk, but not so many
- */
+/** least share of inside cells among the cells of a sheet in which neither side has
+ * points: the side of a drawer unit under a desk has fewer */
 constexpr double enclosed = 0.15;
 constexpr unsigned min_cells = 8; // of a voxel that a seam fills there
 /** share of the points on either side whose normals point away from the inside */
@@ -184,7 +183,8 @@ private:
     seam.place = placeWithin(section, along);
   }
 
-  /** Amid the sheet, or at that side of it to which it does not belong. */
+  /** Where to cut: in the middle of the sheet, or, if the sheet belongs to one body, on
+   * the side of the other. */
   static float
   placeWithin(const SeamSection& section, std::vector<float>& along)
   {

@@ -13,17 +13,22 @@ namespace pcl {
 namespace indoor {
 
 /** \brief Part segments at the seams between closed bodies that stand against each
- * other without a gap, as the cabinets of a kitchen. Their fronts and tops go on and
- * bend nothing, but a scan sees some of the sides that face each other: an upright
- * sheet of points where there should be none, in the inside of the segment. A cell of
- * the section is inside if neither side has points there, but both have some above it,
- * or both below, and both before it, or both behind. The compartments of a shelf are
- * open, and the normals around them point into them.
+ * other without a gap, such as the cabinets of a kitchen. No step of the thesis.
  *
- * The cut is amid the sheet; if it goes on outside of what one side encloses, as the
- * side of a refrigerator above a worktop, it belongs to the other. No step of the
- * thesis. A segment that reaches over more than 4096 voxels is left as it is. The cost
- * is linear in the number of points times directions.
+ * Fronts and tops of such bodies form one surface. But a scan sees some points of the
+ * two sides that face each other: an upright sheet of points in the inside of the
+ * segment, where there should be none.
+ *
+ * The segment is cut by an upright plane into two sides and a section, whose cells are
+ * one voxel wide. A cell is inside if neither side has points in it, both sides have
+ * points above it (or both below), and both have points before it (or both behind). A
+ * sheet that fills enough of the inside is a seam. Compartments of a shelf are no
+ * inside: they are open, so the normals around them point into them.
+ *
+ * The cut goes through the middle of the sheet. If the sheet goes on where one of the
+ * two bodies ends, as the side of a refrigerator does above a worktop, the sheet
+ * belongs to the other body. Segments that reach over more than 4096 voxels are left as
+ * they are. The cost is linear in the number of points times directions.
  * \param[in] left_out one per point: such points (floor, walls) keep their segment
  * \param[in,out] segment_of_point numbered from 0; new segments follow those that were
  * there

@@ -33,8 +33,8 @@ public:
   void
   close();
 
-  /** Neither side has points in its cell, but both enclose it from the same direction,
-   * upright and level. */
+  /** Whether neither side has points in the cell of a place, but both have some above
+   * it or both below, and both before it or both behind. */
   bool
   isInside(const Eigen::Vector2f& place) const
   {

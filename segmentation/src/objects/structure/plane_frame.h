@@ -50,7 +50,8 @@ public:
     return {indexOf(u_, point), indexOf(v_, point)};
   }
 
-  /** On which side of the cells a plane with this normal, into the room, stands. */
+  /** The side of the cells at which another plane stands.
+   * \param[in] normal of that plane, into the room */
   PlaneShadow::Side
   sideOf(const Eigen::Vector3d& normal) const
   {

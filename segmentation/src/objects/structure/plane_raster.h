@@ -19,8 +19,8 @@
 namespace pcl {
 namespace indoor {
 
-/** The raster of a plane: which of its cells it covers, and behind which something
- * lies. In tiles, because parts of one plane may lie kilometres apart.
+/** The cells of a plane: which hold points of it, and behind which something lies. They
+ * are kept in tiles, because parts of one plane may lie kilometres apart.
  */
 class PlaneRaster {
 public:

@@ -44,10 +44,10 @@ public:
   void
   end(const PlaneCell& cell, Side side);
 
-  /** The cells that are closed off: every way over the four sides of cells, from what
-   * is not covered or from outside, leads over one that closes, or over an end of the
-   * plane. Of those that the object has no points in, only those with such cells all
-   * around. */
+  /** The cells that are closed off: no path of side-by-side cells leads to them from an
+   * uncovered cell, or from outside, except over a closing cell or an end of the plane.
+   * A closed-off cell without points of the object counts only if all cells around it
+   * are closed off, too. */
   std::vector<PlaneCell>
   enclosed() const;
 

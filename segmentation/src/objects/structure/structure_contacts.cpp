@@ -13,7 +13,8 @@ using pcl::indoor::Adjacency;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
-/** The tangent plane of a voxel does not tell more than this far, in voxels. */
+/** A tangent plane stands for the surface around its voxel up to this distance, in
+ * voxels. */
 constexpr double reach = 1.5;
 
 /** The objects' voxels that have points in each of the surrounding voxels. */

@@ -13,11 +13,11 @@ namespace pcl {
 namespace indoor {
 
 /** \brief Give the points at which objects touch floor and walls back to the objects.
- * The sides of a cupboard reach down to the floor and back to the wall; what lies
- * within the tolerance of these planes was taken for them. A point goes to the nearest
- * surface: to that voxel of no plane, of those around it, from whose tangent plane it
- * is least far, if it is less far from it than from its own plane. Centroids, normals
- * and curvatures stay as they are; the cost is linear in the number of points.
+ * The sides of a cupboard reach down to the floor and back to the wall. Their points
+ * near these planes were taken for the planes. Each such point goes to the nearest
+ * surface: among the objects' voxels around it, the one whose tangent plane is nearest,
+ * if that is nearer than the point's own plane. Centroids, normals and curvatures of
+ * voxels stay as they are; the cost is linear in the number of points.
  * \param[in] surroundings voxels of the same points and size that ignore the planes;
  * only their cells and neighbours are used
  * \param[in,out] scene whose voxels hold points of one plane only; only their cells

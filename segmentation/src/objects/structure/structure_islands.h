@@ -11,12 +11,11 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Give small flat remains in front of a plane back to it: noise, and the second
- * of two registrations of a wall.
- * \param[in] patch_size groups of touching voxels of fewer than this are given to a
- * plane if none of them is farther than two voxels from it
- * \param[in] min_size so are those of fewer than this, if none is farther than one
- * voxel
+/** \brief Give small flat groups of voxels in front of a plane to the plane: they are
+ * noise, or a wall that was registered twice.
+ * \param[in] patch_size groups of fewer touching voxels go to a plane if all of them
+ * are within two voxels of it
+ * \param[in] min_size groups of fewer voxels do, if all are within one voxel
  */
 void
 returnIslands(std::size_t patch_size, std::size_t min_size, ObjectScene& scene);

@@ -18,8 +18,8 @@ namespace indoor {
 
 constexpr double frame_depth = 0.2; ///< of a frame on either side of its wall, metres
 
-/** \brief Tell whether all but a twentieth of some points are within the depth of a
- * frame from a plane, as are those of the frames of doors and windows; none are. */
+/** \brief Tell whether at least 95 % of some points lie within frame_depth of a plane,
+ * as those of frames of doors and windows do; true for no points. */
 bool
 isThinAlong(const StructurePlane& plane,
             const std::vector<Eigen::Vector3f>& points,
@@ -31,9 +31,10 @@ struct WallFrame {
   std::uint32_t segment = 0;
 };
 
-/** \brief Find the frames in upright planes. A frame is a segment that is thin along a
- * wall, not beside it, and has a twentieth of its points more than a voxel behind it; a
- * wall cabinet is as thin, but before its wall.
+/** \brief Find the frames of doors and windows in upright planes. A frame is a segment
+ * that meets the extent of a wall, is thin along it (see isThinAlong()), with at least
+ * 5 % of its points more than a voxel behind the wall. A wall cabinet may be as thin,
+ * but has no points behind the wall.
  * \param[in] groups the points of the planes, and of all other segments
  */
 std::vector<WallFrame>

@@ -49,10 +49,12 @@ struct VoxelLabelOptions {
  * vote too, so that no order of voxels matters. Equal votes go to the label with the
  * smaller sum of squared distances, then to the smaller label. Time linear in the
  * voxels where labelled voxels are near, at most O(max_distance^3) for each occupied
- * voxel. \param[in] occupancy non-zero = occupied \param[in] interior non-zero =
- * interior free space \param[in] labels of the columns, -1 = none \return -1 for voxels
- * that are neither interior nor occupied, or out of reach \throws
- * pcl::BadArgumentException if the sizes differ or an option is out of range
+ * voxel.
+ * \param[in] occupancy non-zero = occupied
+ * \param[in] interior non-zero = interior free space
+ * \param[in] labels of the columns, -1 = none
+ * \return -1 for voxels that are neither interior nor occupied, or out of reach
+ * \throws pcl::BadArgumentException if the sizes differ or an option is out of range
  */
 VoxelGrid<int>
 labelVoxels(const VoxelGrid<std::uint8_t>& occupancy,

@@ -15,9 +15,8 @@ namespace indoor {
 
 /** \brief How a random walker moves over a map. */
 struct MapRandomWalkerOptions {
-  double beta =
-      1.0; ///< of Eq. (2.11), in one over the squared unit of the map's values
-           ///< (0 or more): the larger, the more a step of the values parts
+  double beta = 1.0; ///< of Eq. (2.11), in one over the squared unit of the map's
+                     ///< values (0 or more): larger: steps of the values separate more
   PixelNeighbourhood neighbourhood = PixelNeighbourhood::Four;
   int threads = 0; ///< 0 = automatic; the result does not depend on it
 };

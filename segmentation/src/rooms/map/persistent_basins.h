@@ -14,9 +14,10 @@ namespace indoor {
 
 /** \brief When a pass between two basins is narrow. */
 struct BasinOptions {
-  double persistence = 0.5; ///< lower than this share of the lower maximum, 0 ... 1;
-                            ///< larger gives more basins
-  double door = 0.0;        ///< or not higher than this, and
+  double persistence = 0.5; ///< a pass is narrow if it is lower than this share of the
+                            ///< lower of the two maxima, 0 ... 1; larger gives more
+                            ///< basins
+  double door = 0.0;        ///< a pass up to this value is a door, and narrow if it is
   double door_persistence = 0.75; ///< lower than this share of the lower maximum
 };
 

@@ -27,7 +27,7 @@ struct WallLeanOptions {
 struct WallStretch {
   Eigen::Vector2d place;  ///< its middle in the slab, pixels
   Eigen::Vector2d normal; ///< horizontal unit vector across it
-  double lean = 0.0;      ///< how far it moves along the normal per height downwards
+  double lean = 0.0;      ///< shift along the normal per unit of height, going down
   double weight = 0.0;    ///< inverse variance of the lean, in voxels
 };
 
@@ -53,9 +53,9 @@ wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
               const PixelMap<std::uint8_t>& blocked,
               const WallLeanOptions& options = {});
 
-/** \brief How far all that stands around a pixel moves per height downwards, along x
- * and y: the least squares of what the walls within about a metre say. A wall tells
- * only how far it moves across itself; at a corner two walls tell both.
+/** \brief The shift along x and y, per unit of height going down, of what stands around
+ * each pixel: a least-squares fit to the walls within about a metre. One wall tells
+ * only the shift across itself; at a corner two walls tell both components.
  * \param[in] nx, ny size of the map
  * \param[in] pixel_size metres
  * \return nothing (no values) if all stretches are upright

@@ -18,11 +18,12 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Tells how wide openings are by the points of their posts: a voxel is clear or
- * not, and each post takes up to one of a door's width.
+/** \brief Measures how wide openings are by the points of their posts. By voxels alone,
+ * each post would take up to one voxel of a door's width.
  *
- * A post is the first face across the opening, within the thickness of the wall: a leaf
- * that stands open is beside it. The lintel says where the wall's faces are.
+ * A post is the first face across the opening within the thickness of the wall; so an
+ * open leaf, which stands beside the wall, does not count. Where the wall's faces are,
+ * the points of the lintel tell.
  */
 class OpeningPosts {
 public:

@@ -21,9 +21,9 @@ namespace indoor {
 class PlaceProfile {
 public:
   /** \param[in] begin,end what lies outside does not count
-   * \param[in] width of the crowd of points on a face: some standard deviations of
-   * their noise (> 0), in the unit of the places; a fortieth of it is what is told
-   * apart
+   * \param[in] width over which the points of one face scatter: some standard
+   * deviations of their noise (> 0), in the unit of the places; the resolution is a
+   * fortieth of it
    */
   PlaceProfile(double begin, double end, double width);
 
@@ -32,10 +32,11 @@ public:
 
   /** \brief Get the place of the first face.
    *
-   * Crowds are windows of the given width. The first that holds at least half as many
-   * points as the fullest begins a face; the fullest within one more width is it, and
-   * the mean of its points the result. Fewer points before it, outliers and noise, do
-   * not move it. \return nothing if no crowd has \a least points
+   * A window of the given width is moved along the line. Where it first holds half as
+   * many points as it does at most, a face begins. The fullest window within one more
+   * width is the face, and the mean of its points the result. Outliers before the face
+   * do not move it.
+   * \return nothing if no window has \a least points
    */
   std::optional<double>
   firstFace(std::uint32_t least) const;

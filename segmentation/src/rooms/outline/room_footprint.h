@@ -26,13 +26,13 @@ struct FootprintWalls {
 
 /** \brief Move the sides of a ring to the faces of the walls behind them.
  *
- * A side ends where the last pixel without any point of a wall does: up to a pixel
- * before the wall. It is moved and turned to the first face behind it, at most
- * 2 pixels away, of a wall or, where none is, of whatever closed the room; it stays
- * where less than a point per pixel does, such as in doorways.
- * Sides that are no walls, such as those of cupboards and beams below the ceiling, are
- * left out where the walls before and after them meet behind them or are one; and holes
- * of which no side is a wall, such as those around lamps, are left out as a whole.
+ * A side of the ring lies up to a pixel before the wall. It is moved and turned to the
+ * first face within 2 pixels behind it: of a wall or, where there is none, of whatever
+ * closed the room. It stays where there is less than a point per pixel, as in doorways.
+ *
+ * Sides at cupboards and beams, which are no walls, are left out if the walls before
+ * and after them meet behind them or are the same wall. Holes without any wall, such as
+ * those around lamps, are left out as a whole.
  * \param[in] ring corners, pixels; the region is on the left
  * \param[in] behind what was seen behind its sides
  * \return the ring as it is where the new one would turn over or vanish; nothing for a

@@ -47,8 +47,8 @@ traceOutlines(const PixelMap<std::int32_t>& labels, std::int32_t region_count);
  * \param[in] ring as traceOutlines() gives it
  * \param[in] tolerance how far a point that is left out may lie from the line between
  * those that stay, pixels (>= 0); the corners of a straight line at any angle lie
- * within sqrt(2) pixels \return the ring as it is where the new one would cross itself
- * or vanish
+ * within sqrt(2) pixels
+ * \return the ring as it is where the new one would cross itself or vanish
  */
 std::vector<Eigen::Vector2d>
 simplifyOutline(const OutlineRing& ring, double tolerance);

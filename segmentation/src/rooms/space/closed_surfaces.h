@@ -12,10 +12,11 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief The voxel size at which the points' surfaces have few holes.
+/** \brief The smallest voxel size at which the points' surfaces have few holes.
  *
- * A closed surface needs four times as many voxels of half the size; sparse points
- * fill fewer. At the size returned there are at least three per voxel twice as large.
+ * Where voxels twice as large hold a closed surface, four voxels of half the edge are
+ * occupied in each; with sparse points fewer are. At the size returned it is at least
+ * three on average.
  * \param[in] grid 1 = occupied
  * \return a multiple of 1 cm, or the grid's own size where that is enough; at most
  * \a largest

@@ -45,7 +45,8 @@ struct ManhattanFrame {
  * slower than reading the input: it is found on a histogram of the sphere.
  *
  * \param[in] normals unit normals; the sign does not matter; non-finite ones do not
- * count \param[in] weights one per normal, not negative; or empty for equal weights
+ * count
+ * \param[in] weights one per normal, not negative; or empty for equal weights
  * \return the frames by descending support
  * \throws pcl::BadArgumentException if the sizes differ, a weight is negative or not
  * finite, or an option is out of range

@@ -20,8 +20,8 @@ opposite(int direction)
   return direction ^ 1;
 }
 
-/** \brief A grid cut into bricks of 4 x 4 x 4 voxels: what one voxel is to a brick, one
- * bit is to a 64-bit word, and one operation works on all of them.
+/** \brief A grid cut into bricks of 4 x 4 x 4 voxels: each voxel is a bit of a 64-bit
+ * word, so that one operation works on all voxels of a brick.
  *
  * Voxels are numbered brick by brick, so that neighbours are near in memory. Bricks at
  * the far ends may reach beyond the grid.

@@ -12,7 +12,7 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief A unit direction without sense, and its share of all weight. */
+/** \brief A unit direction, the same as its opposite, and its share of all weight. */
 struct WeightedDirection {
   Eigen::Vector3d direction;
   double weight;
@@ -26,11 +26,12 @@ sphereHistogram(const std::vector<Eigen::Vector3d>& normals,
                 const std::vector<double>& weights);
 
 /** \brief The modes of a histogram: directions with more weight around them than on
- * both sides of them, strongest first. \param[in] cone radius of the neighbourhood,
- * radians \param[in] min_share least weight within the cone \param[in] min_contrast
- * least ratio of the weight in the cone to the weight that lies in the ring around it
- * (up to twice the radius) on opposite sides; what is on one side only belongs to
- * another mode
+ * both sides of them, strongest first.
+ * \param[in] cone radius of the neighbourhood, radians
+ * \param[in] min_share least weight within the cone
+ * \param[in] min_contrast least ratio of the weight in the cone to the weight that lies
+ * in the ring around it (up to twice the radius) on opposite sides; what is on one side
+ * only belongs to another mode
  */
 std::vector<WeightedDirection>
 sphereModes(const std::vector<WeightedDirection>& histogram,

@@ -13,12 +13,13 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Where two storeys are not divided at a level: 1 in the columns of halls.
+/** \brief The columns in which the storeys below and above a level are one: halls.
  *
- * A column is high if it is free around the level, between something occupied below and
- * above. High columns are a hall if they are many and not close to the slab on both
- * sides (stairs), or if their ceiling is too close for a storey above. Columns of walls
- * and outside go with the nearest others.
+ * A column is high if it is free around the level, and occupied somewhere below and
+ * above. A group of high columns is a hall if it is large and not narrow, as the well
+ * of a stair is, or if its ceiling is too low for another storey above the level.
+ * Columns of walls and of the outside go with the nearest others.
+ * \return 1 in the columns of halls, else 0
  *
  * \param[in] slab not 0 where there is a slab at the level
  * \param[in] level height of the level, in voxels

@@ -59,8 +59,9 @@ makeFurniture(const std::string& category,
 /** \brief Build stairs of two flights side by side with a landing between them.
  *
  * They begin at the front (+y) on the right (+x), turn to the left on a landing along
- * the rear, and end at the front on the left. \param[in] size width, depth and height
- * of all, metres; the handrail ends 1 m above the last step
+ * the rear, and end at the front on the left.
+ * \param[in] size width, depth and height of all, metres; the handrail ends 1 m above
+ * the last step
  */
 FurnitureModel
 makeHalfTurnStairs(const Eigen::Vector3d& size);

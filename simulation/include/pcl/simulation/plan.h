@@ -138,7 +138,8 @@ struct LeaningWallPlan {
   double angle = 0.0; ///< radians from the vertical; positive: to the left of the way
 };
 
-/** \brief Description of a building, as read from a plan file (docs/simulation.md). */
+/** \brief Description of a building, as read from a plan file
+ * (docs/guide/plan_files.md). */
 struct Plan {
   std::string name;
   double wall_thickness = 0.2; ///< metres

@@ -16,8 +16,8 @@ namespace indoor {
  *
  * Keys: categories (the name of each number), rooms (number, name, storey, polygon,
  * floor, area), objects (number, room, category, parts, position, size, rotation in
- * degrees) and trajectory (the positions of the sensor). docs/simulation.md has them
- * all.
+ * degrees) and trajectory (the positions of the sensor). docs/guide/simulation.md has
+ * them all.
  */
 std::string
 describeScene(const Building& building, const std::vector<Eigen::Vector3d>& trajectory);

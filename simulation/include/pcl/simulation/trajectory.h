@@ -20,8 +20,8 @@ struct TrajectoryOptions {
  * Each room gets positions about \a spacing apart that keep their clearance, at least
  * one per room (the freest place where nothing keeps it), and each passable doorway
  * gets one. They are put in the order of a walk: storey by storey, always to the
- * nearest one that is left. Deterministic. \throws BadArgumentException if an option is
- * out of its range
+ * nearest one that is left. Deterministic.
+ * \throws BadArgumentException if an option is out of its range
  */
 std::vector<Eigen::Vector3d>
 planTrajectory(const Building& building, const TrajectoryOptions& options);

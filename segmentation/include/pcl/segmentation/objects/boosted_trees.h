@@ -12,15 +12,16 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief A sum of small decision trees that gives the probability of "yes". */
+/** \brief Boosted decision trees for a yes-or-no question: the answers of all trees are
+ * added up to the log-odds of "yes". */
 class BoostedTrees {
 public:
-  /** \brief A question, or the answer if there are no children. */
+  /** \brief An inner node compares a feature with a limit; a leaf has no children. */
   struct Node {
-    std::uint16_t feature = 0; ///< that is asked for
-    std::uint16_t next = 0;    ///< within the tree: if at most the value, then the one
-                               ///< after it; 0 in a leaf
-    float value = 0;           ///< limit, or log-odds in a leaf
+    std::uint16_t feature = 0; ///< number of the feature that is compared
+    std::uint16_t next = 0; ///< child, within the tree, for features up to the limit;
+                            ///< the other child follows it; 0 in a leaf
+    float value = 0;        ///< the limit; in a leaf the log-odds
   };
 
   /** \brief Read trees as text: "trees FEATURES ROOT COUNT", then for each tree its

@@ -16,7 +16,7 @@ namespace indoor {
 struct Border {
   std::uint32_t source = 0;
   std::uint32_t target = 0;
-  double cost = 0; ///< evidence for a boundary of objects; the lower, the sooner joined
+  double cost = 0;   ///< evidence that an object ends here; low ones are joined first
   double length = 0; ///< weight of the cost in averages (> 0)
 };
 
@@ -28,13 +28,14 @@ struct BorderClusteringOptions {
 };
 
 /** \brief Join nodes to segments, always over the border of lowest mean cost
- * (agglomeration with average linkage).
- * The whole border decides, so that a few wrong edges neither join two objects nor part
- * one. Equal costs are taken in the order of nodes. Cost is about n log n for n
- * borders. \param[in] node_count number of nodes \param[in] borders undirected; costs
- * of several between the same nodes are averaged \return the segment of each node,
- * numbered from 0 in the order of their first nodes \throws pcl::BadArgumentException
- * if a border leaves the graph, a length is not positive, or a cost is not finite
+ * (agglomeration with average linkage). The whole border decides, so that a few wrong
+ * edges neither join two objects nor part one. Equal costs are taken in the order of
+ * nodes. Cost is about n log n for n borders.
+ * \param[in] node_count number of nodes
+ * \param[in] borders undirected; costs of several between the same nodes are averaged
+ * \return the segment of each node, numbered from 0 in the order of their first nodes
+ * \throws pcl::BadArgumentException if a border leaves the graph, a length is not
+ * positive, or a cost is not finite
  */
 std::vector<std::uint32_t>
 clusterByBorders(std::size_t node_count,

@@ -17,12 +17,15 @@ namespace indoor {
 using HullReach = std::array<float, 50>;
 
 /** \brief Convex hulls as polytopes whose faces have 50 fixed directions.
+ *
  * The directions are the normals of a cube's faces, edges and corners, and those
- * half-way between the first two kinds. A hull is then no more than 50 numbers: that of
- * two sets of places has the larger of each two reaches, and what two hulls have in
- * common the smaller. Hulls whose faces
- * have other directions come out too large: cubes turned about an edge by up to a
- * quarter, about any axis by up to two thirds, thin plates by more.
+ * half-way between faces and edges. So 50 numbers, the reaches, are a hull. The hull of
+ * two sets of places has the larger of each two reaches; the intersection of two hulls
+ * has the smaller ones.
+ *
+ * Bodies whose faces have other directions get too large a hull: a cube turned about an
+ * edge by up to a quarter of its volume, a cube turned about any axis by up to two
+ * thirds, a thin plate by more.
  */
 class DirectionHulls {
 public:
@@ -30,7 +33,7 @@ public:
    * are exact */
   explicit DirectionHulls(const Eigen::Matrix3f& axes);
 
-  /** \brief Measure how far places reach; of each hundred one is taken for an outlier.
+  /** \brief Measure how far places reach; the farthest one in a hundred is left out.
    * \param[in] places at least one, metres
    * \param[in] margin added to each reach, metres
    */
@@ -49,11 +52,11 @@ public:
 private:
   static constexpr std::size_t count = std::tuple_size<HullReach>::value;
 
-  /** How another face's plane cuts the plane of a face. */
+  /** How the plane of another face cuts the plane of a face. */
   struct Cut {
-    std::size_t face; ///< the other
-    double u, v;      ///< its normal in the plane's two directions
-    double along;     ///< and along the face's normal
+    std::size_t face; ///< number of the other face
+    double u, v;      ///< its normal along the two directions within this face's plane
+    double along;     ///< its normal along this face's normal
   };
 
   double

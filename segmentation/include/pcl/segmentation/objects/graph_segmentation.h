@@ -26,14 +26,16 @@ struct GraphSegmentationOptions {
   std::uint32_t min_segment_size = 3;
 };
 
-/** \brief Segment a weighted graph by the method of Felzenszwalb and Huttenlocher
- * (IJCV 2004; Sec. 2.1.6.3, Eq. (2.14) to (2.17)).
- * Equal weights are taken in the order of (source, target), so the result does not
- * depend on the order of the edges. Cost is that of sorting the edges. \param[in]
- * node_count number of nodes \param[in] edges undirected, between nodes 0 ...
- * node_count - 1, in any order \return the segment of each node; segments are numbered
- * from 0 in the order of their first node \throws pcl::BadArgumentException if an edge
- * leaves the graph, a weight is negative or not finite, or the scale is
+/** \brief Segment a weighted graph by the method of Felzenszwalb and Huttenlocher (IJCV
+ * 2004; Sec. 2.1.6.3, Eq. (2.14) to (2.17)). Equal weights are taken in the order of
+ * (source, target), so the result does not depend on the order of the edges. Cost is
+ * that of sorting the edges.
+ * \param[in] node_count number of nodes
+ * \param[in] edges undirected, between nodes 0 ... node_count - 1, in any order
+ * \return the segment of each node; segments are numbered from 0 in the order of their
+ * first node
+ * \throws pcl::BadArgumentException if an edge leaves the graph, a weight is negative
+ * or not finite, or the scale is
  */
 std::vector<std::uint32_t>
 segmentGraph(std::size_t node_count,

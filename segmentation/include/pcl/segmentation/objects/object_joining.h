@@ -22,8 +22,9 @@ using JoiningFeatures = std::array<float, 66>;
 const std::array<const char*, std::tuple_size<JoiningFeatures>::value>&
 joiningFeatureNames();
 
-/** \brief Two pieces became one; it is known by the number of the first. */
+/** \brief Two pieces became one. */
 struct PieceJoin {
+  /** numbers of the two pieces: the union keeps the first, the second is gone */
   std::uint32_t kept = 0, gone = 0;
   float level = 0; ///< least probability of this and all joins before it
 };
@@ -45,7 +46,7 @@ public:
   virtual float
   probability(const JoiningFeatures& features, std::uint32_t a, std::uint32_t b) = 0;
 
-  /** \brief Hear that two pieces become one, known by the number of the first. */
+  /** \brief Called when two pieces become one, which keeps the number of the first. */
   virtual void
   joined(std::uint32_t /*kept*/, std::uint32_t /*gone*/)
   {}
@@ -71,12 +72,12 @@ private:
   BoostedTrees trees_;
 };
 
-/** \brief Join pieces, the most probable pair first; after each join the features of
+/** \brief Join pieces, the most probable pair first. After each join the features of
  * the union are found anew. The cost is n log n for n contacts, about 0.03 ms each time
  * that a pair is judged.
  * \param[in] least_level joins that are less probable are not made
- * \return the joins in their order, that is of descending level: those above any higher
- * level are what would be joined up to there
+ * \return the joins in their order, by descending level: with a higher least_level the
+ * result would be the first of them
  */
 std::vector<PieceJoin>
 joinPieces(const PieceGraph& graph,

@@ -22,8 +22,8 @@ namespace indoor {
  * turned by i * 22.5 degrees. */
 using OutlineReach = std::array<float, 16>;
 
-/** \brief A number of vectors by their sums, so that two numbers of them can be added.
- */
+/** \brief Mean and covariance of vectors, kept as sums, so that those of two sets can
+ * be added. */
 struct VectorMoments {
   double count = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -45,7 +45,7 @@ struct VectorMoments {
 };
 
 /** \brief What is known of a connected piece of surface, or of several that were
- * joined: all of it can be added. In the frame of the room: z is up. */
+ * joined. Two of them can be added. In the frame of the room: z is up. */
 struct Piece {
   VectorMoments positions; ///< of its voxels, metres
   VectorMoments normals;   ///< of its voxels, unit vectors
@@ -57,8 +57,8 @@ struct Piece {
   operator+=(const Piece& other);
 };
 
-/** \brief How two pieces touch, or nearly touch; all of it can be added, but for the
- * gap, of which the least counts. */
+/** \brief How two pieces touch, or nearly touch. Contacts can be added: sums of all
+ * values, and the smaller of the two gaps. */
 struct PieceContact {
   std::uint32_t first = 0, second = 0; ///< the pieces
   double first_voxels = 0;             ///< voxels of the first that touch the second

@@ -26,13 +26,13 @@ struct StructurePlane {
   }
 };
 
-/** \brief What a segment is that is no thing. */
+/** \brief Whether a segment is a thing, or what else it is. */
 enum class StructureKind : std::uint8_t {
-  None = 0, ///< it is a thing
+  None = 0, ///< a thing
   Floor = 1,
   Wall = 2,
   Ceiling = 3,
-  Remainder = 4 ///< all pieces that are too small to be told, one segment
+  Remainder = 4 ///< all pieces smaller than a supervoxel, as one segment
 };
 
 /** \brief Tell floor and ceiling, up to 45 degrees from level, from walls.
@@ -40,12 +40,12 @@ enum class StructureKind : std::uint8_t {
 StructureKind
 kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
 
-/** \brief Find the planes that enclose a room: floor, ceiling and walls.
- * Flat regions are grown over touching voxels, and those in one plane put together. A
- * plane belongs to the structure if it reaches from one side of the room to the other
- * and nothing was seen behind it: neither a desk, under which there is the floor, nor a
- * cabinet's front, which is lower than the room. No direction is taken for up. The cost
- * is linear in the number of voxels.
+/** \brief Find the planes that enclose a room: floor, ceiling and walls. Flat regions
+ * are grown over touching voxels, and those in one plane put together. A plane belongs
+ * to the structure if it reaches from one side of the room to the other and nothing was
+ * seen behind it. A desk is none, as the floor lies behind it; nor is a cabinet's
+ * front, which is lower than the room. Which way is up need not be known. The cost is
+ * linear in the number of voxels.
  * \param[in] voxels with normals, most of them into the room, and curvatures
  * \param[in] voxel_size of the voxels, metres
  * \return the largest plane first; may be empty

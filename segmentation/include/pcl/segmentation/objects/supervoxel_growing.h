@@ -57,10 +57,11 @@ struct Supervoxels {
  * SurfaceDistance, in rounds in which all voxels decide at once. Unlike
  * pcl::SupervoxelClustering every voxel gets a supervoxel (voxels out of reach form
  * their own), supervoxels are connected, and the result depends neither on the order of
- * the points nor on the number of threads. \param[in] voxels with centroids, neighbours
- * and normals \param[in] left_out one flag per voxel, not 0 for voxels that take no
- * part; may be empty \param[in] grid_scale seeds are this many voxels apart, in the
- * grid's unit (>= 1)
+ * the points nor on the number of threads.
+ * \param[in] voxels with centroids, neighbours and normals
+ * \param[in] left_out one flag per voxel, not 0 for voxels that take no part; may be
+ * empty
+ * \param[in] grid_scale seeds are this many voxels apart, in the grid's unit (>= 1)
  */
 Supervoxels
 growSupervoxels(const SurfaceVoxels& voxels,

@@ -25,11 +25,11 @@ isConvexEdge(const Eigen::Vector3f& position_1,
              const Eigen::Vector3f& normal_2,
              float concavity_tolerance_degrees);
 
-/** \brief Measure the bend between two patches, positive for concave.
- * Zero where the surface is flat; noise of the normals averages out over a border.
- * Convex bends count no more than 20 degrees, concave ones no more than 60. Where
- * patches touch in one place only, so that LCCP's criterion is not defined, 0.4 of the
- * bend counts as concave.
+/** \brief Measure the bend between two patches: the angle between their normals,
+ * positive where concave, negative where convex. It is 0 where the surface is flat, so
+ * that noise of the normals averages out over a border. Convex bends count at most 20
+ * degrees, concave ones at most 60. Where LCCP cannot tell convex from concave (its
+ * sanity criterion), 0.4 of the angle counts as concave.
  * \return degrees, from -20 to 60
  */
 float

@@ -36,9 +36,9 @@ struct SurfaceVoxels {
  * Normals and curvatures are left empty.
  * \param[in] points finite points, metres, local frame
  * \param[in] grid_points where the points lie for the purpose of the grid, one per
- * point; empty for the points themselves \param[in] voxel_size edge of a voxel in the
- * unit of grid_points, positive \throws pcl::BadArgumentException as groupByCell()
- * does, or if sizes differ
+ * point; empty for the points themselves
+ * \param[in] voxel_size edge of a voxel in the unit of grid_points, positive
+ * \throws pcl::BadArgumentException as groupByCell() does, or if sizes differ
  */
 SurfaceVoxels
 surfaceVoxels(const std::vector<Eigen::Vector3f>& points,

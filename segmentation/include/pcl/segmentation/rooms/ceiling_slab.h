@@ -72,10 +72,14 @@ slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
            const PixelMap<int>& ceiling,
            const CeilingSlabOptions& options);
 
-/** \brief The columns that have an occupied voxel in the slab below their ceiling above
- * which, up to the ceiling, no two layers in a row are free in all of 3 x 3 columns.
+/** \brief The columns in which something stands in the slab and goes on up to the
+ * ceiling, as walls and lintels do.
+ * A column is blocked if it has an occupied voxel in the slab from which to the ceiling
+ * no two layers in a row are free in all 3 x 3 columns around it.
  * \param[in] ceiling as ceilingLayers() gives it; pixels without ceiling are not
- * blocked \param[in] slab as slabLayers() gives it \return 1 = blocked, 0 = free
+ * blocked
+ * \param[in] slab as slabLayers() gives it
+ * \return 1 = blocked, 0 = free
  */
 PixelMap<std::uint8_t>
 blockedColumns(const VoxelGrid<std::uint8_t>& occupancy,

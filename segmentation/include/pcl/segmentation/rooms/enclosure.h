@@ -32,11 +32,11 @@ enum EnclosureBit : std::uint8_t {
  *
  * \param[in] occupancy occupied voxels are not 0
  * \param[in] directions horizontal directions in the frame of the grid, of any length
- * but 0, at most 5; which of the two senses does not matter \param[in] threads number
- * of threads (>= 0; 0 = automatic) \return EnclosureBit flags of every free voxel; 0
- * for occupied ones \throws pcl::BadArgumentException if there are too many directions,
- * one is not finite or 0, threads is negative, or the number of values does not fit the
- * shape
+ * but 0, at most 5; which of the two senses does not matter
+ * \param[in] threads number of threads (>= 0; 0 = automatic)
+ * \return EnclosureBit flags of every free voxel; 0 for occupied ones
+ * \throws pcl::BadArgumentException if there are too many directions, one is not finite
+ * or 0, threads is negative, or the number of values does not fit the shape
  */
 VoxelGrid<std::uint8_t>
 enclosure(const VoxelGrid<std::uint8_t>& occupancy,

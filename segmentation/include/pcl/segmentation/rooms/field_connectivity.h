@@ -34,10 +34,12 @@ class FieldConnectivity {
 public:
   /** \brief Build the row of pixels.
    * \param[in] field at least 0, finite; pixels of value 0 are never connected to
-   * others \param[in] thresholds those tried, in any order; empty = every value that
-   * occurs, which is the limit of many thresholds \param[in] neighbourhood which pixels
-   * are neighbours \throws pcl::BadArgumentException if a value or threshold is
-   * negative or not finite, or if the number of values is not that of the pixels
+   * others
+   * \param[in] thresholds those tried, in any order; empty = every value that occurs,
+   * which is the limit of many thresholds
+   * \param[in] neighbourhood which pixels are neighbours
+   * \throws pcl::BadArgumentException if a value or threshold is negative or not
+   * finite, or if the number of values is not that of the pixels
    */
   explicit FieldConnectivity(
       const PixelMap<float>& field,

@@ -168,8 +168,8 @@ private:
  * Equals hdbscan(distance.size(), distance, options) in every respect, but evaluates
  * only few distances: the Euclidean part and the ultrametric of the field bound them
  * from below, so that each pixel only looks at those around it. Nearly linear time in
- * the pixels as long as the Euclidean weight is positive; memory O(pixels). \throws
- * pcl::BadArgumentException if an option is out of its range
+ * the pixels as long as the Euclidean weight is positive; memory O(pixels).
+ * \throws pcl::BadArgumentException if an option is out of its range
  */
 HDBSCANResult
 clusterMap(const MapDistance& distance, const HDBSCANOptions& options);

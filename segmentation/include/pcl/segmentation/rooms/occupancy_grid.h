@@ -23,9 +23,9 @@ struct OccupancyGridOptions {
   int margin = 1;            ///< free voxels around the points on every side (>= 0)
   double block_size = 1.0;   ///< edge of the coarse blocks that find the extent, metres
                              ///< (> 0); parts closer than this stay together
-  double max_growth = 500.0; ///< a part of the cloud may enlarge the box by so many
-                             ///< blocks per block of its own (>= 0); larger keeps
-                             ///< smaller things farther away, at the price of memory
+  double max_growth = 500.0; ///< a separate part of the cloud is kept if it enlarges
+                             ///< the box by at most this many blocks per block of its
+                             ///< own (>= 0); larger keeps more and takes more memory
   double min_density = 0.02; ///< blocks with fewer points than this share of the median
                              ///< block's do not count for the extent (0 ... 1)
   int threads = 0;           ///< number of threads (>= 0; 0 = automatic)

@@ -18,15 +18,16 @@ struct OpenPlanOptions {
   /** Smallest floor area of each, m^2. Building codes ask 6.5 of a habitable room
    * (International Residential Code, R304.1); infinity joins all open spaces. */
   double habitable_area = 6.5;
-  double max_elongation = 2.5;  ///< area over the square of the width: longer ones are
-                                ///< corridors, whose arms are one room
-  double persistence = 0.85;    ///< width of the passage between them over the width of
-                                ///< the narrower one, at most, 0 ... 1
-  double min_wall_share = 0.4;  ///< of a straight line through a room, the share that
-                                ///< walls fill which part it, 0 ... 1; larger gives
-                                ///< fewer rooms
-  double max_shared_view = 0.7; ///< of the straight lines between the two, the share
-                                ///< that nothing blocks, 0 ... 1
+  double max_elongation = 2.5;  ///< a space with a larger area over the square of its
+                                ///< width is a corridor; its arms stay one room
+  double persistence = 0.85;    ///< two spaces may be two rooms if the passage between
+                                ///< them is at most this share of the width of the
+                                ///< narrower one, 0 ... 1
+  double min_wall_share = 0.4;  ///< a wall within a room parts it if it fills at least
+                                ///< this share of the straight line that it lies on,
+                                ///< 0 ... 1; larger gives fewer rooms
+  double max_shared_view = 0.7; ///< two spaces are two rooms if at most this share of
+                                ///< the straight lines between them is free, 0 ... 1
 };
 
 /** \brief Give what stands free in a room, such as a pillar or a lamp, to the room:

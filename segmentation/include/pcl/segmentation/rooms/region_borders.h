@@ -25,8 +25,9 @@ struct RegionBorder {
   double open_area = 0.0;   ///< the part of it through which one region sees the other
   double opening_area =
       0.0; ///< area from floor to ceiling where a person can pass, m^2
-  Eigen::Vector2d opening_run = Eigen::Vector2d::Zero(); ///< length of the same along y
-                                                         ///< and along x, metres
+  /** length of the border where a person can pass: of its pieces along y, and of those
+   * along x, metres */
+  Eigen::Vector2d opening_run = Eigen::Vector2d::Zero();
 };
 
 /** \brief Find the borders between regions and how far they are open.
@@ -79,8 +80,9 @@ struct MergeOptions {
                             ///< of the smaller region's section, 0 ... 1; larger gives
                             ///< more rooms
   double door_width = 0.0;  ///< narrower openings are doors, also without a lintel,
-                            ///< metres (>= 0); spaces beyond them are joined
-  double door_share = 0.75; ///< above this share only, 0 ... 1
+                            ///< metres (>= 0)
+  double door_share = 0.75; ///< spaces with a door between them are joined above this
+                            ///< open share only, 0 ... 1
   double open_height = 0.9; ///< the opening reaches over at least this share of the
                             ///< height: beams may be above it, lintels not, 0 ... 1;
                             ///< larger gives more rooms

@@ -20,9 +20,10 @@ struct ScanSigns {
    * so far apart, in the unit of the points; along the upright axis that is the height
    * of the rooms. 0 = not known. */
   Eigen::Vector3d free_length = Eigen::Vector3d::Zero();
-  /** Per axis: the share of all surface in the plane of an average piece of surface
-   * across this axis, over the free length. Floors and ceilings lie in few planes with
-   * little space between them. 0 = not known. */
+  /** Per axis: how much of all surface lies, on average, in the same plane across this
+   * axis as a piece of surface, over the free length. Floors and ceilings lie in few
+   * planes with little space between them, so the upright axis has the largest value. 0
+   * = not known. */
   Eigen::Vector3d uprightness = Eigen::Vector3d::Zero();
 
   /** \brief 0, 1 or 2: the axis that is clearly more upright than the last one; the

@@ -23,8 +23,8 @@ struct StoreyOptions {
                          ///< hangs under it, metres (>= 0)
   double min_slab_area = 10.0; ///< least area of a slab, m^2 (> 0); larger ignores
                                ///< galleries
-  double bridge = 1.5; ///< openings in a slab up to twice as wide are cut at its
-                       ///< height (stairs), metres (>= 0)
+  double bridge = 1.5; ///< openings in a slab that are at most twice this wide, as of
+                       ///< stairs, are cut at the slab's height, metres (>= 0)
   double min_opening_area = 12.0; ///< a larger opening is a hall, m^2 (>= 0); it
                                   ///< belongs to the storey of its floor
   int threads = 0;                ///< 0 = automatic; the result does not depend on it
@@ -56,11 +56,12 @@ struct Storeys {
  *
  * The thesis describes peaks of the histogram of all heights (Sec. 2.2.1). That fails
  * for halls over two storeys, a storey under a part of the house, levels that differ
- * between wings, and sloped roofs; therefore slabs are looked for in place: groups of
- * occupied voxels in a column with free space above and below, each of which ends at
- * something occupied. Such groups in neighbouring columns make up a sheet; sheets that
- * are large enough are slabs, and slabs of similar height are the border between two
- * storeys. A scan without slabs has one storey. Linear in the number of voxels.
+ * between wings, and sloped roofs. Therefore slabs are looked for in place: groups of
+ * occupied voxels in a column with free space above and below, which ends at something
+ * occupied. A group is part of a slab if most columns around it have their top or their
+ * underside at the same height; stairs and furniture have not. The heights that most of
+ * these groups share are the borders between storeys. A scan without slabs has one
+ * storey. Linear in the number of voxels.
  *
  * \param[in] occupancy occupied voxels are not 0
  * \throws pcl::BadArgumentException if an option is out of range or the number of

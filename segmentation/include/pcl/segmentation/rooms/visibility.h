@@ -61,13 +61,14 @@ visibilityVectors(const VoxelGrid<std::uint8_t>& occupancy,
 
 /** \brief D^vis of Eq. (3.5): the positions that differ over the sum of both vectors.
  * The thesis prints a Hamming distance that counts equal positions; those that differ
- * are meant. \return 0 (the same view) to 1 (nothing in common); 0 if neither sees
- * anything
+ * are meant.
+ * \return 0 (the same view) to 1 (nothing in common); 0 if neither sees anything
  */
 double
 visibilityDistance(const VisibilityVectors& vectors, std::size_t i, std::size_t j);
 
-/** \brief What a group of voxels has in common, to bound distances to all of them. */
+/** \brief What all or some voxels of a group see: it gives a lower bound of the
+ * distance to any of them. */
 struct VisibilityGroup {
   std::vector<std::uint64_t> all; ///< landmarks that every one of them sees
   std::vector<std::uint64_t> any; ///< landmarks that at least one of them sees
