@@ -179,6 +179,8 @@ readVertices(PlyBody& body,
 {
   if (vertex.count == 0)
     throw ToolError(path + ": the cloud is empty (0 points)");
+  if (vertex.properties.empty())
+    throw ToolError(path + ": the points have no properties");
   const auto targets = layOut(vertex, cloud);
   std::uint64_t least_bytes =
       0; // of a point in the file: a letter and a gap, or its binary size

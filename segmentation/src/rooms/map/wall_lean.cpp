@@ -256,7 +256,9 @@ wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
                         "The lean of walls, "
                             << options.max_lean << " rad, or the window, "
                             << options.window << " m, is out of range.");
-  const double radius = std::max(2.0, 0.5 * options.window / occupancy.voxel_size);
+  const double whole_map = 2.0 * (blocked.nx + blocked.ny); // nothing lies farther
+  const double radius =
+      std::min(whole_map, std::max(2.0, 0.5 * options.window / occupancy.voxel_size));
   const double slope = std::tan(options.max_lean);
   const auto places = spreadOver(blocked, static_cast<int>(radius));
   std::vector<WallStretch> found(places.size());
