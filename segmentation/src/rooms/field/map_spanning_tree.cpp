@@ -65,9 +65,9 @@ public:
     while (tree_.size() + 1 < count) {
       prepareRound();
       const auto points = static_cast<std::ptrdiff_t>(count);
-#pragma omp parallel for num_threads(threads_) schedule(dynamic, 256)
-      for (std::ptrdiff_t i = 0; i < points; ++i)
+      parallelFor(points, threads_, 256, [this](std::ptrdiff_t i) {
         searchOutwards(static_cast<std::size_t>(i));
+      });
       const std::size_t before = tree_.size();
       takeShortestEdges();
       if (tree_.size() == before)
