@@ -2,11 +2,11 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-// fuzz_readers CORPUS AMOUNT [SEED]: gives every reader the files of the corpus and
-// changed ones; the amount is of seconds for all, or of files for each ("2000x").
-// A reader may refuse a file by an exception of ours; anything else is a defect, and
-// the file stays in the working folder as fuzz_input.*
-// fuzz_readers CORPUS FILE: gives one file to the reader of its ending
+// fuzz_readers CORPUS AMOUNT [SEED [READER]]: gives every reader the files of the
+// corpus and changed ones; the amount is of seconds for all, or of files for each
+// ("2000x"). A reader may refuse a file by an exception of ours; anything else is a
+// defect, and the file stays in the working folder as fuzz_input.* fuzz_readers CORPUS
+// FILE: gives one file to the reader of its ending
 #include "amount.h"
 #include "command_line/options.h"
 #include "files/cloud_file.h"
@@ -216,7 +216,7 @@ int
 main(int argc, char** argv)
 {
   if (argc < 3) {
-    std::printf("Syntax is: fuzz_readers CORPUS AMOUNT|FILE [SEED]\n");
+    std::printf("Syntax is: fuzz_readers CORPUS AMOUNT|FILE [SEED [READER]]\n");
     return 1;
   }
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
@@ -238,6 +238,8 @@ main(int argc, char** argv)
               "taken");
   Tally all;
   for (const auto& reader : readers) {
+    if (argc > 4 && reader.kind != argv[4])
+      continue;
     const auto tally = fuzzOne(reader, argv[1], amount, random);
     tally.print(reader.kind);
     all.files += tally.files;
