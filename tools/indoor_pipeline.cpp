@@ -4,6 +4,7 @@
  */
 #include "command_line/options.h"
 #include "files/cloud_file.h"
+#include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "objects/category_names.h" // for other_class
@@ -105,6 +106,12 @@ makeParser(Options& options)
   options.coordinates.addOption(parser);
   options.memory.addOption(parser);
   options.frame.addOptions(parser);
+  parser.expert({"-voxel_resolution",
+                 "-seed_resolution",
+                 "-partition",
+                 "-ignore_normals",
+                 "-double",
+                 "-memory_limit"});
   return parser;
 }
 

@@ -5,6 +5,7 @@
 
 #include "command_line/options.h"
 #include "files/cloud_file.h"
+#include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 
@@ -170,6 +171,7 @@ addOthers(OptionParser& parser, Settings& settings)
   settings.colors.addOption(parser, {"object"});
   settings.coordinates.addOption(parser);
   settings.memory.addOption(parser);
+  parser.expert({"-double", "-memory_limit"});
 }
 
 ObjectSegmentationOptions

@@ -5,6 +5,7 @@
 
 #include "command_line/options.h"
 #include "files/cloud_file.h"
+#include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "pictures/room_picture.h"
@@ -117,7 +118,9 @@ makeParser(Options& options)
   options.coordinates.addOption(parser);
   options.memory.addOption(parser);
   addFieldOptions(parser, options.rooms);
-  parser.expert({"-min_width",
+  parser.expert({"-double",
+                 "-memory_limit",
+                 "-min_width",
                  "-persistence",
                  "-open_share",
                  "-habitable_area",

@@ -2,9 +2,10 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/filters/parallel_for.h>
 
 #include <gtest/gtest.h>
+
+#include <pcl/indoor/parallel_for.h>
 
 #include <new>
 #include <numeric>

@@ -4,8 +4,8 @@
  */
 #include "files/memory_limit.h"
 
-#include "files/cloud_check.h"
 #include "command_line/options.h"
+#include "files/cloud_check.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,6 @@
 
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/filters/parallel_for.h>
+#include <pcl/indoor/parallel_for.h>
 
 #include <cstddef>
 namespace pcl {

@@ -5,9 +5,8 @@
 #pragma once
 
 #include "objects/split/segment_members.h"
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
-
-#include <pcl/filters/parallel_for.h>
 
 #include <cstdint>
 #include <iterator>

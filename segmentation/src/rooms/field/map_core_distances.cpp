@@ -5,6 +5,7 @@
 
 #include "rooms/field/map_blocks.h"
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/segmentation/rooms/map_clustering.h>
 

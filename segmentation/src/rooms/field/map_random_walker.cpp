@@ -4,10 +4,10 @@
  */
 
 #include "rooms/field/map_random_walker.h"
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
-#include <pcl/filters/parallel_for.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

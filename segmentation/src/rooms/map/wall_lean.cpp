@@ -5,10 +5,10 @@
 
 #include "rooms/map/wall_lean.h"
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
-#include <pcl/filters/parallel_for.h>
 
 #include <Eigen/Eigenvalues>
 

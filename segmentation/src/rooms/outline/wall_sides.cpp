@@ -5,9 +5,8 @@
 
 #include <pcl/segmentation/rooms/wall_sides.h>
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
-
-#include <pcl/filters/parallel_for.h>
 
 #include <Eigen/Eigenvalues>
 

@@ -5,7 +5,7 @@
 
 #include "rooms/space/block_extent.h"
 
-#include <pcl/filters/parallel_for.h>
+#include <pcl/indoor/parallel_for.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -7,6 +7,7 @@
 
 #include "rooms/space/grid_cut.h"
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/segmentation/hdbscan.h>
 
