@@ -9,6 +9,7 @@
 // FILE: gives one file to the reader of its ending
 #include "amount.h"
 #include "command_line/options.h"
+#include "files/cloud_check.h"
 #include "files/cloud_file.h"
 #include "files/mesh_file.h"
 #include "files/ply_file.h"
@@ -72,6 +73,7 @@ readPlanFile(const std::string& path)
 void
 readCloud(const std::string& path)
 {
+  static_cast<void>(tool::promisedPoints(path));
   auto file = tool::loadCloud(path);
   if (file.has_normals)
     tool::readNormals(file);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the pcl_indoor contributors
 #
-# failed_allocations.sh <folder of the tools> <plan> <library fail_allocation> <first n> <random n>
+# failed_allocations.sh <folder of the tools> <plan> <library fail_allocation> <first n> <random n> [pipeline|rooms|objects]
 # Lets tools run out of memory at their first n allocations, one in each run, and at random later ones. A tool then
 # either says so in one line with exit status 1 and leaves nothing, or does without the memory and writes what it
 # writes otherwise.
@@ -35,7 +35,7 @@ try() { # <tool> <n>
 }
 
 "$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.12 || exit 1
-for tool in pipeline rooms objects; do
+for tool in ${6:-pipeline rooms objects}; do
   rm -rf out
   mkdir out
   (LD_PRELOAD=$library FAIL_AT=0 $tool > /dev/null 2> said) || fail "$tool fails"

@@ -161,6 +161,7 @@ std::uint64_t
 checkPcd(const std::string& content, const std::string& path)
 {
   MemoryStream stream(content.data(), content.size());
+  stream.exceptions(std::ios::badbit); // memory that lacks is no end of the file
   const auto header = readFileHeader(stream, "DATA", path);
   const auto pcd = parsePcdHeader(header, path);
   requireUsable(pcd, path);

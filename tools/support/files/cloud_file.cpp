@@ -125,7 +125,8 @@ readPcd(const CheckedCloud& checked, CloudFile& file)
 {
   PCDReader reader;
   MemoryStream stream(checked.content.data(), checked.content.size());
-  int version = 0, encoding = 0; // 0: ASCII, 2: compressed
+  stream.exceptions(std::ios::badbit); // PCL would wait for the end for ever
+  int version = 0, encoding = 0;       // 0: ASCII, 2: compressed
   unsigned int body_begin = 0;
   if (reader.readHeader(stream,
                         file.cloud,
