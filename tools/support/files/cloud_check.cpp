@@ -157,8 +157,8 @@ requireUsable(const PcdHeader& pcd, const std::string& path)
     throw ToolError(path + ": the cloud is empty (0 points)");
 }
 
-std::uint64_t
-checkPcd(const std::string& content, const std::string& path)
+void
+checkPcd(const std::string& content, const std::string& path, CheckedCloud& checked)
 {
   MemoryStream stream(content.data(), content.size());
   stream.exceptions(std::ios::badbit); // memory that lacks is no end of the file
@@ -188,7 +188,8 @@ checkPcd(const std::string& content, const std::string& path)
   else {
     throw ToolError(path + ": unknown kind of DATA '" + pcd.data + "' in the header");
   }
-  return bytes;
+  checked.bytes = bytes;
+  checked.header = header;
 }
 
 } // namespace
@@ -214,13 +215,13 @@ checkCloudFile(const std::string& path)
       wordsOf(beginning.substr(0, std::min<std::size_t>(64, beginning.find('\n'))));
   const std::string first = words.empty() ? "" : words[0];
   if (first == "ply")
-    return {CloudFormat::PLY, 0, ""};
+    return {CloudFormat::PLY, 0, {}, ""};
   if (first[0] == '#' || first == "VERSION" || first == "FIELDS" ||
       first == "COLUMNS") {
-    CheckedCloud checked{CloudFormat::PCD, 0, std::string(file_size, '\0')};
+    CheckedCloud checked{CloudFormat::PCD, 0, {}, std::string(file_size, '\0')};
     stream.read(checked.content.data(), static_cast<std::streamsize>(file_size));
     checked.content.resize(static_cast<std::size_t>(stream.gcount()));
-    checked.bytes = checkPcd(checked.content, path);
+    checkPcd(checked.content, path, checked);
     return checked;
   }
   const auto other = describeForeignFormat(path, beginning);

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "files/file_header.h"
+
 #include <boost/iostreams/device/array.hpp>
 #include <boost/iostreams/stream.hpp>
 
@@ -20,6 +22,7 @@ using MemoryStream = boost::iostreams::stream<boost::iostreams::array_source>;
 struct CheckedCloud {
   CloudFormat format = CloudFormat::PCD;
   std::uint64_t bytes = 0; ///< of all points of a PCD in memory
+  FileHeader header;       ///< of a PCD
   /** All of a PCD file: whatever happens to the file afterwards does not matter, as it
    * would to the pages that PCL's reader maps. */
   std::string content;

@@ -14,6 +14,7 @@
 #include <pcl/io/pcd_io.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -118,6 +119,27 @@ readReals(const PCLPointCloud2& cloud, const std::string& name)
   return values;
 }
 
+/** The sensor's pose, which PCL reads by a stream that hides a lack of memory; what is
+ * no number stays as PCL has read it. */
+void
+readPose(const FileHeader& header, CloudFrame& frame)
+{
+  for (const auto& words : header.lines) {
+    if (words[0] != "VIEWPOINT" || words.size() < 8)
+      continue;
+    float pose[7];
+    for (std::size_t k = 0; k < 7; ++k) {
+      const auto& word = words[k + 1];
+      const char* const end = word.data() + word.size();
+      const auto read = std::from_chars(word.data(), end, pose[k]);
+      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(pose[k]))
+        return;
+    }
+    frame.origin = Eigen::Vector4f(pose[0], pose[1], pose[2], 0);
+    frame.orientation = Eigen::Quaternionf(pose[3], pose[4], pose[5], pose[6]);
+  }
+}
+
 /** PCL's reader walks over the body by what it made of the header: nothing may be amiss
  * there. */
 bool
@@ -135,7 +157,8 @@ readPcd(const CheckedCloud& checked, CloudFile& file)
                         version,
                         encoding,
                         body_begin) != 0 ||
-      file.cloud.data.size() != checked.bytes)
+      file.cloud.data.size() != checked.bytes ||
+      body_begin != checked.header.body_begin)
     return false;
   if (encoding != 0)
     return reader.readBodyBinary(
@@ -171,8 +194,8 @@ readFile(CloudFile& file)
   if (!is_read)
     throw ToolError(file.path + ": the file is damaged, its points cannot be read");
   if (checked.format == CloudFormat::PCD) {
-    MemoryStream stream(checked.content.data(), checked.content.size());
-    file.frame.offset = readFileHeader(stream, "DATA", file.path).offset;
+    file.frame.offset = checked.header.offset;
+    readPose(checked.header, file.frame);
   }
 }
 

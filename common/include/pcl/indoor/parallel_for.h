@@ -4,15 +4,13 @@
  */
 #pragma once
 
+#include <pcl/indoor/threads.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
 #include <mutex>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace pcl {
 namespace indoor {
@@ -43,11 +41,7 @@ parallelFor(std::ptrdiff_t count,
   std::atomic<std::ptrdiff_t> next(0);
   std::exception_ptr problem;
   std::mutex mutex; // of the problem, and of what finish() writes
-#ifdef _OPENMP
-  const int team = threads > 0 ? threads : omp_get_max_threads();
-#else
-  static_cast<void>(threads);
-#endif
+  [[maybe_unused]] const int team = threadCount(std::max(threads, 0));
 #pragma omp parallel num_threads(team) if (team > 1)
   {
     try {

@@ -4,12 +4,12 @@
  */
 #pragma once
 
-#include <pcl/indoor/parallel_for.h>
-#include <pcl/indoor/threads.h>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/threads.h>
 #include <utility>
 #include <vector>
 
