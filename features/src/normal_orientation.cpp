@@ -202,7 +202,7 @@ collectVotes(const std::vector<Eigen::Vector3f>& positions,
       sampled, std::max(least_block_size, extent / most_blocks));
   pcl::indoor::parallelFor(
       static_cast<std::ptrdiff_t>(blocks.size()),
-      threadCount(options.threads),
+      pcl::indoor::threadCount(options.threads),
       1,
       [&] { return NearestViewpoints(viewpoints, options.viewpoints); },
       [&](NearestViewpoints& nearest, std::ptrdiff_t b) {
