@@ -87,5 +87,6 @@ main(int argc, char** argv)
       .number("-threads",
               settings.classification.threads,
               "threads; 0: all of the machine");
+  parser.expert({"-descriptor", "-normal_neighbors"});
   return parser.run(argc, argv, [&](Progress& progress) { run(settings, progress); });
 }

@@ -4,6 +4,7 @@
  */
 #include "command_line/options.h"
 #include "files/cloud_file.h"
+#include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "objects/category_names.h" // for other_class
@@ -21,10 +22,14 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <utility>
+#include <vector>
 
 using namespace pcl::indoor::tool;
 
 namespace {
+
+constexpr double bytes_per_point = 400; // that are in use at once, measured
 
 struct Options {
   std::string input, folder;
@@ -37,6 +42,7 @@ struct Options {
          seed_resolution = 0.0; ///< of the objects, 0 = automatic
   PointColors colors;
   PointCoordinates coordinates;
+  MemoryLimit memory;
   int threads = 0;
   bool ignore_normals = false;
 };
@@ -98,7 +104,14 @@ makeParser(Options& options)
               Range::between(0, 1024));
   options.colors.addOption(parser, {"class", "object", "room"});
   options.coordinates.addOption(parser);
+  options.memory.addOption(parser);
   options.frame.addOptions(parser);
+  parser.expert({"-voxel_resolution",
+                 "-seed_resolution",
+                 "-partition",
+                 "-ignore_normals",
+                 "-double",
+                 "-memory_limit"});
   return parser;
 }
 
@@ -242,49 +255,55 @@ complete(const Options& options, const Scene& scene, CloudFile& file)
   options.coordinates.apply(file, options.folder + "/cloud.pcd");
 }
 
+using NamedBytes = std::vector<std::pair<std::string, std::string>>;
+
+/** The files beside the cloud; scene.json is the last. */
+NamedBytes
+describe(const Options& options,
+         const std::string& parameters,
+         const Scene& scene,
+         const pcl::PointCloud<pcl::PointXYZ>& points,
+         const CloudFile& file)
+{
+  NamedBytes files;
+  files.emplace_back("rooms.png", pngBytes(drawRooms(scene.building)));
+  files.emplace_back("potential_field.png",
+                     pngBytes(drawPotentialField(scene.building)));
+  if (!scene.classes.names.empty())
+    files.emplace_back("classes.png", pngBytes(drawClasses(scene, points)));
+  files.emplace_back("scene.json", sceneText(scene, file, options.frame, parameters));
+  return files;
+}
+
 /** Put all results into the folder, scene.json the last: where it lies, the others
  * belong to it. */
 void
-saveResults(const Options& options,
-            const std::string& parameters,
-            const Scene& scene,
-            const pcl::PointCloud<pcl::PointXYZ>& points,
-            const CloudFile& file)
+saveResults(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
 {
-  const auto in_folder = [&](const std::string& name) {
-    return options.folder + "/" + name;
-  };
+  const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
   std::vector<OutputFile> files;
-  const auto add = [&](const std::string& name, const std::string& bytes) {
-    files.push_back(writtenBeside(in_folder(name), bytes));
-  };
   files.push_back(cloudBeside(in_folder("cloud.pcd"), file.cloud, file.frame));
-  add("rooms.png", pngBytes(drawRooms(scene.building)));
-  add("potential_field.png", pngBytes(drawPotentialField(scene.building)));
-  if (!scene.classes.names.empty())
-    add("classes.png", pngBytes(drawClasses(scene, points)));
-  add("scene.json", sceneText(scene, file, options.frame, parameters));
+  for (const auto& [name, bytes] : texts)
+    files.push_back(writtenBeside(in_folder(name), bytes));
   commitTogether(files, {in_folder("scene.json"), in_folder("classes.png")});
 }
 
 /** Make the folder and fill it, or leave nothing. Returns the names of the results. */
 std::string
-save(const Options& options,
-     const std::string& parameters,
-     const Scene& scene,
-     const pcl::PointCloud<pcl::PointXYZ>& points,
-     const CloudFile& file)
+save(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
 {
-  const bool is_made = makeFolder(options.folder);
+  const bool is_made = makeFolder(folder);
   try {
-    saveResults(options, parameters, scene, points, file);
+    saveResults(folder, texts, file);
   } catch (...) {
     if (is_made)
-      std::filesystem::remove(options.folder); // is empty
+      std::filesystem::remove(folder); // is empty
     throw;
   }
-  return "cloud.pcd, scene.json, rooms.png, potential_field.png" +
-         std::string(scene.classes.names.empty() ? "" : ", classes.png");
+  std::string names = "cloud.pcd";
+  for (const auto& text : texts)
+    names += ", " + text.first;
+  return names;
 }
 
 /** Find out, before the long work, what cannot be written. */
@@ -308,6 +327,7 @@ main(int argc, char** argv)
   auto parser = makeParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {
     requireUsable(options);
+    options.memory.require(options.input, bytes_per_point);
     progress.start("Loading " + options.input);
     CloudFile file = loadCloud(options.input);
     progress.done(std::to_string(file.points->size()) + " points");
@@ -323,7 +343,8 @@ main(int argc, char** argv)
     }
     complete(options, scene, file);
     progress.start("Saving to " + options.folder);
-    progress.done(save(options, parser.values(), scene, *found.points, file));
+    const auto texts = describe(options, parser.values(), scene, *found.points, file);
+    progress.done(save(options.folder, texts, file));
     progress.summary(options.folder + ": " + std::to_string(scene.rooms.size()) +
                      " rooms, " + std::to_string(scene.objects.size()) + " objects");
   });

@@ -61,6 +61,7 @@ makeParser(Settings& settings)
             "order")
       .number("-share", settings.share, "of the pairs saved", "", Range::between(0, 1))
       .number("-seed", settings.seed, "of the order and of what is saved");
+  parser.expert({"-part_categories", "-part_field", "-share", "-seed"});
   return parser;
 }
 

@@ -281,6 +281,7 @@ main(int argc, char** argv)
           "PNG file of the truth and the clouds of four methods side by side, one row "
           "per input")
       .number("-threads", settings.threads, "threads of all methods, 0 = automatic");
+  parser.expert({"-preset", "-coarse_field"});
   return parser.run(argc, argv, [&](Progress& progress) {
     if (!settings.json_path.empty())
       requireWritable(settings.json_path);

@@ -5,6 +5,7 @@
 
 #include "command_line/options.h"
 #include "files/cloud_file.h"
+#include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 
@@ -20,6 +21,8 @@ using pcl::indoor::Partition;
 
 namespace {
 
+constexpr double bytes_per_point = 350; // that are in use at once, measured
+
 /** What the command line sets; 0 in lengths, angles and sizes stands for the preset's
  * value. */
 struct Settings {
@@ -33,6 +36,7 @@ struct Settings {
   ObjectSegmentationOptions others;
   PointColors colors;
   PointCoordinates coordinates;
+  MemoryLimit memory;
 };
 
 /** For example "edge of a voxel; 0 = 0.03 for rooms, 0.005 for a single view". */
@@ -166,6 +170,8 @@ addOthers(OptionParser& parser, Settings& settings)
                "-orientation"});
   settings.colors.addOption(parser, {"object"});
   settings.coordinates.addOption(parser);
+  settings.memory.addOption(parser);
+  parser.expert({"-double", "-memory_limit"});
 }
 
 ObjectSegmentationOptions
@@ -254,6 +260,7 @@ main(int argc, char** argv)
     requireWritableCloud(settings.output);
     if (settings.level < 0 && settings.level != -1)
       throw ToolError("-level: must be -1 or from 0 to 1");
+    settings.memory.require(settings.input, bytes_per_point);
     progress.start("Loading " + settings.input);
     CloudFile file = loadCloud(settings.input);
     progress.done(std::to_string(file.points->size()) + " points");

@@ -5,6 +5,7 @@
 
 #include "command_line/options.h"
 #include "files/cloud_file.h"
+#include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "pictures/room_picture.h"
@@ -19,6 +20,8 @@ using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
 
 namespace {
 
+constexpr double bytes_per_point = 200; // that are in use at once, measured
+
 struct Options {
   std::string input, output, map, json;
   std::string method = "slab";
@@ -26,6 +29,7 @@ struct Options {
   pcl::indoor::BuildingRoomsOptions rooms;
   PointColors colors;
   PointCoordinates coordinates;
+  MemoryLimit memory;
 };
 
 /** Options of the thesis's method, Sec. 3.2.3. */
@@ -112,8 +116,11 @@ makeParser(Options& options)
   options.frame.addOptions(parser);
   options.colors.addOption(parser, {"room"});
   options.coordinates.addOption(parser);
+  options.memory.addOption(parser);
   addFieldOptions(parser, options.rooms);
-  parser.expert({"-min_width",
+  parser.expert({"-double",
+                 "-memory_limit",
+                 "-min_width",
                  "-persistence",
                  "-open_share",
                  "-habitable_area",
@@ -199,6 +206,7 @@ main(int argc, char** argv)
   auto parser = makeParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {
     requireWritableResults(options);
+    options.memory.require(options.input, bytes_per_point);
     progress.start("Loading " + options.input);
     CloudFile file = loadCloud(options.input);
     progress.done(std::to_string(file.points->size()) + " points");

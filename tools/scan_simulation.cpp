@@ -117,6 +117,17 @@ makeParser(Options& options)
               Range::between(-1.0, 360.0))
       .text("-json", options.json_file, "file for the names of rooms and objects");
   addSensorOptions(parser, options.sensor);
+  parser.expert({"-lean",
+                 "-lean_towards",
+                 "-rays_per_pose",
+                 "-min_range",
+                 "-max_range",
+                 "-noise",
+                 "-drift",
+                 "-dropout",
+                 "-glass",
+                 "-glass_echo",
+                 "-seed"});
   return parser;
 }
 

@@ -70,6 +70,7 @@ makeParser(Options& options)
       .number("-seed", options.seed, "of the draw")
       .number(
           "-threads", options.threads, "0 = automatic", "", Range::between(0, 1024));
+  parser.expert({"-min_share", "-min_points", "-max_other", "-seed"});
   return parser;
 }
 

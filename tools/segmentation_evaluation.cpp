@@ -113,6 +113,7 @@ main(int argc, char** argv)
             ignored,
             "labels of the truth to leave out as if they were 0, with commas")
       .text("-json", json_path, "file to write the result to");
+  parser.expert({"-coarse_field", "-coarse", "-ignore"});
   return parser.run(argc, argv, [&](Progress& progress) {
     if (!json_path.empty())
       requireWritable(json_path);

@@ -5,6 +5,7 @@
 #include <pcl/indoor/neighbor_distance.h>
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
@@ -80,29 +81,34 @@ visitNearest(const std::vector<Eigen::Vector3f>& points,
   pcl::search::KdTree<pcl::PointXYZ> tree(true);
   tree.setInputCloud(cloud);
   const auto count = static_cast<std::ptrdiff_t>(points.size());
-#pragma omp parallel num_threads(pcl::indoor::threadCount(threads))
-  {
+  struct State {
     pcl::Indices found;
     std::vector<float> squared;
-#pragma omp for schedule(dynamic, 1024)
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-      const auto first = thin.first_of_left[i];
-      if (first == none) {
-        tree.nearestKSearch(pcl::PointXYZ(points[i].x(), points[i].y(), points[i].z()),
-                            wanted,
-                            found,
-                            squared);
-        for (auto& index : found)
-          index = static_cast<pcl::index_t>(thin.kept[index]);
-      }
-      else {
-        const auto begin = thin.places.begin() + first;
-        found.assign(begin, begin + wanted);
-        squared.assign(found.size(), 0.0f);
-      }
-      visit(static_cast<std::uint32_t>(i), found, squared);
-    }
-  }
+  };
+  pcl::indoor::parallelFor(
+      count,
+      static_cast<int>(threads),
+      1024,
+      [] { return State(); },
+      [&](State& state, std::ptrdiff_t i) {
+        auto& [found, squared] = state;
+        const auto first = thin.first_of_left[i];
+        if (first == none) {
+          tree.nearestKSearch(
+              pcl::PointXYZ(points[i].x(), points[i].y(), points[i].z()),
+              wanted,
+              found,
+              squared);
+          for (auto& index : found)
+            index = static_cast<pcl::index_t>(thin.kept[index]);
+        }
+        else {
+          const auto begin = thin.places.begin() + first;
+          found.assign(begin, begin + wanted);
+          squared.assign(found.size(), 0.0f);
+        }
+        visit(static_cast<std::uint32_t>(i), found, squared);
+      });
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <pcl/features/pair_counting.h>
 #include <pcl/features/pair_sampling.h>
+#include <pcl/indoor/parallel_for.h>
 
 #include <cassert>
 
@@ -48,24 +49,24 @@ denoised(const std::vector<OrientedPoint>& points,
   object.points.resize(some.size());
   object.weights.resize(some.size());
   const auto block_count = static_cast<int>(some.blocks.size());
-#pragma omp parallel num_threads(threadCount(number_of_threads))
-  {
-    Nearby nearby;
-#pragma omp for schedule(dynamic, 4)
-    for (int block = 0; block < block_count; ++block) {
-      nearby.gather(some, some.blocks[block], width);
-      const std::size_t first = some.blocks[block].first;
-      const std::size_t last = some.blocks[block].last;
-      for (std::size_t k = first; k < last; ++k) {
-        const auto plane = planeAround(nearby, some.at(k), width);
-        object.points[k] = points[some.indices[k]];
-        object.points[k].position +=
-            noise.evidence * plane.normal.dot(plane.offset) * plane.normal;
-        const float flatness = std::max(1.0f - plane.thickness(), 0.02f);
-        object.weights[k] = 1.0f + noise.evidence * (flatness - 1.0f);
-      }
-    }
-  }
+  parallelFor(
+      block_count,
+      threadCount(number_of_threads),
+      4,
+      [] { return Nearby(); },
+      [&](Nearby& nearby, std::ptrdiff_t block) {
+        nearby.gather(some, some.blocks[block], width);
+        const std::size_t first = some.blocks[block].first;
+        const std::size_t last = some.blocks[block].last;
+        for (std::size_t k = first; k < last; ++k) {
+          const auto plane = planeAround(nearby, some.at(k), width);
+          object.points[k] = points[some.indices[k]];
+          object.points[k].position +=
+              noise.evidence * plane.normal.dot(plane.offset) * plane.normal;
+          const float flatness = std::max(1.0f - plane.thickness(), 0.02f);
+          object.weights[k] = 1.0f + noise.evidence * (flatness - 1.0f);
+        }
+      });
   // Noise finer than the points are dense moves the farthest ones but little.
   const float coarseness =
       ramp(noise.deviation / usualSpacing(some.size(), extent), 0.5f, 1.0f);

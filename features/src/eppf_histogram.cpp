@@ -9,6 +9,7 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/features/eppf_denoising.h>
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <algorithm>
@@ -156,18 +157,15 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
   if (!problem.empty())
     PCL_THROW_EXCEPTION(BadArgumentException, problem);
   const bool is_stratified = options.sampling == PairSampling::Stratified;
-  [[maybe_unused]] const int threads =
-      std::min(threadCount(options.number_of_threads), 2);
+  const int threads = std::min(threadCount(options.number_of_threads), 2);
   std::vector<std::uint32_t> order;
   float extent = 0.0f;
-#pragma omp parallel sections num_threads(threads) if (threads > 1)
-  {
-#pragma omp section
-    if (options.denoising || is_stratified)
+  parallelFor(2, threads, 1, [&](std::ptrdiff_t task) {
+    if (task == 1)
+      extent = objectExtent(points);
+    else if (options.denoising || is_stratified)
       order = spaceFillingOrder(points);
-#pragma omp section
-    extent = objectExtent(points);
-  }
+  });
   if (!isUsableExtent(extent))
     return std::vector<float>(options.bins.size(),
                               std::numeric_limits<float>::quiet_NaN());
@@ -185,13 +183,12 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
   const auto& used = is_stratified ? along_order : points;
   std::optional<PairCounter> counter;
   PrincipalFrame frame;
-#pragma omp parallel sections num_threads(threads) if (threads > 1)
-  {
-#pragma omp section
-    counter.emplace(used, std::move(sampler), scale, options);
-#pragma omp section
-    frame = frameOf(used, 0.0f, options);
-  }
+  parallelFor(2, threads, 1, [&](std::ptrdiff_t task) {
+    if (task == 1)
+      frame = frameOf(used, 0.0f, options);
+    else
+      counter.emplace(used, std::move(sampler), scale, options);
+  });
   return histogramOf(
       used, frame, scale, options, [&](std::size_t first, std::size_t last, auto& own) {
         counter->count(first, last, own);

@@ -6,6 +6,7 @@
 
 #include <pcl/features/eppf_denoising.h>
 #include <pcl/features/pair_counting.h>
+#include <pcl/indoor/parallel_for.h>
 
 #include <array>
 #include <cassert>
@@ -33,20 +34,22 @@ float
 residual(const PointColumns& points, float width, int threads)
 {
   std::array<float, probe_count> squares;
-#pragma omp parallel num_threads(threads)
-  {
-    Nearby nearby;
-#pragma omp for schedule(dynamic, 2)
-    for (int probe = 0; probe < probe_count; ++probe) {
-      const Eigen::Vector3f place = points.at(probedPoint(points, probe, probe_count));
-      nearby.gather(points, {place, place, 0, 0}, width);
-      const float seen = planeAround(nearby, place, width).variances[0];
-      // A window of variance v shows noise of variance s as 1 / (1 / s + 1 / v).
-      const float window = width * width;
-      squares[probe] =
-          seen < 0.999f * window ? seen * window / (window - seen) : 1000.0f * window;
-    }
-  }
+  parallelFor(
+      probe_count,
+      threads,
+      2,
+      [] { return Nearby(); },
+      [&](Nearby& nearby, std::ptrdiff_t number) {
+        const int probe = static_cast<int>(number);
+        const Eigen::Vector3f place =
+            points.at(probedPoint(points, probe, probe_count));
+        nearby.gather(points, {place, place, 0, 0}, width);
+        const float seen = planeAround(nearby, place, width).variances[0];
+        // A window of variance v shows noise of variance s as 1 / (1 / s + 1 / v).
+        const float window = width * width;
+        squares[probe] =
+            seen < 0.999f * window ? seen * window / (window - seen) : 1000.0f * window;
+      });
   const auto chosen = squares.begin() + probe_count / 10;
   std::nth_element(squares.begin(), chosen, squares.end());
   return std::sqrt(*chosen);
@@ -76,12 +79,17 @@ float
 evidenceOfMany(const PointColumns& points, float spacing, int threads)
 {
   std::array<float, many_probes_count> thickness;
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (int probe = 0; probe < many_probes_count; ++probe)
-    thickness[probe] = planeOfNearest(points,
-                                      probedPoint(points, probe, many_probes_count),
-                                      2.6f * spacing)
-                           .thickness();
+  parallelFor(many_probes_count,
+              threads,
+              evenChunk(many_probes_count, threads),
+              [&](std::ptrdiff_t number) {
+                const int probe = static_cast<int>(number);
+                thickness[probe] =
+                    planeOfNearest(points,
+                                   probedPoint(points, probe, many_probes_count),
+                                   2.6f * spacing)
+                        .thickness();
+              });
   const auto chosen = thickness.begin() + many_probes_count / 10;
   std::nth_element(thickness.begin(), chosen, thickness.end());
   return ramp(*chosen, 0.22f, 0.25f);

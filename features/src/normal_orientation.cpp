@@ -8,6 +8,7 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_graph.h>
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <Eigen/Geometry>
@@ -199,26 +200,27 @@ collectVotes(const std::vector<Eigen::Vector3f>& positions,
   const double extent = static_cast<double>(all.sizes().maxCoeff());
   const auto blocks = pcl::indoor::groupByCell(
       sampled, std::max(least_block_size, extent / most_blocks));
-#pragma omp parallel num_threads(pcl::indoor::threadCount(options.threads))
-  {
-    NearestViewpoints nearest(viewpoints, options.viewpoints);
-#pragma omp for schedule(dynamic, 1)
-    for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks.size()); ++b) {
-      Eigen::AlignedBox3f box;
-      for (auto j = blocks.offsets[b]; j < blocks.offsets[b + 1]; ++j)
-        box.extend(sampled[blocks.points[j]]);
-      nearest.enterBlock(box);
-      for (auto j = blocks.offsets[b]; j < blocks.offsets[b + 1]; ++j) {
-        const auto i = blocks.points[j] * options.sample_stride;
-        for (const auto& entry : nearest.nearestTo(positions[i])) {
-          const auto& viewpoint = viewpoints[entry.second];
-          const float cosine = (viewpoint - positions[i]).normalized().dot(normals[i]);
-          if (std::abs(cosine) > 0.1f && grid.sees(viewpoint, positions[i]))
-            votes[i] += cosine;
+  pcl::indoor::parallelFor(
+      static_cast<std::ptrdiff_t>(blocks.size()),
+      pcl::indoor::threadCount(options.threads),
+      1,
+      [&] { return NearestViewpoints(viewpoints, options.viewpoints); },
+      [&](NearestViewpoints& nearest, std::ptrdiff_t b) {
+        Eigen::AlignedBox3f box;
+        for (auto j = blocks.offsets[b]; j < blocks.offsets[b + 1]; ++j)
+          box.extend(sampled[blocks.points[j]]);
+        nearest.enterBlock(box);
+        for (auto j = blocks.offsets[b]; j < blocks.offsets[b + 1]; ++j) {
+          const auto i = blocks.points[j] * options.sample_stride;
+          for (const auto& entry : nearest.nearestTo(positions[i])) {
+            const auto& viewpoint = viewpoints[entry.second];
+            const float cosine =
+                (viewpoint - positions[i]).normalized().dot(normals[i]);
+            if (std::abs(cosine) > 0.1f && grid.sees(viewpoint, positions[i]))
+              votes[i] += cosine;
+          }
         }
-      }
-    }
-  }
+      });
   return votes;
 }
 

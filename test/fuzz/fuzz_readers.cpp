@@ -2,13 +2,14 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-// fuzz_readers CORPUS AMOUNT [SEED]: gives every reader the files of the corpus and
-// changed ones; the amount is of seconds for all, or of files for each ("2000x").
-// A reader may refuse a file by an exception of ours; anything else is a defect, and
-// the file stays in the working folder as fuzz_input.*
-// fuzz_readers CORPUS FILE: gives one file to the reader of its ending
+// fuzz_readers CORPUS AMOUNT [SEED [READER]]: gives every reader the files of the
+// corpus and changed ones; the amount is of seconds for all, or of files for each
+// ("2000x"). A reader may refuse a file by an exception of ours; anything else is a
+// defect, and the file stays in the working folder as fuzz_input.* fuzz_readers CORPUS
+// FILE: gives one file to the reader of its ending
 #include "amount.h"
 #include "command_line/options.h"
+#include "files/cloud_check.h"
 #include "files/cloud_file.h"
 #include "files/mesh_file.h"
 #include "files/ply_file.h"
@@ -43,7 +44,7 @@ using pcl::indoor::test::bytesOf;
 
 namespace {
 
-constexpr unsigned most_seconds = 20; // for one file; then the alarm ends the program
+constexpr unsigned most_seconds = 10; // for one file; then the alarm ends the program
 
 /** Something that reads files of one kind. */
 struct Reader {
@@ -67,10 +68,42 @@ readPlanFile(const std::string& path)
   static_cast<void>(buildBuilding(readPlan(path), path));
 }
 
+/** All that tools take from a cloud. What was taken must be the same after it was
+ * written and read again. */
+void
+readCloud(const std::string& path)
+{
+  static_cast<void>(tool::promisedPoints(path));
+  auto file = tool::loadCloud(path);
+  if (file.has_normals)
+    tool::readNormals(file);
+  if (tool::hasField(file.cloud, "label")) {
+    const auto labels = tool::readLabels(file, "label");
+    tool::appendField(file.cloud, "label", labels);
+    tool::appendRealField(file.cloud, "other", {labels.begin(), labels.end()});
+  }
+  const std::string again = "fuzz_again.pcd";
+  tool::saveCloud(again, file.cloud, file.frame);
+  const auto other = tool::loadCloud(again);
+  if (other.finite_count != file.finite_count || other.offset != file.offset)
+    throw std::logic_error("a cloud is not what it was written as");
+  fs::remove(again);
+}
+
 void
 readPlyFile(const std::string& path)
 {
+  readCloud(path);
   tool::plyMesh(tool::loadCloud(path));
+}
+
+/** What was taken must be the same after it was written and read again. */
+void
+readModelFile(const std::string& path)
+{
+  const auto bytes = modelBytes(loadModel(path), false);
+  if (modelBytes(modelFromBytes(bytes), false) != bytes)
+    throw std::logic_error("a model is not what it was written as");
 }
 
 /** Checksums that fit, so that what they protect is reached, too. */
@@ -95,33 +128,56 @@ repairModel(std::string& bytes)
 std::vector<Reader>
 allReaders()
 {
-  return {{"pcd", [](const auto& path) { tool::loadCloud(path); }},
+  return {{"pcd", readCloud},
           {"ply", readPlyFile},
           {"off", [](const auto& path) { tool::readMesh(path); }},
           {"plan", readPlanFile},
           {"obj", [](const auto& path) { tool::readMesh(path); }},
           {"names", [](const auto& path) { tool::readCategoryNames(path); }},
           {"classes", [](const auto& path) { tool::readClassMap(path); }},
-          {"model", [](const auto& path) { loadModel(path); }, repairModel},
+          {"model", readModelFile, repairModel},
           {"joining", readJoining}};
 }
 
-/** Whether the reader has taken the file; what it may refuse it by is caught. */
-bool
-isTaken(const Reader& reader, const std::string& path)
+/** Why the reader refuses a file; empty if it takes it. What it may refuse it by is
+ * caught. */
+std::string
+refusal(const Reader& reader, const std::string& path)
 {
   alarm(most_seconds);
   try {
     reader.read(path);
-    return true;
-  } catch (const tool::ToolError&) {
-  } catch (const pcl::PCLException&) {
+    return "";
+  } catch (const tool::ToolError& error) {
+    return error.what();
+  } catch (const pcl::PCLException& error) {
+    return error.what();
   }
-  return false;
 }
 
-/** Gives a reader changed files for some time; prints how it went. */
-void
+/** How a reader went. */
+struct Tally {
+  std::size_t files = 0, taken = 0;
+  double seconds = 0;
+
+  void
+  print(const std::string& name) const
+  {
+    const auto share = [this](double part, double whole) {
+      return files == 0 ? 0.0 : part / whole;
+    };
+    std::printf("%-8s %10zu %10.1f %10.0f %9.1f %%\n",
+                name.c_str(),
+                files,
+                seconds,
+                share(static_cast<double>(files), seconds),
+                100 * share(static_cast<double>(taken), static_cast<double>(files)));
+    std::fflush(stdout);
+  }
+};
+
+/** Gives a reader changed files for some time. */
+Tally
 fuzzOne(const Reader& reader,
         const std::string& corpus,
         const Amount& amount,
@@ -134,29 +190,26 @@ fuzzOne(const Reader& reader,
   std::vector<std::string> seeds;
   for (const auto& file : files) {
     seeds.push_back(bytesOf(file));
-    if (!isTaken(reader, file))
-      std::printf("%s: refused, although it is in the corpus\n", file.c_str());
+    if (const auto reason = refusal(reader, file); !reason.empty())
+      std::printf("refused, although it is in the corpus: %s\n", reason.c_str());
   }
   const std::string path = "fuzz_input." + reader.kind;
   const auto now = std::chrono::steady_clock::now;
   const auto begin = now();
   std::chrono::duration<double> passed(0);
-  std::size_t count = 0, taken = 0;
-  for (; amount.wantsMore(count, passed.count()); ++count, passed = now() - begin) {
+  Tally tally;
+  for (; amount.wantsMore(tally.files, passed.count());
+       ++tally.files, passed = now() - begin) {
     const auto& seed = seeds[below(random, seeds.size())];
     auto bytes = mutated(seed, seeds[below(random, seeds.size())], random);
     reader.repair(bytes);
     std::ofstream(path, std::ios::binary) << bytes;
-    taken += isTaken(reader, path);
+    tally.taken += refusal(reader, path).empty();
   }
   alarm(0);
   fs::remove(path);
-  std::printf("%-8s %8zu files, %6.0f per second, %5.1f %% taken\n",
-              reader.kind.c_str(),
-              count,
-              static_cast<double>(count) / passed.count(),
-              100.0 * static_cast<double>(taken) / static_cast<double>(count));
-  std::fflush(stdout);
+  tally.seconds = passed.count();
+  return tally;
 }
 
 } // namespace
@@ -165,7 +218,7 @@ int
 main(int argc, char** argv)
 {
   if (argc < 3) {
-    std::printf("Syntax is: fuzz_readers CORPUS AMOUNT|FILE [SEED]\n");
+    std::printf("Syntax is: fuzz_readers CORPUS AMOUNT|FILE [SEED [READER]]\n");
     return 1;
   }
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
@@ -174,12 +227,27 @@ main(int argc, char** argv)
   if (fs::is_regular_file(argv[2])) {
     for (const auto& reader : readers)
       if (ending == "." + reader.kind)
-        std::printf("%s\n", isTaken(reader, argv[2]) ? "taken" : "refused");
+        std::printf("refused because: %s\n", refusal(reader, argv[2]).c_str());
     return 0;
   }
   Random random(argc > 3 ? static_cast<unsigned>(std::stoul(argv[3])) : 1u);
   const auto amount = Amount::parse(argv[2], readers.size());
-  for (const auto& reader : readers)
-    fuzzOne(reader, argv[1], amount, random);
+  std::printf("%-8s %10s %10s %10s %11s\n",
+              "reader",
+              "files",
+              "seconds",
+              "per second",
+              "taken");
+  Tally all;
+  for (const auto& reader : readers) {
+    if (argc > 4 && reader.kind != argv[4])
+      continue;
+    const auto tally = fuzzOne(reader, argv[1], amount, random);
+    tally.print(reader.kind);
+    all.files += tally.files;
+    all.taken += tally.taken;
+    all.seconds += tally.seconds;
+  }
+  all.print("all");
   return 0;
 }

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <algorithm>
 #include <cctype>
 #include <random>
 #include <string>
@@ -50,6 +51,32 @@ replaceNumber(std::string& bytes, Random& random)
   bytes.replace(begin, end - begin, numbers[below(random, numbers.size())]);
 }
 
+/** \brief Replace a word in quotes by another one, of the same file or another. */
+inline void
+replaceWord(std::string& bytes, const std::string& other, Random& random)
+{
+  const auto word = [&random](const std::string& text, std::size_t& begin) {
+    begin = text.find('"', below(random, text.size()));
+    const auto end = begin == text.npos ? begin : text.find('"', begin + 1);
+    return end == text.npos ? "" : text.substr(begin, end + 1 - begin);
+  };
+  std::size_t to = 0, from = 0;
+  const auto old_word = word(bytes, to), new_word = word(other, from);
+  if (!old_word.empty())
+    bytes.replace(to, old_word.size(), new_word);
+}
+
+/** \brief Let a file begin as one of another kind does. */
+inline void
+replaceBeginning(std::string& bytes, Random& random)
+{
+  static const std::vector<std::string> beginnings = {
+      "LASF", "ASTM-E57", "\x1f\x8b", "PK\x03\x04", "1 2 3\n", "ply\n", "OFF\n", "#"};
+  bytes.replace(0,
+                std::min<std::size_t>(bytes.size(), below(random, 20)),
+                beginnings[below(random, beginnings.size())]);
+}
+
 /** \brief Change a file's bytes in one random way.
  * \param[in] other a file of the same kind, to take a piece of
  */
@@ -58,7 +85,7 @@ mutateOnce(std::string& bytes, const std::string& other, Random& random)
 {
   const std::size_t at = below(random, bytes.size());
   const std::size_t length = 1 + below(random, 64);
-  switch (below(random, 10)) {
+  switch (below(random, 50) == 0 ? 9 : below(random, 9)) {
   case 0: // one bit
     if (!bytes.empty())
       bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(random, 8)));
@@ -83,15 +110,26 @@ mutateOnce(std::string& bytes, const std::string& other, Random& random)
     for (std::size_t i = at; i < at + 4 && i < bytes.size(); ++i)
       bytes[i] = static_cast<char>(random());
     break;
+  case 9:
+    replaceBeginning(bytes, random);
+    break;
   default:
     replaceNumber(bytes, random);
   }
 }
 
-/** \brief Change a file's bytes in one to eight random ways. */
+/** \brief Change a file's bytes in one to eight random ways; every third file only one
+ * number or word of it, by which it keeps its form. */
 inline std::string
 mutated(std::string bytes, const std::string& other, Random& random)
 {
+  if (below(random, 3) == 0) {
+    if (below(random, 2) == 0)
+      replaceNumber(bytes, random);
+    else
+      replaceWord(bytes, other, random);
+    return bytes;
+  }
   for (std::size_t left = 1 + below(random, 8); left > 0; --left)
     mutateOnce(bytes, other, random);
   return bytes;

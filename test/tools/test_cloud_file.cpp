@@ -96,6 +96,27 @@ TEST_F(CloudFiles, PlyIsReadWithItsDoubles)
   EXPECT_NEAR((*file.points)[1].x - (*file.points)[0].x, 1e-4, 1e-6); // float near 0
 }
 
+TEST_F(CloudFiles, ABodyThatPclWouldReadElsewhereIsRefused)
+{
+  const std::string header = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
+                             "COUNT 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA binary\n";
+  // PCL takes what looks like lines for more of the header
+  EXPECT_THROW(loadCloud(write("two.pcd", header + "HEIGHT 1\nPOINTS 2\nDATA b")),
+               ToolError);
+}
+
+TEST_F(CloudFiles, PointsWithoutPropertiesAreRefusedBeforeTheyAreCounted)
+{
+  const auto ply = write(
+      "bare.ply", "ply\nformat ascii 1.0\nelement vertex 2147483647\nend_header\n");
+  try {
+    loadCloud(ply);
+    FAIL();
+  } catch (const ToolError& error) {
+    EXPECT_EQ(error.what(), ply + ": the points have no properties");
+  }
+}
+
 TEST_F(CloudFiles, PlyOfPclsWriterIsReadInEveryEncoding)
 {
   auto cloud = organisedCloud();

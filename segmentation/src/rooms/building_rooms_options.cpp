@@ -14,6 +14,8 @@ namespace indoor {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double longest = 1000.0;      // metres; larger than any building
+constexpr double shortest_voxel = 1e-4; // metres; finer than any scan
 
 /** Keeps the first complaint. */
 class Check {
@@ -34,11 +36,24 @@ public:
     problem_ = text.str();
   }
 
-  /** Also 0, so many metres that pixels can still be counted. */
+  /** Also 0; at most so many voxels of the smallest size as an int can count. */
   void
   length(const char* what, double value)
   {
     between(0.0, longest, what, value, " m");
+  }
+
+  /** 0 is automatic. */
+  void
+  voxel(double size)
+  {
+    length("voxel size", size);
+    if (!problem_.empty() || size == 0.0 || size >= shortest_voxel)
+      return;
+    std::ostringstream text;
+    text << "The voxel size must be 0 or at least " << shortest_voxel << " m, not "
+         << size << " m.";
+    problem_ = text.str();
   }
 
   void
@@ -78,8 +93,6 @@ public:
   }
 
 private:
-  static constexpr double longest = 1000.0; // metres; larger than any building
-
   std::string problem_;
 };
 
@@ -164,7 +177,7 @@ std::string
 findInvalidOption(const BuildingRoomsOptions& options)
 {
   Check check;
-  check.length("voxel size", options.voxel_size);
+  check.voxel(options.voxel_size);
   checkInterior(options.interior, check);
   checkStoreys(options.storeys, check);
   checkMap(options.map, check);

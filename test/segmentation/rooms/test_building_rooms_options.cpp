@@ -76,6 +76,9 @@ TEST(BuildingRoomsOptions, TheComplaintNamesValueAndRange)
   options.voxel_size = nan_value;
   EXPECT_EQ(findInvalidOption(options),
             "The voxel size must lie in 0 ... 1000 m, not nan m.");
+  options.voxel_size = 9e-5; // lengths in such voxels would not fit into an int
+  EXPECT_EQ(findInvalidOption(options),
+            "The voxel size must be 0 or at least 0.0001 m, not 9e-05 m.");
 }
 
 TEST(BuildingRoomsOptions, FieldsOfBuildingAndInterior)

@@ -97,7 +97,8 @@ OptionParser::values() const
 {
   std::string text;
   for (const auto& option : options_)
-    if (option.name != "-quiet" && option.name != "-threads")
+    if (option.name != "-quiet" && option.name != "-threads" &&
+        option.name != "-memory_limit")
       text += (text.empty() ? "" : ", ") + option.name + " " + option.value();
   return text;
 }

@@ -142,7 +142,7 @@ public:
   usage() const;
 
   /** \brief All options with the values that are used, in one line, for the user to
-   * check; but for those of threads, by which no result changes. */
+   * check; but for those of threads and memory, by which no result changes. */
   std::string
   values() const;
 

@@ -157,13 +157,16 @@ requireUsable(const PcdHeader& pcd, const std::string& path)
     throw ToolError(path + ": the cloud is empty (0 points)");
 }
 
-std::uint64_t
-checkPcd(std::istream& stream, std::uintmax_t file_size, const std::string& path)
+void
+checkPcd(const std::string& content, const std::string& path, CheckedCloud& checked)
 {
+  MemoryStream stream(content.data(), content.size());
+  stream.exceptions(std::ios::badbit); // memory that lacks is no end of the file
   const auto header = readFileHeader(stream, "DATA", path);
   const auto pcd = parsePcdHeader(header, path);
   requireUsable(pcd, path);
-  const std::uint64_t body = file_size - std::min(header.body_begin, file_size);
+  const std::uint64_t body =
+      content.size() - std::min<std::uint64_t>(header.body_begin, content.size());
   const std::uint64_t bytes = pcd.points * pcd.bytesPerPoint();
   if (pcd.data == "ascii") {
     checkAsciiBody(stream, pcd.points, pcd.valuesPerPoint(), path);
@@ -185,7 +188,8 @@ checkPcd(std::istream& stream, std::uintmax_t file_size, const std::string& path
   else {
     throw ToolError(path + ": unknown kind of DATA '" + pcd.data + "' in the header");
   }
-  return bytes;
+  checked.bytes = bytes;
+  checked.header = header;
 }
 
 } // namespace
@@ -211,14 +215,36 @@ checkCloudFile(const std::string& path)
       wordsOf(beginning.substr(0, std::min<std::size_t>(64, beginning.find('\n'))));
   const std::string first = words.empty() ? "" : words[0];
   if (first == "ply")
-    return {CloudFormat::PLY, 0};
+    return {CloudFormat::PLY, 0, {}, ""};
   if (first[0] == '#' || first == "VERSION" || first == "FIELDS" ||
       first == "COLUMNS") {
-    return {CloudFormat::PCD, checkPcd(stream, file_size, path)};
+    CheckedCloud checked{CloudFormat::PCD, 0, {}, std::string(file_size, '\0')};
+    stream.read(checked.content.data(), static_cast<std::streamsize>(file_size));
+    checked.content.resize(static_cast<std::size_t>(stream.gcount()));
+    checkPcd(checked.content, path, checked);
+    return checked;
   }
   const auto other = describeForeignFormat(path, beginning);
   throw ToolError(path + ": neither a PCD nor a PLY file" +
                   (other.empty() ? "" : " but " + other));
+}
+
+std::uint64_t
+promisedPoints(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  std::string first;
+  std::getline(stream, first);
+  stream.seekg(0);
+  try {
+    if (first.substr(0, 3) != "ply")
+      return parsePcdHeader(readFileHeader(stream, "DATA", path), path).points;
+    for (const auto& words : readFileHeader(stream, "end_header", path).lines)
+      if (words.size() == 3 && words[0] == "element" && words[1] == "vertex")
+        return headerCount(words[2], words[0], path);
+  } catch (const ToolError&) { // said better by what reads the points
+  }
+  return 0;
 }
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,11 @@
  */
 #pragma once
 
+#include "files/file_header.h"
+
+#include <boost/iostreams/device/array.hpp>
+#include <boost/iostreams/stream.hpp>
+
 #include <cstdint>
 #include <string>
 
@@ -11,9 +16,16 @@ namespace pcl::indoor::tool {
 
 enum class CloudFormat { PCD, PLY };
 
+/** \brief Reads bytes in memory. */
+using MemoryStream = boost::iostreams::stream<boost::iostreams::array_source>;
+
 struct CheckedCloud {
   CloudFormat format = CloudFormat::PCD;
   std::uint64_t bytes = 0; ///< of all points of a PCD in memory
+  FileHeader header;       ///< of a PCD
+  /** All of a PCD file: whatever happens to the file afterwards does not matter, as it
+   * would to the pages that PCL's reader maps. */
+  std::string content;
 };
 
 /** \brief Find out what a cloud file is and, for a PCD, compare its header with what
@@ -27,5 +39,10 @@ struct CheckedCloud {
  */
 CheckedCloud
 checkCloudFile(const std::string& path);
+
+/** \brief How many points the header of a cloud file promises; 0 if it is not
+ * understood. Reads no more than the header. */
+std::uint64_t
+promisedPoints(const std::string& path);
 
 } // namespace pcl::indoor::tool

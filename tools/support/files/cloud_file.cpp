@@ -14,6 +14,7 @@
 #include <pcl/io/pcd_io.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -118,23 +119,57 @@ readReals(const PCLPointCloud2& cloud, const std::string& name)
   return values;
 }
 
+/** The sensor's pose, which PCL reads by a stream that hides a lack of memory; what is
+ * no number stays as PCL has read it. */
+void
+readPose(const FileHeader& header, CloudFrame& frame)
+{
+  for (const auto& words : header.lines) {
+    if (words[0] != "VIEWPOINT" || words.size() < 8)
+      continue;
+    float pose[7];
+    for (std::size_t k = 0; k < 7; ++k) {
+      const auto& word = words[k + 1];
+      const char* const end = word.data() + word.size();
+      const auto read = std::from_chars(word.data(), end, pose[k]);
+      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(pose[k]))
+        return;
+    }
+    frame.origin = Eigen::Vector4f(pose[0], pose[1], pose[2], 0);
+    frame.orientation = Eigen::Quaternionf(pose[3], pose[4], pose[5], pose[6]);
+  }
+}
+
 /** PCL's reader walks over the body by what it made of the header: nothing may be amiss
  * there. */
 bool
-isReadAsChecked(const CloudFile& file, std::uint64_t checked_bytes)
+readPcd(const CheckedCloud& checked, CloudFile& file)
 {
-  CloudFile trial;
-  int version = 0;
-  int data_type = 0;
-  unsigned int data_begin = 0;
-  return PCDReader().readHeader(file.path,
-                                trial.cloud,
-                                trial.frame.origin,
-                                trial.frame.orientation,
-                                version,
-                                data_type,
-                                data_begin) == 0 &&
-         trial.cloud.data.size() == checked_bytes;
+  PCDReader reader;
+  MemoryStream stream(checked.content.data(), checked.content.size());
+  stream.exceptions(std::ios::badbit); // PCL would wait for the end for ever
+  int version = 0, encoding = 0;       // 0: ASCII, 2: compressed
+  unsigned int body_begin = 0;
+  if (reader.readHeader(stream,
+                        file.cloud,
+                        file.frame.origin,
+                        file.frame.orientation,
+                        version,
+                        encoding,
+                        body_begin) != 0 ||
+      file.cloud.data.size() != checked.bytes ||
+      body_begin != checked.header.body_begin)
+    return false;
+  if (encoding != 0)
+    return reader.readBodyBinary(
+               reinterpret_cast<const unsigned char*>(checked.content.data()),
+               file.cloud,
+               version,
+               encoding == 2,
+               body_begin) == 0;
+  stream.clear();
+  stream.seekg(body_begin);
+  return reader.readBodyASCII(stream, file.cloud, version) == 0;
 }
 
 void
@@ -142,28 +177,26 @@ readFile(CloudFile& file)
 {
   const auto checked = checkCloudFile(file.path);
   const SilentPcl silence;
-  int result = 0;
+  bool is_read = true;
   try {
-    int version = 0;
-    if (checked.format == CloudFormat::PCD && !isReadAsChecked(file, checked.bytes))
-      result = -1;
-    else if (checked.format == CloudFormat::PCD)
-      result = PCDReader().read(
-          file.path, file.cloud, file.frame.origin, file.frame.orientation, version);
+    if (checked.format == CloudFormat::PCD)
+      is_read = readPcd(checked, file);
     else
-      readPly(file.path, file.cloud, file.frame.origin, file.frame.orientation);
+      file.frame.offset =
+          readPly(file.path, file.cloud, file.frame.origin, file.frame.orientation);
   } catch (const ToolError&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {
-    result = -1; // the readers' own texts name neither file nor reason
+    is_read = false; // the readers' own texts name neither file nor reason
   }
-  if (result < 0)
+  if (!is_read)
     throw ToolError(file.path + ": the file is damaged, its points cannot be read");
-  std::ifstream stream(file.path, std::ios::binary);
-  const char* const last = checked.format == CloudFormat::PCD ? "DATA" : "end_header";
-  file.frame.offset = readFileHeader(stream, last, file.path).offset;
+  if (checked.format == CloudFormat::PCD) {
+    file.frame.offset = checked.header.offset;
+    readPose(checked.header, file.frame);
+  }
 }
 
 /** Large coordinates lose their millimetres in a float: choose what to subtract, the

@@ -179,6 +179,8 @@ readVertices(PlyBody& body,
 {
   if (vertex.count == 0)
     throw ToolError(path + ": the cloud is empty (0 points)");
+  if (vertex.properties.empty())
+    throw ToolError(path + ": the points have no properties");
   const auto targets = layOut(vertex, cloud);
   std::uint64_t least_bytes =
       0; // of a point in the file: a letter and a gap, or its binary size
@@ -258,6 +260,7 @@ skip(PlyBody& body, const Element& element, const std::string& path)
 struct PlyFile {
   std::vector<Element> elements;
   PlyBody body;
+  Eigen::Vector3d offset; ///< see FileHeader
 };
 
 PlyFile
@@ -277,7 +280,8 @@ openPly(const std::string& path)
                   format == "ascii"                  ? PlyBody::Encoding::Ascii
                   : format == "binary_little_endian" ? PlyBody::Encoding::Little
                                                      : PlyBody::Encoding::Big,
-                  path)};
+                  path),
+          header.offset};
 }
 
 bool
@@ -310,13 +314,13 @@ readFace(PlyBody& body, const Element& element, const std::string& path)
 
 } // namespace
 
-void
+Eigen::Vector3d
 readPly(const std::string& path,
         PCLPointCloud2& cloud,
         Eigen::Vector4f& origin,
         Eigen::Quaternionf& orientation)
 {
-  auto [elements, body] = openPly(path);
+  auto [elements, body, offset] = openPly(path);
   bool found = false;
   const auto wanted = [](const Element& element) {
     return element.name == "vertex" || element.name == "camera";
@@ -335,6 +339,7 @@ readPly(const std::string& path,
   }
   if (!found)
     throw ToolError(path + ": the file has no points (no element vertex)");
+  return offset;
 }
 
 std::vector<std::vector<std::uint32_t>>
@@ -345,7 +350,7 @@ readPlyFaces(const std::string& path)
   stream.read(first.data(), 3);
   if (first != "ply")
     return {};
-  auto [elements, body] = openPly(path);
+  auto [elements, body, offset] = openPly(path);
   std::vector<std::vector<std::uint32_t>> faces;
   for (const auto& element : elements) {
     const bool has_faces =

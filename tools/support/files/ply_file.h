@@ -23,10 +23,11 @@ namespace pcl::indoor::tool {
  * because it stops the program at a damaged file.
  * \param[out] origin, orientation the pose of the element "camera", if there is one;
  * its viewport gives rows and columns if these fit the points
+ * \return the offset of the header's comment, see offsetText()
  * \throws ToolError if the file is no PLY, has no points, or fewer than its header
  * promises
  */
-void
+Eigen::Vector3d
 readPly(const std::string& path,
         PCLPointCloud2& cloud,
         Eigen::Vector4f& origin,

@@ -5,9 +5,14 @@
 #include "files/unfinished_files.h"
 
 #include <atomic>
+#include <cerrno>  // for program_invocation_short_name
 #include <climits> // for PATH_MAX
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <new>
 #include <unistd.h> // for getpid, unlink
 
 namespace pcl::indoor::tool {
@@ -27,6 +32,14 @@ std::atomic<int> waiting{0}; // the signal that came during a pause
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
 void
+removeAll()
+{
+  for (const auto& slot : slots)
+    if (slot.owner == getpid())
+      unlink(slot.path);
+}
+
+void
 endBy(int signal)
 {
   std::signal(signal, SIG_DFL);
@@ -42,11 +55,31 @@ removeUnfinishedAndEnd(int signal)
     ending = false;
     return;
   }
-  for (const auto& slot : slots)
-    if (slot.owner == getpid())
-      unlink(slot.path);
+  removeAll();
   endBy(signal);
 }
+
+/** \brief The end of a program that does not catch what was thrown, for example before
+ * the options are read, or by a destructor. Allocates nothing. */
+[[noreturn]] void
+endWithMessage()
+{
+  removeAll();
+  const char* problem = "an error of the program";
+  try {
+    if (std::current_exception())
+      throw;
+  } catch (const std::bad_alloc&) {
+    problem = "There is not enough memory.";
+  } catch (const std::exception& error) {
+    problem = error.what();
+  } catch (...) {
+  }
+  std::fprintf(stderr, "[%s] %s\n", program_invocation_short_name, problem);
+  std::_Exit(EXIT_FAILURE);
+}
+
+[[maybe_unused]] const auto previous = std::set_terminate(endWithMessage);
 
 } // namespace
 

@@ -271,6 +271,28 @@ addTo(OptionParser& parser, TrainingSettings& settings)
   addInputOptions(parser, settings);
   addStepOptions(parser, settings);
   addOutputOptions(parser, settings);
+  parser.expert({"-normal_neighbors",
+                 "-hidden",
+                 "-dropout",
+                 "-input_dropout",
+                 "-width",
+                 "-scale",
+                 "-pairs",
+                 "-points",
+                 "-any_pose",
+                 "-draws",
+                 "-augment",
+                 "-noise",
+                 "-occlusion",
+                 "-classify_draws",
+                 "-batch_size",
+                 "-learning_rate",
+                 "-weight_decay",
+                 "-label_smoothing",
+                 "-class_balance",
+                 "-patience",
+                 "-training_threads",
+                 "-half"});
 }
 
 void

@@ -4,12 +4,12 @@
  */
 #pragma once
 
-#include <pcl/indoor/threads.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/threads.h>
 #include <utility>
 #include <vector>
 
@@ -40,16 +40,19 @@ countBlocks(std::size_t block_count,
       count_block(static_cast<std::size_t>(block), counts);
     return counts;
   }
-#pragma omp parallel num_threads(threads)
-  {
-    std::vector<std::uint64_t> own(bin_count);
-#pragma omp for schedule(dynamic, 1) nowait
-    for (std::int64_t block = 0; block < last; ++block)
-      count_block(static_cast<std::size_t>(block), own);
-#pragma omp critical(pcl_indoor_pair_counts)
-    std::transform(
-        own.begin(), own.end(), counts.begin(), counts.begin(), std::plus<>());
-  }
+  using Counts = std::vector<std::uint64_t>;
+  parallelFor(
+      last,
+      threads,
+      1,
+      [bin_count] { return Counts(bin_count); },
+      [&count_block](Counts& own, std::ptrdiff_t block) {
+        count_block(static_cast<std::size_t>(block), own);
+      },
+      [&counts](const Counts& own) {
+        std::transform(
+            own.begin(), own.end(), counts.begin(), counts.begin(), std::plus<>());
+      });
   return counts;
 }
 

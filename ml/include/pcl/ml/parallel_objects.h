@@ -4,12 +4,9 @@
  */
 #pragma once
 
+#include <pcl/indoor/parallel_for.h>
+
 #include <cstddef>
-#include <pcl/indoor/threads.h>
-
-#include <cstdint>
-#include <exception>
-
 namespace pcl {
 namespace indoor {
 
@@ -21,17 +18,10 @@ template <typename Visit>
 void
 forEachObject(std::size_t count, unsigned int number_of_threads, const Visit& visit)
 {
-  std::exception_ptr problem;
-#pragma omp parallel for schedule(dynamic) num_threads(threadCount(number_of_threads))
-  for (std::int64_t k = 0; k < static_cast<std::int64_t>(count); ++k)
-    try {
-      visit(static_cast<std::size_t>(k));
-    } catch (...) {
-#pragma omp critical(pcl_indoor_for_each_object)
-      problem = std::current_exception();
-    }
-  if (problem)
-    std::rethrow_exception(problem);
+  parallelFor(static_cast<std::ptrdiff_t>(count),
+              static_cast<int>(number_of_threads),
+              1,
+              [&visit](std::ptrdiff_t k) { visit(static_cast<std::size_t>(k)); });
 }
 
 } // namespace indoor

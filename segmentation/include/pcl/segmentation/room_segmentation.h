@@ -42,9 +42,9 @@ public:
 
   /** \brief Set the side of a voxel, which is also that of a map pixel.
    * Smaller voxels separate rooms by thinner walls; sparse clouds need larger ones.
-   * \param[in] voxel_size metres, at least 0; 0 = automatic: 0.1, up to 0.4 where the
-   * points are so sparse that their surfaces would have holes (default 0); the size
-   * that was used is in getReport()
+   * \param[in] voxel_size metres, at least 0.0001, or 0 = automatic: 0.1, up to 0.4
+   * where the points are so sparse that their surfaces would have holes (default 0);
+   * the size that was used is in getReport()
    */
   void
   setVoxelSize(double voxel_size)

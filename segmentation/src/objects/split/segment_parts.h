@@ -5,6 +5,7 @@
 #pragma once
 
 #include "objects/split/segment_members.h"
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <cstdint>
@@ -31,9 +32,9 @@ cutRepeatedly(const SegmentMembers& members, const CutOnce& cut_once)
   return parts;
 }
 
-/** Replace each segment by the parts that parts_of makes of its members, which must not
- * throw; the first part keeps the segment's number, the others follow those that were
- * there. Points that are left out keep their segment. REQUIRES: points.
+/** Replace each segment by the parts that parts_of makes of its members; the first part
+ * keeps the segment's number, the others follow those that were there. Points that are
+ * left out keep their segment. REQUIRES: points.
  */
 template <typename PartsOf>
 void
@@ -46,9 +47,9 @@ partSegments(const std::vector<std::uint8_t>& left_out,
   auto next = static_cast<std::uint32_t>(segments.size());
   std::vector<std::vector<SegmentMembers>> parts(segments.size());
   const auto count = static_cast<std::ptrdiff_t>(segments.size());
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threadCount(threads))
-  for (std::ptrdiff_t s = 0; s < count; ++s)
+  parallelFor(count, threadCount(static_cast<int>(threads)), 1, [&](std::ptrdiff_t s) {
     parts[s] = parts_of(segments[s]);
+  });
   for (const auto& cut : parts)
     for (std::size_t part = 1; part < cut.size(); ++part, ++next)
       for (const auto i : cut[part])

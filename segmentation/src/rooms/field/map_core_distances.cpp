@@ -5,6 +5,7 @@
 
 #include "rooms/field/map_blocks.h"
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/segmentation/rooms/map_clustering.h>
 
@@ -63,39 +64,40 @@ mapCoreDistances(const MapDistance& distance, std::size_t min_samples, int threa
     return core;
   const MapBlocks blocks(distance);
   const auto& own = distance.connectivity().ownLevels();
-#pragma omp parallel num_threads(usefulThreads(threads, count, 1000))
-  {
-    Nearest nearest(others);
-#pragma omp for schedule(dynamic, 256)
-    for (std::ptrdiff_t row = 0; row < static_cast<std::ptrdiff_t>(count); ++row) {
-      const auto i = static_cast<std::size_t>(row);
-      const float level = own[distance.pixels()[i]]; // nobody is connected at a higher
-      nearest.clear();
-      const auto tooFar = [&](double pixels, float highest) {
-        return (distance.euclideanPart(pixels) + distance.fieldPart(highest)) *
-                   safely >=
-               nearest.bound();
-      };
-      blocks.forEachAround(
-          i,
-          [&](double pixels) { return tooFar(pixels, level); },
-          [&](std::size_t block, double gap) {
-            if (tooFar(gap, std::min(level, blocks.maxLevel(block))))
-              return;
-            blocks.forEachPoint(block, [&](std::size_t j) {
-              if (j == i)
+  parallelFor(
+      static_cast<std::ptrdiff_t>(count),
+      usefulThreads(threads, count, 1000),
+      256,
+      [others] { return Nearest(others); },
+      [&](Nearest& nearest, std::ptrdiff_t row) {
+        const auto i = static_cast<std::size_t>(row);
+        const float level =
+            own[distance.pixels()[i]]; // nobody is connected at a higher
+        nearest.clear();
+        const auto tooFar = [&](double pixels, float highest) {
+          return (distance.euclideanPart(pixels) + distance.fieldPart(highest)) *
+                     safely >=
+                 nearest.bound();
+        };
+        blocks.forEachAround(
+            i,
+            [&](double pixels) { return tooFar(pixels, level); },
+            [&](std::size_t block, double gap) {
+              if (tooFar(gap, std::min(level, blocks.maxLevel(block))))
                 return;
-              const double known = distance.reachable(i, j);
-              if (known >= nearest.bound())
-                return;
-              const double d = known + distance.visibilityPart(i, j);
-              if (d < nearest.bound())
-                nearest.add(d);
+              blocks.forEachPoint(block, [&](std::size_t j) {
+                if (j == i)
+                  return;
+                const double known = distance.reachable(i, j);
+                if (known >= nearest.bound())
+                  return;
+                const double d = known + distance.visibilityPart(i, j);
+                if (d < nearest.bound())
+                  nearest.add(d);
+              });
             });
-          });
-      core[i] = nearest.bound();
-    }
-  }
+        core[i] = nearest.bound();
+      });
   return core;
 }
 

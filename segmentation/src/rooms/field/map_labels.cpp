@@ -4,6 +4,7 @@
  */
 
 #include "rooms/field/map_labels.h"
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
@@ -203,33 +204,35 @@ labelVoxels(const VoxelGrid<std::uint8_t>& occupancy,
     const std::size_t i = shape.index(x, y, z);
     return interior.values[i] && !occupancy.values[i] ? labels.at(x, y) : -1;
   };
-#pragma omp parallel num_threads(usefulThreads(options.threads, shape.size(), 20000))
-  {
-    Ballot ballot;
-    const auto labelOf = [&](int x, int y, int z) {
-      ballot.clear();
-      int last = 0; // the distance up to which voxels vote, once it is known
-      for (const Offset& o : offsets) {
-        if (last > 0 && o.distance > last)
-          break;
-        if (!shape.contains(x + o.x, y + o.y, z + o.z))
-          continue;
-        const int label = freeLabel(x + o.x, y + o.y, z + o.z);
-        if (label < 0)
-          continue;
-        ballot.vote(label, o.distance);
-        if (ballot.votes() == options.neighbours)
-          last = o.distance;
-      }
-      return ballot.winner();
-    };
-#pragma omp for schedule(dynamic, 4)
-    for (int x = 0; x < shape.nx; ++x)
-      for (int y = 0; y < shape.ny; ++y)
-        for (int z = 0; z < shape.nz; ++z)
-          result.at(x, y, z) =
-              occupancy.at(x, y, z) ? labelOf(x, y, z) : freeLabel(x, y, z);
-  }
+  const auto labelOf = [&](Ballot& ballot, int x, int y, int z) {
+    ballot.clear();
+    int last = 0; // the distance up to which voxels vote, once it is known
+    for (const Offset& o : offsets) {
+      if (last > 0 && o.distance > last)
+        break;
+      if (!shape.contains(x + o.x, y + o.y, z + o.z))
+        continue;
+      const int label = freeLabel(x + o.x, y + o.y, z + o.z);
+      if (label < 0)
+        continue;
+      ballot.vote(label, o.distance);
+      if (ballot.votes() == options.neighbours)
+        last = o.distance;
+    }
+    return ballot.winner();
+  };
+  parallelFor(
+      shape.nx,
+      usefulThreads(options.threads, shape.size(), 20000),
+      4,
+      [] { return Ballot(); },
+      [&](Ballot& ballot, std::ptrdiff_t column) {
+        const int x = static_cast<int>(column);
+        for (int y = 0; y < shape.ny; ++y)
+          for (int z = 0; z < shape.nz; ++z)
+            result.at(x, y, z) =
+                occupancy.at(x, y, z) ? labelOf(ballot, x, y, z) : freeLabel(x, y, z);
+      });
   return result;
 }
 

@@ -4,6 +4,7 @@
  */
 
 #include "rooms/field/map_random_walker.h"
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
@@ -162,12 +163,11 @@ private:
       for (const auto& entry : towards_seeds)
         if (entry.col() >= first && entry.col() < first + count)
           probability(entry.row(), entry.col() - first) += entry.value();
-#pragma omp parallel for num_threads(                                                  \
-    usefulThreads(options_.threads, region.pixels.size(), 5000)) schedule(dynamic)
-      for (Eigen::Index l = 0; l < count; ++l) {
+      const int threads = usefulThreads(options_.threads, region.pixels.size(), 5000);
+      parallelFor(count, threads, 1, [&](Eigen::Index l) {
         const Eigen::VectorXd side = probability.col(l);
         probability.col(l) = solver.solve(side);
-      }
+      });
       for (Eigen::Index row = 0; row < size; ++row)
         for (Eigen::Index l = 0; l < count; ++l)
           if (probability(row, l) > best[row] + tie) {

@@ -6,6 +6,7 @@
 #include "rooms/field/map_blocks.h"
 
 #include <pcl/indoor/disjoint_sets.h>
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/segmentation/rooms/map_clustering.h>
 
@@ -65,9 +66,9 @@ public:
     while (tree_.size() + 1 < count) {
       prepareRound();
       const auto points = static_cast<std::ptrdiff_t>(count);
-#pragma omp parallel for num_threads(threads_) schedule(dynamic, 256)
-      for (std::ptrdiff_t i = 0; i < points; ++i)
+      parallelFor(points, threads_, 256, [this](std::ptrdiff_t i) {
         searchOutwards(static_cast<std::size_t>(i));
+      });
       const std::size_t before = tree_.size();
       takeShortestEdges();
       if (tree_.size() == before)

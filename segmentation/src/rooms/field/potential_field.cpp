@@ -4,6 +4,7 @@
  */
 
 #include "rooms/field/potential_field.h"
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
@@ -102,27 +103,35 @@ transformAlong(std::vector<std::uint32_t>& values,
 {
   const std::size_t batches = (lines + batch - 1) / batch;
   const auto jobs = static_cast<std::ptrdiff_t>(slabs * batches);
-#pragma omp parallel num_threads(threads)
-  {
-    LineTransform transform(length);
-    std::vector<std::uint32_t> buffer(batch * static_cast<std::size_t>(length));
-#pragma omp for schedule(static)
-    for (std::ptrdiff_t job = 0; job < jobs; ++job) {
-      const std::size_t slab = static_cast<std::size_t>(job) / batches;
-      const std::size_t first = static_cast<std::size_t>(job) % batches * batch;
-      const std::size_t width = std::min(batch, lines - first);
-      std::uint32_t* start = values.data() + slab * slab_stride + first;
-      const auto size = static_cast<std::size_t>(length);
-      for (std::size_t k = 0; k < size; ++k)
+  struct State {
+    LineTransform transform;
+    std::vector<std::uint32_t> buffer;
+  };
+  parallelFor(
+      jobs,
+      threads,
+      evenChunk(jobs, threads),
+      [length] {
+        return State{
+            LineTransform(length),
+            std::vector<std::uint32_t>(batch * static_cast<std::size_t>(length))};
+      },
+      [&](State& state, std::ptrdiff_t job) {
+        auto& [transform, buffer] = state;
+        const std::size_t slab = static_cast<std::size_t>(job) / batches;
+        const std::size_t first = static_cast<std::size_t>(job) % batches * batch;
+        const std::size_t width = std::min(batch, lines - first);
+        std::uint32_t* start = values.data() + slab * slab_stride + first;
+        const auto size = static_cast<std::size_t>(length);
+        for (std::size_t k = 0; k < size; ++k)
+          for (std::size_t j = 0; j < width; ++j)
+            buffer[j * size + k] = start[k * stride + j];
         for (std::size_t j = 0; j < width; ++j)
-          buffer[j * size + k] = start[k * stride + j];
-      for (std::size_t j = 0; j < width; ++j)
-        transform.apply(buffer.data() + j * size, length);
-      for (std::size_t k = 0; k < size; ++k)
-        for (std::size_t j = 0; j < width; ++j)
-          start[k * stride + j] = buffer[j * size + k];
-    }
-  }
+          transform.apply(buffer.data() + j * size, length);
+        for (std::size_t k = 0; k < size; ++k)
+          for (std::size_t j = 0; j < width; ++j)
+            start[k * stride + j] = buffer[j * size + k];
+      });
 }
 
 } // namespace

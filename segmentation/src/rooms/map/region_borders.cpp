@@ -14,6 +14,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -190,6 +191,109 @@ connectedPieces(const std::vector<OpenPiece>& pieces)
   return groups;
 }
 
+/** \brief The borders of spaces that grow by joins, and which of them is open most. */
+class OpenBorders {
+public:
+  OpenBorders(const std::vector<RegionBorder>& borders,
+              std::vector<double> section,
+              const MergeOptions& options)
+  : options_(options)
+  , section_(std::move(section))
+  , neighbours_(section_.size())
+  {
+    for (const auto& border : borders)
+      add(border);
+    for (auto& [pair, entry] : entries_)
+      rank(pair, entry);
+  }
+
+  /** \brief Two spaces to join; the first of those whose border is open most. */
+  std::optional<RegionPair>
+  widest() const
+  {
+    return ranks_.empty() ? std::nullopt : std::optional(ranks_.begin()->second);
+  }
+
+  /** \brief Until one of them grows, two spaces do not join. */
+  void
+  keepApart(const RegionPair& pair)
+  {
+    Entry& entry = entries_.at(pair);
+    ranks_.erase({-entry.share, pair});
+    entry.share = 0.0;
+  }
+
+  /** \brief The borders of joined spaces add up, so their shares are looked at anew. */
+  void
+  join(std::int32_t kept, std::int32_t gone)
+  {
+    section_[kept] = std::max(section_[kept], section_[gone]);
+    for (const std::int32_t other : std::exchange(neighbours_[gone], {})) {
+      const auto entry = entries_.find(std::minmax(gone, other));
+      RegionBorder border = entry->second.border;
+      ranks_.erase({-entry->second.share, entry->first});
+      entries_.erase(entry);
+      neighbours_[other].erase(gone);
+      if (other == kept)
+        continue;
+      std::tie(border.a, border.b) = std::minmax(kept, other);
+      add(border);
+    }
+    for (const std::int32_t other : neighbours_[kept]) {
+      const auto entry = entries_.find(std::minmax(kept, other));
+      rank(entry->first, entry->second);
+    }
+  }
+
+private:
+  struct Entry {
+    RegionBorder border;
+    double share = 0.0; ///< 0: not ranked
+  };
+
+  void
+  add(const RegionBorder& border)
+  {
+    RegionBorder& sum = entries_[{border.a, border.b}].border;
+    sum.a = border.a;
+    sum.b = border.b;
+    sum.border_area += border.border_area;
+    sum.opening_area += border.opening_area;
+    sum.opening_run += border.opening_run;
+    sum.open_area += border.open_area;
+    neighbours_[border.a].insert(border.b);
+    neighbours_[border.b].insert(border.a);
+  }
+
+  double
+  shareOf(const RegionBorder& border) const
+  {
+    const bool below_lintel =
+        border.open_area < options_.open_height * border.opening_area;
+    const bool is_door = border.opening_run.norm() < options_.door_width;
+    const double part =
+        border.open_area /
+        std::max(border.border_area, std::min(section_[border.a], section_[border.b]));
+    return below_lintel || (is_door && part <= options_.door_share) ? 0.0 : part;
+  }
+
+  void
+  rank(const RegionPair& pair, Entry& entry)
+  {
+    ranks_.erase({-entry.share, pair});
+    const double share = shareOf(entry.border);
+    entry.share = share > options_.open_share ? share : 0.0;
+    if (entry.share > 0.0)
+      ranks_.insert({-entry.share, pair});
+  }
+
+  const MergeOptions& options_;
+  std::vector<double> section_;
+  std::vector<std::set<std::int32_t>> neighbours_;
+  std::map<RegionPair, Entry> entries_;
+  std::set<std::pair<double, RegionPair>> ranks_; // the greatest share first
+};
+
 } // namespace
 
 std::vector<RegionBorder>
@@ -258,75 +362,33 @@ regionOpenings(const VoxelGrid<std::uint8_t>& occupancy,
 }
 
 std::vector<std::int32_t>
-mergeOpenRegions(std::vector<RegionBorder> borders,
-                 std::vector<double> section,
+mergeOpenRegions(const std::vector<RegionBorder>& borders,
+                 const std::vector<double>& section,
                  const MergeOptions& options,
                  const StayApart& stay_apart)
 {
-  std::vector<std::int32_t> label(section.size());
-  for (std::size_t i = 0; i < label.size(); ++i)
-    label[i] = static_cast<std::int32_t>(i);
-  const auto regionsOf = [&](std::int32_t space) {
-    std::vector<std::int32_t> regions;
-    for (std::size_t i = 0; i < label.size(); ++i)
-      if (label[i] == space)
-        regions.push_back(static_cast<std::int32_t>(i));
-    return regions;
-  };
-  std::set<RegionPair> apart; // spaces that stay so until one of them grows
-  while (true) {
-    // The borders of joined regions add up, so shares are looked at anew after a join.
-    const auto share = [&](const RegionBorder& border) {
-      const bool below_lintel =
-          border.open_area < options.open_height * border.opening_area;
-      const bool is_door = border.opening_run.norm() < options.door_width;
-      const double part =
-          border.open_area /
-          std::max(border.border_area, std::min(section[border.a], section[border.b]));
-      return below_lintel || apart.count({border.a, border.b}) > 0 ||
-                     (is_door && part <= options.door_share)
-                 ? 0.0
-                 : part;
-    };
-    const auto widest = std::max_element(
-        borders.begin(), borders.end(), [&](const auto& first, const auto& second) {
-          return share(first) < share(second);
-        });
-    if (widest == borders.end() || !(share(*widest) > options.open_share))
-      return label;
-    const std::int32_t kept = widest->a, gone = widest->b;
-    if (stay_apart && stay_apart(regionsOf(kept), regionsOf(gone))) {
-      apart.insert({kept, gone});
+  OpenBorders open(borders, section, options);
+  std::vector<std::vector<std::int32_t>> regions_of(section.size()); // of each space
+  for (std::size_t i = 0; i < section.size(); ++i)
+    regions_of[i] = {static_cast<std::int32_t>(i)};
+  while (const auto widest = open.widest()) {
+    const auto [kept, gone] = *widest;
+    auto &regions = regions_of[kept], &others = regions_of[gone];
+    if (stay_apart && stay_apart(regions, others)) {
+      open.keepApart(*widest);
       continue;
     }
-    for (auto pair = apart.begin(); pair != apart.end();) {
-      const bool grows = pair->first == kept || pair->second == kept ||
-                         pair->first == gone || pair->second == gone;
-      pair = grows ? apart.erase(pair) : std::next(pair);
-    }
-    section[kept] = std::max(section[kept], section[gone]);
-    for (auto& each : label)
-      if (each == gone)
-        each = kept;
-    std::map<RegionPair, RegionBorder> joined;
-    for (RegionBorder border : borders) {
-      const std::int32_t a = border.a == gone ? kept : border.a;
-      const std::int32_t b = border.b == gone ? kept : border.b;
-      if (a == b)
-        continue;
-      std::tie(border.a, border.b) = std::minmax(a, b);
-      RegionBorder& sum = joined[{border.a, border.b}];
-      sum.a = border.a;
-      sum.b = border.b;
-      sum.border_area += border.border_area;
-      sum.opening_area += border.opening_area;
-      sum.opening_run += border.opening_run;
-      sum.open_area += border.open_area;
-    }
-    borders.clear();
-    for (const auto& [pair, border] : joined)
-      borders.push_back(border);
+    open.join(kept, gone);
+    const auto count = static_cast<std::ptrdiff_t>(regions.size());
+    regions.insert(regions.end(), others.begin(), others.end());
+    std::inplace_merge(regions.begin(), regions.begin() + count, regions.end());
+    others.clear();
   }
+  std::vector<std::int32_t> label(section.size());
+  for (std::size_t space = 0; space < regions_of.size(); ++space)
+    for (const auto region : regions_of[space])
+      label[region] = static_cast<std::int32_t>(space);
+  return label;
 }
 
 } // namespace indoor

@@ -5,6 +5,7 @@
 
 #include "rooms/map/wall_lean.h"
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
@@ -256,43 +257,50 @@ wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
                         "The lean of walls, "
                             << options.max_lean << " rad, or the window, "
                             << options.window << " m, is out of range.");
-  const double radius = std::max(2.0, 0.5 * options.window / occupancy.voxel_size);
+  const double whole_map = 2.0 * (blocked.nx + blocked.ny); // nothing lies farther
+  const double radius =
+      std::min(whole_map, std::max(2.0, 0.5 * options.window / occupancy.voxel_size));
   const double slope = std::tan(options.max_lean);
   const auto places = spreadOver(blocked, static_cast<int>(radius));
   std::vector<WallStretch> found(places.size());
-#pragma omp parallel num_threads(threadCount(options.threads))
-  {
-    LeanSearch search(slope, 0.5 * radius);
+  struct State {
+    LeanSearch search;
     std::vector<SectionVoxel> section;
-#pragma omp for schedule(dynamic, 16)
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(places.size()); ++i) {
-      auto wall = wallAround(blocked, places[i], radius);
-      if (!wall)
-        continue;
-      const int top = ceiling.at(static_cast<int>(places[i].x() + 0.5),
-                                 static_cast<int>(places[i].y() + 0.5));
-      const double middle = top - 0.5 * (slab.first + slab.last);
-      sectionAt(occupancy,
-                storey.begin + 2, // above the floor and its noise
-                middle,
-                top - slab.first,
-                slope,
-                radius,
-                *wall,
-                section);
-      auto line =
-          search.best(section, 2.0 * radius * std::max(0.0, middle - storey.begin - 2));
-      if (!line)
-        continue;
-      const bool is_upright = line->lean == 0.0;
-      refine(section, *line);
-      if (std::abs(line->lean) > slope)
-        continue;
-      wall->lean = is_upright ? 0.0 : line->lean;
-      wall->weight = line->weight;
-      found[i] = *wall;
-    }
-  }
+  };
+  parallelFor(
+      static_cast<std::ptrdiff_t>(places.size()),
+      threadCount(options.threads),
+      16,
+      [&] {
+        return State{LeanSearch(slope, 0.5 * radius), {}};
+      },
+      [&](State& state, std::ptrdiff_t i) {
+        auto wall = wallAround(blocked, places[i], radius);
+        if (!wall)
+          return;
+        const int top = ceiling.at(static_cast<int>(places[i].x() + 0.5),
+                                   static_cast<int>(places[i].y() + 0.5));
+        const double middle = top - 0.5 * (slab.first + slab.last);
+        sectionAt(occupancy,
+                  storey.begin + 2, // above the floor and its noise
+                  middle,
+                  top - slab.first,
+                  slope,
+                  radius,
+                  *wall,
+                  state.section);
+        auto line = state.search.best(
+            state.section, 2.0 * radius * std::max(0.0, middle - storey.begin - 2));
+        if (!line)
+          return;
+        const bool is_upright = line->lean == 0.0;
+        refine(state.section, *line);
+        if (std::abs(line->lean) > slope)
+          return;
+        wall->lean = is_upright ? 0.0 : line->lean;
+        wall->weight = line->weight;
+        found[i] = *wall;
+      });
   found.erase(std::remove_if(found.begin(),
                              found.end(),
                              [](const auto& wall) { return !(wall.weight > 0); }),

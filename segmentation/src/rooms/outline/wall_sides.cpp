@@ -5,6 +5,7 @@
 
 #include <pcl/segmentation/rooms/wall_sides.h>
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <Eigen/Eigenvalues>
@@ -217,8 +218,8 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
   in_pixels.max_thickness /= pixel_size;
 
   const int threads = threadCount(options.threads);
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (int x = 0; x < labels.nx; ++x) {
+  parallelFor(labels.nx, threads, 8, [&](std::ptrdiff_t column) {
+    const int x = static_cast<int>(column);
     std::vector<Eigen::Vector2d> window;
     for (int y = 0; y < labels.ny; ++y) {
       const std::size_t pixel = labels.index(x, y);
@@ -266,7 +267,7 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
           point_labels[i] = side > 0 ? above.label : below.label;
       }
     }
-  }
+  });
 }
 
 } // namespace indoor

@@ -5,6 +5,8 @@
 
 #include "rooms/space/block_extent.h"
 
+#include <pcl/indoor/parallel_for.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -185,18 +187,21 @@ countBlocks(const std::vector<Eigen::Vector3f>& points,
   const auto count = static_cast<std::ptrdiff_t>(points.size());
   const double scale = 1.0 / options.block_size;
   BlockCounts all;
-#pragma omp parallel num_threads(options.threads)
-  {
-    BlockCounts own;
-    RecentCounts recent(own);
-#pragma omp for schedule(static) nowait
-    for (std::ptrdiff_t i = 0; i < count; ++i)
-      recent.add(keyOf(points[i], scale));
-    recent.flush();
-#pragma omp critical
-    for (const auto& [key, points_in_block] : own.sorted())
-      all[key] += points_in_block;
-  }
+  constexpr std::ptrdiff_t chunk = 1 << 16;
+  parallelFor((count + chunk - 1) / chunk,
+              options.threads,
+              1,
+              [] { return BlockCounts(); },
+              [&](BlockCounts& own, std::ptrdiff_t k) {
+                RecentCounts recent(own);
+                for (auto i = k * chunk; i < std::min(count, (k + 1) * chunk); ++i)
+                  recent.add(keyOf(points[i], scale));
+                recent.flush();
+              },
+              [&all](const BlockCounts& own) {
+                for (const auto& [key, points_in_block] : own.sorted())
+                  all[key] += points_in_block;
+              });
   return all.sorted();
 }
 

@@ -7,6 +7,7 @@
 
 #include "rooms/space/grid_cut.h"
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
@@ -128,19 +129,20 @@ sweep(const LineBundle& lines,
 {
   // Lines do not share voxels, so that bands of lines are independent.
   const int bands = std::min(lines.count, 4 * threads);
-#pragma omp parallel num_threads(threads)
-  {
-    std::vector<std::uint8_t> state;
-#pragma omp for schedule(dynamic)
-    for (int band = 0; band < bands; ++band)
-      sweepLines(lines,
-                 static_cast<int>(static_cast<long>(lines.count) * band / bands),
-                 static_cast<int>(static_cast<long>(lines.count) * (band + 1) / bands),
-                 bit,
-                 occupancy,
-                 state,
-                 bits);
-  }
+  parallelFor(
+      bands,
+      threads,
+      1,
+      [] { return std::vector<std::uint8_t>(); },
+      [&](std::vector<std::uint8_t>& state, std::ptrdiff_t band) {
+        sweepLines(lines,
+                   static_cast<int>(lines.count * band / bands),
+                   static_cast<int>(lines.count * (band + 1) / bands),
+                   bit,
+                   occupancy,
+                   state,
+                   bits);
+      });
 }
 
 /** \brief The vertical bits, and 0 for occupied voxels. */

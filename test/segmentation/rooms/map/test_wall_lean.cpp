@@ -238,6 +238,26 @@ TEST(WallLean, StraightenedUndoesAShear)
   EXPECT_NEAR(straight.y(), 30.0, 1e-9);
 }
 
+TEST(WallLean, AWindowLargerThanTheMapIsTheMap)
+{
+  const Section section(20 * degree, 10 * degree);
+  const auto found = [&section](double window) {
+    WallLeanOptions options;
+    options.window = window;
+    return wallStretches(section.occupancy,
+                         section.range,
+                         section.ceiling,
+                         slab,
+                         section.blocked,
+                         options);
+  };
+  const auto whole = found(4 * voxel * (section.blocked.nx + section.blocked.ny));
+  const auto huge = found(1e9); // so many voxels would not fit into memory
+  ASSERT_EQ(huge.size(), whole.size());
+  for (std::size_t i = 0; i < huge.size(); ++i)
+    EXPECT_EQ(huge[i].lean, whole[i].lean);
+}
+
 TEST(WallLean, RejectsOptionsOutOfRange)
 {
   const Section section(0.0, 0.0);

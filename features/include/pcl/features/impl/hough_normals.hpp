@@ -8,6 +8,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/hough_normals.h>
 #include <pcl/indoor/neighbor_distance.h>
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/indoor/usable_point.h>
 
@@ -125,39 +126,47 @@ HoughNormalEstimation<PointInT, PointOutT>::computeFeature(PointCloudOut& output
   // of them, each finds all others as neighbours.
   const auto first = indoor::firstInPlace(*input_, *indices_);
   const auto count = static_cast<std::ptrdiff_t>(indices_->size());
-  bool dense = true;
-#pragma omp parallel num_threads(indoor::threadCount(threads_)) reduction(&& : dense)
-  {
-    auto estimator = shared;
+  struct State {
+    indoor::HoughNormalEstimator estimator;
     Indices neighbors;
     std::vector<float> squared_distances;
     std::vector<Eigen::Vector3f> offsets;
-#pragma omp for schedule(dynamic, 256)
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-      if (first[i] != i)
-        continue;
-      const auto index = (*indices_)[i];
-      const PointInT& point = (*input_)[index];
-      offsets.clear();
-      if (indoor::isUsablePoint(point)) {
-        this->searchForNeighbors(
-            index, search_parameter_, neighbors, squared_distances);
-        // Double differences: nothing is lost in large coordinates.
-        const Eigen::Vector3d origin = point.getVector3fMap().template cast<double>();
-        for (const auto neighbor : neighbors)
-          offsets.push_back(
-              ((*surface_)[neighbor].getVector3fMap().template cast<double>() - origin)
-                  .template cast<float>());
-      }
-      const auto found = estimator.estimate(offsets);
-      output[i].getNormalVector3fMap() = found.normal;
-      output[i].curvature = found.curvature;
-      dense = dense && std::isfinite(found.normal.x());
-    }
-  }
+    bool dense;
+  };
+  output.is_dense = true;
+  indoor::parallelFor(
+      count,
+      static_cast<int>(threads_),
+      256,
+      [&shared] {
+        return State{shared, {}, {}, {}, true};
+      },
+      [&](State& state, std::ptrdiff_t i) {
+        auto& [estimator, neighbors, squared_distances, offsets, dense] = state;
+        if (first[i] != i)
+          return;
+        const auto index = (*indices_)[i];
+        const PointInT& point = (*input_)[index];
+        offsets.clear();
+        if (indoor::isUsablePoint(point)) {
+          this->searchForNeighbors(
+              index, search_parameter_, neighbors, squared_distances);
+          // Double differences: nothing is lost in large coordinates.
+          const Eigen::Vector3d origin = point.getVector3fMap().template cast<double>();
+          for (const auto neighbor : neighbors)
+            offsets.push_back(
+                ((*surface_)[neighbor].getVector3fMap().template cast<double>() -
+                 origin)
+                    .template cast<float>());
+        }
+        const auto found = estimator.estimate(offsets);
+        output[i].getNormalVector3fMap() = found.normal;
+        output[i].curvature = found.curvature;
+        dense = dense && std::isfinite(found.normal.x());
+      },
+      [&output](const State& state) { output.is_dense &= state.dense; });
   for (std::ptrdiff_t i = 0; i < count; ++i)
     output[i] = output[first[i]];
-  output.is_dense = dense;
   orient(output);
 }
 

@@ -5,11 +5,11 @@
 
 #pragma once
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/segmentation/hdbscan.h>
 
 #include <algorithm>
-#include <atomic>
 
 namespace pcl {
 namespace indoor {
@@ -40,35 +40,32 @@ coreDistances(std::size_t count, const Distance& distance, std::size_t k, int th
   const std::size_t others = count == 0 ? 0 : std::min(k, count) - 1;
   if (others == 0)
     return core;
-  std::atomic<bool> bad(false); // an exception must not leave a parallel region
-#pragma omp parallel num_threads(usefulThreads(threads, count, 256))
-  {
-    std::vector<double> nearest; // a heap with the farthest on top
-#pragma omp for schedule(dynamic, 64)
-    for (std::ptrdiff_t row = 0; row < static_cast<std::ptrdiff_t>(count); ++row) {
-      const auto i = static_cast<std::size_t>(row);
-      nearest.clear();
-      for (std::size_t j = 0; j < count; ++j) {
-        if (j == i)
-          continue;
-        const double d = distance(i, j);
-        if (!(d >= 0.0))
-          bad = true;
-        if (nearest.size() < others) {
-          nearest.push_back(d);
-          std::push_heap(nearest.begin(), nearest.end());
+  parallelFor(
+      static_cast<std::ptrdiff_t>(count),
+      usefulThreads(threads, count, 256),
+      64,
+      [] { return std::vector<double>(); }, // a heap with the farthest on top
+      [&](std::vector<double>& nearest, std::ptrdiff_t row) {
+        const auto i = static_cast<std::size_t>(row);
+        nearest.clear();
+        for (std::size_t j = 0; j < count; ++j) {
+          if (j == i)
+            continue;
+          const double d = distance(i, j);
+          if (!(d >= 0.0))
+            throwBadDistance();
+          if (nearest.size() < others) {
+            nearest.push_back(d);
+            std::push_heap(nearest.begin(), nearest.end());
+          }
+          else if (d < nearest.front()) {
+            std::pop_heap(nearest.begin(), nearest.end());
+            nearest.back() = d;
+            std::push_heap(nearest.begin(), nearest.end());
+          }
         }
-        else if (d < nearest.front()) {
-          std::pop_heap(nearest.begin(), nearest.end());
-          nearest.back() = d;
-          std::push_heap(nearest.begin(), nearest.end());
-        }
-      }
-      core[i] = nearest.front();
-    }
-  }
-  if (bad)
-    throwBadDistance();
+        core[i] = nearest.front();
+      });
   return core;
 }
 
@@ -117,47 +114,45 @@ spanningTree(const std::vector<double>& core,
                          0,
                          std::numeric_limits<double>::infinity()};
   std::uint32_t current = 0;
-  bool bad = false;
+  struct State {
+    Reachable best;
+    std::ptrdiff_t nearest;
+  };
   while (!outside.empty()) {
     const auto size = static_cast<std::ptrdiff_t>(outside.size());
     const int team = usefulThreads(threads, outside.size(), share);
     Reachable chosen = nobody;
     std::ptrdiff_t place = 0; // of the chosen
-#pragma omp parallel num_threads(team) if (team > 1)
-    {
-      std::ptrdiff_t nearest = 0;
-      Reachable best = nobody;
-      bool invalid = false;
-#pragma omp for schedule(static) nowait
-      for (std::ptrdiff_t k = 0; k < size; ++k) {
-        Reachable& other = outside[static_cast<std::size_t>(k)];
-        // mutual reachability never falls below the core distances
-        const double least = std::max(core[current], core[other.point]);
-        if (least < other.distance) {
-          const double d = distance(current, other.point);
-          invalid |= !(d >= 0.0);
-          const double reach = std::max(d, least);
-          if (reach < other.distance) {
-            other.distance = reach;
-            other.from = current;
+    parallelFor(
+        size,
+        team,
+        evenChunk(size, team),
+        [&nobody] {
+          return State{nobody, 0};
+        },
+        [&](State& state, std::ptrdiff_t k) {
+          Reachable& other = outside[static_cast<std::size_t>(k)];
+          // mutual reachability never falls below the core distances
+          const double least = std::max(core[current], core[other.point]);
+          if (least < other.distance) {
+            const double d = distance(current, other.point);
+            if (!(d >= 0.0))
+              throwBadDistance();
+            const double reach = std::max(d, least);
+            if (reach < other.distance) {
+              other.distance = reach;
+              other.from = current;
+            }
           }
-        }
-        if (nearer(other, best)) {
-          best = other;
-          nearest = k;
-        }
-      }
-#pragma omp critical(pcl_indoor_hdbscan_nearest)
-      {
-        bad |= invalid;
-        if (nearer(best, chosen)) {
-          chosen = best;
-          place = nearest;
-        }
-      }
-    }
-    if (bad)
-      throwBadDistance();
+          if (nearer(other, state.best))
+            state = {other, k};
+        },
+        [&](const State& state) {
+          if (nearer(state.best, chosen)) {
+            chosen = state.best;
+            place = state.nearest;
+          }
+        });
     tree.push_back({chosen.from, chosen.point, chosen.distance});
     current = chosen.point;
     outside[static_cast<std::size_t>(place)] = outside.back();

@@ -100,12 +100,13 @@ using StayApart = std::function<bool(const std::vector<std::int32_t>& a,
  * \param[in] borders as regionBorders() gives them
  * \param[in] section per label (index 0 unused): area of the widest vertical section
  * through the region, m^2 (> 0)
- * \param[in] stay_apart asked before two spaces are joined; empty: never
+ * \param[in] stay_apart asked before two spaces are joined, and again after one of them
+ * has grown; empty: never
  * \return the new label of each old one, that of the smallest member; 0 stays 0
  */
 std::vector<std::int32_t>
-mergeOpenRegions(std::vector<RegionBorder> borders,
-                 std::vector<double> section,
+mergeOpenRegions(const std::vector<RegionBorder>& borders,
+                 const std::vector<double>& section,
                  const MergeOptions& options = {},
                  const StayApart& stay_apart = {});
 

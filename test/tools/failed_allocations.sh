@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the pcl_indoor contributors
+#
+# failed_allocations.sh <folder of the tools> <plan> <library fail_allocation> <first n> <random n> [pipeline|rooms|objects]
+# Lets tools run out of memory at their first n allocations, one in each run, and at random later ones. A tool then
+# either says so in one line with exit status 1 and leaves nothing, or does without the memory and writes what it
+# writes otherwise.
+set -u
+tools=$1 plan=$2 library=$3 first=$4 random=$5
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+RANDOM=1
+
+pipeline() { "$tools"/pcl_indoor_pipeline scan.pcd out/scene -threads 2; }
+rooms() { "$tools"/pcl_room_segmentation scan.pcd out/rooms.pcd -map out/map -json out/rooms.json -threads 2; }
+objects() { "$tools"/pcl_noise_resilient_lccp scan.pcd out/objects.ply -threads 2; }
+
+fail() { echo "$*"; head -c 2000 said; ls -lR out; exit 1; }
+
+try() { # <tool> <n>
+  rm -rf out
+  mkdir out
+  (LD_PRELOAD=$library FAIL_AT=$2 "$1" > /dev/null 2> said)
+  local status=$?
+  if [ $status -eq 0 ]; then
+    diff -rq out "expected_$1" > /dev/null || fail "$1, allocation $2: other results"
+    survived=$((survived + 1))
+    return
+  fi
+  [ $status -eq 1 ] || fail "$1, allocation $2: status $status"
+  [ "$(wc -l < said)" -eq 1 ] || fail "$1, allocation $2: not one line"
+  [ -z "$(ls -A out)" ] || fail "$1, allocation $2: an output beside an error"
+}
+
+"$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.12 || exit 1
+for tool in ${6:-pipeline rooms objects}; do
+  rm -rf out
+  mkdir out
+  (LD_PRELOAD=$library FAIL_AT=0 $tool > /dev/null 2> said) || fail "$tool fails"
+  count=$(sed -n 's/ allocations$//p' said)
+  mv out expected_$tool
+  survived=0
+  for ((n = 1; n <= first; ++n)); do
+    try $tool $n
+  done
+  for ((n = 0; n < random; ++n)); do
+    try $tool $((1 + (RANDOM * 32768 + RANDOM) % count))
+  done
+  echo "$tool: $((first + random)) of $count allocations failed, $survived of them without harm"
+done

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the pcl_indoor contributors
+#
+# killed_tools.sh <folder of the tools> <plan> <number of random moments>
+# Kills (kill -9) each of the tools that killed_runs.sh does not kill, at random moments. Every file under its final
+# name must be whole: that of the run before or that of this run.
+set -u
+tools=$1 plan=$2 moments=$3
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+
+"$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.12 -json scan.json -quiet || exit 1
+"$tools"/pcl_hough_normals scan.pcd object.pcd -quiet || exit 1
+model=$(realpath "$tools")/../share/pcl_indoor/indoor_objects.model
+
+# each: <1|2>, by which an option and the results differ
+objects() { exec "$tools"/pcl_noise_resilient_lccp scan.pcd now/cloud.ply -colour "$([ "$1" = 1 ] && echo object || echo height)"; }
+normals() { exec "$tools"/pcl_hough_normals scan.pcd now/cloud.pcd -k 1"$1"; }
+simulation() { exec "$tools"/pcl_scan_simulation "$plan" now/cloud.pcd -json now/scan.json -leaf 0.12 -seed "$1" -rays_per_pose 5000; }
+descriptor() { exec "$tools"/pcl_eppf_estimation object.pcd now/descriptor.pcd -seed "$1"; }
+evaluation() { exec "$tools"/pcl_segmentation_evaluation scan.pcd scan.pcd -truth_field object -predicted_field room -ignore "$1" -json now/result.json; }
+collection() { exec "$tools"/pcl_segment_collection scan.pcd now/classes -names scan.json -min_points "$1"0; }
+examples() { exec "$tools"/pcl_joining_examples scan.pcd now/examples -seed "$1"; }
+classes() { exec "$tools"/pcl_eppf_classify "$model" "$([ "$1" = 1 ] && echo object || echo scan)".pcd -json now/classes.json; }
+
+fail() { echo "$*"; ls -lR now; exit 1; }
+
+for tool in objects normals simulation descriptor evaluation collection examples classes; do
+  rm -rf old new
+  for run in 1 2; do
+    rm -rf now
+    mkdir now
+    ($tool $run -quiet > /dev/null) || fail "$tool fails"
+    mv now "$([ $run = 1 ] && echo old || echo new)"
+  done
+  diff -rq old new > /dev/null && fail "$tool: the two runs do not differ"
+  begin=$(date +%s%N)
+  rm -rf now
+  mkdir now
+  ($tool 2 > /dev/null) || fail "$tool fails"
+  length=$((($(date +%s%N) - begin) / 1000000 + 1)) # milliseconds
+  amid=0
+  for ((moment = 0; moment < moments; ++moment)); do
+    rm -rf now
+    cp -r old now
+    $tool 2 > /dev/null &
+    sleep "$(printf '0.%06d' $(((RANDOM * 32768 + RANDOM) % length * 1000 % 1000000)))"
+    kill -KILL $! 2> /dev/null
+    wait $! 2> /dev/null
+    [ $? -ne 137 ] || amid=$((amid + 1))
+    while IFS= read -r file; do
+      cmp -s "now/$file" "old/$file" || cmp -s "now/$file" "new/$file" || fail "$tool: $file is neither the old nor the new one"
+    done < <(cd now && find . -type f ! -name '*.part*')
+  done
+  echo "$tool: ended amid its work at $amid of $moments random moments"
+done 2> /dev/null # bash tells of each program that is killed

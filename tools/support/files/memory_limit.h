@@ -1,0 +1,38 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <string>
+
+namespace pcl::indoor::tool {
+
+class OptionParser;
+
+/** \brief What is left of the machine's memory: of MemAvailable in /proc/meminfo and
+ * the limit of the control group, the less; bytes, 0 if unknown. */
+double
+availableMemory();
+
+/** \brief The option -memory_limit: a scan that needs more memory is refused before it
+ * is read, since the system ends programs that take too much without a word. */
+class MemoryLimit {
+public:
+  MemoryLimit();
+
+  void
+  addOption(OptionParser& parser);
+
+  /** \brief Compare the limit with what a tool will need, from the header of the scan.
+   * \param[in] bytes_per_point measured, see docs/robustness.md
+   * \throws ToolError naming need, limit and what can be done
+   */
+  void
+  require(const std::string& path, double bytes_per_point) const;
+
+private:
+  double gigabytes_; ///< 0: none
+};
+
+} // namespace pcl::indoor::tool
