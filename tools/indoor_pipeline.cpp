@@ -10,6 +10,7 @@
 #include "objects/category_names.h" // for other_class
 #include "pictures/class_picture.h"
 #include "pictures/room_picture.h"
+#include "scene/object_remainder.h"
 #include "scene/room_objects.h"
 #include "scene/scan_frame.h"
 #include "scene/scene_file.h"
@@ -190,6 +191,7 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
   scene.rooms = segmentation.getRooms();
   scene.openings = segmentation.getOpenings();
   scene.building = segmentation.getBuilding();
+  scene.building_pose = segmentation.getBuildingPose();
   scene.report = segmentation.getReport();
   progress.done(summaryOf(segmentation));
 
@@ -206,9 +208,12 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
       options.threads,
       {},
       [&](std::size_t done, std::size_t all) { progress.update(done, all); });
+  separateRemainder(found);
+  scene.object_voxels = std::move(found.voxel_sizes);
+  scene.seeds_per_voxel = objects.seed_size / objects.voxel_size;
   scene.object_of_point = std::move(found.object_of_point);
   scene.structure_of_point = std::move(found.structure_of_point);
-  scene.objects = measureObjects(*file.points, scene);
+  scene.objects = measureObjects(*file.points, *points, scene);
   progress.done(std::to_string(scene.objects.size()) + " objects");
   return {std::move(found.surfaces), points};
 }
@@ -278,23 +283,34 @@ describe(const Options& options,
 /** Put all results into the folder, scene.json the last: where it lies, the others
  * belong to it. */
 void
-saveResults(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
+saveResults(const Options& options,
+            const std::vector<Setting>& settings,
+            const Scene& scene,
+            const pcl::PointCloud<pcl::PointXYZ>& points,
+            const CloudFile& file)
 {
   const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
   std::vector<OutputFile> files;
   files.push_back(cloudBeside(in_folder("cloud.pcd"), file.cloud, file.frame));
-  for (const auto& [name, bytes] : texts)
-    files.push_back(writtenBeside(in_folder(name), bytes));
+  add("rooms.png", pngBytes(drawRooms(scene.building)));
+  add("potential_field.png", pngBytes(drawPotentialField(scene.building)));
+  if (!scene.classes.names.empty())
+    add("classes.png", pngBytes(drawClasses(scene, points)));
+  add("scene.json", sceneText(scene, file, options.frame, settings));
   commitTogether(files, {in_folder("scene.json"), in_folder("classes.png")});
 }
 
 /** Make the folder and fill it, or leave nothing. Returns the names of the results. */
 std::string
-save(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
+save(const Options& options,
+     const std::vector<Setting>& settings,
+     const Scene& scene,
+     const pcl::PointCloud<pcl::PointXYZ>& points,
+     const CloudFile& file)
 {
   const bool is_made = makeFolder(folder);
   try {
-    saveResults(folder, texts, file);
+    saveResults(options, settings, scene, points, file);
   } catch (...) {
     if (is_made)
       std::filesystem::remove(folder); // is empty
@@ -343,8 +359,7 @@ main(int argc, char** argv)
     }
     complete(options, scene, file);
     progress.start("Saving to " + options.folder);
-    const auto texts = describe(options, parser.values(), scene, *found.points, file);
-    progress.done(save(options.folder, texts, file));
+    progress.done(save(options, parser.settings(), scene, *found.points, file));
     progress.summary(options.folder + ": " + std::to_string(scene.rooms.size()) +
                      " rooms, " + std::to_string(scene.objects.size()) + " objects");
   });

@@ -155,7 +155,8 @@ describe(const Options& options,
   std::vector<OutputFile> files;
   const auto& building = segmentation.getBuilding();
   if (!options.json.empty()) {
-    auto json = inputJson(file, parameters, rooms);
+    auto json = inputJson(file, rooms);
+    json["parameters"] = parameters;
     addReportJson(json, options.frame, segmentation.getReport());
     json["storeys"] = building.storeys.size();
     json["rooms"] =
