@@ -4,12 +4,15 @@
  */
 #include "command_line/options.h"
 #include "files/cloud_file.h"
-#include "files/memory_limit.h"
+#include "files/json_text.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "objects/category_names.h" // for other_class
 #include "pictures/class_picture.h"
+#include "pictures/plan_dxf.h"
+#include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
+#include "report/report_page.h"
 #include "scene/object_remainder.h"
 #include "scene/room_objects.h"
 #include "scene/scan_frame.h"
@@ -36,6 +39,7 @@ struct Options {
   std::string input, folder;
   std::string partition = "graph";
   std::string model = "bundled"; ///< file, "none" or "bundled"
+  std::string report = "folder"; ///< file, "none" or "folder"
   ScanFrame frame;
   pcl::indoor::BuildingRoomsOptions rooms;
   pcl::indoor::ObjectSegmentationOptions objects;
@@ -46,10 +50,22 @@ struct Options {
   MemoryLimit memory;
   int threads = 0;
   bool ignore_normals = false;
+
+  std::string
+  reportFile() const
+  {
+    return report == "folder" ? folder + "/report.html" : report;
+  }
 };
 
-constexpr const char* results[] = {
-    "scene.json", "cloud.pcd", "rooms.png", "potential_field.png", "classes.png"};
+constexpr const char* results[] = {"scene.json",
+                                   "cloud.pcd",
+                                   "rooms.png",
+                                   "potential_field.png",
+                                   "classes.png",
+                                   "plan.svg",
+                                   "plan.dxf",
+                                   "report.html"};
 
 OptionParser
 makeParser(Options& options)
@@ -58,8 +74,8 @@ makeParser(Options& options)
       "pcl_indoor_pipeline",
       "Finds the rooms of a building's scan, the objects in each room "
       "and the class of each object; writes cloud.pcd with the fields "
-      "room, object, structure, category and confidence, scene.json, rooms.png, "
-      "potential_field.png and classes.png.");
+      "room, object, structure, category and confidence, scene.json, report.html, "
+      "plan.svg, plan.dxf, rooms.png, potential_field.png and classes.png.");
   parser.positional("input", options.input, "PCD or PLY file")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
@@ -95,6 +111,10 @@ makeParser(Options& options)
             options.model,
             "file of a classifier that pcl_eppf_train has made; bundled = furniture, "
             "doors and windows, none = no classes")
+      .text("-report",
+            options.report,
+            "file of the report, a page for browsers; folder = report.html beside the "
+            "other results, none = no report")
       .flag("-ignore_normals",
             options.ignore_normals,
             "estimate normals although there are some")
@@ -292,12 +312,26 @@ saveResults(const Options& options,
   const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
   std::vector<OutputFile> files;
   files.push_back(cloudBeside(in_folder("cloud.pcd"), file.cloud, file.frame));
+  const auto field = drawPotentialField(scene.building);
   add("rooms.png", pngBytes(drawRooms(scene.building)));
-  add("potential_field.png", pngBytes(drawPotentialField(scene.building)));
+  add("potential_field.png", pngBytes(field));
   if (!scene.classes.names.empty())
     add("classes.png", pngBytes(drawClasses(scene, points)));
-  add("scene.json", sceneText(scene, file, options.frame, settings));
-  commitTogether(files, {in_folder("scene.json"), in_folder("classes.png")});
+  auto plan = floorPlan(scene.building, thingsFromAbove(scene));
+  plan.origin = originOf(file, options.frame, scene.building_pose);
+  add("plan.dxf", planDxf(plan));
+  const auto json = sceneJson(scene, file, options.frame, settings);
+  if (options.report != "none")
+    files.push_back(
+        writtenBeside(options.reportFile(),
+                      reportPage({scene, json, plan, field, points, file.offset})));
+  for (auto& storey : plan.storeys)
+    storey.things.clear();
+  add("plan.svg", planSvg(plan));
+  add("scene.json", jsonText(json));
+  commitTogether(
+      files,
+      {in_folder("scene.json"), in_folder("classes.png"), in_folder("report.html")});
 }
 
 /** Make the folder and fill it, or leave nothing. Returns the names of the results. */
@@ -316,10 +350,7 @@ save(const Options& options,
       std::filesystem::remove(folder); // is empty
     throw;
   }
-  std::string names = "cloud.pcd";
-  for (const auto& text : texts)
-    names += ", " + text.first;
-  return names;
+  return "report.html, scene.json, cloud.pcd, plans and pictures";
 }
 
 /** Find out, before the long work, what cannot be written. */
@@ -330,6 +361,8 @@ requireUsable(const Options& options)
   if (std::filesystem::exists(options.folder))
     for (const char* name : results)
       requireWritable(options.folder + "/" + name);
+  if (options.report != "none" && options.report != "folder")
+    requireWritable(options.report);
   if (options.model == "none" && options.colors.wanted == "class")
     throw ToolError("-colour class: there are no classes with -model none");
 }

@@ -4,7 +4,7 @@
  */
 #include "scene/object_remainder.h"
 
-#include <pcl/segmentation/room_structure.h> // for StructureKind
+#include <pcl/segmentation/objects/room_structure.h> // for StructureKind
 
 #include <utility>
 

@@ -6,7 +6,7 @@
 
 #include "scene/room_json.h"
 
-#include <pcl/segmentation/room_structure.h> // for StructureKind
+#include <pcl/segmentation/objects/room_structure.h> // for StructureKind
 
 #include <algorithm>
 #include <cmath>
@@ -203,8 +203,8 @@ measureObjects(const PointCloud<PointXYZ>& points,
   return objects;
 }
 
-std::string
-sceneText(const Scene& scene,
+Json
+sceneJson(const Scene& scene,
           const CloudFile& file,
           const ScanFrame& frame,
           const std::vector<Setting>& settings)
@@ -227,7 +227,7 @@ sceneText(const Scene& scene,
   addObjectsToRooms(json["rooms"], scene);
   json["openings"] = openingsJson(scene, file.offset);
   json["objects"] = objectsJson(scene, file, frame);
-  return jsonText(json);
+  return json;
 }
 
 } // namespace pcl::indoor::tool

@@ -58,12 +58,12 @@ measureObjects(const PointCloud<PointXYZ>& points,
                const PointCloud<PointXYZ>& standing,
                const Scene& scene);
 
-/** \brief The JSON text of a scene, as tools/schema/scene.schema.json has it; positions
+/** \brief A scene, as tools/schema/scene.schema.json has it; positions
  * in the frame and the unit of the file, areas and lengths in metres.
  * \param[in] settings the values that were used, for the record
  */
-std::string
-sceneText(const Scene& scene,
+nlohmann::ordered_json
+sceneJson(const Scene& scene,
           const CloudFile& file,
           const ScanFrame& frame,
           const std::vector<Setting>& settings);
