@@ -97,6 +97,27 @@ TEST_F(OutputResults, ResultsOfAnEarlierRunDoNotStay)
   EXPECT_TRUE(std::filesystem::exists(path("out/notes.txt")));
 }
 
+TEST_F(OutputResults, TheReportIsOnePageWhereItIsWanted)
+{
+  ASSERT_EQ(run("pcl_indoor_pipeline", path("out")), 0);
+  const auto page = bytesOf(path("out/report.html"));
+  EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
+  EXPECT_EQ(page.substr(page.size() - 8), "</html>\n");
+  for (const char* link :
+       {"src=\"http", "href=\"http", "@import", "{{SCENE}}", "fetch("})
+    EXPECT_EQ(page.find(link), std::string::npos) << link;
+  ASSERT_EQ(run("pcl_indoor_pipeline", path("out") + " -report " + path("own.html")),
+            0);
+  EXPECT_FALSE(std::filesystem::exists(path("out/report.html")));
+  EXPECT_EQ(bytesOf(path("own.html")).size(),
+            page.size() + path("own.html").size() - 6);
+  ASSERT_EQ(run("pcl_indoor_pipeline", path("none") + " -report none"), 0);
+  EXPECT_FALSE(std::filesystem::exists(path("none/report.html")));
+  EXPECT_NE(run("pcl_indoor_pipeline", path("no") + " -report " + path("no/no.html")),
+            0);
+  EXPECT_FALSE(std::filesystem::exists(path("no")));
+}
+
 TEST_F(OutputResults, AFullDiskIsSaidInOneLineAndLeavesNothing)
 {
   const auto files = [&] {

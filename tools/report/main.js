@@ -130,11 +130,19 @@ function choose(item) {
   plan.mark(item, isShown);
   if (space) {
     space.mark(object);
-    if (object) space.turnTo(toBuilding(object.upright_box.center));
+    if (object) space.turnTo(toBuilding(object.upright_box.center), 11);
+    else if (item) space.turnTo(middleOf(item), 20);
     drawSpace();
   }
   showDetails();
   history.replaceState(null, "", item ? `#${item.kind}=${item.number}` : location.pathname + location.search);
+}
+
+/** Of a room or an opening, in the frame of the cloud. */
+function middleOf({ kind, number }) {
+  const room = scene.rooms[number - 1];
+  if (kind === "opening") return toBuilding(scene.openings[number - 1].position);
+  return toBuilding(room.box ? room.box.lower.map((value, i) => (value + room.box.upper[i]) / 2) : room.footprint[0][0]);
 }
 
 function drawSpace() {

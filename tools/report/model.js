@@ -26,7 +26,7 @@ const strong = ["#4477AA", "#EE7733", "#228833", "#CC3377", "#CCBB44", "#66CCEE"
   "#999933", "#88CCEE", "#EE6677", "#6699CC", "#117733", "#CC6677", "#997700", "#BB5566", "#DDCC77", "#5566AA"];
 const pale = ["#77AADD", "#EE8866", "#EEDD88", "#44BB99", "#FFAABB", "#99DDFF", "#BBCC33", "#AAAA00"];
 const grey = "#b4b8bc";
-const structureColours = { floor: "#d9d5cb", wall: "#c3c7cb", ceiling: "#dcdfe2" };
+const structureColours = { floor: "#cfcabf", wall: "#a3abb3", ceiling: "#c9ced3" };
 
 const counts = new Map();
 for (const thing of things) counts.set(nameOf(thing), (counts.get(nameOf(thing)) || 0) + 1);

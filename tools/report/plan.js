@@ -30,6 +30,10 @@ class Plan {
     const margin = 16;
     this.whole = [x - margin, y - margin, width + 2 * margin, height + 2 * margin];
     this.view = [...this.whole];
+    this.names = [...this.svg.querySelectorAll(".room-number")].map((number) => {
+      const room = this.svg.querySelector(`#room-${number.textContent}`).getBBox();
+      return { number, area: number.nextElementSibling, y: Number(number.getAttribute("y")) + 3, width: Math.min(room.width, room.height) };
+    });
     for (const shape of this.svg.querySelectorAll(".thing")) this.label(shape);
     this.colour(colourOf);
     this.show();
@@ -54,9 +58,20 @@ class Plan {
   mark(chosen, isShown) {
     for (const shape of this.svg.querySelectorAll("[data-object], [data-room], [data-opening]")) {
       const { kind, number } = itemOf(shape);
-      shape.classList.toggle("chosen", Boolean(chosen) && chosen.kind === kind && chosen.number === number);
+      const is = Boolean(chosen) && chosen.kind === kind && chosen.number === number;
+      shape.classList.toggle("chosen", is);
+      if (is) this.reveal(shape);
       shape.classList.toggle("away", kind === "object" && !isShown(objects[number - 1]));
     }
+  }
+
+  /** Move the plan so that a shape is in it. */
+  reveal(shape) {
+    const { x, y, width, height } = shape.getBBox();
+    const [u, v] = [x + width / 2, y + height / 2];
+    if (Math.abs(u - this.view[0] - this.view[2] / 2) > this.view[2] / 2) this.view[0] = u - this.view[2] / 2;
+    if (Math.abs(v - this.view[1] - this.view[3] / 2) > this.view[3] / 2) this.view[1] = v - this.view[3] / 2;
+    this.show();
   }
 
   show() {
@@ -64,10 +79,22 @@ class Plan {
     this.svg.setAttribute("viewBox", this.view.map((value) => value.toFixed(2)).join(" "));
     this.box.classList.toggle("close", this.whole[2] / this.view[2] > 2.2);
     const perUnit = this.pixelsPerUnit();
+    this.nameRooms(perUnit);
     const bar = document.querySelector("#scale span");
     const metres = [0.5, 1, 2, 5, 10, 20, 50, 100].find((length) => length * 50 * perUnit > 55) || 200;
     bar.style.width = `${metres * 50 * perUnit}px`;
     bar.textContent = `${metres} m`;
+  }
+
+  /** Names are as large on the screen at any zoom; areas are shown where there is space for them. */
+  nameRooms(perUnit) {
+    this.svg.style.setProperty("--unit", 1 / perUnit);
+    for (const { number, area, y, width } of this.names) {
+      const narrow = width * perUnit < 52;
+      number.setAttribute("y", y + (narrow ? 5 : -1) / perUnit);
+      area.setAttribute("y", y + 13 / perUnit);
+      area.classList.toggle("narrow", narrow);
+    }
   }
 
   pixelsPerUnit() {

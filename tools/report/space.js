@@ -7,6 +7,7 @@ class Space {
   constructor(canvas, choose) {
     this.canvas = canvas;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.renderer.outputColorSpace = "srgb-linear"; // colours as they are
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(40, 1, 0.1, 2000);
@@ -20,11 +21,17 @@ class Space {
     this.geometry.setAttribute("position", new THREE.BufferAttribute(cloud.positions, 3));
     this.colours = new THREE.BufferAttribute(new Uint8Array(3 * cloud.count), 3, true);
     this.geometry.setAttribute("color", this.colours);
-    this.points = new THREE.Points(this.geometry, new THREE.PointsMaterial({ size: 0.06, vertexColors: true }));
+    const material = new THREE.PointsMaterial({ size: 1.6 * cloudHeader.spacing, vertexColors: true });
+    material.onBeforeCompile = (shader) => { // round points
+      shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>",
+        "#include <color_fragment>\nif (length(gl_PointCoord - 0.5) > 0.5) discard;");
+    };
+    this.points = new THREE.Points(this.geometry, material);
     this.points.frustumCulled = false;
     this.frame = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x0b62c4, depthTest: false }));
     this.frame.renderOrder = 1;
     this.scene.add(this.points, this.frame);
+    this.controls.addEventListener("start", () => { this.whole = null; });
     canvas.addEventListener("pointerdown", (event) => { this.pressed = [event.clientX, event.clientY]; });
     canvas.addEventListener("pointerup", (event) => {
       if (this.pressed && Math.hypot(event.clientX - this.pressed[0], event.clientY - this.pressed[1]) < 5) choose(this.pick(event));
@@ -63,22 +70,33 @@ class Space {
     this.render();
   }
 
-  /** Look from the south and above at a box of places. */
+  /** Look from the south and above at a whole box of places, also when the window changes, until the view is moved. */
   look(lower, upper) {
+    this.whole = [lower, upper];
     const center = lower.map((value, i) => (value + upper[i]) / 2);
-    const size = Math.max(4, Math.hypot(upper[0] - lower[0], upper[1] - lower[1]));
-    const back = (0.66 * size) / Math.min(1, this.camera.aspect / 1.3);
+    const corners = [...Array(8).keys()].map((i) => [0, 1, 2].map((axis) => (i & (1 << axis) ? upper : lower)[axis]));
+    const isSeen = (corner) => {
+      const place = new THREE.Vector3(...corner).project(this.camera);
+      return Math.max(Math.abs(place.x), Math.abs(place.y)) < 0.97;
+    };
     this.controls.target.set(...center);
-    this.camera.position.set(center[0] - 0.25 * back, center[1] - 0.85 * back, center[2] + 0.95 * back);
+    for (let back = 3; back < 2000; back *= 1.03) {
+      this.camera.position.set(center[0] - 0.2 * back, center[1] - 0.62 * back, center[2] + 0.78 * back);
+      this.camera.lookAt(...center);
+      this.camera.updateMatrixWorld();
+      if (corners.every(isSeen)) break;
+    }
     this.controls.update();
     this.render();
   }
 
-  /** Make a place the centre, as far away as before. */
-  turnTo(place) {
-    const by = new THREE.Vector3(...place).sub(this.controls.target);
-    this.controls.target.add(by);
-    this.camera.position.add(by);
+  /** Make a place the centre, and come so near that things are seen well. */
+  turnTo(place, nearest) {
+    this.whole = null;
+    const away = this.camera.position.clone().sub(this.controls.target);
+    away.setLength(Math.min(away.length(), nearest));
+    this.controls.target.set(...place);
+    this.camera.position.copy(this.controls.target).add(away);
     this.controls.update();
     this.render();
   }
@@ -102,6 +120,7 @@ class Space {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.whole) this.look(...this.whole);
     this.render();
   }
 

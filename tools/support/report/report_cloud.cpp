@@ -61,22 +61,28 @@ onePerVoxel(const Indices& indices,
   return first;
 }
 
+struct Thinned {
+  Indices indices;
+  double spacing; ///< side of a voxel, metres
+};
+
 /** Larger voxels until there are few enough points; their number falls with the square
  * of the size, as they lie on surfaces. */
-Indices
+Thinned
 thinned(Indices indices,
         const PointCloud<PointXYZ>& cloud,
         const Eigen::Vector3d& lower,
         std::size_t most)
 {
-  double size = finest_voxel;
+  double size = finest_voxel, spacing = size;
   while (indices.size() > most) {
+    spacing = size;
     indices = onePerVoxel(indices, cloud, lower, size);
     const double excess =
         static_cast<double>(indices.size()) / static_cast<double>(most);
     size *= std::clamp(1.02 * std::sqrt(excess), 1.05, 4.0);
   }
-  return indices;
+  return {std::move(indices), spacing};
 }
 
 void
@@ -95,13 +101,13 @@ thinnedCloud(const Scene& scene,
              const Eigen::Vector3d& shift,
              std::size_t most)
 {
-  auto indices = pointsOf(scene, standing);
+  auto shown = pointsOf(scene, standing);
   Eigen::AlignedBox3d box;
-  for (const auto index : indices)
+  for (const auto index : shown)
     box.extend(standing[index].getVector3fMap().cast<double>());
   if (box.isEmpty())
     box.extend(shift);
-  indices = thinned(std::move(indices), standing, box.min(), most);
+  const auto [indices, spacing] = thinned(std::move(shown), standing, box.min(), most);
   const Eigen::Vector3d step = box.sizes().cwiseMax(1e-3) / steps;
   std::string bytes;
   for (int axis = 0; axis < 3; ++axis)
@@ -114,6 +120,7 @@ thinnedCloud(const Scene& scene,
   const Eigen::Vector3d lower = box.min() - shift;
   return {{"points", indices.size()},
           {"lower", {lower.x(), lower.y(), lower.z()}},
+          {"spacing", spacing},
           {"step", {step.x(), step.y(), step.z()}},
           {"data", base64(bytes)}};
 }

@@ -17,9 +17,9 @@ constexpr std::size_t most_report_points = 160000;
 /** \brief A thinned cloud for a page: what is in a room or an object, a point per
  * voxel, whose size follows the number of points.
  *
- * Members: points, their number; lower and step per axis; data, five lists of 16-bit
- * numbers (little-endian, base64), one after the other: x, y, z in steps from lower,
- * room, object. Numbers that do not fit are 0.
+ * Members: points, their number; spacing of the points, metres; lower and step per
+ * axis; data, five lists of 16-bit numbers (little-endian, base64), one after the
+ * other: x, y, z in steps from lower, room, object. Numbers that do not fit are 0.
  * \param[in] standing points of the scene, z up, metres
  * \param[in] shift is taken from their coordinates
  * \param[in] most points at most
