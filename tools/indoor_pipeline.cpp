@@ -17,6 +17,7 @@
 #include "scene/room_objects.h"
 #include "scene/scan_frame.h"
 #include "scene/scene_file.h"
+#include "scene/scene_summary.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/ml/model_file.h>
@@ -207,6 +208,10 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
   pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setOptions(options.rooms);
   segmentation.setNumberOfThreads(options.threads);
+  segmentation.setProgressCallback([&progress](double share, const char*) {
+    progress.update(static_cast<std::size_t>(100.0 * share), 100);
+    return true;
+  });
   scene.room_of_point = segmentRooms(file, options.frame, segmentation);
   scene.rooms = segmentation.getRooms();
   scene.openings = segmentation.getOpenings();
@@ -393,7 +398,8 @@ main(int argc, char** argv)
     complete(options, scene, file);
     progress.start("Saving to " + options.folder);
     progress.done(save(options, parser.settings(), scene, *found.points, file));
-    progress.summary(options.folder + ": " + std::to_string(scene.rooms.size()) +
-                     " rooms, " + std::to_string(scene.objects.size()) + " objects");
+    progress.summary(options.folder + ": " + summaryOf(scene));
+    for (const auto& table : tablesOf(scene, progress.stages()))
+      progress.table(table);
   });
 }

@@ -87,6 +87,21 @@ TEST_F(OutputResults, CloudsOpenInTheColoursOfWhatWasFound)
   EXPECT_NE(run("pcl_indoor_pipeline", path("out") + " -model none -colour class"), 0);
 }
 
+TEST_F(OutputResults, TablesSumTheSceneUp)
+{
+  ASSERT_EQ(run("pcl_indoor_pipeline", path("out")), 0);
+  const auto said = bytesOf(path("said"));
+  EXPECT_EQ(said.rfind(path("out") + ": 1 storey, 2 rooms, ", 0), 0u) << said;
+  for (const char* part : {"\nstorey  rooms  area, m^2  objects\n     0      2 ",
+                           "\nclass ",
+                           "\nSegmenting rooms ",
+                           "\nClassifying objects ",
+                           "\nall "})
+    EXPECT_NE(said.find(part), std::string::npos) << part << said;
+  ASSERT_EQ(run("pcl_indoor_pipeline", path("out") + " -quiet"), 0);
+  EXPECT_EQ(bytesOf(path("said")), "");
+}
+
 TEST_F(OutputResults, ResultsOfAnEarlierRunDoNotStay)
 {
   ASSERT_EQ(run("pcl_indoor_pipeline", path("out")), 0);

@@ -12,7 +12,7 @@
 
 namespace pcl::indoor::tool {
 
-constexpr std::size_t most_report_points = 160000;
+constexpr std::size_t most_report_points = 260000;
 
 /** \brief A thinned cloud for a page: what is in a room or an object, a point per
  * voxel, whose size follows the number of points.
