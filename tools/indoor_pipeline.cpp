@@ -324,15 +324,13 @@ saveResults(const Options& options,
     add("classes.png", pngBytes(drawClasses(scene, points)));
   auto plan = floorPlan(scene.building, thingsFromAbove(scene));
   plan.origin = originOf(file, options.frame, scene.building_pose);
+  add("plan.svg", planSvg(plan));
   add("plan.dxf", planDxf(plan));
   const auto json = sceneJson(scene, file, options.frame, settings);
   if (options.report != "none")
     files.push_back(
         writtenBeside(options.reportFile(),
                       reportPage({scene, json, plan, field, points, file.offset})));
-  for (auto& storey : plan.storeys)
-    storey.things.clear();
-  add("plan.svg", planSvg(plan));
   add("scene.json", jsonText(json));
   commitTogether(
       files,

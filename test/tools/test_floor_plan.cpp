@@ -97,6 +97,7 @@ TEST(FloorPlan, DrawingsShowRoomsDoorsAndThings)
   EXPECT_EQ(count(svg, " m²</text>"), 2u);
   EXPECT_EQ(count(svg, "id=\"scale\""), 1u);
   EXPECT_EQ(count(svg, "id=\"direction\""), 1u);
+  EXPECT_EQ(count(svg, "data-object"), 0u);
   const auto storeys = storeySvgs(plan);
   ASSERT_EQ(storeys.size(), 1u);
   EXPECT_EQ(count(storeys[0], "data-object=\"7\""), 1u);

@@ -22,7 +22,7 @@ class Plan {
   }
 
   draw(storey, colourOf) {
-    this.box.innerHTML = plans[storey];
+    this.box.innerHTML = plans[storey] || '<svg xmlns="http://www.w3.org/2000/svg"></svg>';
     this.svg = this.box.querySelector("svg");
     this.svg.removeAttribute("width");
     this.svg.removeAttribute("height");

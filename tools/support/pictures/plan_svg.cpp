@@ -195,13 +195,14 @@ svg(double width, double height, const std::string& content)
 }
 
 std::string
-storeyShapes(const StoreyPlan& storey, const Sheet& sheet)
+storeyShapes(const StoreyPlan& storey, const Sheet& sheet, bool with_things)
 {
   std::string text;
   for (const auto& room : storey.rooms)
     text += roomShape(room, sheet);
-  for (const auto& thing : storey.things)
-    text += thingShape(thing, sheet);
+  if (with_things)
+    for (const auto& thing : storey.things)
+      text += thingShape(thing, sheet);
   text += wallLines(storey, sheet);
   for (const auto& opening : storey.openings)
     text += openingShape(opening, sheet);
@@ -230,7 +231,7 @@ planSvg(const FloorPlan& plan)
       top += caption;
     }
     const Sheet sheet(plan.box, top);
-    storeys += storeyShapes(plan.storeys[s], sheet);
+    storeys += storeyShapes(plan.storeys[s], sheet, false);
     for (const auto& opening : plan.storeys[s].openings)
       storeys += widthText(opening, sheet);
     storeys += "</g>\n";
@@ -249,7 +250,7 @@ storeySvgs(const FloorPlan& plan)
   for (const auto& storey : plan.storeys)
     drawings.push_back(svg(2.0 * margin + scale * plan.box.sizes().x(),
                            2.0 * margin + scale * plan.box.sizes().y(),
-                           storeyShapes(storey, Sheet(plan.box, margin))));
+                           storeyShapes(storey, Sheet(plan.box, margin), true)));
   return drawings;
 }
 

@@ -55,7 +55,7 @@ segmentOneRoom(const PointCloud<PointXYZ>& points,
   if (objects.object_of_point.empty())
     throw AlreadyReported();
   objects.structure_of_point = segmentation.getStructure();
-  objects.voxel_sizes = {segmentation.getResult().voxel_size};
+  objects.voxel_sizes = {segmentation.getResult().scene.voxel_size};
   if (!given.empty())
     objects.object_of_point = numbersInRoom(given, room);
   auto numbers = objects.object_of_point; // of all points, as all are finite
