@@ -125,7 +125,7 @@ const objectColumns = (colourOf) => [
     text: (o) => o.structure === "none" && o.confidence ? percent(o.confidence) : "–" }] : []),
   { name: "Room", value: (o) => o.room, number: true, text: (o) => o.room ? String(o.room) : "–" },
   { name: "Storey", value: (o) => o.storey ?? -1, number: true, text: (o) => String(o.storey ?? "–") , optional: true },
-  { name: "Length × width × height", value: (o) => Math.max(...o.upright_box.size), number: true, text: sizeOf },
+  { name: "Size", value: (o) => Math.max(...o.upright_box.size), number: true, text: sizeOf },
   { name: "Centre", value: (o) => o.upright_box.center[0], number: true, optional: true,
     text: (o) => o.upright_box.center.map((value) => value.toFixed(2)).join(", ") },
   { name: "Points", value: (o) => o.points, number: true, optional: true, text: (o) => o.points.toLocaleString("en") },
