@@ -5,6 +5,7 @@
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 #include "files/json_text.h"
+#include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "objects/category_names.h" // for other_class
@@ -287,36 +288,18 @@ complete(const Options& options, const Scene& scene, CloudFile& file)
 
 using NamedBytes = std::vector<std::pair<std::string, std::string>>;
 
-/** The files beside the cloud; scene.json is the last. */
+/** The files beside the cloud, by their paths; scene.json is the last. */
 NamedBytes
 describe(const Options& options,
-         const std::string& parameters,
+         const std::vector<Setting>& settings,
          const Scene& scene,
          const pcl::PointCloud<pcl::PointXYZ>& points,
          const CloudFile& file)
 {
   NamedBytes files;
-  files.emplace_back("rooms.png", pngBytes(drawRooms(scene.building)));
-  files.emplace_back("potential_field.png",
-                     pngBytes(drawPotentialField(scene.building)));
-  if (!scene.classes.names.empty())
-    files.emplace_back("classes.png", pngBytes(drawClasses(scene, points)));
-  files.emplace_back("scene.json", sceneText(scene, file, options.frame, parameters));
-  return files;
-}
-
-/** Put all results into the folder, scene.json the last: where it lies, the others
- * belong to it. */
-void
-saveResults(const Options& options,
-            const std::vector<Setting>& settings,
-            const Scene& scene,
-            const pcl::PointCloud<pcl::PointXYZ>& points,
-            const CloudFile& file)
-{
-  const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
-  std::vector<OutputFile> files;
-  files.push_back(cloudBeside(in_folder("cloud.pcd"), file.cloud, file.frame));
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    files.emplace_back(options.folder + "/" + name, bytes);
+  };
   const auto field = drawPotentialField(scene.building);
   add("rooms.png", pngBytes(drawRooms(scene.building)));
   add("potential_field.png", pngBytes(field));
@@ -328,10 +311,22 @@ saveResults(const Options& options,
   add("plan.dxf", planDxf(plan));
   const auto json = sceneJson(scene, file, options.frame, settings);
   if (options.report != "none")
-    files.push_back(
-        writtenBeside(options.reportFile(),
-                      reportPage({scene, json, plan, field, points, file.offset})));
+    files.emplace_back(options.reportFile(),
+                       reportPage({scene, json, plan, field, points, file.offset}));
   add("scene.json", jsonText(json));
+  return files;
+}
+
+/** Put all results into the folder, scene.json the last: where it lies, the others
+ * belong to it. */
+void
+saveResults(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
+{
+  const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
+  std::vector<OutputFile> files;
+  files.push_back(cloudBeside(in_folder("cloud.pcd"), file.cloud, file.frame));
+  for (const auto& [path, bytes] : texts)
+    files.push_back(writtenBeside(path, bytes));
   commitTogether(
       files,
       {in_folder("scene.json"), in_folder("classes.png"), in_folder("report.html")});
@@ -339,21 +334,20 @@ saveResults(const Options& options,
 
 /** Make the folder and fill it, or leave nothing. Returns the names of the results. */
 std::string
-save(const Options& options,
-     const std::vector<Setting>& settings,
-     const Scene& scene,
-     const pcl::PointCloud<pcl::PointXYZ>& points,
-     const CloudFile& file)
+save(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
 {
   const bool is_made = makeFolder(folder);
   try {
-    saveResults(options, settings, scene, points, file);
+    saveResults(folder, texts, file);
   } catch (...) {
     if (is_made)
       std::filesystem::remove(folder); // is empty
     throw;
   }
-  return "report.html, scene.json, cloud.pcd, plans and pictures";
+  std::string names = "cloud.pcd";
+  for (const auto& text : texts)
+    names += ", " + std::filesystem::path(text.first).filename().string();
+  return names;
 }
 
 /** Find out, before the long work, what cannot be written. */
@@ -395,7 +389,8 @@ main(int argc, char** argv)
     }
     complete(options, scene, file);
     progress.start("Saving to " + options.folder);
-    progress.done(save(options, parser.settings(), scene, *found.points, file));
+    const auto texts = describe(options, parser.settings(), scene, *found.points, file);
+    progress.done(save(options.folder, texts, file));
     progress.summary(options.folder + ": " + summaryOf(scene));
     for (const auto& table : tablesOf(scene, progress.stages()))
       progress.table(table);

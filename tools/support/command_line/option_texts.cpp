@@ -97,7 +97,8 @@ OptionParser::settings() const
 {
   std::vector<Setting> settings;
   for (const auto& option : options_)
-    if (option.name != "-quiet" && option.name != "-threads")
+    if (option.name != "-quiet" && option.name != "-threads" &&
+        option.name != "-memory_limit")
       settings.push_back({option.name, option.value(), option.unit, option.kind});
   return settings;
 }
