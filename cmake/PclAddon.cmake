@@ -68,8 +68,9 @@ function(pcl_addon_add_library module)
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${PCL_ADDON_INCLUDE_DIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC_LINK} PRIVATE ${ARG_PRIVATE_LINK})
-  install(TARGETS ${target} EXPORT ${PROJECT_NAME}Targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY include/ DESTINATION ${PCL_ADDON_INCLUDE_DIR})
+  install(TARGETS ${target} EXPORT ${PROJECT_NAME}Targets LIBRARY
+    DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT dev)
+  install(DIRECTORY include/ DESTINATION ${PCL_ADDON_INCLUDE_DIR} COMPONENT dev)
 endfunction()
 
 # pcl_addon_add_tools(name ... LINK ...): name.cpp becomes pcl_name; the target pcl_indoor_programs stands for all of them
@@ -84,9 +85,30 @@ function(pcl_addon_add_tools)
     target_link_libraries(pcl_${name} PRIVATE ${ARG_LINK})
     target_link_options(pcl_${name} PRIVATE LINKER:--as-needed)
     set_target_properties(pcl_${name} PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
-    install(TARGETS pcl_${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS pcl_${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
     add_dependencies(pcl_indoor_programs pcl_${name})
+    set_property(GLOBAL APPEND PROPERTY PCL_INDOOR_TOOLS ${name})
   endforeach()
+endfunction()
+
+# A man page and a completion for bash of every tool, made of what it says with -h
+function(pcl_addon_describe_tools)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/documentation)
+  file(MAKE_DIRECTORY ${folder}/man ${folder}/completions)
+  get_property(names GLOBAL PROPERTY PCL_INDOOR_TOOLS)
+  foreach(name ${names})
+    set(man ${folder}/man/pcl_${name}.1)
+    set(completion ${folder}/completions/pcl_${name})
+    add_custom_command(OUTPUT ${man} ${completion}
+      COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/documentation/describe_tool.sh
+        $<TARGET_FILE:pcl_${name}> ${PROJECT_VERSION} ${man} ${completion}
+      DEPENDS pcl_${name} ${CMAKE_CURRENT_SOURCE_DIR}/documentation/describe_tool.sh)
+    list(APPEND mans ${man})
+    list(APPEND completions ${completion})
+  endforeach()
+  add_custom_target(pcl_indoor_documentation ALL DEPENDS ${mans} ${completions})
+  install(FILES ${mans} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
+  install(FILES ${completions} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT tools)
 endfunction()
 
 # pcl_addon_add_tests(folder LINK ... NAMES ...): test/folder/test_<name>.cpp becomes an executable found by CTest. The
@@ -108,10 +130,10 @@ endfunction()
 # Install the CMake package: find_package(pcl_indoor COMPONENTS segmentation ...)
 function(pcl_addon_install_package)
   set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/${PROJECT_NAME})
-  install(EXPORT ${PROJECT_NAME}Targets NAMESPACE ${PROJECT_NAME}:: DESTINATION ${destination})
+  install(EXPORT ${PROJECT_NAME}Targets NAMESPACE ${PROJECT_NAME}:: DESTINATION ${destination} COMPONENT dev)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/${PROJECT_NAME}Config.cmake.in
     ${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake INSTALL_DESTINATION ${destination})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake ${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake
-    DESTINATION ${destination})
+    DESTINATION ${destination} COMPONENT dev)
 endfunction()

@@ -4,15 +4,21 @@
  */
 #include "command_line/options.h"
 #include "files/cloud_file.h"
+#include "files/json_text.h"
 #include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "objects/category_names.h" // for other_class
 #include "pictures/class_picture.h"
+#include "pictures/plan_dxf.h"
+#include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
+#include "report/report_page.h"
+#include "scene/object_remainder.h"
 #include "scene/room_objects.h"
 #include "scene/scan_frame.h"
 #include "scene/scene_file.h"
+#include "scene/scene_summary.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/ml/model_file.h>
@@ -35,6 +41,7 @@ struct Options {
   std::string input, folder;
   std::string partition = "graph";
   std::string model = "bundled"; ///< file, "none" or "bundled"
+  std::string report = "folder"; ///< file, "none" or "folder"
   ScanFrame frame;
   pcl::indoor::BuildingRoomsOptions rooms;
   pcl::indoor::ObjectSegmentationOptions objects;
@@ -45,10 +52,22 @@ struct Options {
   MemoryLimit memory;
   int threads = 0;
   bool ignore_normals = false;
+
+  std::string
+  reportFile() const
+  {
+    return report == "folder" ? folder + "/report.html" : report;
+  }
 };
 
-constexpr const char* results[] = {
-    "scene.json", "cloud.pcd", "rooms.png", "potential_field.png", "classes.png"};
+constexpr const char* results[] = {"scene.json",
+                                   "cloud.pcd",
+                                   "rooms.png",
+                                   "potential_field.png",
+                                   "classes.png",
+                                   "plan.svg",
+                                   "plan.dxf",
+                                   "report.html"};
 
 OptionParser
 makeParser(Options& options)
@@ -57,8 +76,8 @@ makeParser(Options& options)
       "pcl_indoor_pipeline",
       "Finds the rooms of a building's scan, the objects in each room "
       "and the class of each object; writes cloud.pcd with the fields "
-      "room, object, structure, category and confidence, scene.json, rooms.png, "
-      "potential_field.png and classes.png.");
+      "room, object, structure, category and confidence, scene.json, report.html, "
+      "plan.svg, plan.dxf, rooms.png, potential_field.png and classes.png.");
   parser.positional("input", options.input, "PCD or PLY file")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
@@ -94,6 +113,10 @@ makeParser(Options& options)
             options.model,
             "file of a classifier that pcl_eppf_train has made; bundled = furniture, "
             "doors and windows, none = no classes")
+      .text("-report",
+            options.report,
+            "file of the report, a page for browsers; folder = report.html beside the "
+            "other results, none = no report")
       .flag("-ignore_normals",
             options.ignore_normals,
             "estimate normals although there are some")
@@ -186,10 +209,15 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
   pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setOptions(options.rooms);
   segmentation.setNumberOfThreads(options.threads);
+  segmentation.setProgressCallback([&progress](double share, const char*) {
+    progress.update(static_cast<std::size_t>(100.0 * share), 100);
+    return true;
+  });
   scene.room_of_point = segmentRooms(file, options.frame, segmentation);
   scene.rooms = segmentation.getRooms();
   scene.openings = segmentation.getOpenings();
   scene.building = segmentation.getBuilding();
+  scene.building_pose = segmentation.getBuildingPose();
   scene.report = segmentation.getReport();
   progress.done(summaryOf(segmentation));
 
@@ -206,9 +234,12 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
       options.threads,
       {},
       [&](std::size_t done, std::size_t all) { progress.update(done, all); });
+  separateRemainder(found);
+  scene.object_voxels = std::move(found.voxel_sizes);
+  scene.seeds_per_voxel = objects.seed_size / objects.voxel_size;
   scene.object_of_point = std::move(found.object_of_point);
   scene.structure_of_point = std::move(found.structure_of_point);
-  scene.objects = measureObjects(*file.points, scene);
+  scene.objects = measureObjects(*file.points, *points, scene);
   progress.done(std::to_string(scene.objects.size()) + " objects");
   return {std::move(found.surfaces), points};
 }
@@ -257,21 +288,32 @@ complete(const Options& options, const Scene& scene, CloudFile& file)
 
 using NamedBytes = std::vector<std::pair<std::string, std::string>>;
 
-/** The files beside the cloud; scene.json is the last. */
+/** The files beside the cloud, by their paths; scene.json is the last. */
 NamedBytes
 describe(const Options& options,
-         const std::string& parameters,
+         const std::vector<Setting>& settings,
          const Scene& scene,
          const pcl::PointCloud<pcl::PointXYZ>& points,
          const CloudFile& file)
 {
   NamedBytes files;
-  files.emplace_back("rooms.png", pngBytes(drawRooms(scene.building)));
-  files.emplace_back("potential_field.png",
-                     pngBytes(drawPotentialField(scene.building)));
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    files.emplace_back(options.folder + "/" + name, bytes);
+  };
+  const auto field = drawPotentialField(scene.building);
+  add("rooms.png", pngBytes(drawRooms(scene.building)));
+  add("potential_field.png", pngBytes(field));
   if (!scene.classes.names.empty())
-    files.emplace_back("classes.png", pngBytes(drawClasses(scene, points)));
-  files.emplace_back("scene.json", sceneText(scene, file, options.frame, parameters));
+    add("classes.png", pngBytes(drawClasses(scene, points)));
+  auto plan = floorPlan(scene.building, thingsFromAbove(scene));
+  plan.origin = originOf(file, options.frame, scene.building_pose);
+  add("plan.svg", planSvg(plan));
+  add("plan.dxf", planDxf(plan));
+  const auto json = sceneJson(scene, file, options.frame, settings);
+  if (options.report != "none")
+    files.emplace_back(options.reportFile(),
+                       reportPage({scene, json, plan, field, points, file.offset}));
+  add("scene.json", jsonText(json));
   return files;
 }
 
@@ -283,9 +325,11 @@ saveResults(const std::string& folder, const NamedBytes& texts, const CloudFile&
   const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
   std::vector<OutputFile> files;
   files.push_back(cloudBeside(in_folder("cloud.pcd"), file.cloud, file.frame));
-  for (const auto& [name, bytes] : texts)
-    files.push_back(writtenBeside(in_folder(name), bytes));
-  commitTogether(files, {in_folder("scene.json"), in_folder("classes.png")});
+  for (const auto& [path, bytes] : texts)
+    files.push_back(writtenBeside(path, bytes));
+  commitTogether(
+      files,
+      {in_folder("scene.json"), in_folder("classes.png"), in_folder("report.html")});
 }
 
 /** Make the folder and fill it, or leave nothing. Returns the names of the results. */
@@ -302,7 +346,7 @@ save(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
   }
   std::string names = "cloud.pcd";
   for (const auto& text : texts)
-    names += ", " + text.first;
+    names += ", " + std::filesystem::path(text.first).filename().string();
   return names;
 }
 
@@ -314,6 +358,8 @@ requireUsable(const Options& options)
   if (std::filesystem::exists(options.folder))
     for (const char* name : results)
       requireWritable(options.folder + "/" + name);
+  if (options.report != "none" && options.report != "folder")
+    requireWritable(options.report);
   if (options.model == "none" && options.colors.wanted == "class")
     throw ToolError("-colour class: there are no classes with -model none");
 }
@@ -343,9 +389,10 @@ main(int argc, char** argv)
     }
     complete(options, scene, file);
     progress.start("Saving to " + options.folder);
-    const auto texts = describe(options, parser.values(), scene, *found.points, file);
+    const auto texts = describe(options, parser.settings(), scene, *found.points, file);
     progress.done(save(options.folder, texts, file));
-    progress.summary(options.folder + ": " + std::to_string(scene.rooms.size()) +
-                     " rooms, " + std::to_string(scene.objects.size()) + " objects");
+    progress.summary(options.folder + ": " + summaryOf(scene));
+    for (const auto& table : tablesOf(scene, progress.stages()))
+      progress.table(table);
   });
 }

@@ -8,8 +8,9 @@
 #include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
+#include "pictures/plan_dxf.h"
+#include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
-#include "pictures/room_svg.h"
 #include "scene/room_json.h"
 #include "scene/scan_frame.h"
 
@@ -23,7 +24,7 @@ namespace {
 constexpr double bytes_per_point = 200; // that are in use at once, measured
 
 struct Options {
-  std::string input, output, map, json;
+  std::string input, output, map, json, dxf;
   std::string method = "slab";
   ScanFrame frame;
   pcl::indoor::BuildingRoomsOptions rooms;
@@ -78,6 +79,7 @@ makeParser(Options& options)
             options.map,
             "beginning of the names of three pictures: _rooms.png and _rooms.svg with "
             "numbers and doors, _field.png")
+      .text("-dxf", options.dxf, "file for a drawing of the plan for CAD programs")
       .text("-json",
             options.json,
             "file for area, volume, footprint and neighbours of each room")
@@ -139,6 +141,8 @@ requireWritableResults(const Options& options)
   requireWritableCloud(options.output);
   if (!options.json.empty())
     requireWritable(options.json);
+  if (!options.dxf.empty())
+    requireWritable(options.dxf);
   if (!options.map.empty())
     for (const char* name : {"_rooms.png", "_rooms.svg", "_field.png"})
       requireWritable(options.map + name);
@@ -155,20 +159,25 @@ describe(const Options& options,
   std::vector<OutputFile> files;
   const auto& building = segmentation.getBuilding();
   if (!options.json.empty()) {
-    auto json = inputJson(file, parameters, rooms);
+    auto json = inputJson(file, rooms);
+    json["parameters"] = parameters;
     addReportJson(json, options.frame, segmentation.getReport());
     json["storeys"] = building.storeys.size();
     json["rooms"] =
         roomsJson(segmentation.getRooms(), segmentation.getOpenings(), file.offset);
     files.push_back(writtenBeside(options.json, jsonText(json)));
   }
+  auto plan = floorPlan(building);
+  plan.origin = originOf(file, options.frame, segmentation.getBuildingPose());
+  if (!options.dxf.empty())
+    files.push_back(writtenBeside(options.dxf, planDxf(plan)));
   if (!options.map.empty()) {
     const auto save = [&](const std::string& name, const std::string& bytes) {
       files.push_back(writtenBeside(options.map + name, bytes));
     };
     save("_rooms.png", pngBytes(drawRooms(building)));
     save("_field.png", pngBytes(drawPotentialField(building)));
-    save("_rooms.svg", roomsSvg(building));
+    save("_rooms.svg", planSvg(plan));
   }
   return files;
 }

@@ -36,7 +36,7 @@ def main():
         seconds, memory = run([os.path.join(arguments.tools, "pcl_indoor_pipeline"), cloud, folder, "-quiet"])
         with open(os.path.join(folder, "scene.json"), encoding="utf-8") as file:
             scene = json.load(file)
-        print(f"| {name} | {scene['points']} | {scene['points_in_rooms'] / scene['points']:.1%} | {scene['storeys']} "
+        print(f"| {name} | {scene['points']} | {scene['points_in_rooms'] / scene['points']:.1%} | {len(scene['storeys'])} "
               f"| {len(scene['rooms'])} | {len(scene['objects'])} | {seconds:.1f} | {memory:.0f} |", flush=True)
 
 

@@ -87,6 +87,21 @@ TEST_F(OutputResults, CloudsOpenInTheColoursOfWhatWasFound)
   EXPECT_NE(run("pcl_indoor_pipeline", path("out") + " -model none -colour class"), 0);
 }
 
+TEST_F(OutputResults, TablesSumTheSceneUp)
+{
+  ASSERT_EQ(run("pcl_indoor_pipeline", path("out")), 0);
+  const auto said = bytesOf(path("said"));
+  EXPECT_EQ(said.rfind(path("out") + ": 1 storey, 2 rooms, ", 0), 0u) << said;
+  for (const char* part : {"\nstorey  rooms  area, m^2  objects\n     0      2 ",
+                           "\nclass ",
+                           "\nSegmenting rooms ",
+                           "\nClassifying objects ",
+                           "\nall "})
+    EXPECT_NE(said.find(part), std::string::npos) << part << said;
+  ASSERT_EQ(run("pcl_indoor_pipeline", path("out") + " -quiet"), 0);
+  EXPECT_EQ(bytesOf(path("said")), "");
+}
+
 TEST_F(OutputResults, ResultsOfAnEarlierRunDoNotStay)
 {
   ASSERT_EQ(run("pcl_indoor_pipeline", path("out")), 0);
@@ -95,6 +110,27 @@ TEST_F(OutputResults, ResultsOfAnEarlierRunDoNotStay)
   ASSERT_EQ(run("pcl_indoor_pipeline", path("out") + " -model none"), 0);
   EXPECT_FALSE(std::filesystem::exists(path("out/classes.png")));
   EXPECT_TRUE(std::filesystem::exists(path("out/notes.txt")));
+}
+
+TEST_F(OutputResults, TheReportIsOnePageWhereItIsWanted)
+{
+  ASSERT_EQ(run("pcl_indoor_pipeline", path("out")), 0);
+  const auto page = bytesOf(path("out/report.html"));
+  EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
+  EXPECT_EQ(page.substr(page.size() - 8), "</html>\n");
+  for (const char* link :
+       {"src=\"http", "href=\"http", "@import", "{{SCENE}}", "fetch("})
+    EXPECT_EQ(page.find(link), std::string::npos) << link;
+  ASSERT_EQ(run("pcl_indoor_pipeline", path("out") + " -report " + path("own.html")),
+            0);
+  EXPECT_FALSE(std::filesystem::exists(path("out/report.html")));
+  EXPECT_EQ(bytesOf(path("own.html")).size(),
+            page.size() + path("own.html").size() - 6);
+  ASSERT_EQ(run("pcl_indoor_pipeline", path("none") + " -report none"), 0);
+  EXPECT_FALSE(std::filesystem::exists(path("none/report.html")));
+  EXPECT_NE(run("pcl_indoor_pipeline", path("no") + " -report " + path("no/no.html")),
+            0);
+  EXPECT_FALSE(std::filesystem::exists(path("no")));
 }
 
 TEST_F(OutputResults, AFullDiskIsSaidInOneLineAndLeavesNothing)

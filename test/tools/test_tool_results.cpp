@@ -319,10 +319,16 @@ TEST_F(ToolResults, PipelineGivesTheSameForAnyNumberOfThreadsAndReplacesOldResul
   std::filesystem::create_directories(path("three"));
   std::ofstream(path("three/cloud.pcd")) << "old";
   run("pcl_indoor_pipeline", path("in.pcd") + " " + path("three") + " -threads 3");
-  for (const char* name :
-       {"cloud.pcd", "rooms.png", "potential_field.png", "classes.png"})
+  for (const char* name : {"cloud.pcd",
+                           "scene.json",
+                           "report.html",
+                           "plan.svg",
+                           "plan.dxf",
+                           "rooms.png",
+                           "potential_field.png",
+                           "classes.png"})
     EXPECT_EQ(bytesOf(path("one/") + name), bytesOf(path("three/") + name)) << name;
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("three")), {}), 5);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("three")), {}), 8);
 }
 
 TEST_F(ToolResults, PipelineKeepsLargeCoordinatesAndTheirLabels)

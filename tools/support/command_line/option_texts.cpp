@@ -92,14 +92,24 @@ OptionParser::line(const Option& option)
   return text + "\n";
 }
 
+std::vector<Setting>
+OptionParser::settings() const
+{
+  std::vector<Setting> settings;
+  for (const auto& option : options_)
+    if (option.name != "-quiet" && option.name != "-threads" &&
+        option.name != "-memory_limit")
+      settings.push_back({option.name, option.value(), option.unit, option.kind});
+  return settings;
+}
+
 std::string
 OptionParser::values() const
 {
   std::string text;
-  for (const auto& option : options_)
-    if (option.name != "-quiet" && option.name != "-threads" &&
-        option.name != "-memory_limit")
-      text += (text.empty() ? "" : ", ") + option.name + " " + option.value();
+  for (const auto& setting : settings())
+    text += (text.empty() ? "" : ", ") + setting.name + " " + setting.value +
+            (setting.unit.empty() ? "" : " " + setting.unit);
   return text;
 }
 

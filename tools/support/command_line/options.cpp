@@ -94,6 +94,12 @@ report(const std::string& program, const std::string& message)
 
 } // namespace
 
+std::string
+programVersion()
+{
+  return PCL_INDOOR_VERSION;
+}
+
 bool
 Range::contains(double value) const
 {
@@ -157,9 +163,9 @@ OptionParser::number(const std::string& name,
   option.read = [name, range, &variable](const std::string& text) {
     variable = readNumber<T>(name, text, range);
   };
-  option.value = [unit, &variable] {
-    return numberText(variable) + (unit.empty() ? "" : " " + unit);
-  };
+  option.value = [&variable] { return numberText(variable); };
+  option.unit = unit;
+  option.kind = Setting::Kind::Number;
   options_.push_back(std::move(option));
   return *this;
 }
@@ -200,6 +206,7 @@ OptionParser::flag(const std::string& name, bool& variable, const std::string& m
   option.meaning = meaning;
   option.read = [&variable](const std::string&) { variable = true; };
   option.value = [&variable] { return variable ? "on" : "off"; };
+  option.kind = Setting::Kind::Flag;
   options_.push_back(std::move(option));
   return *this;
 }

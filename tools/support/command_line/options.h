@@ -59,6 +59,20 @@ struct Range {
   text() const;
 };
 
+/** \brief An option with the value that is used. */
+struct Setting {
+  enum class Kind { Number, Text, Flag };
+
+  std::string name;  ///< with its dash
+  std::string value; ///< "on" or "off" of a flag
+  std::string unit;  ///< of a number; may be empty
+  Kind kind = Kind::Text;
+};
+
+/** \brief The version of this project, for example "0.1.0". */
+std::string
+programVersion();
+
 /** \brief The command line of a tool in PCL's manners, read strictly.
  *
  * A tool names its arguments and the variables they are written to; the parser makes
@@ -141,8 +155,12 @@ public:
   std::string
   usage() const;
 
-  /** \brief All options with the values that are used, in one line, for the user to
-   * check; but for those of threads and memory, by which no result changes. */
+  /** \brief All options with the values that are used; but for those by which no
+   * result changes: of threads and memory, and -quiet. */
+  std::vector<Setting>
+  settings() const;
+
+  /** \brief The same in one line, for the user to check. */
   std::string
   values() const;
 
@@ -156,7 +174,9 @@ private:
     std::string default_value;                    ///< as it was at registration
     std::vector<std::string> choices;             ///< may begin with '-'
     std::function<void(const std::string&)> read; ///< throws ToolError
-    std::function<std::string()> value;
+    std::function<std::string()> value;           ///< without its unit
+    std::string unit;
+    Setting::Kind kind = Setting::Kind::Text;
     bool given = false;
     bool expert = false;
   };

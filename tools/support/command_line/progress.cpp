@@ -23,6 +23,7 @@ Progress::start(const std::string& what)
 {
   begin_ = std::chrono::steady_clock::now();
   percent_ = -1;
+  name_ = what;
   text_.clear();
   if (!shown_)
     return;
@@ -72,9 +73,10 @@ Progress::replaceText(const std::string& text)
 void
 Progress::done(const std::string& result)
 {
+  const auto passed = std::chrono::steady_clock::now() - begin_;
+  stages_.push_back({name_, std::chrono::duration<double>(passed).count()});
   if (!shown_)
     return;
-  const auto passed = std::chrono::steady_clock::now() - begin_;
   const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(passed).count();
   replaceText("");
   console::print_info("[done, ");
@@ -95,6 +97,13 @@ Progress::summary(const std::string& text)
 {
   if (!quiet_)
     std::printf("%s\n", printable(text).c_str());
+}
+
+void
+Progress::table(const TextTable& table)
+{
+  if (!quiet_)
+    std::printf("\n%s", table.text().c_str());
 }
 
 std::string

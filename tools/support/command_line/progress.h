@@ -4,9 +4,12 @@
  */
 #pragma once
 
+#include "command_line/text_table.h"
+
 #include <chrono>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace pcl::indoor::tool {
 
@@ -44,6 +47,23 @@ public:
   void
   summary(const std::string& text);
 
+  /** \brief A table after the summary, wherever that is said. */
+  void
+  table(const TextTable& table);
+
+  /** \brief A step that has ended. */
+  struct Stage {
+    std::string name;
+    double seconds = 0.0;
+  };
+
+  /** \brief The steps so far, in their order, whether they are shown or not. */
+  const std::vector<Stage>&
+  stages() const
+  {
+    return stages_;
+  }
+
   bool
   isShown() const
   {
@@ -56,6 +76,8 @@ private:
 
   bool quiet_;
   bool shown_;
+  std::vector<Stage> stages_;
+  std::string name_; ///< of the step
   int percent_ = -1;
   std::string text_;           ///< how far the step is, as it stands on the terminal
   std::size_t first_done_ = 0; ///< of the step's first update(), where it goes on

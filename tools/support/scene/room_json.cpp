@@ -79,13 +79,10 @@ roomsJson(const std::vector<Room>& rooms,
 }
 
 Json
-inputJson(const CloudFile& file,
-          const std::string& parameters,
-          const std::vector<std::uint32_t>& room_of_point)
+inputJson(const CloudFile& file, const std::vector<std::uint32_t>& room_of_point)
 {
   Json json;
   json["input"] = std::filesystem::path(file.path).filename().string();
-  json["parameters"] = parameters;
   json["unit"] = "metre";
   json["offset"] = {
       file.frame.offset.x(), file.frame.offset.y(), file.frame.offset.z()};

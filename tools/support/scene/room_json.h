@@ -45,14 +45,11 @@ roomsJson(const std::vector<Room>& rooms,
           const std::vector<RoomOpening>& openings,
           const Eigen::Vector3d& offset);
 
-/** \brief What is known of the input: file, parameters, unit, numbers of points.
+/** \brief What is known of the input: file, unit, numbers of points.
  * \param[in] file with the offset of the cloud that is written
- * \param[in] parameters the values that were used, for the record
  * \param[in] room_of_point 0 = none
  */
 nlohmann::ordered_json
-inputJson(const CloudFile& file,
-          const std::string& parameters,
-          const std::vector<std::uint32_t>& room_of_point);
+inputJson(const CloudFile& file, const std::vector<std::uint32_t>& room_of_point);
 
 } // namespace pcl::indoor::tool

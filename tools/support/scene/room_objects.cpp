@@ -55,6 +55,7 @@ segmentOneRoom(const PointCloud<PointXYZ>& points,
   if (objects.object_of_point.empty())
     throw AlreadyReported();
   objects.structure_of_point = segmentation.getStructure();
+  objects.voxel_sizes = {segmentation.getResult().scene.voxel_size};
   if (!given.empty())
     objects.object_of_point = numbersInRoom(given, room);
   auto numbers = objects.object_of_point; // of all points, as all are finite
@@ -124,7 +125,8 @@ segmentRoomObjects(const PointCloud<PointXYZ>& points,
   all_objects.object_of_point.assign(points.size(), 0);
   all_objects.structure_of_point.assign(points.size(), 0);
   for (std::size_t room = 0; room < rooms.size(); ++room) {
-    auto& [object_of_point, structure_of_point, surfaces] = objects[room];
+    auto& [object_of_point, structure_of_point, surfaces, voxel_sizes] = objects[room];
+    all_objects.voxel_sizes.push_back(voxel_sizes.empty() ? 0.0 : voxel_sizes.front());
     const auto first = static_cast<std::uint32_t>(all_objects.surfaces.size());
     for (std::size_t i = 0; i < object_of_point.size(); ++i)
       if (object_of_point[i] > 0) {

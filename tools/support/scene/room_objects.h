@@ -22,6 +22,8 @@ struct RoomObjects {
    */
   std::vector<std::uint32_t> structure_of_point;
   std::vector<ObjectSurface> surfaces; ///< object i + 1 is the i-th
+  /** per room, metres; the last is that of points in no room; 0 = no points */
+  std::vector<double> voxel_sizes;
 };
 
 /** \brief Segment the points of each room, and those in no room, into objects; several

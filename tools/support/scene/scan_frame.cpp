@@ -67,6 +67,15 @@ segmentRooms(const CloudFile& file,
   return rooms;
 }
 
+Eigen::Vector2d
+originOf(const CloudFile& file, const ScanFrame& frame, const Eigen::Isometry3d& pose)
+{
+  const Eigen::Vector3d origin =
+      pose.linear().transpose() *
+      (pose.translation() + frame.metresPerUnit() * file.offset);
+  return origin.head<2>();
+}
+
 std::string
 summaryOf(const RoomSegmentation<PointXYZ>& segmentation)
 {

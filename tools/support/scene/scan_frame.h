@@ -41,6 +41,11 @@ segmentRooms(const CloudFile& file,
              const ScanFrame& frame,
              RoomSegmentation<PointXYZ>& segmentation);
 
+/** \brief What to add to horizontal places of the building's frame to get those of the
+ * scan, metres. */
+Eigen::Vector2d
+originOf(const CloudFile& file, const ScanFrame& frame, const Eigen::Isometry3d& pose);
+
 /** \brief What the tool says on a terminal: number of rooms, an automatic voxel size
  * that was raised, points that were left out. */
 std::string

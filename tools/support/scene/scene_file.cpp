@@ -6,44 +6,96 @@
 
 #include "scene/room_json.h"
 
+#include <pcl/segmentation/objects/room_structure.h> // for StructureKind
+
 #include <algorithm>
+#include <cmath>
 
 namespace pcl::indoor::tool {
+namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<SceneObject>
-measureObjects(const PointCloud<PointXYZ>& points, const Scene& scene)
+constexpr int format_version = 1;
+constexpr const char* structure_names[] = {"none", "floor", "wall", "ceiling"};
+
+/** Add a point to what is known of an object. */
+void
+extend(SceneObject& object, const Eigen::Vector3d& point)
 {
-  const auto& object_of_point = scene.object_of_point;
-  std::vector<SceneObject> objects(
-      object_of_point.empty()
-          ? 0
-          : *std::max_element(object_of_point.begin(), object_of_point.end()));
-  for (std::size_t i = 0; i < object_of_point.size(); ++i) {
-    if (object_of_point[i] == 0)
-      continue;
-    auto& object = objects[object_of_point[i] - 1];
-    const Eigen::Vector3d point = points[i].getVector3fMap().cast<double>();
-    if (object.point_count == 0)
-      object.lower = object.upper = point;
-    object.room = scene.room_of_point[i];
-    object.structure = scene.structure_of_point[i];
-    object.lower = object.lower.cwiseMin(point);
-    object.upper = object.upper.cwiseMax(point);
-    object.centroid += point;
-    ++object.point_count;
-  }
-  for (auto& object : objects)
-    if (object.point_count > 0)
-      object.centroid /= static_cast<double>(object.point_count);
-  return objects;
+  if (object.point_count == 0)
+    object.lower = object.upper = point;
+  object.lower = object.lower.cwiseMin(point);
+  object.upper = object.upper.cwiseMax(point);
+  object.centroid += point;
+  ++object.point_count;
 }
 
-namespace {
+Json
+settingsJson(const std::vector<Setting>& settings)
+{
+  Json json;
+  for (const auto& setting : settings) {
+    auto& value = json[setting.name.substr(1)]; // without the dash
+    if (setting.kind == Setting::Kind::Number)
+      value = Json::parse(setting.value);
+    else if (setting.kind == Setting::Kind::Flag)
+      value = setting.value == "on";
+    else
+      value = setting.value;
+  }
+  return json;
+}
 
-constexpr const char* structure_names[] = {
-    "none", "floor", "wall", "ceiling", "remainder"};
+/** Where the directions of the building's frame, whose z is up, lie in the file's. */
+Json
+axesJson(const Scene& scene)
+{
+  const auto direction = [&scene](int column) {
+    return positionJson(scene.building_pose.linear().col(column));
+  };
+  return {{"x", direction(0)}, {"y", direction(1)}, {"up", direction(2)}};
+}
+
+/** Storeys from below; heights in metres along the up axis, in the file's frame. */
+Json
+storeysJson(const Scene& scene, double offset_up)
+{
+  const double base =
+      scene.building_pose.translation().dot(scene.building_pose.linear().col(2)) +
+      offset_up;
+  Json storeys = Json::array();
+  for (std::size_t s = 0; s < scene.building.storeys.size(); ++s) {
+    const auto& heights = scene.building.levels.storeys.at(s);
+    Json rooms = Json::array();
+    double area = 0.0;
+    for (const auto& room : scene.rooms)
+      if (room.storey == s) {
+        rooms.push_back(room.label);
+        area += room.area;
+      }
+    storeys.push_back({{"storey", s},
+                       {"floor", rounded(heights.floor + base)},
+                       {"ceiling", rounded(heights.ceiling + base)},
+                       {"area", rounded(area)},
+                       {"rooms", std::move(rooms)}});
+  }
+  return storeys;
+}
+
+Json
+openingsJson(const Scene& scene, const Eigen::Vector3d& offset)
+{
+  Json openings = Json::array();
+  for (const auto& opening : scene.openings)
+    openings.push_back({{"opening", openings.size() + 1},
+                        {"rooms", {opening.room_a, opening.room_b}},
+                        {"storey", scene.rooms.at(opening.room_a - 1).storey},
+                        {"position", positionJson(opening.position + offset)},
+                        {"width", rounded(opening.width)},
+                        {"area", rounded(opening.area)}});
+  return openings;
+}
 
 /** Class, confidence and the three likeliest of an object. */
 void
@@ -58,41 +110,124 @@ addClassJson(Json& json, const SceneClasses& classes, const ObjectClass& object)
                            {"confidence", rounded(static_cast<double>(probability))}});
 }
 
-} // namespace
-
-std::string
-sceneText(const Scene& scene,
-          const CloudFile& file,
-          const ScanFrame& frame,
-          const std::string& parameters)
+/** \param[in] to_file brings a place of the upright frame into the file's */
+Json
+uprightJson(const UprightBox& box, const Eigen::Affine3d& to_file)
 {
-  std::vector<Json> objects_of_room(scene.rooms.size(), Json::array());
+  return {{"center", positionJson(to_file * box.center)},
+          {"size", positionJson(box.size)},
+          {"yaw_degrees", rounded(box.yaw * 180.0 / M_PI)}};
+}
+
+Json
+objectsJson(const Scene& scene, const CloudFile& file, const ScanFrame& frame)
+{
+  Eigen::Affine3d to_file = Eigen::Affine3d::Identity();
+  to_file.linear() = scene.building_pose.linear() / frame.metresPerUnit();
+  to_file.translation() = file.offset;
   Json objects = Json::array();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const auto& object = scene.objects[i];
     Json json;
     json["object"] = i + 1;
     json["room"] = object.room;
-    if (object.structure > 0)
-      json["structure"] = structure_names[object.structure];
-    if (!scene.classes.objects.empty())
+    if (object.room > 0)
+      json["storey"] = scene.rooms.at(object.room - 1).storey;
+    json["structure"] = structure_names[object.structure];
+    if (!scene.classes.names.empty())
       addClassJson(json, scene.classes, scene.classes.objects[i]);
     addPlaceJson(json, object, file.offset);
+    json["upright_box"] = uprightJson(object.upright, to_file);
     objects.push_back(std::move(json));
-    if (object.room > 0)
-      objects_of_room.at(object.room - 1).push_back(i + 1);
   }
-  Json rooms = roomsJson(scene.rooms, scene.openings, file.offset);
-  for (std::size_t i = 0; i < scene.rooms.size(); ++i)
-    rooms[i]["objects"] = objects_of_room[i];
-  Json json = inputJson(file, parameters, scene.room_of_point);
+  return objects;
+}
+
+/** Points of the remainder of each room; the first are those in no room. */
+std::vector<std::size_t>
+remainderOfRooms(const Scene& scene)
+{
+  constexpr auto remainder = static_cast<std::uint32_t>(StructureKind::Remainder);
+  std::vector<std::size_t> counts(scene.rooms.size() + 1, 0);
+  for (std::size_t i = 0; i < scene.structure_of_point.size(); ++i)
+    if (scene.structure_of_point[i] == remainder)
+      ++counts[scene.room_of_point[i]];
+  return counts;
+}
+
+/** Adds to each room its objects, and how they were looked for. */
+void
+addObjectsToRooms(Json& rooms, const Scene& scene)
+{
+  const auto remainder = remainderOfRooms(scene);
+  for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
+    auto& room = rooms[i];
+    room["voxel_resolution"] = rounded(scene.object_voxels.at(i));
+    room["seed_resolution"] = rounded(scene.seeds_per_voxel * scene.object_voxels[i]);
+    room["remainder"] = remainder[i + 1];
+    room["objects"] = Json::array();
+  }
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (scene.objects[i].room > 0)
+      rooms[scene.objects[i].room - 1]["objects"].push_back(i + 1);
+}
+
+} // namespace
+
+std::vector<SceneObject>
+measureObjects(const PointCloud<PointXYZ>& points,
+               const PointCloud<PointXYZ>& standing,
+               const Scene& scene)
+{
+  const auto& object_of_point = scene.object_of_point;
+  const std::size_t count =
+      object_of_point.empty()
+          ? 0
+          : *std::max_element(object_of_point.begin(), object_of_point.end());
+  std::vector<SceneObject> objects(count);
+  std::vector<std::vector<Eigen::Vector3d>> upright_points(count);
+  for (std::size_t i = 0; i < object_of_point.size(); ++i) {
+    if (object_of_point[i] == 0)
+      continue;
+    const auto number = object_of_point[i] - 1;
+    objects[number].room = scene.room_of_point[i];
+    objects[number].structure = scene.structure_of_point[i];
+    extend(objects[number], points[i].getVector3fMap().cast<double>());
+    upright_points[number].push_back(standing[i].getVector3fMap().cast<double>());
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    objects[i].upright = uprightBox(upright_points[i]);
+    if (objects[i].point_count > 0)
+      objects[i].centroid /= static_cast<double>(objects[i].point_count);
+  }
+  return objects;
+}
+
+Json
+sceneJson(const Scene& scene,
+          const CloudFile& file,
+          const ScanFrame& frame,
+          const std::vector<Setting>& settings)
+{
+  Json json = {
+      {"format", "pcl_indoor scene"},
+      {"version", format_version},
+      {"program", {{"name", "pcl_indoor_pipeline"}, {"version", programVersion()}}}};
+  json.update(inputJson(file, scene.room_of_point));
+  json["settings"] = settingsJson(settings);
+  json["axes"] = axesJson(scene);
   addReportJson(json, frame, scene.report);
-  json["storeys"] = scene.building.storeys.size();
+  json["remainder_in_no_room"] = remainderOfRooms(scene)[0];
+  json["storeys"] = storeysJson(
+      scene,
+      frame.metresPerUnit() * scene.building_pose.linear().col(2).dot(file.offset));
   if (!scene.classes.names.empty())
     json["categories"] = scene.classes.names;
-  json["rooms"] = std::move(rooms);
-  json["objects"] = std::move(objects);
-  return jsonText(json);
+  json["rooms"] = roomsJson(scene.rooms, scene.openings, file.offset);
+  addObjectsToRooms(json["rooms"], scene);
+  json["openings"] = openingsJson(scene, file.offset);
+  json["objects"] = objectsJson(scene, file, frame);
+  return json;
 }
 
 } // namespace pcl::indoor::tool

@@ -1,0 +1,175 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "command_line/options.h"
+#include "command_line/printable.h"
+#include "command_line/text_table.h"
+#include "files/json_text.h"
+#include "scene/scene_query.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+using namespace pcl::indoor::tool;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+struct Options {
+  std::string scene, nearest;
+  SceneQuery query;
+  int room = -1, storey = -1; ///< -1 = any
+  double max_size = 0.0;      ///< 0 = any
+  std::uint32_t count = 0;
+  bool json = false;
+};
+
+OptionParser
+makeParser(Options& options)
+{
+  OptionParser parser("pcl_indoor_query",
+                      "Lists the objects of a scene that fulfil all conditions, as a "
+                      "table or as JSON, for example the doors next to a place.");
+  parser
+      .positional(
+          "scene.json", options.scene, "the scene, as pcl_indoor_pipeline writes it")
+      .text("-class", options.query.object_class, "class of the objects")
+      .number("-room",
+              options.room,
+              "room of the objects, 0 = in no room, -1 = any",
+              "",
+              Range::atLeast(-1))
+      .number("-storey",
+              options.storey,
+              "storey of the objects, 0 = the lowest, -1 = any",
+              "",
+              Range::atLeast(-1))
+      .number("-min_size",
+              options.query.min_size,
+              "least length of the longest side",
+              "m",
+              Range::atLeast(0))
+      .number("-max_size",
+              options.max_size,
+              "greatest length of the longest side, 0 = any",
+              "m",
+              Range::atLeast(0))
+      .text("-nearest",
+            options.nearest,
+            "X,Y,Z, a place in the frame and unit of the scan: the nearest first, with "
+            "their distances")
+      .number("-count",
+              options.count,
+              "list at most so many, 0 = all",
+              "objects",
+              Range::atLeast(0))
+      .flag("-structure",
+            options.query.with_structure,
+            "list floors, walls and ceilings, too")
+      .flag("-json", options.json, "write JSON: the objects as they are in the scene");
+  return parser;
+}
+
+Eigen::Vector3d
+readPlace(const std::string& text)
+{
+  Eigen::Vector3d place;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto read = std::from_chars(at, end, place[axis]);
+    const bool is_last = axis == 2;
+    if (read.ec != std::errc() || !std::isfinite(place[axis]) ||
+        (is_last ? read.ptr != end : read.ptr == end || *read.ptr != ','))
+      throw ToolError("-nearest: '" + text + "' is not X,Y,Z, such as 1.5,-2,0");
+    at = read.ptr + 1;
+  }
+  return place;
+}
+
+void
+chooseQuery(Options& options)
+{
+  auto& query = options.query;
+  if (options.room >= 0)
+    query.room = static_cast<std::uint32_t>(options.room);
+  if (options.storey >= 0)
+    query.storey = static_cast<std::uint32_t>(options.storey);
+  if (options.max_size > 0.0)
+    query.max_size = options.max_size;
+  if (query.max_size < query.min_size)
+    throw ToolError("-max_size: the value is less than -min_size");
+  if (!options.nearest.empty())
+    query.nearest = readPlace(options.nearest);
+  query.count = options.count;
+}
+
+std::string
+fixed(const Json& number, int digits)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*f", digits, number.get<double>());
+  return text;
+}
+
+std::string
+joined(const Json& numbers, const char* between)
+{
+  std::string text;
+  for (const auto& number : numbers)
+    text += (text.empty() ? "" : between) + fixed(number, 2);
+  return text;
+}
+
+std::string
+tableOf(const std::vector<Json>& objects, const SceneQuery& query)
+{
+  std::vector<std::string> header = {
+      "object>", "class", "sure>", "room>", "storey>", "size, m>", "centre>"};
+  if (query.nearest)
+    header.emplace_back("distance, m>");
+  TextTable table(header);
+  for (const auto& object : objects) {
+    const bool is_thing = object.at("structure") == "none";
+    const auto name = object.value("class", "-");
+    const auto& box = object.at("upright_box");
+    std::vector<std::string> row = {
+        object.at("object").dump(),
+        is_thing ? name : object["structure"].get<std::string>(),
+        is_thing && object.contains("confidence")
+            ? fixed(100.0 * object["confidence"].get<double>(), 0) + " %"
+            : "-",
+        object.at("room") == 0 ? "-" : object["room"].dump(),
+        object.contains("storey") ? object["storey"].dump() : "-",
+        joined(box.at("size"), " x "),
+        joined(box.at("center"), ", ")};
+    if (query.nearest)
+      row.push_back(fixed(object.at("distance"), 2));
+    table.add(row);
+  }
+  return table.text();
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Options options;
+  auto parser = makeParser(options);
+  return parser.run(argc, argv, [&](Progress&) {
+    chooseQuery(options);
+    const auto scene = readScene(options.scene);
+    std::string text;
+    try {
+      const auto objects = findObjects(scene, options.query);
+      text = options.json ? jsonText(objects) : tableOf(objects, options.query);
+    } catch (const Json::exception& problem) {
+      throw ToolError(options.scene + ": not a whole scene, " + messageOf(problem));
+    }
+    if (std::fputs(text.c_str(), stdout) == EOF || std::fflush(stdout) != 0)
+      throw ToolError("the answer cannot be written to stdout");
+  });
+}

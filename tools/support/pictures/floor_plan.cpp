@@ -1,0 +1,226 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "pictures/floor_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::indoor::tool {
+namespace {
+
+constexpr double widest_door = 1.3;     // metres
+constexpr double wall_thickness = 0.6;  // metres, at most, with what stands before it
+constexpr double least_parallel = 0.94; // cosine, 20 degrees
+
+/** The middle of that pixel, among those where a room is about widest, which lies
+ * nearest to their mean. */
+Eigen::Vector2d
+widestPlace(const BuildingRooms& building, const Room& room)
+{
+  constexpr float about = 0.95f;
+  const auto& map = building.storeys[room.storey];
+  const auto& room_of = building.room_of[room.storey];
+  std::vector<Eigen::Vector2d> pixels;
+  std::vector<float> widths;
+  for (int x = 0; x < map.free_labels.nx; ++x)
+    for (int y = 0; y < map.free_labels.ny; ++y)
+      if (room_of[map.free_labels.at(x, y)] == room.label) {
+        pixels.emplace_back(x, y);
+        widths.push_back(map.field.at(x, y));
+      }
+  if (pixels.empty())
+    return building.occupancy.toCloud(Eigen::Vector3d::Zero()).head<2>();
+  const float enough = about * *std::max_element(widths.begin(), widths.end());
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (widths[i] >= enough) {
+      mean += pixels[i];
+      ++count;
+    }
+  mean /= static_cast<double>(count);
+  Eigen::Vector2d place = mean;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (widths[i] >= enough && (pixels[i] - mean).squaredNorm() < nearest) {
+      nearest = (pixels[i] - mean).squaredNorm();
+      place = pixels[i];
+    }
+  const auto center = building.occupancy.grid.center(
+      static_cast<int>(place.x()), static_cast<int>(place.y()), 0);
+  return building.occupancy.toCloud(center).head<2>();
+}
+
+PlanRoom
+drawnRoom(const BuildingRooms& building, const Room& room)
+{
+  PlanRoom drawn{room.label, room.area, widestPlace(building, room), {}};
+  for (const auto& line : room.footprint) {
+    drawn.rings.emplace_back();
+    for (const auto& corner : line)
+      drawn.rings.back().emplace_back(corner.head<2>());
+  }
+  return drawn;
+}
+
+std::vector<PlanLine>
+sidesOf(const PlanRoom& room)
+{
+  std::vector<PlanLine> sides;
+  for (const auto& ring : room.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      sides.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
+  return sides;
+}
+
+double
+distance(const PlanLine& line, const Eigen::Vector2d& place)
+{
+  const Eigen::Vector2d way = line.second - line.first;
+  const double squared = way.squaredNorm();
+  const double share =
+      squared > 0.0 ? std::clamp((place - line.first).dot(way) / squared, 0.0, 1.0)
+                    : 0.0;
+  return (line.first + share * way - place).norm();
+}
+
+bool
+isInside(const PlanRoom& room, const Eigen::Vector2d& place)
+{
+  bool inside = false; // an odd number of sides lies to the right
+  for (const auto& [a, b] : sidesOf(room))
+    if ((a.y() > place.y()) != (b.y() > place.y()) &&
+        place.x() < a.x() + (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()))
+      inside = !inside;
+  return inside;
+}
+
+/** The direction of the wall that an opening is in: that of the longest side, up to
+ * twice as long as the opening, of those that are about as near as the nearest. */
+Eigen::Vector2d
+directionAt(const PlanOpening& opening, const std::vector<PlanLine>& sides)
+{
+  constexpr double about = 0.3; // metres
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& side : sides)
+    nearest = std::min(nearest, distance(side, opening.middle));
+  double longest = 0.0;
+  Eigen::Vector2d along = Eigen::Vector2d::UnitX();
+  for (const auto& side : sides) {
+    const double length =
+        std::min((side.second - side.first).norm(), 2.0 * opening.width);
+    if (distance(side, opening.middle) <= nearest + about && length > longest) {
+      longest = length;
+      along = (side.second - side.first).normalized();
+    }
+  }
+  return along;
+}
+
+PlanOpening
+drawnOpening(const RoomOpening& opening,
+             std::size_t number,
+             const PlanRoom& room_a,
+             const PlanRoom& room_b)
+{
+  PlanOpening drawn;
+  drawn.number = number;
+  drawn.width = opening.width;
+  drawn.middle = opening.position.head<2>();
+  drawn.is_door = opening.width <= widest_door;
+  auto sides = sidesOf(room_a);
+  const auto others = sidesOf(room_b);
+  sides.insert(sides.end(), others.begin(), others.end());
+  drawn.along = directionAt(drawn, sides);
+  drawn.into = {-drawn.along.y(), drawn.along.x()};
+  const auto& smaller = room_b.area < room_a.area ? room_b : room_a;
+  if (!isInside(smaller, drawn.middle + wall_thickness * drawn.into) &&
+      isInside(smaller, drawn.middle - wall_thickness * drawn.into))
+    drawn.into = -drawn.into;
+  return drawn;
+}
+
+/** What is left of a side beside an opening. */
+std::vector<PlanLine>
+without(const PlanLine& side, const PlanOpening& opening)
+{
+  const double length = (side.second - side.first).norm();
+  const Eigen::Vector2d way = (side.second - side.first) / std::max(length, 1e-9);
+  if (std::abs(way.dot(opening.along)) < least_parallel ||
+      distance(side, opening.middle) > wall_thickness)
+    return {side};
+  const double middle = (opening.middle - side.first).dot(way);
+  const double begin = middle - 0.5 * opening.width;
+  const double end = middle + 0.5 * opening.width;
+  std::vector<PlanLine> rest;
+  if (begin > 0.0)
+    rest.emplace_back(side.first, side.first + std::min(begin, length) * way);
+  if (end < length)
+    rest.emplace_back(side.first + std::max(end, 0.0) * way, side.second);
+  return rest;
+}
+
+std::vector<PlanLine>
+wallsOf(const StoreyPlan& storey)
+{
+  std::vector<PlanLine> walls;
+  for (const auto& room : storey.rooms) {
+    auto sides = sidesOf(room);
+    for (const auto& opening : storey.openings) {
+      std::vector<PlanLine> rest;
+      for (const auto& side : sides)
+        for (const auto& part : without(side, opening))
+          rest.push_back(part);
+      sides = std::move(rest);
+    }
+    walls.insert(walls.end(), sides.begin(), sides.end());
+  }
+  return walls;
+}
+
+} // namespace
+
+PlanLine
+PlanOpening::threshold() const
+{
+  return {middle - 0.5 * width * along, middle + 0.5 * width * along};
+}
+
+Eigen::Vector2d
+PlanOpening::leafEnd() const
+{
+  return threshold().first + width * into;
+}
+
+FloorPlan
+floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things)
+{
+  FloorPlan plan;
+  plan.storeys.resize(building.storeys.size());
+  std::vector<PlanRoom> rooms;
+  for (const auto& room : building.rooms) {
+    rooms.push_back(drawnRoom(building, room));
+    plan.storeys[room.storey].rooms.push_back(rooms.back());
+    for (const auto& ring : rooms.back().rings)
+      for (const auto& corner : ring)
+        plan.box.extend(corner);
+  }
+  for (std::size_t i = 0; i < building.openings.size(); ++i) {
+    const auto& opening = building.openings[i];
+    auto& storey = plan.storeys[building.rooms[opening.room_a - 1].storey];
+    storey.openings.push_back(drawnOpening(
+        opening, i + 1, rooms[opening.room_a - 1], rooms[opening.room_b - 1]));
+  }
+  for (auto& storey : plan.storeys)
+    storey.walls = wallsOf(storey);
+  for (const auto& thing : things)
+    plan.storeys.at(thing.storey).things.push_back(thing);
+  if (plan.box.isEmpty())
+    plan.box = {Eigen::Vector2d::Zero(), Eigen::Vector2d(1.0, 1.0)};
+  return plan;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,74 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/building_rooms.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+using PlanLine = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
+
+/** \brief A room as it is drawn. */
+struct PlanRoom {
+  std::uint32_t label = 0;
+  double area = 0.0;     ///< m^2
+  Eigen::Vector2d place; ///< of its number: where it is about widest
+  std::vector<std::vector<Eigen::Vector2d>> rings; ///< counter-clockwise, holes not
+};
+
+/** \brief A door or a wider passage. */
+struct PlanOpening {
+  std::size_t number = 0; ///< of the building's openings, from 1
+  double width = 0.0;
+  Eigen::Vector2d middle;
+  Eigen::Vector2d along; ///< the wall, unit length
+  Eigen::Vector2d into;  ///< the smaller room, across the wall, unit length
+  bool is_door = true;   ///< not wider than a door with one leaf
+
+  /** \brief The ends of the threshold; a leaf would hang at the first. */
+  PlanLine
+  threshold() const;
+
+  /** \brief The end of a leaf that is open by a right angle. */
+  Eigen::Vector2d
+  leafEnd() const;
+};
+
+/** \brief A thing from above. */
+struct PlanThing {
+  std::uint32_t number = 0;             ///< of the object, from 1
+  std::uint32_t storey = 0;             ///< that it is drawn on
+  std::vector<Eigen::Vector2d> corners; ///< of its box, counter-clockwise
+};
+
+struct StoreyPlan {
+  std::vector<PlanRoom> rooms;
+  std::vector<PlanLine> walls; ///< sides of the rooms, but for openings
+  std::vector<PlanOpening> openings;
+  std::vector<PlanThing> things;
+};
+
+/** \brief A building as it is drawn: metres, y up, in the building's frame. */
+struct FloorPlan {
+  Eigen::AlignedBox2d box; ///< of all storeys
+  std::vector<StoreyPlan> storeys;
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero(); ///< add it to get the scan's places
+};
+
+/** \brief Footprints as walls, openings as gaps in them, and where to write.
+ * Which way a door opens is not known; it is drawn as opening into the smaller room.
+ * \param[in] things may be empty
+ */
+FloorPlan
+floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things = {});
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,257 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "pictures/plan_svg.h"
+
+#include "pictures/picture.h" // for labelColor
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pcl::indoor::tool {
+namespace {
+
+constexpr double scale = 50.0;   // units per metre
+constexpr double margin = 40.0;  // units around a storey
+constexpr double caption = 24.0; // units above a storey
+constexpr const char* font =
+    "font-family=\"'Source Sans 3','Segoe UI',Helvetica,Arial,'DejaVu Sans',"
+    "sans-serif\"";
+
+template <typename... Values>
+std::string
+formatted(const char* format, Values... values)
+{
+  char text[500];
+  std::snprintf(text, sizeof(text), format, values...);
+  return text;
+}
+
+/** Where a storey lies on the sheet. */
+class Sheet {
+public:
+  Sheet(const Eigen::AlignedBox2d& box, double top)
+  : corner_(box.min().x(), box.max().y())
+  , top_(top)
+  {}
+
+  Eigen::Vector2d
+  operator()(const Eigen::Vector2d& place) const // y points up
+  {
+    return {margin + scale * (place.x() - corner_.x()),
+            top_ + scale * (corner_.y() - place.y())};
+  }
+
+private:
+  Eigen::Vector2d corner_;
+  double top_;
+};
+
+/** A step of a path: a letter and a place. */
+std::string
+step(char letter, const Eigen::Vector2d& at)
+{
+  return formatted("%c%.1f,%.1f", letter, at.x(), at.y());
+}
+
+std::string
+ringPath(const std::vector<Eigen::Vector2d>& ring, const Sheet& sheet)
+{
+  std::string path;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    path += step(i == 0 ? 'M' : 'L', sheet(ring[i]));
+  return path + "Z";
+}
+
+std::string
+roomShape(const PlanRoom& room, const Sheet& sheet)
+{
+  const Color color = labelColor(room.label);
+  const auto pale = [](std::uint8_t part) { return 255u - (255u - part) / 4u; };
+  std::string path;
+  for (const auto& ring : room.rings)
+    path += ringPath(ring, sheet);
+  return formatted("  <path id=\"room-%u\" class=\"room\" data-room=\"%u\" "
+                   "fill=\"#%02x%02x%02x\" d=\"",
+                   room.label,
+                   room.label,
+                   pale(color.red),
+                   pale(color.green),
+                   pale(color.blue)) +
+         path + "\"/>\n";
+}
+
+std::string
+thingShape(const PlanThing& thing, const Sheet& sheet)
+{
+  return formatted("  <path class=\"thing\" data-object=\"%u\" fill=\"#ddd\" "
+                   "stroke=\"#555\" d=\"",
+                   thing.number) +
+         ringPath(thing.corners, sheet) + "\"/>\n";
+}
+
+std::string
+wallLines(const StoreyPlan& storey, const Sheet& sheet)
+{
+  std::string path;
+  for (const auto& [begin, end] : storey.walls)
+    path += step('M', sheet(begin)) + step('L', sheet(end));
+  return "  <path class=\"walls\" fill=\"none\" stroke=\"#222\" stroke-width=\"3\" "
+         "stroke-linecap=\"round\" d=\"" +
+         path + "\"/>\n";
+}
+
+/** A door's leaf and its arc, or the dashed threshold of a passage. */
+std::string
+openingShape(const PlanOpening& opening, const Sheet& sheet)
+{
+  const auto [begin, end] = opening.threshold();
+  const std::string form = " fill=\"none\" stroke=\"#444\" stroke-width=\"1.2\" ";
+  const std::string number = formatted("data-opening=\"%zu\"", opening.number);
+  if (!opening.is_door)
+    return "  <path class=\"passage\" " + number + form +
+           "stroke-dasharray=\"5,4\" d=\"" + step('M', sheet(begin)) +
+           step('L', sheet(end)) + "\"/>\n";
+  const double radius = scale * opening.width;
+  const Eigen::Vector2d leaf = opening.leafEnd() - begin, gap = end - begin;
+  const int sweep = leaf.x() * gap.y() - leaf.y() * gap.x() < 0.0 ? 1 : 0; // y is down
+  return "  <path class=\"door\" " + number + form + "d=\"" + step('M', sheet(begin)) +
+         step('L', sheet(opening.leafEnd())) +
+         formatted("A%.1f,%.1f 0 0 %d ", radius, radius, sweep) +
+         step(' ', sheet(end)).substr(1) + "\"/>\n";
+}
+
+std::string
+roomText(const PlanRoom& room, const Sheet& sheet)
+{
+  const Eigen::Vector2d at = sheet(room.place);
+  return formatted("  <text class=\"room-number\" x=\"%.1f\" y=\"%.1f\" "
+                   "font-weight=\"600\">%u</text>\n",
+                   at.x(),
+                   at.y() - 3.0,
+                   room.label) +
+         formatted("  <text class=\"room-area\" x=\"%.1f\" y=\"%.1f\" "
+                   "font-size=\"10\">%.1f m²</text>\n",
+                   at.x(),
+                   at.y() + 10.0,
+                   room.area);
+}
+
+std::string
+widthText(const PlanOpening& opening, const Sheet& sheet)
+{
+  const Eigen::Vector2d at = sheet(opening.middle - 0.16 * opening.into);
+  return formatted("  <text x=\"%.1f\" y=\"%.1f\" font-size=\"8\" "
+                   "fill=\"#444\">%.2f</text>\n",
+                   at.x(),
+                   at.y() + 3.0,
+                   opening.width);
+}
+
+std::string
+scaleBar(double top)
+{
+  constexpr int metres = 2;
+  const double end = margin + metres * scale;
+  return formatted("<path id=\"scale\" stroke=\"black\" fill=\"none\" "
+                   "d=\"M%.1f,%.1fv6H%.1fv-6M%.1f,%.1fv-4\"/>\n",
+                   margin,
+                   top,
+                   end,
+                   0.5 * (margin + end),
+                   top + 6.0) +
+         formatted("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"start\" "
+                   "font-size=\"11\">%d m</text>\n",
+                   end + 8.0,
+                   top + 7.0,
+                   metres);
+}
+
+/** An arrow in the direction of y. */
+std::string
+directionOfY(double right, double top)
+{
+  return formatted("<path id=\"direction\" stroke=\"black\" fill=\"none\" "
+                   "d=\"M%.1f,%.1fv-24m-4,7l4,-7l4,7\"/>\n",
+                   right,
+                   top + 8.0) +
+         formatted("<text x=\"%.1f\" y=\"%.1f\" font-size=\"11\">y</text>\n",
+                   right + 9.0,
+                   top + 7.0);
+}
+
+std::string
+svg(double width, double height, const std::string& content)
+{
+  return formatted("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.1f "
+                   "%.1f\" width=\"%.0f\" height=\"%.0f\" ",
+                   width,
+                   height,
+                   width,
+                   height) +
+         font + " font-size=\"14\" text-anchor=\"middle\">\n" + content + "</svg>\n";
+}
+
+std::string
+storeyShapes(const StoreyPlan& storey, const Sheet& sheet, bool with_things)
+{
+  std::string text;
+  for (const auto& room : storey.rooms)
+    text += roomShape(room, sheet);
+  if (with_things)
+    for (const auto& thing : storey.things)
+      text += thingShape(thing, sheet);
+  text += wallLines(storey, sheet);
+  for (const auto& opening : storey.openings)
+    text += openingShape(opening, sheet);
+  for (const auto& room : storey.rooms)
+    text += roomText(room, sheet);
+  return text;
+}
+
+} // namespace
+
+std::string
+planSvg(const FloorPlan& plan)
+{
+  const bool named = plan.storeys.size() > 1;
+  const double storey_height = scale * plan.box.sizes().y() + margin;
+  std::string storeys;
+  double top = margin;
+  for (std::size_t s = plan.storeys.size(); s-- > 0; top += storey_height) {
+    storeys += formatted("<g id=\"storey-%zu\">\n", s);
+    if (named) {
+      storeys += formatted("  <text x=\"%.1f\" y=\"%.1f\" text-anchor=\"start\">Storey "
+                           "%zu</text>\n",
+                           margin,
+                           top,
+                           s);
+      top += caption;
+    }
+    const Sheet sheet(plan.box, top);
+    storeys += storeyShapes(plan.storeys[s], sheet, false);
+    for (const auto& opening : plan.storeys[s].openings)
+      storeys += widthText(opening, sheet);
+    storeys += "</g>\n";
+  }
+  const double width = std::max(260.0, 2.0 * margin + scale * plan.box.sizes().x());
+  return svg(width,
+             top + margin,
+             "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" + storeys +
+                 scaleBar(top + 2.0) + directionOfY(width - margin, top));
+}
+
+std::vector<std::string>
+storeySvgs(const FloorPlan& plan)
+{
+  std::vector<std::string> drawings;
+  for (const auto& storey : plan.storeys)
+    drawings.push_back(svg(2.0 * margin + scale * plan.box.sizes().x(),
+                           2.0 * margin + scale * plan.box.sizes().y(),
+                           storeyShapes(storey, Sheet(plan.box, margin), true)));
+  return drawings;
+}
+
+} // namespace pcl::indoor::tool

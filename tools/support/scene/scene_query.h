@@ -1,0 +1,45 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief Which objects of a scene are looked for; all conditions must hold. */
+struct SceneQuery {
+  std::string object_class; ///< empty = any
+  std::optional<std::uint32_t> room, storey;
+  double min_size = 0.0; ///< of the longest side, metres
+  double max_size = std::numeric_limits<double>::infinity();
+  bool with_structure = false; ///< floors, walls and ceilings, too
+  std::optional<Eigen::Vector3d>
+      nearest;           ///< the nearest first; frame and unit of the file
+  std::size_t count = 0; ///< at most so many; 0 = all
+};
+
+/** \brief Read scene.json.
+ * \throws ToolError if the file is missing, is no scene, or one of another version
+ */
+nlohmann::ordered_json
+readScene(const std::string& path);
+
+/** \brief The objects that are looked for, as they are in the scene, in its order or by
+ * their distance; then they have a field distance, metres, of the box.
+ * \throws ToolError if no room, storey or class of the scene has that name
+ * \throws nlohmann::json::exception if the scene lacks a field
+ */
+std::vector<nlohmann::ordered_json>
+findObjects(const nlohmann::ordered_json& scene, const SceneQuery& query);
+
+} // namespace pcl::indoor::tool
