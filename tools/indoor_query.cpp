@@ -69,6 +69,7 @@ makeParser(Options& options)
             options.query.with_structure,
             "list floors, walls and ceilings, too")
       .flag("-json", options.json, "write JSON: the objects as they are in the scene");
+  parser.expert({"-structure"});
   return parser;
 }
 

@@ -116,7 +116,7 @@ readRooms(const Settings& settings)
   const auto truth = readTruth(file, settings);
   std::map<std::uint32_t, Room> room_of_number;
   for (std::size_t i = 0; i < rooms.size(); ++i) {
-    if (rooms[i] == 0)
+    if (rooms[i] == 0 || !pcl::isFinite((*file.points)[i]))
       continue;
     auto& room = room_of_number[rooms[i]];
     room.points->push_back((*file.points)[i]);
@@ -255,11 +255,7 @@ saveExamples(const Room& room,
   if (labels.empty())
     throw AlreadyReported();
   const auto& pieces = segmentation.getResult();
-  std::vector<std::uint32_t> truth; // of the finite points
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (pcl::isFinite((*room.points)[i]))
-      truth.push_back(room.truth[i]);
-  Teacher teacher(pieces, truth, learned, settings, room.number, examples);
+  Teacher teacher(pieces, room.truth, learned, settings, room.number, examples);
   joinPieces(pieces.pieces, teacher);
 }
 
@@ -278,7 +274,7 @@ main(int argc, char** argv)
     progress.start("Loading " + settings.input);
     const auto rooms = readRooms(settings);
     if (rooms.empty())
-      throw ToolError(settings.input + ": no point has a room in the field " +
+      throw ToolError(settings.input + ": no finite point has a room in the field " +
                       settings.room_field);
     progress.done(std::to_string(rooms.size()) + " rooms");
     progress.start("Joining pieces");

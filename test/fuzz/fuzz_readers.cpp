@@ -136,7 +136,8 @@ allReaders()
           {"names", [](const auto& path) { tool::readCategoryNames(path); }},
           {"classes", [](const auto& path) { tool::readClassMap(path); }},
           {"model", readModelFile, repairModel},
-          {"joining", readJoining}};
+          {"joining", readJoining},
+          {"las", readCloud}};
 }
 
 /** Why the reader refuses a file; empty if it takes it. What it may refuse it by is

@@ -46,6 +46,14 @@ protected:
     return (folder_ / name).string();
   }
 
+  /** Write a file; its path. */
+  std::string
+  write(const std::string& name, const std::string& bytes) const
+  {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+    return path(name);
+  }
+
 private:
   std::filesystem::path folder_;
 };

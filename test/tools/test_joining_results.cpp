@@ -245,7 +245,7 @@ TEST_F(JoiningResults, RoomsWithoutFinitePointsHaveNoExamples)
   appendField(file.cloud, "room", rooms);
   saveCloud(path("none.pcd"), file.cloud);
   fs::remove(path("out"));
-  expectRefusal("", "no point has a room in the field room", "none.pcd");
+  expectRefusal("", "no finite point has a room in the field room", "none.pcd");
 }
 
 TEST_F(JoiningResults, SegmentationJoinsLessAtHigherLevels)

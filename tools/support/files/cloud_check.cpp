@@ -7,6 +7,7 @@
 #include "command_line/options.h" // for ToolError
 #include "files/file_header.h"
 #include "files/foreign_format.h"
+#include "files/las_file.h"
 
 #include <algorithm>
 #include <charconv>
@@ -216,6 +217,8 @@ checkCloudFile(const std::string& path)
   const std::string first = words.empty() ? "" : words[0];
   if (first == "ply")
     return {CloudFormat::PLY, 0, {}, ""};
+  if (isLas(beginning))
+    return {CloudFormat::LAS, 0, {}, ""};
   if (first[0] == '#' || first == "VERSION" || first == "FIELDS" ||
       first == "COLUMNS") {
     CheckedCloud checked{CloudFormat::PCD, 0, {}, std::string(file_size, '\0')};
@@ -225,7 +228,7 @@ checkCloudFile(const std::string& path)
     return checked;
   }
   const auto other = describeForeignFormat(path, beginning);
-  throw ToolError(path + ": neither a PCD nor a PLY file" +
+  throw ToolError(path + ": not a PCD, PLY or LAS file" +
                   (other.empty() ? "" : " but " + other));
 }
 
@@ -233,11 +236,15 @@ std::uint64_t
 promisedPoints(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
-  std::string first;
-  std::getline(stream, first);
+  std::string beginning(512, '\0');
+  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(stream.gcount()));
+  if (isLas(beginning))
+    return lasPointCount(beginning);
+  stream.clear();
   stream.seekg(0);
   try {
-    if (first.substr(0, 3) != "ply")
+    if (beginning.compare(0, 3, "ply") != 0)
       return parsePcdHeader(readFileHeader(stream, "DATA", path), path).points;
     for (const auto& words : readFileHeader(stream, "end_header", path).lines)
       if (words.size() == 3 && words[0] == "element" && words[1] == "vertex")

@@ -14,7 +14,7 @@
 
 namespace pcl::indoor::tool {
 
-enum class CloudFormat { PCD, PLY };
+enum class CloudFormat { PCD, PLY, LAS };
 
 /** \brief Reads bytes in memory. */
 using MemoryStream = boost::iostreams::stream<boost::iostreams::array_source>;

@@ -6,6 +6,7 @@
 
 #include "files/cloud_check.h"
 #include "files/file_header.h"
+#include "files/las_file.h"
 #include "files/ply_file.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
@@ -181,6 +182,8 @@ readFile(CloudFile& file)
   try {
     if (checked.format == CloudFormat::PCD)
       is_read = readPcd(checked, file);
+    else if (checked.format == CloudFormat::LAS)
+      file.cloud = readLas(file.path);
     else
       file.frame.offset =
           readPly(file.path, file.cloud, file.frame.origin, file.frame.orientation);

@@ -39,8 +39,8 @@ struct CloudFile {
   bool has_normals = false;     ///< the file has normal_x, normal_y, normal_z
 };
 
-/** \brief Read a PCD (ascii, binary, binary_compressed) or PLY file; which one it is,
- * its content says.
+/** \brief Read a PCD (ascii, binary, binary_compressed), PLY or LAS file; which one it
+ * is, its content says.
  *
  * Prints nothing.
  * \throws ToolError if the file is missing, is no cloud, is shorter than its header

@@ -24,7 +24,6 @@ struct Format {
 };
 
 const std::vector<Format> formats = {
-    {"a LAS file", {".las"}, Converter::Pdal},
     {"a LAZ file", {".laz"}, Converter::Pdal},
     {"an E57 file", {".e57"}, Converter::CloudCompare},
     {"a table of numbers as text (XYZ, CSV)",
@@ -32,12 +31,11 @@ const std::vector<Format> formats = {
      Converter::CloudCompare},
     {"a file compressed by gzip", {".gz"}, Converter::Gunzip},
     {"a ZIP archive", {".zip"}, Converter::Unzip}};
-const Format& las = formats[0];
-const Format& laz = formats[1];
-const Format& e57 = formats[2];
-const Format& table = formats[3];
-const Format& gzip = formats[4];
-const Format& zip = formats[5];
+const Format& laz = formats[0];
+const Format& e57 = formats[1];
+const Format& table = formats[2];
+const Format& gzip = formats[3];
+const Format& zip = formats[4];
 
 std::string
 endingOf(const std::string& path)
@@ -74,12 +72,8 @@ formatOf(const std::string& path, const std::string& beginning)
     return beginning.compare(0, magic.size(), magic) == 0;
   };
   const std::string ending = endingOf(path);
-  constexpr std::size_t las_point_format = 104; // its highest bit says LAZ
-  if (begins_with("LASF"))
-    return beginning.size() > las_point_format &&
-                   (static_cast<unsigned char>(beginning[las_point_format]) & 0x80) != 0
-               ? &laz
-               : &las;
+  if (begins_with("LASF")) // and is compressed: LAS is none of these
+    return &laz;
   if (begins_with("ASTM-E57"))
     return &e57;
   if (begins_with("\x1f\x8b"))
@@ -119,12 +113,12 @@ describeForeignFormat(const std::string& path, const std::string& beginning)
   if (format == nullptr)
     return "";
   const std::string input = quoted(path);
-  std::filesystem::path ply = path;
-  ply.replace_extension(".ply");
+  std::filesystem::path las = path;
+  las.replace_extension(".las");
   std::string command;
   switch (format->converter) {
   case Converter::Pdal:
-    command = "convert it: pdal translate " + input + " " + quoted(ply.string());
+    command = "convert it: pdal translate " + input + " " + quoted(las.string());
     break;
   case Converter::CloudCompare:
     command = "convert it: CloudCompare -SILENT -O " + input +

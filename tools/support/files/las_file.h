@@ -1,0 +1,34 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+
+#include <cstdint>
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief Does a file with this beginning hold LAS points that are not compressed? */
+bool
+isLas(const std::string& beginning);
+
+/** \brief How many points the header of a LAS file promises; 0 if it is not understood.
+ * \param[in] beginning of the file, 512 bytes if it has as many */
+std::uint64_t
+lasPointCount(const std::string& beginning);
+
+/** \brief Read the points of a LAS file, versions 1.0 to 1.4, point formats 0 to 10.
+ *
+ * The fields are x, y, z as doubles, with scale and offset applied; intensity,
+ * classification, point_source_id; gps_time and rgb (8 bits a channel) where the format
+ * has them; and the dimensions of extra bytes by their own names, with their scales and
+ * offsets, those of 64-bit integers as doubles. Waveforms are left out.
+ * \throws ToolError if the file is damaged or has fewer points than its header promises
+ */
+PCLPointCloud2
+readLas(const std::string& path);
+
+} // namespace pcl::indoor::tool
