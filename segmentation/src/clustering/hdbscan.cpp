@@ -83,7 +83,7 @@ condense(const SingleLinkageTree& tree,
   std::vector<std::pair<int, int>> stack{{tree.root, 0}}; // node, cluster
   std::vector<int> large;
   while (!stack.empty()) {
-    const auto [node, cluster] = stack.back();
+    const int node = stack.back().first, cluster = stack.back().second;
     stack.pop_back();
     if (static_cast<std::size_t>(node) < tree.count)
       continue; // the only point there is
@@ -97,8 +97,8 @@ condense(const SingleLinkageTree& tree,
         return;
       }
       leaving += size;
-      tree.forEachPoint(child, [&, c = cluster](std::size_t point) {
-        result.point_cluster[point] = c;
+      tree.forEachPoint(child, [&](std::size_t point) {
+        result.point_cluster[point] = cluster;
         result.point_distance[point] = distance;
       });
     });

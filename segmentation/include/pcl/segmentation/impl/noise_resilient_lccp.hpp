@@ -305,6 +305,8 @@ NoiseResilientLCCP<PointT>::initCompute()
     PCL_ERROR("%s No input cloud was set.\n", where);
     return false;
   }
+  if (this->fake_indices_ && indices_->size() != input_->size())
+    return false; // there was no memory for them, as PCL has said
   if (input_->empty() || indices_->empty()) {
     PCL_ERROR("%s The input has no points.\n", where);
     return false;

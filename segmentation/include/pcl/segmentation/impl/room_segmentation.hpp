@@ -34,6 +34,8 @@ RoomSegmentation<PointT>::initCompute()
     PCL_ERROR("[pcl::RoomSegmentation::initCompute] No input cloud is set.\n");
     return false;
   }
+  if (this->fake_indices_ && indices_->size() != input_->size())
+    return false; // there was no memory for them, as PCL has said
   if (input_->empty() || indices_->empty()) {
     PCL_ERROR("[pcl::RoomSegmentation::initCompute] The input has no points.\n");
     return false;
