@@ -8,9 +8,9 @@
 #include "files/file_header.h"
 #include "files/las_file.h"
 #include "files/ply_file.h"
+#include "files/silent_pcl.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
-#include <pcl/console/print.h>
 #include <pcl/indoor/usable_point.h>
 #include <pcl/io/pcd_io.h>
 
@@ -19,47 +19,10 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iostream>
 #include <limits>
-#include <mutex>
 
 namespace pcl::indoor::tool {
 namespace {
-
-/** Keeps PCL's readers and writers, which print what they also return, silent for as
- * long as one of these lives, in any thread. */
-class SilentPcl {
-public:
-  SilentPcl()
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (users++ > 0)
-      return;
-    level = console::getVerbosityLevel();
-    cerr = std::cerr.rdbuf(nullptr);
-    console::setVerbosityLevel(console::L_ALWAYS);
-  }
-
-  ~SilentPcl()
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (--users > 0)
-      return;
-    std::cerr.rdbuf(cerr);
-    console::setVerbosityLevel(level);
-  }
-
-  SilentPcl(const SilentPcl&) = delete;
-  SilentPcl&
-  operator=(const SilentPcl&) = delete;
-
-private:
-  // of the whole program, as what they keep is
-  inline static std::mutex mutex;
-  inline static int users = 0;
-  inline static console::VERBOSITY_LEVEL level = console::L_INFO;
-  inline static std::streambuf* cerr = nullptr;
-};
 
 /** A field's value of one point as a double; every type a PCD can have. */
 double

@@ -1,0 +1,274 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+// The setters and getters of pcl::NoiseResilientLCCP.
+
+#include <pcl/segmentation/noise_resilient_lccp.h>
+
+namespace pcl {
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setInputNormals(const PointCloudN::ConstPtr& normals)
+{
+  normals_ = normals;
+}
+
+template <typename PointT>
+typename NoiseResilientLCCP<PointT>::PointCloudN::ConstPtr
+NoiseResilientLCCP<PointT>::getInputNormals() const
+{
+  return normals_;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setVoxelResolution(double value)
+{
+  chosen().voxel_size = value;
+}
+
+template <typename PointT>
+double
+NoiseResilientLCCP<PointT>::getVoxelResolution() const
+{
+  return options_.voxel_size;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setSeedResolution(double value)
+{
+  chosen().seed_size = value;
+}
+
+template <typename PointT>
+double
+NoiseResilientLCCP<PointT>::getSeedResolution() const
+{
+  return options_.seed_size;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setCurvatureThreshold(float value)
+{
+  chosen().curvature_threshold = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getCurvatureThreshold() const
+{
+  return options_.curvature_threshold;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setRatioThreshold(float value)
+{
+  chosen().ratio_threshold = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getRatioThreshold() const
+{
+  return options_.ratio_threshold;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setPartition(Partition partition)
+{
+  chosen().partition = partition;
+}
+
+template <typename PointT>
+typename NoiseResilientLCCP<PointT>::Partition
+NoiseResilientLCCP<PointT>::getPartition() const
+{
+  return options_.partition;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setBendThreshold(float value)
+{
+  chosen().bend_threshold_degrees = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getBendThreshold() const
+{
+  return options_.bend_threshold_degrees;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setJoiningScale(indoor::JoiningScale value)
+{
+  chosen().scale = value;
+}
+
+template <typename PointT>
+indoor::JoiningScale
+NoiseResilientLCCP<PointT>::getJoiningScale() const
+{
+  return options_.scale;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setJoiningLevel(float value)
+{
+  chosen().joining_level = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getJoiningLevel() const
+{
+  return options_.joining_level;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setGraphScale(float value)
+{
+  chosen().graph_scale = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getGraphScale() const
+{
+  return options_.graph_scale;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setMinSegmentSize(std::uint32_t value)
+{
+  chosen().min_segment_size = value;
+}
+
+template <typename PointT>
+std::uint32_t
+NoiseResilientLCCP<PointT>::getMinSegmentSize() const
+{
+  return options_.min_segment_size;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setConcavityToleranceThreshold(float value)
+{
+  chosen().concavity_tolerance_degrees = value;
+}
+
+template <typename PointT>
+float
+NoiseResilientLCCP<PointT>::getConcavityToleranceThreshold() const
+{
+  return options_.concavity_tolerance_degrees;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setOptions(const indoor::ObjectSegmentationOptions& options)
+{
+  chosen() = options;
+}
+
+template <typename PointT>
+const indoor::ObjectSegmentationOptions&
+NoiseResilientLCCP<PointT>::getOptions() const
+{
+  return options_;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setViewPoint(double x, double y, double z)
+{
+  viewpoint_.assign(1, Eigen::Vector3d(x, y, z));
+}
+
+template <typename PointT>
+Eigen::Vector3d
+NoiseResilientLCCP<PointT>::getViewPoint() const
+{
+  return viewpoint_.empty() ? Eigen::Vector3d(0, 0, 0) : viewpoint_.front();
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setUpAxis(const Eigen::Vector3f& axis)
+{
+  options_.up = axis.normalized();
+}
+
+template <typename PointT>
+const Eigen::Vector3f&
+NoiseResilientLCCP<PointT>::getUpAxis() const
+{
+  return options_.up;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setNormalOrientation(indoor::NormalOrientation orientation)
+{
+  options_.orientation = orientation;
+}
+
+template <typename PointT>
+indoor::NormalOrientation
+NoiseResilientLCCP<PointT>::getNormalOrientation() const
+{
+  return options_.orientation;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setUseSingleCameraTransform(bool use)
+{
+  camera_ = use ? Camera::Single : Camera::Any;
+}
+
+template <typename PointT>
+bool
+NoiseResilientLCCP<PointT>::getUseSingleCameraTransform() const
+{
+  const bool organised = input_ && input_->height > 1;
+  return camera_ == Camera::Single || (camera_ == Camera::Automatic && organised);
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setNumberOfThreads(unsigned threads)
+{
+  options_.threads = threads;
+}
+
+template <typename PointT>
+unsigned
+NoiseResilientLCCP<PointT>::getNumberOfThreads() const
+{
+  return options_.threads;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setProgressCallback(
+    const indoor::ProgressCallback& callback)
+{
+  progress_ = callback;
+}
+
+} // namespace pcl
