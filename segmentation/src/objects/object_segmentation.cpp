@@ -148,7 +148,9 @@ segmentObjects(ObjectSegmentationInput input,
   yieldEnclosed(result.scene, result.segment_of_point);
   nameSegments(has_pieces ? std::pow(options.seed_size / options.voxel_size, 2) : 0,
                result);
-  return stops(1, "done") ? ObjectSegmentation() : result;
+  if (stops(1, "done"))
+    return {};
+  return result; // moved: a conditional would copy all of it
 }
 
 } // namespace indoor
