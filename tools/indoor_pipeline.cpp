@@ -11,6 +11,7 @@
 #include "objects/category_names.h" // for other_class
 #include "pictures/class_picture.h"
 #include "pictures/plan_dxf.h"
+#include "pictures/plan_png.h"
 #include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
 #include "report/report_page.h"
@@ -66,6 +67,7 @@ constexpr const char* results[] = {"scene.json",
                                    "potential_field.png",
                                    "classes.png",
                                    "plan.svg",
+                                   "plan.png",
                                    "plan.dxf",
                                    "report.html"};
 
@@ -77,7 +79,7 @@ makeParser(Options& options)
       "Finds the rooms of a building's scan, the objects in each room "
       "and the class of each object; writes cloud.pcd with the fields "
       "room, object, structure, category and confidence, scene.json, report.html, "
-      "plan.svg, plan.dxf, rooms.png, potential_field.png and classes.png.");
+      "plan.svg, plan.png, plan.dxf, rooms.png, potential_field.png and classes.png.");
   parser.positional("input", options.input, "PCD or PLY file")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
@@ -308,6 +310,8 @@ describe(const Options& options,
   auto plan = floorPlan(scene.building, thingsFromAbove(scene));
   plan.origin = originOf(file, options.frame, scene.building_pose);
   add("plan.svg", planSvg(plan));
+  if (canDrawPlans())
+    add("plan.png", drawnAsPng(planSvg(plan)));
   add("plan.dxf", planDxf(plan));
   const auto json = sceneJson(scene, file, options.frame, settings);
   if (options.report != "none")

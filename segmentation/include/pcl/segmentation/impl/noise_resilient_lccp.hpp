@@ -10,6 +10,7 @@
 #include <pcl/exceptions.h>
 #include <pcl/indoor/labelled_outputs.h>
 #include <pcl/indoor/plain_message.h>
+#include <pcl/indoor/quantile.h>
 #include <pcl/indoor/usable_point.h>
 
 #include <algorithm>
@@ -80,7 +81,7 @@ NoiseResilientLCCP<PointT>::initCompute()
               static_cast<double>(sensor.z()));
     return false;
   }
-  const auto problem = indoor::findInvalidOption(options_);
+  const auto problem = indoor::findProblem(options_);
   if (!problem.empty()) {
     PCL_ERROR("%s %s\n", where, problem.c_str());
     return false;
@@ -108,9 +109,7 @@ NoiseResilientLCCP<PointT>::localInput()
   for (int axis = 0; axis < 3 && !finite_.empty(); ++axis) {
     for (std::size_t i = 0; i < finite_.size(); ++i)
       values[i] = (*input_)[finite_[i]].getVector3fMap()[axis];
-    const auto middle = values.begin() + values.size() / 2;
-    std::nth_element(values.begin(), middle, values.end());
-    origin[axis] = *middle;
+    origin[axis] = indoor::median(values);
   }
   for (const auto index : finite_) {
     const Eigen::Vector3d position =
@@ -195,8 +194,8 @@ void
 NoiseResilientLCCP<PointT>::segment()
 {
   segment_of_supervoxel_.clear();
-  const auto problem = given_.names.empty() ? "No supervoxels were set."
-                                            : indoor::findInvalidOption(options_);
+  const auto problem =
+      given_.names.empty() ? "No supervoxels were set." : indoor::findProblem(options_);
   if (!problem.empty())
     PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n", problem.c_str());
   else
