@@ -9,8 +9,8 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/labelled_outputs.h>
+#include <pcl/indoor/middle_point.h>
 #include <pcl/indoor/plain_message.h>
-#include <pcl/indoor/quantile.h>
 #include <pcl/indoor/usable_point.h>
 
 #include <algorithm>
@@ -102,22 +102,16 @@ NoiseResilientLCCP<PointT>::localInput()
   for (const auto index : *indices_)
     if (indoor::isUsablePoint((*input_)[index]))
       finite_.push_back(index);
-  // Double differences to a median: nothing is lost in large coordinates, and the
-  // order of the points does not matter.
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  std::vector<float> values(finite_.size());
-  for (int axis = 0; axis < 3 && !finite_.empty(); ++axis) {
-    for (std::size_t i = 0; i < finite_.size(); ++i)
-      values[i] = (*input_)[finite_[i]].getVector3fMap()[axis];
-    origin[axis] = indoor::median(values);
-  }
   for (const auto index : finite_) {
-    const Eigen::Vector3d position =
-        (*input_)[index].getVector3fMap().template cast<double>();
-    local.points.push_back((position - origin).template cast<float>());
+    local.points.push_back((*input_)[index].getVector3fMap());
     if (normals_)
       local.normals.push_back((*normals_)[index].getNormalVector3fMap());
   }
+  // Double differences to a median: nothing is lost in large coordinates, and the
+  // order of the points does not matter.
+  const Eigen::Vector3d origin = indoor::middlePoint(local.points);
+  for (auto& point : local.points)
+    point = (point.cast<double>() - origin).cast<float>();
   if (local.single_camera || !viewpoint_.empty())
     local.viewpoint.assign(1, (sensor - origin).cast<float>());
   return local;
