@@ -293,12 +293,18 @@ hasField(const PCLPointCloud2& cloud, const std::string& name)
   return getFieldIndex(cloud, name) >= 0;
 }
 
-std::vector<std::uint32_t>
-readLabels(const CloudFile& file, const std::string& name)
+std::vector<double>
+readNumbers(const CloudFile& file, const std::string& name)
 {
   if (!hasField(file.cloud, name))
     throw ToolError(file.path + ": the file has no field '" + name + "'");
-  const auto values = readReals(file.cloud, name);
+  return readReals(file.cloud, name);
+}
+
+std::vector<std::uint32_t>
+readLabels(const CloudFile& file, const std::string& name)
+{
+  const auto values = readNumbers(file, name);
   std::vector<std::uint32_t> labels(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double value = values[i];
