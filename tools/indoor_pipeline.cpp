@@ -3,11 +3,15 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/printable.h"
 #include "files/cloud_file.h"
 #include "pipeline/pipeline_results.h"
 #include "pipeline/pipeline_stages.h"
+#include "pipeline/shared_rooms.h"
 #include "scene/scene_summary.h"
 
+#include <cstdlib>
+#include <exception>
 #include <string>
 
 using namespace pcl::indoor::tool;
@@ -105,14 +109,46 @@ chooseResolution(Options& options)
                     "' is less than -voxel_resolution, " + std::to_string(voxel));
 }
 
+std::string
+workFolder(const Options& options)
+{
+  return options.folder + "/.unfinished";
+}
+
+/** What a process does that mpirun has started beside the first one. Of the same
+ * command the first one says what is wrong; here it is enough to wait for the end. */
+int
+help(Ranks& ranks, int argc, char** argv)
+{
+  Options options;
+  auto parser = makeParser(options);
+  try {
+    parser.parse(argc, argv);
+  } catch (const ToolError&) {
+  }
+  try {
+    finishSharedRooms(ranks, workFolder(options), [&] {
+      chooseResolution(options);
+      return roomWork(options);
+    });
+  } catch (const std::exception& error) {
+    printWarning("a process beside the first one ends the work: " + messageOf(error));
+    ranks.endAll();
+  }
+  return EXIT_SUCCESS;
+}
+
 } // namespace
 
 int
 main(int argc, char** argv)
 {
+  Ranks ranks;
+  if (!ranks.isFirst())
+    return help(ranks, argc, argv);
   Options options;
   auto parser = makeParser(options);
-  return parser.run(argc, argv, [&](Progress& progress) {
+  const int status = parser.run(argc, argv, [&](Progress& progress) {
     requireUsable(options);
     options.memory.require(options.input, bytes_per_point);
     progress.start("Loading " + options.input);
@@ -121,13 +157,12 @@ main(int argc, char** argv)
     chooseResolution(options);
 
     auto work = roomWork(options);
-    WorkFolder folder(options.folder + "/.unfinished",
-                      keyOfRun(options, parser.settings()));
+    WorkFolder folder(workFolder(options), keyOfRun(options, parser.settings()));
     folder.removeOutdated();
     Scene scene = findRooms(options, file, folder, progress);
-    turnRooms(options, scene.building_pose, work);
+    work.pose = scene.building_pose;
     const auto standing = standingPoints(file, work, scene);
-    findObjects(options, file, *standing, work, folder, scene, progress);
+    findObjects(options, file, *standing, work, folder, ranks, scene, progress);
     complete(options, scene, file);
     progress.start("Saving to " + options.folder);
     const auto texts = describe(options, parser.settings(), scene, *standing, file);
@@ -137,4 +172,6 @@ main(int argc, char** argv)
     for (const auto& table : tablesOf(scene, progress.stages()))
       progress.table(table);
   });
+  ranks.dismissAll();
+  return status;
 }

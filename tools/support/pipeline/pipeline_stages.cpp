@@ -81,15 +81,8 @@ roomWork(const PipelineOptions& options)
   if (!model.empty())
     work.model = loadModel(model);
   work.is_standing = options.frame.unit == "m" && options.frame.up == "z";
+  work.metres_per_unit = options.frame.metresPerUnit();
   return work;
-}
-
-void
-turnRooms(const PipelineOptions& options, const Eigen::Isometry3d& pose, RoomWork& work)
-{
-  work.turn = options.frame.metresPerUnit() * pose.linear().transpose();
-  if (options.frame.up != "z")
-    work.normal_turn = pose.linear().transpose().cast<float>();
 }
 
 Scene
@@ -124,10 +117,8 @@ standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene)
   if (work.is_standing && scene.report.outside.empty())
     return file.points;
   auto points = pcl::make_shared<PointCloud<PointXYZ>>(*file.points);
-  if (!work.is_standing)
-    for (auto& point : *points)
-      point.getVector3fMap() =
-          (work.turn * point.getVector3fMap().cast<double>()).cast<float>();
+  for (auto& point : *points)
+    point.getVector3fMap() = work.standing(point.getVector3fMap());
   for (const auto index : scene.report.outside)
     (*points)[index].getVector3fMap().setConstant(NAN);
   return points;
@@ -139,6 +130,7 @@ findObjects(const PipelineOptions& options,
             const PointCloud<PointXYZ>& standing,
             const RoomWork& work,
             WorkFolder& folder,
+            Ranks& ranks,
             Scene& scene,
             Progress& progress)
 {
@@ -148,6 +140,7 @@ findObjects(const PipelineOptions& options,
   if (file.has_normals && !options.ignore_normals)
     normals = readNormals(file);
   RoomSource source;
+  source.has_normals = normals != nullptr;
   for (const auto& room : rooms)
     source.sizes.push_back(room.size());
   source.points = [&](std::size_t room) {
@@ -159,10 +152,12 @@ findObjects(const PipelineOptions& options,
     }
     return points;
   };
-  finishRooms(
-      source, work, folder, options.threads, [&](std::size_t done, std::size_t all) {
-        progress.update(done, all);
-      });
+  finishRooms(source,
+              work,
+              folder,
+              ranks,
+              options.threads,
+              [&](std::size_t done, std::size_t all) { progress.update(done, all); });
   scene.seeds_per_voxel = options.objects.seed_size / options.objects.voxel_size;
   if (work.model)
     scene.classes.names = classNames(*work.model);

@@ -22,17 +22,10 @@ namespace pcl::indoor::tool {
 std::uint64_t
 keyOfRun(const PipelineOptions& options, const std::vector<Setting>& settings);
 
-/** \brief What the objects of each room are looked for with; the frame of the rooms is
- * not known yet. */
+/** \brief What the objects of each room are looked for with, but for the building's
+ * pose, which is not known yet. */
 RoomWork
 roomWork(const PipelineOptions& options);
-
-/** \brief Tell how the points of rooms have to be turned.
- * \param[in] pose of the building */
-void
-turnRooms(const PipelineOptions& options,
-          const Eigen::Isometry3d& pose,
-          RoomWork& work);
 
 /** \brief Find the rooms of the scan, unless the folder has them. */
 Scene
@@ -54,6 +47,7 @@ findObjects(const PipelineOptions& options,
             const PointCloud<PointXYZ>& standing,
             const RoomWork& work,
             WorkFolder& folder,
+            Ranks& ranks,
             Scene& scene,
             Progress& progress);
 

@@ -6,12 +6,12 @@
 
 #include "command_line/options.h" // for ToolError
 #include "pipeline/scene_record.h"
+#include "pipeline/shared_rooms.h"
 
 #include <pcl/indoor/parallel_for.h>
 
 #include <iterator>
 #include <mutex>
-#include <numeric>
 #include <utility>
 
 namespace pcl::indoor::tool {
@@ -33,22 +33,33 @@ void
 finishRooms(const RoomSource& source,
             const RoomWork& work,
             WorkFolder& folder,
+            Ranks& ranks,
             int threads,
             const PointsDone& report)
 {
-  const auto order = largestFirst(source.sizes);
-  const auto all =
-      std::accumulate(source.sizes.begin(), source.sizes.end(), std::size_t(0));
-  std::size_t done = 0;
-  std::mutex mutex; // of the report
+  std::size_t all = 0, done = 0;
+  std::vector<std::size_t> left;
+  for (const auto room : largestFirst(source.sizes)) {
+    all += source.sizes[room];
+    if (finishedRoom(folder, room, source.sizes[room]))
+      done += source.sizes[room];
+    else
+      left.push_back(room);
+  }
+  if (done > 0)
+    report(done, all);
+  const auto is_done = [&](std::size_t room) {
+    report(done += source.sizes[room], all);
+  };
+  if (ranks.count() > 1)
+    return shareRooms(left, source, work, folder, ranks, is_done);
+  std::mutex mutex;
   parallelFor(
-      static_cast<std::ptrdiff_t>(order.size()), threads, 1, [&](std::ptrdiff_t i) {
-        const auto room = order[static_cast<std::size_t>(i)];
-        if (!finishedRoom(folder, room, source.sizes[room]))
-          folder.write(roomFile(room),
-                       roomBytes(finishRoom(source.points(room), work)));
+      static_cast<std::ptrdiff_t>(left.size()), threads, 1, [&](std::ptrdiff_t i) {
+        const auto room = left[static_cast<std::size_t>(i)];
+        folder.write(roomFile(room), roomBytes(finishRoom(source.points(room), work)));
         const std::lock_guard<std::mutex> lock(mutex);
-        report(done += source.sizes[room], all);
+        is_done(room);
       });
 }
 

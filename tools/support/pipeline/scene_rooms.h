@@ -5,6 +5,7 @@
 #pragma once
 
 #include "pipeline/finished_room.h"
+#include "pipeline/ranks.h"
 #include "pipeline/work_folder.h"
 #include "scene/scene_file.h"
 
@@ -17,6 +18,7 @@ namespace pcl::indoor::tool {
 /** \brief Rooms, and last what is in none, that can be had one by one. */
 struct RoomSource {
   std::vector<std::size_t> sizes; ///< points of each
+  bool has_normals = false;
   /** in the frame of CloudFile::points, with normals if there are; called from several
    * threads */
   std::function<RoomPoints(std::size_t room)> points;
@@ -25,14 +27,16 @@ struct RoomSource {
 /** \brief Is told how many of all points are done, from one thread at a time. */
 using PointsDone = std::function<void(std::size_t done, std::size_t all)>;
 
-/** \brief Finish the rooms that are not finished yet, large ones first, several at a
- * time; each goes into a file of the folder, see roomFile().
+/** \brief Finish the rooms that are not finished yet, large ones first; each goes into
+ * a file of the folder, see roomFile().
+ * \param[in] ranks each does one room at a time; if there is one only, its threads do
  * \param[in] threads 0 = automatic; the result does not depend on it
  */
 void
 finishRooms(const RoomSource& source,
             const RoomWork& work,
             WorkFolder& folder,
+            Ranks& ranks,
             int threads,
             const PointsDone& report);
 

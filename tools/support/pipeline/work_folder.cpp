@@ -95,6 +95,13 @@ WorkFolder::write(const std::string& name, const std::string& bytes)
 }
 
 void
+WorkFolder::writePlain(const std::string& name, const std::string& bytes)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  saveText(path(name), bytes);
+}
+
+void
 WorkFolder::removeFile(const std::string& name)
 {
   std::error_code error;

@@ -37,6 +37,12 @@ public:
   void
   write(const std::string& name, const std::string& bytes);
 
+  /** \brief Write a file without what tells whether it is whole and of this run, from
+   * any thread.
+   * \throws ToolError if it cannot be written */
+  void
+  writePlain(const std::string& name, const std::string& bytes);
+
   /** \brief Remove one of the files, if it is there. */
   void
   removeFile(const std::string& name);
