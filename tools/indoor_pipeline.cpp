@@ -10,9 +10,12 @@
 #include "pipeline/shared_rooms.h"
 #include "scene/scene_summary.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace pcl::indoor::tool;
 
@@ -20,7 +23,7 @@ namespace {
 
 using Options = PipelineOptions;
 
-constexpr double bytes_per_point = 400; // that are in use at once, measured
+constexpr const char* points_option = "-points_at_once";
 
 OptionParser
 makeParser(Options& options)
@@ -70,6 +73,12 @@ makeParser(Options& options)
             options.report,
             "file of the report, a page for browsers; folder = report.html beside the "
             "other results, none = no report")
+      .number(
+          points_option,
+          options.points_at_once,
+          "of larger scans the rooms are found from a point per cell, and the points "
+          "are read in parts: memory follows the rooms; 0 = never",
+          "points")
       .flag("-ignore_normals",
             options.ignore_normals,
             "estimate normals although there are some")
@@ -87,6 +96,7 @@ makeParser(Options& options)
                  "-partition",
                  "-ignore_normals",
                  "-double",
+                 points_option,
                  "-memory_limit"});
   return parser;
 }
@@ -107,6 +117,20 @@ chooseResolution(Options& options)
   if (objects.seed_size < objects.voxel_size)
     throw ToolError("-seed_resolution: '" + std::to_string(seed) +
                     "' is less than -voxel_resolution, " + std::to_string(voxel));
+}
+
+/** The settings that a result tells: how large scans are read, only of these. */
+std::vector<Setting>
+settingsOf(const OptionParser& parser, const Scan& scan)
+{
+  auto settings = parser.settings();
+  if (!scan.stream)
+    settings.erase(
+        std::remove_if(settings.begin(),
+                       settings.end(),
+                       [](const Setting& s) { return s.name == points_option; }),
+        settings.end());
+  return settings;
 }
 
 std::string
@@ -150,23 +174,21 @@ main(int argc, char** argv)
   auto parser = makeParser(options);
   const int status = parser.run(argc, argv, [&](Progress& progress) {
     requireUsable(options);
-    options.memory.require(options.input, bytes_per_point);
-    progress.start("Loading " + options.input);
-    CloudFile file = loadCloud(options.input);
-    progress.done(std::to_string(file.points->size()) + " points");
+    auto scan = loadScan(options, progress);
     chooseResolution(options);
 
     auto work = roomWork(options);
     WorkFolder folder(workFolder(options), keyOfRun(options, parser.settings()));
     folder.removeOutdated();
-    Scene scene = findRooms(options, file, folder, progress);
+    auto scene = findRooms(options, scan.file, folder, progress);
     work.pose = scene.building_pose;
-    const auto standing = standingPoints(file, work, scene);
-    findObjects(options, file, *standing, work, folder, ranks, scene, progress);
-    complete(options, scene, file);
+    const auto standing = standingPoints(scan.file, work, scene);
+    auto cloud =
+        findObjects(options, scan, *standing, work, folder, ranks, scene, progress);
     progress.start("Saving to " + options.folder);
-    const auto texts = describe(options, parser.settings(), scene, *standing, file);
-    progress.done(save(options.folder, texts, file));
+    const auto texts =
+        describe(options, settingsOf(parser, scan), scene, *standing, scan.file);
+    progress.done(save(options.folder, texts, std::move(cloud)));
     folder.remove();
     progress.summary(options.folder + ": " + summaryOf(scene));
     for (const auto& table : tablesOf(scene, progress.stages()))

@@ -31,6 +31,7 @@ struct PipelineOptions {
   PointCoordinates coordinates;
   MemoryLimit memory;
   int threads = 0;
+  std::uint64_t points_at_once = 20000000; ///< 0: all
   bool ignore_normals = false;
 
   std::string

@@ -5,6 +5,7 @@
 #include "pipeline/pipeline_results.h"
 
 #include "files/json_text.h"
+#include "files/pcd_writer.h"
 #include "objects/category_names.h" // for other_class
 #include "pictures/class_picture.h"
 #include "pictures/plan_dxf.h"
@@ -29,34 +30,63 @@ constexpr const char* results[] = {"scene.json",
                                    "plan.dxf",
                                    "report.html"};
 
+/** What was found of each point. */
+struct PointLabels {
+  std::vector<std::uint32_t> room, object, structure;
+};
+
 /** Fields that tell each point the class of its object, and how sure that is. */
 void
-appendClasses(const Scene& scene, pcl::PCLPointCloud2& cloud)
+appendClasses(const std::vector<ObjectClass>& classes,
+              const std::vector<std::uint32_t>& object_of_point,
+              PCLPointCloud2& cloud)
 {
-  std::vector<std::uint32_t> categories(scene.object_of_point.size(), 0);
-  std::vector<float> confidences(scene.object_of_point.size(), 0.0f);
+  std::vector<std::uint32_t> categories(object_of_point.size(), 0);
+  std::vector<float> confidences(object_of_point.size(), 0.0f);
   for (std::size_t i = 0; i < categories.size(); ++i)
-    if (const auto object = scene.object_of_point[i]; object > 0) {
-      categories[i] = scene.classes.objects[object - 1].category;
-      confidences[i] = scene.classes.objects[object - 1].confidence;
+    if (const auto object = object_of_point[i]; object > 0) {
+      categories[i] = classes[object - 1].category;
+      confidences[i] = classes[object - 1].confidence;
     }
   appendField(cloud, "category", categories);
   appendRealField(cloud, "confidence", confidences);
 }
 
-/** Put all results into the folder, scene.json the last: where it lies, the others
- * belong to it. */
+/** Add what was found to a cloud, or to a part of one.
+ * \param[in] whole, output see PointColors, PointCoordinates */
 void
-saveResults(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
+complete(const PipelineOptions& options,
+         const PointLabels& labels,
+         const SceneClasses& classes,
+         const PointCloud<PointXYZ>* whole,
+         const std::string& output,
+         CloudFile& file)
 {
-  const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
-  std::vector<OutputFile> files;
-  files.push_back(cloudBeside(in_folder("cloud.pcd"), file.cloud, file.frame));
-  for (const auto& [path, bytes] : texts)
-    files.push_back(writtenBeside(path, bytes));
-  commitTogether(
-      files,
-      {in_folder("scene.json"), in_folder("classes.png"), in_folder("report.html")});
+  appendField(file.cloud, "room", labels.room);
+  appendField(file.cloud, "object", labels.object);
+  appendField(file.cloud, "structure", labels.structure);
+  if (!classes.names.empty())
+    appendClasses(classes.objects, labels.object, file.cloud);
+  const auto other = static_cast<std::uint32_t>(
+      std::find(classes.names.begin(), classes.names.end(), other_class) -
+      classes.names.begin());
+  options.colors.apply(file,
+                       classes.names.empty() ? "object" : "class",
+                       options.frame.upAxis(),
+                       other,
+                       whole);
+  options.coordinates.apply(file, output);
+}
+
+/** Some points of the sample, which show how high the scan is. */
+PointCloud<PointXYZ>
+fewPoints(const PointCloud<PointXYZ>& sample)
+{
+  constexpr std::size_t enough = 100000;
+  PointCloud<PointXYZ> few;
+  for (std::size_t i = 0; i < sample.size(); i += sample.size() / enough + 1)
+    few.push_back(sample[i]);
+  return few;
 }
 
 } // namespace
@@ -74,20 +104,62 @@ requireUsable(const PipelineOptions& options)
     throw ToolError("-colour class: there are no classes with -model none");
 }
 
-void
-complete(const PipelineOptions& options, const Scene& scene, CloudFile& file)
+OutputFile
+completeCloud(const PipelineOptions& options, const Scene& scene, CloudFile& file)
 {
-  appendField(file.cloud, "room", scene.room_of_point);
-  appendField(file.cloud, "object", scene.object_of_point);
-  appendField(file.cloud, "structure", scene.structure_of_point);
-  const auto& classes = scene.classes.names;
-  if (!classes.empty())
-    appendClasses(scene, file.cloud);
-  const auto other = static_cast<std::uint32_t>(
-      std::find(classes.begin(), classes.end(), other_class) - classes.begin());
-  options.colors.apply(
-      file, classes.empty() ? "object" : "class", options.frame.upAxis(), other);
-  options.coordinates.apply(file, options.folder + "/cloud.pcd");
+  const auto path = options.folder + "/cloud.pcd";
+  const PointLabels labels = {
+      scene.room_of_point, scene.object_of_point, scene.structure_of_point};
+  complete(options, labels, scene.classes, nullptr, path, file);
+  return cloudBeside(path, file.cloud, file.frame);
+}
+
+OutputFile
+completeCloudInParts(const PipelineOptions& options,
+                     const FiledRooms& filed,
+                     const WorkFolder& folder,
+                     const std::vector<std::uint32_t>& first_object,
+                     Scan& scan,
+                     Scene& scene,
+                     const PointsDone& report)
+{
+  const auto path = options.folder + "/cloud.pcd";
+  const auto whole = fewPoints(*scan.file.points);
+  const auto& layout = scan.stream->layout();
+  const auto& sampled = scan.sample->indices();
+  scene.object_of_point.clear();
+  scene.structure_of_point.clear();
+  FiledLabels labels(filed, folder, first_object);
+  OutputFile output(path);
+  scan.stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& data) {
+    auto part = partOf(scan, std::move(data));
+    PointLabels own;
+    for (std::size_t i = 0; i < part.points->size(); ++i) {
+      const auto label = labels.next();
+      own.room.push_back(label.room);
+      own.object.push_back(label.object);
+      own.structure.push_back(label.structure);
+      const auto next = scene.object_of_point.size(); // of the sample
+      if (next < sampled.size() && sampled[next] == first + i) {
+        scene.object_of_point.push_back(label.object);
+        scene.structure_of_point.push_back(label.structure);
+      }
+    }
+    complete(options, own, scene.classes, &whole, first == 0 ? path : "", part);
+    if (first == 0) {
+      auto all = part.cloud;
+      all.data.clear();
+      all.width = layout.width;
+      all.height = layout.height;
+      writePcdHeader(output, all, part.frame);
+    }
+    writePcdPart(output, part.cloud);
+    report(first + part.points->size(), filed.point_count);
+    if (first + part.points->size() == filed.point_count)
+      scan.file.frame = part.frame; // as in the output
+  });
+  output.close();
+  return output;
 }
 
 NamedBytes
@@ -121,16 +193,17 @@ describe(const PipelineOptions& options,
 }
 
 std::string
-save(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
+save(const std::string& folder, const NamedBytes& texts, OutputFile cloud)
 {
-  const bool is_made = makeFolder(folder);
-  try {
-    saveResults(folder, texts, file);
-  } catch (...) {
-    if (is_made)
-      std::filesystem::remove(folder); // is empty
-    throw;
-  }
+  const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
+  std::vector<OutputFile> files;
+  files.push_back(std::move(cloud));
+  for (const auto& [path, bytes] : texts)
+    files.push_back(writtenBeside(path, bytes));
+  // where scene.json lies, the last one, the others belong to it
+  commitTogether(
+      files,
+      {in_folder("scene.json"), in_folder("classes.png"), in_folder("report.html")});
   std::string names = "cloud.pcd";
   for (const auto& text : texts)
     names += ", " + std::filesystem::path(text.first).filename().string();

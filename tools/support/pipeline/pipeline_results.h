@@ -5,6 +5,7 @@
 #pragma once
 
 #include "command_line/options.h" // for Setting
+#include "pipeline/filed_rooms.h"
 #include "pipeline/pipeline_options.h"
 #include "scene/scene_file.h"
 
@@ -19,9 +20,22 @@ namespace pcl::indoor::tool {
 void
 requireUsable(const PipelineOptions& options);
 
-/** \brief Add what was found to the cloud, as it is to be written. */
-void
-complete(const PipelineOptions& options, const Scene& scene, CloudFile& file);
+/** \brief Add what was found to the cloud, as it is to be written beside its place. */
+OutputFile
+completeCloud(const PipelineOptions& options, const Scene& scene, CloudFile& file);
+
+/** \brief The same of a scan that is read in parts.
+ * \param[in,out] scene gets the objects of its sample
+ * \param[in] first_object per room, what is added to the numbers of its objects
+ */
+OutputFile
+completeCloudInParts(const PipelineOptions& options,
+                     const FiledRooms& filed,
+                     const WorkFolder& folder,
+                     const std::vector<std::uint32_t>& first_object,
+                     Scan& scan,
+                     Scene& scene,
+                     const PointsDone& report);
 
 using NamedBytes = std::vector<std::pair<std::string, std::string>>;
 
@@ -36,9 +50,8 @@ describe(const PipelineOptions& options,
          const PointCloud<PointXYZ>& points,
          const CloudFile& file);
 
-/** \brief Make the folder and fill it, or leave nothing. Returns the names of the
- * results. */
+/** \brief Put all results into the folder. Returns their names. */
 std::string
-save(const std::string& folder, const NamedBytes& texts, const CloudFile& file);
+save(const std::string& folder, const NamedBytes& texts, OutputFile cloud);
 
 } // namespace pcl::indoor::tool

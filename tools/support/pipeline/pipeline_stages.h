@@ -6,6 +6,7 @@
 
 #include "command_line/options.h"
 #include "pipeline/pipeline_options.h"
+#include "pipeline/pipeline_results.h"
 #include "pipeline/scene_rooms.h"
 
 #include <cstdint>
@@ -27,6 +28,10 @@ keyOfRun(const PipelineOptions& options, const std::vector<Setting>& settings);
 RoomWork
 roomWork(const PipelineOptions& options);
 
+/** \brief Read the scan: all of it, or a point per cell if it is too large. */
+Scan
+loadScan(const PipelineOptions& options, Progress& progress);
+
 /** \brief Find the rooms of the scan, unless the folder has them. */
 Scene
 findRooms(const PipelineOptions& options,
@@ -40,10 +45,11 @@ PointCloud<PointXYZ>::ConstPtr
 standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene);
 
 /** \brief Find the objects of the rooms, room by room, and what they are.
- * \param[in] standing tells which points count */
-void
+ * \param[in] standing tells which points count
+ * \return the cloud with all that was found, beside its place */
+OutputFile
 findObjects(const PipelineOptions& options,
-            const CloudFile& file,
+            Scan& scan,
             const PointCloud<PointXYZ>& standing,
             const RoomWork& work,
             WorkFolder& folder,

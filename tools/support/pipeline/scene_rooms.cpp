@@ -10,6 +10,7 @@
 
 #include <pcl/indoor/parallel_for.h>
 
+#include <algorithm>
 #include <iterator>
 #include <mutex>
 #include <utility>
@@ -64,23 +65,18 @@ finishRooms(const RoomSource& source,
 }
 
 void
-gatherRooms(const std::vector<Indices>& rooms, const WorkFolder& folder, Scene& scene)
+gatherRooms(const RoomSource& source,
+            const WorkFolder& folder,
+            Scene& scene,
+            const VisitRoom& visit)
 {
-  const std::size_t point_count = scene.room_of_point.size();
-  scene.object_of_point.assign(point_count, 0);
-  scene.structure_of_point.assign(point_count, 0);
-  for (std::size_t room = 0; room < rooms.size(); ++room) {
-    auto own = finishedRoom(folder, room, rooms[room].size());
+  constexpr auto remainder = static_cast<std::uint32_t>(StructureKind::Remainder);
+  for (std::size_t room = 0; room < source.sizes.size(); ++room) {
+    auto own = finishedRoom(folder, room, source.sizes[room]);
     if (!own)
       throw ToolError(folder.path(roomFile(room)) +
                       ": the file is gone or damaged; start again to go on");
-    const auto first = static_cast<std::uint32_t>(scene.objects.size());
-    const auto& objects = own->objects;
-    for (std::size_t i = 0; i < rooms[room].size(); ++i) {
-      if (objects.object_of_point[i] > 0)
-        scene.object_of_point[rooms[room][i]] = first + objects.object_of_point[i];
-      scene.structure_of_point[rooms[room][i]] = objects.structure_of_point[i];
-    }
+    visit(room, static_cast<std::uint32_t>(scene.objects.size()), own->objects);
     const bool is_room = room < scene.rooms.size();
     for (const auto& measures : own->measures)
       scene.objects.push_back(
@@ -88,7 +84,10 @@ gatherRooms(const std::vector<Indices>& rooms, const WorkFolder& folder, Scene& 
     std::move(own->classes.begin(),
               own->classes.end(),
               std::back_inserter(scene.classes.objects));
-    scene.object_voxels.push_back(objects.voxel_size);
+    scene.object_voxels.push_back(own->objects.voxel_size);
+    const auto& structure = own->objects.structure_of_point;
+    scene.remainders.push_back(static_cast<std::size_t>(
+        std::count(structure.begin(), structure.end(), remainder)));
   }
 }
 

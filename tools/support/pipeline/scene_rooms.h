@@ -19,6 +19,7 @@ namespace pcl::indoor::tool {
 struct RoomSource {
   std::vector<std::size_t> sizes; ///< points of each
   bool has_normals = false;
+  bool is_filed = false; ///< the points are in files of the work folder already
   /** in the frame of CloudFile::points, with normals if there are; called from several
    * threads */
   std::function<RoomPoints(std::size_t room)> points;
@@ -40,12 +41,18 @@ finishRooms(const RoomSource& source,
             int threads,
             const PointsDone& report);
 
-/** \brief Put what was found in the rooms into the scene, which knows its rooms and the
- * room of each point.
- * \param[in] rooms the points of each room
+/** \brief Is given a room, what is added to the numbers of its objects, and these. */
+using VisitRoom = std::function<void(
+    std::size_t room, std::uint32_t first_object, const RoomObjects& objects)>;
+
+/** \brief Put what was found in the rooms into the scene, which knows its rooms: all
+ * but objects and structure of the points. \param[in] visit is called with each room
  * \throws ToolError if the folder lacks one of them
  */
 void
-gatherRooms(const std::vector<Indices>& rooms, const WorkFolder& folder, Scene& scene);
+gatherRooms(const RoomSource& source,
+            const WorkFolder& folder,
+            Scene& scene,
+            const VisitRoom& visit);
 
 } // namespace pcl::indoor::tool

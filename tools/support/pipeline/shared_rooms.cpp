@@ -111,7 +111,8 @@ shareRooms(const std::vector<std::size_t>& order,
     auto [rank, message] = ranks.receive();
     if (message.room >= 0) {
       const auto room = static_cast<std::size_t>(message.room);
-      folder.removeFile(pointsFile(room));
+      if (!source.is_filed)
+        folder.removeFile(pointsFile(room));
       queue.done(room);
     }
     const auto room = queue.next();
@@ -120,7 +121,8 @@ shareRooms(const std::vector<std::size_t>& order,
       --working;
       continue;
     }
-    folder.writePlain(pointsFile(*room), pointBytes(source.points(*room)));
+    if (!source.is_filed)
+      folder.writePlain(pointsFile(*room), pointBytes(source.points(*room)));
     message.room = static_cast<std::int64_t>(*room);
     message.point_count = source.sizes[*room];
     message.has_normals = source.has_normals ? 1 : 0;

@@ -4,6 +4,7 @@
  */
 #include "pipeline/work_folder.h"
 
+#include "command_line/options.h" // for ToolError
 #include "files/digest.h"
 #include "files/output_file.h"
 
@@ -68,6 +69,18 @@ WorkFolder::read(const std::string& name) const
       digestOf(bytes, key_) != head.digest)
     return {};
   return bytes;
+}
+
+void
+WorkFolder::readPart(const std::string& name,
+                     std::size_t first,
+                     void* bytes,
+                     std::size_t count) const
+{
+  std::ifstream stream(path(name), std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(sizeof(Head) + first));
+  if (!stream.read(static_cast<char*>(bytes), static_cast<std::streamsize>(count)))
+    throw ToolError(path(name) + ": the file is gone or too short");
 }
 
 void

@@ -32,6 +32,14 @@ public:
   std::optional<std::string>
   read(const std::string& name) const;
 
+  /** \brief Some bytes of a file that read() has found whole.
+   * \throws ToolError if they are not there */
+  void
+  readPart(const std::string& name,
+           std::size_t first,
+           void* bytes,
+           std::size_t count) const;
+
   /** \brief Write a file, from any thread.
    * \throws ToolError if it cannot be written */
   void
