@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/preset.h"
 #include "files/cloud_file.h"
 #include "files/json_text.h"
 #include "files/memory_limit.h"
@@ -40,6 +41,7 @@ constexpr double bytes_per_point = 400; // that are in use at once, measured
 struct Options {
   std::string input, folder;
   std::string partition = "graph";
+  std::string preset = "default";
   std::string model = "bundled"; ///< file, "none" or "bundled"
   std::string report = "folder"; ///< file, "none" or "folder"
   ScanFrame frame;
@@ -105,6 +107,11 @@ makeParser(Options& options)
           "times that",
           "m",
           Range::atLeast(0))
+      .text("-preset",
+            options.preset,
+            "thesis: rooms and objects by the methods of the thesis with their "
+            "parameters, and no more",
+            {"default", "thesis"})
       .text("-partition",
             options.partition,
             "how supervoxels are joined",
@@ -132,6 +139,7 @@ makeParser(Options& options)
   parser.expert({"-voxel_resolution",
                  "-seed_resolution",
                  "-partition",
+                 "-preset",
                  "-ignore_normals",
                  "-double",
                  "-memory_limit"});
@@ -223,8 +231,8 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
 
   progress.start("Segmenting objects");
   auto objects = options.objects;
-  objects.partition = options.partition == "lccp" ? pcl::indoor::Partition::Lccp
-                                                  : pcl::indoor::Partition::Pieces;
+  if (options.partition == "lccp")
+    objects.partition = pcl::indoor::Partition::Lccp;
   const auto points = pointsForObjects(file, options, segmentation);
   auto found = segmentRoomObjects(
       *points,
@@ -370,6 +378,10 @@ int
 main(int argc, char** argv)
 {
   Options options;
+  if (presetOf(argc, argv) == "thesis") {
+    options.rooms = pcl::indoor::thesisRoomOptions();
+    options.objects = pcl::indoor::thesisOptions();
+  }
   auto parser = makeParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {
     requireUsable(options);
