@@ -50,6 +50,7 @@ struct Options {
          seed_resolution = 0.0; ///< of the objects, 0 = automatic
   PointColors colors;
   PointCoordinates coordinates;
+  TableColumns columns;
   MemoryLimit memory;
   int threads = 0;
   bool ignore_normals = false;
@@ -80,7 +81,7 @@ makeParser(Options& options)
       "and the class of each object; writes cloud.pcd with the fields "
       "room, object, structure, category and confidence, scene.json, report.html, "
       "plan.svg, plan.png, plan.dxf, rooms.png, potential_field.png and classes.png.");
-  parser.positional("input", options.input, "PCD or PLY file")
+  parser.positional("input", options.input, "PCD, PLY or LAS file or table")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
       .number(
@@ -129,6 +130,7 @@ makeParser(Options& options)
               Range::between(0, 1024));
   options.colors.addOption(parser, {"class", "object", "room"});
   options.coordinates.addOption(parser);
+  options.columns.addOption(parser);
   options.memory.addOption(parser);
   options.frame.addOptions(parser);
   parser.expert({"-voxel_resolution",
@@ -388,7 +390,7 @@ main(int argc, char** argv)
     requireUsable(options);
     options.memory.require(options.input, bytes_per_point);
     progress.start("Loading " + options.input);
-    CloudFile file = loadCloud(options.input);
+    CloudFile file = loadCloud(options.input, options.columns);
     progress.done(std::to_string(file.points->size()) + " points");
     chooseResolution(options);
 
