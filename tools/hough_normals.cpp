@@ -26,6 +26,7 @@ struct Settings {
   std::string orientation = "viewpoint", sampling = "cubes";
   HoughNormalOptions options;
   PointCoordinates coordinates;
+  TableColumns columns;
   bool no_refinement = false;
   unsigned threads = 0;
 };
@@ -33,7 +34,7 @@ struct Settings {
 void
 addOptions(OptionParser& parser, Settings& settings)
 {
-  parser.positional("input", settings.input, "PCD or PLY file, metres")
+  parser.positional("input", settings.input, "PCD, PLY or LAS file or table, metres")
       .positional(
           "output.pcd|ply",
           settings.output,
@@ -73,6 +74,7 @@ addOptions(OptionParser& parser, Settings& settings)
       .number("-threads", settings.threads, "threads, 0 = automatic")
       .expert({"-sampling", "-bin_angle", "-triples", "-no_refinement", "-seed"});
   settings.coordinates.addOption(parser);
+  settings.columns.addOption(parser);
 }
 
 void
@@ -105,7 +107,7 @@ main(int argc, char** argv)
       throw ToolError("-radius and -k: give one of them only");
     requireWritableCloud(settings.output);
     progress.start("Loading " + settings.input);
-    CloudFile file = loadCloud(settings.input);
+    CloudFile file = loadCloud(settings.input, settings.columns);
     progress.done(std::to_string(file.points->size()) + " points");
 
     progress.start("Estimating normals");

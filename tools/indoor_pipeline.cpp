@@ -47,7 +47,7 @@ makeParser(Options& options)
       "and the class of each object; writes cloud.pcd with the fields "
       "room, object, structure, category and confidence, scene.json, report.html, "
       "plan.svg, plan.png, plan.dxf, rooms.png, potential_field.png and classes.png.");
-  parser.positional("input", options.input, "PCD or PLY file")
+  parser.positional("input", options.input, "PCD, PLY or LAS file or table")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
       .number(
@@ -107,6 +107,7 @@ makeParser(Options& options)
               Range::between(0, 1024));
   options.colors.addOption(parser, {"class", "object", "room"});
   options.coordinates.addOption(parser);
+  options.columns.addOption(parser);
   options.memory.addOption(parser);
   options.frame.addOptions(parser);
   parser.expert({"-voxel_resolution",

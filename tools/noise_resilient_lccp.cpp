@@ -37,6 +37,7 @@ struct Settings {
   ObjectSegmentationOptions others;
   PointColors colors;
   PointCoordinates coordinates;
+  TableColumns columns;
   MemoryLimit memory;
 };
 
@@ -186,6 +187,7 @@ addOthers(OptionParser& parser, Settings& settings)
                "-orientation"});
   settings.colors.addOption(parser, {"object"});
   settings.coordinates.addOption(parser);
+  settings.columns.addOption(parser);
   settings.memory.addOption(parser);
   parser.expert({"-double", "-memory_limit"});
 }
@@ -267,7 +269,7 @@ main(int argc, char** argv)
   OptionParser parser("pcl_noise_resilient_lccp",
                       "Segment the scan of a room into objects with "
                       "pcl::NoiseResilientLCCP; adds the fields object and structure.");
-  parser.positional("input", settings.input, "PCD or PLY file, metres")
+  parser.positional("input", settings.input, "PCD, PLY or LAS file or table, metres")
       .positional("output.pcd|ply",
                   settings.output,
                   "the input with the fields object, 0 = not finite or an outlier, and "
@@ -287,7 +289,7 @@ main(int argc, char** argv)
       throw ToolError("-partition graph: the thesis's presets have no pieces");
     settings.memory.require(settings.input, bytes_per_point);
     progress.start("Loading " + settings.input);
-    CloudFile file = loadCloud(settings.input);
+    CloudFile file = loadCloud(settings.input, settings.columns);
     progress.done(std::to_string(file.points->size()) + " points");
 
     progress.start("Segmenting objects");

@@ -32,6 +32,7 @@ struct Options {
   pcl::indoor::BuildingRoomsOptions rooms;
   PointColors colors;
   PointCoordinates coordinates;
+  TableColumns columns;
   MemoryLimit memory;
 };
 
@@ -109,7 +110,7 @@ makeParser(Options& options)
   OptionParser parser("pcl_room_segmentation",
                       "Segment the scan of a building into rooms with "
                       "pcl::RoomSegmentation; adds the field room.");
-  parser.positional("input", options.input, "PCD or PLY file")
+  parser.positional("input", options.input, "PCD, PLY or LAS file or table")
       .positional(
           "output.pcd|ply", options.output, "the input with the field room, 0 = none")
       .text("-preset",
@@ -161,6 +162,7 @@ makeParser(Options& options)
   options.frame.addOptions(parser);
   options.colors.addOption(parser, {"room"});
   options.coordinates.addOption(parser);
+  options.columns.addOption(parser);
   options.memory.addOption(parser);
   addFieldOptions(parser, options.rooms);
   addInteriorOptions(parser, options.rooms.interior.weights);
@@ -262,7 +264,7 @@ main(int argc, char** argv)
     requireWritableResults(options);
     options.memory.require(options.input, bytes_per_point);
     progress.start("Loading " + options.input);
-    CloudFile file = loadCloud(options.input);
+    CloudFile file = loadCloud(options.input, options.columns);
     progress.done(std::to_string(file.points->size()) + " points");
 
     options.rooms.map.method = options.method == "slab"

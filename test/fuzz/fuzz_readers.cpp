@@ -137,7 +137,8 @@ allReaders()
           {"classes", [](const auto& path) { tool::readClassMap(path); }},
           {"model", readModelFile, repairModel},
           {"joining", readJoining},
-          {"las", readCloud}};
+          {"las", readCloud},
+          {"xyz", readCloud}};
 }
 
 /** Why the reader refuses a file; empty if it takes it. What it may refuse it by is

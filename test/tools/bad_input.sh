@@ -54,6 +54,12 @@ case $case in
     { printf 'ply\nformat binary_little_endian 1.0\nelement vertex 300\nproperty float x\nproperty float y\nproperty float z\nend_header\n'
       head -c 2000 /dev/zero; } > "$input"
     expected='input.ply: .*truncated.* 3600 .* 2000' ;;
+  table_bad_word) input=${input%.pcd}.csv; { echo x,y,z; echo 1,2,3; echo 4,abc,6; } > "$input"; expected="input.csv: line 3: 'abc' is not a number" ;;
+  table_short_row) input=${input%.pcd}.xyz; { rows 30; echo 1 2; } > "$input"; expected='input.xyz: line 31 has 2 values, the rows before have 3' ;;
+  table_decimal_comma) input=${input%.pcd}.txt; printf '1,5;2,25;3,5\n' > "$input"; expected="input.txt: line 1: '1,5' is no number; decimals need a point" ;;
+  table_without_z) input=${input%.pcd}.csv; printf 'x,y,height\n1,2,3\n' > "$input"; expected="input.csv: line 1 names no column 'z'" ;;
+  table_too_few_points) input=${input%.pcd}.pts; { echo 400; rows 300; } > "$input"; expected='input.pts: .*truncated.* 400 .* 300' ;;
+  table_of_names) input=${input%.pcd}.csv; echo x,y,z > "$input"; expected='input.csv: .*empty' ;;
   word_for_number) { pcd_header 300 ascii; rows 299; echo '1 2 abc'; } > "$input"; expected="input.pcd: .*'abc'" ;;
   no_xyz) { pcd_header 300 ascii 'x y intensity'; rows 300; } > "$input"; expected="input.pcd: .*'z'" ;;
   empty_cloud) pcd_header 0 ascii > "$input"; expected='input.pcd: .*empty' ;;

@@ -293,8 +293,7 @@ TEST_F(CloudFiles, OtherFormatsAreNamedWithTheCommandThatConvertsThem)
   EXPECT_EQ(messageFor("a.pcd.gz", "\x1f\x8b\x08"),
             "a file compressed by gzip; unpack it: gunzip -k " + path("a.pcd.gz"));
   EXPECT_EQ(messageFor("a.zip", "PK\x03\x04").substr(0, 13), "a ZIP archive");
-  const std::string table = "a table of numbers as text";
-  for (const char* text : {"1 2 3 255\n4 5 6 255\n", "x,y,z\n1.5,2,-3e2\n", "1;2;3"})
-    EXPECT_EQ(messageFor("cloud", text).substr(0, table.size()), table) << text;
+  EXPECT_EQ(messageFor("a.ptx", "2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n").substr(0, 10),
+            "a PTX file");
   EXPECT_EQ(messageFor("a.LAZ", "what is this").substr(0, 10), "a LAZ file");
 }

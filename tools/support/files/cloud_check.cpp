@@ -8,12 +8,15 @@
 #include "files/file_header.h"
 #include "files/foreign_format.h"
 #include "files/las_file.h"
+#include "files/table_file.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -193,6 +196,50 @@ checkPcd(const std::string& content, const std::string& path, CheckedCloud& chec
   checked.header = header;
 }
 
+/** A PCD file begins with comments or with one of the words of its header. */
+bool
+isPcd(const std::string& path, const std::string& beginning)
+{
+  std::istringstream stream(beginning);
+  bool is_comment = false;
+  for (std::string line; std::getline(stream, line); is_comment = true) {
+    const auto words = wordsOf(line.substr(0, 64));
+    const std::string first = words.empty() ? "" : words[0];
+    if (first == "VERSION" || first == "FIELDS" || first == "COLUMNS")
+      return true;
+    if (first[0] != '#')
+      break;
+  }
+  return is_comment && !isTable(path, beginning);
+}
+
+std::optional<CloudFormat>
+formatOf(const std::string& path, const std::string& beginning)
+{
+  const auto words =
+      wordsOf(beginning.substr(0, std::min<std::size_t>(64, beginning.find('\n'))));
+  if (!words.empty() && words[0] == "ply")
+    return CloudFormat::PLY;
+  if (isLas(beginning))
+    return CloudFormat::LAS;
+  if (isPcd(path, beginning))
+    return CloudFormat::PCD;
+  if (isTable(path, beginning))
+    return CloudFormat::Table;
+  return {};
+}
+
+std::string
+beginningOf(std::istream& stream)
+{
+  std::string beginning(512, '\0');
+  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(stream.gcount()));
+  stream.clear();
+  stream.seekg(0);
+  return beginning;
+}
+
 } // namespace
 
 CheckedCloud
@@ -207,20 +254,11 @@ checkCloudFile(const std::string& path)
   std::ifstream stream(path, std::ios::binary);
   if (!stream || error)
     throw ToolError(path + ": the file cannot be read");
-  std::string beginning(512, '\0');
-  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(stream.gcount()));
-  stream.clear();
-  stream.seekg(0);
-  const auto words =
-      wordsOf(beginning.substr(0, std::min<std::size_t>(64, beginning.find('\n'))));
-  const std::string first = words.empty() ? "" : words[0];
-  if (first == "ply")
-    return {CloudFormat::PLY, 0, {}, ""};
-  if (isLas(beginning))
-    return {CloudFormat::LAS, 0, {}, ""};
-  if (first[0] == '#' || first == "VERSION" || first == "FIELDS" ||
-      first == "COLUMNS") {
+  const auto beginning = beginningOf(stream);
+  const auto format = formatOf(path, beginning);
+  if (format && *format != CloudFormat::PCD)
+    return {*format, 0, {}, ""};
+  if (format) {
     CheckedCloud checked{CloudFormat::PCD, 0, {}, std::string(file_size, '\0')};
     stream.read(checked.content.data(), static_cast<std::streamsize>(file_size));
     checked.content.resize(static_cast<std::size_t>(stream.gcount()));
@@ -229,26 +267,26 @@ checkCloudFile(const std::string& path)
   }
   const auto other = describeForeignFormat(path, beginning);
   throw ToolError(path + ": not a PCD, PLY or LAS file" +
-                  (other.empty() ? "" : " but " + other));
+                  (other.empty() ? ", nor a table of points" : " but " + other));
 }
 
 std::uint64_t
 promisedPoints(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
-  std::string beginning(512, '\0');
-  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(stream.gcount()));
-  if (isLas(beginning))
+  const auto beginning = beginningOf(stream);
+  const auto format = formatOf(path, beginning);
+  if (format == CloudFormat::LAS)
     return lasPointCount(beginning);
-  stream.clear();
-  stream.seekg(0);
+  if (format == CloudFormat::Table)
+    return tablePointCount(path, beginning);
   try {
-    if (beginning.compare(0, 3, "ply") != 0)
+    if (format == CloudFormat::PCD)
       return parsePcdHeader(readFileHeader(stream, "DATA", path), path).points;
-    for (const auto& words : readFileHeader(stream, "end_header", path).lines)
-      if (words.size() == 3 && words[0] == "element" && words[1] == "vertex")
-        return headerCount(words[2], words[0], path);
+    if (format == CloudFormat::PLY)
+      for (const auto& words : readFileHeader(stream, "end_header", path).lines)
+        if (words.size() == 3 && words[0] == "element" && words[1] == "vertex")
+          return headerCount(words[2], words[0], path);
   } catch (const ToolError&) { // said better by what reads the points
   }
   return 0;

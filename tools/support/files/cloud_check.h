@@ -14,7 +14,7 @@
 
 namespace pcl::indoor::tool {
 
-enum class CloudFormat { PCD, PLY, LAS };
+enum class CloudFormat { PCD, PLY, LAS, Table };
 
 /** \brief Reads bytes in memory. */
 using MemoryStream = boost::iostreams::stream<boost::iostreams::array_source>;
@@ -33,15 +33,15 @@ struct CheckedCloud {
  *
  * PCL's reader trusts the header: it reads past the end of a short file or allocate
  * what a wrong number asks for.
- * \throws ToolError if the file cannot be read, is neither PCD nor PLY, has a header
- * that contradicts itself, no points, or fewer bytes or lines than its header
+ * \throws ToolError if the file cannot be read, is of no format that is read, has a
+ * header that contradicts itself, no points, or fewer bytes or lines than its header
  * promises
  */
 CheckedCloud
 checkCloudFile(const std::string& path);
 
-/** \brief How many points the header of a cloud file promises; 0 if it is not
- * understood. Reads no more than the header. */
+/** \brief How many points the header of a cloud file promises, or a table about has; 0
+ * if it is not understood. Reads no more than the header. */
 std::uint64_t
 promisedPoints(const std::string& path);
 

@@ -9,6 +9,7 @@
 #include "files/las_file.h"
 #include "files/ply_file.h"
 #include "files/silent_pcl.h"
+#include "files/table_file.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
 #include <pcl/indoor/quantile.h>
@@ -109,9 +110,11 @@ readPcd(const CheckedCloud& checked, CloudFile& file)
 }
 
 void
-readFile(CloudFile& file)
+readFile(CloudFile& file, const TableColumns& columns)
 {
   const auto checked = checkCloudFile(file.path);
+  if (!columns.names.empty() && checked.format != CloudFormat::Table)
+    throw ToolError("-columns: " + file.path + " is no table, it names its fields");
   const SilentPcl silence;
   bool is_read = true;
   try {
@@ -119,6 +122,8 @@ readFile(CloudFile& file)
       is_read = readPcd(checked, file);
     else if (checked.format == CloudFormat::LAS)
       file.cloud = readLas(file.path);
+    else if (checked.format == CloudFormat::Table)
+      file.cloud = readTable(file.path, columns);
     else
       file.frame.offset =
           readPly(file.path, file.cloud, file.frame.origin, file.frame.orientation);
@@ -252,11 +257,13 @@ pointsAround(const PCLPointCloud2& cloud,
 }
 
 CloudFile
-loadCloud(const std::string& path, std::size_t least_points)
+loadCloud(const std::string& path,
+          const TableColumns& columns,
+          std::size_t least_points)
 {
   CloudFile file;
   file.path = path;
-  readFile(file);
+  readFile(file, columns);
   for (const char* name : axes)
     if (!isRealField(file.cloud, name))
       throw ToolError(path + ": the file has no floating-point field '" + name + "'");

@@ -7,6 +7,7 @@
 #include "command_line/options.h" // for ToolError
 #include "files/cloud_writer.h"   // for CloudFrame
 #include "files/file_header.h"
+#include "files/table_columns.h"
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/point_cloud.h>
@@ -40,15 +41,18 @@ struct CloudFile {
   bool has_normals = false;     ///< the file has normal_x, normal_y, normal_z
 };
 
-/** \brief Read a PCD (ascii, binary, binary_compressed), PLY or LAS file; which one it
- * is, its content says.
+/** \brief Read a PCD (ascii, binary, binary_compressed), PLY or LAS file or a table of
+ * points; which one it is, its content says, or the ending of a table's name.
  *
  * Prints nothing.
+ * \param[in] columns of a table
  * \throws ToolError if the file is missing, is no cloud, is shorter than its header
  * says, lacks float x, y, z, or holds fewer than \a least_points finite points
  */
 CloudFile
-loadCloud(const std::string& path, std::size_t least_points = 2);
+loadCloud(const std::string& path,
+          const TableColumns& columns = {},
+          std::size_t least_points = 2);
 
 /** \brief What is subtracted from the coordinates of a cloud before they become floats:
  * whole units near the middle of those that are large. */

@@ -4,11 +4,8 @@
  */
 #include "files/foreign_format.h"
 
-#include "files/file_header.h" // for wordsOf
-
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
 #include <vector>
 
@@ -26,14 +23,11 @@ struct Format {
 const std::vector<Format> formats = {
     {"a LAZ file", {".laz"}, Converter::Pdal},
     {"an E57 file", {".e57"}, Converter::CloudCompare},
-    {"a table of numbers as text (XYZ, CSV)",
-     {".xyz", ".csv", ".txt", ".asc", ".pts", ".ptx"},
-     Converter::CloudCompare},
+    {"a PTX file", {".ptx"}, Converter::CloudCompare},
     {"a file compressed by gzip", {".gz"}, Converter::Gunzip},
     {"a ZIP archive", {".zip"}, Converter::Unzip}};
 const Format& laz = formats[0];
 const Format& e57 = formats[1];
-const Format& table = formats[2];
 const Format& gzip = formats[3];
 const Format& zip = formats[4];
 
@@ -44,25 +38,6 @@ endingOf(const std::string& path)
   for (char& letter : ending)
     letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   return ending;
-}
-
-/** Does the second line, or the only one, begin with three numbers? The first may hold
- * the names of columns. */
-bool
-isTable(const std::string& beginning)
-{
-  const auto first_end = beginning.find('\n');
-  std::string row = beginning.substr(first_end == beginning.npos ? 0 : first_end + 1);
-  row = row.substr(0, row.find('\n'));
-  const auto is_separator = [](char letter) { return letter == ',' || letter == ';'; };
-  std::replace_if(row.begin(), row.end(), is_separator, ' ');
-  const auto words = wordsOf(row);
-  const auto is_number = [](const std::string& word) {
-    char* end = nullptr;
-    std::strtod(word.c_str(), &end);
-    return end == word.c_str() + word.size();
-  };
-  return words.size() >= 3 && std::all_of(words.begin(), words.begin() + 3, is_number);
 }
 
 const Format*
@@ -80,8 +55,6 @@ formatOf(const std::string& path, const std::string& beginning)
     return &gzip;
   if (begins_with("PK\x03\x04"))
     return &zip;
-  if (isTable(beginning))
-    return &table;
   for (const auto& format : formats)
     if (std::count(format.endings.begin(), format.endings.end(), ending) > 0)
       return &format;

@@ -16,6 +16,7 @@
 #include <pcl/search/kdtree.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -33,7 +34,11 @@ isMesh(const std::filesystem::path& path)
 bool
 isObject(const std::filesystem::path& path)
 {
-  return path.extension() == ".pcd" || path.extension() == ".ply" || isMesh(path);
+  constexpr std::array<const char*, 6> endings = {
+      ".pcd", ".ply", ".las", ".xyz", ".csv", ".pts"};
+  const auto ending = path.extension();
+  return std::find(endings.begin(), endings.end(), ending) != endings.end() ||
+         isMesh(path);
 }
 
 PointCloud<PointNormal>::Ptr

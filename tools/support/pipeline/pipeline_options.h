@@ -7,6 +7,7 @@
 #include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
+#include "files/table_columns.h"
 #include "scene/scan_frame.h"
 
 #include <pcl/segmentation/building_rooms.h>
@@ -30,6 +31,7 @@ struct PipelineOptions {
          seed_resolution = 0.0; ///< of the objects, 0 = automatic
   PointColors colors;
   PointCoordinates coordinates;
+  TableColumns columns;
   MemoryLimit memory;
   int threads = 0;
   std::uint64_t points_at_once = 20000000; ///< 0: all

@@ -118,12 +118,16 @@ loadScan(const PipelineOptions& options, Progress& progress)
   const double voxel = options.rooms.voxel_size > 0.0 ? options.rooms.voxel_size
                                                       : smallest_automatic_voxel;
   progress.start((stream ? "Reading in parts " : "Loading ") + options.input);
-  auto scan = readScan(
-      options.input,
-      std::move(stream),
-      fineness * voxel / options.frame.metresPerUnit(),
-      static_cast<std::size_t>(options.points_at_once),
-      [&progress](std::size_t done, std::size_t all) { progress.update(done, all); });
+  Scan scan;
+  if (!stream)
+    scan.file = loadCloud(options.input, options.columns);
+  else
+    scan = readScan(
+        options.input,
+        std::move(stream),
+        fineness * voxel / options.frame.metresPerUnit(),
+        static_cast<std::size_t>(options.points_at_once),
+        [&progress](std::size_t done, std::size_t all) { progress.update(done, all); });
   const auto points = std::to_string(scan.file.points->size());
   progress.done(scan.stream ? std::to_string(scan.stream->pointCount()) + " points, " +
                                   points + " for the rooms"

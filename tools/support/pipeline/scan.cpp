@@ -63,10 +63,6 @@ readScan(const std::string& path,
          const std::function<void(std::size_t done, std::size_t all)>& report)
 {
   Scan scan;
-  if (!stream) {
-    scan.file = loadCloud(path);
-    return scan;
-  }
   auto& file = scan.file;
   file.path = path;
   file.cloud = stream->layout();

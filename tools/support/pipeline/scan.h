@@ -26,8 +26,7 @@ struct Scan {
 std::unique_ptr<CloudStream>
 streamOf(const std::string& path, std::uint64_t most_points);
 
-/** \brief Read a scan: a stream part by part, keeping a point per cell.
- * \param[in] stream null: all points are loaded
+/** \brief Read a scan part by part, keeping a point per cell.
  * \param[in] cell_size in the unit of the file
  * \param[in] most_points from which on cells become larger
  */
