@@ -33,7 +33,7 @@ makeParser(Options& options)
       "Finds the rooms of a building's scan, the objects in each room "
       "and the class of each object; writes cloud.pcd with the fields "
       "room, object, structure, category and confidence, scene.json, report.html, "
-      "plan.svg, plan.dxf, rooms.png, potential_field.png and classes.png.");
+      "plan.svg, plan.png, plan.dxf, rooms.png, potential_field.png and classes.png.");
   parser.positional("input", options.input, "PCD or PLY file")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")

@@ -6,13 +6,16 @@
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 
+#include <pcl/segmentation/average_precision.h>
 #include <pcl/segmentation/segmentation_metrics.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -20,6 +23,48 @@ using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
 
 namespace {
+
+/** Average precision and panoptic quality, both without classes. */
+void
+addInstanceScores(const SegmentLabels& truth,
+                  const SegmentLabels& predicted,
+                  std::size_t min_points,
+                  const std::map<std::uint32_t, double>& confidences,
+                  nlohmann::json& result)
+{
+  AveragePrecision precision;
+  precision.add(truth, predicted, min_points, {}, confidences);
+  result["average_precision"] = precision.mean();
+  result["average_precision_50"] = precision.at(50);
+  result["average_precision_25"] = precision.at(25);
+  const auto things = scoreThings(truth, predicted, min_points);
+  result["panoptic_quality"] = things.panopticQuality();
+  result["segmentation_quality"] = things.segmentationQuality();
+  result["recognition_quality"] = things.recognitionQuality();
+  result["recall_50"] = things.recall();
+  result["precision_50"] = things.precision();
+}
+
+/** The mean of a field over the points of each segment. */
+std::map<std::uint32_t, double>
+confidencesOf(const CloudFile& file,
+              const std::string& field,
+              const SegmentLabels& predicted)
+{
+  std::map<std::uint32_t, double> sums, counts;
+  const auto values = readNumbers(file, field);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sums[predicted[i]] += values[i];
+    ++counts[predicted[i]];
+  }
+  for (auto& [label, sum] : sums) {
+    sum /= counts.at(label);
+    if (!std::isfinite(sum))
+      throw ToolError(file.path + ": the field " + field + " of segment " +
+                      std::to_string(label) + " is not finite");
+  }
+  return sums;
+}
 
 nlohmann::json
 evaluate(const SegmentLabels& truth, const SegmentLabels& predicted)
@@ -49,12 +94,11 @@ evaluate(const SegmentLabels& truth, const SegmentLabels& predicted)
 }
 
 SegmentLabels
-loadLabels(const std::string& path, const std::string& field, std::size_t count)
+loadLabels(const CloudFile& file, const std::string& field, std::size_t count)
 {
-  const CloudFile file = loadCloud(path);
   auto labels = readLabels(file, field);
   if (count != 0 && labels.size() != count)
-    throw ToolError(path + ": has " + std::to_string(labels.size()) +
+    throw ToolError(file.path + ": has " + std::to_string(labels.size()) +
                     " points, but the truth has " + std::to_string(count));
   return labels;
 }
@@ -92,7 +136,8 @@ main(int argc, char** argv)
 {
   std::string truth_path, predicted_path, truth_field = "label",
                                           predicted_field = "object";
-  std::string coarse_field, coarse_path, json_path, ignored;
+  std::string coarse_field, coarse_path, json_path, ignored, confidence_field;
+  std::uint32_t min_points = 1;
   OptionParser parser("pcl_segmentation_evaluation",
                       "Compare a segmentation with the truth, point by point. Points "
                       "whose true label is 0 are left out.");
@@ -112,23 +157,41 @@ main(int argc, char** argv)
       .text("-ignore",
             ignored,
             "labels of the truth to leave out as if they were 0, with commas")
+      .number("-min_points",
+              min_points,
+              "true segments of fewer points are void for average precision and "
+              "panoptic quality",
+              "",
+              Range::atLeast(1))
+      .text("-confidence_field",
+            confidence_field,
+            "field of the prediction by which average precision ranks its segments, as "
+            "mean over their points; without it they are ranked by their numbers of "
+            "points")
       .text("-json", json_path, "file to write the result to");
-  parser.expert({"-coarse_field", "-coarse", "-ignore"});
+  parser.expert(
+      {"-coarse_field", "-coarse", "-ignore", "-min_points", "-confidence_field"});
   return parser.run(argc, argv, [&](Progress& progress) {
     if (!json_path.empty())
       requireWritable(json_path);
     progress.start("Loading " + truth_path);
-    auto truth = loadLabels(truth_path, truth_field, 0);
+    auto truth = loadLabels(loadCloud(truth_path), truth_field, 0);
     leaveOut(ignored, truth);
     progress.done(std::to_string(truth.size()) + " points");
     progress.start("Loading " + predicted_path);
-    const auto predicted = loadLabels(predicted_path, predicted_field, truth.size());
+    const auto file = loadCloud(predicted_path);
+    const auto predicted = loadLabels(file, predicted_field, truth.size());
     progress.done();
     auto result = evaluate(truth, predicted);
+    const auto confidences = confidence_field.empty()
+                                 ? std::map<std::uint32_t, double>()
+                                 : confidencesOf(file, confidence_field, predicted);
+    addInstanceScores(truth, predicted, min_points, confidences, result);
     if (!coarse_field.empty() || !coarse_path.empty()) {
-      const auto coarse = loadLabels(coarse_path.empty() ? truth_path : coarse_path,
-                                     coarse_field.empty() ? truth_field : coarse_field,
-                                     truth.size());
+      const auto coarse =
+          loadLabels(loadCloud(coarse_path.empty() ? truth_path : coarse_path),
+                     coarse_field.empty() ? truth_field : coarse_field,
+                     truth.size());
       const auto errors = multiScaleErrors(truth, coarse, predicted);
       result["multi_scale_oversegmentation"] = errors.over;
       result["multi_scale_undersegmentation"] = errors.under;

@@ -6,9 +6,9 @@
 
 #include "network_evaluation.h"
 
-#include <pcl/exceptions.h>
 #include <pcl/features/eppf_histogram.h>
 #include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/require_valid.h>
 #include <pcl/ml/upright_profile.h>
 
 #include <algorithm>
@@ -191,9 +191,7 @@ classifyObjects(const std::vector<ClassifierObject>& objects,
                 const ClassifierModel& model,
                 unsigned int number_of_threads)
 {
-  const auto problem = whatIsWrong(model);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  requireValid(model);
   const auto draws = static_cast<std::size_t>(model.input.draws);
   std::vector<std::vector<float>> inputs(objects.size() * draws);
   parallelFor(static_cast<std::ptrdiff_t>(inputs.size()),

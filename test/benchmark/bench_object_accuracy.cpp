@@ -21,6 +21,7 @@
 #include "files/cloud_file.h"
 
 #include <pcl/indoor/point_cells.h>
+#include <pcl/segmentation/average_precision.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/segmentation_metrics.h>
 
@@ -300,6 +301,7 @@ struct Score {
   double over = 0, under = 0, object_over = 0, object_under = 0, overlap = 0;
   double segments = 0, specks = 0, seconds = 0, quality = 0, in_tree = 0;
   ThingScore things, flat, parts;
+  AveragePrecision precision; ///< of the things, ranked by size
 
   Score&
   operator+=(const Score& other)
@@ -315,6 +317,7 @@ struct Score {
     quality += other.quality;
     in_tree += other.in_tree;
     things += other.things;
+    precision += other.precision;
     flat += other.flat;
     parts += other.parts;
     return *this;
@@ -379,8 +382,10 @@ evaluate(const Room& room, const Method& method, bool failures)
   score.overlap = weightedOverlap(overlaps);
   score.segments = static_cast<double>(sizes.size());
   score.seconds = time.count();
-  if (!room.others.empty())
+  if (!room.others.empty()) {
     score.things = scoreThings(room.objects, labels, large, room.others);
+    score.precision.add(room.objects, labels, large, room.others);
+  }
   if (!room.flat.empty())
     score.flat = scoreThings(room.objects, labels, large, room.flat);
   if (!found.pieces.empty())
@@ -393,10 +398,11 @@ evaluate(const Room& room, const Method& method, bool failures)
 void
 printHead()
 {
-  std::printf("| method | OS %% | US %% | objects OS %% | US %% | WO %% | PQ | PQ of "
-              "rooms | parts PQ | whole %% | on walls PQ | whole %% | in tree %% | "
-              "segments | specks %% | s |\n| --- |");
-  for (int column = 0; column < 15; ++column)
+  std::printf(
+      "| method | OS %% | US %% | objects OS %% | US %% | WO %% | PQ | AP50 "
+      "| PQ of rooms | parts PQ | whole %% | on walls PQ | whole %% | in tree %% | "
+      "segments | specks %% | s |\n| --- |");
+  for (int column = 0; column < 16; ++column)
     std::printf(" ---: |");
   std::printf("\n");
 }
@@ -404,8 +410,8 @@ printHead()
 void
 printRow(const std::string& name, const Score& sum, double count)
 {
-  std::printf("| %s | %.1f | %.1f | %.1f | %.1f | %.1f | %.3f | %.3f | %.3f | %.1f of "
-              "%zu | %.3f | %.1f of %zu | %.1f | %.0f | %.0f | %.2f |\n",
+  std::printf("| %s | %.1f | %.1f | %.1f | %.1f | %.1f | %.3f | %.3f | %.3f | %.3f | "
+              "%.1f of %zu | %.3f | %.1f of %zu | %.1f | %.0f | %.0f | %.2f |\n",
               name.c_str(),
               100 * sum.over / count,
               100 * sum.under / count,
@@ -413,6 +419,7 @@ printRow(const std::string& name, const Score& sum, double count)
               100 * sum.object_under / count,
               100 * sum.overlap / count,
               sum.things.panopticQuality(),
+              sum.precision.at(50),
               sum.quality / count,
               sum.parts.panopticQuality(),
               100 * sum.things.wholeShare(),

@@ -43,9 +43,9 @@ someScene()
   scene.rooms[0].label = 1;
   scene.rooms[0].area = 12.5;
   scene.rooms[0].footprint = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {}};
-  scene.building.levels.storeys = {{0.0, 2.5}};
-  scene.building.storeys.resize(1);
-  scene.building.storeys[0].labels = {1, 2, {1, -1}};
+  scene.building.storeys.heights = {{0.0, 2.5}};
+  scene.building.maps.resize(1);
+  scene.building.maps[0].labels = {1, 2, {1, -1}};
   scene.building.room_of = {{0, 1}};
   scene.building_pose.translation() = Eigen::Vector3d(4, 5, 6);
   scene.report.warnings = {"a warning", ""};
@@ -68,8 +68,7 @@ TEST(Records, HoldRoomsAndScenes)
   ASSERT_TRUE(scene);
   EXPECT_EQ(scene->room_of_point, someScene().room_of_point);
   EXPECT_EQ(scene->rooms[0].footprint, someScene().rooms[0].footprint);
-  EXPECT_EQ(scene->building.storeys[0].labels.values,
-            (std::vector<std::int32_t>{1, -1}));
+  EXPECT_EQ(scene->building.maps[0].labels.values, (std::vector<std::int32_t>{1, -1}));
   EXPECT_EQ(scene->building_pose.matrix(), someScene().building_pose.matrix());
   EXPECT_EQ(scene->report.warnings, someScene().report.warnings);
   EXPECT_EQ(sceneBytes(*scene), sceneBytes(someScene()));

@@ -174,7 +174,7 @@ checkMap(const RoomMapOptions& map, Check& check)
 } // namespace
 
 std::string
-findInvalidOption(const BuildingRoomsOptions& options)
+findProblem(const BuildingRoomsOptions& options)
 {
   Check check;
   check.voxel(options.voxel_size);

@@ -11,6 +11,7 @@
 #include "files/silent_pcl.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
+#include <pcl/indoor/quantile.h>
 #include <pcl/indoor/usable_point.h>
 #include <pcl/io/pcd_io.h>
 
@@ -149,9 +150,8 @@ offsetOf(const std::vector<double>& values)
       finite.push_back(value);
   if (finite.empty())
     return 0.0;
-  const auto middle = finite.begin() + static_cast<std::ptrdiff_t>(finite.size() / 2);
-  std::nth_element(finite.begin(), middle, finite.end()); // outliers do not move it
-  return std::abs(*middle) > large ? std::floor(*middle) : 0.0;
+  const double middle = median(finite); // outliers do not move it
+  return std::abs(middle) > large ? std::floor(middle) : 0.0;
 }
 
 /** The distance between two values of a field that are as large as this one. */
@@ -314,12 +314,18 @@ hasField(const PCLPointCloud2& cloud, const std::string& name)
   return getFieldIndex(cloud, name) >= 0;
 }
 
-std::vector<std::uint32_t>
-readLabels(const CloudFile& file, const std::string& name)
+std::vector<double>
+readNumbers(const CloudFile& file, const std::string& name)
 {
   if (!hasField(file.cloud, name))
     throw ToolError(file.path + ": the file has no field '" + name + "'");
-  const auto values = readReals(file.cloud, name);
+  return readReals(file.cloud, name);
+}
+
+std::vector<std::uint32_t>
+readLabels(const CloudFile& file, const std::string& name)
+{
+  const auto values = readNumbers(file, name);
   std::vector<std::uint32_t> labels(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double value = values[i];

@@ -97,6 +97,12 @@ hasField(const PCLPointCloud2& cloud, const std::string& name);
 std::vector<std::uint32_t>
 readLabels(const CloudFile& file, const std::string& name);
 
+/** \brief A field of any numbers, one value per point.
+ * \throws ToolError if the field is missing
+ */
+std::vector<double>
+readNumbers(const CloudFile& file, const std::string& name);
+
 /** \brief Take a field away, if there is one of that name; its bytes stay as padding.
  */
 void

@@ -20,13 +20,11 @@ availableMemory();
  * is read, since the system ends programs that take too much without a word. */
 class MemoryLimit {
 public:
-  MemoryLimit();
-
   void
   addOption(OptionParser& parser);
 
   /** \brief Compare the limit with what a tool will need, from the header of the scan.
-   * \param[in] bytes_per_point measured, see docs/robustness.md
+   * \param[in] bytes_per_point measured, see docs/experiments/robustness.md
    * \param[in] most_points that are in memory at once; 0 = all
    * \throws ToolError naming need, limit and what can be done
    */
@@ -36,7 +34,7 @@ public:
           std::uint64_t most_points = 0) const;
 
 private:
-  double gigabytes_; ///< 0: none
+  double gigabytes_ = 0.0; ///< 0: what is available
 };
 
 } // namespace pcl::indoor::tool

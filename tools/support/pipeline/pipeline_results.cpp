@@ -9,6 +9,7 @@
 #include "objects/category_names.h" // for other_class
 #include "pictures/class_picture.h"
 #include "pictures/plan_dxf.h"
+#include "pictures/plan_png.h"
 #include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
 #include "report/report_page.h"
@@ -25,6 +26,7 @@ constexpr const char* results[] = {"scene.json",
                                    "potential_field.png",
                                    "classes.png",
                                    "plan.svg",
+                                   "plan.png",
                                    "plan.dxf",
                                    "report.html"};
 
@@ -179,6 +181,8 @@ describe(const PipelineOptions& options,
   auto plan = floorPlan(scene.building, thingsFromAbove(scene));
   plan.origin = originOf(file, options.frame, scene.building_pose);
   add("plan.svg", planSvg(plan));
+  if (canDrawPlans())
+    add("plan.png", drawnAsPng(planSvg(plan)));
   add("plan.dxf", planDxf(plan));
   const auto json = sceneJson(scene, file, options.frame, settings);
   if (options.report != "none")

@@ -67,8 +67,8 @@ exchange(Record& record, BuildingRooms& building)
   record(grid.shape.nx, grid.shape.ny, grid.shape.nz, grid.origin, grid.voxel_size);
   record(building.occupancy.yaw,
          building.interior.factor,
-         building.levels.storeys,
-         building.storeys,
+         building.storeys.heights,
+         building.maps,
          building.room_of,
          building.rooms,
          building.openings);
@@ -155,12 +155,12 @@ dropGrids(BuildingRooms& building)
   kept.occupancy.grid.voxel_size = building.occupancy.grid.voxel_size;
   kept.occupancy.yaw = building.occupancy.yaw;
   kept.interior.factor = building.interior.factor;
-  kept.levels.storeys = std::move(building.levels.storeys);
+  kept.storeys.heights = std::move(building.storeys.heights);
   kept.room_of = std::move(building.room_of);
   kept.rooms = std::move(building.rooms);
   kept.openings = std::move(building.openings);
-  for (auto& map : building.storeys) {
-    auto& own = kept.storeys.emplace_back();
+  for (auto& map : building.maps) {
+    auto& own = kept.maps.emplace_back();
     own.blocked = std::move(map.blocked);
     own.field = std::move(map.field);
     own.free_labels = std::move(map.free_labels);

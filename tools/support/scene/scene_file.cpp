@@ -6,7 +6,6 @@
 
 #include "scene/room_json.h"
 
-
 #include <algorithm>
 #include <cmath>
 
@@ -52,8 +51,8 @@ storeysJson(const Scene& scene, double offset_up)
       scene.building_pose.translation().dot(scene.building_pose.linear().col(2)) +
       offset_up;
   Json storeys = Json::array();
-  for (std::size_t s = 0; s < scene.building.storeys.size(); ++s) {
-    const auto& heights = scene.building.levels.storeys.at(s);
+  for (std::size_t s = 0; s < scene.building.maps.size(); ++s) {
+    const auto& heights = scene.building.storeys.heights.at(s);
     Json rooms = Json::array();
     double area = 0.0;
     for (const auto& room : scene.rooms)

@@ -4,9 +4,10 @@
  */
 #pragma once
 
+#include <pcl/indoor/quantile.h>
+
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -23,9 +24,7 @@ middlePoint(const std::vector<Eigen::Vector3f>& points)
   for (int axis = 0; axis < 3 && !points.empty(); ++axis) {
     for (std::size_t i = 0; i < points.size(); ++i)
       values[i] = points[i][axis];
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
-    std::nth_element(values.begin(), at, values.end());
-    middle[axis] = *at;
+    middle[axis] = median(values);
   }
   return middle;
 }

@@ -102,6 +102,23 @@ struct ThingScore {
   double
   panopticQuality() const;
 
+  /** \brief Segmentation quality, the first factor of panoptic quality: mean
+   * intersection over union of the right pairs; 0 if there are none. */
+  double
+  segmentationQuality() const;
+
+  /** \brief Recognition quality, its second factor: right pairs over the mean of true
+   * and predicted counts (the F1 score); 1 if there is nothing. */
+  double
+  recognitionQuality() const;
+
+  /** \brief Share of the true segments that are right, and of the predicted ones; 1 if
+   * there are none. */
+  double
+  recall() const;
+  double
+  precision() const;
+
   /** \brief Share of true segments that were found whole; 1 if there is none. */
   double
   wholeShare() const;

@@ -87,7 +87,7 @@ sweepLines(const LineBundle& lines,
            int begin,
            int end,
            int bit,
-           const VoxelGrid<std::uint8_t>& occupancy,
+           const VoxelMap<std::uint8_t>& occupancy,
            std::vector<std::uint8_t>& state,
            std::vector<std::uint8_t>& bits)
 {
@@ -123,7 +123,7 @@ sweepLines(const LineBundle& lines,
 void
 sweep(const LineBundle& lines,
       int bit,
-      const VoxelGrid<std::uint8_t>& occupancy,
+      const VoxelMap<std::uint8_t>& occupancy,
       int threads,
       std::vector<std::uint8_t>& bits)
 {
@@ -164,8 +164,8 @@ finishColumn(const std::uint8_t* occupied, int nz, std::uint8_t* bits)
 
 } // namespace
 
-VoxelGrid<std::uint8_t>
-enclosure(const VoxelGrid<std::uint8_t>& occupancy,
+VoxelMap<std::uint8_t>
+enclosure(const VoxelMap<std::uint8_t>& occupancy,
           const std::vector<Eigen::Vector2d>& directions,
           int threads)
 {
@@ -173,7 +173,7 @@ enclosure(const VoxelGrid<std::uint8_t>& occupancy,
   requireSameSize(occupancy.values.size(), shape);
   requireValid(directions);
   const int thread_count = threadCount(threads);
-  VoxelGrid<std::uint8_t> bits;
+  VoxelMap<std::uint8_t> bits;
   bits.shape = shape;
   bits.origin = occupancy.origin;
   bits.voxel_size = occupancy.voxel_size;
@@ -209,8 +209,8 @@ enclosureEvidence(std::uint8_t bits,
 }
 
 std::vector<std::int16_t>
-interiorGain(const VoxelGrid<std::uint8_t>& occupancy,
-             const VoxelGrid<std::uint8_t>& bits,
+interiorGain(const VoxelMap<std::uint8_t>& occupancy,
+             const VoxelMap<std::uint8_t>& bits,
              int direction_count,
              const EnclosureWeights& weights,
              double unit)

@@ -81,7 +81,7 @@ NoiseResilientLCCP<PointT>::initCompute()
               static_cast<double>(sensor.z()));
     return false;
   }
-  const auto problem = indoor::findInvalidOption(options_);
+  const auto problem = indoor::findProblem(options_);
   if (!problem.empty()) {
     PCL_ERROR("%s %s\n", where, problem.c_str());
     return false;
@@ -188,8 +188,8 @@ void
 NoiseResilientLCCP<PointT>::segment()
 {
   segment_of_supervoxel_.clear();
-  const auto problem = given_.names.empty() ? "No supervoxels were set."
-                                            : indoor::findInvalidOption(options_);
+  const auto problem =
+      given_.names.empty() ? "No supervoxels were set." : indoor::findProblem(options_);
   if (!problem.empty())
     PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n", problem.c_str());
   else
