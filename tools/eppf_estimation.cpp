@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/preset.h"
 #include "files/cloud_file.h"
 #include "objects/eppf_options.h"
 #include "objects/object_files.h"
@@ -21,6 +22,7 @@ struct Settings {
   std::vector<std::string> files;
   std::string input_folder;
   std::string output_folder;
+  std::string preset = "default";
   int neighbor_count = 20;
   EPPFCommandLine eppf;
 };
@@ -141,7 +143,14 @@ main(int argc, char** argv)
               "neighbours of a normal, where the file has no normals",
               "points",
               Range::atLeast(3));
-  settings.eppf.addDescriptorTo(parser);
+  parser.text("-preset",
+              settings.preset,
+              "thesis: -descriptor eppf, the descriptor of the thesis",
+              {"default", "thesis"});
+  settings.eppf.addDescriptorTo(parser,
+                                presetOf(argc, argv) == "thesis"
+                                    ? EPPFDescriptor::EPPF
+                                    : EPPFDescriptor::PairHarmonics);
   settings.eppf.addTo(parser);
   return parser.run(argc, argv, [&](Progress& progress) { run(settings, progress); });
 }

@@ -5,6 +5,7 @@
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 #include "objects/eppf_options.h"
+#include "retrieval/feature_correlation.h"
 #include "retrieval/retrieval_report.h"
 
 #include <algorithm>
@@ -23,6 +24,8 @@ struct Settings {
   std::string distances = "kl,l1";
   std::string noise = "0";
   std::string ablation = "none";
+  std::string scale_by = "own";
+  bool correlation = false;
   std::string json;
   std::string confusion;
   std::string confusion_picture;
@@ -144,16 +147,84 @@ ablation(const std::string& what, const EPPFOptions& options)
   return variants;
 }
 
-std::vector<RetrievalDescriptor>
-chosenDescriptors(const Settings& settings)
+/** \brief The lengths that f1 may spread over, from the objects of a set (Fig. 5.12).
+ */
+struct SetScale {
+  double largest = 0, median = 0; ///< extent of an object
+};
+
+SetScale
+scaleOf(const LabelledObjects& objects)
 {
-  const auto options = settings.eppf.options();
+  std::vector<double> extents;
+  for (const auto& cloud : objects.clouds)
+    extents.push_back(extentOf(*cloud));
+  std::sort(extents.begin(), extents.end());
+  return {extents.back(), extents[extents.size() / 2]};
+}
+
+/** \brief Variants of the thesis's descriptor with its bins: Fig. 5.11 to 5.13. */
+std::vector<RetrievalDescriptor>
+thesisAblation(const std::string& what,
+               const EPPFOptions& options,
+               const SetScale& scale)
+{
+  std::vector<RetrievalDescriptor> variants;
+  const auto add = [&](const std::string& name, auto change) {
+    auto changed = options;
+    change(changed);
+    variants.push_back(eppfDescriptor(name, changed));
+  };
+  if (what == "thesis_scale") {
+    add("maximum", [&](auto& o) { o.scale = scale.largest; });
+    add("median", [&](auto& o) { o.scale = scale.median; });
+    add("unit cube", [](auto& o) { o.scale = 0; });
+  }
+  else if (what == "thesis_features") {
+    add("eppf", [](auto&) {});
+    add("without f1", [](auto& o) { o.features.distance = false; });
+    add("without f2", [](auto& o) { o.features.surface_angle = false; });
+    add("without f3", [](auto& o) { o.features.normal_angle = false; });
+    add("without f4", [](auto& o) { o.features.occupancy = false; });
+  }
+  else
+    for (const auto& [name, rule] :
+         {std::make_pair("maximum", SurfaceAngleRule::Maximum),
+          std::make_pair("minimum", SurfaceAngleRule::Minimum),
+          std::make_pair("mean", SurfaceAngleRule::Mean),
+          std::make_pair("one only", SurfaceAngleRule::RandomOne),
+          std::make_pair("both instead of f4",
+                         SurfaceAngleRule::BothInsteadOfOccupancy)})
+      add(name, [&, rule = rule](auto& o) { o.surface_angle_rule = rule; });
+  return variants;
+}
+
+/** \brief What a descriptor of the thesis takes from the command line: pairs and scale.
+ */
+EPPFOptions
+withPairsAndScale(EPPFOptions options, const EPPFOptions& given)
+{
+  options.pair_count = given.pair_count;
+  options.scale = given.scale;
+  options.seed = given.seed;
+  return options;
+}
+
+std::vector<RetrievalDescriptor>
+chosenDescriptors(const Settings& settings, const SetScale& scale)
+{
+  auto options = settings.eppf.options();
+  if (settings.scale_by != "own")
+    options.scale = settings.scale_by == "largest" ? scale.largest : scale.median;
+  const auto thesis = withPairsAndScale(thesisEPPFOptions(), options);
+  if (settings.ablation.rfind("thesis_", 0) == 0)
+    return thesisAblation(settings.ablation, thesis, scale);
   if (settings.ablation != "none")
     return ablation(settings.ablation, options);
   std::vector<RetrievalDescriptor> known = {
       eppfDescriptor("pair_harmonics", options),
-      eppfDescriptor("eppf", thesisEPPFOptions()),
-      eppfDescriptor("eppf_short", shortEPPFOptions()),
+      eppfDescriptor("eppf", thesis),
+      eppfDescriptor("eppf_short", withPairsAndScale(shortEPPFOptions(), options)),
       surfletPairDescriptor(5),
       surfletPairDescriptor(6)};
   for (auto& peer : peerDescriptors())
@@ -197,7 +268,7 @@ writeReports(const std::vector<RetrievalLevel>& levels,
 void
 run(const Settings& settings, Progress& progress)
 {
-  const auto descriptors = chosenDescriptors(settings);
+  chosenDescriptors(settings, {1, 1}); // complains before anything is read
   const auto noise_levels = readNoise(settings.noise);
   auto experiment = settings.experiment;
   experiment.distances = readDistances(settings.distances);
@@ -209,6 +280,12 @@ run(const Settings& settings, Progress& progress)
                                            experiment.neighbor_count,
                                            experiment.number_of_threads,
                                            progress);
+  const auto descriptors = chosenDescriptors(settings, scaleOf(objects));
+  if (settings.correlation)
+    std::fputs(
+        correlationText(featureCorrelation(objects.clouds, settings.eppf.options()))
+            .c_str(),
+        stdout);
   std::vector<RetrievalLevel> levels;
   for (const double noise : noise_levels) {
     experiment.disturbance.noise_percent = noise;
@@ -239,7 +316,7 @@ main(int argc, char** argv)
       .text("-descriptors",
             settings.descriptors,
             "all, or some of pair_harmonics (which the options change),eppf (of the "
-            "thesis),eppf_short,wahl,wahl_6,esf,vfh,our_cvfh,gasd")
+            "thesis),eppf_short,wahl,wahl_6,esf,vfh,our_cvfh,gasd,grsd,shot")
       .text("-distances", settings.distances, "some of kl,l1,l2,chi2")
       .number("-repeats",
               experiment.repeat_count,
@@ -266,11 +343,28 @@ main(int argc, char** argv)
       .flag("-clean_gallery",
             experiment.clean_gallery,
             "compare noisy or hidden objects with untouched ones")
-      .text(
-          "-ablation",
-          settings.ablation,
-          "compare variants of pair harmonics instead",
-          {"none", "features", "surface_angle", "normals", "scale", "grid", "sampling"})
+      .text("-ablation",
+            settings.ablation,
+            "compare variants of pair harmonics instead, or those of the thesis's "
+            "descriptor (Fig. 5.11, 5.13, 5.12)",
+            {"none",
+             "features",
+             "surface_angle",
+             "normals",
+             "scale",
+             "grid",
+             "sampling",
+             "thesis_features",
+             "thesis_surface_angle",
+             "thesis_scale"})
+      .text("-scale_by",
+            settings.scale_by,
+            "length the distance bins spread over: own = -scale, or the extent of the "
+            "largest or of the median object of the set",
+            {"own", "largest", "median"})
+      .flag("-correlation",
+            settings.correlation,
+            "print the Pearson correlation of the thesis's features, Eq. (5.9)")
       .number("-normal_neighbors",
               experiment.neighbor_count,
               "neighbours of a normal that has to be estimated",

@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/preset.h"
 #include "command_line/printable.h"
 #include "files/cloud_file.h"
 #include "pipeline/pipeline_results.h"
@@ -24,6 +25,18 @@ namespace {
 using Options = PipelineOptions;
 
 constexpr const char* points_option = "-points_at_once";
+
+/** The defaults, which the option -preset changes. */
+Options
+optionsOfPreset(int argc, char** argv)
+{
+  Options options;
+  if (presetOf(argc, argv) == "thesis") {
+    options.rooms = pcl::indoor::thesisRoomOptions();
+    options.objects = pcl::indoor::thesisOptions();
+  }
+  return options;
+}
 
 OptionParser
 makeParser(Options& options)
@@ -61,6 +74,11 @@ makeParser(Options& options)
           "times that",
           "m",
           Range::atLeast(0))
+      .text("-preset",
+            options.preset,
+            "thesis: rooms and objects by the methods of the thesis with their "
+            "parameters, and no more",
+            {"default", "thesis"})
       .text("-partition",
             options.partition,
             "how supervoxels are joined",
@@ -94,6 +112,7 @@ makeParser(Options& options)
   parser.expert({"-voxel_resolution",
                  "-seed_resolution",
                  "-partition",
+                 "-preset",
                  "-ignore_normals",
                  "-double",
                  points_option,
@@ -144,7 +163,7 @@ workFolder(const Options& options)
 int
 help(Ranks& ranks, int argc, char** argv)
 {
-  Options options;
+  auto options = optionsOfPreset(argc, argv);
   auto parser = makeParser(options);
   try {
     parser.parse(argc, argv);
@@ -170,7 +189,7 @@ main(int argc, char** argv)
   Ranks ranks;
   if (!ranks.isFirst())
     return help(ranks, argc, argv);
-  Options options;
+  auto options = optionsOfPreset(argc, argv);
   auto parser = makeParser(options);
   const int status = parser.run(argc, argv, [&](Progress& progress) {
     requireUsable(options);

@@ -6,6 +6,7 @@
 #include "command_line/options.h"
 #include "command_line/printable.h"
 #include "comparison/measured_segmentation.h"
+#include "comparison/upstream_baselines.h"
 #include "comparison/upstream_lccp.h"
 #include "files/cloud_file.h"
 #include "files/json_text.h"
@@ -41,17 +42,15 @@ struct Method {
 struct Settings {
   std::vector<std::string> inputs;
   std::string preset = "auto", truth_field = "label", coarse_field;
-  std::string json_path, picture_path;
+  std::string json_path, picture_path, methods = "all";
   unsigned threads = 1;
 };
 
 Labels
 segmentOurs(const Cloud::Ptr& cloud,
             ObjectSegmentationOptions options,
-            const Settings& settings,
-            Partition partition)
+            const Settings& settings)
 {
-  options.partition = partition;
   options.threads = settings.threads;
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
   segmentation.setOptions(options);
@@ -63,11 +62,63 @@ segmentOurs(const Cloud::Ptr& cloud,
   return labels;
 }
 
+/** The thesis's method and its combination with LCCP (Table 4.1); -preset says for
+ * which sensor. */
+std::vector<Method>
+thesisMethods(bool single_view, const Settings& settings)
+{
+  const bool kinect = settings.preset == "thesis_kinect" || single_view;
+  auto proposed = kinect ? thesisKinectOptions() : thesisOptions();
+  if (single_view && settings.preset != "thesis_kinect") { // things on a table
+    proposed.voxel_size = singleViewOptions().voxel_size;
+    proposed.seed_size = singleViewOptions().seed_size;
+  }
+  auto with_lccp = proposed;
+  with_lccp.partition = Partition::Lccp;
+  const auto own = [settings](const ObjectSegmentationOptions& options) {
+    return [options, settings](const Cloud::Ptr& cloud) {
+      return segmentOurs(cloud, options, settings);
+    };
+  };
+  return {{"thesis", false, own(proposed), {}},
+          {"thesis + LCCP", false, own(with_lccp), {}}};
+}
+
+/** Segmentations of upstream's that know neither supervoxels nor convexity. */
+std::vector<Method>
+baselines(bool single_view, const Settings& settings)
+{
+  std::vector<Method> methods;
+  for (const auto& [name, baseline] :
+       {std::make_pair("growing by normals", Baseline::SmoothGrowing),
+        std::make_pair("growing by FPFH", Baseline::FeatureGrowing),
+        std::make_pair("Euclidean clusters", Baseline::EuclideanClusters),
+        std::make_pair("Felzenszwalb on normals", Baseline::NormalGraph)}) {
+    BaselineOptions options;
+    options.baseline = baseline;
+    options.single_camera = single_view;
+    options.threads = settings.threads;
+    if (single_view)
+      options.voxel_size = singleViewOptions().voxel_size;
+    methods.push_back({name,
+                       false,
+                       [options](const Cloud::Ptr& cloud) {
+                         return segmentBaseline(*cloud, options);
+                       },
+                       {}});
+  }
+  return methods;
+}
+
 /** Upstream at its example's defaults and tuned, ours by other partitions, and ours; of
  * rooms also their parts. */
 std::vector<Method>
 methodsFor(bool single_view, const Settings& settings)
 {
+  if (settings.methods == "thesis")
+    return thesisMethods(single_view, settings);
+  if (settings.methods == "baselines")
+    return baselines(single_view, settings);
   const auto ours = single_view ? singleViewOptions() : ObjectSegmentationOptions();
   const auto plain = exampleUpstreamOptions(single_view, settings.threads);
   const auto tuned = tunedUpstreamOptions(
@@ -78,8 +129,10 @@ methodsFor(bool single_view, const Settings& settings)
   };
   const auto own = [settings](const ObjectSegmentationOptions& options,
                               Partition partition) {
-    return [options, settings, partition](const Cloud::Ptr& cloud) {
-      return segmentOurs(cloud, options, settings, partition);
+    auto changed = options;
+    changed.partition = partition;
+    return [changed, settings](const Cloud::Ptr& cloud) {
+      return segmentOurs(cloud, changed, settings);
     };
   };
   const auto thesis = Partition::FelzenszwalbHuttenlocher;
@@ -91,6 +144,9 @@ methodsFor(bool single_view, const Settings& settings)
   if (!single_view)
     methods.push_back(
         {"ours, parts", false, own(partsOptions(), Partition::Pieces), {}});
+  for (auto* more : {&thesisMethods, &baselines})
+    for (auto& method : more(single_view, settings))
+      methods.push_back(std::move(method));
   return methods;
 }
 
@@ -267,8 +323,15 @@ main(int argc, char** argv)
           "room.pcd", settings.inputs, "PCD or PLY files with the true labels, metres")
       .text("-preset",
             settings.preset,
-            "what was scanned; auto: single_view if the first input is organised",
-            {"auto", "room", "single_view"})
+            "what was scanned; auto: single_view if the first input is organised; "
+            "thesis, thesis_kinect: the rows of the thesis alone, with its parameters "
+            "for laser scans or the Kinect",
+            {"auto", "room", "single_view", "thesis", "thesis_kinect"})
+      .text("-methods",
+            settings.methods,
+            "which rows: those of upstream's LCCP and ours, the thesis's, other "
+            "segmentations of upstream's, or all",
+            {"all", "thesis", "baselines"})
       .text("-truth_field", settings.truth_field, "field of the truth; 0 = not scored")
       .text("-coarse_field",
             settings.coarse_field,
@@ -281,8 +344,10 @@ main(int argc, char** argv)
           "PNG file of the truth and the clouds of four methods side by side, one row "
           "per input")
       .number("-threads", settings.threads, "threads of all methods, 0 = automatic");
-  parser.expert({"-preset", "-coarse_field"});
+  parser.expert({"-preset", "-methods", "-coarse_field"});
   return parser.run(argc, argv, [&](Progress& progress) {
+    if (settings.preset == "thesis" || settings.preset == "thesis_kinect")
+      settings.methods = "thesis";
     if (!settings.json_path.empty())
       requireWritable(settings.json_path);
     if (!settings.picture_path.empty())

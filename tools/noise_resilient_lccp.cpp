@@ -4,6 +4,7 @@
  */
 
 #include "command_line/options.h"
+#include "command_line/preset.h"
 #include "files/cloud_file.h"
 #include "files/memory_limit.h"
 #include "files/point_colors.h"
@@ -57,10 +58,11 @@ addLengths(OptionParser& parser, Settings& settings)
       .text("-preset",
             settings.preset,
             "what is wanted; objects: whole things in a room; parts: seats, backs and "
-            "arms apart; single_view: a table seen by one camera; thesis: the graph "
-            "segmentation of the thesis with its parameters; auto: single_view if the "
-            "input is organised, else objects",
-            {"auto", "objects", "parts", "single_view", "thesis"})
+            "arms apart; single_view: a table seen by one camera; thesis, "
+            "thesis_kinect: the method of the thesis with its parameters for laser "
+            "scans or the Kinect, and no more; auto: single_view if the input is "
+            "organised, else objects",
+            {"auto", "objects", "parts", "single_view", "thesis", "thesis_kinect"})
       .number("-voxel_resolution",
               settings.voxel_resolution,
               withPresets("edge of a voxel", room.voxel_size, view.voxel_size) +
@@ -91,7 +93,7 @@ addPartition(OptionParser& parser, Settings& settings)
           settings.partition,
           "how supervoxels are joined: by whole borders to pieces, and these by what "
           "was learned, by the thesis's graph segmentation, or over all convex edges; "
-          "auto: graph, for -preset thesis felzenszwalb",
+          "auto: graph, for the thesis's presets felzenszwalb",
           {"auto", "graph", "felzenszwalb", "lccp"})
       .number("-level",
               settings.level,
@@ -106,6 +108,18 @@ addPartition(OptionParser& parser, Settings& settings)
             "floor, ceiling and walls; apart: nothing is joined through them; auto: "
             "apart for objects and parts",
             {"auto", "apart", "joined"})
+      .number("-ransac_share",
+              options.ransac_share,
+              "for the thesis's presets: planes of at least this share of all points "
+              "are taken off by RANSAC, as floor, walls and ceiling; 0 = none",
+              "",
+              Range::between(0, 1))
+      .number("-removal_radius",
+              options.removal_radius,
+              "for the thesis's presets: neighbourhood of normals and of the points "
+              "that are counted; 0 = 2.5 times the distance of points",
+              "m",
+              Range::atLeast(0))
       .number("-min_segment",
               settings.min_segment,
               withPresets("smallest segment",
@@ -162,6 +176,8 @@ addOthers(OptionParser& parser, Settings& settings)
       .number("-threads", options.threads, "threads, 0 = automatic")
       .expert({"-bend_threshold",
                "-min_segment",
+               "-ransac_share",
+               "-removal_radius",
                "-graph_scale",
                "-concavity_tolerance",
                "-curvature_threshold",
@@ -179,6 +195,8 @@ presetOptions(const std::string& preset, bool organised)
 {
   if (preset == "thesis")
     return pcl::indoor::thesisOptions();
+  if (preset == "thesis_kinect")
+    return pcl::indoor::thesisKinectOptions();
   if (preset == "parts")
     return pcl::indoor::partsOptions();
   if (preset == "single_view" || (preset == "auto" && organised))
@@ -201,6 +219,7 @@ chosenOptions(const Settings& settings, bool organised)
   options.bend_threshold_degrees = static_cast<float>(
       either(settings.bend_threshold, preset.bend_threshold_degrees));
   options.plane_tolerance = preset.plane_tolerance;
+  options.on_points = preset.on_points;
   options.min_segment_size =
       settings.min_segment > 0 ? settings.min_segment : preset.min_segment_size;
   options.separate_structure = settings.structure == "auto"
@@ -244,6 +263,7 @@ int
 main(int argc, char** argv)
 {
   Settings settings;
+  settings.others = presetOptions(presetOf(argc, argv), false);
   OptionParser parser("pcl_noise_resilient_lccp",
                       "Segment the scan of a room into objects with "
                       "pcl::NoiseResilientLCCP; adds the fields object and structure.");
@@ -260,6 +280,11 @@ main(int argc, char** argv)
     requireWritableCloud(settings.output);
     if (settings.level < 0 && settings.level != -1)
       throw ToolError("-level: must be -1 or from 0 to 1");
+    const bool as_thesis = presetOptions(settings.preset, false).on_points;
+    if (!as_thesis && settings.others.ransac_share > 0)
+      throw ToolError("-ransac_share: needs -preset thesis or thesis_kinect");
+    if (as_thesis && settings.partition == "graph")
+      throw ToolError("-partition graph: the thesis's presets have no pieces");
     settings.memory.require(settings.input, bytes_per_point);
     progress.start("Loading " + settings.input);
     CloudFile file = loadCloud(settings.input);

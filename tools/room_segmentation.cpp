@@ -4,6 +4,7 @@
  */
 
 #include "command_line/options.h"
+#include "command_line/preset.h"
 #include "files/cloud_file.h"
 #include "files/memory_limit.h"
 #include "files/point_colors.h"
@@ -26,7 +27,7 @@ constexpr double bytes_per_point = 200; // that are in use at once, measured
 
 struct Options {
   std::string input, output, map, json, dxf;
-  std::string method = "slab";
+  std::string method = "slab", preset = "default";
   ScanFrame frame;
   pcl::indoor::BuildingRoomsOptions rooms;
   PointColors colors;
@@ -59,11 +60,46 @@ addFieldOptions(OptionParser& parser, pcl::indoor::BuildingRoomsOptions& rooms)
   weight("-visibility_weight",
          field.distance.visibility_weight,
          "field: weight of the difference of what is visible");
+  const auto area = [&parser](const char* name, double& variable, const char* meaning) {
+    parser.number(name, variable, meaning, "m^2", Range::positive());
+  };
+  area("-min_cluster_area", field.min_cluster_area, "field: smallest cluster");
+  area(
+      "-sample_area",
+      field.sample_area,
+      "field: neighbourhood of a pixel's core distance; larger leaves out more pixels");
+  parser.number("-landmark_spacing",
+                field.landmark_spacing,
+                "field: between the places that visibility looks for; 0 = every pixel",
+                "m",
+                Range::atLeast(0));
+  parser.flag("-single_cluster",
+              field.allow_single_cluster,
+              "field: HDBSCAN may find one room only");
   parser.number("-dbscan_distance",
                 field.dbscan_distance,
                 "field: 0 = HDBSCAN; else DBSCAN* with this weighted distance",
                 "",
                 Range::atLeast(0));
+}
+
+/** The weights of Eq. (3.1), by which interior space is found. */
+void
+addInteriorOptions(OptionParser& parser, pcl::indoor::EnclosureWeights& weights)
+{
+  const auto weight =
+      [&parser](const char* name, double& variable, const char* meaning) {
+        parser.number(name, variable, meaning, "", Range::between(0, 100));
+      };
+  weight("-floor_weight",
+         weights.below,
+         "evidence for the interior: something below (w1 of the thesis)");
+  weight("-ceiling_weight", weights.above, "the same: something above (w2)");
+  weight("-height_weight", weights.vertical, "the same: both (w3)");
+  weight("-wall_weight",
+         weights.horizontal,
+         "the same: on both sides in all directions of the walls (w4 + w5)");
+  weight("-exterior_weight", weights.exterior, "evidence for the exterior");
 }
 
 OptionParser
@@ -76,6 +112,11 @@ makeParser(Options& options)
   parser.positional("input", options.input, "PCD or PLY file")
       .positional(
           "output.pcd|ply", options.output, "the input with the field room, 0 = none")
+      .text("-preset",
+            options.preset,
+            "thesis: the method of the thesis with its parameters, and no more; the "
+            "other options start from it",
+            {"default", "thesis"})
       .text("-map",
             options.map,
             "beginning of the names of pictures: _rooms.png, _rooms.svg and _plan.png "
@@ -122,18 +163,14 @@ makeParser(Options& options)
   options.coordinates.addOption(parser);
   options.memory.addOption(parser);
   addFieldOptions(parser, options.rooms);
-  parser.expert({"-double",
-                 "-memory_limit",
-                 "-min_width",
-                 "-persistence",
-                 "-open_share",
-                 "-habitable_area",
-                 "-method",
-                 "-interior_voxel_size",
-                 "-euclidean_weight",
-                 "-field_weight",
-                 "-visibility_weight",
-                 "-dbscan_distance"});
+  addInteriorOptions(parser, options.rooms.interior.weights);
+  parser.expert({"-double",          "-memory_limit",        "-min_width",
+                 "-persistence",     "-open_share",          "-habitable_area",
+                 "-method",          "-interior_voxel_size", "-euclidean_weight",
+                 "-field_weight",    "-visibility_weight",   "-min_cluster_area",
+                 "-sample_area",     "-landmark_spacing",    "-single_cluster",
+                 "-dbscan_distance", "-floor_weight",        "-ceiling_weight",
+                 "-height_weight",   "-wall_weight",         "-exterior_weight"});
   return parser;
 }
 
@@ -216,6 +253,10 @@ int
 main(int argc, char** argv)
 {
   Options options;
+  if (presetOf(argc, argv) == "thesis") {
+    options.rooms = pcl::indoor::thesisRoomOptions();
+    options.method = "field";
+  }
   auto parser = makeParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {
     requireWritableResults(options);

@@ -273,14 +273,20 @@ makeMethods(bool single_view, const Settings& settings)
   const Method best{"ours", own(ours)};
   if (settings.methods == "ours")
     return {best};
-  auto thesis = thesisOptions(), lccp = ours;
+  auto proposed = single_view ? thesisKinectOptions() : thesisOptions(), lccp = ours;
   lccp.partition = Partition::Lccp;
   if (single_view) {
-    thesis.voxel_size = ours.voxel_size;
-    thesis.seed_size = ours.seed_size;
+    proposed.voxel_size = ours.voxel_size;
+    proposed.seed_size = ours.seed_size;
   }
+  auto thesis = thesisOptions(); // its graph segmentation alone, all else on voxels
+  thesis.on_points = false;
+  thesis.ransac_share = 0;
+  thesis.voxel_size = proposed.voxel_size;
+  thesis.seed_size = proposed.seed_size;
   std::vector<Method> methods{{"LCCP, example's defaults", upstream(plain)},
                               {"LCCP, tuned", upstream(tuned)},
+                              {"the thesis's method", own(proposed)},
                               {"the thesis's setting", own(thesis)},
                               {"ours + LCCP", own(lccp)},
                               best};

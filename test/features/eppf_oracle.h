@@ -6,7 +6,6 @@
 
 #include <pcl/features/eppf_denoising.h>
 #include <pcl/features/eppf_histogram.h>
-#include <pcl/features/line_occupancy.h>
 #include <pcl/features/surface_harmonics.h>
 
 #include <Eigen/SVD>
@@ -209,6 +208,68 @@ turnCosine(const Eigen::Vector3d& one,
   return lengths > 1e-3 ? a.dot(b) / lengths : 1.0;
 }
 
+/** \brief Eq. (5.8) on a grid of flags: at each step of the line's longest axis, the
+ * voxel nearest to the line, of two equally near ones the lower. */
+class DenseOccupancy {
+public:
+  DenseOccupancy(const std::vector<OrientedPoint>& points, int size)
+  : size_(size)
+  , occupied_(static_cast<std::size_t>(size) * size * size)
+  {
+    Eigen::Array3f lower = points.front().position, upper = lower;
+    for (const auto& point : points) {
+      lower = lower.min(point.position.array());
+      upper = upper.max(point.position.array());
+    }
+    edge_ = (upper - lower).maxCoeff(); // the cube is around the middle of the box
+    corner_ = (lower + upper - edge_) / 2;
+    for (const auto& point : points)
+      occupied_[index(voxel(point.position))] = true;
+  }
+
+  double
+  ratio(const Eigen::Vector3f& one, const Eigen::Vector3f& two) const
+  {
+    const Eigen::Array3i from = voxel(one), step = voxel(two) - from;
+    const int steps = step.abs().maxCoeff();
+    int count = 0;
+    for (int k = 0; k <= steps; ++k) {
+      Eigen::Array3i place = from;
+      for (int axis = 0; axis < 3 && steps > 0; ++axis) // round(k * step / steps)
+        place[axis] +=
+            static_cast<int>(std::ceil((2.0 * k * step[axis] - steps) / (2.0 * steps)));
+      count += occupied_[index(place)];
+    }
+    return static_cast<double>(count) / (steps + 1);
+  }
+
+private:
+  Eigen::Array3i
+  voxel(const Eigen::Vector3f& position) const
+  {
+    const float per_metre = edge_ > 0 ? static_cast<float>(size_) / edge_ : 0.0f;
+    Eigen::Array3i voxel;
+    for (int axis = 0; axis < 3; ++axis)
+      voxel[axis] = std::clamp(
+          static_cast<int>(std::floor((position[axis] - corner_[axis]) * per_metre)),
+          0,
+          size_ - 1);
+    return voxel;
+  }
+
+  std::size_t
+  index(const Eigen::Array3i& voxel) const
+  {
+    return (static_cast<std::size_t>(voxel.x()) * size_ + voxel.y()) * size_ +
+           voxel.z();
+  }
+
+  int size_;
+  float edge_;
+  Eigen::Array3f corner_;
+  std::vector<bool> occupied_;
+};
+
 /** \brief The thesis's formulas pair by pair, with real angles and no shortcut. */
 inline std::vector<double>
 slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& options)
@@ -217,7 +278,7 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
   const auto& bins = options.bins;
   const int grid_size =
       options.grid_size > 0 ? options.grid_size : automaticGridSize(points.size());
-  const LineOccupancy grid(points, grid_size);
+  const DenseOccupancy grid(points, grid_size);
   const PairSampler sampler(points, options.sampling, options.seed);
   const double scale = options.scale > 0.0 ? options.scale : objectExtent(points);
   std::vector<double> histogram(bins.pairSize());
@@ -249,15 +310,14 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
       cosine = std::abs(cosine);
     const double f3 =
         std::acos(std::clamp(cosine, -1.0, 1.0)) / (areSidesKnown(sides) ? pi : pi / 2);
-    const auto line = grid.countBetween(grid.cell(points[first].position),
-                                        grid.cell(points[second].position));
     const bool both =
         options.surface_angle_rule == SurfaceAngleRule::BothInsteadOfOccupancy;
     const auto& on = options.features;
     const int i1 = on.distance ? binOf((two - one).norm() / scale, bins.distance) : 0;
     const int i2 = on.surface_angle ? surfaceBin(beta1, beta2, options) : 0;
     const int i3 = on.normal_angle ? binOf(f3, bins.normal_angle) : 0;
-    const double f4 = static_cast<double>(line.occupied) / line.total + 1e-9;
+    const double f4 =
+        grid.ratio(points[first].position, points[second].position) + 1e-9;
     const int i4 =
         on.occupancy ? binOf(both ? angle_place(beta2) : f4, bins.occupancy) : 0;
     const double weight = options.weighting
@@ -282,7 +342,7 @@ slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& o
   const auto object = denoised(given, order, extent, noise, 1);
   const auto points = onSides(object.points, options.normal_sides);
   const auto& bins = options.bins;
-  const LineOccupancy grid(points, automaticGridSize(points.size()));
+  const DenseOccupancy grid(points, automaticGridSize(points.size()));
   const PairSampler sampler(points.size(), options.seed); // they lie along the order
   const double scale = options.scale > 0.0 ? options.scale : object.extent;
   const bool joint = options.surface_angle_rule == SurfaceAngleRule::Joint;
@@ -303,10 +363,7 @@ slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& o
                               : n1.dot(n2);
     const int i3 =
         binOf(std::acos(std::clamp(cosine, -1.0, 1.0)) / pi, bins.normal_angle);
-    const auto count =
-        grid.countBetween(grid.cell(one.position), grid.cell(two.position));
-    const int i4 =
-        binOf(static_cast<double>(count.occupied) / count.total + 1e-9, bins.occupancy);
+    const int i4 = binOf(grid.ratio(one.position, two.position) + 1e-9, bins.occupancy);
     const int hard2 = joint ? 0
                             : surfaceBin(std::asin(std::clamp(sine1, -1.0, 1.0)),
                                          std::asin(std::clamp(sine2, -1.0, 1.0)),

@@ -29,13 +29,14 @@ randomLabels(std::size_t count, unsigned highest, std::mt19937& rng)
 
 TEST(SegmentationMetrics, MultiScaleErrorsOfTheWorkedExample)
 {
-  // Fig. 4.7, Eq. (4.7) and (4.8): ten points; the merged segments have 5, 1, 2 and 2
-  // points and the predicted ones 6, 2 and 2.
-  const SegmentLabels fine{1, 1, 1, 2, 2, 3, 4, 4, 5, 5};
-  const SegmentLabels coarse{1, 1, 1, 1, 1, 2, 2, 2, 2, 2};
-  const SegmentLabels predicted{7, 7, 7, 7, 7, 7, 8, 8, 9, 9};
+  // Fig. 4.7: ten points in seven fine segments. Eq. (4.8) tells that the fourth, of
+  // one point, has the prediction of the first three: the merged segments have 5, 1, 2
+  // and 2 points and the predicted ones 6, 2 and 2.
+  const SegmentLabels fine{1, 1, 2, 2, 3, 4, 5, 5, 6, 7};
+  const SegmentLabels coarse{1, 1, 1, 1, 1, 4, 5, 5, 5, 5};
+  const SegmentLabels predicted{11, 11, 11, 11, 11, 11, 13, 13, 14, 14};
   EXPECT_EQ(mergeFineSegments(fine, coarse, predicted),
-            (SegmentLabels{1, 1, 1, 1, 1, 3, 4, 4, 5, 5}));
+            (SegmentLabels{1, 1, 1, 1, 1, 4, 5, 5, 6, 6}));
   const auto errors = multiScaleErrors(fine, coarse, predicted);
   EXPECT_DOUBLE_EQ(errors.over, 0);
   EXPECT_DOUBLE_EQ(errors.under, 0.6);

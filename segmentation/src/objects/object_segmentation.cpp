@@ -9,6 +9,7 @@
 #include "objects/graph/scene_making.h"
 #include "objects/graph/supervoxel_joining.h"
 #include "objects/object_pieces.h"
+#include "objects/points/point_segmentation.h"
 #include "objects/segment_names.h"
 #include "objects/structure/enclosed_structure.h"
 
@@ -122,6 +123,8 @@ segmentObjects(ObjectSegmentationInput input,
                const ProgressCallback& progress)
 {
   const auto options = checkedOptions(input, given_options);
+  if (options.on_points)
+    return segmentOnPoints(std::move(input), options, progress);
   const auto stops = [&progress](double share, const char* stage) {
     return progress && !progress(share, stage);
   };

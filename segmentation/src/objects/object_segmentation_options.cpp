@@ -68,6 +68,16 @@ findProblem(const ObjectSegmentationOptions& options)
   require(options.joining_level >= 0 && options.joining_level <= 1,
           "joining level must be in [0, 1]",
           options.joining_level);
+  require(not_negative(options.removal_radius),
+          "radius of the removal must not be negative",
+          options.removal_radius,
+          " m");
+  require(options.ransac_share >= 0 && options.ransac_share <= 1,
+          "share of a plane must be in [0, 1]",
+          options.ransac_share);
+  if (options.on_points && options.partition == Partition::Pieces &&
+      problem.str().empty())
+    problem << "On points there are no pieces to join.";
   return problem.str();
 }
 
@@ -102,6 +112,21 @@ thesisOptions()
   options.plane_tolerance = 0;
   options.partition = Partition::FelzenszwalbHuttenlocher;
   options.min_segment_size = 3;
+  options.on_points = true;
+  options.removal_radius = 0.05; // Sec. 2.1.5.2, points 2 cm apart
+  options.ransac_share = 0.05;
+  return options;
+}
+
+ObjectSegmentationOptions
+thesisKinectOptions()
+{
+  auto options = thesisOptions();
+  options.ransac_share = 0;
+  options.curvature_threshold = 0.02f;
+  options.graph_scale = 5;
+  options.seed_size = 0.16;
+  options.voxel_size = 0.04;
   return options;
 }
 

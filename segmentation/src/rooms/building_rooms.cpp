@@ -6,6 +6,7 @@
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/rooms/storey_space.h>
 
+#include "rooms/field/map_labels.h"
 #include "rooms/outline/room_layout.h"
 #include "rooms/space/closed_surfaces.h"
 #include "rooms/storeys/storey_labels.h"
@@ -41,6 +42,47 @@ storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
         pixel / grid.shape.ny, pixel % grid.shape.ny, points[i].z()));
   }
   return storey_of;
+}
+
+/** The room of each coarse voxel of a storey, 0 = none, by the vote of Sec. 3.2.3. */
+VoxelMap<int>
+votedVoxels(const StoreySpace& space, const RoomMap& map, int threads)
+{
+  const GridShape& shape = space.interior.occupancy.shape;
+  const int factor = space.interior.factor;
+  PixelMap<int> labels{shape.nx, shape.ny, {}};
+  labels.values.resize(labels.size());
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y)
+      labels.at(x, y) =
+          map.free_labels.at(std::min(x * factor, map.free_labels.nx - 1),
+                             std::min(y * factor, map.free_labels.ny - 1)) -
+          1;
+  VoxelLabelOptions options;
+  options.threads = threads;
+  return labelVoxels(space.interior.occupancy, space.interior.inside, labels, options);
+}
+
+/** Label the points of one storey by the voxels they lie in. */
+void
+labelByVote(const VoxelMap<int>& votes,
+            std::size_t storey,
+            const std::vector<std::uint8_t>& storey_of,
+            BuildingRooms& building)
+{
+  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
+  const int factor = building.interior.factor;
+  const int first = building.maps[storey].first_layer / factor;
+  for (std::size_t i = 0; i < storey_of.size(); ++i) {
+    const std::int32_t cell = building.occupancy.cells[i];
+    if (cell < 0 || storey_of[i] != storey)
+      continue;
+    const int pixel = cell / grid.shape.nz;
+    const int x = pixel / grid.shape.ny / factor, y = pixel % grid.shape.ny / factor;
+    const int z = cell % grid.shape.nz / factor - first;
+    if (votes.shape.contains(x, y, z))
+      building.point_labels[i] = building.room_of[storey][votes.at(x, y, z) + 1];
+  }
 }
 
 std::vector<Room>
@@ -85,11 +127,25 @@ describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& b
   return rooms;
 }
 
+/** The directions in which enclosure is looked for. */
+std::vector<Eigen::Vector3d>
+directionsOf(const std::vector<Eigen::Vector3f>& points,
+             const OccupancyGrid& building,
+             const InteriorSpaceOptions& options)
+{
+  if (!options.upright_walls)
+    return dominantDirections(points, building, options);
+  std::vector<Eigen::Vector3d> level;
+  for (const auto& direction : wallDirections(points, building, options))
+    level.emplace_back(direction.x(), direction.y(), 0.0);
+  return level;
+}
+
 /** How far the grid is turned so that most walls lie along its voxels, radians: less
  * than a degree is none, and whole tenths of degrees, or the order of the points would
  * matter. */
 double
-yawAlong(const std::vector<Eigen::Vector2d>& directions)
+yawAlong(const std::vector<Eigen::Vector3d>& directions)
 {
   if (directions.empty())
     return 0.0;
@@ -142,20 +198,24 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
     return {};
   building.occupancy = gridOf(points, options.voxel_size, grid_options);
   building.point_labels.assign(points.size(), 0);
-  const auto directions = wallDirections(points, building.occupancy, options.interior);
-  grid_options.yaw = yawAlong(directions);
+  const auto directions = directionsOf(points, building.occupancy, options.interior);
+  if (options.align_grid)
+    grid_options.yaw = yawAlong(directions);
   if (grid_options.yaw != 0.0)
     building.occupancy = occupancyGrid(points, grid_options);
 
   const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
   if (stopped(0.2, "interior space"))
     return {};
-  building.interior = interiorSpace(building.occupancy, directions, options.interior);
+  building.interior =
+      interiorSpaceAlong(building.occupancy, directions, options.interior);
   if (stopped(0.4, "storeys"))
     return {};
   building.storeys = findStoreys(grid, options.storeys);
   refineBorders(points, building.occupancy, building.storeys);
   std::uint32_t room_count = 0;
+  const bool by_vote = options.point_rooms == PointRooms::Vote;
+  std::vector<VoxelMap<int>> votes; // per storey
   const auto spaces = storeySpaces(grid, building.interior, building.storeys);
   for (const auto& space : spaces) {
     const double part = static_cast<double>(building.maps.size()) / spaces.size();
@@ -166,11 +226,15 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
     for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
     addOpenings(points, space, building);
+    if (by_vote)
+      votes.push_back(votedVoxels(space, building.maps.back(), options.threads));
   }
   if (stopped(0.8, "rooms of the points"))
     return {};
   const auto storey_of = storeysOfPoints(points, building, options.threads);
-  for (std::size_t s = 0; s < building.maps.size(); ++s)
+  for (std::size_t s = 0; s < votes.size(); ++s)
+    labelByVote(votes[s], s, storey_of, building);
+  for (std::size_t s = 0; s < building.maps.size() && !by_vote; ++s)
     StoreyLabels(points, building.occupancy, building.maps[s], options)
         .assign(storey_of,
                 static_cast<std::uint8_t>(s),

@@ -138,7 +138,7 @@ checkFieldRooms(const FieldRoomsOptions& field, Check& check)
   check.between(0, most, "DBSCAN distance", field.dbscan_distance, "");
   check.positive("least area of a cluster", field.min_cluster_area, 1e6, " m^2");
   check.positive("sample area of a cluster", field.sample_area, 1e6, " m^2");
-  check.positiveLength("spacing of landmarks", field.landmark_spacing);
+  check.length("spacing of landmarks", field.landmark_spacing);
   check.between(0, most, "random walker's beta", field.beta, "");
 }
 
@@ -172,6 +172,23 @@ checkMap(const RoomMapOptions& map, Check& check)
 }
 
 } // namespace
+
+BuildingRoomsOptions
+thesisRoomOptions()
+{
+  BuildingRoomsOptions options;
+  options.voxel_size = options.interior.voxel_size = 0.2;
+  options.align_grid = false;
+  options.interior.upright_walls = false;
+  options.interior.max_directions = 2;
+  options.map.method = RoomMethod::PotentialField;
+  options.map.merge_open = false;
+  FieldRoomsOptions& field = options.map.field_rooms;
+  field.landmark_spacing = 0.0;
+  field.peaks_on_slopes = true;
+  options.point_rooms = PointRooms::Vote;
+  return options;
+}
 
 std::string
 findProblem(const BuildingRoomsOptions& options)

@@ -137,9 +137,9 @@ EPPFCommandLine::addTo(OptionParser& parser)
 }
 
 void
-EPPFCommandLine::addDescriptorTo(OptionParser& parser)
+EPPFCommandLine::addDescriptorTo(OptionParser& parser, EPPFDescriptor standard)
 {
-  descriptor_ = descriptor_names.front();
+  descriptor_ = descriptorName(standard);
   parser.text("-descriptor",
               descriptor_,
               "what tells most, or EPPF as in the thesis, or its short form",

@@ -30,9 +30,11 @@ public:
   void
   addTo(OptionParser& parser);
 
-  /** \brief Add the option that chooses the descriptor. */
+  /** \brief Add the option that chooses the descriptor.
+   * \param[in] standard the one that is taken where it is not given */
   void
-  addDescriptorTo(OptionParser& parser);
+  addDescriptorTo(OptionParser& parser,
+                  EPPFDescriptor standard = EPPFDescriptor::PairHarmonics);
 
   /** \brief The descriptor chosen. */
   EPPFDescriptor

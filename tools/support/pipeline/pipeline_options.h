@@ -20,6 +20,7 @@ namespace pcl::indoor::tool {
 struct PipelineOptions {
   std::string input, folder;
   std::string partition = "graph";
+  std::string preset = "default";
   std::string model = "bundled"; ///< file, "none" or "bundled"
   std::string report = "folder"; ///< file, "none" or "folder"
   ScanFrame frame;

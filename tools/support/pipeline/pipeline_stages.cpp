@@ -148,8 +148,8 @@ roomWork(const PipelineOptions& options)
 {
   RoomWork work;
   work.options.segmentation = options.objects;
-  work.options.segmentation.partition =
-      options.partition == "lccp" ? Partition::Lccp : Partition::Pieces;
+  if (options.partition == "lccp")
+    work.options.segmentation.partition = Partition::Lccp;
   work.options.segmentation.threads = 1; // the threads are busy with the rooms
   const auto model = modelFile(options);
   if (!model.empty())

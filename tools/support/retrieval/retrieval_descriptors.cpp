@@ -9,8 +9,10 @@
 #include <pcl/features/eppf.h>
 #include <pcl/features/esf.h>
 #include <pcl/features/gasd.h>
+#include <pcl/features/grsd.h>
 #include <pcl/features/impl/oriented_points.hpp>
 #include <pcl/features/our_cvfh.h>
+#include <pcl/features/shot.h>
 #include <pcl/features/surflet_pair.h>
 #include <pcl/features/vfh.h>
 #include <pcl/search/kdtree.h>
@@ -93,6 +95,46 @@ describeByGASD(const RetrievalObject& object, std::uint32_t)
   return firstHistogram(output);
 }
 
+std::vector<float>
+describeByGRSD(const RetrievalObject& object, std::uint32_t)
+{
+  GRSDEstimation<PointXYZ, Normal, GRSDSignature21> estimation;
+  estimation.setInputCloud(object.points);
+  estimation.setInputNormals(object.normals);
+  estimation.setSearchMethod(pcl::make_shared<search::KdTree<PointXYZ>>());
+  estimation.setRadiusSearch(3 * sampleSpacing(object)); // its voxels, not smaller
+  PointCloud<GRSDSignature21> output;
+  estimation.compute(output);
+  return firstHistogram(output);
+}
+
+/** SHOT of the whole object: at its centroid, with a radius that holds it. */
+std::vector<float>
+describeBySHOT(const RetrievalObject& object, std::uint32_t)
+{
+  if (object.points->empty())
+    return {};
+  Eigen::Vector3f centroid = Eigen::Vector3f::Zero();
+  for (const auto& point : *object.points)
+    centroid += point.getVector3fMap() / static_cast<float>(object.points->size());
+  float radius = 0;
+  for (const auto& point : *object.points)
+    radius = std::max(radius, (point.getVector3fMap() - centroid).norm());
+  const auto middle = pcl::make_shared<PointCloud<PointXYZ>>();
+  middle->push_back({centroid.x(), centroid.y(), centroid.z()});
+  SHOTEstimation<PointXYZ, Normal, SHOT352> estimation;
+  estimation.setInputCloud(middle);
+  estimation.setSearchSurface(object.points);
+  estimation.setInputNormals(object.normals);
+  estimation.setSearchMethod(pcl::make_shared<search::KdTree<PointXYZ>>());
+  estimation.setRadiusSearch(1.01 * radius);
+  PointCloud<SHOT352> output;
+  estimation.compute(output);
+  if (output.empty())
+    return {};
+  return {std::begin(output[0].descriptor), std::end(output[0].descriptor)};
+}
+
 } // namespace
 
 RetrievalObject
@@ -160,7 +202,9 @@ peerDescriptors()
   return {{"esf", true, false, describeByESF},
           {"vfh", false, false, describeByVFH},
           {"our_cvfh", false, true, describeByOURCVFH},
-          {"gasd", false, false, describeByGASD}};
+          {"gasd", false, false, describeByGASD},
+          {"grsd", false, true, describeByGRSD},
+          {"shot", false, true, describeBySHOT}};
 }
 
 } // namespace pcl::indoor::tool

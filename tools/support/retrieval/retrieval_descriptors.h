@@ -45,7 +45,8 @@ eppfDescriptor(const std::string& name, const EPPFOptions& options);
 RetrievalDescriptor
 surfletPairDescriptor(int bin_count);
 
-/** \brief PCL's ESF, VFH, OUR-CVFH (first signature) and GASD. */
+/** \brief PCL's ESF, VFH, OUR-CVFH (first signature), GASD, GRSD, and SHOT of the whole
+ * object. */
 std::vector<RetrievalDescriptor>
 peerDescriptors();
 

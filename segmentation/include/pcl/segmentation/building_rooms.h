@@ -24,6 +24,12 @@ namespace indoor {
 constexpr double smallest_automatic_voxel = 0.1; ///< metres
 constexpr double largest_automatic_voxel = 0.4;  ///< metres: half as wide as a door
 
+/** \brief How points at walls get their room. */
+enum class PointRooms {
+  WallSides, ///< by the side of the wall that they are on
+  Vote       ///< by most of the ten nearest free voxels, Sec. 3.2.3
+};
+
 /** \brief All parameters of the way from a building's points to its rooms. */
 struct BuildingRoomsOptions {
   double voxel_size = 0.0; ///< side of a voxel and of a map pixel, metres (>= 0); 0 =
@@ -33,8 +39,21 @@ struct BuildingRoomsOptions {
   StoreyOptions storeys;
   RoomMapOptions map;
   WallSideOptions walls;
+  PointRooms point_rooms =
+      PointRooms::WallSides; ///< how points at walls get their room
+  bool align_grid = true;    ///< whether voxels lie along the best supported walls
   int threads = 0; ///< of all stages, 0 = automatic; the result does not depend on it
 };
+
+/** \brief The thesis's own way from points to rooms (Sec. 3.2) and no more: voxels of
+ * 20 cm along the axes, two dominant directions in space, the potential field, each
+ * pixel a landmark of visibility, and the vote of ten neighbours. Of the weights of Eq.
+ * (3.1) it changed w1 (interior.weights.below) to 0.5 where floors are hidden, and w2
+ * (interior.weights.above) to 1.5 where ceilings are not. docs/method/thesis.md lists
+ * what the thesis leaves open.
+ */
+BuildingRoomsOptions
+thesisRoomOptions();
 
 /** \brief What is wrong with the options: one sentence with the value and the range.
  * \return empty if all are in range

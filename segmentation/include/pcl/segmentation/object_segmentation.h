@@ -62,6 +62,16 @@ struct ObjectSegmentationOptions {
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
   std::uint32_t min_segment_size = 4;
+  /** as Sec. 4.2 has it: removal and recovery on points within a radius, supervoxels of
+   * pcl::SupervoxelClustering, and Partition::Lccp by pcl::LCCPSegmentation; points
+   * that no round of Algorithm 1 reaches have no segment. Not for Partition::Pieces. */
+  bool on_points = false;
+  /** R of Eq. (4.2), also of normals and curvatures, metres (>= 0); 0 = that of Eq.
+   * (2.9). For on_points. */
+  double removal_radius = 0;
+  /** least share of all points that a plane holds that RANSAC takes off before all else
+   * (0 to 1); 0 = none is. For on_points. */
+  double ransac_share = 0;
   unsigned threads = 0; ///< 0 = automatic; the result does not depend on it
 };
 
@@ -70,10 +80,16 @@ struct ObjectSegmentationOptions {
 ObjectSegmentationOptions
 partsOptions();
 
-/** \brief The thesis's own choice: its graph segmentation with C = 3 and voxels of the
- * size that is given, and no more. */
+/** \brief The thesis's own method (Sec. 4.2) with its parameters for laser scans, and
+ * no more: planes of 5 % of the points or more are taken off; then on points, its graph
+ * segmentation; k = 3, C = 3, R = 5 cm, R_voxel = 3 cm, R_seed = 12 cm. */
 ObjectSegmentationOptions
 thesisOptions();
+
+/** \brief The same with its parameters for the Kinect (Sec. 4.3.3): theta_t = 0.02, k =
+ * 5, R_seed = 16 cm; no planes are taken off. */
+ObjectSegmentationOptions
+thesisKinectOptions();
 
 /** \brief What the segmentation works on, points in a local frame. */
 struct ObjectSegmentationInput {
@@ -103,7 +119,9 @@ struct ObjectSegmentation {
   /** joins of pieces, the most probable first; those of at least a level give a
    * segmentation, see segmentsAtLevel() */
   std::vector<PieceJoin> joins;
-  std::vector<std::uint32_t> segment_of_point; ///< 0 ... segment_count - 1
+  /** 0 ... segment_count - 1, or Supervoxels::none where on_points leaves one without
+   */
+  std::vector<std::uint32_t> segment_of_point;
   std::uint32_t segment_count = 0;
   std::vector<StructureKind>
       structure_of_segment; ///< floor, wall, ceiling, remainder, or none

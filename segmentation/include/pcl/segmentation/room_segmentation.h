@@ -152,6 +152,53 @@ public:
     return options_.map.method;
   }
 
+  /** \brief Set the weights of the evidence for interior space, Eq. (3.1): w1 (below),
+   * w2 (above), w3 (vertical), w4 + w5 (horizontal), and what speaks for the exterior.
+   * \param[in] weights 0 to 100 each (defaults: see indoor::EnclosureWeights)
+   */
+  void
+  setEnclosureWeights(const indoor::EnclosureWeights& weights)
+  {
+    options_.interior.weights = weights;
+  }
+
+  const indoor::EnclosureWeights&
+  getEnclosureWeights() const
+  {
+    return options_.interior.weights;
+  }
+
+  /** \brief Set the smallest cluster of RoomMethod::PotentialField.
+   * \param[in] area m^2, above 0 (default 2)
+   */
+  void
+  setMinClusterArea(double area)
+  {
+    options_.map.field_rooms.min_cluster_area = area;
+  }
+
+  double
+  getMinClusterArea() const
+  {
+    return options_.map.field_rooms.min_cluster_area;
+  }
+
+  /** \brief Set the neighbourhood of the core distance of RoomMethod::PotentialField.
+   * \param[in] area m^2, above 0; larger leaves out more pixels between clusters
+   * (default 0.4)
+   */
+  void
+  setSampleArea(double area)
+  {
+    options_.map.field_rooms.sample_area = area;
+  }
+
+  double
+  getSampleArea() const
+  {
+    return options_.map.field_rooms.sample_area;
+  }
+
   /** \brief Set the number of threads; the result does not depend on it.
    * \param[in] threads 0 = as many as the machine offers (default 0)
    */

@@ -12,7 +12,6 @@
 
 namespace {
 
-constexpr unsigned iterations = 20;    // S of Algorithm 1
 constexpr double accepted_share = 0.8; // P_r of Algorithm 1
 
 constexpr std::uint32_t none = pcl::indoor::Supervoxels::none;
@@ -34,7 +33,8 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
               const std::vector<Eigen::Vector3f>& normals,
               const Adjacency& neighbors,
               const SurfaceDistance& distance,
-              std::vector<std::uint32_t>& labels)
+              std::vector<std::uint32_t>& labels,
+              unsigned most_rounds)
 {
   if (positions.size() != labels.size() || normals.size() != labels.size() ||
       neighbors.offsets.size() != labels.size() + 1)
@@ -59,7 +59,7 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
     }
     return best;
   };
-  for (unsigned round = 0; !open.empty(); ++round) {
+  for (unsigned round = 0; !open.empty() && round < most_rounds; ++round) {
     std::vector<Proposal> proposals;
     for (const auto place : open) {
       const auto proposal = propose(place);
@@ -69,7 +69,7 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
     if (proposals.empty())
       break;
     auto accepted = proposals.size();
-    if (round + 1 < iterations) {
+    if (round + 1 < recovery_rounds) {
       std::sort(proposals.begin(), proposals.end(), [](const auto& a, const auto& b) {
         return std::tie(a.distance, a.place) < std::tie(b.distance, b.place);
       });

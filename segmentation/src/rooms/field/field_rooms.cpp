@@ -24,12 +24,15 @@ namespace {
 void
 requireValid(const FieldRoomsOptions& options)
 {
-  for (const double value :
-       {options.min_cluster_area, options.sample_area, options.landmark_spacing})
+  for (const double value : {options.min_cluster_area, options.sample_area})
     if (!(value > 0.0) || !std::isfinite(value))
       PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                          "Areas and spacings of the field map must be positive, not "
-                              << value << ".");
+                          "Areas of the field map must be positive, not " << value
+                                                                          << ".");
+  if (!(options.landmark_spacing >= 0.0) || !std::isfinite(options.landmark_spacing))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The spacing of landmarks must not be negative, but is "
+                            << options.landmark_spacing << ".");
   if (!(options.dbscan_distance >= 0.0) || !std::isfinite(options.dbscan_distance))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "The distance of DBSCAN must not be negative, but is "
@@ -68,8 +71,9 @@ visibilityOf(const VoxelMap<std::uint8_t>& occupancy,
     voxels.emplace_back(static_cast<int>(pixel / highest_free.ny),
                         static_cast<int>(pixel % highest_free.ny),
                         highest_free.values[pixel]);
-  return visibilityVectors(
-      occupancy, voxels, spreadLandmarks(highest_free, spacing), options.threads);
+  const auto landmarks =
+      options.landmark_spacing > 0.0 ? spreadLandmarks(highest_free, spacing) : voxels;
+  return visibilityVectors(occupancy, voxels, landmarks, options.threads);
 }
 
 std::size_t
@@ -98,6 +102,7 @@ clusterPixels(const MapDistance& distance,
   HDBSCANOptions clustering;
   clustering.min_cluster_size = smallest;
   clustering.min_samples = samples;
+  clustering.allow_single_cluster = options.allow_single_cluster;
   clustering.threads = options.threads;
   return clusterMap(distance, clustering).labels;
 }
@@ -145,11 +150,13 @@ labelTheRest(const FieldRooms& rooms,
     intensity.values[i] /= std::max(highest, 1.0f);
   }
   const float lowest_peak = rooms.thresholds.empty() ? 0.0f : rooms.thresholds.front();
-  const PixelMap<int> seeds =
-      labelPeaks(rooms.clusters,
-                 rooms.field,
-                 lowest_peak,
-                 pixelCount(options.min_cluster_area, pixel_size, 1));
+  const PixelMap<int> seeds = labelPeaks(
+      rooms.clusters,
+      rooms.field,
+      lowest_peak,
+      pixelCount(options.min_cluster_area, pixel_size, 1),
+      PixelNeighbourhood::Eight,
+      options.peaks_on_slopes ? PeakPlaces::Anywhere : PeakPlaces::OffSlopes);
   MapRandomWalkerOptions walker;
   walker.beta = options.beta;
   walker.threads = options.threads;
@@ -163,7 +170,7 @@ segmentFieldMap(const InteriorSpace& space, const FieldRoomsOptions& options)
 {
   requireValid(options);
   const auto& occupancy = space.occupancy;
-  const auto interior = belowCeiling(space);
+  const auto interior = options.above_ceiling ? space.inside : belowCeiling(space);
   FieldRooms rooms;
   rooms.potential = potentialField(occupancy, options.threads); // Sec. 3.2.2
   rooms.field = fieldMap(rooms.potential, interior);

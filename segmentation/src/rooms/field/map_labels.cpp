@@ -154,7 +154,8 @@ labelPeaks(const PixelMap<int>& labels,
            const PixelMap<float>& field,
            float threshold,
            std::size_t min_pixels,
-           PixelNeighbourhood neighbourhood)
+           PixelNeighbourhood neighbourhood,
+           PeakPlaces places)
 {
   if (labels.nx != field.nx || labels.ny != field.ny)
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
@@ -163,7 +164,12 @@ labelPeaks(const PixelMap<int>& labels,
   int next = 0;
   for (const int label : labels.values)
     next = std::max(next, label + 1);
-  std::vector<char> seen = slopesOfLabels(labels, field, neighbourhood);
+  std::vector<char> seen(labels.size(), 0);
+  if (places == PeakPlaces::OffSlopes)
+    seen = slopesOfLabels(labels, field, neighbourhood);
+  else
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      seen[i] = labels.values[i] != -1;
   std::vector<std::size_t> component;
   for (std::size_t seed = 0; seed < result.size(); ++seed) {
     component.clear();

@@ -14,10 +14,16 @@
 namespace pcl {
 namespace indoor {
 
+/** \brief Where a peak of a field may lie that a clustering left out. */
+enum class PeakPlaces {
+  OffSlopes, ///< not where the field does not fall on the way to a labelled pixel
+  Anywhere   ///< at every unlabelled pixel, as the thesis has it
+};
+
 /** \brief Gives labels to the peaks of a field that a clustering left out (Sec. 3.2.3).
  *
- * A pixel from which the field does not fall on the way to a labelled one lies on that
- * one's slope: it is no peak, and stays unlabelled. Of the others, each connected
+ * With PeakPlaces::OffSlopes, a pixel from which the field does not fall on the way to
+ * a labelled one is no peak, and stays unlabelled. Of the others, each connected
  * component that reaches the threshold gets a label. Linear time.
  * \param[in] labels 0 or more, -1 = none
  * \param[in] field the map that was clustered
@@ -32,7 +38,8 @@ labelPeaks(const PixelMap<int>& labels,
            const PixelMap<float>& field,
            float threshold,
            std::size_t min_pixels = 1,
-           PixelNeighbourhood neighbourhood = PixelNeighbourhood::Eight);
+           PixelNeighbourhood neighbourhood = PixelNeighbourhood::Eight,
+           PeakPlaces places = PeakPlaces::OffSlopes);
 
 /** \brief How labels go from free to occupied voxels. */
 struct VoxelLabelOptions {

@@ -359,6 +359,8 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   merging.door_width = options.door_width;
   if (options.method == RoomMethod::PotentialField)
     merging.open_share = std::numeric_limits<double>::infinity(); // HDBSCAN decides
+  if (!options.merge_open)
+    merging.open_share = merging.door_share = std::numeric_limits<double>::infinity();
   const auto merged = mergeOpenRegions(
       regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
       sectionAreas(map.free_labels, map.field, map, size),

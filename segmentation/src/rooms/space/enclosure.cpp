@@ -35,7 +35,7 @@ requireSameSize(std::size_t values, const GridShape& shape)
 }
 
 void
-requireValid(const std::vector<Eigen::Vector2d>& directions)
+requireValid(const std::vector<Eigen::Vector3d>& directions)
 {
   if (directions.size() > max_directions)
     PCL_THROW_EXCEPTION(BadArgumentException,
@@ -145,6 +145,71 @@ sweep(const LineBundle& lines,
       });
 }
 
+/** \brief The discretised lines along a direction that is not level: at step i of its
+ * major axis they have gone shift[k][i] voxels along each of the other two.
+ */
+struct TiltedLines {
+  int axes[3]; // the major one and the others
+  std::vector<int> shift[2];
+
+  TiltedLines(const GridShape& shape, const Eigen::Vector3d& direction)
+  {
+    int major = 0;
+    direction.cwiseAbs().maxCoeff(&major);
+    axes[0] = major;
+    axes[1] = (major + 1) % 3;
+    axes[2] = (major + 2) % 3;
+    const int extents[] = {shape.nx, shape.ny, shape.nz};
+    for (int k = 0; k < 2; ++k) {
+      const double slope = direction[axes[k + 1]] / direction[major];
+      for (int i = 0; i < extents[major]; ++i)
+        shift[k].push_back(static_cast<int>(std::floor(i * slope + 0.5)));
+    }
+  }
+};
+
+/** \brief Go along all lines to and fro; each voxel lies on one of them. */
+void
+sweep(const TiltedLines& lines,
+      int bit,
+      const VoxelMap<std::uint8_t>& occupancy,
+      int threads,
+      std::vector<std::uint8_t>& bits)
+{
+  const GridShape& shape = occupancy.shape;
+  const int extents[] = {shape.nx, shape.ny, shape.nz};
+  const auto steps = static_cast<int>(lines.shift[0].size());
+  int first[2], count[2]; // of the lines' numbers along the other axes
+  for (int k = 0; k < 2; ++k) {
+    const int last = lines.shift[k].back();
+    first[k] = -std::max(last, 0);
+    count[k] = extents[lines.axes[k + 1]] - first[k] - std::min(last, 0);
+  }
+  parallelFor(
+      count[0],
+      threads,
+      1,
+      [] { return std::vector<std::size_t>(); },
+      [&](std::vector<std::size_t>& line, std::ptrdiff_t a) {
+        for (int b = 0; b < count[1]; ++b) {
+          line.clear();
+          for (int i = 0; i < steps; ++i) {
+            int place[3];
+            place[lines.axes[0]] = i;
+            place[lines.axes[1]] = first[0] + static_cast<int>(a) + lines.shift[0][i];
+            place[lines.axes[2]] = first[1] + b + lines.shift[1][i];
+            if (shape.contains(place[0], place[1], place[2]))
+              line.push_back(shape.index(place[0], place[1], place[2]));
+          }
+          const auto occupied = [&](std::size_t v) { return occupancy.values[v] != 0; };
+          const auto begin = std::find_if(line.begin(), line.end(), occupied);
+          const auto end = std::find_if(line.rbegin(), line.rend(), occupied).base();
+          for (auto v = begin; v < end; ++v)
+            bits[*v] = static_cast<std::uint8_t>(bits[*v] | 1 << bit);
+        }
+      });
+}
+
 /** \brief The vertical bits, and 0 for occupied voxels. */
 void
 finishColumn(const std::uint8_t* occupied, int nz, std::uint8_t* bits)
@@ -169,6 +234,17 @@ enclosure(const VoxelMap<std::uint8_t>& occupancy,
           const std::vector<Eigen::Vector2d>& directions,
           int threads)
 {
+  std::vector<Eigen::Vector3d> level;
+  for (const auto& direction : directions)
+    level.emplace_back(direction.x(), direction.y(), 0.0);
+  return enclosureInSpace(occupancy, level, threads);
+}
+
+VoxelMap<std::uint8_t>
+enclosureInSpace(const VoxelMap<std::uint8_t>& occupancy,
+                 const std::vector<Eigen::Vector3d>& directions,
+                 int threads)
+{
   const GridShape& shape = occupancy.shape;
   requireSameSize(occupancy.values.size(), shape);
   requireValid(directions);
@@ -180,12 +256,18 @@ enclosure(const VoxelMap<std::uint8_t>& occupancy,
   bits.values.assign(shape.size(), 0);
   if (bits.values.empty())
     return bits;
-  for (std::size_t i = 0; i < directions.size(); ++i)
-    sweep(LineBundle(shape, directions[i]),
-          first_direction_bit + static_cast<int>(i),
-          occupancy,
-          thread_count,
-          bits.values);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const int bit = first_direction_bit + static_cast<int>(i);
+    if (directions[i].z() == 0.0)
+      sweep(LineBundle(shape, directions[i].head<2>()),
+            bit,
+            occupancy,
+            thread_count,
+            bits.values);
+    else
+      sweep(
+          TiltedLines(shape, directions[i]), bit, occupancy, thread_count, bits.values);
+  }
   const auto columns = static_cast<std::ptrdiff_t>(shape.nx) * shape.ny;
 #pragma omp parallel for schedule(static) num_threads(thread_count)
   for (std::ptrdiff_t c = 0; c < columns; ++c)

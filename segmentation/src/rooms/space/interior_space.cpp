@@ -10,8 +10,11 @@
 #include "rooms/space/vertical_cleanup.h"
 #include "rooms/space/voxel_normals.h"
 
+#include <Eigen/Geometry> // for cross()
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace indoor {
@@ -69,10 +72,9 @@ someTiles(const std::vector<Eigen::Vector3f>& points,
   return part;
 }
 
-} // namespace
-
-std::vector<Eigen::Vector2d>
-wallDirections(const std::vector<Eigen::Vector3f>& points,
+/** Normals of the building's voxels, by how much they count. */
+WeightedNormals
+sampledNormals(const std::vector<Eigen::Vector3f>& points,
                const OccupancyGrid& building,
                const InteriorSpaceOptions& options)
 {
@@ -80,7 +82,17 @@ wallDirections(const std::vector<Eigen::Vector3f>& points,
   sampling.threads = options.threads;
   std::vector<Eigen::Vector3f> chosen;
   const OccupancyGrid part = someTiles(points, building, chosen);
-  WeightedNormals sample = voxelNormals(chosen, part, sampling);
+  return voxelNormals(chosen, part, sampling);
+}
+
+} // namespace
+
+std::vector<Eigen::Vector2d>
+wallDirections(const std::vector<Eigen::Vector3f>& points,
+               const OccupancyGrid& building,
+               const InteriorSpaceOptions& options)
+{
+  WeightedNormals sample = sampledNormals(points, building, options);
   for (auto& normal : sample.normals) // a wall that leans counts by where it heads
     if (std::abs(normal.z()) < std::sin(options.max_lean)) {
       normal.z() = 0.0;
@@ -97,22 +109,70 @@ wallDirections(const std::vector<Eigen::Vector3f>& points,
   return directions;
 }
 
+std::vector<Eigen::Vector3d>
+dominantDirections(const std::vector<Eigen::Vector3f>& points,
+                   const OccupancyGrid& building,
+                   const InteriorSpaceOptions& options)
+{
+  constexpr double same = 0.05; // radians
+  const WeightedNormals sample = sampledNormals(points, building, options);
+  std::vector<std::pair<double, Eigen::Vector3d>> axes; // with their support
+  for (const auto& frame : manhattanFrames(sample.normals, sample.weights))
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::abs(frame.axes(2, axis)) < std::sqrt(0.5))
+        axes.emplace_back(frame.axis_support[axis], frame.axes.col(axis));
+  std::stable_sort(axes.begin(), axes.end(), [](const auto& a, const auto& b) {
+    return a.first > b.first;
+  });
+  std::vector<Eigen::Vector3d> directions;
+  for (const auto& [support, axis] : axes) {
+    const bool known = std::any_of(
+        directions.begin(), directions.end(), [&, axis = axis](const auto& other) {
+          return std::abs(other.dot(axis)) >= std::cos(same);
+        });
+    const bool few = directions.size() < 2; // Eq. (3.1) has two
+    if (!known &&
+        directions.size() < std::max<std::size_t>(2, options.max_directions) &&
+        (few || support >= options.min_direction_support))
+      directions.push_back(axis);
+  }
+  if (directions.empty())
+    directions.push_back(Eigen::Vector3d::UnitX());
+  if (directions.size() == 1)
+    directions.push_back(Eigen::Vector3d::UnitZ().cross(directions[0]).normalized());
+  return directions;
+}
+
 InteriorSpace
 interiorSpace(const OccupancyGrid& building,
               const std::vector<Eigen::Vector2d>& directions,
               const InteriorSpaceOptions& options)
 {
+  std::vector<Eigen::Vector3d> level;
+  for (const auto& direction : directions)
+    level.emplace_back(direction.x(), direction.y(), 0.0);
+  return interiorSpaceAlong(building, level, options);
+}
+
+InteriorSpace
+interiorSpaceAlong(const OccupancyGrid& building,
+                   const std::vector<Eigen::Vector3d>& directions,
+                   const InteriorSpaceOptions& options)
+{
   InteriorSpace space;
   space.factor = std::max(
       1, static_cast<int>(std::lround(options.voxel_size / building.grid.voxel_size)));
-  for (const auto& direction : directions)
-    space.directions.push_back(
-        building.toGrid({direction.x(), direction.y(), 0.0}).head<2>());
+  std::vector<Eigen::Vector3d> turned; // into the frame of the grid
+  for (const auto& direction : directions) {
+    turned.push_back(building.toGrid(direction));
+    const Eigen::Vector2d heading = turned.back().head<2>();
+    space.directions.push_back(direction.z() == 0.0 ? heading : heading.normalized());
+  }
   space.occupancy = coarser(building.grid, space.factor);
   cleanUpVertically(space.occupancy, 1, options.threads);
 
-  const int count = static_cast<int>(space.directions.size());
-  const auto bits = enclosure(space.occupancy, space.directions, options.threads);
+  const int count = static_cast<int>(turned.size());
+  const auto bits = enclosureInSpace(space.occupancy, turned, options.threads);
   const auto gain =
       interiorGain(space.occupancy, bits, count, options.weights, gain_unit);
   space.inside = space.occupancy;

@@ -57,6 +57,31 @@ meetsOccupied(
   }
 }
 
+/** \brief The same along a direction that need not be level. */
+bool
+meetsOccupied(const Grid& grid,
+              const Eigen::Vector3i& start,
+              const Eigen::Vector3d& direction,
+              int sense)
+{
+  int major = 0;
+  direction.cwiseAbs().maxCoeff(&major);
+  const Eigen::Vector3d slope = direction / direction[major];
+  const auto shift = [&](int i) {
+    Eigen::Vector3i place;
+    for (int axis = 0; axis < 3; ++axis)
+      place[axis] = static_cast<int>(std::floor(i * slope[axis] + 0.5));
+    return place;
+  };
+  for (int i = start[major] + sense;; i += sense) {
+    const Eigen::Vector3i place = start - shift(start[major]) + shift(i);
+    if (!grid.shape.contains(place.x(), place.y(), place.z()))
+      return false;
+    if (grid.at(place.x(), place.y(), place.z()))
+      return true;
+  }
+}
+
 std::uint8_t
 bitsByWalking(const Grid& grid,
               int x,
@@ -195,4 +220,41 @@ TEST(Enclosure, RefusesBadArguments)
   EXPECT_THROW(enclosure(grid, {{1, 0}}, -1), pcl::BadArgumentException);
   EXPECT_THROW(interiorGain(grid, grid, 2, {}, 0.0), pcl::BadArgumentException);
   EXPECT_THROW(interiorGain(grid, grid, 2, {}, 1e-6), pcl::BadArgumentException);
+}
+
+TEST(Enclosure, AlongDirectionsInSpaceAgreesWithWalking)
+{
+  std::mt19937 rng(11);
+  const auto component = [&] { return static_cast<double>(rng() % 2001) / 1000 - 1; };
+  for (int trial = 0; trial < 60; ++trial) {
+    const Grid grid = randomGrid(rng, 12, 12);
+    std::vector<Eigen::Vector3d> directions;
+    for (int i = 0; i < trial % 4; ++i)
+      directions.emplace_back(component(), component(), component());
+    if (trial % 5 == 0)
+      directions.emplace_back(0.6, 0.0, -0.8);
+    const auto bits = enclosureInSpace(grid, directions, 1 + trial % 3);
+    for (int x = 0; x < grid.shape.nx; ++x)
+      for (int y = 0; y < grid.shape.ny; ++y)
+        for (int z = 0; z < grid.shape.nz; ++z) {
+          int expected = bitsByWalking(grid, x, y, z, {});
+          for (std::size_t i = 0; i < directions.size() && !grid.at(x, y, z); ++i)
+            if (meetsOccupied(grid, {x, y, z}, directions[i], 1) &&
+                meetsOccupied(grid, {x, y, z}, directions[i], -1))
+              expected |= ENCLOSED_ALONG_DIRECTION << i;
+          ASSERT_EQ(bits.at(x, y, z), expected) << x << ' ' << y << ' ' << z;
+        }
+  }
+}
+
+TEST(Enclosure, LevelDirectionsInSpaceAreThoseOfTheMap)
+{
+  std::mt19937 rng(12);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Grid grid = randomGrid(rng, 12, 6);
+    const Eigen::Vector2d level(0.3 + trial, 1.0);
+    const std::vector<Eigen::Vector3d> in_space{{level.x(), level.y(), 0.0}};
+    EXPECT_EQ(enclosureInSpace(grid, in_space).values,
+              enclosure(grid, std::vector<Eigen::Vector2d>{level}).values);
+  }
 }

@@ -241,8 +241,9 @@ NoiseResilientLCCP<PointT>::getStructure() const
 {
   std::vector<std::uint32_t> structure(input_size_, 0);
   for (std::size_t i = 0; i < finite_.size(); ++i)
-    structure[finite_[i]] = static_cast<std::uint32_t>(
-        result_.structure_of_segment[result_.segment_of_point[i]]);
+    if (result_.segment_of_point[i] != indoor::Supervoxels::none)
+      structure[finite_[i]] = static_cast<std::uint32_t>(
+          result_.structure_of_segment[result_.segment_of_point[i]]);
   return structure;
 }
 

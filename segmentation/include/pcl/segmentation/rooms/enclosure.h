@@ -43,6 +43,15 @@ enclosure(const VoxelMap<std::uint8_t>& occupancy,
           const std::vector<Eigen::Vector2d>& directions,
           int threads = 0);
 
+/** \brief The same along directions that need not be level: lines advance by one voxel
+ * along the direction's largest component and round the other two.
+ * \param[in] directions at most 5; level ones give what the version above gives
+ */
+VoxelMap<std::uint8_t>
+enclosureInSpace(const VoxelMap<std::uint8_t>& occupancy,
+                 const std::vector<Eigen::Vector3d>& directions,
+                 int threads = 0);
+
 /** \brief The weights of the evidence for interior space, Eq. (3.1). */
 struct EnclosureWeights {
   double below = 1.5;      ///< w1: occupied below

@@ -25,10 +25,15 @@ struct FieldRoomsOptions {
                                  ///< this distance of Eq. (3.4) (>= 0)
   double min_cluster_area = 2.0; ///< smallest cluster, m^2 (> 0)
   double sample_area = 0.4;      ///< neighbourhood of its core distance, m^2 (> 0)
-  double landmark_spacing = 1.0; ///< between the landmarks of visibility, metres (> 0)
-  double beta = 100.0;           ///< of the random walker, Eq. (2.11), for a field in
-                                 ///< [0, 1] (>= 0)
-  int threads = 0;               ///< 0 = automatic
+  double landmark_spacing = 1.0; ///< between the landmarks of visibility, metres (>=
+                                 ///< 0); 0 = every pixel is one, in time O(pixels^2)
+  bool allow_single_cluster = false; ///< whether HDBSCAN may find one room only
+  bool above_ceiling = false;   ///< whether interior space above the ceiling takes part
+  bool peaks_on_slopes = false; ///< whether a peak that a cluster left out is a room
+                                ///< although it lies on that one's slope
+  double beta = 100.0;          ///< of the random walker, Eq. (2.11), for a field in
+                                ///< [0, 1] (>= 0)
+  int threads = 0;              ///< 0 = automatic
 };
 
 /** \brief The rooms of a storey on its field map, and each step on the way to them. */

@@ -25,7 +25,9 @@ struct InteriorSpaceOptions {
   std::size_t max_directions = 4; ///< of enclosure, the best supported ones
   double min_direction_support = 0.02; ///< see HorizontalDirection
   double max_lean = 0.5; ///< of a wall, radians from the vertical; farther it is a roof
-  int threads = 0;       ///< 0 = automatic
+  bool upright_walls = true; ///< walls count by where they head; false: enclosure is
+                             ///< looked for along their normals in space
+  int threads = 0;           ///< 0 = automatic
 };
 
 /** \brief The interior free space of a building, on coarser voxels than the map's. */
@@ -47,6 +49,18 @@ wallDirections(const std::vector<Eigen::Vector3f>& points,
                const OccupancyGrid& building,
                const InteriorSpaceOptions& options = {});
 
+/** \brief Find the dominant directions of a building in space, the best supported one
+ * first: normals of its planes that are nearer to the horizontal than to the vertical,
+ * dom1 and dom2 of Eq. (3.1). They need not be level, nor at right angles.
+ * \return at least two unit vectors in the frame of the points, at most
+ * options.max_directions; level ones at right angles stand in for those that are
+ * missing
+ */
+std::vector<Eigen::Vector3d>
+dominantDirections(const std::vector<Eigen::Vector3f>& points,
+                   const OccupancyGrid& building,
+                   const InteriorSpaceOptions& options = {});
+
 /** \brief Find the interior free space (Sec. 3.2.1): isolated voxels removed, evidence
  * of enclosure (Eq. 3.1), minimum cut (Eq. 3.2).
  * \param[in] building occupancy grid
@@ -56,6 +70,12 @@ InteriorSpace
 interiorSpace(const OccupancyGrid& building,
               const std::vector<Eigen::Vector2d>& directions,
               const InteriorSpaceOptions& options = {});
+
+/** \brief The same with directions that need not be level. */
+InteriorSpace
+interiorSpaceAlong(const OccupancyGrid& building,
+                   const std::vector<Eigen::Vector3d>& directions,
+                   const InteriorSpaceOptions& options = {});
 
 } // namespace indoor
 } // namespace pcl

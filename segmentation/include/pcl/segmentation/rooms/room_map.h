@@ -39,6 +39,7 @@ struct RoomMapOptions {
   OpenPlanOptions open_plan; ///< which open spaces are two rooms
   double min_width = 0.5;    ///< narrower spaces are no rooms, metres
   double min_area = 0.5;     ///< smaller spaces are no rooms, m^2
+  bool merge_open = true;    ///< whether rooms with an open border between them are one
   double reach = 0.6; ///< how far a room's label is carried into its walls, metres
   int threads = 0;    ///< 0 = automatic
 };

@@ -1,0 +1,146 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/points/upstream_supervoxels.h"
+
+#include "objects/graph/supervoxel_joining.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/segmentation/lccp_segmentation.h>
+#include <pcl/segmentation/supervoxel_clustering.h>
+
+#include <map>
+
+namespace {
+
+using PointT = pcl::PointXYZRGBA; // what PCL has compiled these classes for
+using Upstream = pcl::SupervoxelClustering<PointT>;
+using Clusters = std::map<std::uint32_t, pcl::Supervoxel<PointT>::Ptr>;
+using Adjacencies = std::multimap<std::uint32_t, std::uint32_t>;
+using pcl::indoor::ObjectSegmentationOptions;
+using pcl::indoor::Supervoxels;
+using pcl::indoor::SurfaceEdge;
+
+constexpr unsigned smallest_segment = 3; // n_filter of LCCP in Sec. 4.3.2, supervoxels
+
+/** The segment of each supervoxel by LCCP; its sanity criterion has 60 degrees. */
+std::vector<std::uint32_t>
+lccpSegments(const Clusters& clusters,
+             const Adjacencies& adjacency,
+             const ObjectSegmentationOptions& options)
+{
+  pcl::LCCPSegmentation<PointT> lccp;
+  lccp.setConcavityToleranceThreshold(options.concavity_tolerance_degrees);
+  lccp.setSanityCheck(true);
+  lccp.setSmoothnessCheck(false,
+                          static_cast<float>(options.voxel_size),
+                          static_cast<float>(options.seed_size),
+                          0.1f);
+  lccp.setKFactor(0);
+  lccp.setInputSupervoxels(clusters, adjacency);
+  lccp.setMinSegmentSize(smallest_segment);
+  lccp.segment();
+  pcl::PointCloud<pcl::PointXYZL> names;
+  for (const auto& cluster : clusters) {
+    names.push_back({});
+    names.back().label = cluster.first;
+  }
+  lccp.relabelCloud(names);
+  std::vector<std::uint32_t> segments;
+  for (const auto& point : names)
+    segments.push_back(point.label == 0 ? Supervoxels::none : point.label - 1);
+  return segments;
+}
+
+std::vector<SurfaceEdge>
+convexityOf(const Adjacencies& adjacency,
+            const std::map<std::uint32_t, std::uint32_t>& number,
+            const Supervoxels& supervoxels,
+            float tolerance_degrees)
+{
+  std::vector<SurfaceEdge> edges;
+  for (const auto& [name, other] : adjacency) {
+    const auto source = number.at(name), target = number.at(other);
+    if (source < target)
+      edges.push_back({source,
+                       target,
+                       pcl::indoor::isConvexEdge(supervoxels.centroids[source],
+                                                 supervoxels.normals[source],
+                                                 supervoxels.centroids[target],
+                                                 supervoxels.normals[target],
+                                                 tolerance_degrees),
+                       1});
+  }
+  return edges;
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+UpstreamPartition
+partitionWithUpstream(const SurfaceVoxels& surface,
+                      const std::vector<std::uint8_t>& left_out,
+                      bool single_camera,
+                      const ObjectSegmentationOptions& options)
+{
+  UpstreamPartition result;
+  auto& supervoxels = result.supervoxels;
+  supervoxels.label_of_voxel.assign(surface.size(), Supervoxels::none);
+  const auto cloud = pcl::make_shared<PointCloud<PointT>>();
+  const auto normals = pcl::make_shared<PointCloud<Normal>>();
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    if (!left_out[i]) {
+      kept.push_back(i);
+      PointT point;
+      point.getVector3fMap() = surface.centroids[i];
+      cloud->push_back(point);
+      const auto& n = surface.normals[i];
+      normals->push_back(Normal(n.x(), n.y(), n.z()));
+    }
+  if (kept.empty())
+    return result;
+  Upstream clustering(static_cast<float>(options.voxel_size),
+                      static_cast<float>(options.seed_size));
+  clustering.setUseSingleCameraTransform(single_camera);
+  clustering.setInputCloud(cloud);
+  clustering.setNormalCloud(normals);
+  clustering.setColorImportance(0.0f);
+  clustering.setSpatialImportance(options.spatial_weight);
+  clustering.setNormalImportance(options.normal_weight);
+  Clusters clusters;
+  clustering.extract(clusters);
+  Adjacencies adjacency;
+  clustering.getSupervoxelAdjacency(adjacency);
+
+  std::map<std::uint32_t, std::uint32_t> number;
+  for (const auto& [name, supervoxel] : clusters) {
+    number.emplace(name, static_cast<std::uint32_t>(number.size()));
+    supervoxels.centroids.push_back(supervoxel->centroid_.getVector3fMap());
+    const Eigen::Vector3f normal = supervoxel->normal_.getNormalVector3fMap();
+    supervoxels.normals.push_back(
+        normal.allFinite() ? normal : Eigen::Vector3f(Eigen::Vector3f::Zero()));
+    supervoxels.voxel_counts.push_back(
+        static_cast<std::uint32_t>(supervoxel->voxels_->size()));
+  }
+  const auto labelled = clustering.getLabeledCloud();
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto found = number.find((*labelled)[i].label);
+    if (found != number.end())
+      supervoxels.label_of_voxel[kept[i]] = found->second;
+  }
+  result.edges =
+      convexityOf(adjacency, number, supervoxels, options.concavity_tolerance_degrees);
+  result.segment_of_supervoxel =
+      options.partition == Partition::Lccp
+          ? lccpSegments(clusters, adjacency, options)
+          : joinSupervoxels(supervoxels, result.edges, options);
+  return result;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,37 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/object_segmentation.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Supervoxels of pcl::SupervoxelClustering and what is made of them. */
+struct UpstreamPartition {
+  Supervoxels supervoxels; ///< a label for each point of the surface
+  std::vector<SurfaceEdge> edges;
+  /** of each supervoxel, by the partition of the options; Supervoxels::none if
+   * pcl::LCCPSegmentation gave it none */
+  std::vector<std::uint32_t> segment_of_supervoxel;
+};
+
+/** \brief Partition points as Sec. 4.2.2 does, with PCL's own supervoxels: R_voxel,
+ * R_seed and the weights of the options, no colours.
+ * \param[in] surface points with oriented normals
+ * \param[in] left_out one flag per point: not 0 for those that take no part
+ * \param[in] single_camera whether voxels grow with the distance along z
+ */
+UpstreamPartition
+partitionWithUpstream(const SurfaceVoxels& surface,
+                      const std::vector<std::uint8_t>& left_out,
+                      bool single_camera,
+                      const ObjectSegmentationOptions& options);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,138 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "retrieval/feature_correlation.h"
+
+#include <pcl/features/impl/oriented_points.hpp>
+#include <pcl/features/line_occupancy.h>
+#include <pcl/features/pair_sampling.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pcl::indoor::tool {
+namespace {
+
+constexpr int grid_size = 64; // N_X of Sec. 5.2.1
+constexpr std::array<std::array<std::size_t, 2>, 6> both{
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+std::vector<OrientedPoint>
+surfaceOf(const PointCloud<PointNormal>& object)
+{
+  Indices indices(object.size());
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    indices[k] = static_cast<index_t>(k);
+  return orientedPoints(object, object, indices);
+}
+
+double
+arcCosine(double cosine)
+{
+  return std::acos(std::clamp(cosine, -1.0, 1.0));
+}
+
+/** Eq. (5.2) to (5.8) of the pairs of one object; those in one place are left out. */
+std::vector<PairFeatures>
+featuresOf(const std::vector<OrientedPoint>& points, const EPPFOptions& options)
+{
+  std::vector<PairFeatures> features;
+  if (points.size() < 2)
+    return features;
+  const LineOccupancy occupancy(points, grid_size);
+  const PairSampler sampler(points, PairSampling::Uniform, options.seed);
+  for (std::uint64_t k = 0; k < options.pair_count; ++k) {
+    const auto [first, second] = sampler.pair(k);
+    const auto &one = points[first], &two = points[second];
+    const Eigen::Vector3d line = (two.position - one.position).cast<double>();
+    const double length = line.norm();
+    if (!(length > 0))
+      continue;
+    const Eigen::Vector3d n1 = one.normal.cast<double>(),
+                          n2 = two.normal.cast<double>();
+    const auto count = occupancy.countBetween(occupancy.cell(one.position),
+                                              occupancy.cell(two.position));
+    features.push_back(
+        {length,
+         std::max(arcCosine(n1.dot(line) / length), arcCosine(n2.dot(line) / length)) -
+             M_PI / 2,
+         arcCosine(std::abs(n1.dot(n2))),
+         static_cast<double>(count.occupied) / count.total});
+  }
+  return features;
+}
+
+} // namespace
+
+std::array<double, 6>
+pearsonCorrelations(const std::vector<PairFeatures>& pairs)
+{
+  const auto count = static_cast<double>(pairs.size());
+  PairFeatures mean{};
+  for (const auto& pair : pairs)
+    for (std::size_t f = 0; f < 4; ++f)
+      mean[f] += pair[f] / count;
+  std::array<std::array<double, 4>, 4> product{};
+  for (const auto& pair : pairs)
+    for (std::size_t f = 0; f < 4; ++f)
+      for (std::size_t g = f; g < 4; ++g)
+        product[f][g] += (pair[f] - mean[f]) * (pair[g] - mean[g]);
+  std::array<double, 6> correlations{};
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto [f, g] = both[k];
+    const double scale = std::sqrt(product[f][f] * product[g][g]);
+    correlations[k] = scale > 0 ? product[f][g] / scale : 0;
+  }
+  return correlations;
+}
+
+std::array<double, 6>
+featureCorrelation(const std::vector<PointCloud<PointNormal>::Ptr>& objects,
+                   const EPPFOptions& options)
+{
+  std::array<double, 6> sums{};
+  double count = 0;
+  for (const auto& object : objects) {
+    const auto features = featuresOf(surfaceOf(*object), options);
+    if (features.empty())
+      continue;
+    const auto correlations = pearsonCorrelations(features);
+    ++count;
+    for (std::size_t k = 0; k < 6; ++k)
+      sums[k] += std::abs(correlations[k]);
+  }
+  for (auto& sum : sums)
+    sum = count > 0 ? sum / count : 0;
+  return sums;
+}
+
+std::string
+correlationText(const std::array<double, 6>& correlations)
+{
+  double mean = 0;
+  for (const double correlation : correlations)
+    mean += correlation / 6;
+  char text[160];
+  std::snprintf(text,
+                sizeof(text),
+                "correlation of features, mean |r| %.3f: f1 f2 %.3f, f1 f3 %.3f, f1 f4 "
+                "%.3f, f2 f3 %.3f, f2 f4 %.3f, f3 f4 %.3f\n",
+                mean,
+                correlations[0],
+                correlations[1],
+                correlations[2],
+                correlations[3],
+                correlations[4],
+                correlations[5]);
+  return text;
+}
+
+double
+extentOf(const PointCloud<PointNormal>& object)
+{
+  return objectExtent(surfaceOf(object));
+}
+
+} // namespace pcl::indoor::tool
