@@ -6,7 +6,6 @@
 
 #include "scene/room_json.h"
 
-
 #include <algorithm>
 #include <cmath>
 
