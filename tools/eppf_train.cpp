@@ -8,7 +8,7 @@
 #include "training/training_pool.h"
 #include "training/training_report.h"
 #include "training/training_settings.h"
-#include <pcl/ml/parallel_objects.h>
+#include <pcl/indoor/parallel_for.h>
 
 #include <pcl/ml/model_file.h>
 
@@ -227,10 +227,15 @@ testedModel(const std::string& bytes,
   std::vector<int> truth, predicted;
   for (const auto k : test)
     truth.push_back(objects.labels[k]);
-  forEachObject(test.size(), settings.threads, [&](std::size_t k) {
-    const auto object = firstDrawnObject(*objects.clouds[test[k]], options, test[k]);
-    tested[k] = {classifierPoints(object), objects.places[test[k]]};
-  });
+  parallelFor(static_cast<std::ptrdiff_t>(test.size()),
+              static_cast<int>(settings.threads),
+              1,
+              [&](std::ptrdiff_t i) {
+                const auto k = static_cast<std::size_t>(i);
+                const auto object =
+                    firstDrawnObject(*objects.clouds[test[k]], options, test[k]);
+                tested[k] = {classifierPoints(object), objects.places[test[k]]};
+              });
   for (const auto& classification : classifyObjects(tested, model, settings.threads))
     predicted.push_back(classification.best());
   progress.done();

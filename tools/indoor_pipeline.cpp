@@ -12,16 +12,15 @@
 #include "objects/category_names.h" // for other_class
 #include "pictures/class_picture.h"
 #include "pictures/plan_dxf.h"
+#include "pictures/plan_png.h"
 #include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
+#include "pipeline/scene_rooms.h"
 #include "report/report_page.h"
-#include "scene/object_remainder.h"
-#include "scene/room_objects.h"
 #include "scene/scan_frame.h"
 #include "scene/scene_file.h"
 #include "scene/scene_summary.h"
 
-#include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/ml/model_file.h>
 #include <pcl/segmentation/room_segmentation.h>
 
@@ -35,6 +34,8 @@
 using namespace pcl::indoor::tool;
 
 namespace {
+
+using Points = pcl::PointCloud<pcl::PointXYZ>;
 
 constexpr double bytes_per_point = 400; // that are in use at once, measured
 
@@ -68,6 +69,7 @@ constexpr const char* results[] = {"scene.json",
                                    "potential_field.png",
                                    "classes.png",
                                    "plan.svg",
+                                   "plan.png",
                                    "plan.dxf",
                                    "report.html"};
 
@@ -79,7 +81,7 @@ makeParser(Options& options)
       "Finds the rooms of a building's scan, the objects in each room "
       "and the class of each object; writes cloud.pcd with the fields "
       "room, object, structure, category and confidence, scene.json, report.html, "
-      "plan.svg, plan.dxf, rooms.png, potential_field.png and classes.png.");
+      "plan.svg, plan.png, plan.dxf, rooms.png, potential_field.png and classes.png.");
   parser.positional("input", options.input, "PCD or PLY file")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
@@ -164,54 +166,53 @@ chooseResolution(Options& options)
                     "' is less than -voxel_resolution, " + std::to_string(voxel));
 }
 
+/** The classifier that was asked for; none if none was. */
+std::optional<pcl::indoor::ClassifierModel>
+loadClassifier(const Options& options)
+{
+  if (options.model == "none")
+    return std::nullopt;
+  return pcl::indoor::loadModel(options.model == "bundled" ? bundledModel()
+                                                           : options.model);
+}
+
+/** What the objects of each room are looked for with. */
+RoomWork
+roomWork(const Options& options, const Eigen::Isometry3d& pose)
+{
+  RoomWork work;
+  work.options.segmentation = options.objects;
+  if (options.partition == "lccp")
+    work.options.segmentation.partition = pcl::indoor::Partition::Lccp;
+  work.options.segmentation.threads = 1; // the threads are busy with the rooms
+  work.model = loadClassifier(options);
+  work.is_standing = options.frame.unit == "m" && options.frame.up == "z";
+  work.turn = options.frame.metresPerUnit() * pose.linear().transpose();
+  if (options.frame.up != "z")
+    work.normal_turn = pose.linear().transpose().cast<float>();
+  return work;
+}
+
 /** The points as the objects are looked for: z up, metres, what lies beyond the
  * building not finite. */
-pcl::PointCloud<pcl::PointXYZ>::ConstPtr
-pointsForObjects(const CloudFile& file,
-                 const Options& options,
-                 const pcl::RoomSegmentation<pcl::PointXYZ>& rooms)
+Points::ConstPtr
+standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene)
 {
-  const auto& outside = rooms.getReport().outside;
-  const bool standing = options.frame.unit == "m" && options.frame.up == "z";
-  if (standing && outside.empty())
+  if (work.is_standing && scene.report.outside.empty())
     return file.points;
-  auto points = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*file.points);
-  const Eigen::Matrix3d turn =
-      options.frame.metresPerUnit() * rooms.getBuildingPose().linear().transpose();
-  if (!standing)
+  auto points = pcl::make_shared<Points>(*file.points);
+  if (!work.is_standing)
     for (auto& point : *points)
       point.getVector3fMap() =
-          (turn * point.getVector3fMap().cast<double>()).cast<float>();
-  for (const auto index : outside)
+          (work.turn * point.getVector3fMap().cast<double>()).cast<float>();
+  for (const auto index : scene.report.outside)
     (*points)[index].getVector3fMap().setConstant(NAN);
   return points;
 }
 
-/** The normals of the file, turned like the points; null to have them estimated. */
-pcl::PointCloud<pcl::Normal>::Ptr
-normalsForObjects(const CloudFile& file,
-                  const Options& options,
-                  const pcl::RoomSegmentation<pcl::PointXYZ>& rooms)
-{
-  if (!file.has_normals || options.ignore_normals)
-    return nullptr;
-  auto normals = readNormals(file);
-  const Eigen::Matrix3f turn =
-      rooms.getBuildingPose().linear().transpose().cast<float>();
-  if (options.frame.up != "z")
-    for (auto& normal : *normals)
-      normal.getNormalVector3fMap() = turn * normal.getNormalVector3fMap();
-  return normals;
-}
-
-/** What the classes of objects are found from. */
-struct FoundObjects {
-  std::vector<pcl::indoor::ObjectSurface> surfaces;
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr points; ///< z up, metres
-};
-
-FoundObjects
-segment(const Options& options, const CloudFile& file, Scene& scene, Progress& progress)
+/** Find the rooms of the scan. */
+Scene
+findRooms(const Options& options, const CloudFile& file, Progress& progress)
 {
   progress.start("Segmenting rooms");
   pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
@@ -221,6 +222,7 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
     progress.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;
   });
+  Scene scene;
   scene.room_of_point = segmentRooms(file, options.frame, segmentation);
   scene.rooms = segmentation.getRooms();
   scene.openings = segmentation.getOpenings();
@@ -228,38 +230,46 @@ segment(const Options& options, const CloudFile& file, Scene& scene, Progress& p
   scene.building_pose = segmentation.getBuildingPose();
   scene.report = segmentation.getReport();
   progress.done(summaryOf(segmentation));
-
-  progress.start("Segmenting objects");
-  auto objects = options.objects;
-  if (options.partition == "lccp")
-    objects.partition = pcl::indoor::Partition::Lccp;
-  const auto points = pointsForObjects(file, options, segmentation);
-  auto found = segmentRoomObjects(
-      *points,
-      normalsForObjects(file, options, segmentation),
-      scene.room_of_point,
-      objects,
-      options.threads,
-      {},
-      [&](std::size_t done, std::size_t all) { progress.update(done, all); });
-  separateRemainder(found);
-  scene.object_voxels = std::move(found.voxel_sizes);
-  scene.seeds_per_voxel = objects.seed_size / objects.voxel_size;
-  scene.object_of_point = std::move(found.object_of_point);
-  scene.structure_of_point = std::move(found.structure_of_point);
-  scene.objects = measureObjects(*file.points, *points, scene);
-  progress.done(std::to_string(scene.objects.size()) + " objects");
-  return {std::move(found.surfaces), points};
+  return scene;
 }
 
-/** The classifier that was asked for; none if none was. */
-std::optional<pcl::indoor::ClassifierModel>
-loadClassifier(const Options& options)
+/** Find the objects of the rooms, one room after the other, and what they are.
+ * \param[in] standing tells which points count */
+void
+findObjects(const Options& options,
+            const CloudFile& file,
+            const Points& standing,
+            const RoomWork& work,
+            Scene& scene,
+            Progress& progress)
 {
-  if (options.model == "none")
-    return std::nullopt;
-  return pcl::indoor::loadModel(options.model == "bundled" ? bundledModel()
-                                                           : options.model);
+  progress.start("Finding objects");
+  const auto rooms =
+      pcl::indoor::pointsOfRooms(standing, scene.room_of_point, scene.rooms.size());
+  pcl::PointCloud<pcl::Normal>::Ptr normals;
+  if (file.has_normals && !options.ignore_normals)
+    normals = readNormals(file);
+  RoomSource source;
+  for (const auto& room : rooms)
+    source.sizes.push_back(room.size());
+  source.points = [&](std::size_t room) {
+    pcl::indoor::RoomPoints points;
+    for (const auto index : rooms[room]) {
+      points.positions.emplace_back((*file.points)[index].getVector3fMap());
+      if (normals)
+        points.normals.emplace_back((*normals)[index].getNormalVector3fMap());
+    }
+    return points;
+  };
+  auto finished = finishRooms(
+      source, work, options.threads, [&](std::size_t done, std::size_t all) {
+        progress.update(done, all);
+      });
+  scene.seeds_per_voxel = options.objects.seed_size / options.objects.voxel_size;
+  if (work.model)
+    scene.classes.names = classNames(*work.model);
+  gatherRooms(rooms, std::move(finished), scene);
+  progress.done(std::to_string(scene.objects.size()) + " objects");
 }
 
 /** Fields that tell each point the class of its object, and how sure that is. */
@@ -316,6 +326,8 @@ describe(const Options& options,
   auto plan = floorPlan(scene.building, thingsFromAbove(scene));
   plan.origin = originOf(file, options.frame, scene.building_pose);
   add("plan.svg", planSvg(plan));
+  if (canDrawPlans())
+    add("plan.png", drawnAsPng(planSvg(plan)));
   add("plan.dxf", planDxf(plan));
   const auto json = sceneJson(scene, file, options.frame, settings);
   if (options.report != "none")
@@ -391,17 +403,13 @@ main(int argc, char** argv)
     progress.done(std::to_string(file.points->size()) + " points");
     chooseResolution(options);
 
-    const auto model = loadClassifier(options);
-    Scene scene;
-    const auto found = segment(options, file, scene, progress);
-    if (model) {
-      progress.start("Classifying objects");
-      scene.classes = classifySurfaces(found.surfaces, *model, options.threads);
-      progress.done(std::to_string(scene.classes.objects.size()) + " objects");
-    }
+    Scene scene = findRooms(options, file, progress);
+    const auto work = roomWork(options, scene.building_pose);
+    const auto standing = standingPoints(file, work, scene);
+    findObjects(options, file, *standing, work, scene, progress);
     complete(options, scene, file);
     progress.start("Saving to " + options.folder);
-    const auto texts = describe(options, parser.settings(), scene, *found.points, file);
+    const auto texts = describe(options, parser.settings(), scene, *standing, file);
     progress.done(save(options.folder, texts, file));
     progress.summary(options.folder + ": " + summaryOf(scene));
     for (const auto& table : tablesOf(scene, progress.stages()))

@@ -10,6 +10,7 @@
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "pictures/plan_dxf.h"
+#include "pictures/plan_png.h"
 #include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
 #include "scene/room_json.h"
@@ -118,7 +119,8 @@ makeParser(Options& options)
             {"default", "thesis"})
       .text("-map",
             options.map,
-            "beginning of the names of three pictures: _rooms.png and _rooms.svg with "
+            "beginning of the names of pictures: _rooms.png, _rooms.svg and _plan.png "
+            "with "
             "numbers and doors, _field.png")
       .text("-dxf", options.dxf, "file for a drawing of the plan for CAD programs")
       .text("-json",
@@ -181,7 +183,7 @@ requireWritableResults(const Options& options)
   if (!options.dxf.empty())
     requireWritable(options.dxf);
   if (!options.map.empty())
-    for (const char* name : {"_rooms.png", "_rooms.svg", "_field.png"})
+    for (const char* name : {"_rooms.png", "_rooms.svg", "_plan.png", "_field.png"})
       requireWritable(options.map + name);
 }
 
@@ -199,7 +201,7 @@ describe(const Options& options,
     auto json = inputJson(file, rooms);
     json["parameters"] = parameters;
     addReportJson(json, options.frame, segmentation.getReport());
-    json["storeys"] = building.storeys.size();
+    json["storeys"] = building.maps.size();
     json["rooms"] =
         roomsJson(segmentation.getRooms(), segmentation.getOpenings(), file.offset);
     files.push_back(writtenBeside(options.json, jsonText(json)));
@@ -215,6 +217,8 @@ describe(const Options& options,
     save("_rooms.png", pngBytes(drawRooms(building)));
     save("_field.png", pngBytes(drawPotentialField(building)));
     save("_rooms.svg", planSvg(plan));
+    if (canDrawPlans())
+      save("_plan.png", drawnAsPng(planSvg(plan)));
   }
   return files;
 }

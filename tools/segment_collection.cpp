@@ -7,8 +7,9 @@
 #include "objects/category_names.h"
 #include "objects/object_files.h"
 #include "objects/random_numbers.h"
-#include "scene/room_objects.h"
 #include "scene/scan_frame.h"
+
+#include <pcl/segmentation/room_objects.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -111,7 +112,7 @@ classOf(const ClassCounts& counts, double share)
 }
 
 struct ScanObjects {
-  RoomObjects found;
+  pcl::indoor::BuildingObjects found;
   std::vector<std::string> classes; ///< one per object
 };
 
@@ -152,11 +153,11 @@ findObjects(const Options& options, const CloudFile& file, Progress& progress)
 
   progress.start("Segmenting objects");
   ScanObjects objects;
-  objects.found = segmentRoomObjects(
+  objects.found = pcl::indoor::segmentBuildingObjects(
       *file.points,
       nullptr,
       room_of_point,
-      {},
+      {{}, 0},
       options.threads,
       given,
       [&](std::size_t done, std::size_t all) { progress.update(done, all); });

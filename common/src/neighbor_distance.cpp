@@ -6,6 +6,7 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/quantile.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
@@ -168,10 +169,7 @@ neighborhoodRadius(const std::vector<Eigen::Vector3f>& points, unsigned threads)
   if (points.size() < 2)
     return 0;
   auto distances = meanNeighborDistances(points, closest_neighbors, threads);
-  const auto middle =
-      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return radius_factor * *middle;
+  return radius_factor * median(distances);
 }
 
 } // namespace indoor

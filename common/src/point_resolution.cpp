@@ -4,6 +4,8 @@
  */
 #include <pcl/indoor/point_resolution.h>
 
+#include <pcl/indoor/quantile.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,10 +58,7 @@ medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& c
   }
   if (distances.empty())
     return std::numeric_limits<double>::infinity();
-  const auto middle =
-      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return median(distances);
 }
 
 double

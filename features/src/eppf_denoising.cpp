@@ -9,6 +9,7 @@
 #include <pcl/features/pair_counting.h>
 #include <pcl/features/pair_sampling.h>
 #include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/quantile.h>
 
 #include <cassert>
 
@@ -28,9 +29,7 @@ largeDistance(const std::vector<OrientedPoint>& points)
     const auto pair = sampler.pair(k);
     distances[k] = (points[pair.first].position - points[pair.second].position).norm();
   }
-  const auto chosen = distances.end() - pair_count / 100;
-  std::nth_element(distances.begin(), chosen, distances.end());
-  return *chosen;
+  return valueAtRank(distances, pair_count - pair_count / 100);
 }
 
 } // namespace

@@ -7,9 +7,9 @@
 #include "eppf_pair_counter.h"
 #include "harmonic_sums.h"
 
-#include <pcl/exceptions.h>
 #include <pcl/features/eppf_denoising.h>
 #include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/require_valid.h>
 #include <pcl/indoor/threads.h>
 
 #include <algorithm>
@@ -153,9 +153,7 @@ noisyHistogram(const std::vector<OrientedPoint>& points,
 std::vector<float>
 eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& options)
 {
-  const auto problem = whatIsWrong(options);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  requireValid(options);
   const bool is_stratified = options.sampling == PairSampling::Stratified;
   const int threads = std::min(threadCount(options.number_of_threads), 2);
   std::vector<std::uint32_t> order;

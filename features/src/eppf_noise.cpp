@@ -7,6 +7,7 @@
 #include <pcl/features/eppf_denoising.h>
 #include <pcl/features/pair_counting.h>
 #include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/quantile.h>
 
 #include <array>
 #include <cassert>
@@ -50,9 +51,7 @@ residual(const PointColumns& points, float width, int threads)
         squares[probe] =
             seen < 0.999f * window ? seen * window / (window - seen) : 1000.0f * window;
       });
-  const auto chosen = squares.begin() + probe_count / 10;
-  std::nth_element(squares.begin(), chosen, squares.end());
-  return std::sqrt(*chosen);
+  return std::sqrt(valueAtRank(squares, probe_count / 10));
 }
 
 /** \brief Evidence of noise: none if two of a few neighbourhoods are flat. */
@@ -69,8 +68,7 @@ evidenceOfFew(const PointColumns& points, float spacing)
     if (flat_count == 2)
       return 0.0f;
   }
-  std::nth_element(thickness.begin(), thickness.begin() + 1, thickness.end());
-  return ramp(thickness[1], flat, 0.16f);
+  return ramp(valueAtRank(thickness, 1), flat, 0.16f);
 }
 
 /** \brief Evidence of noise: none if a tenth of many neighbourhoods is rather flat, as
@@ -90,9 +88,7 @@ evidenceOfMany(const PointColumns& points, float spacing, int threads)
                                    2.6f * spacing)
                         .thickness();
               });
-  const auto chosen = thickness.begin() + many_probes_count / 10;
-  std::nth_element(thickness.begin(), chosen, thickness.end());
-  return ramp(*chosen, 0.22f, 0.25f);
+  return ramp(valueAtRank(thickness, many_probes_count / 10), 0.22f, 0.25f);
 }
 
 } // namespace

@@ -49,7 +49,7 @@ automaticGridSize(std::size_t point_count)
 }
 
 std::string
-whatIsWrong(const EPPFOptions& options)
+findProblem(const EPPFOptions& options)
 {
   std::ostringstream problem;
   const auto& bins = options.bins;

@@ -4,6 +4,8 @@
  */
 #include "free_space_grid.h"
 
+#include <pcl/indoor/quantile.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,17 +23,15 @@ innerBox(const std::vector<Eigen::Vector3f>& positions)
   Eigen::AlignedBox3d box;
   std::vector<float> values(positions.size());
   Eigen::Vector3d lower, upper;
-  const auto cut = static_cast<std::ptrdiff_t>(outlier_share *
-                                               static_cast<double>(positions.size()));
+  const auto cut =
+      static_cast<std::size_t>(outlier_share * static_cast<double>(positions.size()));
   for (int axis = 0; axis < 3; ++axis) {
     std::transform(positions.begin(),
                    positions.end(),
                    values.begin(),
                    [&](const auto& p) { return p[axis]; });
-    std::nth_element(values.begin(), values.begin() + cut, values.end());
-    lower[axis] = values[cut];
-    std::nth_element(values.begin(), values.end() - 1 - cut, values.end());
-    upper[axis] = *(values.end() - 1 - cut);
+    lower[axis] = pcl::indoor::valueAtRank(values, cut);
+    upper[axis] = pcl::indoor::valueAtRank(values, values.size() - 1 - cut);
     const double margin = 0.05 * (upper[axis] - lower[axis]);
     lower[axis] -= margin;
     upper[axis] += margin;

@@ -9,6 +9,7 @@
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_graph.h>
 #include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/quantile.h>
 #include <pcl/indoor/threads.h>
 
 #include <Eigen/Geometry>
@@ -151,9 +152,8 @@ public:
       const Eigen::Array3f to_high = (viewpoints_[i] - box.max()).array().abs();
       ranked_.emplace_back(to_low.max(to_high).square().sum(), i);
     }
-    const auto last = ranked_.begin() + static_cast<std::ptrdiff_t>(count_ - 1);
-    std::nth_element(ranked_.begin(), last, ranked_.end());
-    const float farthest = last->first * 1.0001f;
+    const float farthest =
+        pcl::indoor::valueAtRank(ranked_, count_ - 1).first * 1.0001f;
     candidates_.clear();
     for (std::uint32_t i = 0; i < viewpoints_.size(); ++i)
       if (box.squaredExteriorDistance(viewpoints_[i]) <= farthest)

@@ -4,8 +4,8 @@
  */
 #include <pcl/features/surflet_pair_histogram.h>
 
-#include <pcl/exceptions.h>
 #include <pcl/features/pair_counting.h>
+#include <pcl/indoor/require_valid.h>
 
 #include <Eigen/Geometry> // for cross
 
@@ -52,7 +52,7 @@ surfletPairFeatures(const OrientedPoint& one, const OrientedPoint& two)
 }
 
 std::string
-whatIsWrong(const SurfletPairOptions& options)
+findProblem(const SurfletPairOptions& options)
 {
   std::ostringstream problem;
   if (options.bin_count < 1 || options.bin_count > 16)
@@ -71,9 +71,7 @@ std::vector<float>
 surfletPairHistogram(const std::vector<OrientedPoint>& points,
                      const SurfletPairOptions& options)
 {
-  const auto problem = whatIsWrong(options);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  requireValid(options);
   const int n = options.bin_count;
   const auto bin_count = static_cast<std::size_t>(n) * n * n * n;
   const float extent = objectExtent(points);

@@ -4,10 +4,10 @@
  */
 #include <pcl/filters/scan_outliers.h>
 
-#include <pcl/exceptions.h>
 #include <pcl/filters/radius_outlier_removal.h>
 #include <pcl/filters/statistical_outlier_removal.h>
 #include <pcl/indoor/neighbor_distance.h>
+#include <pcl/indoor/require_valid.h>
 #include <pcl/point_types.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ namespace pcl {
 namespace indoor {
 
 std::string
-findInvalidOption(const ScanOutlierOptions& options)
+findProblem(const ScanOutlierOptions& options)
 {
   std::ostringstream problem;
   if (!(options.radius >= 0) || !std::isfinite(options.radius))
@@ -101,9 +101,7 @@ std::vector<std::uint8_t>
 scanOutliers(const std::vector<Eigen::Vector3f>& points,
              const ScanOutlierOptions& options)
 {
-  const auto problem = findInvalidOption(options);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  requireValid(options);
   std::vector<std::uint8_t> outliers(points.size(), 0);
   const auto cloud = pcl::make_shared<Cloud>();
   cloud->reserve(points.size());

@@ -15,7 +15,7 @@ namespace indoor {
 namespace {
 
 std::string
-whatIsWrong(const ClassifierInput& input)
+findProblem(const ClassifierInput& input)
 {
   std::ostringstream problem;
   const bool is_points = input.kind == ClassifierInputKind::Points;
@@ -52,18 +52,18 @@ wrongNames(const std::vector<std::string>& classes)
 } // namespace
 
 std::string
-whatIsWrong(const ClassifierModel& model, bool wants_weights)
+findProblem(const ClassifierModel& model, bool wants_weights)
 {
   auto problem = wrongNames(model.classes);
   if (problem.empty())
-    problem = whatIsWrong(model.input);
+    problem = findProblem(model.input);
   if (!problem.empty())
     return problem;
   if (model.networks.empty())
     return "a model needs at least one network";
   const std::size_t value_count = inputValueCount(model.input);
   for (const auto& network : model.networks) {
-    problem = whatIsWrong(network, wants_weights);
+    problem = findProblem(network, wants_weights);
     if (!problem.empty())
       return problem;
     if (valueCount(network.input) != value_count)

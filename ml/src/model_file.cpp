@@ -8,6 +8,7 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/plain_message.h>
+#include <pcl/indoor/require_valid.h>
 
 #include <boost/crc.hpp>
 
@@ -172,9 +173,7 @@ headerEnd(const std::string& bytes)
 std::string
 modelBytes(const ClassifierModel& model, bool half_precision)
 {
-  const auto problem = whatIsWrong(model);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  requireValid(model);
   const std::size_t weight_bytes = weightBytes(model, half_precision);
   std::string bytes =
       first_line + headerText({model, half_precision, weight_bytes}) + "\n";
@@ -209,7 +208,7 @@ modelFromBytes(const std::string& bytes)
       numberAt<std::uint32_t>(checksums + checksum_size))
     fail("is a damaged model: the checksum of its weights does not fit");
   auto& model = header.model;
-  auto problem = whatIsWrong(model, false);
+  auto problem = findProblem(model, false);
   if (problem.empty() &&
       weightBytes(model, header.half_precision) != header.weight_bytes)
     problem = "its layers need " +
@@ -222,7 +221,7 @@ modelFromBytes(const std::string& bytes)
           network.layers, network.input, [&](Layer& layer, const Shape& shape) {
             place = readWeights(place, layer, shape, header.half_precision);
           });
-    problem = whatIsWrong(model);
+    problem = findProblem(model);
   }
   if (!problem.empty())
     fail("is a model that does not fit itself: " + problem);

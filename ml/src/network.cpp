@@ -6,6 +6,7 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/plain_message.h>
+#include <pcl/indoor/require_valid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -269,7 +270,7 @@ weightShapes(const Layer& layer, const Shape& input)
 }
 
 std::string
-whatIsWrong(const Network& network, bool wants_weights)
+findProblem(const Network& network, bool wants_weights)
 {
   if (network.layers.empty())
     return "a network needs at least one layer";
@@ -289,9 +290,7 @@ whatIsWrong(const Network& network, bool wants_weights)
 void
 initializeWeights(Network& network, std::uint32_t seed)
 {
-  const auto problem = whatIsWrong(network, false);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  requireValid(network, false);
   std::mt19937 random(seed);
   initializeLayers(network.layers, network.input, random);
 }

@@ -7,6 +7,7 @@
 #include "network_evaluation.h"
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/require_valid.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,9 +26,7 @@ networkScores(const Network& network,
               const std::vector<std::vector<float>>& inputs,
               std::vector<Tensor>* responses)
 {
-  const auto problem = whatIsWrong(network, true);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  requireValid(network, true);
   for (const auto& input : inputs)
     if (input.size() != valueCount(network.input))
       PCL_THROW_EXCEPTION(BadArgumentException,

@@ -5,10 +5,10 @@
 #include <pcl/ml/object_classifier.h>
 
 #include "network_evaluation.h"
-#include <pcl/ml/parallel_objects.h>
 
-#include <pcl/exceptions.h>
 #include <pcl/features/eppf_histogram.h>
+#include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/require_valid.h>
 #include <pcl/ml/upright_profile.h>
 
 #include <algorithm>
@@ -191,34 +191,40 @@ classifyObjects(const std::vector<ClassifierObject>& objects,
                 const ClassifierModel& model,
                 unsigned int number_of_threads)
 {
-  const auto problem = whatIsWrong(model);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  requireValid(model);
   const auto draws = static_cast<std::size_t>(model.input.draws);
   std::vector<std::vector<float>> inputs(objects.size() * draws);
-  forEachObject(inputs.size(), number_of_threads, [&](std::size_t k) {
-    const auto& object = objects[k / draws];
-    inputs[k] = classifierInput(object.points,
-                                object.place,
-                                model.input,
-                                static_cast<std::uint32_t>(k % draws + 1));
-  });
+  parallelFor(static_cast<std::ptrdiff_t>(inputs.size()),
+              static_cast<int>(number_of_threads),
+              1,
+              [&](std::ptrdiff_t i) {
+                const auto k = static_cast<std::size_t>(i);
+                const auto& object = objects[k / draws];
+                inputs[k] = classifierInput(object.points,
+                                            object.place,
+                                            model.input,
+                                            static_cast<std::uint32_t>(k % draws + 1));
+              });
   std::vector<std::size_t> usable; // numbers of inputs
   for (std::size_t k = 0; k < inputs.size(); ++k)
     if (std::isfinite(inputs[k].front()))
       usable.push_back(k);
   std::vector<std::vector<double>> probabilities(inputs.size());
   const std::size_t batches = (usable.size() + batch_size - 1) / batch_size;
-  forEachObject(batches, number_of_threads, [&](std::size_t batch) {
-    const std::size_t first = batch * batch_size;
-    const std::size_t last = std::min(first + batch_size, usable.size());
-    std::vector<std::vector<float>> own;
-    for (std::size_t k = first; k < last; ++k)
-      own.push_back(std::move(inputs[usable[k]]));
-    auto results = meanProbabilities(model, std::move(own));
-    for (std::size_t k = first; k < last; ++k)
-      probabilities[usable[k]] = std::move(results[k - first]);
-  });
+  parallelFor(static_cast<std::ptrdiff_t>(batches),
+              static_cast<int>(number_of_threads),
+              1,
+              [&](std::ptrdiff_t i) {
+                const auto batch = static_cast<std::size_t>(i);
+                const std::size_t first = batch * batch_size;
+                const std::size_t last = std::min(first + batch_size, usable.size());
+                std::vector<std::vector<float>> own;
+                for (std::size_t k = first; k < last; ++k)
+                  own.push_back(std::move(inputs[usable[k]]));
+                auto results = meanProbabilities(model, std::move(own));
+                for (std::size_t k = first; k < last; ++k)
+                  probabilities[usable[k]] = std::move(results[k - first]);
+              });
   std::vector<Classification> classifications(objects.size());
   for (std::size_t k = 0; k < objects.size(); ++k)
     if (!probabilities[k * draws].empty())

@@ -58,7 +58,7 @@ BENCHMARK(potentialField)
 void
 potentialFieldCube(benchmark::State& state)
 {
-  pcl::indoor::VoxelGrid<std::uint8_t> cube;
+  pcl::indoor::VoxelMap<std::uint8_t> cube;
   cube.shape = {512, 512, 512};
   cube.values.assign(cube.shape.size(), 0);
   std::mt19937 rng(1);

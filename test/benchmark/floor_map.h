@@ -13,7 +13,7 @@
 
 /** A storey of rooms with doors and furniture: its voxels, field map and pixels. */
 struct FloorMap {
-  pcl::indoor::VoxelGrid<std::uint8_t> occupancy, interior;
+  pcl::indoor::VoxelMap<std::uint8_t> occupancy, interior;
   pcl::indoor::PixelMap<float> field;
   pcl::indoor::PixelMap<int> heights;
   std::vector<std::size_t> pixels;

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 
 #include <Eigen/Core>
 
@@ -19,14 +19,14 @@
  * doors, windows, furniture, surfaces with a tenth of their voxels not seen, and free
  * space around the house. REQUIRES: at least 30 x 30 x 10 voxels.
  */
-inline pcl::indoor::VoxelGrid<std::uint8_t>
+inline pcl::indoor::VoxelMap<std::uint8_t>
 officeFloor(int nx, int ny, int nz)
 {
   constexpr int around = 8;
   constexpr int room_x = 24;
   constexpr int room_y = 27;
   std::mt19937 rng(61);
-  pcl::indoor::VoxelGrid<std::uint8_t> grid;
+  pcl::indoor::VoxelMap<std::uint8_t> grid;
   grid.shape = {nx, ny, nz};
   grid.voxel_size = 0.2;
   grid.values.assign(grid.shape.size(), 0);
@@ -62,7 +62,7 @@ officeFloor(int nx, int ny, int nz)
 
 /** \brief Points in the occupied voxels, in the order of columns, with exact number. */
 inline std::vector<Eigen::Vector3f>
-pointsOf(const pcl::indoor::VoxelGrid<std::uint8_t>& grid, std::size_t count)
+pointsOf(const pcl::indoor::VoxelMap<std::uint8_t>& grid, std::size_t count)
 {
   std::size_t occupied = 0;
   for (const auto value : grid.values)

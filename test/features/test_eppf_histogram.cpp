@@ -371,7 +371,7 @@ TEST(EPPFHistogram, RefusesEveryParameterOutOfRange)
     auto options = pairHarmonicsOptions();
     change(options);
     EXPECT_THROW(eppfHistogram(points, options), BadArgumentException);
-    EXPECT_FALSE(whatIsWrong(options).empty());
+    EXPECT_FALSE(findProblem(options).empty());
   };
   refuses([](auto& o) { o.bins.surface_angle = 4; }); // not L (L + 1) / 2
   refuses([](auto& o) { o.bins.distance = 0; });
@@ -391,7 +391,7 @@ TEST(EPPFHistogram, RefusesEveryParameterOutOfRange)
   refuses([](auto& o) { o.grid_size = 65; });
   for (const auto& options :
        {EPPFOptions(), shortEPPFOptions(), pairHarmonicsOptions()})
-    EXPECT_TRUE(whatIsWrong(options).empty());
+    EXPECT_TRUE(findProblem(options).empty());
 }
 
 } // namespace

@@ -37,7 +37,7 @@ TEST(NetworkTraining, AnyDesignLearnsWhatCanBeLearned)
     EXPECT_LT(result.epochs.back().training_loss,
               0.6 * result.epochs.front().training_loss)
         << name;
-    EXPECT_EQ(whatIsWrong(result.network, true), "");
+    EXPECT_EQ(findProblem(result.network, true), "");
   }
 }
 
@@ -334,7 +334,7 @@ TEST(FitScale, DividesByTheDeviationAndTheUsualOne)
     EXPECT_NEAR(scale.weights.at(1).values.at(k), -0.5f * gain, 1e-3f * gain) << k;
   }
   initializeWeights(network, 1);
-  EXPECT_EQ(whatIsWrong(network, true), "");
+  EXPECT_EQ(findProblem(network, true), "");
 }
 
 TEST(FitScale, BeforeAConvolutionAllHaveOneScale)

@@ -226,12 +226,12 @@ TEST(ObjectClassifier, LargeScoresDoNotOverflow)
 TEST(ObjectClassifier, SaysWhatIsWrongWithAModel)
 {
   const auto model = someModel(ClassifierInputKind::PairHarmonics, 1, 1);
-  EXPECT_EQ(whatIsWrong(model), "");
+  EXPECT_EQ(findProblem(model), "");
   const auto wrong = [&model](auto change) {
     auto changed = model;
     change(changed);
     EXPECT_THROW(classifyObjects({}, changed), BadArgumentException);
-    return whatIsWrong(changed);
+    return findProblem(changed);
   };
   EXPECT_NE(wrong([](auto& m) { m.classes = {"a"}; }), "");
   EXPECT_NE(wrong([](auto& m) { m.classes[1] = ""; }), "");
@@ -250,7 +250,7 @@ TEST(ObjectClassifier, SaysWhatIsWrongWithAModel)
   EXPECT_NE(wrong([](auto& m) { m.input.kind = ClassifierInputKind::Points; }), "");
   auto untrained = model;
   untrained.networks[0].layers.back().weights.clear();
-  EXPECT_EQ(whatIsWrong(untrained, false), "");
+  EXPECT_EQ(findProblem(untrained, false), "");
 }
 
 } // namespace

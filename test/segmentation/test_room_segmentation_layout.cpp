@@ -191,7 +191,7 @@ TEST(RoomSegmentationLayout, WhatIsCancelledLeavesNothingAndCanBeRunAgain)
     EXPECT_TRUE(labels.empty()) << limit;
     EXPECT_TRUE(segmentation.getRooms().empty());
     EXPECT_TRUE(segmentation.getOpenings().empty());
-    EXPECT_TRUE(segmentation.getBuilding().storeys.empty());
+    EXPECT_TRUE(segmentation.getBuilding().maps.empty());
     std::vector<pcl::PointIndices> rooms(3);
     segmentation.segment(rooms);
     EXPECT_TRUE(rooms.empty());

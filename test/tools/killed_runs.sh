@@ -72,17 +72,24 @@ for tool in pipeline rooms; do
     (LD_PRELOAD=$library KILL_AT=$n KILL_BY=15 $tool new)
     is_of_one_run || fail "$tool, TERM before step $n: files of two runs, or unfinished ones"
   done
+  begin=$(date +%s%N)
+  again
+  ($tool new)
+  length=$((($(date +%s%N) - begin) / 1000000 + 1)) # milliseconds
+  amid=0
   for ((moment = 0; moment < random_moments; ++moment)); do
     for signal in KILL TERM HUP; do
       again
       $tool new &
-      sleep "0.$((RANDOM % 10))$((RANDOM % 10))"
+      delay=$(((RANDOM * 32768 + RANDOM) % length))
+      sleep "$((delay / 1000)).$(printf '%03d' $((delay % 1000)))"
       kill -$signal $! 2> /dev/null
       wait $! 2> /dev/null
+      [ $? -le 128 ] || amid=$((amid + 1))
       check "$tool, $signal"
       [ $signal != KILL ] || continue
       is_of_one_run || fail "$tool, $signal: files of two runs, or unfinished ones"
     done
   done
-  echo "$tool: ended at $((3 * random_moments)) random moments"
+  echo "$tool: ended amid its work at $amid of $((3 * random_moments)) random moments"
 done 2> /dev/null # bash tells of each program that is killed

@@ -14,7 +14,7 @@ namespace indoor {
 /** \brief A Network whose weights libtorch holds and can derive by. */
 class NetworkModule {
 public:
-  /** \param[in] network with weights, see whatIsWrong() */
+  /** \param[in] network with weights, see findProblem() */
   NetworkModule(const Network& network, const at::Device& device);
 
   /** \brief Scores (objects, classes) of inputs (objects, values).

@@ -104,7 +104,7 @@ requireAll(const Network& network,
            const TrainingOptions& options)
 {
   requireOptions(options);
-  const auto problem = whatIsWrong(network, true);
+  const auto problem = findProblem(network, true);
   if (!problem.empty())
     refuse("The network to train is wrong: " + problem);
   requireSet(network, training, "training");

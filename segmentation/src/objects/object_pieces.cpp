@@ -5,7 +5,7 @@
 #include "objects/object_pieces.h"
 
 #include "objects/segment_names.h"
-#include "objects/structure/wall_frames.h"
+#include "objects/structure/wall_casings.h"
 
 #include "objects/split/flat_things.h"
 #include "objects/split/object_gaps.h"
@@ -93,7 +93,7 @@ joinPiecesOfRoom(const ObjectSegmentationOptions& options, ObjectSegmentation& r
 void
 cutBodies(ObjectSegmentation& result)
 {
-  const auto left_out = flagStructureAndFrames(result.scene, result.segment_of_point);
+  const auto left_out = flagStructureAndCasings(result.scene, result.segment_of_point);
   partAtGaps(result.scene, withSinglePieces(result, left_out), result.segment_of_point);
   partAtSeams(result.scene, left_out, result.segment_of_point);
 }

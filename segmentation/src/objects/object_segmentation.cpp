@@ -15,6 +15,7 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/point_resolution.h>
+#include <pcl/indoor/require_valid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +34,7 @@ ObjectSegmentationOptions
 checkedOptions(const ObjectSegmentationInput& input,
                const ObjectSegmentationOptions& given)
 {
-  const auto problem = pcl::indoor::findInvalidOption(given);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException, problem);
+  requireValid(given);
   if (!input.normals.empty() && input.normals.size() != input.points.size())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         input.points.size()

@@ -11,7 +11,7 @@ namespace pcl {
 namespace indoor {
 
 std::string
-findInvalidOption(const ObjectSegmentationOptions& options)
+findProblem(const ObjectSegmentationOptions& options)
 {
   std::ostringstream problem;
   const auto require =

@@ -5,7 +5,8 @@
 #include <pcl/segmentation/object_surfaces.h>
 
 #include <pcl/exceptions.h>
-#include <pcl/indoor/voxel_grid.h> // for PixelMap
+#include <pcl/indoor/quantile.h>
+#include <pcl/indoor/voxel_map.h> // for PixelMap
 
 #include <algorithm>
 #include <limits>
@@ -105,9 +106,7 @@ floorDistance(FloorMap& floor, const std::vector<OrientedPoint>& points)
     heights.push_back(floor.at(point.position));
     lowest = std::min(lowest, point.position.z());
   }
-  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-  std::nth_element(heights.begin(), middle, heights.end());
-  return std::max(lowest - *middle, 0.0f);
+  return std::max(lowest - median(heights), 0.0f);
 }
 
 } // namespace

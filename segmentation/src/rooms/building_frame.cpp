@@ -5,7 +5,8 @@
 
 #include <pcl/segmentation/rooms/building_frame.h>
 
-#include <algorithm>
+#include <pcl/indoor/quantile.h>
+
 #include <cmath>
 #include <vector>
 
@@ -46,16 +47,14 @@ medianOf(const std::vector<Eigen::Vector3f>& points,
          const Eigen::Matrix3d& turn,
          double metres_per_unit)
 {
-  Eigen::Vector3d median;
+  Eigen::Vector3d place;
   std::vector<double> values(points.size());
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < points.size(); ++i)
       values[i] = turned(turn, metres_per_unit, points[i])[axis];
-    const auto middle = values.begin() + values.size() / 2;
-    std::nth_element(values.begin(), middle, values.end());
-    median[axis] = *middle;
+    place[axis] = median(values);
   }
-  return median;
+  return place;
 }
 
 /** Whole metres near the turned points: a float holds coordinates near the origin only.

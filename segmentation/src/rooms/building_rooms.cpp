@@ -12,7 +12,7 @@
 #include "rooms/storeys/storey_labels.h"
 #include <pcl/indoor/threads.h>
 
-#include <pcl/exceptions.h>
+#include <pcl/indoor/require_valid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,23 +29,23 @@ storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
                 const BuildingRooms& building,
                 int threads)
 {
-  const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
   std::vector<std::uint8_t> storey_of(points.size(), 0);
-  if (building.levels.borders.empty())
+  if (building.storeys.borders.empty())
     return storey_of;
 #pragma omp parallel for schedule(static) num_threads(threadCount(threads))
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(points.size()); ++i) {
     if (building.occupancy.cells[i] < 0)
       continue;
     const std::int32_t pixel = building.occupancy.cells[i] / grid.shape.nz;
-    storey_of[i] = static_cast<std::uint8_t>(building.levels.storeyAt(
+    storey_of[i] = static_cast<std::uint8_t>(building.storeys.storeyAt(
         pixel / grid.shape.ny, pixel % grid.shape.ny, points[i].z()));
   }
   return storey_of;
 }
 
 /** The room of each coarse voxel of a storey, 0 = none, by the vote of Sec. 3.2.3. */
-VoxelGrid<int>
+VoxelMap<int>
 votedVoxels(const StoreySpace& space, const RoomMap& map, int threads)
 {
   const GridShape& shape = space.interior.occupancy.shape;
@@ -65,14 +65,14 @@ votedVoxels(const StoreySpace& space, const RoomMap& map, int threads)
 
 /** Label the points of one storey by the voxels they lie in. */
 void
-labelByVote(const VoxelGrid<int>& votes,
+labelByVote(const VoxelMap<int>& votes,
             std::size_t storey,
             const std::vector<std::uint8_t>& storey_of,
             BuildingRooms& building)
 {
-  const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
   const int factor = building.interior.factor;
-  const int first = building.storeys[storey].first_layer / factor;
+  const int first = building.maps[storey].first_layer / factor;
   for (std::size_t i = 0; i < storey_of.size(); ++i) {
     const std::int32_t cell = building.occupancy.cells[i];
     if (cell < 0 || storey_of[i] != storey)
@@ -91,8 +91,8 @@ describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& b
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double size = building.occupancy.grid.voxel_size;
   std::vector<Room> rooms;
-  for (std::size_t s = 0; s < building.storeys.size(); ++s) {
-    const RoomMap& map = building.storeys[s];
+  for (std::size_t s = 0; s < building.maps.size(); ++s) {
+    const RoomMap& map = building.maps[s];
     for (const std::uint32_t label : building.room_of[s])
       if (label > rooms.size()) {
         Room room;
@@ -181,9 +181,7 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 BuildingRoomsOptions options,
                 const ProgressCallback& progress)
 {
-  const std::string problem = findInvalidOption(options);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  requireValid(options);
   options.interior.threads = options.threads;
   options.storeys.threads = options.threads;
   options.map.threads = options.map.field_rooms.threads = options.threads;
@@ -206,38 +204,38 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
   if (grid_options.yaw != 0.0)
     building.occupancy = occupancyGrid(points, grid_options);
 
-  const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
   if (stopped(0.2, "interior space"))
     return {};
   building.interior =
       interiorSpaceAlong(building.occupancy, directions, options.interior);
   if (stopped(0.4, "storeys"))
     return {};
-  building.levels = findStoreys(grid, options.storeys);
-  refineBorders(points, building.occupancy, building.levels);
+  building.storeys = findStoreys(grid, options.storeys);
+  refineBorders(points, building.occupancy, building.storeys);
   std::uint32_t room_count = 0;
   const bool by_vote = options.point_rooms == PointRooms::Vote;
-  std::vector<VoxelGrid<int>> votes; // per storey
-  const auto spaces = storeySpaces(grid, building.interior, building.levels);
+  std::vector<VoxelMap<int>> votes; // per storey
+  const auto spaces = storeySpaces(grid, building.interior, building.storeys);
   for (const auto& space : spaces) {
-    const double part = static_cast<double>(building.storeys.size()) / spaces.size();
+    const double part = static_cast<double>(building.maps.size()) / spaces.size();
     if (stopped(0.5 + 0.3 * part, "rooms of a storey"))
       return {};
-    building.storeys.push_back(segmentRoomMap(space, options.map));
+    building.maps.push_back(segmentRoomMap(space, options.map));
     auto& room_of = building.room_of.emplace_back();
-    for (std::int32_t label = 0; label <= building.storeys.back().room_count; ++label)
+    for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
     addOpenings(points, space, building);
     if (by_vote)
-      votes.push_back(votedVoxels(space, building.storeys.back(), options.threads));
+      votes.push_back(votedVoxels(space, building.maps.back(), options.threads));
   }
   if (stopped(0.8, "rooms of the points"))
     return {};
   const auto storey_of = storeysOfPoints(points, building, options.threads);
   for (std::size_t s = 0; s < votes.size(); ++s)
     labelByVote(votes[s], s, storey_of, building);
-  for (std::size_t s = 0; s < building.storeys.size() && !by_vote; ++s)
-    StoreyLabels(points, building.occupancy, building.storeys[s], options)
+  for (std::size_t s = 0; s < building.maps.size() && !by_vote; ++s)
+    StoreyLabels(points, building.occupancy, building.maps[s], options)
         .assign(storey_of,
                 static_cast<std::uint8_t>(s),
                 building.room_of[s],

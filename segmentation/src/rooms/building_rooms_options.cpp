@@ -191,7 +191,7 @@ thesisRoomOptions()
 }
 
 std::string
-findInvalidOption(const BuildingRoomsOptions& options)
+findProblem(const BuildingRoomsOptions& options)
 {
   Check check;
   check.voxel(options.voxel_size);

@@ -5,6 +5,8 @@
 
 #include <pcl/segmentation/rooms/scan_signs.h>
 
+#include <pcl/indoor/quantile.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -121,12 +123,8 @@ cellsOf(const Points& sample)
       return p[axis];
     });
     const std::size_t hundredth = values.size() / 100;
-    const auto first = values.begin() + hundredth;
-    std::nth_element(values.begin(), first, values.end());
-    low[axis] = *first;
-    const auto last = values.end() - 1 - hundredth;
-    std::nth_element(values.begin(), last, values.end());
-    high[axis] = *last;
+    low[axis] = valueAtRank(values, hundredth);
+    high[axis] = valueAtRank(values, values.size() - 1 - hundredth);
   }
   cells.edge = 1.1 * (high - low).maxCoeff(); // the outermost surfaces are inside
   cells.origin = 0.5 * (low + high) - Eigen::Vector3d::Constant(0.5 * cells.edge);

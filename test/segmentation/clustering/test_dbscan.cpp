@@ -231,6 +231,25 @@ TEST(DBSCAN, AnyPointOrderGivesTheSamePartition)
   }
 }
 
+TEST(DBSCAN, CopiesOfAPointShareItsLabel)
+{
+  std::mt19937 rng(6);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Matrix d = latticeDistances(5 + rng() % 40, rng);
+    std::vector<std::size_t> order(d.size() + d.size() / 2);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = i < d.size() ? i : rng() % d.size();
+    DBSCANOptions options = randomOptions(rng);
+    options.min_cluster_size = 1 + rng() % 2;
+    const auto labels = dbscan(
+        order.size(),
+        [&](std::size_t i, std::size_t j) { return d[order[i]][order[j]]; },
+        options);
+    for (std::size_t k = d.size(); k < order.size(); ++k)
+      ASSERT_EQ(labels[k], labels[order[k]]) << "trial " << trial;
+  }
+}
+
 TEST(DBSCAN, DoesNotDependOnThreads)
 {
   std::mt19937 rng(5);

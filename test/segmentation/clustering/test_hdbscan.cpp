@@ -194,6 +194,26 @@ TEST(HDBSCAN, AnyPointOrderGivesTheSamePartition)
   }
 }
 
+TEST(HDBSCAN, CopiesOfAPointShareItsLabel)
+{
+  std::mt19937 rng(6);
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto d = latticeDistances(5 + rng() % 40, rng);
+    std::vector<std::size_t> order(d.size() + d.size() / 2);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = i < d.size() ? i : rng() % d.size();
+    const auto result = hdbscan(
+        order.size(),
+        [&](std::size_t i, std::size_t j) { return d[order[i]][order[j]]; },
+        randomOptions(rng));
+    for (std::size_t k = d.size(); k < order.size(); ++k) {
+      ASSERT_EQ(result.labels[k], result.labels[order[k]]) << "trial " << trial;
+      ASSERT_EQ(result.probabilities[k], result.probabilities[order[k]])
+          << "trial " << trial;
+    }
+  }
+}
+
 TEST(HDBSCAN, DoesNotDependOnThreads)
 {
   std::mt19937 rng(5);

@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 void
 expectRefused(const BuildingRoomsOptions& options, const char* what, double value)
 {
-  EXPECT_NE(findInvalidOption(options), "") << what << ' ' << value;
+  EXPECT_NE(findProblem(options), "") << what << ' ' << value;
   EXPECT_THROW(segmentBuilding({{1, 1, 1}}, options), pcl::BadArgumentException)
       << what << ' ' << value;
 }
@@ -41,7 +41,7 @@ check(const char* what,
   for (const double value : legal) {
     BuildingRoomsOptions options;
     field(options) = static_cast<Value>(value);
-    EXPECT_EQ(findInvalidOption(options), "") << what << ' ' << value;
+    EXPECT_EQ(findProblem(options), "") << what << ' ' << value;
   }
   for (const double value : illegal) {
     BuildingRoomsOptions options;
@@ -65,19 +65,19 @@ const std::vector<double> bad_weight = {-0.1, infinity};
       LEGAL,                                                                           \
       ILLEGAL)
 
-TEST(BuildingRoomsOptions, DefaultsAreLegal) { EXPECT_EQ(findInvalidOption({}), ""); }
+TEST(BuildingRoomsOptions, DefaultsAreLegal) { EXPECT_EQ(findProblem({}), ""); }
 
 TEST(BuildingRoomsOptions, TheComplaintNamesValueAndRange)
 {
   BuildingRoomsOptions options;
   options.map.slab.gap = -0.5;
-  EXPECT_EQ(findInvalidOption(options),
+  EXPECT_EQ(findProblem(options),
             "The gap below the ceiling must lie in 0 ... 1000 m, not -0.5 m.");
   options.voxel_size = nan_value;
-  EXPECT_EQ(findInvalidOption(options),
+  EXPECT_EQ(findProblem(options),
             "The voxel size must lie in 0 ... 1000 m, not nan m.");
   options.voxel_size = 9e-5; // lengths in such voxels would not fit into an int
-  EXPECT_EQ(findInvalidOption(options),
+  EXPECT_EQ(findProblem(options),
             "The voxel size must be 0 or at least 0.0001 m, not 9e-05 m.");
 }
 

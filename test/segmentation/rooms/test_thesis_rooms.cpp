@@ -338,15 +338,15 @@ expectAsDefined(const std::vector<Eigen::Vector3f>& points, std::size_t least_ro
 {
   const auto options = thesisRoomOptions();
   const auto building = segmentBuilding(points, options);
-  ASSERT_EQ(building.storeys.size(), 1u);
+  ASSERT_EQ(building.maps.size(), 1u);
   EXPECT_GE(building.rooms.size(), least_rooms);
   EXPECT_EQ(building.occupancy.yaw, 0.0);
   EXPECT_EQ(building.interior.factor, 1);
   const auto spaces =
-      storeySpaces(building.occupancy.grid, building.interior, building.levels);
+      storeySpaces(building.occupancy.grid, building.interior, building.storeys);
   const DenseRooms dense(spaces.front().interior, options.map.field_rooms);
 
-  const auto& found = building.storeys.front().field_rooms;
+  const auto& found = building.maps.front().field_rooms;
   std::map<int, int> name; // of the dense version's labels
   for (int x = 0; x < found.clusters.nx; ++x)
     for (int y = 0; y < found.clusters.ny; ++y) {
@@ -424,5 +424,5 @@ TEST(ThesisRooms, DefaultsAreNoneOfIt)
   EXPECT_EQ(options.map.method, RoomMethod::CeilingSlab);
   EXPECT_EQ(options.point_rooms, PointRooms::WallSides);
   EXPECT_TRUE(options.align_grid && options.interior.upright_walls);
-  EXPECT_EQ(findInvalidOption(thesisRoomOptions()), "");
+  EXPECT_EQ(findProblem(thesisRoomOptions()), "");
 }

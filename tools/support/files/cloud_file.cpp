@@ -11,6 +11,7 @@
 #include "files/silent_pcl.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
+#include <pcl/indoor/quantile.h>
 #include <pcl/indoor/usable_point.h>
 #include <pcl/io/pcd_io.h>
 
@@ -178,9 +179,8 @@ offsetOf(const std::vector<double>& values)
       finite.push_back(value);
   if (finite.empty())
     return 0.0;
-  const auto middle = finite.begin() + static_cast<std::ptrdiff_t>(finite.size() / 2);
-  std::nth_element(finite.begin(), middle, finite.end()); // outliers do not move it
-  return std::abs(*middle) > large ? std::floor(*middle) : 0.0;
+  const double middle = median(finite); // outliers do not move it
+  return std::abs(middle) > large ? std::floor(middle) : 0.0;
 }
 
 /** The distance between two values of a field that are as large as this one. */

@@ -26,7 +26,7 @@ firstNumber(const std::string& path)
   return std::ifstream(path) >> value ? value : -1;
 }
 
-/** To a tenth, which is printed in full; 0 would mean none. */
+/** To a tenth, which is printed in full; 0 would mean unknown. */
 double
 roundedDown(double gigabytes)
 {
@@ -49,17 +49,13 @@ availableMemory()
                                : available;
 }
 
-MemoryLimit::MemoryLimit()
-: gigabytes_(roundedDown(availableMemory() / gigabyte))
-{}
-
 void
 MemoryLimit::addOption(OptionParser& parser)
 {
   parser.number("-memory_limit",
                 gigabytes_,
-                "scans that need more memory are refused, 0 = none; the default is "
-                "what is available now",
+                "scans that need more memory are refused, 0 = automatic: more than is "
+                "available now; a large number refuses none",
                 "GB",
                 Range::atLeast(0));
 }
@@ -69,15 +65,16 @@ MemoryLimit::require(const std::string& path, double bytes_per_point) const
 {
   const auto points = static_cast<double>(promisedPoints(path));
   const double needed = (base + points * bytes_per_point) / gigabyte;
-  if (gigabytes_ == 0 || needed <= gigabytes_)
+  const double available = roundedDown(availableMemory() / gigabyte);
+  const double limit = gigabytes_ > 0 ? gigabytes_ : available;
+  if (limit == 0 || needed <= limit)
     return;
   std::ostringstream text;
   text.precision(2);
   text << std::fixed << path << ": its " << static_cast<std::uint64_t>(points)
-       << " points need about " << needed << " GB of memory, the limit is "
-       << gigabytes_
+       << " points need about " << needed << " GB of memory, the limit is " << limit
        << " GB; thin them out (pcl_voxel_grid), cut the scan into parts, or raise "
-          "-memory_limit (0 = none)";
+          "-memory_limit";
   throw ToolError(text.str());
 }
 

@@ -19,20 +19,18 @@ availableMemory();
  * is read, since the system ends programs that take too much without a word. */
 class MemoryLimit {
 public:
-  MemoryLimit();
-
   void
   addOption(OptionParser& parser);
 
   /** \brief Compare the limit with what a tool will need, from the header of the scan.
-   * \param[in] bytes_per_point measured, see docs/robustness.md
+   * \param[in] bytes_per_point measured, see docs/experiments/robustness.md
    * \throws ToolError naming need, limit and what can be done
    */
   void
   require(const std::string& path, double bytes_per_point) const;
 
 private:
-  double gigabytes_; ///< 0: none
+  double gigabytes_ = 0.0; ///< 0: what is available
 };
 
 } // namespace pcl::indoor::tool

@@ -177,7 +177,7 @@ EPPFCommandLine::options() const
   const auto without = indexOf(without_, feature_names);
   options.features = {
       without != 1, without != 2, without != 3, without != 4, without != 5};
-  const auto problem = whatIsWrong(options);
+  const auto problem = findProblem(options);
   if (!problem.empty())
     throw ToolError(problem);
   return options;

@@ -7,9 +7,9 @@
 #include "files/cloud_file.h"
 #include "objects/object_files.h"
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/ml/histogram_distance.h>
 #include <pcl/ml/object_classifier.h>
-#include <pcl/ml/parallel_objects.h>
 #include <pcl/ml/point_nn.h>
 
 #include <algorithm>
@@ -87,9 +87,14 @@ describe(const std::vector<ObjectFile>& files,
   progress.start("Describing " + std::to_string(files.size()) + " " + what);
   forEachBatch(
       files, settings, false, progress, [&](std::size_t first, const auto& objects) {
-        forEachObject(objects.size(), settings.threads, [&](std::size_t k) {
-          histograms[first + k] = described(objects[k], settings.descriptor);
-        });
+        parallelFor(static_cast<std::ptrdiff_t>(objects.size()),
+                    static_cast<int>(settings.threads),
+                    1,
+                    [&](std::ptrdiff_t i) {
+                      const auto k = static_cast<std::size_t>(i);
+                      histograms[first + k] =
+                          described(objects[k], settings.descriptor);
+                    });
       });
   progress.done();
   return histograms;

@@ -8,7 +8,7 @@
 #include "objects/object_files.h"
 #include "objects/random_numbers.h"
 
-#include <pcl/ml/parallel_objects.h>
+#include <pcl/indoor/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,18 +86,22 @@ loadLabelledObjects(const std::string& folder,
   objects.places.resize(count);
   std::vector<std::string> problems(count);
   std::size_t done = 0;
-  forEachObject(count, number_of_threads, [&](std::size_t k) {
-    try {
-      const auto path = std::filesystem::path(folder) / objects.paths[k];
-      auto object = loadPlacedObject(path.string(), neighbor_count);
-      objects.clouds[k] = std::move(object.cloud);
-      objects.places[k] = object.place;
-    } catch (const std::exception& error) {
-      problems[k] = messageOf(error);
-    }
+  parallelFor(static_cast<std::ptrdiff_t>(count),
+              static_cast<int>(number_of_threads),
+              1,
+              [&](std::ptrdiff_t i) {
+                const auto k = static_cast<std::size_t>(i);
+                try {
+                  const auto path = std::filesystem::path(folder) / objects.paths[k];
+                  auto object = loadPlacedObject(path.string(), neighbor_count);
+                  objects.clouds[k] = std::move(object.cloud);
+                  objects.places[k] = object.place;
+                } catch (const std::exception& error) {
+                  problems[k] = messageOf(error);
+                }
 #pragma omp critical(pcl_indoor_progress)
-    progress.update(++done, count);
-  });
+                progress.update(++done, count);
+              });
   requireNoProblems(problems, "unreadable files");
   progress.done(std::to_string(count) + " objects of " +
                 std::to_string(objects.class_names.size()) + " classes");

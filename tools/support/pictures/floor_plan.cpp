@@ -21,7 +21,7 @@ Eigen::Vector2d
 widestPlace(const BuildingRooms& building, const Room& room)
 {
   constexpr float about = 0.95f;
-  const auto& map = building.storeys[room.storey];
+  const auto& map = building.maps[room.storey];
   const auto& room_of = building.room_of[room.storey];
   std::vector<Eigen::Vector2d> pixels;
   std::vector<float> widths;
@@ -199,7 +199,7 @@ FloorPlan
 floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things)
 {
   FloorPlan plan;
-  plan.storeys.resize(building.storeys.size());
+  plan.storeys.resize(building.maps.size());
   std::vector<PlanRoom> rooms;
   for (const auto& room : building.rooms) {
     rooms.push_back(drawnRoom(building, room));

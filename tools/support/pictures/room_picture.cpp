@@ -29,7 +29,7 @@ shownSection(const BuildingRooms& building)
 {
   const auto box_of = [&building](const auto& shows) {
     Section box{1 << 30, -1, 1 << 30, -1};
-    for (const auto& storey : building.storeys)
+    for (const auto& storey : building.maps)
       for (int x = 0; x < storey.labels.nx; ++x)
         for (int y = 0; y < storey.labels.ny; ++y)
           if (shows(storey, x, y)) {
@@ -48,7 +48,7 @@ shownSection(const BuildingRooms& building)
   if (box.end_x < 0)
     return {};
   constexpr int margin = 6;
-  const auto& any = building.storeys.front().labels;
+  const auto& any = building.maps.front().labels;
   return {std::max(0, box.begin_x - margin),
           std::min(any.nx, box.end_x + margin),
           std::max(0, box.begin_y - margin),
@@ -184,8 +184,8 @@ drawRooms(const BuildingRooms& building)
   const auto section = shownSection(building);
   const int scale = scaleOf(section);
   std::vector<Picture> storeys;
-  for (std::size_t i = 0; i < building.storeys.size(); ++i) {
-    const auto& map = building.storeys[i];
+  for (std::size_t i = 0; i < building.maps.size(); ++i) {
+    const auto& map = building.maps[i];
     const auto& room_of = building.room_of[i];
     storeys.push_back(drawMap(section, scale, [&](int x, int y) {
       if (map.blocked.at(x, y) != 0)
@@ -211,13 +211,13 @@ drawPotentialField(const BuildingRooms& building)
                                 : map.field.at(x, y);
   };
   float highest = 0.0f;
-  for (const auto& map : building.storeys)
+  for (const auto& map : building.maps)
     for (int x = 0; x < map.labels.nx; ++x)
       for (int y = 0; y < map.labels.ny; ++y)
         if (map.labels.at(x, y) > 0)
           highest = std::max(highest, fieldAt(map, x, y));
   std::vector<Picture> storeys;
-  for (const auto& map : building.storeys)
+  for (const auto& map : building.maps)
     storeys.push_back(drawMap(section, scale, [&](int x, int y) {
       if (map.labels.at(x, y) == 0 && map.blocked.at(x, y) == 0)
         return paper;

@@ -55,15 +55,21 @@ bundledModel()
   return (folder / "indoor_objects.model").string();
 }
 
-SceneClasses
-classifySurfaces(const std::vector<ObjectSurface>& surfaces,
-                 const ClassifierModel& model,
-                 int threads)
+std::vector<std::string>
+classNames(const ClassifierModel& model)
 {
-  SceneClasses classes;
-  classes.names = {"none"};
-  classes.names.insert(classes.names.end(), model.classes.begin(), model.classes.end());
-  classes.objects.assign(surfaces.size(), withoutDescription(classes.names));
+  std::vector<std::string> names = {"none"};
+  names.insert(names.end(), model.classes.begin(), model.classes.end());
+  return names;
+}
+
+std::vector<ObjectClass>
+classesOf(const std::vector<ObjectSurface>& surfaces,
+          const ClassifierModel& model,
+          int threads)
+{
+  std::vector<ObjectClass> classes(surfaces.size(),
+                                   withoutDescription(classNames(model)));
   std::vector<ClassifierObject> objects;
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < surfaces.size(); ++k) {
@@ -77,7 +83,7 @@ classifySurfaces(const std::vector<ObjectSurface>& surfaces,
       classifyObjects(objects, model, static_cast<unsigned int>(threads));
   for (std::size_t k = 0; k < found.size(); ++k)
     if (!found[k].probabilities.empty())
-      classes.objects[numbers[k]] = likeliest(found[k].probabilities);
+      classes[numbers[k]] = likeliest(found[k].probabilities);
   return classes;
 }
 

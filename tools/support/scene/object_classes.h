@@ -34,13 +34,17 @@ struct SceneClasses {
 std::string
 bundledModel();
 
-/** \brief Name the objects of a scene.
+/** \brief The names of the classes that a model gives: SceneClasses::names. */
+std::vector<std::string>
+classNames(const ClassifierModel& model);
+
+/** \brief Name objects, each for itself.
  * \param[in] surfaces one per object, see objectSurfaces()
  * \param[in] threads 0 = automatic; the result does not depend on it
  */
-SceneClasses
-classifySurfaces(const std::vector<ObjectSurface>& surfaces,
-                 const ClassifierModel& model,
-                 int threads);
+std::vector<ObjectClass>
+classesOf(const std::vector<ObjectSurface>& surfaces,
+          const ClassifierModel& model,
+          int threads);
 
 } // namespace pcl::indoor::tool

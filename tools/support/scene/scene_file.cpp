@@ -19,18 +19,6 @@ using Json = nlohmann::ordered_json;
 constexpr int format_version = 1;
 constexpr const char* structure_names[] = {"none", "floor", "wall", "ceiling"};
 
-/** Add a point to what is known of an object. */
-void
-extend(SceneObject& object, const Eigen::Vector3d& point)
-{
-  if (object.point_count == 0)
-    object.lower = object.upper = point;
-  object.lower = object.lower.cwiseMin(point);
-  object.upper = object.upper.cwiseMax(point);
-  object.centroid += point;
-  ++object.point_count;
-}
-
 Json
 settingsJson(const std::vector<Setting>& settings)
 {
@@ -65,8 +53,8 @@ storeysJson(const Scene& scene, double offset_up)
       scene.building_pose.translation().dot(scene.building_pose.linear().col(2)) +
       offset_up;
   Json storeys = Json::array();
-  for (std::size_t s = 0; s < scene.building.storeys.size(); ++s) {
-    const auto& heights = scene.building.levels.storeys.at(s);
+  for (std::size_t s = 0; s < scene.building.maps.size(); ++s) {
+    const auto& heights = scene.building.storeys.heights.at(s);
     Json rooms = Json::array();
     double area = 0.0;
     for (const auto& room : scene.rooms)
@@ -173,35 +161,6 @@ addObjectsToRooms(Json& rooms, const Scene& scene)
 }
 
 } // namespace
-
-std::vector<SceneObject>
-measureObjects(const PointCloud<PointXYZ>& points,
-               const PointCloud<PointXYZ>& standing,
-               const Scene& scene)
-{
-  const auto& object_of_point = scene.object_of_point;
-  const std::size_t count =
-      object_of_point.empty()
-          ? 0
-          : *std::max_element(object_of_point.begin(), object_of_point.end());
-  std::vector<SceneObject> objects(count);
-  std::vector<std::vector<Eigen::Vector3d>> upright_points(count);
-  for (std::size_t i = 0; i < object_of_point.size(); ++i) {
-    if (object_of_point[i] == 0)
-      continue;
-    const auto number = object_of_point[i] - 1;
-    objects[number].room = scene.room_of_point[i];
-    objects[number].structure = scene.structure_of_point[i];
-    extend(objects[number], points[i].getVector3fMap().cast<double>());
-    upright_points[number].push_back(standing[i].getVector3fMap().cast<double>());
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    objects[i].upright = uprightBox(upright_points[i]);
-    if (objects[i].point_count > 0)
-      objects[i].centroid /= static_cast<double>(objects[i].point_count);
-  }
-  return objects;
-}
 
 Json
 sceneJson(const Scene& scene,

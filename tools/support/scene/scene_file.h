@@ -7,9 +7,9 @@
 #include "files/cloud_file.h"
 #include "scene/object_classes.h"
 #include "scene/scan_frame.h"
-#include "scene/upright_box.h"
 
 #include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/room_objects.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -22,14 +22,8 @@ namespace pcl::indoor::tool {
 
 /** \brief An object of a scene; but for the upright box in the frame of
  * CloudFile::points. */
-struct SceneObject {
+struct SceneObject : ObjectMeasures {
   std::uint32_t room = 0;
-  std::uint32_t structure = 0; ///< a StructureKind
-  std::size_t point_count = 0;
-  Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< corner of the box
-  Eigen::Vector3d upper = Eigen::Vector3d::Zero();
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  UprightBox upright; ///< z up, metres
 };
 
 /** \brief What was found in a scan; positions in the frame of CloudFile::points. */
@@ -48,15 +42,6 @@ struct Scene {
   Eigen::Isometry3d building_pose = Eigen::Isometry3d::Identity(); ///< both in metres
   ScanReport report;
 };
-
-/** \brief Room, kind, boxes, centre and number of points of each object.
- * \param[in] points in the frame of the file
- * \param[in] standing the same, z up and in metres
- * \param[in] scene with objects, rooms and structure of the points */
-std::vector<SceneObject>
-measureObjects(const PointCloud<PointXYZ>& points,
-               const PointCloud<PointXYZ>& standing,
-               const Scene& scene);
 
 /** \brief A scene, as tools/schema/scene.schema.json has it; positions
  * in the frame and the unit of the file, areas and lengths in metres.

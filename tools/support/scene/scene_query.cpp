@@ -8,7 +8,8 @@
 #include "command_line/printable.h"
 #include "files/json_text.h" // for rounded
 #include "scene/scan_frame.h"
-#include "scene/upright_box.h"
+
+#include <pcl/segmentation/upright_box.h>
 
 #include <algorithm>
 #include <cmath>

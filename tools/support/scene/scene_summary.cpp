@@ -35,7 +35,7 @@ TextTable
 storeyTable(const Scene& scene)
 {
   TextTable table({"storey>", "rooms>", "area, m^2>", "objects>"});
-  for (std::size_t s = 0; s < scene.building.storeys.size(); ++s) {
+  for (std::size_t s = 0; s < scene.building.maps.size(); ++s) {
     std::size_t rooms = 0;
     double area = 0.0;
     for (const auto& room : scene.rooms)
@@ -80,7 +80,7 @@ summaryOf(const Scene& scene)
 {
   const auto things = static_cast<std::size_t>(
       std::count_if(scene.objects.begin(), scene.objects.end(), isThing));
-  return counted(scene.building.storeys.size(), "storey") + ", " +
+  return counted(scene.building.maps.size(), "storey") + ", " +
          counted(scene.rooms.size(), "room") + ", " + counted(things, "object");
 }
 

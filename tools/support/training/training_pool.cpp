@@ -4,7 +4,7 @@
  */
 #include "training/training_pool.h"
 
-#include <pcl/ml/parallel_objects.h>
+#include <pcl/indoor/parallel_for.h>
 
 namespace pcl::indoor::tool {
 
@@ -18,12 +18,18 @@ trainingPool(const LabelledObjects& objects,
   TrainingSet set;
   set.inputs.resize(used.size());
   std::size_t done = 0;
-  forEachObject(used.size(), number_of_threads, [&](std::size_t k) {
-    set.inputs[k] =
-        drawsOf(*objects.clouds[used[k]], objects.places[used[k]], options, used[k]);
+  parallelFor(static_cast<std::ptrdiff_t>(used.size()),
+              static_cast<int>(number_of_threads),
+              1,
+              [&](std::ptrdiff_t i) {
+                const auto k = static_cast<std::size_t>(i);
+                set.inputs[k] = drawsOf(*objects.clouds[used[k]],
+                                        objects.places[used[k]],
+                                        options,
+                                        used[k]);
 #pragma omp critical(pcl_indoor_progress)
-    progress.update(++done, used.size());
-  });
+                progress.update(++done, used.size());
+              });
   std::vector<std::string> problems(used.size());
   for (std::size_t k = 0; k < used.size(); ++k) {
     set.labels.push_back(objects.labels[used[k]]);

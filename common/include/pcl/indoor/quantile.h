@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace pcl {
 namespace indoor {
@@ -14,18 +13,38 @@ namespace indoor {
 /** The standard deviation of normal noise over the median of its absolute values. */
 constexpr double deviation_per_median = 1.4826;
 
+/** \brief Get the value that so many others do not exceed, in linear time.
+ * \param[in,out] values more than \a rank; put into another order
+ */
+template <typename Values>
+auto
+valueAtRank(Values& values, std::size_t rank)
+{
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+/** \brief Get the median, of an even number the upper one.
+ * \param[in,out] values at least one; put into another order
+ */
+template <typename Values>
+auto
+median(Values& values)
+{
+  return valueAtRank(values, values.size() / 2);
+}
+
 /** \brief Get the value that a share of the others does not exceed.
  * \param[in,out] values at least one; put into another order
  * \param[in] share 0 for the smallest, 0.5 for the lower median, 1 for the largest
  */
-inline double
-quantile(std::vector<double>& values, double share)
+template <typename Values>
+auto
+quantile(Values& values, double share)
 {
-  const auto place =
-      values.begin() +
-      static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+  return valueAtRank(
+      values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
 } // namespace indoor

@@ -147,7 +147,7 @@ jointLevels(const EPPFBins& bins);
 /** \brief Say what is wrong with options: "" if nothing, else parameter, value and
  * range. */
 std::string
-whatIsWrong(const EPPFOptions& options);
+findProblem(const EPPFOptions& options);
 
 } // namespace indoor
 } // namespace pcl

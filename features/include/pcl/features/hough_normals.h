@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl/features/feature.h>
-#include <pcl/features/hough_normal.h>
+#include <pcl/features/hough_normal_estimator.h>
 #include <pcl/features/normal_orientation.h>
 #include <pcl/point_types.h>
 

@@ -47,6 +47,7 @@ public:
   /** \brief Prepare to draw stratified pairs of points that lie along a space-filling
    * order already.
    * \param[in] point_count at least two
+   * \param[in] seed same seed, same pairs
    */
   PairSampler(std::size_t point_count, std::uint32_t seed);
 

@@ -57,7 +57,7 @@ surfletPairHistogram(const std::vector<OrientedPoint>& points,
 /** \brief Say what is wrong with options: "" if nothing, else parameter, value and
  * range. */
 std::string
-whatIsWrong(const SurfletPairOptions& options);
+findProblem(const SurfletPairOptions& options);
 
 } // namespace indoor
 } // namespace pcl

@@ -32,7 +32,7 @@ struct ScanOutlierOptions {
  * \return one sentence with parameter, value and unit; empty if nothing is
  */
 std::string
-findInvalidOption(const ScanOutlierOptions& options);
+findProblem(const ScanOutlierOptions& options);
 
 /** \brief Find the points of reflections and sensor noise that lie alone (Sec.
  * 2.1.5.1), with pcl::RadiusOutlierRemoval and then, on what is left, with

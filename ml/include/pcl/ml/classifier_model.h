@@ -47,7 +47,7 @@ struct ClassifierModel {
  * \param[in] wants_weights whether weights must be there, of their shapes and finite
  */
 std::string
-whatIsWrong(const ClassifierModel& model, bool wants_weights = true);
+findProblem(const ClassifierModel& model, bool wants_weights = true);
 
 } // namespace indoor
 } // namespace pcl

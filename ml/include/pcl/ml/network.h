@@ -84,7 +84,7 @@ weightShapes(const Layer& layer, const Shape& input);
 /** \brief Say what is wrong with a network: "" if nothing. All layers must fit, and if
  * wants_weights, all weights be there, of their shapes and finite. */
 std::string
-whatIsWrong(const Network& network, bool wants_weights);
+findProblem(const Network& network, bool wants_weights);
 
 /** \brief Fill in weights where there are none.
  *

@@ -162,7 +162,7 @@ segmentSupervoxels(const NamedSupervoxels& given,
  * \return one sentence with parameter, value and unit; empty if nothing is
  */
 std::string
-findInvalidOption(const ObjectSegmentationOptions& options);
+findProblem(const ObjectSegmentationOptions& options);
 
 } // namespace indoor
 } // namespace pcl

@@ -4,6 +4,8 @@
  */
 #include <pcl/segmentation/objects/direction_hull.h>
 
+#include <pcl/indoor/quantile.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -78,15 +80,13 @@ DirectionHulls::reachOf(const std::vector<Eigen::Vector3f>& places, float margin
 {
   HullReach reach;
   std::vector<float> heights(places.size());
-  const auto outliers = static_cast<std::ptrdiff_t>(places.size() / 100);
+  const auto outliers = places.size() / 100;
   for (std::size_t d = 0; d < count; ++d) {
     const Eigen::Vector3f direction = axes_ * directions_[d].cast<float>();
     std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
       return direction.dot(p);
     });
-    const auto last = heights.end() - 1 - outliers;
-    std::nth_element(heights.begin(), last, heights.end());
-    reach[d] = *last + margin;
+    reach[d] = valueAtRank(heights, heights.size() - 1 - outliers) + margin;
   }
   return reach;
 }

@@ -62,7 +62,7 @@ outlineOf(const std::vector<Eigen::Vector3f>& places, float margin)
 {
   OutlineReach reach;
   std::vector<float> heights(places.size());
-  const auto outliers = static_cast<std::ptrdiff_t>(places.size() / 100);
+  const auto outliers = places.size() / 100;
   for (std::size_t d = 0; d < reach.size(); ++d) {
     const double angle = 2 * M_PI * static_cast<double>(d) / reach.size();
     const Eigen::Vector2f direction(static_cast<float>(std::cos(angle)),
@@ -70,9 +70,8 @@ outlineOf(const std::vector<Eigen::Vector3f>& places, float margin)
     std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
       return direction.dot(p.template head<2>());
     });
-    const auto last = heights.end() - 1 - outliers;
-    std::nth_element(heights.begin(), last, heights.end());
-    reach[d] = *last + margin;
+    reach[d] =
+        pcl::indoor::valueAtRank(heights, heights.size() - 1 - outliers) + margin;
   }
   return reach;
 }

@@ -10,6 +10,7 @@
 #include <pcl/indoor/ground_frame.h>
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/quantile.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -193,10 +194,7 @@ private:
     const bool is_of_one = 2 * std::max(before, behind) > section.filled() &&
                            std::max(before, behind) > 2 * std::min(before, behind);
     const double share = !is_of_one ? 0.5 : before > behind ? 0.02 : 0.98;
-    const auto rank =
-        static_cast<std::ptrdiff_t>(share * static_cast<double>(along.size() - 1));
-    std::nth_element(along.begin(), along.begin() + rank, along.end());
-    return along[rank];
+    return pcl::indoor::quantile(along, share);
   }
 
   const std::vector<Eigen::Vector3f>& places_;

@@ -6,7 +6,7 @@
 
 #include "objects/structure/plane_frame.h"
 #include "objects/structure/point_groups.h"
-#include "objects/structure/wall_frames.h"
+#include "objects/structure/wall_casings.h"
 
 #include <Eigen/Geometry>
 
@@ -61,10 +61,10 @@ struct Projection {
 };
 
 /** The cells of a plane that a segment encloses from one side.
- * \param[in] is_frame what is within its outline is its own, covered or not */
+ * \param[in] is_casing what is within its outline is its own, covered or not */
 std::vector<PlaneCell>
 cellsEnclosedBy(const std::vector<Projection>& segment,
-                bool is_frame,
+                bool is_casing,
                 const PlaneFrame& frame,
                 const std::vector<const StructurePlane*>& others,
                 double voxel_size)
@@ -85,7 +85,7 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
   const auto size = static_cast<double>(segment.size());
   const auto cells = static_cast<double>(high[0] - low[0] + 1) *
                      static_cast<double>(high[1] - low[1] + 1);
-  if (touching == 0 || (deep == 0 && !is_frame) ||
+  if (touching == 0 || (deep == 0 && !is_casing) ||
       static_cast<double>(across) < min_across * size || cells > cells_per_point * size)
     return {};
   PlaneShadow shadow(low, high);
@@ -95,7 +95,7 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
     if (depth > cover)
       shadow.mark(cell, PlaneShadow::covered);
   }
-  if (is_frame)
+  if (is_casing)
     shadow.coverAll();
   markEnds(frame, low, high, others, voxel_size, shadow);
   return shadow.enclosed();
@@ -174,11 +174,11 @@ public:
       if (!reach_[plane].intersects(objects_.boxes[s]) || !touches(members, frame))
         continue;
       const auto others = planesAcross(plane, objects_.boxes[s]);
-      const bool is_frame = isThinAlong(scene_.planes[plane], scene_.points, members);
+      const bool is_casing = isThinAlong(scene_.planes[plane], scene_.points, members);
       for (const auto& side : project(members, frame)) {
         const auto cells =
-            cellsEnclosedBy(side, is_frame, frame, others, scene_.voxel_size);
-        if (is_frame && countMembers(cells, members_of_cell) > max_opening_[plane])
+            cellsEnclosedBy(side, is_casing, frame, others, scene_.voxel_size);
+        if (is_casing && countMembers(cells, members_of_cell) > max_opening_[plane])
           continue;
         for (const auto& cell : cells)
           segments.emplace(cell, s);
@@ -202,7 +202,8 @@ private:
   {
     std::vector<const StructurePlane*> others;
     for (std::size_t q = 0; q < scene_.planes.size(); ++q)
-      if (std::abs(scene_.planes[q].normal.dot(scene_.planes[plane].normal)) < 0.3 &&
+      if (pcl::indoor::areAcross(scene_.planes[q].normal,
+                                 scene_.planes[plane].normal) &&
           reach_[q].intersects(segment))
         others.push_back(&scene_.planes[q]);
     return others;

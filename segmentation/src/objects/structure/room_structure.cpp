@@ -8,6 +8,7 @@
 #include "objects/structure/plane_raster.h"
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/quantile.h>
 
 #include <Eigen/Geometry>
 
@@ -34,11 +35,9 @@ constexpr double deviations = 3; // within so many a point counts to its plane
 double
 spreadOf(std::vector<double>& heights)
 {
-  const auto rest = static_cast<std::ptrdiff_t>(heights.size() / 100);
-  std::nth_element(heights.begin(), heights.begin() + rest, heights.end());
-  const double low = heights[rest];
-  std::nth_element(heights.begin(), heights.end() - 1 - rest, heights.end());
-  return heights[heights.size() - 1 - rest] - low;
+  const auto outliers = heights.size() / 100;
+  const double low = pcl::indoor::valueAtRank(heights, outliers);
+  return pcl::indoor::valueAtRank(heights, heights.size() - 1 - outliers) - low;
 }
 
 double
@@ -71,10 +70,7 @@ deviationOf(const std::vector<Eigen::Vector3f>& points,
       distances.push_back(
           std::abs(plane.normal.dot(points[voxels.cells.points[i]].cast<double>()) -
                    plane.offset));
-  const auto middle =
-      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return 1.4826 * *middle; // of a normal distribution
+  return pcl::indoor::deviation_per_median * pcl::indoor::median(distances);
 }
 
 /** The voxels of a plane and those at most two voxels from them. */
@@ -185,7 +181,7 @@ findRoomStructure(const SurfaceVoxels& voxels, double voxel_size)
     room[a] = extentOf(voxels, nullptr, axes.col(a));
   const auto spans = [&](const StructurePlane& plane) {
     for (int a = 0; a < 3; ++a)
-      if (std::abs(axes.col(a).dot(plane.normal)) < 0.3 &&
+      if (areAcross(axes.col(a), plane.normal) &&
           extentOf(voxels, &plane.voxels, axes.col(a)) >=
               std::max(min_span * room[a], min_length))
         return true;

@@ -41,10 +41,10 @@ requireValid(const FieldRoomsOptions& options)
 
 /** The interior without what lies above the ceiling: space over a roof has a floor and,
  * where noise sticks out of the ceiling, walls; the rooms would be joined there. */
-VoxelGrid<std::uint8_t>
+VoxelMap<std::uint8_t>
 belowCeiling(const InteriorSpace& space)
 {
-  VoxelGrid<std::uint8_t> inside = space.inside;
+  VoxelMap<std::uint8_t> inside = space.inside;
   const GridShape& shape = inside.shape;
   const auto ceiling = ceilingLayers(space.occupancy, {0, shape.nz}, {});
   for (int x = 0; x < shape.nx; ++x)
@@ -56,7 +56,7 @@ belowCeiling(const InteriorSpace& space)
 
 /** What each pixel's highest free voxel sees; nothing if that has no weight. */
 VisibilityVectors
-visibilityOf(const VoxelGrid<std::uint8_t>& occupancy,
+visibilityOf(const VoxelMap<std::uint8_t>& occupancy,
              const PixelMap<int>& highest_free,
              const std::vector<std::size_t>& pixels,
              const FieldRoomsOptions& options)
@@ -109,7 +109,7 @@ clusterPixels(const MapDistance& distance,
 
 /** Clusters of the pixels with a field (Eq. 3.3 to 3.5). */
 PixelMap<int>
-cluster(const VoxelGrid<std::uint8_t>& occupancy,
+cluster(const VoxelMap<std::uint8_t>& occupancy,
         const FieldRooms& rooms,
         const FieldRoomsOptions& options)
 {

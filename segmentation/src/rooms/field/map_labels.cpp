@@ -92,8 +92,8 @@ private:
 };
 
 void
-requireMatching(const VoxelGrid<std::uint8_t>& occupancy,
-                const VoxelGrid<std::uint8_t>& interior,
+requireMatching(const VoxelMap<std::uint8_t>& occupancy,
+                const VoxelMap<std::uint8_t>& interior,
                 const PixelMap<int>& labels,
                 const VoxelLabelOptions& options)
 {
@@ -191,15 +191,15 @@ labelPeaks(const PixelMap<int>& labels,
   return result;
 }
 
-VoxelGrid<int>
-labelVoxels(const VoxelGrid<std::uint8_t>& occupancy,
-            const VoxelGrid<std::uint8_t>& interior,
+VoxelMap<int>
+labelVoxels(const VoxelMap<std::uint8_t>& occupancy,
+            const VoxelMap<std::uint8_t>& interior,
             const PixelMap<int>& labels,
             const VoxelLabelOptions& options)
 {
   requireMatching(occupancy, interior, labels, options);
   const GridShape& shape = occupancy.shape;
-  VoxelGrid<int> result;
+  VoxelMap<int> result;
   result.shape = shape;
   result.origin = occupancy.origin;
   result.voxel_size = occupancy.voxel_size;

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/field_connectivity.h>
 
 #include <cstddef>
@@ -63,9 +63,9 @@ struct VoxelLabelOptions {
  * \return -1 for voxels that are neither interior nor occupied, or out of reach
  * \throws pcl::BadArgumentException if the sizes differ or an option is out of range
  */
-VoxelGrid<int>
-labelVoxels(const VoxelGrid<std::uint8_t>& occupancy,
-            const VoxelGrid<std::uint8_t>& interior,
+VoxelMap<int>
+labelVoxels(const VoxelMap<std::uint8_t>& occupancy,
+            const VoxelMap<std::uint8_t>& interior,
             const PixelMap<int>& labels,
             const VoxelLabelOptions& options);
 

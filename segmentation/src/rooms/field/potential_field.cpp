@@ -153,10 +153,10 @@ squaredDistanceMap(const PixelMap<std::uint8_t>& obstacles, int threads)
   return map;
 }
 
-VoxelGrid<std::uint32_t>
-potentialField(const VoxelGrid<std::uint8_t>& occupancy, int threads)
+VoxelMap<std::uint32_t>
+potentialField(const VoxelMap<std::uint8_t>& occupancy, int threads)
 {
-  VoxelGrid<std::uint32_t> field;
+  VoxelMap<std::uint32_t> field;
   field.shape = occupancy.shape;
   field.origin = occupancy.origin;
   field.voxel_size = occupancy.voxel_size;
@@ -188,7 +188,7 @@ potentialField(const VoxelGrid<std::uint8_t>& occupancy, int threads)
 }
 
 PixelMap<float>
-fieldMap(const VoxelGrid<std::uint32_t>& field, const VoxelGrid<std::uint8_t>& interior)
+fieldMap(const VoxelMap<std::uint32_t>& field, const VoxelMap<std::uint8_t>& interior)
 {
   if (field.shape != interior.shape)
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
@@ -208,7 +208,7 @@ fieldMap(const VoxelGrid<std::uint32_t>& field, const VoxelGrid<std::uint8_t>& i
 }
 
 PixelMap<int>
-highestFreeVoxel(const VoxelGrid<std::uint8_t>& interior)
+highestFreeVoxel(const VoxelMap<std::uint8_t>& interior)
 {
   const GridShape& shape = interior.shape;
   PixelMap<int> map{shape.nx, shape.ny, {}};

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 
 #include <cstdint>
 #include <limits>
@@ -35,8 +35,8 @@ squaredDistanceMap(const PixelMap<std::uint8_t>& obstacles, int threads = 0);
  * \return between voxel centres, in voxels squared; 0 in occupied voxels, kNoObstacle
  * where all voxels at the same height and above are free
  */
-VoxelGrid<std::uint32_t>
-potentialField(const VoxelGrid<std::uint8_t>& occupancy, int threads = 0);
+VoxelMap<std::uint32_t>
+potentialField(const VoxelMap<std::uint8_t>& occupancy, int threads = 0);
 
 /** \brief The largest potential of each column (the map of Fig. 3.3 (D)).
  * \param[in] field as potentialField() gives it
@@ -46,15 +46,14 @@ potentialField(const VoxelGrid<std::uint8_t>& occupancy, int threads = 0);
  * \throws pcl::BadArgumentException if the shapes differ
  */
 PixelMap<float>
-fieldMap(const VoxelGrid<std::uint32_t>& field,
-         const VoxelGrid<std::uint8_t>& interior);
+fieldMap(const VoxelMap<std::uint32_t>& field, const VoxelMap<std::uint8_t>& interior);
 
 /** \brief The highest interior voxel of each column (Sec. 3.2.2).
  * \param[in] interior non-zero = interior free space
  * \return its z index, -1 in columns without interior
  */
 PixelMap<int>
-highestFreeVoxel(const VoxelGrid<std::uint8_t>& interior);
+highestFreeVoxel(const VoxelMap<std::uint8_t>& interior);
 
 } // namespace indoor
 } // namespace pcl

@@ -105,7 +105,7 @@ requireInside(const GridShape& shape, const std::vector<Eigen::Vector3i>& voxels
 } // namespace
 
 bool
-lineOfSight(const VoxelGrid<std::uint8_t>& occupancy,
+lineOfSight(const VoxelMap<std::uint8_t>& occupancy,
             const Eigen::Vector3i& a,
             const Eigen::Vector3i& b)
 {
@@ -136,7 +136,7 @@ lineOfSight(const VoxelGrid<std::uint8_t>& occupancy,
 }
 
 VisibilityVectors
-visibilityVectors(const VoxelGrid<std::uint8_t>& occupancy,
+visibilityVectors(const VoxelMap<std::uint8_t>& occupancy,
                   const std::vector<Eigen::Vector3i>& voxels,
                   const std::vector<Eigen::Vector3i>& landmarks,
                   int threads)

@@ -16,7 +16,7 @@ namespace indoor {
 namespace {
 
 PixelMap<int>
-highestOccupied(const VoxelGrid<std::uint8_t>& occupancy, const VerticalRange& storey)
+highestOccupied(const VoxelMap<std::uint8_t>& occupancy, const VerticalRange& storey)
 {
   const GridShape& shape = occupancy.shape;
   PixelMap<int> top{shape.nx, shape.ny, {}};
@@ -71,7 +71,7 @@ shareOfLevel(const PixelMap<int>& top, int x, int y, int radius)
 /** Whether something occupied goes on up to the ceiling, in its column or one beside
  * it: a wall or a lintel does, the tread of a stair or a cabinet does not. */
 bool
-reachesUpTo(int ceiling, const VoxelGrid<std::uint8_t>& occupancy, int x, int y, int z)
+reachesUpTo(int ceiling, const VoxelMap<std::uint8_t>& occupancy, int x, int y, int z)
 {
   const GridShape& shape = occupancy.shape;
   const auto isOccupiedAround = [&](int layer) {
@@ -102,7 +102,7 @@ isSteep(const PixelMap<int>& ceiling, int x, int y)
 } // namespace
 
 PixelMap<int>
-ceilingLayers(const VoxelGrid<std::uint8_t>& occupancy,
+ceilingLayers(const VoxelMap<std::uint8_t>& occupancy,
               const VerticalRange& storey,
               const CeilingSlabOptions& options)
 {
@@ -138,7 +138,7 @@ ceilingLayers(const VoxelGrid<std::uint8_t>& occupancy,
 }
 
 SlabLayers
-slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
+slabLayers(const VoxelMap<std::uint8_t>& occupancy,
            const VerticalRange& storey,
            const PixelMap<int>& ceiling,
            const CeilingSlabOptions& options)
@@ -171,7 +171,7 @@ slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
 }
 
 PixelMap<std::uint8_t>
-blockedColumns(const VoxelGrid<std::uint8_t>& occupancy,
+blockedColumns(const VoxelMap<std::uint8_t>& occupancy,
                const VerticalRange& storey,
                const PixelMap<int>& ceiling,
                const SlabLayers& slab)

@@ -37,7 +37,7 @@ using RegionPair = std::pair<std::int32_t, std::int32_t>;
 /** Looks across the border between two pixels. */
 class BorderSection {
 public:
-  BorderSection(const VoxelGrid<std::uint8_t>& occupancy,
+  BorderSection(const VoxelMap<std::uint8_t>& occupancy,
                 const VerticalRange& storey,
                 const PixelMap<int>& ceiling,
                 BorderTop top)
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  const VoxelGrid<std::uint8_t>& occupancy_;
+  const VoxelMap<std::uint8_t>& occupancy_;
   const VerticalRange& storey_;
   const PixelMap<int>& ceiling_;
   BorderTop top_;
@@ -84,7 +84,7 @@ private:
  * one, q, along x or y if they are of different regions. */
 template <typename Piece>
 void
-walkBorders(const VoxelGrid<std::uint8_t>& occupancy,
+walkBorders(const VoxelMap<std::uint8_t>& occupancy,
             const VerticalRange& storey,
             const PixelMap<int>& ceiling,
             const PixelMap<std::int32_t>& labels,
@@ -297,7 +297,7 @@ private:
 } // namespace
 
 std::vector<RegionBorder>
-regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
+regionBorders(const VoxelMap<std::uint8_t>& occupancy,
               const VerticalRange& storey,
               const PixelMap<int>& ceiling,
               const PixelMap<std::int32_t>& labels,
@@ -327,7 +327,7 @@ regionBorders(const VoxelGrid<std::uint8_t>& occupancy,
 }
 
 std::vector<RegionOpening>
-regionOpenings(const VoxelGrid<std::uint8_t>& occupancy,
+regionOpenings(const VoxelMap<std::uint8_t>& occupancy,
                const VerticalRange& storey,
                const PixelMap<int>& ceiling,
                const PixelMap<std::int32_t>& labels,

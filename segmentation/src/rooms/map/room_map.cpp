@@ -26,7 +26,7 @@ namespace {
 
 /** Whether a column holds an occupied voxel. */
 bool
-holdsSomething(const VoxelGrid<std::uint8_t>& grid, std::size_t pixel)
+holdsSomething(const VoxelMap<std::uint8_t>& grid, std::size_t pixel)
 {
   const auto column = grid.values.begin() + pixel * grid.shape.nz;
   return std::any_of(
@@ -35,7 +35,7 @@ holdsSomething(const VoxelGrid<std::uint8_t>& grid, std::size_t pixel)
 
 /** Columns with something in them. */
 PixelMap<std::uint8_t>
-heldColumns(const VoxelGrid<std::uint8_t>& occupancy)
+heldColumns(const VoxelMap<std::uint8_t>& occupancy)
 {
   PixelMap<std::uint8_t> held{occupancy.shape.nx, occupancy.shape.ny, {}};
   held.values.resize(held.size());
@@ -77,7 +77,7 @@ closed(const PixelMap<std::uint8_t>& held,
 /** Whether enough of the columns with something in them are inside, 40 %: a basement
  * with as much ground outside had 46 %, a room without floor and ceiling 39 %. */
 bool
-coversEnough(const PixelMap<std::uint8_t>& inside, const VoxelGrid<std::uint8_t>& grid)
+coversEnough(const PixelMap<std::uint8_t>& inside, const VoxelMap<std::uint8_t>& grid)
 {
   std::size_t covered = 0, both = 0;
   for (std::size_t i = 0; i < inside.size(); ++i)
@@ -167,7 +167,7 @@ basinsOfWidth(const PixelMap<float>& field,
 /** Remove labels of regions that are no rooms: too small, or of whose columns most hold
  * nothing, such as the hollow of a thick wall, which no scanner looks into. */
 void
-dropNoRooms(const VoxelGrid<std::uint8_t>& occupancy,
+dropNoRooms(const VoxelMap<std::uint8_t>& occupancy,
             const RoomMapOptions& options,
             PixelMap<std::int32_t>& labels)
 {
@@ -314,7 +314,7 @@ fieldRoomsOnMap(const FieldRooms& rooms, int factor, const PixelMap<float>& fiel
 RoomMap
 segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
 {
-  const VoxelGrid<std::uint8_t>& occupancy = space.occupancy;
+  const VoxelMap<std::uint8_t>& occupancy = space.occupancy;
   const double size = occupancy.voxel_size;
   RoomMap map;
   map.first_layer = space.first_layer;

@@ -70,7 +70,7 @@ wallAround(const PixelMap<std::uint8_t>& blocked,
 
 /** The occupied voxels between the slab and the floor that may belong to a wall. */
 void
-sectionAt(const VoxelGrid<std::uint8_t>& occupancy,
+sectionAt(const VoxelMap<std::uint8_t>& occupancy,
           int floor,
           double slab,
           int top,
@@ -244,7 +244,7 @@ spreadOver(const PixelMap<std::uint8_t>& blocked, int tile)
 } // namespace
 
 std::vector<WallStretch>
-wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
+wallStretches(const VoxelMap<std::uint8_t>& occupancy,
               const VerticalRange& storey,
               const PixelMap<int>& ceiling,
               const SlabLayers& slab,

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/ceiling_slab.h>
 
 #include <Eigen/Core>
@@ -46,7 +46,7 @@ struct WallStretch {
  * \throws pcl::BadArgumentException if an option is out of range
  */
 std::vector<WallStretch>
-wallStretches(const VoxelGrid<std::uint8_t>& occupancy,
+wallStretches(const VoxelMap<std::uint8_t>& occupancy,
               const VerticalRange& storey,
               const PixelMap<int>& ceiling,
               const SlabLayers& slab,
@@ -84,7 +84,7 @@ straightened(const PixelMap<Eigen::Vector2f>& lean,
  * \param[in] occupancy of a storey; non-zero = occupied
  */
 PixelMap<std::uint8_t>
-straightenedColumns(const VoxelGrid<std::uint8_t>& occupancy,
+straightenedColumns(const VoxelMap<std::uint8_t>& occupancy,
                     const PixelMap<Eigen::Vector2f>& lean,
                     const PixelMap<float>& slab);
 

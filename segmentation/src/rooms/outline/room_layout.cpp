@@ -33,7 +33,7 @@ public:
   Eigen::Vector3d
   operator()(double x, double y) const
   {
-    const VoxelGrid<std::uint8_t>& grid = occupancy_.grid;
+    const VoxelMap<std::uint8_t>& grid = occupancy_.grid;
     return occupancy_.toCloud(grid.origin +
                               grid.voxel_size * Eigen::Vector3d(x, y, layer_));
   }
@@ -81,10 +81,10 @@ struct SlabPoints {
 SlabPoints
 slabPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
 {
-  const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
   const Eigen::Matrix2d turn = building.occupancy.turn();
   std::vector<PixelMap<std::uint8_t>> upright;
-  for (const RoomMap& map : building.storeys)
+  for (const RoomMap& map : building.maps)
     upright.push_back(uprightColumns(building.occupancy, map));
   SlabPoints places;
   places.walls.resize(building.rooms.size() + 1);
@@ -94,7 +94,7 @@ slabPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& buil
     if (label == 0)
       continue;
     const std::uint32_t storey = building.rooms[label - 1].storey;
-    const RoomMap& map = building.storeys[storey];
+    const RoomMap& map = building.maps[storey];
     const std::int32_t cell = building.occupancy.cells[i];
     const std::int32_t pixel = cell / grid.shape.nz;
     const int below =
@@ -155,7 +155,7 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
             const StoreySpace& space,
             BuildingRooms& building)
 {
-  const RoomMap& map = building.storeys.back();
+  const RoomMap& map = building.maps.back();
   const double size = building.occupancy.grid.voxel_size;
   const auto& room_of = building.room_of.back();
   const FloorPlane on_floor(building.occupancy, map);
@@ -186,8 +186,8 @@ addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& buildin
   const double size = building.occupancy.grid.voxel_size;
   const SlabPoints places = slabPoints(points, building);
   const auto levels = roomLevels(points, building);
-  for (std::size_t s = 0; s < building.storeys.size(); ++s) {
-    const RoomMap& map = building.storeys[s];
+  for (std::size_t s = 0; s < building.maps.size(); ++s) {
+    const RoomMap& map = building.maps[s];
     const FloorPlane on_floor(building.occupancy, map);
     const auto outlines = traceOutlines(map.free_labels, map.room_count);
     for (std::int32_t label = 1; label <= map.room_count; ++label) {

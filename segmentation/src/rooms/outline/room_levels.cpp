@@ -18,7 +18,7 @@ namespace {
 double
 heightOfLayer(const BuildingRooms& building, double layer)
 {
-  const VoxelGrid<std::uint8_t>& grid = building.occupancy.grid;
+  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
   return grid.origin.z() + grid.voxel_size * layer;
 }
 
@@ -40,7 +40,7 @@ public:
   explicit Ceilings(const BuildingRooms& building)
   : building_(building)
   {
-    for (const RoomMap& map : building.storeys)
+    for (const RoomMap& map : building.maps)
       tops_.emplace_back(map.labels.size());
     profiles_.emplace_back(0.0, 0.0, crowd);
     for (const Room& room : building.rooms)
@@ -53,7 +53,7 @@ public:
   void
   add(std::size_t point, double height, std::int32_t cell, const Room& room)
   {
-    const RoomMap& map = building_.storeys[room.storey];
+    const RoomMap& map = building_.maps[room.storey];
     const std::int32_t nz = building_.occupancy.grid.shape.nz;
     const std::int32_t pixel = cell / nz;
     const int below = map.ceiling.values[pixel] + map.first_layer - cell % nz;
@@ -79,9 +79,9 @@ public:
     addToColumns(points, main);
     std::vector<double> layers(levels.size(), 0.0), offset(levels.size(), 0.0);
     std::vector<std::size_t> columns(levels.size(), 0), seen(levels.size(), 0);
-    for (std::size_t s = 0; s < building_.storeys.size(); ++s)
+    for (std::size_t s = 0; s < building_.maps.size(); ++s)
       for (std::size_t i = 0; i < tops_[s].size(); ++i) {
-        const RoomMap& map = building_.storeys[s];
+        const RoomMap& map = building_.maps[s];
         const std::int32_t label = map.free_labels.values[i];
         if (label <= 0)
           continue;
@@ -136,7 +136,7 @@ roomLevels(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& buil
   std::vector<RoomLevels> levels(building.rooms.size() + 1);
   std::vector<PlaceProfile> floors(1, {0.0, 0.0, crowd});
   for (const Room& room : building.rooms) {
-    const RoomMap& map = building.storeys[room.storey];
+    const RoomMap& map = building.maps[room.storey];
     // what is above the middle of the room is no floor
     levels[room.label].floor =
         heightOfLayer(building, map.first_layer + map.range.begin + 0.5);

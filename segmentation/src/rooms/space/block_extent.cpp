@@ -6,6 +6,7 @@
 #include "rooms/space/block_extent.h"
 
 #include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/quantile.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -212,9 +213,7 @@ dropSparse(SortedBlocks& blocks, double min_density)
   counts.reserve(blocks.size());
   for (const auto& block : blocks)
     counts.push_back(block.second);
-  const auto middle = counts.begin() + counts.size() / 2;
-  std::nth_element(counts.begin(), middle, counts.end());
-  const double least = min_density * *middle;
+  const double least = min_density * median(counts);
   const auto sparse = [&](const auto& block) { return block.second < least; };
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(), sparse), blocks.end());
 }

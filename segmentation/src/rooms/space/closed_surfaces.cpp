@@ -13,10 +13,10 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-VoxelGrid<std::uint8_t>
-halved(const VoxelGrid<std::uint8_t>& fine)
+VoxelMap<std::uint8_t>
+halved(const VoxelMap<std::uint8_t>& fine)
 {
-  VoxelGrid<std::uint8_t> coarse;
+  VoxelMap<std::uint8_t> coarse;
   coarse.voxel_size = 2.0 * fine.voxel_size;
   coarse.shape = {
       (fine.shape.nx + 1) / 2, (fine.shape.ny + 1) / 2, (fine.shape.nz + 1) / 2};
@@ -32,7 +32,7 @@ halved(const VoxelGrid<std::uint8_t>& fine)
 }
 
 double
-occupiedCount(const VoxelGrid<std::uint8_t>& grid)
+occupiedCount(const VoxelMap<std::uint8_t>& grid)
 {
   return static_cast<double>(std::count(grid.values.begin(), grid.values.end(), 1));
 }
@@ -40,7 +40,7 @@ occupiedCount(const VoxelGrid<std::uint8_t>& grid)
 } // namespace
 
 double
-closedVoxelSize(const VoxelGrid<std::uint8_t>& grid, double largest)
+closedVoxelSize(const VoxelMap<std::uint8_t>& grid, double largest)
 {
   constexpr double closed = 4.0; // voxels per voxel twice as large, or more with noise
   constexpr double enough = 3.0;
@@ -51,7 +51,7 @@ closedVoxelSize(const VoxelGrid<std::uint8_t>& grid, double largest)
     return std::min(closed, finer / std::max(1.0, coarser));
   };
   double size = grid.voxel_size;
-  VoxelGrid<std::uint8_t> coarse = halved(grid);
+  VoxelMap<std::uint8_t> coarse = halved(grid);
   double count = occupiedCount(coarse);
   double filled = share(occupiedCount(grid), count);
   if (filled >= enough)

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 
 #include <cstdint>
 
@@ -22,7 +22,7 @@ namespace indoor {
  * \a largest
  */
 double
-closedVoxelSize(const VoxelGrid<std::uint8_t>& grid, double largest);
+closedVoxelSize(const VoxelMap<std::uint8_t>& grid, double largest);
 
 } // namespace indoor
 } // namespace pcl

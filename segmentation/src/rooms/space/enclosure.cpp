@@ -87,7 +87,7 @@ sweepLines(const LineBundle& lines,
            int begin,
            int end,
            int bit,
-           const VoxelGrid<std::uint8_t>& occupancy,
+           const VoxelMap<std::uint8_t>& occupancy,
            std::vector<std::uint8_t>& state,
            std::vector<std::uint8_t>& bits)
 {
@@ -123,7 +123,7 @@ sweepLines(const LineBundle& lines,
 void
 sweep(const LineBundle& lines,
       int bit,
-      const VoxelGrid<std::uint8_t>& occupancy,
+      const VoxelMap<std::uint8_t>& occupancy,
       int threads,
       std::vector<std::uint8_t>& bits)
 {
@@ -172,7 +172,7 @@ struct TiltedLines {
 void
 sweep(const TiltedLines& lines,
       int bit,
-      const VoxelGrid<std::uint8_t>& occupancy,
+      const VoxelMap<std::uint8_t>& occupancy,
       int threads,
       std::vector<std::uint8_t>& bits)
 {
@@ -229,8 +229,8 @@ finishColumn(const std::uint8_t* occupied, int nz, std::uint8_t* bits)
 
 } // namespace
 
-VoxelGrid<std::uint8_t>
-enclosure(const VoxelGrid<std::uint8_t>& occupancy,
+VoxelMap<std::uint8_t>
+enclosure(const VoxelMap<std::uint8_t>& occupancy,
           const std::vector<Eigen::Vector2d>& directions,
           int threads)
 {
@@ -240,8 +240,8 @@ enclosure(const VoxelGrid<std::uint8_t>& occupancy,
   return enclosureInSpace(occupancy, level, threads);
 }
 
-VoxelGrid<std::uint8_t>
-enclosureInSpace(const VoxelGrid<std::uint8_t>& occupancy,
+VoxelMap<std::uint8_t>
+enclosureInSpace(const VoxelMap<std::uint8_t>& occupancy,
                  const std::vector<Eigen::Vector3d>& directions,
                  int threads)
 {
@@ -249,7 +249,7 @@ enclosureInSpace(const VoxelGrid<std::uint8_t>& occupancy,
   requireSameSize(occupancy.values.size(), shape);
   requireValid(directions);
   const int thread_count = threadCount(threads);
-  VoxelGrid<std::uint8_t> bits;
+  VoxelMap<std::uint8_t> bits;
   bits.shape = shape;
   bits.origin = occupancy.origin;
   bits.voxel_size = occupancy.voxel_size;
@@ -291,8 +291,8 @@ enclosureEvidence(std::uint8_t bits,
 }
 
 std::vector<std::int16_t>
-interiorGain(const VoxelGrid<std::uint8_t>& occupancy,
-             const VoxelGrid<std::uint8_t>& bits,
+interiorGain(const VoxelMap<std::uint8_t>& occupancy,
+             const VoxelMap<std::uint8_t>& bits,
              int direction_count,
              const EnclosureWeights& weights,
              double unit)

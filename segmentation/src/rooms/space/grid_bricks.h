@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 
 #include <array>
 #include <cstdint>

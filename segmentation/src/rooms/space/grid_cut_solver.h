@@ -7,7 +7,7 @@
 
 #include "rooms/space/grid_bricks.h"
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 
 #include <array>
 #include <cstdint>

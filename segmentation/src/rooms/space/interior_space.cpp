@@ -22,11 +22,11 @@ namespace {
 
 constexpr double gain_unit = 0.01; // of the energy, Eq. (3.2)
 
-VoxelGrid<std::uint8_t>
-coarser(const VoxelGrid<std::uint8_t>& fine, int factor)
+VoxelMap<std::uint8_t>
+coarser(const VoxelMap<std::uint8_t>& fine, int factor)
 {
   const auto groups = [&](int count) { return (count + factor - 1) / factor; };
-  VoxelGrid<std::uint8_t> coarse;
+  VoxelMap<std::uint8_t> coarse;
   coarse.origin = fine.origin;
   coarse.voxel_size = fine.voxel_size * factor;
   coarse.shape = {groups(fine.shape.nx), groups(fine.shape.ny), groups(fine.shape.nz)};

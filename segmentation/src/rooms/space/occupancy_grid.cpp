@@ -97,10 +97,10 @@ tightBox(const std::vector<Eigen::Vector3f>& points,
 }
 
 /** \brief The empty grid around a box. */
-VoxelGrid<std::uint8_t>
+VoxelMap<std::uint8_t>
 gridAround(const Box& box, const OccupancyGridOptions& options)
 {
-  VoxelGrid<std::uint8_t> grid;
+  VoxelMap<std::uint8_t> grid;
   grid.voxel_size = options.voxel_size;
   // Half a voxel more below, so that the lowest plane of the cloud (noisy itself) does
   // not lie on the border of two layers.

@@ -46,7 +46,7 @@ cleanColumn(std::uint8_t* column, int nz, int max_run)
 } // namespace
 
 std::size_t
-cleanUpVertically(VoxelGrid<std::uint8_t>& grid, int max_run, int threads)
+cleanUpVertically(VoxelMap<std::uint8_t>& grid, int max_run, int threads)
 {
   if (max_run < 0)
     PCL_THROW_EXCEPTION(BadArgumentException,

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,7 @@ namespace indoor {
  * of values does not fit the shape
  */
 std::size_t
-cleanUpVertically(VoxelGrid<std::uint8_t>& grid, int max_run = 1, int threads = 0);
+cleanUpVertically(VoxelMap<std::uint8_t>& grid, int max_run = 1, int threads = 0);
 
 } // namespace indoor
 } // namespace pcl

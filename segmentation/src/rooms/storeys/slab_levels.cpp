@@ -6,6 +6,7 @@
 #include "rooms/storeys/slab_levels.h"
 
 #include "rooms/map/map_regions.h"
+#include <pcl/indoor/quantile.h>
 #include <pcl/indoor/threads.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ struct FreeRun {
 /** \brief What slabs are looked for in: the groups and free runs of each column. */
 class SlabColumns {
 public:
-  SlabColumns(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& options)
+  SlabColumns(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options)
   : shape_(occupancy.shape)
   , clearance_(std::max(
         1, static_cast<int>(std::lround(options.min_clearance / occupancy.voxel_size))))
@@ -151,14 +152,6 @@ levelGroups(const SlabColumns& columns, double voxel_size, int threads)
   return level;
 }
 
-double
-median(std::vector<int> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** \brief Take the groups at the most frequent height, in half voxels, out of others.
  * \param[in] reach groups so far from it belong to it
  * \param[in] least so many must be at that very height, which those of a ramp are not
@@ -230,14 +223,14 @@ setHeights(SlabLevel& level)
     lows.push_back(group.low);
     highs.push_back(group.high);
   }
-  level.low = median(std::move(lows));
-  level.high = median(std::move(highs));
+  level.low = median(lows);
+  level.high = median(highs);
 }
 
 } // namespace
 
 std::vector<SlabLevel>
-findSlabLevels(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& options)
+findSlabLevels(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options)
 {
   constexpr double level_difference = 1.0; // slabs at one level differ by less, metres
   constexpr double wall_thickness = 0.5;   // a slab goes on behind walls, metres

@@ -90,7 +90,7 @@ cutSmallOpenings(Mask& states, double min_hall, double min_room)
  * \param[in] low the layers right below the slab begin there, with lintels in them
  */
 void
-cutGalleries(const VoxelGrid<std::uint8_t>& occupancy, int low, int high, Mask& states)
+cutGalleries(const VoxelMap<std::uint8_t>& occupancy, int low, int high, Mask& states)
 {
   const GridShape& shape = occupancy.shape;
   Mask rooms = states;
@@ -117,7 +117,7 @@ cutGalleries(const VoxelGrid<std::uint8_t>& occupancy, int low, int high, Mask& 
 } // namespace
 
 PixelMap<std::uint8_t>
-openColumns(const VoxelGrid<std::uint8_t>& occupancy,
+openColumns(const VoxelMap<std::uint8_t>& occupancy,
             const PixelMap<float>& slab,
             int level,
             const StoreyOptions& options)

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/storeys.h>
 
 #include <cstdint>
@@ -26,7 +26,7 @@ namespace indoor {
  * REQUIRES: valid options, as many values as voxels.
  */
 PixelMap<std::uint8_t>
-openColumns(const VoxelGrid<std::uint8_t>& occupancy,
+openColumns(const VoxelMap<std::uint8_t>& occupancy,
             const PixelMap<float>& slab,
             int level,
             const StoreyOptions& options);

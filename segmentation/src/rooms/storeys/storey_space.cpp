@@ -19,7 +19,7 @@ struct ColumnRanges {
 };
 
 ColumnRanges
-columnRanges(const VoxelGrid<std::uint8_t>& grid, const Storeys& storeys, std::size_t k)
+columnRanges(const VoxelMap<std::uint8_t>& grid, const Storeys& storeys, std::size_t k)
 {
   const int nz = grid.shape.nz;
   const auto layerOf = [&](float height) { // a border lies in this layer
@@ -46,11 +46,11 @@ columnRanges(const VoxelGrid<std::uint8_t>& grid, const Storeys& storeys, std::s
 }
 
 /** The voxels within the ranges; the others are 0. */
-VoxelGrid<std::uint8_t>
-cut(const VoxelGrid<std::uint8_t>& grid, const ColumnRanges& ranges, int factor)
+VoxelMap<std::uint8_t>
+cut(const VoxelMap<std::uint8_t>& grid, const ColumnRanges& ranges, int factor)
 {
   const int first = ranges.lowest / factor;
-  VoxelGrid<std::uint8_t> part;
+  VoxelMap<std::uint8_t> part;
   part.voxel_size = grid.voxel_size;
   part.origin = grid.origin + Eigen::Vector3d(0, 0, first * grid.voxel_size);
   part.shape = {
@@ -71,7 +71,7 @@ cut(const VoxelGrid<std::uint8_t>& grid, const ColumnRanges& ranges, int factor)
 } // namespace
 
 std::vector<StoreySpace>
-storeySpaces(const VoxelGrid<std::uint8_t>& occupancy,
+storeySpaces(const VoxelMap<std::uint8_t>& occupancy,
              const InteriorSpace& interior,
              const Storeys& storeys)
 {
@@ -82,7 +82,7 @@ storeySpaces(const VoxelGrid<std::uint8_t>& occupancy,
     space.occupancy = cut(occupancy, ranges, 1);
     space.first_layer = ranges.lowest;
     const double floor =
-        (storeys.storeys[k].floor - space.occupancy.origin.z()) / occupancy.voxel_size;
+        (storeys.heights[k].floor - space.occupancy.origin.z()) / occupancy.voxel_size;
     const int layers = space.occupancy.shape.nz;
     space.range = {static_cast<int>(
                        std::clamp(std::floor(floor), 0.0, std::max(0.0, layers - 1.0))),

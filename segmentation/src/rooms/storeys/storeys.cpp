@@ -22,7 +22,7 @@ namespace indoor {
 namespace {
 
 void
-requireValid(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& options)
+requireValid(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options)
 {
   if (occupancy.values.size() != occupancy.shape.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
@@ -45,7 +45,7 @@ requireValid(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& opti
  * as they are nearby.
  */
 PixelMap<float>
-borderOf(const VoxelGrid<std::uint8_t>& occupancy,
+borderOf(const VoxelMap<std::uint8_t>& occupancy,
          const SlabLevel& level,
          const StoreyOptions& options)
 {
@@ -84,7 +84,7 @@ borderOf(const VoxelGrid<std::uint8_t>& occupancy,
 
 /** \brief The most frequent lowest and highest occupied voxel of the columns. */
 std::pair<int, int>
-outerLevels(const VoxelGrid<std::uint8_t>& occupancy)
+outerLevels(const VoxelMap<std::uint8_t>& occupancy)
 {
   const int nz = occupancy.shape.nz;
   std::vector<int> lowest(nz + 1, 0);
@@ -158,12 +158,12 @@ Storeys::storeyAt(int x, int y, double z) const
 }
 
 Storeys
-findStoreys(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& options)
+findStoreys(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options)
 {
   requireValid(occupancy, options);
   Storeys result;
   if (occupancy.values.empty()) {
-    result.storeys.emplace_back();
+    result.heights.emplace_back();
     return result;
   }
   const auto levels = findSlabLevels(occupancy, options);
@@ -175,12 +175,12 @@ findStoreys(const VoxelGrid<std::uint8_t>& occupancy, const StoreyOptions& optio
   storey.floor = heightOf(lowest);
   for (const SlabLevel& level : levels) {
     storey.ceiling = heightOf(level.low);
-    result.storeys.push_back(storey);
+    result.heights.push_back(storey);
     storey.floor = heightOf(level.high);
     result.borders.push_back(borderOf(occupancy, level, options));
   }
   storey.ceiling = heightOf(highest);
-  result.storeys.push_back(storey);
+  result.heights.push_back(storey);
   return result;
 }
 

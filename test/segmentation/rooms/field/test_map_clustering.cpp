@@ -21,7 +21,7 @@ using pcl::indoor::MapDistance;
 using pcl::indoor::MapDistanceOptions;
 using pcl::indoor::PixelMap;
 using pcl::indoor::VisibilityVectors;
-using pcl::indoor::VoxelGrid;
+using pcl::indoor::VoxelMap;
 
 namespace {
 
@@ -33,7 +33,7 @@ struct Map {
 
   Map(int nx, int ny, bool rooms, std::mt19937& rng)
   {
-    VoxelGrid<std::uint8_t> walls;
+    VoxelMap<std::uint8_t> walls;
     walls.shape = {nx, ny, 1};
     walls.values.assign(walls.shape.size(), 0);
     const int step = 6 + static_cast<int>(rng() % 6);

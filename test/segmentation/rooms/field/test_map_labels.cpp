@@ -16,13 +16,13 @@
 
 using pcl::indoor::PixelMap;
 using pcl::indoor::PixelNeighbourhood;
-using pcl::indoor::VoxelGrid;
 using pcl::indoor::VoxelLabelOptions;
+using pcl::indoor::VoxelMap;
 
 namespace {
 
 struct Scene {
-  VoxelGrid<std::uint8_t> occupancy, interior;
+  VoxelMap<std::uint8_t> occupancy, interior;
   PixelMap<int> labels;
 };
 

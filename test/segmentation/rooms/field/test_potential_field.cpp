@@ -14,14 +14,14 @@
 
 using pcl::indoor::kNoObstacle;
 using pcl::indoor::PixelMap;
-using pcl::indoor::VoxelGrid;
+using pcl::indoor::VoxelMap;
 
 namespace {
 
-VoxelGrid<std::uint8_t>
+VoxelMap<std::uint8_t>
 randomGrid(int nx, int ny, int nz, unsigned sparsity, std::mt19937& rng)
 {
-  VoxelGrid<std::uint8_t> grid;
+  VoxelMap<std::uint8_t> grid;
   grid.shape = {nx, ny, nz};
   grid.voxel_size = 0.2;
   grid.values.resize(grid.shape.size());
@@ -31,7 +31,7 @@ randomGrid(int nx, int ny, int nz, unsigned sparsity, std::mt19937& rng)
 }
 
 std::vector<std::uint32_t>
-fieldBruteForce(const VoxelGrid<std::uint8_t>& grid)
+fieldBruteForce(const VoxelMap<std::uint8_t>& grid)
 {
   const auto& s = grid.shape;
   std::vector<std::uint32_t> field(s.size(), kNoObstacle);
@@ -89,7 +89,7 @@ TEST(PotentialField, DoesNotDependOnThreads)
 
 TEST(PotentialField, EmptyGridGivesEmptyField)
 {
-  EXPECT_TRUE(pcl::indoor::potentialField(VoxelGrid<std::uint8_t>{}).values.empty());
+  EXPECT_TRUE(pcl::indoor::potentialField(VoxelMap<std::uint8_t>{}).values.empty());
   EXPECT_TRUE(pcl::indoor::squaredDistanceMap({}).values.empty());
 }
 
@@ -120,10 +120,10 @@ TEST(SquaredDistanceMap, EqualsBruteForce)
 
 TEST(FieldMap, TakesTheLargestInteriorValue)
 {
-  VoxelGrid<std::uint32_t> field;
+  VoxelMap<std::uint32_t> field;
   field.shape = {1, 3, 3};
   field.values = {7, 9, 4, kNoObstacle, 5, 6, 1, 2, 3};
-  VoxelGrid<std::uint8_t> interior;
+  VoxelMap<std::uint8_t> interior;
   interior.shape = field.shape;
   interior.values = {1, 0, 1, 1, 1, 0, 0, 0, 0};
   EXPECT_EQ(pcl::indoor::fieldMap(field, interior).values,

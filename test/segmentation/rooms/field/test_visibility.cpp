@@ -12,14 +12,14 @@
 #include <random>
 
 using Eigen::Vector3i;
-using pcl::indoor::VoxelGrid;
+using pcl::indoor::VoxelMap;
 
 namespace {
 
-VoxelGrid<std::uint8_t>
+VoxelMap<std::uint8_t>
 randomGrid(int nx, int ny, int nz, unsigned sparsity, std::mt19937& rng)
 {
-  VoxelGrid<std::uint8_t> grid;
+  VoxelMap<std::uint8_t> grid;
   grid.shape = {nx, ny, nz};
   grid.voxel_size = 0.2;
   grid.values.resize(grid.shape.size());
@@ -29,7 +29,7 @@ randomGrid(int nx, int ny, int nz, unsigned sparsity, std::mt19937& rng)
 }
 
 Vector3i
-randomVoxel(const VoxelGrid<std::uint8_t>& grid, std::mt19937& rng)
+randomVoxel(const VoxelMap<std::uint8_t>& grid, std::mt19937& rng)
 {
   return {static_cast<int>(rng() % grid.shape.nx),
           static_cast<int>(rng() % grid.shape.ny),
@@ -62,9 +62,7 @@ crossesInside(const Vector3i& a, const Vector3i& b, const Vector3i& voxel)
 }
 
 bool
-seesBruteForce(const VoxelGrid<std::uint8_t>& grid,
-               const Vector3i& a,
-               const Vector3i& b)
+seesBruteForce(const VoxelMap<std::uint8_t>& grid, const Vector3i& a, const Vector3i& b)
 {
   for (int x = 0; x < grid.shape.nx; ++x)
     for (int y = 0; y < grid.shape.ny; ++y)

@@ -12,7 +12,7 @@
 #include <random>
 
 using namespace pcl::indoor;
-using Grid = VoxelGrid<std::uint8_t>;
+using Grid = VoxelMap<std::uint8_t>;
 
 namespace {
 

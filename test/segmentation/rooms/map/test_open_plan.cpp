@@ -116,7 +116,7 @@ bentCorridor()
 TEST(OpenPlan, SharedViewIsThatOfAllPairsOfPixels)
 {
   for (const Plan& drawn : {corners(), sideBySide(), bentCorridor()}) {
-    VoxelGrid<std::uint8_t> walls;
+    VoxelMap<std::uint8_t> walls;
     walls.shape = {drawn.labels.nx, drawn.labels.ny, 1};
     std::vector<Eigen::Vector3i> pixels[3];
     for (int x = 0; x < drawn.labels.nx; ++x)

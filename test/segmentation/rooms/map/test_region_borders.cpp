@@ -20,7 +20,7 @@ constexpr int floor_layer = 0, ceiling_layer = 26; // 2.5 m of free layers betwe
 /** Two spaces side by side, each with its label up to the middle of the wall between
  * them; voxels of 0.1 m. */
 struct TwoSpaces {
-  VoxelGrid<std::uint8_t> occupancy;
+  VoxelMap<std::uint8_t> occupancy;
   PixelMap<int> ceiling;
   PixelMap<std::int32_t> labels, free_labels;
 

@@ -23,7 +23,7 @@ const SlabLayers slab{2, 4};
 
 /** A floor, a ceiling and the two faces of a wall that leans, as voxels. */
 struct Section {
-  VoxelGrid<std::uint8_t> occupancy;
+  VoxelMap<std::uint8_t> occupancy;
   VerticalRange range{0, top + 1};
   PixelMap<int> ceiling;
   PixelMap<std::uint8_t> blocked;

@@ -15,10 +15,10 @@ using namespace pcl::indoor;
 namespace {
 
 /** A level plane of 64 x 64 voxels with a share of them occupied. */
-VoxelGrid<std::uint8_t>
+VoxelMap<std::uint8_t>
 plane(double share, std::mt19937& rng)
 {
-  VoxelGrid<std::uint8_t> grid;
+  VoxelMap<std::uint8_t> grid;
   grid.voxel_size = 0.1;
   grid.shape = {64, 64, 8};
   grid.values.assign(grid.shape.size(), 0);
@@ -35,7 +35,7 @@ TEST(ClosedVoxelSize, DenseSurfacesKeepTheirSize)
   std::mt19937 rng(1);
   EXPECT_EQ(closedVoxelSize(plane(1.0, rng), 0.4), 0.1);
   EXPECT_EQ(closedVoxelSize(plane(0.8, rng), 0.4), 0.1);
-  EXPECT_EQ(closedVoxelSize({}, 0.4), VoxelGrid<std::uint8_t>().voxel_size);
+  EXPECT_EQ(closedVoxelSize({}, 0.4), VoxelMap<std::uint8_t>().voxel_size);
 }
 
 TEST(ClosedVoxelSize, RisesAsPointsOfTheSameDensityDemand)

@@ -20,7 +20,7 @@ using namespace pcl::indoor;
 
 namespace {
 
-using Grid = VoxelGrid<std::uint8_t>;
+using Grid = VoxelMap<std::uint8_t>;
 
 Grid
 randomGrid(std::mt19937& rng, int largest, unsigned one_in)

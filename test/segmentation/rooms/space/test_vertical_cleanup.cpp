@@ -20,10 +20,10 @@ namespace {
 
 /** \brief A grid with one column, from a picture: # is occupied, the left end lowest.
  */
-VoxelGrid<std::uint8_t>
+VoxelMap<std::uint8_t>
 columnGrid(const std::string& picture)
 {
-  VoxelGrid<std::uint8_t> grid;
+  VoxelMap<std::uint8_t> grid;
   grid.shape = {1, 1, static_cast<int>(picture.size())};
   for (const char c : picture)
     grid.values.push_back(c == '#');
@@ -49,7 +49,7 @@ cleaned(const std::string& picture, int max_run)
  * and then occupied ones follow on both sides.
  */
 std::uint8_t
-cleanedVoxel(const VoxelGrid<std::uint8_t>& grid, int x, int y, int z, int max_run)
+cleanedVoxel(const VoxelMap<std::uint8_t>& grid, int x, int y, int z, int max_run)
 {
   if (!grid.at(x, y, z))
     return 0;
@@ -92,7 +92,7 @@ TEST(CleanUpVertically, EqualsTheDefinition)
 {
   std::mt19937 rng(7);
   for (int trial = 0; trial < 200; ++trial) {
-    VoxelGrid<std::uint8_t> grid;
+    VoxelMap<std::uint8_t> grid;
     grid.shape = {3, 4, 1 + static_cast<int>(rng() % 16)};
     const unsigned share = 1 + rng() % 4;
     for (std::size_t v = 0; v < grid.shape.size(); ++v)

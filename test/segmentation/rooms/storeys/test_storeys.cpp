@@ -116,7 +116,7 @@ struct Split {
   std::size_t
   count() const
   {
-    return storeys.storeys.size();
+    return storeys.heights.size();
   }
 
   int
@@ -151,7 +151,7 @@ TEST(FindStoreys, OneStorey)
   const Split split(building);
   ASSERT_EQ(split.count(), 1u);
   EXPECT_TRUE(split.storeys.borders.empty());
-  EXPECT_NEAR(split.storeys.storeys[0].floor, 0.0, 0.1);
+  EXPECT_NEAR(split.storeys.heights[0].floor, 0.0, 0.1);
   EXPECT_EQ(split.at(3, 3, 2.5), 0);
 }
 
@@ -160,10 +160,10 @@ TEST(FindStoreys, TwoStoreysAndTheSlabBetweenThemAtAnyYaw)
   for (const double yaw : {0.0, 0.3, 0.8}) {
     const Split split(twoStoreys(), yaw);
     ASSERT_EQ(split.count(), 2u);
-    EXPECT_NEAR(split.storeys.storeys[0].floor, 0.0, 0.15);
-    EXPECT_NEAR(split.storeys.storeys[0].ceiling, 2.6, 0.2);
-    EXPECT_NEAR(split.storeys.storeys[1].floor, 2.75, 0.2);
-    EXPECT_NEAR(split.storeys.storeys[1].ceiling, 5.3, 0.2);
+    EXPECT_NEAR(split.storeys.heights[0].floor, 0.0, 0.15);
+    EXPECT_NEAR(split.storeys.heights[0].ceiling, 2.6, 0.2);
+    EXPECT_NEAR(split.storeys.heights[1].floor, 2.75, 0.2);
+    EXPECT_NEAR(split.storeys.heights[1].ceiling, 5.3, 0.2);
     for (double x = 0.1; x < 12; x += 0.3)
       for (double y = 0.1; y < 8; y += 0.3) {
         EXPECT_EQ(split.at(x, y, 0.0), 0);
@@ -370,23 +370,23 @@ TEST(FindStoreys, FiveNoisyStoreys)
 
 TEST(FindStoreys, EmptyGrid)
 {
-  EXPECT_EQ(findStoreys({}).storeys.size(), 1u);
-  VoxelGrid<std::uint8_t> grid;
+  EXPECT_EQ(findStoreys({}).heights.size(), 1u);
+  VoxelMap<std::uint8_t> grid;
   grid.shape = {2, 2, 2};
   grid.voxel_size = 0.2;
   grid.values.assign(8, 0);
-  EXPECT_EQ(findStoreys(grid).storeys.size(), 1u);
+  EXPECT_EQ(findStoreys(grid).heights.size(), 1u);
 }
 
 TEST(FindStoreys, RefusesBadArguments)
 {
-  VoxelGrid<std::uint8_t> grid;
+  VoxelMap<std::uint8_t> grid;
   grid.shape = {1, 1, 1};
   EXPECT_THROW(findStoreys(grid), pcl::BadArgumentException);
   grid.values = {1};
   EXPECT_THROW(findStoreys(grid), pcl::BadArgumentException); // no voxel size
   grid.voxel_size = 0.2;
-  EXPECT_EQ(findStoreys(grid).storeys.size(), 1u);
+  EXPECT_EQ(findStoreys(grid).heights.size(), 1u);
   StoreyOptions options;
   options.min_clearance = 0.0;
   EXPECT_THROW(findStoreys(grid, options), pcl::BadArgumentException);

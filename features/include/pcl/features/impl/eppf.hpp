@@ -48,9 +48,9 @@ EPPFEstimation<PointInT, PointNT, PointOutT>::initCompute()
     PCL_ERROR("[pcl::EPPFEstimation::initCompute] No input cloud was given.\n");
     return false;
   }
-  auto problem = indoor::whatIsWrong(*input_, normals_.get(), *indices_);
+  auto problem = indoor::findProblem(*input_, normals_.get(), *indices_);
   if (problem.empty())
-    problem = indoor::whatIsWrong(options_);
+    problem = indoor::findProblem(options_);
   const auto size = static_cast<std::size_t>(PointOutT::descriptorSize());
   if (problem.empty() && options_.bins.size() != size)
     problem = std::to_string(options_.bins.size()) + " bins do not fit an output of " +

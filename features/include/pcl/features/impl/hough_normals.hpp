@@ -76,7 +76,7 @@ template <typename PointInT, typename PointOutT>
 bool
 HoughNormalEstimation<PointInT, PointOutT>::initCompute()
 {
-  std::string problem = indoor::findInvalidOption(options_);
+  std::string problem = indoor::findProblem(options_);
   if (input_ && indices_ && !this->fake_indices_)
     for (const auto index : *indices_)
       if (index < 0 || static_cast<std::size_t>(index) >= input_->size())

@@ -19,7 +19,7 @@ namespace indoor {
 /** \brief Say what is wrong with the input of a descriptor: "" if nothing. */
 template <typename PointT, typename PointNT>
 std::string
-whatIsWrong(const PointCloud<PointT>& cloud,
+findProblem(const PointCloud<PointT>& cloud,
             const PointCloud<PointNT>* normals,
             const Indices& indices)
 {

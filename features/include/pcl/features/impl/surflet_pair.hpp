@@ -46,9 +46,9 @@ SurfletPairEstimation<PointInT, PointNT, PointOutT>::initCompute()
     PCL_ERROR("[pcl::SurfletPairEstimation::initCompute] No input cloud was given.\n");
     return false;
   }
-  auto problem = indoor::whatIsWrong(*input_, normals_.get(), *indices_);
+  auto problem = indoor::findProblem(*input_, normals_.get(), *indices_);
   if (problem.empty())
-    problem = indoor::whatIsWrong(options_);
+    problem = indoor::findProblem(options_);
   if (!problem.empty()) {
     PCL_ERROR("[pcl::SurfletPairEstimation::initCompute] %s.\n", problem.c_str());
     this->deinitCompute();

@@ -88,7 +88,7 @@ ScanOutlierRemoval<PointT>::applyFilter(Indices& indices)
 {
   indices.clear();
   removed_indices_->clear();
-  std::string problem = indoor::findInvalidOption(options_);
+  std::string problem = indoor::findProblem(options_);
   for (const auto index : *indices_)
     if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
       problem = "Index " + std::to_string(index) + " is outside of the cloud.";

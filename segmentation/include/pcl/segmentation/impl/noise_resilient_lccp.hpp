@@ -9,6 +9,7 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/labelled_outputs.h>
+#include <pcl/indoor/middle_point.h>
 #include <pcl/indoor/plain_message.h>
 #include <pcl/indoor/usable_point.h>
 
@@ -80,7 +81,7 @@ NoiseResilientLCCP<PointT>::initCompute()
               static_cast<double>(sensor.z()));
     return false;
   }
-  const auto problem = indoor::findInvalidOption(options_);
+  const auto problem = indoor::findProblem(options_);
   if (!problem.empty()) {
     PCL_ERROR("%s %s\n", where, problem.c_str());
     return false;
@@ -101,24 +102,16 @@ NoiseResilientLCCP<PointT>::localInput()
   for (const auto index : *indices_)
     if (indoor::isUsablePoint((*input_)[index]))
       finite_.push_back(index);
-  // Double differences to a median: nothing is lost in large coordinates, and the
-  // order of the points does not matter.
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  std::vector<float> values(finite_.size());
-  for (int axis = 0; axis < 3 && !finite_.empty(); ++axis) {
-    for (std::size_t i = 0; i < finite_.size(); ++i)
-      values[i] = (*input_)[finite_[i]].getVector3fMap()[axis];
-    const auto middle = values.begin() + values.size() / 2;
-    std::nth_element(values.begin(), middle, values.end());
-    origin[axis] = *middle;
-  }
   for (const auto index : finite_) {
-    const Eigen::Vector3d position =
-        (*input_)[index].getVector3fMap().template cast<double>();
-    local.points.push_back((position - origin).template cast<float>());
+    local.points.push_back((*input_)[index].getVector3fMap());
     if (normals_)
       local.normals.push_back((*normals_)[index].getNormalVector3fMap());
   }
+  // Double differences to a median: nothing is lost in large coordinates, and the
+  // order of the points does not matter.
+  const Eigen::Vector3d origin = indoor::middlePoint(local.points);
+  for (auto& point : local.points)
+    point = (point.cast<double>() - origin).cast<float>();
   if (local.single_camera || !viewpoint_.empty())
     local.viewpoint.assign(1, (sensor - origin).cast<float>());
   return local;
@@ -195,8 +188,8 @@ void
 NoiseResilientLCCP<PointT>::segment()
 {
   segment_of_supervoxel_.clear();
-  const auto problem = given_.names.empty() ? "No supervoxels were set."
-                                            : indoor::findInvalidOption(options_);
+  const auto problem =
+      given_.names.empty() ? "No supervoxels were set." : indoor::findProblem(options_);
   if (!problem.empty())
     PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n", problem.c_str());
   else

@@ -48,7 +48,7 @@ RoomSegmentation<PointT>::initCompute()
               static_cast<std::size_t>(input_->size()));
     return false;
   }
-  const std::string problem = indoor::findInvalidOption(options_);
+  const std::string problem = indoor::findProblem(options_);
   if (!problem.empty()) {
     PCL_ERROR("[pcl::RoomSegmentation::initCompute] %s\n", problem.c_str());
     return false;

@@ -41,6 +41,7 @@ public:
   virtual ~JoiningCriterion() = default;
 
   /** \brief Judge a pair.
+   * \param[in] features of all pairs
    * \param[in] a, b numbers of the pieces
    * \return probability, 0 to 1 */
   virtual float

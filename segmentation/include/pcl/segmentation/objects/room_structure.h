@@ -6,6 +6,7 @@
 
 #include <pcl/segmentation/objects/surface_voxels.h>
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,14 @@ enum class StructureKind : std::uint8_t {
   Ceiling = 3,
   Remainder = 4 ///< all pieces smaller than a supervoxel, as one segment
 };
+
+/** \brief Tell whether two unit normals are at right angles, give or take 17 degrees.
+ */
+inline bool
+areAcross(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::abs(a.dot(b)) < 0.3;
+}
 
 /** \brief Tell floor and ceiling, up to 45 degrees from level, from walls.
  * \param[in] up against gravity, unit length */

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 
 #include <cstdint>
 
@@ -50,7 +50,7 @@ struct VerticalRange {
  * \return the layer, or -1 where the surroundings hold no occupied voxel
  */
 PixelMap<int>
-ceilingLayers(const VoxelGrid<std::uint8_t>& occupancy,
+ceilingLayers(const VoxelMap<std::uint8_t>& occupancy,
               const VerticalRange& storey,
               const CeilingSlabOptions& options);
 
@@ -67,7 +67,7 @@ struct SlabLayers {
  * \param[in] ceiling as ceilingLayers() gives it
  */
 SlabLayers
-slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
+slabLayers(const VoxelMap<std::uint8_t>& occupancy,
            const VerticalRange& storey,
            const PixelMap<int>& ceiling,
            const CeilingSlabOptions& options);
@@ -82,7 +82,7 @@ slabLayers(const VoxelGrid<std::uint8_t>& occupancy,
  * \return 1 = blocked, 0 = free
  */
 PixelMap<std::uint8_t>
-blockedColumns(const VoxelGrid<std::uint8_t>& occupancy,
+blockedColumns(const VoxelMap<std::uint8_t>& occupancy,
                const VerticalRange& storey,
                const PixelMap<int>& ceiling,
                const SlabLayers& slab);

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 
 #include <Eigen/Core>
 
@@ -38,8 +38,8 @@ enum EnclosureBit : std::uint8_t {
  * \throws pcl::BadArgumentException if there are too many directions, one is not finite
  * or 0, threads is negative, or the number of values does not fit the shape
  */
-VoxelGrid<std::uint8_t>
-enclosure(const VoxelGrid<std::uint8_t>& occupancy,
+VoxelMap<std::uint8_t>
+enclosure(const VoxelMap<std::uint8_t>& occupancy,
           const std::vector<Eigen::Vector2d>& directions,
           int threads = 0);
 
@@ -47,8 +47,8 @@ enclosure(const VoxelGrid<std::uint8_t>& occupancy,
  * along the direction's largest component and round the other two.
  * \param[in] directions at most 5; level ones give what the version above gives
  */
-VoxelGrid<std::uint8_t>
-enclosureInSpace(const VoxelGrid<std::uint8_t>& occupancy,
+VoxelMap<std::uint8_t>
+enclosureInSpace(const VoxelMap<std::uint8_t>& occupancy,
                  const std::vector<Eigen::Vector3d>& directions,
                  int threads = 0);
 
@@ -89,8 +89,8 @@ enclosureEvidence(std::uint8_t bits,
  * leaves the range of the result
  */
 std::vector<std::int16_t>
-interiorGain(const VoxelGrid<std::uint8_t>& occupancy,
-             const VoxelGrid<std::uint8_t>& bits,
+interiorGain(const VoxelMap<std::uint8_t>& occupancy,
+             const VoxelMap<std::uint8_t>& bits,
              int direction_count,
              const EnclosureWeights& weights = {},
              double unit = 0.01);

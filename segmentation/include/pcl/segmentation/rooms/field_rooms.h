@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/hdbscan.h>
 #include <pcl/segmentation/rooms/field_connectivity.h>
 #include <pcl/segmentation/rooms/interior_space.h>
@@ -38,12 +38,12 @@ struct FieldRoomsOptions {
 
 /** \brief The rooms of a storey on its field map, and each step on the way to them. */
 struct FieldRooms {
-  VoxelGrid<std::uint32_t> potential; ///< anisotropic potential field, voxels squared
-  PixelMap<float> field;              ///< its highest interior value per column
-  PixelMap<int> highest_free;    ///< layer of the highest interior voxel, -1 = none
-  std::vector<float> thresholds; ///< peaks of the field's histogram
-  PixelMap<int> clusters;        ///< of HDBSCAN or DBSCAN*: 0 ... n - 1; -1 = none
-  PixelMap<int> labels;          ///< after peaks and random walker; -1 = no interior
+  VoxelMap<std::uint32_t> potential; ///< anisotropic potential field, voxels squared
+  PixelMap<float> field;             ///< its highest interior value per column
+  PixelMap<int> highest_free;        ///< layer of the highest interior voxel, -1 = none
+  std::vector<float> thresholds;     ///< peaks of the field's histogram
+  PixelMap<int> clusters;            ///< of HDBSCAN or DBSCAN*: 0 ... n - 1; -1 = none
+  PixelMap<int> labels; ///< after peaks and random walker; -1 = no interior
 };
 
 /** \brief Divide a storey into rooms as the thesis does: potential field, field map,

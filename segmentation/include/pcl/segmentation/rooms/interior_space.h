@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/enclosure.h>
 #include <pcl/segmentation/rooms/occupancy_grid.h>
 
@@ -34,8 +34,8 @@ struct InteriorSpaceOptions {
 struct InteriorSpace {
   int factor = 1;                          ///< map pixels per voxel, along each axis
   std::vector<Eigen::Vector2d> directions; ///< of the walls, in the frame of the grid
-  VoxelGrid<std::uint8_t> occupancy;       ///< cleaned up; 1 = occupied
-  VoxelGrid<std::uint8_t> inside;          ///< 1 = interior free space
+  VoxelMap<std::uint8_t> occupancy;        ///< cleaned up; 1 = occupied
+  VoxelMap<std::uint8_t> inside;           ///< 1 = interior free space
 };
 
 /** \brief Find the directions of a building's walls (Sec. 3.2.1.2), the best supported

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/dbscan.h>
 #include <pcl/segmentation/hdbscan.h>
 #include <pcl/segmentation/rooms/field_connectivity.h>
@@ -42,6 +42,7 @@ public:
    * \param[in] pixels places in the map's values, ascending, each once
    * \param[in] connectivity of that map
    * \param[in] visibility a vector for each of the pixels, or none at all
+   * \param[in] options weights and scales
    * \throws pcl::BadArgumentException if a pixel lies outside of the map or out of
    * order, the number of visibility vectors is wrong, or an option is out of its range
    */

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 
 #include <cstdint>
 #include <vector>
@@ -46,6 +46,7 @@ public:
   /** \param[in] labels region of each free pixel, 0 = none
    * \param[in] field distance of each pixel to the next wall, metres; 0 = wall
    * \param[in] pixel_size metres
+   * \param[in] options what makes two spaces two rooms
    */
   OpenPlan(const PixelMap<std::int32_t>& labels,
            const PixelMap<float>& field,
@@ -74,7 +75,7 @@ public:
 private:
   OpenPlanOptions options_;
   double pixel_area_;
-  VoxelGrid<std::uint8_t> walls_;                  ///< of one layer
+  VoxelMap<std::uint8_t> walls_;                   ///< of one layer
   std::vector<std::vector<std::uint32_t>> pixels_; ///< per label, in order
   std::vector<double> width_;                      ///< per label, metres
 };

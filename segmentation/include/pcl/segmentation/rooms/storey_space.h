@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/ceiling_slab.h> // for VerticalRange
 #include <pcl/segmentation/rooms/interior_space.h>
 #include <pcl/segmentation/rooms/storeys.h>
@@ -21,7 +21,7 @@ namespace indoor {
  * the floor of the other.
  */
 struct StoreySpace {
-  VoxelGrid<std::uint8_t> occupancy; ///< the layers of the storey; 1 = occupied
+  VoxelMap<std::uint8_t> occupancy; ///< the layers of the storey; 1 = occupied
   int first_layer = 0;    ///< layer of the building's grid that is layer 0 here
   VerticalRange range;    ///< layers from the typical floor to the highest ceiling
   InteriorSpace interior; ///< the same part of the coarser voxels
@@ -33,7 +33,7 @@ struct StoreySpace {
  * \param[in] storeys of the same
  */
 std::vector<StoreySpace>
-storeySpaces(const VoxelGrid<std::uint8_t>& occupancy,
+storeySpaces(const VoxelMap<std::uint8_t>& occupancy,
              const InteriorSpace& interior,
              const Storeys& storeys);
 

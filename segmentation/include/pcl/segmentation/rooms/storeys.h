@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/occupancy_grid.h>
 
 #include <Eigen/Core>
@@ -38,7 +38,7 @@ struct Storey {
 
 /** \brief The storeys of a building, lowest first. */
 struct Storeys {
-  std::vector<Storey> storeys; ///< at least one
+  std::vector<Storey> heights; ///< at least one
   /** For each pair of storeys k and k + 1, per column of the grid: the height above
    * which things belong to storey k + 1 (or higher); infinite where a hall is open over
    * both.
@@ -68,8 +68,7 @@ struct Storeys {
  * values does not fit the shape
  */
 Storeys
-findStoreys(const VoxelGrid<std::uint8_t>& occupancy,
-            const StoreyOptions& options = {});
+findStoreys(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options = {});
 
 /** \brief Move the borders of storeys between the ceiling below and the floor above,
  * more finely than the grid: to the valley between the two peaks of the points' heights

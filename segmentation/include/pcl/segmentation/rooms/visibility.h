@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_grid.h>
+#include <pcl/indoor/voxel_map.h>
 
 #include <Eigen/Core>
 
@@ -23,7 +23,7 @@ namespace indoor {
  * REQUIRES: both lie in the grid.
  */
 bool
-lineOfSight(const VoxelGrid<std::uint8_t>& occupancy,
+lineOfSight(const VoxelMap<std::uint8_t>& occupancy,
             const Eigen::Vector3i& a,
             const Eigen::Vector3i& b);
 
@@ -54,7 +54,7 @@ struct VisibilityVectors {
  * \throws pcl::BadArgumentException if a voxel or landmark lies outside of the grid
  */
 VisibilityVectors
-visibilityVectors(const VoxelGrid<std::uint8_t>& occupancy,
+visibilityVectors(const VoxelMap<std::uint8_t>& occupancy,
                   const std::vector<Eigen::Vector3i>& voxels,
                   const std::vector<Eigen::Vector3i>& landmarks,
                   int threads = 0);

@@ -62,7 +62,7 @@ operator!=(const GridShape& a, const GridShape& b)
 
 /** \brief A value per voxel of a regular grid with a place in space. */
 template <typename T>
-struct VoxelGrid {
+struct VoxelMap {
   GridShape shape;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< lower corner of voxel
                                                     ///< (0, 0, 0), metres, local frame

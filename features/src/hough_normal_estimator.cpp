@@ -2,11 +2,11 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/features/hough_normal.h>
+#include <pcl/features/hough_normal_estimator.h>
 
 #include "plane_refit.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/indoor/require_valid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,16 +22,6 @@ constexpr float thinnest_triangle = 1e-3f; // square of the sine of its angle
 constexpr unsigned votes_between_checks = 8;
 
 using pcl::indoor::HoughAccumulator;
-using pcl::indoor::HoughNormalOptions;
-
-HoughNormalOptions
-valid(const HoughNormalOptions& options)
-{
-  const auto problem = pcl::indoor::findInvalidOption(options);
-  if (!problem.empty())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException, problem);
-  return options;
-}
 
 std::vector<std::uint32_t>
 randomNumbers(std::size_t count, std::uint32_t seed)
@@ -56,7 +46,7 @@ houghTripleCount(unsigned bins, double confidence, double deviation)
 }
 
 std::string
-findInvalidOption(const HoughNormalOptions& options)
+findProblem(const HoughNormalOptions& options)
 {
   std::ostringstream problem;
   const auto require =
@@ -95,7 +85,7 @@ findInvalidOption(const HoughNormalOptions& options)
 }
 
 HoughNormalEstimator::HoughNormalEstimator(const HoughNormalOptions& options)
-: options_(valid(options))
+: options_(requireValid(options))
 , accumulator_(std::make_shared<HoughAccumulator>(
       options.bin_angle_degrees, options.rotations, options.seed))
 {

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "scene/upright_box.h"
+#include <pcl/segmentation/upright_box.h>
 
 #include <Eigen/Geometry>
 
@@ -10,7 +10,8 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl::indoor::tool {
+namespace pcl {
+namespace indoor {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
@@ -114,4 +115,5 @@ distanceTo(const UprightBox& box, const Eigen::Vector3d& place)
   return (away.cwiseAbs() - 0.5 * box.size).cwiseMax(0.0).norm();
 }
 
-} // namespace pcl::indoor::tool
+} // namespace indoor
+} // namespace pcl

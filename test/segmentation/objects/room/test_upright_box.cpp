@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "scene/upright_box.h"
+#include <pcl/segmentation/upright_box.h>
 
 #include <Eigen/Geometry>
 
@@ -12,7 +12,7 @@
 #include <limits>
 #include <random>
 
-using namespace pcl::indoor::tool;
+using namespace pcl::indoor;
 
 namespace {
 

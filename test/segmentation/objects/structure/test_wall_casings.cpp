@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "objects/structure/wall_frames.h"
+#include "objects/structure/wall_casings.h"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ flagsOf(const std::vector<Eigen::Vector3f>& points,
   scene.plane_of_voxel.resize(scene.points.size(), 0);
   for (std::uint32_t i = 0; i < scene.points.size(); ++i)
     scene.voxels.cells.cell_of_point.push_back(i);
-  const auto flags = flagStructureAndFrames(scene, segment_of_point);
+  const auto flags = flagStructureAndCasings(scene, segment_of_point);
   for (std::size_t i = 0; i < wall_points * planes.size(); ++i)
     EXPECT_EQ(flags[i], 1);
   const auto first = static_cast<std::ptrdiff_t>(wall_points * planes.size());
@@ -86,7 +86,7 @@ isFrame(const std::vector<Eigen::Vector3f>& points,
   return flags.front() != 0;
 }
 
-TEST(WallFrames, ReachBehindTheWall)
+TEST(WallCasings, ReachBehindTheWall)
 {
   EXPECT_TRUE(isFrame(bar(-0.15, 0.1)));
   EXPECT_TRUE(isFrame(bar(-0.19, -0.04))) << "in a deep reveal";
@@ -94,13 +94,13 @@ TEST(WallFrames, ReachBehindTheWall)
   EXPECT_FALSE(isFrame(bar(-0.025, 0.19))) << "noise of less than a voxel";
 }
 
-TEST(WallFrames, AreThin)
+TEST(WallCasings, AreThin)
 {
   EXPECT_FALSE(isFrame(bar(-0.1, 0.25)));
   EXPECT_FALSE(isFrame(bar(-0.25, 0.1)));
 }
 
-TEST(WallFrames, MayHaveFewPointsElsewhere)
+TEST(WallCasings, MayHaveFewPointsElsewhere)
 {
   EXPECT_TRUE(isFrame(bar(-0.1, 0.1, std::vector<double>(5, 0.5))));
   EXPECT_FALSE(isFrame(bar(-0.1, 0.1, std::vector<double>(6, 0.5))));
@@ -108,7 +108,7 @@ TEST(WallFrames, MayHaveFewPointsElsewhere)
   EXPECT_FALSE(isFrame(bar(0, 0.1, std::vector<double>(4, -0.04))));
 }
 
-TEST(WallFrames, AreInAnyWallButNotInTheFloor)
+TEST(WallCasings, AreInAnyWallButNotInTheFloor)
 {
   const auto other = planeAlong(Eigen::Vector3d::UnitY());
   EXPECT_TRUE(isFrame(bar(-0.15, 0.1), {other, wall}));
@@ -117,7 +117,7 @@ TEST(WallFrames, AreInAnyWallButNotInTheFloor)
   EXPECT_FALSE(isFrame(bar(-0.15, 0.1), {}));
 }
 
-TEST(WallFrames, AreNotBesideTheWall)
+TEST(WallCasings, AreNotBesideTheWall)
 {
   auto points = bar(-0.15, 0.1);
   for (auto& point : points)
@@ -128,7 +128,7 @@ TEST(WallFrames, AreNotBesideTheWall)
   EXPECT_FALSE(isFrame(points)) << "in line with it";
 }
 
-TEST(WallFrames, AreFoundAmongOthers)
+TEST(WallCasings, AreFoundAmongOthers)
 {
   auto points = bar(-0.1, 0.1);
   std::vector<std::uint32_t> segments;
@@ -141,7 +141,7 @@ TEST(WallFrames, AreFoundAmongOthers)
   for (std::size_t i = 0; i < flags.size(); ++i)
     EXPECT_EQ(flags[i], segments[i] == 0) << i;
   EXPECT_TRUE(flagsOf({}, {}).empty());
-  EXPECT_TRUE(flagStructureAndFrames(ObjectScene(), {}).empty());
+  EXPECT_TRUE(flagStructureAndCasings(ObjectScene(), {}).empty());
 }
 
 } // namespace

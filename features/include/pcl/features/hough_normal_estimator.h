@@ -144,7 +144,7 @@ houghTripleCount(unsigned bins, double confidence, double deviation);
  * \return one sentence with parameter, value and unit; empty if nothing is
  */
 std::string
-findInvalidOption(const HoughNormalOptions& options);
+findProblem(const HoughNormalOptions& options);
 
 } // namespace indoor
 } // namespace pcl

@@ -6,7 +6,7 @@
 #include "support/labelled_points.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/features/hough_normal.h>
+#include <pcl/features/hough_normal_estimator.h>
 
 #include <Eigen/Geometry>
 
@@ -257,10 +257,10 @@ TEST(HoughNormal, BadOptionsThrow)
   const auto expectBad = [](auto change) {
     HoughNormalOptions options;
     change(options);
-    EXPECT_FALSE(findInvalidOption(options).empty());
+    EXPECT_FALSE(findProblem(options).empty());
     EXPECT_THROW(HoughNormalEstimator{options}, pcl::BadArgumentException);
   };
-  EXPECT_TRUE(findInvalidOption({}).empty());
+  EXPECT_TRUE(findProblem({}).empty());
   expectBad([](auto& o) { o.bin_angle_degrees = 0.5; });
   expectBad([](auto& o) { o.rotations = 0; });
   expectBad([](auto& o) { o.rotations = 17; });

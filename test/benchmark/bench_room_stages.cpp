@@ -112,7 +112,7 @@ storeys(benchmark::State& state)
 {
   const auto grid = gridOf(floorPoints(state.range(0))).grid;
   for (auto _ : state)
-    benchmark::DoNotOptimize(findStoreys(grid).storeys.data());
+    benchmark::DoNotOptimize(findStoreys(grid).heights.data());
 }
 
 void

@@ -2,12 +2,11 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "scene/object_remainder.h"
+#include <pcl/segmentation/room_objects.h>
 
 #include <gtest/gtest.h>
 
 using namespace pcl::indoor;
-using namespace pcl::indoor::tool;
 
 TEST(ObjectRemainder, TakesWhatIsSmallAndNumbersTheOthersAgain)
 {

@@ -8,7 +8,8 @@
 
 #include <vector>
 
-namespace pcl::indoor::tool {
+namespace pcl {
+namespace indoor {
 
 /** \brief A box that stands upright, turned about the vertical. */
 struct UprightBox {
@@ -29,4 +30,5 @@ uprightBox(const std::vector<Eigen::Vector3d>& points);
 double
 distanceTo(const UprightBox& box, const Eigen::Vector3d& place);
 
-} // namespace pcl::indoor::tool
+} // namespace indoor
+} // namespace pcl

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "objects/structure/wall_frames.h"
+#include "objects/structure/wall_casings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,8 @@ namespace {
 using pcl::indoor::SegmentMembers;
 using pcl::indoor::StructurePlane;
 
-constexpr double max_outliers = 0.05; // share of a frame's points that are farther off
-constexpr double min_behind = 0.05;   // share of a frame's points behind the wall
-constexpr double max_tilt = 0.3;      // of a wall, sine
+constexpr double max_outliers = 0.05; // share of a casing's points that are farther off
+constexpr double min_behind = 0.05;   // share of a casing's points behind the wall
 
 bool
 reachesBehind(const StructurePlane& wall,
@@ -43,34 +42,34 @@ isThinAlong(const StructurePlane& plane,
   const double allowed = max_outliers * static_cast<double>(members.size());
   double far = 0;
   return std::all_of(members.begin(), members.end(), [&](std::uint32_t i) {
-    far += std::abs(plane.heightOf(points[i].cast<double>())) > frame_depth;
+    far += std::abs(plane.heightOf(points[i].cast<double>())) > casing_depth;
     return far <= allowed;
   });
 }
 
-std::vector<WallFrame>
-framesInWalls(const ObjectScene& scene, const PlanesAndObjects& groups)
+std::vector<WallCasing>
+casingsInWalls(const ObjectScene& scene, const PlanesAndObjects& groups)
 {
-  std::vector<WallFrame> frames;
+  std::vector<WallCasing> casings;
   for (std::size_t p = 0; p < scene.planes.size(); ++p) {
     const auto& plane = scene.planes[p];
-    if (std::abs(plane.normal.dot(scene.up.cast<double>())) >= max_tilt)
+    if (!areAcross(plane.normal, scene.up.cast<double>()))
       continue;
-    const auto reach = widened(groups.planes.boxes[p], frame_depth);
+    const auto reach = widened(groups.planes.boxes[p], casing_depth);
     for (std::uint32_t s = 0; s < groups.objects.members.size(); ++s) {
       const auto& members = groups.objects.members[s];
       if (reach.intersects(groups.objects.boxes[s]) &&
           isThinAlong(plane, scene.points, members) &&
           reachesBehind(plane, scene.points, members, scene.voxel_size))
-        frames.push_back({p, s});
+        casings.push_back({p, s});
     }
   }
-  return frames;
+  return casings;
 }
 
 std::vector<std::uint8_t>
-flagStructureAndFrames(const ObjectScene& scene,
-                       const std::vector<std::uint32_t>& segment_of_point)
+flagStructureAndCasings(const ObjectScene& scene,
+                        const std::vector<std::uint32_t>& segment_of_point)
 {
   std::vector<std::uint8_t> flags(scene.points.size(), 0);
   if (scene.points.empty() || scene.planes.empty())
@@ -82,8 +81,8 @@ flagStructureAndFrames(const ObjectScene& scene,
   };
   for (const auto& plane : groups.planes.members)
     flag(plane);
-  for (const auto& frame : framesInWalls(scene, groups))
-    flag(groups.objects.members[frame.segment]);
+  for (const auto& casing : casingsInWalls(scene, groups))
+    flag(groups.objects.members[casing.segment]);
   return flags;
 }
 

@@ -1,0 +1,142 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/segmentation/object_surfaces.h>
+#include <pcl/segmentation/upright_box.h>
+#include <pcl/types.h> // for Indices
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief The points of one room, z up, metres. */
+struct RoomPoints {
+  std::vector<Eigen::Vector3f> positions; ///< finite
+  std::vector<Eigen::Vector3f> normals; ///< one per point; empty to have them estimated
+  /** Objects that are known already, one per point, 0 = none; empty: they are found. */
+  std::vector<std::uint32_t> given;
+};
+
+/** \brief How the objects of a room are found. */
+struct RoomObjectsOptions {
+  ObjectSegmentationOptions segmentation;
+  /** what has fewer points is no object but the remainder of its room, see
+   * separateRemainder(); 0 = all are objects */
+  std::size_t fewest_points = 100;
+};
+
+/** \brief The objects of one room. */
+struct RoomObjects {
+  /** one per point: 1 ... n in the order of their first points; 0 = none */
+  std::vector<std::uint32_t> object_of_point;
+  std::vector<std::uint32_t> structure_of_point; ///< one per point: a StructureKind
+  std::vector<ObjectSurface> surfaces;           ///< object i + 1 is the i-th
+  double voxel_size = 0.0; ///< that was used, metres; 0 = there are no points
+};
+
+/** \brief Segment the points of one room, or those in no room, into objects.
+ *
+ * The result depends on nothing but the room: rooms can be done one after the other, at
+ * the same time, or on several machines. Time and memory are linear in the points.
+ * \param[in] room taken by value: it is emptied on the way; without points there are no
+ * objects
+ * \throws pcl::BadArgumentException if an option is out of range, or sizes differ
+ */
+RoomObjects
+segmentRoomObjects(RoomPoints room, const RoomObjectsOptions& options = {});
+
+/** \brief Make what is too small to be an object the remainder of its room: segments of
+ * fewer points, and those that are smaller than a supervoxel.
+ *
+ * Their points get object 0 and StructureKind::Remainder; the other objects are
+ * numbered again, in the same order.
+ * \param[in] fewest points of an object
+ */
+void
+separateRemainder(RoomObjects& objects, std::size_t fewest);
+
+/** \brief Place and size of an object. */
+struct ObjectMeasures {
+  std::uint32_t structure = 0; ///< a StructureKind
+  std::size_t point_count = 0;
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< corner of the box
+  Eigen::Vector3d upper = Eigen::Vector3d::Zero();
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  UprightBox upright; ///< z up, metres
+};
+
+/** \brief Measure the objects of a room.
+ * \param[in] positions in the frame in which boxes and centres are wanted
+ * \param[in] standing the same points, z up, metres
+ * \return one per object
+ * \throws pcl::BadArgumentException if there are not as many of each as points of the
+ * objects
+ */
+std::vector<ObjectMeasures>
+measureObjects(const std::vector<Eigen::Vector3f>& positions,
+               const std::vector<Eigen::Vector3f>& standing,
+               const RoomObjects& objects);
+
+/** \brief The objects of all rooms of a building. */
+struct BuildingObjects {
+  /** 1 ... n, in the order of the rooms, then those in no room; 0 = none */
+  std::vector<std::uint32_t> object_of_point;
+  std::vector<std::uint32_t> structure_of_point; ///< one per point: a StructureKind
+  std::vector<ObjectSurface> surfaces;           ///< object i + 1 is the i-th
+  /** per room, metres; the last is that of points in no room; 0 = no points */
+  std::vector<double> voxel_sizes;
+};
+
+/** \brief The finite points of room 1, room 2 and so on; last, of those in no room.
+ * \param[in] room_of_point one per point; 0 = none
+ * \param[in] room_count no room has a greater number
+ * \return room_count + 1 lists
+ * \throws pcl::BadArgumentException if there are not as many rooms as points
+ */
+std::vector<Indices>
+pointsOfRooms(const PointCloud<PointXYZ>& points,
+              const std::vector<std::uint32_t>& room_of_point,
+              std::size_t room_count);
+
+/** \brief The numbers of rooms, those with more points first: so that no thread is left
+ * with a large one at the end.
+ * \param[in] sizes points of each room
+ */
+std::vector<std::size_t>
+largestFirst(const std::vector<std::size_t>& sizes);
+
+/** \brief Segment the points of each room, and those in no room, into objects; several
+ * rooms at a time.
+ * \param[in] points z up, metres; those that are not finite are in no object
+ * \param[in] normals one per point, or null to have them estimated
+ * \param[in] room_of_point one per point; 0 = none
+ * \param[in] threads rooms at a time, 0 = automatic; the result does not depend on it
+ * \param[in] given objects that are known already, one per point, 0 = none; then these
+ * are taken, an object in two rooms as two; empty: they are found
+ * \param[in] report is told how many of all points are done, from one thread at a
+ * time; may be empty
+ * \throws pcl::BadArgumentException if an option is out of range, or sizes differ
+ */
+BuildingObjects
+segmentBuildingObjects(
+    const PointCloud<PointXYZ>& points,
+    const PointCloud<Normal>::ConstPtr& normals,
+    const std::vector<std::uint32_t>& room_of_point,
+    const RoomObjectsOptions& options = {},
+    int threads = 0,
+    const std::vector<std::uint32_t>& given = {},
+    const std::function<void(std::size_t done, std::size_t all)>& report = {});
+
+} // namespace indoor
+} // namespace pcl

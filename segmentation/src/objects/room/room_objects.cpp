@@ -1,0 +1,151 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/room_objects.h>
+
+#include <pcl/exceptions.h>
+#include <pcl/indoor/middle_point.h>
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** Numbers 1 ... n for what is called otherwise, by their first points. */
+std::vector<std::uint32_t>
+numbered(const std::vector<std::uint32_t>& names,
+         std::unordered_map<std::uint32_t, std::uint32_t> numbers)
+{
+  std::uint32_t last = 0;
+  std::vector<std::uint32_t> result;
+  result.reserve(names.size());
+  for (const auto name : names) {
+    const auto [entry, is_new] = numbers.emplace(name, last + 1);
+    last += is_new;
+    result.push_back(entry->second);
+  }
+  return result;
+}
+
+void
+requireSizes(const RoomPoints& room)
+{
+  const auto count = room.positions.size();
+  if ((!room.normals.empty() && room.normals.size() != count) ||
+      (!room.given.empty() && room.given.size() != count))
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "A room of " << count << " points has " << room.normals.size()
+                                     << " normals and " << room.given.size()
+                                     << " given objects.");
+}
+
+/** Double differences to a median: nothing is lost in large coordinates. */
+ObjectSegmentationInput
+localInput(RoomPoints& room)
+{
+  ObjectSegmentationInput input;
+  const Eigen::Vector3d origin = middlePoint(room.positions);
+  for (auto& position : room.positions)
+    position = (position.cast<double>() - origin).cast<float>();
+  input.points = std::move(room.positions);
+  input.normals = std::move(room.normals);
+  return input;
+}
+
+} // namespace
+
+RoomObjects
+segmentRoomObjects(RoomPoints room, const RoomObjectsOptions& options)
+{
+  requireSizes(room);
+  RoomObjects objects;
+  if (room.positions.empty())
+    return objects;
+  const auto result = segmentObjects(localInput(room), options.segmentation);
+  objects.voxel_size = result.scene.voxel_size;
+  constexpr auto none = Supervoxels::none;
+  const auto& segments = result.segment_of_point;
+  objects.object_of_point = room.given.empty() ? numbered(segments, {{none, 0}})
+                                               : numbered(room.given, {{0, 0}});
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    objects.structure_of_point.push_back(
+        objects.object_of_point[i] == 0 || segments[i] == none
+            ? 0
+            : static_cast<std::uint32_t>(result.structure_of_segment[segments[i]]));
+  auto numbers = objects.object_of_point;
+  const auto count = *std::max_element(numbers.begin(), numbers.end());
+  for (auto& number : numbers)
+    --number; // 0, no object, becomes a number beyond all objects
+  objects.surfaces = objectSurfaces(result, numbers, count);
+  separateRemainder(objects, options.fewest_points);
+  return objects;
+}
+
+void
+separateRemainder(RoomObjects& objects, std::size_t fewest)
+{
+  constexpr auto remainder = static_cast<std::uint32_t>(StructureKind::Remainder);
+  auto& object_of_point = objects.object_of_point;
+  auto& structure_of_point = objects.structure_of_point;
+  std::vector<std::size_t> counts(objects.surfaces.size() + 1, 0);
+  for (std::size_t i = 0; i < object_of_point.size(); ++i)
+    if (structure_of_point[i] != remainder)
+      ++counts[object_of_point[i]];
+
+  std::vector<std::uint32_t> numbers(counts.size(), 0);
+  std::vector<ObjectSurface> surfaces;
+  for (std::size_t object = 1; object < counts.size(); ++object)
+    if (counts[object] >= fewest) {
+      surfaces.push_back(std::move(objects.surfaces[object - 1]));
+      numbers[object] = static_cast<std::uint32_t>(surfaces.size());
+    }
+  objects.surfaces = std::move(surfaces);
+  for (std::size_t i = 0; i < object_of_point.size(); ++i) {
+    const auto number = numbers[object_of_point[i]];
+    if (object_of_point[i] > 0 && number == 0)
+      structure_of_point[i] = remainder;
+    object_of_point[i] = number;
+  }
+}
+
+std::vector<ObjectMeasures>
+measureObjects(const std::vector<Eigen::Vector3f>& positions,
+               const std::vector<Eigen::Vector3f>& standing,
+               const RoomObjects& objects)
+{
+  const auto& object_of_point = objects.object_of_point;
+  if (positions.size() != object_of_point.size() ||
+      standing.size() != object_of_point.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        positions.size() << " and " << standing.size()
+                                         << " points do not fit objects of "
+                                         << object_of_point.size() << " points");
+  std::vector<ObjectMeasures> measures(objects.surfaces.size());
+  std::vector<std::vector<Eigen::Vector3d>> upright_points(measures.size());
+  for (std::size_t i = 0; i < object_of_point.size(); ++i) {
+    if (object_of_point[i] == 0)
+      continue;
+    auto& object = measures[object_of_point[i] - 1];
+    const Eigen::Vector3d position = positions[i].cast<double>();
+    if (object.point_count++ == 0)
+      object.lower = object.upper = position;
+    object.lower = object.lower.cwiseMin(position);
+    object.upper = object.upper.cwiseMax(position);
+    object.centroid += position;
+    object.structure = objects.structure_of_point[i];
+    upright_points[object_of_point[i] - 1].push_back(standing[i].cast<double>());
+  }
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    measures[k].upright = uprightBox(upright_points[k]);
+    if (measures[k].point_count > 0)
+      measures[k].centroid /= static_cast<double>(measures[k].point_count);
+  }
+  return measures;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,177 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/exceptions.h>
+#include <pcl/segmentation/noise_resilient_lccp.h>
+#include <pcl/segmentation/objects/room_structure.h> // for StructureKind
+#include <pcl/segmentation/room_objects.h>
+
+#include "support/synthetic_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+PointCloud<PointXYZ>::Ptr
+cloudOf(const std::vector<Eigen::Vector3f>& positions)
+{
+  auto cloud = pcl::make_shared<PointCloud<PointXYZ>>();
+  for (const auto& position : positions)
+    cloud->push_back(PointXYZ(position.x(), position.y(), position.z()));
+  return cloud;
+}
+
+/** Two furnished rooms; every 50th point is in none. */
+struct Building {
+  Building()
+  : scene(test::twoRooms())
+  , cloud(cloudOf(scene.points))
+  , room_of_point(scene.objects)
+  {
+    for (std::size_t i = 0; i < room_of_point.size(); i += 50)
+      room_of_point[i] = 0;
+    (*cloud)[7].x = std::numeric_limits<float>::quiet_NaN();
+  }
+
+  test::LabelledPoints scene;
+  PointCloud<PointXYZ>::Ptr cloud;
+  std::vector<std::uint32_t> room_of_point;
+};
+
+RoomPoints
+room(const Building& building, std::uint32_t number)
+{
+  RoomPoints points;
+  for (std::size_t i = 0; i < building.cloud->size(); ++i)
+    if (building.room_of_point[i] == number && i != 7)
+      points.positions.push_back(building.scene.points[i]);
+  return points;
+}
+
+} // namespace
+
+TEST(RoomObjects, AreTheSegmentsOfTheRoomAlone)
+{
+  const Building building;
+  const auto points = room(building, 1);
+  const auto objects = segmentRoomObjects(points, {{}, 0});
+  NoiseResilientLCCP<PointXYZ> segmentation;
+  segmentation.setOptions({});
+  segmentation.setInputCloud(cloudOf(points.positions));
+  std::vector<std::uint32_t> labels;
+  segmentation.segment(labels);
+  EXPECT_EQ(objects.object_of_point, labels);
+  EXPECT_EQ(objects.structure_of_point, segmentation.getStructure());
+  EXPECT_EQ(objects.voxel_size, segmentation.getResult().scene.voxel_size);
+  EXPECT_EQ(objects.surfaces.size(), *std::max_element(labels.begin(), labels.end()));
+}
+
+TEST(RoomObjects, OfABuildingAreThoseOfItsRoomsOneAfterTheOther)
+{
+  const Building building;
+  const auto all =
+      segmentBuildingObjects(*building.cloud, nullptr, building.room_of_point);
+  ASSERT_EQ(all.object_of_point.size(), building.cloud->size());
+  EXPECT_EQ(all.voxel_sizes.size(), 3u); // two rooms, and what is in none
+  std::uint32_t before = 0;
+  for (const std::uint32_t number : {1u, 2u, 0u}) {
+    const auto own = segmentRoomObjects(room(building, number));
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < building.cloud->size(); ++i) {
+      if (building.room_of_point[i] != number || i == 7)
+        continue;
+      const auto object = own.object_of_point[k];
+      EXPECT_EQ(all.object_of_point[i], object == 0 ? 0 : before + object) << i;
+      EXPECT_EQ(all.structure_of_point[i], own.structure_of_point[k]) << i;
+      ++k;
+    }
+    before += static_cast<std::uint32_t>(own.surfaces.size());
+  }
+  EXPECT_GT(before, 10u); // two floors, ceilings, walls, a table, a cabinet
+  EXPECT_EQ(all.surfaces.size(), before);
+  EXPECT_EQ(all.object_of_point[7], 0u); // is not finite
+}
+
+TEST(RoomObjects, DoNotDependOnThreads)
+{
+  const Building building;
+  const auto find = [&](int threads) {
+    return segmentBuildingObjects(
+        *building.cloud, nullptr, building.room_of_point, {}, threads);
+  };
+  const auto one = find(1), three = find(3);
+  EXPECT_EQ(one.object_of_point, three.object_of_point);
+  EXPECT_EQ(one.structure_of_point, three.structure_of_point);
+  EXPECT_EQ(one.voxel_sizes, three.voxel_sizes);
+}
+
+TEST(RoomObjects, GivenOnesAreTakenRoomByRoom)
+{
+  Building building;
+  std::vector<std::uint32_t> given(building.cloud->size(), 0);
+  for (std::size_t i = 0; i < given.size(); ++i)
+    given[i] = building.scene.points[i].z() > 1.0f ? 70 : 0; // in both rooms
+  const auto all = segmentBuildingObjects(
+      *building.cloud, nullptr, building.room_of_point, {{}, 0}, 2, given);
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (i != 7) {
+      const auto number = building.room_of_point[i];
+      const auto expected = number == 0 ? 3 : number;
+      EXPECT_EQ(all.object_of_point[i], given[i] == 0 ? 0 : expected) << i;
+      if (given[i] == 0) {
+        EXPECT_EQ(all.structure_of_point[i], 0u) << i;
+      }
+    }
+  EXPECT_EQ(all.surfaces.size(), 3u);
+}
+
+TEST(RoomObjects, AreMeasuredInTheFrameThatIsAskedFor)
+{
+  const std::vector<Eigen::Vector3f> standing = {
+      {0, 0, 0}, {2, 0, 0}, {9, 9, 9}, {2, 1, 0.5f}, {0, 1, 0.5f}};
+  std::vector<Eigen::Vector3f> positions;
+  for (const auto& point : standing)
+    positions.emplace_back(1000.0f * point.z(), 1000.0f * point.x(), 7.0f);
+  RoomObjects objects;
+  objects.object_of_point = {1, 1, 0, 1, 1};
+  objects.structure_of_point = {2, 2, 4, 2, 2};
+  objects.surfaces.resize(1);
+  const auto measures = measureObjects(positions, standing, objects);
+  ASSERT_EQ(measures.size(), 1u);
+  EXPECT_EQ(measures[0].structure, 2u);
+  EXPECT_EQ(measures[0].point_count, 4u);
+  EXPECT_EQ(measures[0].lower, Eigen::Vector3d(0, 0, 7));
+  EXPECT_EQ(measures[0].upper, Eigen::Vector3d(500, 2000, 7));
+  EXPECT_EQ(measures[0].centroid, Eigen::Vector3d(250, 1000, 7));
+  EXPECT_TRUE(measures[0].upright.size.isApprox(Eigen::Vector3d(2, 1, 0.5), 1e-12));
+  EXPECT_THROW(measureObjects(positions, {}, objects), BadArgumentException);
+}
+
+TEST(RoomObjects, WrongUseIsRefusedAndNothingGivesNothing)
+{
+  const auto nothing = segmentRoomObjects({});
+  EXPECT_TRUE(nothing.object_of_point.empty());
+  EXPECT_EQ(nothing.voxel_size, 0.0);
+  const auto one = segmentRoomObjects({{{1, 2, 3}}, {}, {}});
+  EXPECT_EQ(one.object_of_point, std::vector<std::uint32_t>{0}); // is the remainder
+  EXPECT_EQ(one.structure_of_point[0],
+            static_cast<std::uint32_t>(StructureKind::Remainder));
+  const std::vector<Eigen::Vector3f> two(2, Eigen::Vector3f::UnitZ());
+  EXPECT_THROW(segmentRoomObjects({two, {{0, 0, 1}}, {}}), BadArgumentException);
+  EXPECT_THROW(segmentRoomObjects({two, {}, {1, 1, 1}}), BadArgumentException);
+  EXPECT_THROW(segmentBuildingObjects(*cloudOf(two), nullptr, {1}),
+               BadArgumentException);
+  EXPECT_TRUE(
+      segmentBuildingObjects(*cloudOf({}), nullptr, {}).object_of_point.empty());
+  EXPECT_EQ(largestFirst({3, 9, 3, 20}), (std::vector<std::size_t>{3, 1, 0, 2}));
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,23 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief Whether this build can draw PNG files of plans: it was built with librsvg. */
+bool
+canDrawPlans();
+
+/** \brief Draw an SVG drawing, with its fonts, as a PNG file: at twice its size,
+ * smaller if it would be wider or higher than \a most_pixels. \param[in] svg as
+ * planSvg() gives it \return the bytes of the file; empty unless canDrawPlans() \throws
+ * ToolError if it cannot be drawn
+ */
+std::string
+drawnAsPng(const std::string& svg, int most_pixels = 10000);
+
+} // namespace pcl::indoor::tool

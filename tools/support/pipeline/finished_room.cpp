@@ -1,0 +1,31 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "pipeline/finished_room.h"
+
+#include <utility>
+
+namespace pcl::indoor::tool {
+
+FinishedRoom
+finishRoom(RoomPoints room, const RoomWork& work)
+{
+  const auto positions = room.positions;
+  if (!work.is_standing) {
+    for (auto& position : room.positions)
+      position = (work.turn * position.cast<double>()).cast<float>();
+    for (auto& normal : room.normals)
+      normal = work.normal_turn * normal;
+  }
+  const auto standing = room.positions;
+  FinishedRoom finished;
+  finished.objects = segmentRoomObjects(std::move(room), work.options);
+  finished.measures = measureObjects(positions, standing, finished.objects);
+  const auto surfaces = std::exchange(finished.objects.surfaces, {});
+  if (work.model)
+    finished.classes = classesOf(surfaces, *work.model, 1);
+  return finished;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,43 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "scene/object_classes.h"
+
+#include <pcl/ml/classifier_model.h>
+#include <pcl/segmentation/room_objects.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief What the rooms of a scan have in common. */
+struct RoomWork {
+  RoomObjectsOptions options;
+  std::optional<ClassifierModel> model; ///< without it there are no classes
+  /** Whether z is up and the unit the metre; else the matrices make it so. */
+  bool is_standing = true;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< of points
+  Eigen::Matrix3f normal_turn = Eigen::Matrix3f::Identity();
+};
+
+/** \brief A room with everything that is found in it, in its own numbers. */
+struct FinishedRoom {
+  RoomObjects objects;                  ///< without their surfaces
+  std::vector<ObjectMeasures> measures; ///< one per object, but for the upright box
+                                        ///< in the frame of CloudFile::points
+  std::vector<ObjectClass> classes;     ///< one per object; empty without a model
+};
+
+/** \brief Find, measure and name the objects of one room.
+ * \param[in] room in the frame of CloudFile::points; may have normals
+ */
+FinishedRoom
+finishRoom(RoomPoints room, const RoomWork& work);
+
+} // namespace pcl::indoor::tool
