@@ -221,8 +221,9 @@ struct Method {
 std::vector<Method>
 methods(bool with_thesis)
 {
-  auto dbscan = thesisRoomOptions();
-  dbscan.map.field_rooms.landmark_spacing = 1;
+  BuildingRoomsOptions dbscan;
+  dbscan.map.method = RoomMethod::PotentialField;
+  dbscan.voxel_size = dbscan.interior.voxel_size = 0.2;
   dbscan.map.field_rooms.dbscan_distance = dbscan_distance;
   std::vector<Method> all{
       {"k-means, true k", byMeans},

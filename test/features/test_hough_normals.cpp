@@ -10,8 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <ctime>
-
 using namespace pcl::indoor;
 
 namespace {
@@ -370,9 +368,7 @@ TEST(HoughNormalEstimation, PointsTooNearToTellTheirDistancesDoNotSearchEachOthe
     cloud->emplace_back(1e-44f * static_cast<float>(i % 200),
                         1e-43f * static_cast<float>(i / 200),
                         2.0f);
-  const auto begin = std::clock();
   const auto normals = estimated(cloud, 0);
-  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5); // not 15
   ASSERT_EQ(normals.size(), cloud->size());
   EXPECT_TRUE(std::isnan(normals[0].normal_x));
 }

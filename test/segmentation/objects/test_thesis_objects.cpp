@@ -329,6 +329,30 @@ TEST(ThesisObjects, KinectAsDefined)
   expectAsDefined(options, 1);
 }
 
+TEST(ThesisObjects, ASingleCameraMayStandAnywhere)
+{
+  auto input = inputOf(tableScene(7));
+  input.single_camera = true;
+  for (auto& point : input.points) // in front of a camera that looks along z
+    point = Eigen::Vector3f(point.x() - 0.5f, point.y() - 0.4f, 1.2f - point.z());
+  input.viewpoint = {Eigen::Vector3f::Zero()};
+  auto options = thesisKinectOptions();
+  options.graph_scale = 0.3f;
+  options.removal_radius = 0.06;
+  const auto here = segmentObjects(input, options);
+  EXPECT_LT(here.supervoxels.size(), 300u);
+  EXPECT_GT(here.segment_count, 1u);
+  const Eigen::Vector3f moved(4, -2, 8); // whole numbers: nothing is rounded
+  for (auto& point : input.points)
+    point += moved;
+  input.viewpoint = {moved};
+  const auto there = segmentObjects(input, options);
+  EXPECT_NEAR(there.segment_count, here.segment_count, 2);
+  EXPECT_NEAR(static_cast<double>(there.supervoxels.size()),
+              static_cast<double>(here.supervoxels.size()),
+              0.1 * static_cast<double>(here.supervoxels.size()));
+}
+
 TEST(ThesisObjects, TheSameForAnyNumberOfThreads)
 {
   auto options = thesisOptions();

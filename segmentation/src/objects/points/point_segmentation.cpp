@@ -15,6 +15,7 @@
 #include <pcl/indoor/neighbor_distance.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace {
@@ -157,7 +158,9 @@ segmentOnPoints(ObjectSegmentationInput input,
                       : neighborhoodRadius(input.points, options.threads);
   if (!(radius > 0)) // no two different points: no neighbourhood
     radius = options.voxel_size;
-  const bool single_camera = input.single_camera;
+  std::optional<Eigen::Vector3f> camera;
+  if (input.single_camera)
+    camera = input.viewpoint.front();
   result.scene = makeScene(input, options, radius);
   if (stops(0.4, "removal"))
     return {};
@@ -168,7 +171,7 @@ segmentOnPoints(ObjectSegmentationInput input,
   if (stops(0.5, "supervoxels"))
     return {};
   auto partition =
-      partitionWithUpstream(result.scene.voxels, left_out, single_camera, options);
+      partitionWithUpstream(result.scene.voxels, left_out, camera, options);
   for (const auto label : partition.supervoxels.label_of_voxel)
     result.segment_of_point.push_back(
         label == Supervoxels::none ? label : partition.segment_of_supervoxel[label]);

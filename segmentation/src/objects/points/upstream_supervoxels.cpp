@@ -84,7 +84,7 @@ namespace indoor {
 UpstreamPartition
 partitionWithUpstream(const SurfaceVoxels& surface,
                       const std::vector<std::uint8_t>& left_out,
-                      bool single_camera,
+                      const std::optional<Eigen::Vector3f>& camera,
                       const ObjectSegmentationOptions& options)
 {
   UpstreamPartition result;
@@ -92,12 +92,13 @@ partitionWithUpstream(const SurfaceVoxels& surface,
   supervoxels.label_of_voxel.assign(surface.size(), Supervoxels::none);
   const auto cloud = pcl::make_shared<PointCloud<PointT>>();
   const auto normals = pcl::make_shared<PointCloud<Normal>>();
+  const Eigen::Vector3f origin = camera.value_or(Eigen::Vector3f::Zero());
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < surface.size(); ++i)
     if (!left_out[i]) {
       kept.push_back(i);
       PointT point;
-      point.getVector3fMap() = surface.centroids[i];
+      point.getVector3fMap() = surface.centroids[i] - origin;
       cloud->push_back(point);
       const auto& n = surface.normals[i];
       normals->push_back(Normal(n.x(), n.y(), n.z()));
@@ -106,7 +107,7 @@ partitionWithUpstream(const SurfaceVoxels& surface,
     return result;
   Upstream clustering(static_cast<float>(options.voxel_size),
                       static_cast<float>(options.seed_size));
-  clustering.setUseSingleCameraTransform(single_camera);
+  clustering.setUseSingleCameraTransform(camera.has_value());
   clustering.setInputCloud(cloud);
   clustering.setNormalCloud(normals);
   clustering.setColorImportance(0.0f);
@@ -120,7 +121,7 @@ partitionWithUpstream(const SurfaceVoxels& surface,
   std::map<std::uint32_t, std::uint32_t> number;
   for (const auto& [name, supervoxel] : clusters) {
     number.emplace(name, static_cast<std::uint32_t>(number.size()));
-    supervoxels.centroids.push_back(supervoxel->centroid_.getVector3fMap());
+    supervoxels.centroids.push_back(supervoxel->centroid_.getVector3fMap() + origin);
     const Eigen::Vector3f normal = supervoxel->normal_.getNormalVector3fMap();
     supervoxels.normals.push_back(
         normal.allFinite() ? normal : Eigen::Vector3f(Eigen::Vector3f::Zero()));

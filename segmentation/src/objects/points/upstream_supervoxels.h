@@ -7,6 +7,7 @@
 #include <pcl/segmentation/object_segmentation.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -25,12 +26,13 @@ struct UpstreamPartition {
  * R_seed and the weights of the options, no colours.
  * \param[in] surface points with oriented normals
  * \param[in] left_out one flag per point: not 0 for those that take no part
- * \param[in] single_camera whether voxels grow with the distance along z
+ * \param[in] camera the place from which voxels grow with the distance along z; none
+ * if they do not
  */
 UpstreamPartition
 partitionWithUpstream(const SurfaceVoxels& surface,
                       const std::vector<std::uint8_t>& left_out,
-                      bool single_camera,
+                      const std::optional<Eigen::Vector3f>& camera,
                       const ObjectSegmentationOptions& options);
 
 } // namespace indoor

@@ -67,14 +67,15 @@ segmentRoomObjects(RoomPoints room, const RoomObjectsOptions& options)
     return objects;
   const auto result = segmentObjects(localInput(room), options.segmentation);
   objects.voxel_size = result.scene.voxel_size;
-  objects.object_of_point = room.given.empty() ? numbered(result.segment_of_point, {})
+  constexpr auto none = Supervoxels::none;
+  const auto& segments = result.segment_of_point;
+  objects.object_of_point = room.given.empty() ? numbered(segments, {{none, 0}})
                                                : numbered(room.given, {{0, 0}});
-  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i)
+  for (std::size_t i = 0; i < segments.size(); ++i)
     objects.structure_of_point.push_back(
-        objects.object_of_point[i] == 0
+        objects.object_of_point[i] == 0 || segments[i] == none
             ? 0
-            : static_cast<std::uint32_t>(
-                  result.structure_of_segment[result.segment_of_point[i]]));
+            : static_cast<std::uint32_t>(result.structure_of_segment[segments[i]]));
   auto numbers = objects.object_of_point;
   const auto count = *std::max_element(numbers.begin(), numbers.end());
   for (auto& number : numbers)
