@@ -10,8 +10,15 @@
 
 #include <librsvg/rsvg.h>
 
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 #include <memory>
 
 namespace pcl::indoor::tool {
@@ -43,19 +50,80 @@ struct Release {
 template <typename T>
 using Owned = std::unique_ptr<T, Release>;
 
-[[noreturn]] void
-fail(GError* error)
+bool
+writeAll(int file, const unsigned char* data, std::size_t length)
 {
-  const std::string reason = error != nullptr ? error->message : "no memory";
-  g_clear_error(&error);
-  throw ToolError("The plan cannot be drawn: " + reason);
+  while (length > 0) {
+    const auto written = write(file, data, length);
+    if (written <= 0)
+      return false;
+    data += written;
+    length -= static_cast<std::size_t>(written);
+  }
+  return true;
 }
 
 cairo_status_t
-append(void* bytes, const unsigned char* data, unsigned int length)
+append(void* file, const unsigned char* data, unsigned int length)
 {
-  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
+  return writeAll(*static_cast<int*>(file), data, length) ? CAIRO_STATUS_SUCCESS
+                                                          : CAIRO_STATUS_WRITE_ERROR;
+}
+
+/** Draw, and write the bytes of the PNG file; false if that fails. */
+bool
+draw(const std::string& svg, int most_pixels, int file)
+{
+  const Owned<RsvgHandle> drawing(rsvg_handle_new_from_data(
+      reinterpret_cast<const guint8*>(svg.data()), svg.size(), nullptr));
+  double width = 0.0, height = 0.0;
+  if (!drawing ||
+      !rsvg_handle_get_intrinsic_size_in_pixels(drawing.get(), &width, &height))
+    return false;
+  const double scale =
+      std::min(pixels_per_unit, most_pixels / std::max({width, height, 1.0}));
+  const Owned<cairo_surface_t> image(cairo_image_surface_create(
+      CAIRO_FORMAT_RGB24,
+      std::max(1, static_cast<int>(std::floor(scale * width))),
+      std::max(1, static_cast<int>(std::floor(scale * height)))));
+  const Owned<cairo_t> context(cairo_create(image.get()));
+  const RsvgRectangle page{0.0, 0.0, scale * width, scale * height};
+  return rsvg_handle_render_document(drawing.get(), context.get(), &page, nullptr) &&
+         cairo_surface_write_to_png_stream(image.get(), append, &file) ==
+             CAIRO_STATUS_SUCCESS;
+}
+
+/** What the process does that draws: the libraries print and abort where memory lacks.
+ */
+[[noreturn]] void
+drawAndEnd(const std::string& svg, int most_pixels, int file)
+{
+  for (const int number : {SIGINT, SIGTERM, SIGHUP})
+    std::signal(number, SIG_DFL); // its files are the other process's
+  const int nowhere = open("/dev/null", O_WRONLY);
+  if (nowhere >= 0)
+    dup2(nowhere, STDERR_FILENO);
+  bool is_drawn = false;
+  try {
+    is_drawn = draw(svg, most_pixels, file);
+  } catch (...) {
+  }
+  _exit(is_drawn ? EXIT_SUCCESS : EXIT_FAILURE);
+}
+
+/** All bytes until the other end is closed. */
+std::string
+readAll(int file)
+{
+  std::string bytes;
+  char part[65536];
+  for (ssize_t count = 0; (count = read(file, part, sizeof(part))) != 0;) {
+    if (count > 0)
+      bytes.append(part, static_cast<std::size_t>(count));
+    else if (errno != EINTR)
+      break;
+  }
+  return bytes;
 }
 
 } // namespace
@@ -69,27 +137,28 @@ canDrawPlans()
 std::string
 drawnAsPng(const std::string& svg, int most_pixels)
 {
-  GError* error = nullptr;
-  const Owned<RsvgHandle> drawing(rsvg_handle_new_from_data(
-      reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
-  double width = 0.0, height = 0.0;
-  if (!drawing ||
-      !rsvg_handle_get_intrinsic_size_in_pixels(drawing.get(), &width, &height))
-    fail(error);
-  const double scale =
-      std::min(pixels_per_unit, most_pixels / std::max({width, height, 1.0}));
-  const Owned<cairo_surface_t> image(cairo_image_surface_create(
-      CAIRO_FORMAT_RGB24,
-      std::max(1, static_cast<int>(std::floor(scale * width))),
-      std::max(1, static_cast<int>(std::floor(scale * height)))));
-  const Owned<cairo_t> context(cairo_create(image.get()));
-  const RsvgRectangle page{0.0, 0.0, scale * width, scale * height};
-  if (!rsvg_handle_render_document(drawing.get(), context.get(), &page, &error))
-    fail(error);
+  const char* problem = "The plan cannot be drawn as PNG";
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    throw ToolError(problem);
+  const pid_t process = fork();
+  if (process == 0)
+    drawAndEnd(svg, most_pixels, ends[1]);
+  close(ends[1]);
   std::string bytes;
-  if (cairo_surface_write_to_png_stream(image.get(), append, &bytes) !=
-      CAIRO_STATUS_SUCCESS)
-    fail(nullptr);
+  try {
+    bytes = process > 0 ? readAll(ends[0]) : "";
+  } catch (...) {
+    close(ends[0]);
+    waitpid(process, nullptr, 0);
+    throw;
+  }
+  close(ends[0]);
+  int status = EXIT_FAILURE;
+  if (process > 0)
+    waitpid(process, &status, 0);
+  if (status != 0)
+    throw ToolError(problem);
   return bytes;
 }
 
