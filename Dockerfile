@@ -17,7 +17,7 @@ RUN apt-get install -y --no-install-recommends /packages/*.deb \
 FROM debian:12-slim
 COPY --from=try /tried /
 COPY --from=build /source/build/package/libpcl-indoor[0-9]*.deb /source/build/package/pcl-indoor-tools_*.deb /packages/
-RUN apt-get update && apt-get install -y --no-install-recommends /packages/*.deb \
+RUN apt-get update && apt-get install -y --no-install-recommends /packages/*.deb openmpi-bin \
   && rm -rf /packages /tried /var/lib/apt/lists/*
 WORKDIR /data
 CMD ["pcl_indoor_pipeline", "-h"]

@@ -23,6 +23,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${runtime} (= ${PROJECT_VERSION}), libpcl-dev (>= 1.13), libopenmpi-dev")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME pcl-indoor-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${runtime} (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "openmpi-bin") # mpirun
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Libraries that find rooms and objects in point clouds, an add-on to PCL.")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers and CMake package of pcl_indoor, to build programs with.")
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Tools that turn a scan of a building into rooms, objects, plans and a report.")

@@ -4,30 +4,17 @@
  */
 #include "command_line/options.h"
 #include "command_line/preset.h"
+#include "command_line/printable.h"
 #include "files/cloud_file.h"
-#include "files/json_text.h"
-#include "files/memory_limit.h"
-#include "files/point_colors.h"
-#include "files/point_coordinates.h"
-#include "objects/category_names.h" // for other_class
-#include "pictures/class_picture.h"
-#include "pictures/plan_dxf.h"
-#include "pictures/plan_png.h"
-#include "pictures/plan_svg.h"
-#include "pictures/room_picture.h"
-#include "pipeline/scene_rooms.h"
-#include "report/report_page.h"
-#include "scene/scan_frame.h"
-#include "scene/scene_file.h"
+#include "pipeline/pipeline_results.h"
+#include "pipeline/pipeline_stages.h"
+#include "pipeline/shared_rooms.h"
 #include "scene/scene_summary.h"
 
-#include <pcl/ml/model_file.h>
-#include <pcl/segmentation/room_segmentation.h>
-
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <optional>
+#include <cstdlib>
+#include <exception>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,43 +22,21 @@ using namespace pcl::indoor::tool;
 
 namespace {
 
-using Points = pcl::PointCloud<pcl::PointXYZ>;
+using Options = PipelineOptions;
 
-constexpr double bytes_per_point = 400; // that are in use at once, measured
+constexpr const char* points_option = "-points_at_once";
 
-struct Options {
-  std::string input, folder;
-  std::string partition = "graph";
-  std::string preset = "default";
-  std::string model = "bundled"; ///< file, "none" or "bundled"
-  std::string report = "folder"; ///< file, "none" or "folder"
-  ScanFrame frame;
-  pcl::indoor::BuildingRoomsOptions rooms;
-  pcl::indoor::ObjectSegmentationOptions objects;
-  double voxel_resolution = 0.0,
-         seed_resolution = 0.0; ///< of the objects, 0 = automatic
-  PointColors colors;
-  PointCoordinates coordinates;
-  MemoryLimit memory;
-  int threads = 0;
-  bool ignore_normals = false;
-
-  std::string
-  reportFile() const
-  {
-    return report == "folder" ? folder + "/report.html" : report;
+/** The defaults, which the option -preset changes. */
+Options
+optionsOfPreset(int argc, char** argv)
+{
+  Options options;
+  if (presetOf(argc, argv) == "thesis") {
+    options.rooms = pcl::indoor::thesisRoomOptions();
+    options.objects = pcl::indoor::thesisOptions();
   }
-};
-
-constexpr const char* results[] = {"scene.json",
-                                   "cloud.pcd",
-                                   "rooms.png",
-                                   "potential_field.png",
-                                   "classes.png",
-                                   "plan.svg",
-                                   "plan.png",
-                                   "plan.dxf",
-                                   "report.html"};
+  return options;
+}
 
 OptionParser
 makeParser(Options& options)
@@ -126,6 +91,12 @@ makeParser(Options& options)
             options.report,
             "file of the report, a page for browsers; folder = report.html beside the "
             "other results, none = no report")
+      .number(
+          points_option,
+          options.points_at_once,
+          "of larger scans the rooms are found from a point per cell, and the points "
+          "are read in parts: memory follows the rooms; 0 = never",
+          "points")
       .flag("-ignore_normals",
             options.ignore_normals,
             "estimate normals although there are some")
@@ -144,6 +115,7 @@ makeParser(Options& options)
                  "-preset",
                  "-ignore_normals",
                  "-double",
+                 points_option,
                  "-memory_limit"});
   return parser;
 }
@@ -166,222 +138,47 @@ chooseResolution(Options& options)
                     "' is less than -voxel_resolution, " + std::to_string(voxel));
 }
 
-/** The classifier that was asked for; none if none was. */
-std::optional<pcl::indoor::ClassifierModel>
-loadClassifier(const Options& options)
+/** The settings that a result tells: how large scans are read, only of these. */
+std::vector<Setting>
+settingsOf(const OptionParser& parser, const Scan& scan)
 {
-  if (options.model == "none")
-    return std::nullopt;
-  return pcl::indoor::loadModel(options.model == "bundled" ? bundledModel()
-                                                           : options.model);
+  auto settings = parser.settings();
+  if (!scan.stream)
+    settings.erase(
+        std::remove_if(settings.begin(),
+                       settings.end(),
+                       [](const Setting& s) { return s.name == points_option; }),
+        settings.end());
+  return settings;
 }
 
-/** What the objects of each room are looked for with. */
-RoomWork
-roomWork(const Options& options, const Eigen::Isometry3d& pose)
-{
-  RoomWork work;
-  work.options.segmentation = options.objects;
-  if (options.partition == "lccp")
-    work.options.segmentation.partition = pcl::indoor::Partition::Lccp;
-  work.options.segmentation.threads = 1; // the threads are busy with the rooms
-  work.model = loadClassifier(options);
-  work.is_standing = options.frame.unit == "m" && options.frame.up == "z";
-  work.turn = options.frame.metresPerUnit() * pose.linear().transpose();
-  if (options.frame.up != "z")
-    work.normal_turn = pose.linear().transpose().cast<float>();
-  return work;
-}
-
-/** The points as the objects are looked for: z up, metres, what lies beyond the
- * building not finite. */
-Points::ConstPtr
-standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene)
-{
-  if (work.is_standing && scene.report.outside.empty())
-    return file.points;
-  auto points = pcl::make_shared<Points>(*file.points);
-  if (!work.is_standing)
-    for (auto& point : *points)
-      point.getVector3fMap() =
-          (work.turn * point.getVector3fMap().cast<double>()).cast<float>();
-  for (const auto index : scene.report.outside)
-    (*points)[index].getVector3fMap().setConstant(NAN);
-  return points;
-}
-
-/** Find the rooms of the scan. */
-Scene
-findRooms(const Options& options, const CloudFile& file, Progress& progress)
-{
-  progress.start("Segmenting rooms");
-  pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
-  segmentation.setOptions(options.rooms);
-  segmentation.setNumberOfThreads(options.threads);
-  segmentation.setProgressCallback([&progress](double share, const char*) {
-    progress.update(static_cast<std::size_t>(100.0 * share), 100);
-    return true;
-  });
-  Scene scene;
-  scene.room_of_point = segmentRooms(file, options.frame, segmentation);
-  scene.rooms = segmentation.getRooms();
-  scene.openings = segmentation.getOpenings();
-  scene.building = segmentation.getBuilding();
-  scene.building_pose = segmentation.getBuildingPose();
-  scene.report = segmentation.getReport();
-  progress.done(summaryOf(segmentation));
-  return scene;
-}
-
-/** Find the objects of the rooms, one room after the other, and what they are.
- * \param[in] standing tells which points count */
-void
-findObjects(const Options& options,
-            const CloudFile& file,
-            const Points& standing,
-            const RoomWork& work,
-            Scene& scene,
-            Progress& progress)
-{
-  progress.start("Finding objects");
-  const auto rooms =
-      pcl::indoor::pointsOfRooms(standing, scene.room_of_point, scene.rooms.size());
-  pcl::PointCloud<pcl::Normal>::Ptr normals;
-  if (file.has_normals && !options.ignore_normals)
-    normals = readNormals(file);
-  RoomSource source;
-  for (const auto& room : rooms)
-    source.sizes.push_back(room.size());
-  source.points = [&](std::size_t room) {
-    pcl::indoor::RoomPoints points;
-    for (const auto index : rooms[room]) {
-      points.positions.emplace_back((*file.points)[index].getVector3fMap());
-      if (normals)
-        points.normals.emplace_back((*normals)[index].getNormalVector3fMap());
-    }
-    return points;
-  };
-  auto finished = finishRooms(
-      source, work, options.threads, [&](std::size_t done, std::size_t all) {
-        progress.update(done, all);
-      });
-  scene.seeds_per_voxel = options.objects.seed_size / options.objects.voxel_size;
-  if (work.model)
-    scene.classes.names = classNames(*work.model);
-  gatherRooms(rooms, std::move(finished), scene);
-  progress.done(std::to_string(scene.objects.size()) + " objects");
-}
-
-/** Fields that tell each point the class of its object, and how sure that is. */
-void
-appendClasses(const Scene& scene, pcl::PCLPointCloud2& cloud)
-{
-  std::vector<std::uint32_t> categories(scene.object_of_point.size(), 0);
-  std::vector<float> confidences(scene.object_of_point.size(), 0.0f);
-  for (std::size_t i = 0; i < categories.size(); ++i)
-    if (const auto object = scene.object_of_point[i]; object > 0) {
-      categories[i] = scene.classes.objects[object - 1].category;
-      confidences[i] = scene.classes.objects[object - 1].confidence;
-    }
-  appendField(cloud, "category", categories);
-  appendRealField(cloud, "confidence", confidences);
-}
-
-/** Add what was found to the cloud, as it is to be written. */
-void
-complete(const Options& options, const Scene& scene, CloudFile& file)
-{
-  appendField(file.cloud, "room", scene.room_of_point);
-  appendField(file.cloud, "object", scene.object_of_point);
-  appendField(file.cloud, "structure", scene.structure_of_point);
-  const auto& classes = scene.classes.names;
-  if (!classes.empty())
-    appendClasses(scene, file.cloud);
-  const auto other = static_cast<std::uint32_t>(
-      std::find(classes.begin(), classes.end(), other_class) - classes.begin());
-  options.colors.apply(
-      file, classes.empty() ? "object" : "class", options.frame.upAxis(), other);
-  options.coordinates.apply(file, options.folder + "/cloud.pcd");
-}
-
-using NamedBytes = std::vector<std::pair<std::string, std::string>>;
-
-/** The files beside the cloud, by their paths; scene.json is the last. */
-NamedBytes
-describe(const Options& options,
-         const std::vector<Setting>& settings,
-         const Scene& scene,
-         const pcl::PointCloud<pcl::PointXYZ>& points,
-         const CloudFile& file)
-{
-  NamedBytes files;
-  const auto add = [&](const std::string& name, const std::string& bytes) {
-    files.emplace_back(options.folder + "/" + name, bytes);
-  };
-  const auto field = drawPotentialField(scene.building);
-  add("rooms.png", pngBytes(drawRooms(scene.building)));
-  add("potential_field.png", pngBytes(field));
-  if (!scene.classes.names.empty())
-    add("classes.png", pngBytes(drawClasses(scene, points)));
-  auto plan = floorPlan(scene.building, thingsFromAbove(scene));
-  plan.origin = originOf(file, options.frame, scene.building_pose);
-  add("plan.svg", planSvg(plan));
-  if (canDrawPlans())
-    add("plan.png", drawnAsPng(planSvg(plan)));
-  add("plan.dxf", planDxf(plan));
-  const auto json = sceneJson(scene, file, options.frame, settings);
-  if (options.report != "none")
-    files.emplace_back(options.reportFile(),
-                       reportPage({scene, json, plan, field, points, file.offset}));
-  add("scene.json", jsonText(json));
-  return files;
-}
-
-/** Put all results into the folder, scene.json the last: where it lies, the others
- * belong to it. */
-void
-saveResults(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
-{
-  const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
-  std::vector<OutputFile> files;
-  files.push_back(cloudBeside(in_folder("cloud.pcd"), file.cloud, file.frame));
-  for (const auto& [path, bytes] : texts)
-    files.push_back(writtenBeside(path, bytes));
-  commitTogether(
-      files,
-      {in_folder("scene.json"), in_folder("classes.png"), in_folder("report.html")});
-}
-
-/** Make the folder and fill it, or leave nothing. Returns the names of the results. */
 std::string
-save(const std::string& folder, const NamedBytes& texts, const CloudFile& file)
+workFolder(const Options& options)
 {
-  const bool is_made = makeFolder(folder);
-  try {
-    saveResults(folder, texts, file);
-  } catch (...) {
-    if (is_made)
-      std::filesystem::remove(folder); // is empty
-    throw;
-  }
-  std::string names = "cloud.pcd";
-  for (const auto& text : texts)
-    names += ", " + std::filesystem::path(text.first).filename().string();
-  return names;
+  return options.folder + "/.unfinished";
 }
 
-/** Find out, before the long work, what cannot be written. */
-void
-requireUsable(const Options& options)
+/** What a process does that mpirun has started beside the first one. Of the same
+ * command the first one says what is wrong; here it is enough to wait for the end. */
+int
+help(Ranks& ranks, int argc, char** argv)
 {
-  requireFolder(options.folder);
-  if (std::filesystem::exists(options.folder))
-    for (const char* name : results)
-      requireWritable(options.folder + "/" + name);
-  if (options.report != "none" && options.report != "folder")
-    requireWritable(options.report);
-  if (options.model == "none" && options.colors.wanted == "class")
-    throw ToolError("-colour class: there are no classes with -model none");
+  auto options = optionsOfPreset(argc, argv);
+  auto parser = makeParser(options);
+  try {
+    parser.parse(argc, argv);
+  } catch (const ToolError&) {
+  }
+  try {
+    finishSharedRooms(ranks, workFolder(options), [&] {
+      chooseResolution(options);
+      return roomWork(options);
+    });
+  } catch (const std::exception& error) {
+    printWarning("a process beside the first one ends the work: " + messageOf(error));
+    ranks.endAll();
+  }
+  return EXIT_SUCCESS;
 }
 
 } // namespace
@@ -389,30 +186,33 @@ requireUsable(const Options& options)
 int
 main(int argc, char** argv)
 {
-  Options options;
-  if (presetOf(argc, argv) == "thesis") {
-    options.rooms = pcl::indoor::thesisRoomOptions();
-    options.objects = pcl::indoor::thesisOptions();
-  }
+  Ranks ranks;
+  if (!ranks.isFirst())
+    return help(ranks, argc, argv);
+  auto options = optionsOfPreset(argc, argv);
   auto parser = makeParser(options);
-  return parser.run(argc, argv, [&](Progress& progress) {
+  const int status = parser.run(argc, argv, [&](Progress& progress) {
     requireUsable(options);
-    options.memory.require(options.input, bytes_per_point);
-    progress.start("Loading " + options.input);
-    CloudFile file = loadCloud(options.input);
-    progress.done(std::to_string(file.points->size()) + " points");
+    auto scan = loadScan(options, progress);
     chooseResolution(options);
 
-    Scene scene = findRooms(options, file, progress);
-    const auto work = roomWork(options, scene.building_pose);
-    const auto standing = standingPoints(file, work, scene);
-    findObjects(options, file, *standing, work, scene, progress);
-    complete(options, scene, file);
+    auto work = roomWork(options);
+    WorkFolder folder(workFolder(options), keyOfRun(options, parser.settings()));
+    folder.removeOutdated();
+    auto scene = findRooms(options, scan.file, folder, progress);
+    work.pose = scene.building_pose;
+    const auto standing = standingPoints(scan.file, work, scene);
+    auto cloud =
+        findObjects(options, scan, *standing, work, folder, ranks, scene, progress);
     progress.start("Saving to " + options.folder);
-    const auto texts = describe(options, parser.settings(), scene, *standing, file);
-    progress.done(save(options.folder, texts, file));
+    const auto texts =
+        describe(options, settingsOf(parser, scan), scene, *standing, scan.file);
+    progress.done(save(options.folder, texts, std::move(cloud)));
+    folder.remove();
     progress.summary(options.folder + ": " + summaryOf(scene));
     for (const auto& table : tablesOf(scene, progress.stages()))
       progress.table(table);
   });
+  ranks.dismissAll();
+  return status;
 }

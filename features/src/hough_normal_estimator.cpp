@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <sstream>
 
@@ -31,6 +31,15 @@ randomNumbers(std::size_t count, std::uint32_t seed)
   for (auto& number : numbers)
     number = static_cast<std::uint32_t>(rng());
   return numbers;
+}
+
+/** Bits of a number that is not negative, which are in the order of such numbers. */
+std::uint32_t
+orderedBits(float number)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &number, sizeof(bits));
+  return bits;
 }
 
 } // namespace
@@ -104,11 +113,24 @@ void
 HoughNormalEstimator::sortNeighbors(std::vector<Eigen::Vector3f>& neighbors)
 {
   keys_.clear();
-  for (const auto& p : neighbors)
-    keys_.push_back({p.squaredNorm(), p.x(), p.y(), p.z()});
+  for (std::size_t i = 0; i < neighbors.size(); ++i)
+    keys_.push_back(std::uint64_t{orderedBits(neighbors[i].squaredNorm())} << 32 | i);
   std::sort(keys_.begin(), keys_.end());
-  for (std::size_t i = 0; i < keys_.size(); ++i)
-    neighbors[i] = Eigen::Vector3f(keys_[i][1], keys_[i][2], keys_[i][3]);
+  sorted_.clear();
+  for (const auto key : keys_)
+    sorted_.push_back(neighbors[key & 0xffffffffu]);
+  for (std::size_t begin = 0, end = 0; begin < keys_.size(); begin = end) {
+    while (end < keys_.size() && keys_[end] >> 32 == keys_[begin] >> 32)
+      ++end;
+    if (end - begin > 1)
+      std::sort(sorted_.begin() + static_cast<std::ptrdiff_t>(begin),
+                sorted_.begin() + static_cast<std::ptrdiff_t>(end),
+                [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+                  return std::lexicographical_compare(
+                      a.data(), a.data() + 3, b.data(), b.data() + 3);
+                });
+  }
+  neighbors.swap(sorted_);
 }
 
 /** List the neighbours by cubes of the cube around their ball; empty ones are left out.
@@ -125,17 +147,18 @@ HoughNormalEstimator::sortIntoCubes(const std::vector<Eigen::Vector3f>& neighbor
         ((neighbor.array() + radius) * scale).cast<int>().max(0).min(edge - 1);
     cube_of_neighbor_.push_back((cell.x() * edge + cell.y()) * edge + cell.z());
   }
+  cube_ends_.assign(static_cast<std::size_t>(edge) * edge * edge + 1, 0);
+  for (const auto cube : cube_of_neighbor_)
+    ++cube_ends_[cube + 1];
+  cube_offsets_.assign(1, 0);
+  for (std::size_t cube = 1; cube < cube_ends_.size(); ++cube) {
+    if (cube_ends_[cube] > 0)
+      cube_offsets_.push_back(cube_offsets_.back() + cube_ends_[cube]);
+    cube_ends_[cube] += cube_ends_[cube - 1];
+  }
   order_.resize(neighbors.size());
-  std::iota(order_.begin(), order_.end(), 0u);
-  std::sort(order_.begin(), order_.end(), [&](auto a, auto b) {
-    return std::make_pair(cube_of_neighbor_[a], a) <
-           std::make_pair(cube_of_neighbor_[b], b);
-  });
-  cube_offsets_.clear();
   for (std::uint32_t i = 0; i < order_.size(); ++i)
-    if (i == 0 || cube_of_neighbor_[order_[i]] != cube_of_neighbor_[order_[i - 1]])
-      cube_offsets_.push_back(i);
-  cube_offsets_.push_back(static_cast<std::uint32_t>(order_.size()));
+    order_[cube_ends_[cube_of_neighbor_[i]]++] = i;
 }
 
 /** Has an accumulator a leading bin whose lead is not chance? Two shares out of T votes

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 using namespace pcl::indoor;
 
 namespace {
@@ -357,6 +359,21 @@ TEST(HoughNormalEstimation, PointsInOnePlaceHaveOneNormal)
               normals[count + i / 7].getNormalVector3fMap());
     EXPECT_NEAR(std::abs(normals[i].normal_z), 1, 1e-3);
   }
+}
+
+TEST(HoughNormalEstimation, PointsTooNearToTellTheirDistancesDoNotSearchEachOther)
+{
+  // 30,000 places 10^-44 to 10^-41 m apart: 10^9 neighbours, were each to find all
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (int i = 0; i < 30000; ++i)
+    cloud->emplace_back(1e-44f * static_cast<float>(i % 200),
+                        1e-43f * static_cast<float>(i / 200),
+                        2.0f);
+  const auto begin = std::clock();
+  const auto normals = estimated(cloud, 0);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 20); // not 400
+  ASSERT_EQ(normals.size(), cloud->size());
+  EXPECT_TRUE(std::isnan(normals[0].normal_x));
 }
 
 TEST(HoughNormalEstimation, EqualPointsDoNotSearchEachOther)

@@ -101,6 +101,31 @@ TEST(HoughNormalProperties, AnotherOrderOfPointsGivesTheSameBits)
   }
 }
 
+TEST(HoughNormalProperties, TheSamePointsInRowsGiveTheSameBits)
+{
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    auto points = randomBox(seed);
+    points.resize(points.size() / 2 * 2);
+    const auto in_rows = cloudOf(points);
+    in_rows->width = static_cast<std::uint32_t>(points.size() / 2);
+    in_rows->height = 2;
+    Normals one_row, rows;
+    for (auto* const normals : {&one_row, &rows})
+      normals->estimation.setKSearch(20);
+    const auto expected = one_row.of(points);
+    rows.estimation.setInputCloud(in_rows);
+    pcl::PointCloud<pcl::Normal> found;
+    rows.estimation.compute(found);
+    EXPECT_EQ(found.height, 2u);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+      ASSERT_TRUE(found[i].getNormalVector3fMap() ==
+                      expected[i].getNormalVector3fMap() ||
+                  std::isnan(expected[i].normal_x))
+          << seed << ", point " << i;
+  }
+}
+
 TEST(HoughNormalProperties, CopiesOfPointsHaveTheNormalOfTheirPlace)
 {
   for (unsigned seed = 0; seed < trials; ++seed) {

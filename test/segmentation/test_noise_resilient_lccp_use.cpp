@@ -18,6 +18,23 @@
 using namespace pcl::indoor;
 using namespace pcl::indoor::test;
 
+TEST(NoiseResilientLCCPUse, SeedsFartherApartThanTheSceneIsLargeAreAllAlike)
+{
+  const auto cloud = cloudOf(roomWithTwoBoxes().points);
+  const auto labelsFor = [&cloud](double seed_resolution) {
+    Segmentation segmentation;
+    segmentation.setInputCloud(cloud);
+    segmentation.setSeedResolution(seed_resolution);
+    Labels labels;
+    segmentation.segment(labels);
+    EXPECT_EQ(labels.size(), cloud->size());
+    return labels;
+  };
+  const auto labels = labelsFor(1e4);
+  for (const double seed_resolution : {1e9, 1e300}) // the squares overflow
+    EXPECT_EQ(labelsFor(seed_resolution), labels) << seed_resolution;
+}
+
 TEST(NoiseResilientLCCPUse, SmallInputs)
 {
   std::vector<Eigen::Vector3f> points;

@@ -7,6 +7,8 @@
 #include "support/room_labels.h"
 
 #include <pcl/console/print.h>
+#include <pcl/indoor/usable_point.h>
+#include <pcl/segmentation/rooms/building_frame.h>
 
 #include <gtest/gtest.h>
 
@@ -94,6 +96,21 @@ TEST_F(QuietInput, OtherUnitsGiveTheSameRooms)
       EXPECT_LT((opening.position * unit - same.position).norm(), 0.15);
       EXPECT_NEAR(opening.width, same.width, 0.05);
     }
+  }
+}
+
+TEST_F(QuietInput, NoUnitMakesPointsThatAreNotFinite)
+{
+  for (const double metres_per_unit : {1e300, 1e-300, 1e9}) {
+    Points points(5,
+                  {3e38f, -3e38f, 1e20f}); // most of them, so that they are the middle
+    points.emplace_back(-3e38f, 0, 1e-42f);
+    points.emplace_back(1, 2, 3);
+    const auto pose = pcl::indoor::moveIntoBuildingFrame(
+        points, Eigen::Vector3f::UnitZ(), metres_per_unit);
+    EXPECT_TRUE(pose.matrix().allFinite()) << metres_per_unit;
+    for (const auto& point : points)
+      EXPECT_TRUE(pcl::indoor::isUsable(point)) << metres_per_unit << ": " << point;
   }
 }
 

@@ -4,6 +4,7 @@
  */
 #include "command_line/options.h" // for ToolError
 #include "objects/labelled_objects.h"
+#include "objects/object_files.h"
 #include "support/folder_test.h"
 
 #include <pcl/console/print.h>
@@ -113,6 +114,24 @@ TEST_F(LabelledObjectFiles, ReadingInThreadsLeavesTheConsoleAsItWas)
     ASSERT_EQ(pcl::console::getVerbosityLevel(), level) << round;
     ASSERT_EQ(std::cerr.rdbuf(), buffer) << round;
   }
+}
+
+TEST_F(LabelledObjectFiles, EqualPointsDoNotSearchEachOther)
+{
+  // 200,000 points in each of three places and a few elsewhere: 10^11 neighbours, were
+  // each point to find all
+  constexpr int count = 600006;
+  std::string text = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+                     "WIDTH 600006\nHEIGHT 1\nPOINTS 600006\nDATA ascii\n";
+  for (int i = 0; i < count; ++i)
+    text += i % 3 == 0 ? "0 0 0\n" : i % 3 == 1 ? "1 0 0\n" : "0 1 0\n";
+  file("equal.pcd", text);
+  const auto object = loadObject(path("equal.pcd"), 10);
+  ASSERT_EQ(object->size(), static_cast<std::size_t>(count));
+  file("few.pcd"); // as many neighbours as there are points
+  const auto few = loadObject(path("few.pcd"), 4);
+  for (const auto& point : *few)
+    EXPECT_NEAR(std::abs(point.normal_z), 1, 1e-6f);
 }
 
 TEST_F(LabelledObjectFiles, FilesMayBeLinks)

@@ -5,6 +5,7 @@
 #include "command_line/options.h"
 #include "files/cloud_check.h"
 #include "files/cloud_file.h"
+#include "files/cloud_stream.h"
 #include "files/las_file.h"
 #include "support/folder_test.h"
 
@@ -234,4 +235,18 @@ TEST_F(LasFiles, DamagedFilesAreRefusedInOneLine)
   LasMaker none;
   none.count = 0;
   refused(none.file(), "empty");
+}
+
+TEST_F(LasFiles, AreReadInPartsAlike)
+{
+  const auto file = loadCloud(write("scan.las", LasMaker().file()));
+  const auto stream = CloudStream::open(path("scan.las"));
+  ASSERT_TRUE(stream);
+  EXPECT_EQ(stream->pointCount(), file.points->size());
+  const auto part = stream->read(1, 2);
+  EXPECT_EQ(part.width, 2u);
+  EXPECT_EQ(part.fields.size(), file.cloud.fields.size());
+  EXPECT_TRUE(std::equal(part.data.begin(),
+                         part.data.end(),
+                         file.cloud.data.begin() + file.cloud.point_step));
 }

@@ -33,13 +33,16 @@ turnUpright(const Eigen::Vector3f& up_axis)
  * a building; nearer, a float holds half a millimetre. */
 constexpr double near = 4096.0; // metres
 
-/** Turned and in metres, but not moved yet. */
+/** Turned and in metres, but not moved yet; finite in any unit. */
 Eigen::Vector3d
 turned(const Eigen::Matrix3d& turn,
        double metres_per_unit,
        const Eigen::Vector3f& point)
 {
-  return metres_per_unit * (turn * point.cast<double>());
+  constexpr double largest = 1e100;
+  return (metres_per_unit * (turn * point.cast<double>()))
+      .cwiseMax(-largest)
+      .cwiseMin(largest);
 }
 
 Eigen::Vector3d

@@ -25,6 +25,8 @@
 namespace pcl::indoor::tool {
 namespace {
 
+constexpr const char* axes[] = {"x", "y", "z"};
+
 /** A field's value of one point as a double; every type a PCD can have. */
 double
 valueAt(const std::uint8_t* bytes, std::uint8_t datatype)
@@ -55,16 +57,6 @@ valueAt(const std::uint8_t* bytes, std::uint8_t datatype)
   }
 }
 
-bool
-isRealField(const PCLPointCloud2& cloud, const std::string& name)
-{
-  const int index = getFieldIndex(cloud, name);
-  if (index < 0)
-    return false;
-  const auto type = cloud.fields[index].datatype;
-  return type == PCLPointField::FLOAT32 || type == PCLPointField::FLOAT64;
-}
-
 std::size_t
 pointCount(const PCLPointCloud2& cloud)
 {
@@ -82,27 +74,6 @@ readReals(const PCLPointCloud2& cloud, const std::string& name)
     bytes += cloud.point_step;
   }
   return values;
-}
-
-/** The sensor's pose, which PCL reads by a stream that hides a lack of memory; what is
- * no number stays as PCL has read it. */
-void
-readPose(const FileHeader& header, CloudFrame& frame)
-{
-  for (const auto& words : header.lines) {
-    if (words[0] != "VIEWPOINT" || words.size() < 8)
-      continue;
-    float pose[7];
-    for (std::size_t k = 0; k < 7; ++k) {
-      const auto& word = words[k + 1];
-      const char* const end = word.data() + word.size();
-      const auto read = std::from_chars(word.data(), end, pose[k]);
-      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(pose[k]))
-        return;
-    }
-    frame.origin = Eigen::Vector4f(pose[0], pose[1], pose[2], 0);
-    frame.orientation = Eigen::Quaternionf(pose[3], pose[4], pose[5], pose[6]);
-  }
 }
 
 /** PCL's reader walks over the body by what it made of the header: nothing may be amiss
@@ -198,29 +169,75 @@ stepAt(const PCLPointCloud2& cloud, const std::string& name, double value)
 void
 fillPoints(CloudFile& file)
 {
-  constexpr const char* names[] = {"x", "y", "z"};
-  const std::vector<double> coordinates[3] = {readReals(file.cloud, names[0]),
-                                              readReals(file.cloud, names[1]),
-                                              readReals(file.cloud, names[2])};
-  Eigen::Vector3d middle; // of large coordinates
-  for (int axis = 0; axis < 3; ++axis) {
-    middle[axis] = offsetOf(coordinates[axis]);
-    if (middle[axis] != 0.0)
-      file.coordinate_step =
-          std::max(file.coordinate_step, stepAt(file.cloud, names[axis], middle[axis]));
-  }
-  file.offset = file.frame.offset + middle;
-  auto points = pcl::make_shared<PointCloud<PointXYZ>>();
-  points->width = file.cloud.width;
-  points->height = file.cloud.height;
-  points->header.frame_id = file.cloud.header.frame_id;
+  const auto origin = coordinateOrigin(file.cloud);
+  file.coordinate_step = origin.step;
+  file.offset = file.frame.offset + origin.middle;
+  auto points = pointsAround(file.cloud, origin.middle, file.finite_count);
   points->sensor_origin_ = file.frame.origin;
   points->sensor_origin_.head<3>() =
-      (file.frame.origin.head<3>().cast<double>() - middle).cast<float>();
+      (file.frame.origin.head<3>().cast<double>() - origin.middle).cast<float>();
   points->sensor_orientation_ = file.frame.orientation;
-  points->resize(pointCount(file.cloud), PointXYZ(NAN, NAN, NAN));
-  points->width = file.cloud.width; // resize() made it one row
-  points->height = file.cloud.height;
+  file.points = points;
+}
+
+} // namespace
+
+bool
+isRealField(const PCLPointCloud2& cloud, const std::string& name)
+{
+  const int index = getFieldIndex(cloud, name);
+  if (index < 0)
+    return false;
+  const auto type = cloud.fields[index].datatype;
+  return type == PCLPointField::FLOAT32 || type == PCLPointField::FLOAT64;
+}
+
+void
+readPose(const FileHeader& header, CloudFrame& frame)
+{ // PCL reads it by a stream that hides a lack of memory; what is no number stays as
+  // PCL has read it
+  for (const auto& words : header.lines) {
+    if (words[0] != "VIEWPOINT" || words.size() < 8)
+      continue;
+    float pose[7];
+    for (std::size_t k = 0; k < 7; ++k) {
+      const auto& word = words[k + 1];
+      const char* const end = word.data() + word.size();
+      const auto read = std::from_chars(word.data(), end, pose[k]);
+      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(pose[k]))
+        return;
+    }
+    frame.origin = Eigen::Vector4f(pose[0], pose[1], pose[2], 0);
+    frame.orientation = Eigen::Quaternionf(pose[3], pose[4], pose[5], pose[6]);
+  }
+}
+
+CoordinateOrigin
+coordinateOrigin(const PCLPointCloud2& cloud)
+{
+  CoordinateOrigin origin;
+  for (int axis = 0; axis < 3; ++axis) {
+    origin.middle[axis] = offsetOf(readReals(cloud, axes[axis]));
+    if (origin.middle[axis] != 0.0)
+      origin.step =
+          std::max(origin.step, stepAt(cloud, axes[axis], origin.middle[axis]));
+  }
+  return origin;
+}
+
+PointCloud<PointXYZ>::Ptr
+pointsAround(const PCLPointCloud2& cloud,
+             const Eigen::Vector3d& middle,
+             std::size_t& finite_count)
+{
+  const std::vector<double> coordinates[3] = {
+      readReals(cloud, axes[0]), readReals(cloud, axes[1]), readReals(cloud, axes[2])};
+  auto points = pcl::make_shared<PointCloud<PointXYZ>>();
+  points->header.frame_id = cloud.header.frame_id;
+  points->resize(pointCount(cloud), PointXYZ(NAN, NAN, NAN));
+  points->width = cloud.width; // resize() made it one row
+  points->height = cloud.height;
+  finite_count = 0;
   for (std::size_t i = 0; i < points->size(); ++i) {
     const Eigen::Vector3d point(
         coordinates[0][i], coordinates[1][i], coordinates[2][i]);
@@ -228,13 +245,11 @@ fillPoints(CloudFile& file)
     if (!isUsable(local))
       continue;
     (*points)[i].getVector3fMap() = local;
-    ++file.finite_count;
+    ++finite_count;
   }
-  points->is_dense = file.finite_count == points->size();
-  file.points = points;
+  points->is_dense = finite_count == points->size();
+  return points;
 }
-
-} // namespace
 
 CloudFile
 loadCloud(const std::string& path, std::size_t least_points)
@@ -242,7 +257,7 @@ loadCloud(const std::string& path, std::size_t least_points)
   CloudFile file;
   file.path = path;
   readFile(file);
-  for (const char* name : {"x", "y", "z"})
+  for (const char* name : axes)
     if (!isRealField(file.cloud, name))
       throw ToolError(path + ": the file has no floating-point field '" + name + "'");
   if (pointCount(file.cloud) == 0)
@@ -268,12 +283,18 @@ readNormals(const CloudFile& file)
 {
   if (!file.has_normals)
     throw ToolError(file.path + ": the file has no normals");
-  const auto x = readReals(file.cloud, "normal_x");
-  const auto y = readReals(file.cloud, "normal_y");
-  const auto z = readReals(file.cloud, "normal_z");
+  return readNormals(file.cloud);
+}
+
+PointCloud<Normal>::Ptr
+readNormals(const PCLPointCloud2& cloud)
+{
+  const auto x = readReals(cloud, "normal_x");
+  const auto y = readReals(cloud, "normal_y");
+  const auto z = readReals(cloud, "normal_z");
   std::vector<double> curvature(x.size(), 0.0);
-  if (isRealField(file.cloud, "curvature"))
-    curvature = readReals(file.cloud, "curvature");
+  if (isRealField(cloud, "curvature"))
+    curvature = readReals(cloud, "curvature");
   auto normals = pcl::make_shared<PointCloud<Normal>>();
   normals->resize(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -282,8 +303,8 @@ readNormals(const CloudFile& file)
     (*normals)[i].curvature = static_cast<float>(curvature[i]);
     normals->is_dense &= (*normals)[i].getNormalVector3fMap().allFinite();
   }
-  normals->width = file.cloud.width;
-  normals->height = file.cloud.height;
+  normals->width = cloud.width;
+  normals->height = cloud.height;
   return normals;
 }
 

@@ -6,6 +6,7 @@
 
 #include "command_line/options.h" // for ToolError
 #include "files/cloud_writer.h"   // for CloudFrame
+#include "files/file_header.h"
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/point_cloud.h>
@@ -49,10 +50,41 @@ struct CloudFile {
 CloudFile
 loadCloud(const std::string& path, std::size_t least_points = 2);
 
+/** \brief What is subtracted from the coordinates of a cloud before they become floats:
+ * whole units near the middle of those that are large. */
+struct CoordinateOrigin {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  double step = 0.0; ///< see CloudFile::coordinate_step
+};
+
+CoordinateOrigin
+coordinateOrigin(const PCLPointCloud2& cloud);
+
+/** \brief The points of a cloud, each coordinate minus \a middle; NaN where one is not
+ * finite, or too large to compute with.
+ * \param[out] finite_count of points without NaN
+ */
+PointCloud<PointXYZ>::Ptr
+pointsAround(const PCLPointCloud2& cloud,
+             const Eigen::Vector3d& middle,
+             std::size_t& finite_count);
+
+/** \brief The sensor's pose that the header of a PCD tells. */
+void
+readPose(const FileHeader& header, CloudFrame& frame);
+
+/** \brief Does the cloud have real numbers of this name? */
+bool
+isRealField(const PCLPointCloud2& cloud, const std::string& name);
+
 /** \brief The normals of a cloud with \a has_normals, in its order; curvature 0 where
  * the file has none. */
 PointCloud<Normal>::Ptr
 readNormals(const CloudFile& file);
+
+/** \brief The same of a part of a file. */
+PointCloud<Normal>::Ptr
+readNormals(const PCLPointCloud2& cloud);
 
 /** \brief Does the cloud have such a field? */
 bool

@@ -275,46 +275,73 @@ lasPointCount(const std::string& beginning)
   return header ? header->points : 0;
 }
 
-PCLPointCloud2
-readLas(const std::string& path)
+LasRecords
+lasRecords(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  std::string bytes(512, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
   const auto header = parseHeader(bytes);
   if (!header)
     throw ToolError(path + ": the header of this LAS file is damaged, or of a version "
                            "other than 1.0 to 1.4");
-  if (header->body_begin > bytes.size())
-    throwTruncated(path, header->body_begin, bytes.size(), "bytes before its points");
-  const std::uint64_t held = (bytes.size() - header->body_begin) / header->step;
+  stream.clear();
+  stream.seekg(0, std::ios::end);
+  const auto size = static_cast<std::uint64_t>(stream.tellg());
+  if (header->body_begin > size)
+    throwTruncated(path, header->body_begin, size, "bytes before its points");
+  const std::uint64_t held = (size - header->body_begin) / header->step;
   if (held < header->points)
     throwTruncated(path, header->points, held, "points");
   if (header->points > 0x7fffffff)
     throw ToolError(path + ": more than 2^31 - 1 points");
+  bytes.resize(header->body_begin);
+  stream.seekg(0);
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   const auto fields = fieldsOf(bytes, *header);
-  PCLPointCloud2 cloud;
-  cloud.width = static_cast<std::uint32_t>(header->points);
-  cloud.height = 1;
-  std::size_t step = 0;
+  LasRecords records;
+  records.body_begin = header->body_begin;
+  records.record_size = header->step;
+  records.copy = [fields](const char* record, char* point) {
+    for (const auto& field : fields) {
+      field.copy(record, point);
+      point += field.size;
+    }
+  };
+  auto& layout = records.layout;
+  layout.width = static_cast<std::uint32_t>(header->points);
+  layout.height = 1;
   for (const auto& field : fields) {
     PCLPointField about;
     about.name = field.name;
-    about.offset = static_cast<std::uint32_t>(step);
+    about.offset = layout.point_step;
     about.datatype = field.type;
     about.count = 1;
-    cloud.fields.push_back(about);
-    step += field.size;
+    layout.fields.push_back(about);
+    layout.point_step += static_cast<std::uint32_t>(field.size);
   }
-  cloud.point_step = static_cast<std::uint32_t>(step);
-  cloud.row_step = cloud.point_step * cloud.width;
-  cloud.data.resize(step * header->points);
-  const char* point = bytes.data() + header->body_begin;
+  layout.row_step = layout.point_step * layout.width;
+  return records;
+}
+
+PCLPointCloud2
+readLas(const std::string& path)
+{
+  const auto records = lasRecords(path);
+  std::ifstream stream(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  auto cloud = records.layout;
+  if (bytes.size() < records.body_begin + records.record_size * cloud.width)
+    throw ToolError(path + ": the file has become shorter");
+  cloud.data.resize(static_cast<std::size_t>(cloud.point_step) * cloud.width);
+  const char* record = bytes.data() + records.body_begin;
   auto* target = reinterpret_cast<char*>(cloud.data.data());
-  for (std::uint64_t i = 0; i < header->points; ++i, point += header->step)
-    for (const auto& field : fields) {
-      field.copy(point, target);
-      target += field.size;
-    }
+  for (std::uint32_t i = 0; i < cloud.width; ++i) {
+    records.copy(record, target);
+    record += records.record_size;
+    target += cloud.point_step;
+  }
   return cloud;
 }
 

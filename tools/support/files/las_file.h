@@ -6,7 +6,9 @@
 
 #include <pcl/PCLPointCloud2.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace pcl::indoor::tool {
@@ -30,5 +32,20 @@ lasPointCount(const std::string& beginning);
  */
 PCLPointCloud2
 readLas(const std::string& path);
+
+/** \brief How the points of a LAS file lie in it, and how they become those of
+ * readLas().
+ */
+struct LasRecords {
+  PCLPointCloud2 layout;      ///< fields and width, no points
+  std::size_t body_begin = 0; ///< bytes from the beginning of the file
+  std::size_t record_size = 0;
+  std::function<void(const char* record, char* point)> copy;
+};
+
+/** \brief Read the header of a LAS file.
+ * \throws ToolError as readLas() */
+LasRecords
+lasRecords(const std::string& path);
 
 } // namespace pcl::indoor::tool

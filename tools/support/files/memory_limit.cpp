@@ -61,9 +61,12 @@ MemoryLimit::addOption(OptionParser& parser)
 }
 
 void
-MemoryLimit::require(const std::string& path, double bytes_per_point) const
+MemoryLimit::require(const std::string& path,
+                     double bytes_per_point,
+                     std::uint64_t most_points) const
 {
-  const auto points = static_cast<double>(promisedPoints(path));
+  const auto points =
+      static_cast<double>(most_points > 0 ? most_points : promisedPoints(path));
   const double needed = (base + points * bytes_per_point) / gigabyte;
   const double available = roundedDown(availableMemory() / gigabyte);
   const double limit = gigabytes_ > 0 ? gigabytes_ : available;

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace pcl::indoor::tool {
@@ -24,10 +25,13 @@ public:
 
   /** \brief Compare the limit with what a tool will need, from the header of the scan.
    * \param[in] bytes_per_point measured, see docs/experiments/robustness.md
+   * \param[in] most_points that are in memory at once; 0 = all
    * \throws ToolError naming need, limit and what can be done
    */
   void
-  require(const std::string& path, double bytes_per_point) const;
+  require(const std::string& path,
+          double bytes_per_point,
+          std::uint64_t most_points = 0) const;
 
 private:
   double gigabytes_ = 0.0; ///< 0: what is available

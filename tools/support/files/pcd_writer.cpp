@@ -84,6 +84,19 @@ compressed(const std::vector<std::uint8_t>& bytes)
   return smaller.size() < bytes.size() ? smaller : std::vector<std::uint8_t>();
 }
 
+/** Those that are written. */
+std::vector<PCLPointField>
+fieldsOf(const PCLPointCloud2& cloud)
+{
+  std::vector<PCLPointField> fields;
+  for (const auto& field : cloud.fields)
+    if (field.name != "_") { // PCL's padding
+      fields.push_back(field);
+      fields.back().count = std::max(field.count, 1u); // 0: by old converters
+    }
+  return fields;
+}
+
 void
 writePointByPoint(OutputFile& file,
                   const PCLPointCloud2& cloud,
@@ -109,12 +122,7 @@ writePointByPoint(OutputFile& file,
 void
 writePcd(OutputFile& file, const PCLPointCloud2& cloud, const CloudFrame& frame)
 {
-  std::vector<PCLPointField> fields;
-  for (const auto& field : cloud.fields)
-    if (field.name != "_") { // PCL's padding
-      fields.push_back(field);
-      fields.back().count = std::max(field.count, 1u); // 0: by old converters
-    }
+  const auto fields = fieldsOf(cloud);
   const auto bytes = fieldByField(cloud, fields);
   const auto smaller = compressed(bytes);
   if (smaller.empty()) {
@@ -127,6 +135,18 @@ writePcd(OutputFile& file, const PCLPointCloud2& cloud, const CloudFrame& frame)
   file.write(headerOf(cloud, fields, frame, "binary_compressed"));
   file.write(sizes, sizeof(sizes));
   file.write(smaller.data(), smaller.size());
+}
+
+void
+writePcdHeader(OutputFile& file, const PCLPointCloud2& layout, const CloudFrame& frame)
+{
+  file.write(headerOf(layout, fieldsOf(layout), frame, "binary"));
+}
+
+void
+writePcdPart(OutputFile& file, const PCLPointCloud2& part)
+{
+  writePointByPoint(file, part, fieldsOf(part));
 }
 
 } // namespace pcl::indoor::tool

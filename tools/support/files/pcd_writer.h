@@ -15,4 +15,14 @@ namespace pcl::indoor::tool {
 void
 writePcd(OutputFile& file, const PCLPointCloud2& cloud, const CloudFrame& frame);
 
+/** \brief Begin a PCD that is not compressed, whose points follow part by part.
+ * \param[in] layout width, height and fields of the whole
+ */
+void
+writePcdHeader(OutputFile& file, const PCLPointCloud2& layout, const CloudFrame& frame);
+
+/** \brief Write points with the same fields. */
+void
+writePcdPart(OutputFile& file, const PCLPointCloud2& part);
+
 } // namespace pcl::indoor::tool

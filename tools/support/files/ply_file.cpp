@@ -7,6 +7,7 @@
 #include "command_line/options.h" // for ToolError
 #include "files/file_header.h"
 #include "files/ply_body.h"
+#include "files/ply_header.h"
 
 #include <algorithm>
 #include <cstring>
@@ -18,72 +19,9 @@
 namespace pcl::indoor::tool {
 namespace {
 
-struct Property {
-  std::string name;
-  std::uint8_t type = 0;      ///< of PCLPointField
-  std::uint8_t list_type = 0; ///< of the number of values; 0: one value, no list
-};
-
-struct Element {
-  std::string name;
-  std::uint64_t count = 0;
-  std::vector<Property> properties;
-};
-
-std::uint8_t
-typeNamed(const std::string& name, const std::string& path)
-{
-  static const std::map<std::string, std::uint8_t> types = {
-      {"char", PCLPointField::INT8},
-      {"int8", PCLPointField::INT8},
-      {"uchar", PCLPointField::UINT8},
-      {"uint8", PCLPointField::UINT8},
-      {"short", PCLPointField::INT16},
-      {"int16", PCLPointField::INT16},
-      {"ushort", PCLPointField::UINT16},
-      {"uint16", PCLPointField::UINT16},
-      {"int", PCLPointField::INT32},
-      {"int32", PCLPointField::INT32},
-      {"uint", PCLPointField::UINT32},
-      {"uint32", PCLPointField::UINT32},
-      {"float", PCLPointField::FLOAT32},
-      {"float32", PCLPointField::FLOAT32},
-      {"double", PCLPointField::FLOAT64},
-      {"float64", PCLPointField::FLOAT64}};
-  const auto found = types.find(name);
-  if (found == types.end())
-    throw ToolError(path + ": unknown property type '" + name + "' in the header");
-  return found->second;
-}
-
-std::vector<Element>
-elementsOf(const FileHeader& header, const std::string& path)
-{
-  std::vector<Element> elements;
-  for (const auto& words : header.lines) {
-    if (words[0] == "element") {
-      if (words.size() != 3)
-        throw ToolError(path + ": an element in the header lacks its name or number");
-      elements.push_back({words[1], headerCount(words[2], "element", path), {}});
-    }
-    else if (words[0] == "property") {
-      const bool list = words.size() == 5 && words[1] == "list";
-      if (elements.empty() || (!list && words.size() != 3))
-        throw ToolError(path +
-                        ": a property in the header has no element, type or name");
-      Property property;
-      property.name = words.back();
-      property.type = typeNamed(words[words.size() - 2], path);
-      property.list_type = list ? typeNamed(words[2], path) : std::uint8_t(0);
-      elements.back().properties.push_back(property);
-    }
-  }
-  return elements;
-}
-
 /** How many values a list has: not more than can follow. */
 std::uint64_t
-listLength(PlyBody& body, const Property& property, const std::string& path)
+listLength(PlyBody& body, const PlyProperty& property, const std::string& path)
 {
   const auto type = property.list_type;
   std::uint8_t bytes[8] = {};
@@ -102,7 +40,7 @@ listLength(PlyBody& body, const Property& property, const std::string& path)
 /** Reads a property's value, of a list the last one. */
 void
 readProperty(PlyBody& body,
-             const Property& property,
+             const PlyProperty& property,
              const std::string& path,
              std::uint8_t* out)
 {
@@ -127,14 +65,14 @@ isColor(const std::string& name)
 
 /** Adds the fields to the cloud. */
 std::vector<Target>
-layOut(const Element& vertex, PCLPointCloud2& cloud)
+layOut(const PlyElement& vertex, PCLPointCloud2& cloud)
 {
   static const std::map<std::string, std::string> pcl_names = {
       {"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}};
   static const std::map<std::string, std::size_t> color_bytes = {
       {"blue", 0}, {"green", 1}, {"red", 2}, {"alpha", 3}};
   const bool has_alpha = std::any_of(
-      vertex.properties.begin(), vertex.properties.end(), [](const Property& p) {
+      vertex.properties.begin(), vertex.properties.end(), [](const PlyProperty& p) {
         return p.name == "alpha" && p.type == PCLPointField::UINT8;
       });
   std::size_t color_offset = 0;
@@ -173,7 +111,7 @@ layOut(const Element& vertex, PCLPointCloud2& cloud)
 
 void
 readVertices(PlyBody& body,
-             const Element& vertex,
+             const PlyElement& vertex,
              const std::string& path,
              PCLPointCloud2& cloud)
 {
@@ -210,7 +148,7 @@ readVertices(PlyBody& body,
  * if they fit its points. */
 void
 readCamera(PlyBody& body,
-           const Element& camera,
+           const PlyElement& camera,
            const std::string& path,
            PCLPointCloud2& cloud,
            Eigen::Vector4f& origin,
@@ -246,7 +184,7 @@ readCamera(PlyBody& body,
 }
 
 void
-skip(PlyBody& body, const Element& element, const std::string& path)
+skip(PlyBody& body, const PlyElement& element, const std::string& path)
 {
   std::uint8_t value[8] = {};
   if (element.properties.empty())
@@ -258,7 +196,7 @@ skip(PlyBody& body, const Element& element, const std::string& path)
 
 /** What the header says of a PLY file, and what follows it. */
 struct PlyFile {
-  std::vector<Element> elements;
+  std::vector<PlyElement> elements;
   PlyBody body;
   Eigen::Vector3d offset; ///< see FileHeader
 };
@@ -268,24 +206,29 @@ openPly(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
   const auto header = readFileHeader(stream, "end_header", path);
-  std::string format;
-  for (const auto& words : header.lines)
-    if (words[0] == "format" && words.size() > 1)
-      format = words[1];
-  if (format != "ascii" && format != "binary_little_endian" &&
-      format != "binary_big_endian")
-    throw ToolError(path + ": unknown format '" + format + "' in the header");
-  return {elementsOf(header, path),
-          PlyBody(std::string(std::istreambuf_iterator<char>(stream), {}),
-                  format == "ascii"                  ? PlyBody::Encoding::Ascii
-                  : format == "binary_little_endian" ? PlyBody::Encoding::Little
-                                                     : PlyBody::Encoding::Big,
-                  path),
-          header.offset};
+  const auto encoding = encodingOf(header, path);
+  return {
+      elementsOf(header, path),
+      PlyBody(std::string(std::istreambuf_iterator<char>(stream), {}), encoding, path),
+      header.offset};
+}
+
+/** One element of points, whose size is fixed, and at most a camera behind it. */
+bool
+areRecords(const std::vector<PlyElement>& elements)
+{
+  if (elements.empty() || elements.size() > 2 || elements[0].name != "vertex" ||
+      elements[0].count == 0 || elements[0].properties.empty() ||
+      (elements.size() == 2 && elements[1].name != "camera"))
+    return false;
+  const auto& properties = elements[0].properties;
+  return std::all_of(properties.begin(), properties.end(), [](const PlyProperty& p) {
+    return p.list_type == 0;
+  });
 }
 
 bool
-isFaceList(const Property& property)
+isFaceList(const PlyProperty& property)
 {
   return property.list_type != 0 &&
          (property.name == "vertex_indices" || property.name == "vertex_index");
@@ -293,7 +236,7 @@ isFaceList(const Property& property)
 
 /** The vertices of the next face; its other properties are left out. */
 std::vector<std::uint32_t>
-readFace(PlyBody& body, const Element& element, const std::string& path)
+readFace(PlyBody& body, const PlyElement& element, const std::string& path)
 {
   std::vector<std::uint32_t> face;
   std::uint8_t value[8] = {};
@@ -322,7 +265,7 @@ readPly(const std::string& path,
 {
   auto [elements, body, offset] = openPly(path);
   bool found = false;
-  const auto wanted = [](const Element& element) {
+  const auto wanted = [](const PlyElement& element) {
     return element.name == "vertex" || element.name == "camera";
   };
   for (auto element = elements.begin();
@@ -340,6 +283,43 @@ readPly(const std::string& path,
   if (!found)
     throw ToolError(path + ": the file has no points (no element vertex)");
   return offset;
+}
+
+std::optional<PlyRecords>
+plyRecords(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  const auto header = readFileHeader(stream, "end_header", path);
+  const auto elements = elementsOf(header, path);
+  const auto encoding = encodingOf(header, path);
+  if (encoding == PlyBody::Encoding::Ascii || !areRecords(elements))
+    return {};
+  const auto& vertex = elements[0];
+  PlyRecords records;
+  records.offset = header.offset;
+  records.body_begin = header.body_begin;
+  for (const auto& property : vertex.properties)
+    records.record_size += plyTypeSize(property.type);
+  records.points = [vertex, encoding, path](std::string bytes, std::size_t count) {
+    PCLPointCloud2 cloud;
+    PlyBody body(std::move(bytes), encoding, path);
+    auto part = vertex;
+    part.count = count;
+    readVertices(body, part, path, cloud);
+    return cloud;
+  };
+  layOut(vertex, records.layout);
+  records.layout.width = static_cast<std::uint32_t>(vertex.count);
+  records.layout.height = 1;
+  if (elements.size() == 2 && elements[1].count == 1) {
+    stream.seekg(static_cast<std::streamoff>(header.body_begin +
+                                             vertex.count * records.record_size));
+    PlyBody body(
+        std::string(std::istreambuf_iterator<char>(stream), {}), encoding, path);
+    readCamera(
+        body, elements[1], path, records.layout, records.origin, records.orientation);
+  }
+  return records;
 }
 
 std::vector<std::vector<std::uint32_t>>

@@ -9,7 +9,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +35,26 @@ readPly(const std::string& path,
         PCLPointCloud2& cloud,
         Eigen::Vector4f& origin,
         Eigen::Quaternionf& orientation);
+
+/** \brief How the points of a binary PLY file lie in it. */
+struct PlyRecords {
+  PCLPointCloud2 layout; ///< fields, width and height; no points
+  Eigen::Vector4f origin = Eigen::Vector4f::Zero();
+  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  std::size_t body_begin = 0; ///< bytes from the beginning of the file
+  std::size_t record_size = 0;
+  /** The points of some records, as readPly() gives them. */
+  std::function<PCLPointCloud2(std::string records, std::size_t count)> points;
+};
+
+/** \brief Read the header of a PLY file.
+ * \return nothing if its points are not records of one size at its beginning, in bytes
+ * that follow each other: ASCII, lists, faces
+ * \throws ToolError as readPly()
+ */
+std::optional<PlyRecords>
+plyRecords(const std::string& path);
 
 /** \brief Read the faces of a PLY file: per face the numbers of its vertices, from 0.
  * \return none if the file is no PLY or has no faces

@@ -30,12 +30,15 @@ struct PointColors {
    * \param[in] automatic the label that auto means
    * \param[in] up the direction of heights
    * \param[in] other a label that is grey, too
+   * \param[in] whole points that show the heights of the scan that \a file is a part
+   * of; null: it is the whole
    */
   void
   apply(CloudFile& file,
         const std::string& automatic,
         const Eigen::Vector3f& up = Eigen::Vector3f::UnitZ(),
-        std::uint32_t other = 0) const;
+        std::uint32_t other = 0,
+        const PointCloud<PointXYZ>* whole = nullptr) const;
 };
 
 } // namespace pcl::indoor::tool

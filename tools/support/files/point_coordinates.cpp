@@ -121,7 +121,7 @@ PointCoordinates::apply(CloudFile& file, const std::string& output) const
   file.frame.origin.head<3>() =
       (file.frame.origin.head<3>().cast<double>() - shift).cast<float>();
   file.frame.offset = offset;
-  if (doubles)
+  if (doubles || output.empty())
     return;
   const std::string addend =
       offset.isZero(0.0) ? ""

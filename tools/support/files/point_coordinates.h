@@ -23,7 +23,8 @@ struct PointCoordinates {
   /** \brief Make doubles floats relative to CloudFile::offset, which the file then
    * tells, and say so on stderr; floats stay as they are. With -double, make them
    * doubles without an offset. All other fields stay as they are.
-   * \param[in] output name of the file that they go to, for the message
+   * \param[in] output name of the file that they go to, for the message; empty: there
+   * is none
    */
   void
   apply(CloudFile& file, const std::string& output) const;

@@ -10,6 +10,7 @@
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
 #include <pcl/exceptions.h>
+#include <pcl/features/impl/hough_normals.hpp> // for firstInPlace
 #include <pcl/features/impl/oriented_points.hpp>
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
@@ -69,6 +70,37 @@ firstValue(const PCLPointCloud2& cloud, const std::string& name)
   return std::numeric_limits<float>::quiet_NaN();
 }
 
+/** \brief Points in one row, since a cloud in rows would be searched by its rows, which
+ * miss neighbours. */
+struct SearchablePoints {
+  PointCloud<PointXYZ>::Ptr points = pcl::make_shared<PointCloud<PointXYZ>>();
+  std::vector<std::size_t> place_of_point; ///< where among them each point is
+};
+
+/** \brief At most so many of each place as a search finds: where there are thousands,
+ * each search would visit all of them. */
+SearchablePoints
+searchablePoints(const PointCloud<PointXYZ>& cloud, int most)
+{
+  Indices all(cloud.size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto first = firstInPlace(cloud, all);
+  std::vector<int> copies(cloud.size(), 0);
+  SearchablePoints result;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto of_place = static_cast<std::size_t>(first[i]);
+    const bool is_kept = copies[of_place] < most;
+    result.place_of_point.push_back(is_kept ? result.points->size()
+                                            : result.place_of_point[of_place]);
+    if (!is_kept)
+      continue;
+    ++copies[of_place];
+    result.points->push_back(cloud[i]);
+  }
+  result.points->is_dense = cloud.is_dense;
+  return result;
+}
+
 } // namespace
 
 std::vector<std::string>
@@ -104,22 +136,21 @@ classFolder(const std::string& path)
 void
 estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
 {
-  auto points = pcl::make_shared<PointCloud<PointXYZ>>();
-  copyPointCloud(cloud, *points);
-  // A cloud in rows would be searched by its rows, which miss neighbours.
-  points->width = static_cast<std::uint32_t>(points->size());
-  points->height = 1;
+  PointCloud<PointXYZ> points;
+  copyPointCloud(cloud, points);
+  const auto searched = searchablePoints(points, neighbor_count);
   NormalEstimation<PointXYZ, Normal> estimation;
-  estimation.setInputCloud(points);
+  estimation.setInputCloud(searched.points);
   estimation.setKSearch(neighbor_count);
   Eigen::Vector4f centroid;
-  compute3DCentroid(*points, centroid); // of the finite ones
+  compute3DCentroid(points, centroid); // of the finite ones
   estimation.setViewPoint(centroid.x(), centroid.y(), centroid.z());
   PointCloud<Normal> normals;
   estimation.compute(normals);
   for (std::size_t k = 0; k < cloud.size(); ++k) {
-    cloud[k].getNormalVector3fMap() = normals[k].getNormalVector3fMap();
-    cloud[k].curvature = normals[k].curvature;
+    const Normal& normal = normals[searched.place_of_point[k]];
+    cloud[k].getNormalVector3fMap() = normal.getNormalVector3fMap();
+    cloud[k].curvature = normal.curvature;
   }
 }
 

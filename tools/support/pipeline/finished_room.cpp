@@ -13,10 +13,11 @@ finishRoom(RoomPoints room, const RoomWork& work)
 {
   const auto positions = room.positions;
   if (!work.is_standing) {
+    const Eigen::Matrix3f turn = work.pose.linear().transpose().cast<float>();
     for (auto& position : room.positions)
-      position = (work.turn * position.cast<double>()).cast<float>();
+      position = work.standing(position);
     for (auto& normal : room.normals)
-      normal = work.normal_turn * normal;
+      normal = turn * normal;
   }
   const auto standing = room.positions;
   FinishedRoom finished;

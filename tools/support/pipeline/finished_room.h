@@ -10,6 +10,7 @@
 #include <pcl/segmentation/room_objects.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <optional>
 #include <vector>
@@ -20,10 +21,19 @@ namespace pcl::indoor::tool {
 struct RoomWork {
   RoomObjectsOptions options;
   std::optional<ClassifierModel> model; ///< without it there are no classes
-  /** Whether z is up and the unit the metre; else the matrices make it so. */
-  bool is_standing = true;
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< of points
-  Eigen::Matrix3f normal_turn = Eigen::Matrix3f::Identity();
+  bool is_standing = true;              ///< z is up and the unit is the metre
+  double metres_per_unit = 1.0;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< of the building
+
+  /** \brief A point with z up, in metres. */
+  Eigen::Vector3f
+  standing(const Eigen::Vector3f& point) const
+  {
+    return is_standing ? point
+                       : Eigen::Vector3f((metres_per_unit * pose.linear().transpose() *
+                                          point.cast<double>())
+                                             .cast<float>());
+  }
 };
 
 /** \brief A room with everything that is found in it, in its own numbers. */

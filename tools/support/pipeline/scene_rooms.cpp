@@ -4,61 +4,90 @@
  */
 #include "pipeline/scene_rooms.h"
 
+#include "command_line/options.h" // for ToolError
+#include "pipeline/scene_record.h"
+#include "pipeline/shared_rooms.h"
+
 #include <pcl/indoor/parallel_for.h>
 
+#include <algorithm>
 #include <iterator>
 #include <mutex>
-#include <numeric>
 #include <utility>
 
 namespace pcl::indoor::tool {
+namespace {
 
-std::vector<FinishedRoom>
+/** A room that is finished and has as many points as it should; else nothing. */
+std::optional<FinishedRoom>
+finishedRoom(const WorkFolder& folder, std::size_t room, std::size_t size)
+{
+  const auto bytes = folder.read(roomFile(room));
+  auto finished = bytes ? roomOf(*bytes) : std::nullopt;
+  return finished && finished->objects.object_of_point.size() == size ? finished
+                                                                      : std::nullopt;
+}
+
+} // namespace
+
+void
 finishRooms(const RoomSource& source,
             const RoomWork& work,
+            WorkFolder& folder,
+            Ranks& ranks,
             int threads,
-            const std::function<void(std::size_t done, std::size_t all)>& report)
+            const PointsDone& report)
 {
-  const auto order = largestFirst(source.sizes);
-  const auto all =
-      std::accumulate(source.sizes.begin(), source.sizes.end(), std::size_t(0));
-  std::size_t done = 0;
-  std::mutex mutex; // of the report
-  std::vector<FinishedRoom> finished(order.size());
+  std::size_t all = 0, done = 0;
+  std::vector<std::size_t> left;
+  for (const auto room : largestFirst(source.sizes)) {
+    all += source.sizes[room];
+    if (finishedRoom(folder, room, source.sizes[room]))
+      done += source.sizes[room];
+    else
+      left.push_back(room);
+  }
+  if (done > 0)
+    report(done, all);
+  const auto is_done = [&](std::size_t room) {
+    report(done += source.sizes[room], all);
+  };
+  if (ranks.count() > 1)
+    return shareRooms(left, source, work, folder, ranks, is_done);
+  std::mutex mutex;
   parallelFor(
-      static_cast<std::ptrdiff_t>(order.size()), threads, 1, [&](std::ptrdiff_t i) {
-        const auto room = order[static_cast<std::size_t>(i)];
-        finished[room] = finishRoom(source.points(room), work);
+      static_cast<std::ptrdiff_t>(left.size()), threads, 1, [&](std::ptrdiff_t i) {
+        const auto room = left[static_cast<std::size_t>(i)];
+        folder.write(roomFile(room), roomBytes(finishRoom(source.points(room), work)));
         const std::lock_guard<std::mutex> lock(mutex);
-        report(done += source.sizes[room], all);
+        is_done(room);
       });
-  return finished;
 }
 
 void
-gatherRooms(const std::vector<Indices>& rooms,
-            std::vector<FinishedRoom> finished,
-            Scene& scene)
+gatherRooms(const RoomSource& source,
+            const WorkFolder& folder,
+            Scene& scene,
+            const VisitRoom& visit)
 {
-  const std::size_t point_count = scene.room_of_point.size();
-  scene.object_of_point.assign(point_count, 0);
-  scene.structure_of_point.assign(point_count, 0);
-  for (std::size_t room = 0; room < rooms.size(); ++room) {
-    auto& own = finished[room];
-    const auto first = static_cast<std::uint32_t>(scene.objects.size());
-    for (std::size_t i = 0; i < rooms[room].size(); ++i) {
-      if (own.objects.object_of_point[i] > 0)
-        scene.object_of_point[rooms[room][i]] = first + own.objects.object_of_point[i];
-      scene.structure_of_point[rooms[room][i]] = own.objects.structure_of_point[i];
-    }
+  constexpr auto remainder = static_cast<std::uint32_t>(StructureKind::Remainder);
+  for (std::size_t room = 0; room < source.sizes.size(); ++room) {
+    auto own = finishedRoom(folder, room, source.sizes[room]);
+    if (!own)
+      throw ToolError(folder.path(roomFile(room)) +
+                      ": the file is gone or damaged; start again to go on");
+    visit(room, static_cast<std::uint32_t>(scene.objects.size()), own->objects);
     const bool is_room = room < scene.rooms.size();
-    for (const auto& measures : own.measures)
+    for (const auto& measures : own->measures)
       scene.objects.push_back(
           {measures, is_room ? static_cast<std::uint32_t>(room + 1) : 0u});
-    std::move(own.classes.begin(),
-              own.classes.end(),
+    std::move(own->classes.begin(),
+              own->classes.end(),
               std::back_inserter(scene.classes.objects));
-    scene.object_voxels.push_back(own.objects.voxel_size);
+    scene.object_voxels.push_back(own->objects.voxel_size);
+    const auto& structure = own->objects.structure_of_point;
+    scene.remainders.push_back(static_cast<std::size_t>(
+        std::count(structure.begin(), structure.end(), remainder)));
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include "scene/room_json.h"
 
-#include <pcl/segmentation/objects/room_structure.h> // for StructureKind
 
 #include <algorithm>
 #include <cmath>
@@ -131,28 +130,15 @@ objectsJson(const Scene& scene, const CloudFile& file, const ScanFrame& frame)
   return objects;
 }
 
-/** Points of the remainder of each room; the first are those in no room. */
-std::vector<std::size_t>
-remainderOfRooms(const Scene& scene)
-{
-  constexpr auto remainder = static_cast<std::uint32_t>(StructureKind::Remainder);
-  std::vector<std::size_t> counts(scene.rooms.size() + 1, 0);
-  for (std::size_t i = 0; i < scene.structure_of_point.size(); ++i)
-    if (scene.structure_of_point[i] == remainder)
-      ++counts[scene.room_of_point[i]];
-  return counts;
-}
-
 /** Adds to each room its objects, and how they were looked for. */
 void
 addObjectsToRooms(Json& rooms, const Scene& scene)
 {
-  const auto remainder = remainderOfRooms(scene);
   for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
     auto& room = rooms[i];
     room["voxel_resolution"] = rounded(scene.object_voxels.at(i));
     room["seed_resolution"] = rounded(scene.seeds_per_voxel * scene.object_voxels[i]);
-    room["remainder"] = remainder[i + 1];
+    room["remainder"] = scene.remainders.at(i);
     room["objects"] = Json::array();
   }
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
@@ -173,10 +159,14 @@ sceneJson(const Scene& scene,
       {"version", format_version},
       {"program", {{"name", "pcl_indoor_pipeline"}, {"version", programVersion()}}}};
   json.update(inputJson(file, scene.room_of_point));
+  json["points"] = scene.counts.all;
+  json["finite_points"] = scene.counts.finite;
+  json["points_in_rooms"] = scene.counts.in_rooms;
   json["settings"] = settingsJson(settings);
   json["axes"] = axesJson(scene);
   addReportJson(json, frame, scene.report);
-  json["remainder_in_no_room"] = remainderOfRooms(scene)[0];
+  json["points_outside"] = scene.counts.outside;
+  json["remainder_in_no_room"] = scene.remainders.back();
   json["storeys"] = storeysJson(
       scene,
       frame.metresPerUnit() * scene.building_pose.linear().col(2).dot(file.offset));

@@ -26,8 +26,17 @@ struct SceneObject : ObjectMeasures {
   std::uint32_t room = 0;
 };
 
-/** \brief What was found in a scan; positions in the frame of CloudFile::points. */
+/** \brief Numbers of points of a scan. */
+struct PointCounts {
+  std::uint64_t all = 0, finite = 0, in_rooms = 0;
+  std::uint64_t outside = 0; ///< beyond the extent of the building
+};
+
+/** \brief What was found in a scan; positions in the frame of CloudFile::points. Of a
+ * scan that is read in parts, points are those of its sample. */
 struct Scene {
+  PointCounts counts;                            ///< of the whole scan
+  std::vector<std::size_t> remainders;           ///< points per room, last in none
   std::vector<std::uint32_t> room_of_point;      ///< 0 = none
   std::vector<std::uint32_t> object_of_point;    ///< 0 = none
   std::vector<std::uint32_t> structure_of_point; ///< a StructureKind

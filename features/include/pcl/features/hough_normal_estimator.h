@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -125,8 +124,9 @@ private:
   std::shared_ptr<const std::vector<std::uint32_t>> random_; // three per triple
 
   // Scratch of one estimate.
-  std::vector<std::array<float, 4>> keys_;
-  std::vector<std::uint32_t> order_, cube_of_neighbor_, cube_offsets_;
+  std::vector<std::uint64_t> keys_; // of neighbours: distance, index
+  std::vector<Eigen::Vector3f> sorted_;
+  std::vector<std::uint32_t> order_, cube_of_neighbor_, cube_ends_, cube_offsets_;
   std::vector<std::uint32_t> votes_; // per copy and bin
   std::vector<Leader> leaders_;
   std::vector<Eigen::Vector3f> directions_; // of the triples

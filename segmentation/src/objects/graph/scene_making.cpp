@@ -117,7 +117,9 @@ makeObjectScene(ObjectSegmentationInput input, const ObjectSegmentationOptions& 
     findNormals(input, options, 1, scene.voxels);
     scene.points = std::move(input.points);
     const double seed_voxels = options.seed_size / options.voxel_size;
-    const auto patch = static_cast<std::size_t>(seed_voxels * seed_voxels);
+    constexpr double largest = 1e9; // voxels, more than there are
+    const auto patch =
+        static_cast<std::size_t>(std::min(seed_voxels * seed_voxels, largest));
     returnIslands(patch, options.min_segment_size * patch, scene);
     yieldContacts(surroundings, scene);
     return scene;

@@ -217,16 +217,19 @@ growSupervoxels(const SurfaceVoxels& voxels,
   std::vector<std::uint32_t> labels(voxels.size(), none);
   for (std::uint32_t i = 0; i < seeds.size(); ++i)
     labels[seeds[i]] = i;
-  // As far as the original: a patch may reach 1.8 times the seed size.
-  const auto rounds = static_cast<int>(std::ceil(1.8 * grid_scale));
+  // As far as the original: a patch may reach 1.8 times the seed size. What has no end
+  // within the voxels is reached in as many rounds as there are voxels.
+  const auto rounds = static_cast<std::size_t>(
+      std::min(std::ceil(1.8 * grid_scale),
+               std::max(1000.0, static_cast<double>(voxels.size()))));
   auto patches = averagePatches(voxels, labels, seeds.size());
-  for (int round = 0; round < rounds; ++round) {
+  for (std::size_t round = 0; round < rounds; ++round) {
     if (!chooseOnce(voxels, left_out, patches, distance, false, workers, labels))
       break;
     patches = averagePatches(voxels, labels, seeds.size());
   }
   releaseFragments(voxels, left_out, seeds.size(), labels);
-  for (int round = 0; round < rounds; ++round)
+  for (std::size_t round = 0; round < rounds; ++round)
     if (!chooseOnce(voxels, left_out, patches, distance, true, workers, labels))
       break;
   std::vector<std::uint32_t> sizes;

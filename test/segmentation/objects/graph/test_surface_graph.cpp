@@ -136,6 +136,19 @@ TEST(SupervoxelGrowing, CoversAllVoxelsWithConnectedPatchesOfTheSeedSize)
   }
 }
 
+TEST(SupervoxelGrowing, SeedsFartherApartThanAnyVoxelsCoverAllOfThem)
+{
+  const auto voxels = voxelsOf(floorWithTwoBoxes());
+  for (const double seeds :
+       {1e4, 1e11, 1e300}) { // 1e11 rounds are more than an int has
+    const auto patches = growSupervoxels(voxels, {}, seeds, {}, 1);
+    EXPECT_EQ(patches.size(), 1u) << seeds;
+    EXPECT_EQ(patches.voxel_counts,
+              std::vector<std::uint32_t>{static_cast<std::uint32_t>(voxels.size())})
+        << seeds;
+  }
+}
+
 TEST(SupervoxelGrowing, GivesAboutAsManyAsUpstream)
 {
   const auto scene = floorWithTwoBoxes();

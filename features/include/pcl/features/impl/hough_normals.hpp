@@ -11,6 +11,7 @@
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/indoor/usable_point.h>
+#include <pcl/search/kdtree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +104,12 @@ HoughNormalEstimation<PointInT, PointOutT>::initCompute()
   if (automatic_radius_)
     search_radius_ = 2 * indoor::neighborhoodRadius(*searched, threads_);
   if (automatic_radius_ && !(search_radius_ > 0))
-    search_radius_ = 1; // no two different points: no neighbourhood
+    search_radius_ = 1e-30; // no two different points, or too near for their squared
+                            // distances to be told from 0: no neighbourhood
+  // Feature would search a cloud in rows as the image of a camera, which a scan in rows
+  // need not be: neighbours are missed, and some searches have no end.
+  if (!this->tree_)
+    this->setSearchMethod(pcl::make_shared<search::KdTree<PointInT>>(false));
   return Feature<PointInT, PointOutT>::initCompute() || (deinitCompute(), false);
 }
 

@@ -1,0 +1,79 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/cloud_writer.h" // for CloudFrame
+
+#include <pcl/PCLPointCloud2.h>
+
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief Reads the points of a file part by part, as loadCloud() would give them. */
+class CloudStream {
+public:
+  /** \brief Open a binary PCD, a binary PLY without faces and lists, or a LAS file.
+   * \return null if it is none of these, or damaged: then loadCloud() can read it, or
+   * says what is wrong
+   */
+  static std::unique_ptr<CloudStream>
+  open(const std::string& path);
+
+  /** \brief Fields, width and height of the whole; no points. */
+  const PCLPointCloud2&
+  layout() const
+  {
+    return layout_;
+  }
+
+  const CloudFrame&
+  frame() const
+  {
+    return frame_;
+  }
+
+  std::uint64_t
+  pointCount() const
+  {
+    return static_cast<std::uint64_t>(layout_.width) * layout_.height;
+  }
+
+  /** \brief Read some points, one row of them.
+   * \throws ToolError if the file has become shorter */
+  PCLPointCloud2
+  read(std::uint64_t first, std::size_t count);
+
+  /** \brief Read all points, part by part.
+   * \param[in] visit is called with the number of the first point of the part */
+  void
+  forEachPart(
+      const std::function<void(std::uint64_t first, PCLPointCloud2& part)>& visit);
+
+private:
+  CloudStream() = default;
+
+  bool
+  openPcd();
+
+  bool
+  openPly();
+
+  bool
+  openLas();
+
+  std::string path_;
+  std::ifstream stream_;
+  PCLPointCloud2 layout_;
+  CloudFrame frame_;
+  std::size_t body_begin_ = 0, record_size_ = 0;
+  std::function<PCLPointCloud2(std::string records, std::size_t count)> points_;
+};
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,26 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief 64 bits that tell whether bytes are the same as before; no protection against
+ * forgery. */
+std::uint64_t
+digestOf(const void* bytes, std::size_t size, std::uint64_t seed = 0);
+
+std::uint64_t
+digestOf(const std::string& text, std::uint64_t seed = 0);
+
+/** \brief The same of all bytes of a file, which are read block by block.
+ * \throws ToolError if it cannot be read */
+std::uint64_t
+digestOfFile(const std::string& path);
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,98 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "pipeline/cell_sample.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::indoor::tool {
+namespace {
+
+constexpr int coarsest = 2; // level
+constexpr int bits = 21;    // of a place along an axis
+constexpr double half = 1 << (bits - 1);
+
+} // namespace
+
+CellSample::CellSample(double cell_size, std::size_t limit)
+: cell_size_(cell_size)
+, limit_(limit)
+, cells_(1 << 10, 0)
+, numbers_(1 << 10, 0)
+{}
+
+std::uint64_t
+CellSample::cellOf(const Eigen::Vector3f& point) const
+{
+  std::uint64_t cell = 1; // in front, so that none is 0
+  for (int axis = 0; axis < 3; ++axis) {
+    const double place =
+        std::floor(static_cast<double>(point[axis]) / cell_size_) + half;
+    const auto whole =
+        static_cast<std::uint64_t>(std::clamp(place, 0.0, 2.0 * half - 1.0));
+    cell = cell << bits | whole >> level_;
+  }
+  return cell;
+}
+
+std::size_t
+CellSample::placeOf(std::uint64_t cell) const
+{
+  const std::size_t mask = cells_.size() - 1;
+  std::uint64_t hash = cell * 0x9e3779b97f4a7c15u;
+  hash ^= hash >> 32;
+  for (std::size_t place = hash & mask;; place = (place + 1) & mask)
+    if (cells_[place] == 0 || cells_[place] == cell)
+      return place;
+}
+
+std::uint32_t
+CellSample::find(const Eigen::Vector3f& point) const
+{
+  return numbers_[placeOf(cellOf(point))];
+}
+
+bool
+CellSample::insert(const Eigen::Vector3f& point)
+{
+  const auto cell = cellOf(point);
+  const auto place = placeOf(cell);
+  if (cells_[place] == cell)
+    return false;
+  cells_[place] = cell;
+  numbers_[place] = static_cast<std::uint32_t>(points_.size());
+  points_.push_back(point);
+  return true;
+}
+
+void
+CellSample::rebuild(std::size_t capacity)
+{
+  cells_.assign(capacity, 0);
+  numbers_.assign(capacity, 0);
+  const auto points = std::move(points_);
+  points_.clear();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (insert(points[i]))
+      indices_[kept++] = indices_[i];
+  indices_.resize(kept);
+}
+
+void
+CellSample::add(const Eigen::Vector3f& point, std::uint64_t index)
+{
+  if (!insert(point))
+    return;
+  indices_.push_back(index);
+  if (points_.size() > limit_ && level_ < coarsest) {
+    ++level_;
+    rebuild(cells_.size());
+  }
+  else if (2 * points_.size() > cells_.size())
+    rebuild(2 * cells_.size());
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,76 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief One point per cell of a grid: the first one that was added.
+ *
+ * If there are more than a limit, cells become twice as large, but no larger than four
+ * times the first size. Which points are kept depends on nothing but their order.
+ * Memory follows the cells.
+ */
+class CellSample {
+public:
+  /** \param[in] cell_size in the unit of the points, positive */
+  CellSample(double cell_size, std::size_t limit);
+
+  /** \param[in] index of the point in its file */
+  void
+  add(const Eigen::Vector3f& point, std::uint64_t index);
+
+  /** \brief The number of the point that stands for this one, which was added. */
+  std::uint32_t
+  find(const Eigen::Vector3f& point) const;
+
+  const std::vector<Eigen::Vector3f>&
+  points() const
+  {
+    return points_;
+  }
+
+  /** \brief Of the points, ascending. */
+  const std::vector<std::uint64_t>&
+  indices() const
+  {
+    return indices_;
+  }
+
+  double
+  cellSize() const
+  {
+    return cell_size_ * (1 << level_);
+  }
+
+private:
+  std::uint64_t
+  cellOf(const Eigen::Vector3f& point) const;
+
+  /** Where a cell is in the table, or the free place where it belongs. */
+  std::size_t
+  placeOf(std::uint64_t cell) const;
+
+  bool
+  insert(const Eigen::Vector3f& point);
+
+  /** Number the points again, at most one per cell. */
+  void
+  rebuild(std::size_t capacity);
+
+  double cell_size_;
+  std::size_t limit_;
+  int level_ = 0;
+  std::vector<Eigen::Vector3f> points_;
+  std::vector<std::uint64_t> indices_;
+  std::vector<std::uint64_t> cells_; ///< a table of a power of two; 0 = free
+  std::vector<std::uint32_t> numbers_;
+};
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,256 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "pipeline/filed_rooms.h"
+
+#include "command_line/options.h" // for ToolError
+#include "files/record.h"
+#include "pipeline/room_points_file.h"
+
+#include <pcl/common/point_tests.h> // for isFinite
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace pcl::indoor::tool {
+
+template <typename Record>
+void
+exchange(Record& record, RoomExtent& room)
+{
+  record(room.point_count, room.lower, room.upper, room.sum);
+}
+
+namespace {
+
+constexpr const char* stage_file = "points_filed";  // written when all are
+constexpr const char* labels_file = "points_rooms"; // a number per point
+constexpr std::uint32_t in_no_file = 0xffffffffu;
+constexpr std::size_t buffer_size = 1 << 14; // bytes per room
+
+void
+appendTo(const std::string& path, const std::string& bytes)
+{
+  std::ofstream stream(path, std::ios::binary | std::ios::app);
+  errno = 0;
+  if (!stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size())) ||
+      !stream.flush())
+    throw ToolError(path + ": cannot be written, " + std::strerror(errno));
+}
+
+/** Collects what goes to the end of several files. */
+class Appender {
+public:
+  Appender(WorkFolder& folder, const std::vector<std::string>& names)
+  : buffers_(names.size())
+  {
+    for (const auto& name : names) {
+      folder.removeFile(name);
+      paths_.push_back(folder.path(name));
+      appendTo(paths_.back(), "");
+    }
+  }
+
+  void
+  add(std::size_t file, const void* bytes, std::size_t size)
+  {
+    buffers_[file].append(static_cast<const char*>(bytes), size);
+    if (buffers_[file].size() >= buffer_size)
+      flush(file);
+  }
+
+  void
+  flushAll()
+  {
+    for (std::size_t file = 0; file < buffers_.size(); ++file)
+      flush(file);
+  }
+
+private:
+  void
+  flush(std::size_t file)
+  {
+    appendTo(paths_[file], buffers_[file]);
+    buffers_[file].clear();
+  }
+
+  std::vector<std::string> paths_, buffers_;
+};
+
+void
+extend(RoomExtent& room, const Eigen::Vector3f& point)
+{
+  if (room.point_count++ == 0)
+    room.lower = room.upper = point;
+  room.lower = room.lower.cwiseMin(point);
+  room.upper = room.upper.cwiseMax(point);
+  room.sum += point.cast<double>();
+}
+
+/** The file of each point of the sample: 0 ... rooms, the last for those in none. */
+std::vector<std::uint32_t>
+filesOfSample(const Scene& scene)
+{
+  const auto count = static_cast<std::uint32_t>(scene.rooms.size());
+  auto files = scene.room_of_point;
+  for (auto& file : files)
+    file = (file + count) % (count + 1);
+  for (const auto index : scene.report.outside)
+    files[static_cast<std::size_t>(index)] = in_no_file;
+  return files;
+}
+
+FiledRooms
+filePoints(Scan& scan,
+           bool with_normals,
+           WorkFolder& folder,
+           const Scene& scene,
+           const PointsDone& report)
+{
+  const std::size_t file_count = scene.rooms.size() + 1;
+  const auto file_of_sample = filesOfSample(scene);
+  std::vector<std::string> names;
+  for (std::size_t room = 0; room < file_count; ++room)
+    names.push_back(pointsFile(room));
+  names.emplace_back(labels_file);
+  folder.removeFile(stage_file);
+  Appender files(folder, names);
+  FiledRooms filed;
+  filed.rooms.resize(file_count);
+  filed.point_count = scan.stream->pointCount();
+  scan.stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& data) {
+    const auto part = partOf(scan, std::move(data));
+    const auto normals = with_normals ? readNormals(part) : nullptr;
+    for (std::size_t i = 0; i < part.points->size(); ++i) {
+      const auto& point = (*part.points)[i];
+      std::uint32_t file = in_no_file;
+      if (isFinite(point)) {
+        file = file_of_sample[scan.sample->find(point.getVector3fMap())];
+        filed.outside += file == in_no_file;
+      }
+      files.add(file_count, &file, sizeof(file));
+      if (file == in_no_file)
+        continue;
+      files.add(file, point.data, sizeof(Eigen::Vector3f));
+      if (normals)
+        files.add(file, (*normals)[i].normal, sizeof(Eigen::Vector3f));
+      extend(filed.rooms[file], point.getVector3fMap());
+    }
+    report(first + part.points->size(), filed.point_count);
+  });
+  files.flushAll();
+  RecordWriter record;
+  record(filed.rooms, filed.point_count, filed.outside);
+  folder.write(stage_file, record.bytes());
+  return filed;
+}
+
+/** What an earlier run has put into files. */
+std::optional<FiledRooms>
+filedBefore(const WorkFolder& folder)
+{
+  const auto bytes = folder.read(stage_file);
+  if (!bytes)
+    return {};
+  try {
+    FiledRooms filed;
+    RecordReader record(*bytes);
+    record(filed.rooms, filed.point_count, filed.outside);
+    record.finish();
+    return filed;
+  } catch (const DamagedRecord&) {
+    return {};
+  }
+}
+
+} // namespace
+
+FiledRooms
+fileRooms(Scan& scan,
+          bool with_normals,
+          WorkFolder& folder,
+          Scene& scene,
+          const PointsDone& report)
+{
+  auto before = filedBefore(folder);
+  auto filed = before ? std::move(*before)
+                      : filePoints(scan, with_normals, folder, scene, report);
+  for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
+    const auto& own = filed.rooms.at(i);
+    auto& room = scene.rooms[i];
+    room.point_count = own.point_count;
+    room.lower = own.lower.cast<double>();
+    room.upper = own.upper.cast<double>();
+    if (own.point_count > 0)
+      room.centroid = own.sum / static_cast<double>(own.point_count);
+  }
+  return filed;
+}
+
+RoomSource
+filedSource(const FiledRooms& filed, bool with_normals, const WorkFolder& folder)
+{
+  RoomSource source;
+  source.is_filed = true;
+  source.has_normals = with_normals;
+  for (const auto& room : filed.rooms)
+    source.sizes.push_back(room.point_count);
+  source.points = [&folder, sizes = source.sizes, with_normals](std::size_t room) {
+    return readRoomPoints(folder.path(pointsFile(room)), sizes[room], with_normals);
+  };
+  return source;
+}
+
+FiledLabels::FiledLabels(const FiledRooms& filed,
+                         const WorkFolder& folder,
+                         const std::vector<std::uint32_t>& first_object)
+: filed_(filed)
+, folder_(folder)
+, first_object_(first_object)
+, rooms_(folder.path(labels_file), std::ios::binary)
+, cursors_(filed.rooms.size())
+{}
+
+void
+FiledLabels::refill(std::size_t room)
+{
+  constexpr std::size_t most = 4096;
+  auto& cursor = cursors_[room];
+  const auto size = filed_.rooms[room].point_count;
+  const auto count = std::min(most, size - cursor.taken);
+  const auto take = [&](std::size_t first, std::vector<std::uint32_t>& values) {
+    values.resize(count);
+    folder_.readPart(roomFile(room), first, values.data(), count * sizeof(values[0]));
+  };
+  // as roomBytes() lays them out: two lists, in front of each its length
+  constexpr std::size_t length = sizeof(std::uint64_t), each = sizeof(std::uint32_t);
+  take(length + each * cursor.taken, cursor.objects);
+  take(2 * length + each * (size + cursor.taken), cursor.structures);
+  cursor.taken += count;
+  cursor.at = 0;
+}
+
+FiledLabels::Label
+FiledLabels::next()
+{
+  std::uint32_t file = 0;
+  if (!rooms_.read(reinterpret_cast<char*>(&file), sizeof(file)))
+    throw ToolError(folder_.path(labels_file) + ": the file is gone or too short");
+  if (file == in_no_file)
+    return {};
+  auto& cursor = cursors_.at(file);
+  if (cursor.at == cursor.objects.size())
+    refill(file);
+  Label label;
+  label.room = (file + 1) % static_cast<std::uint32_t>(cursors_.size());
+  const auto object = cursor.objects[cursor.at];
+  label.object = object > 0 ? first_object_[file] + object : 0;
+  label.structure = cursor.structures[cursor.at++];
+  return label;
+}
+
+} // namespace pcl::indoor::tool

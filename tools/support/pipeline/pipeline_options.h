@@ -1,0 +1,45 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/memory_limit.h"
+#include "files/point_colors.h"
+#include "files/point_coordinates.h"
+#include "scene/scan_frame.h"
+
+#include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/object_segmentation.h>
+
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief What the command line of the pipeline says. */
+struct PipelineOptions {
+  std::string input, folder;
+  std::string partition = "graph";
+  std::string preset = "default";
+  std::string model = "bundled"; ///< file, "none" or "bundled"
+  std::string report = "folder"; ///< file, "none" or "folder"
+  ScanFrame frame;
+  BuildingRoomsOptions rooms;
+  ObjectSegmentationOptions objects;
+  double voxel_resolution = 0.0,
+         seed_resolution = 0.0; ///< of the objects, 0 = automatic
+  PointColors colors;
+  PointCoordinates coordinates;
+  MemoryLimit memory;
+  int threads = 0;
+  std::uint64_t points_at_once = 20000000; ///< 0: all
+  bool ignore_normals = false;
+
+  std::string
+  reportFile() const
+  {
+    return report == "folder" ? folder + "/report.html" : report;
+  }
+};
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,259 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "pipeline/pipeline_stages.h"
+
+#include "command_line/printable.h"
+#include "files/cloud_file.h"
+#include "files/digest.h"
+#include "pipeline/scene_record.h"
+#include "scene/scan_frame.h"
+
+#include <pcl/ml/model_file.h>
+#include <pcl/segmentation/room_segmentation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+/** The file of the classifier that was asked for; empty if none was. */
+std::string
+modelFile(const PipelineOptions& options)
+{
+  return options.model == "none"      ? ""
+         : options.model == "bundled" ? bundledModel()
+                                      : options.model;
+}
+
+/** The rooms that an earlier run has found; nothing if they do not fit. */
+std::optional<Scene>
+roomsBefore(const CloudFile& file, const WorkFolder& folder)
+{
+  const auto bytes = folder.read("scene");
+  auto scene = bytes ? sceneOf(*bytes) : std::nullopt;
+  return scene && scene->room_of_point.size() == file.points->size() ? std::move(scene)
+                                                                     : std::nullopt;
+}
+
+Scene
+segmentScene(const PipelineOptions& options,
+             const CloudFile& file,
+             RoomSegmentation<PointXYZ>& segmentation)
+{
+  Scene scene;
+  scene.room_of_point = segmentRooms(file, options.frame, segmentation);
+  scene.rooms = segmentation.getRooms();
+  scene.openings = segmentation.getOpenings();
+  scene.building = segmentation.getBuilding();
+  dropGrids(scene.building);
+  scene.building_pose = segmentation.getBuildingPose();
+  scene.report = segmentation.getReport();
+  return scene;
+}
+
+/** The rooms of a scan in memory.
+ * \param[in] rooms the points of each; both must outlive the source */
+RoomSource
+sourceInMemory(const PipelineOptions& options,
+               const CloudFile& file,
+               const std::vector<Indices>& rooms)
+{
+  PointCloud<Normal>::Ptr normals;
+  if (file.has_normals && !options.ignore_normals)
+    normals = readNormals(file);
+  RoomSource source;
+  source.has_normals = normals != nullptr;
+  for (const auto& room : rooms)
+    source.sizes.push_back(room.size());
+  source.points = [&file, &rooms, normals](std::size_t room) {
+    RoomPoints points;
+    for (const auto index : rooms[room]) {
+      points.positions.emplace_back((*file.points)[index].getVector3fMap());
+      if (normals)
+        points.normals.emplace_back((*normals)[index].getNormalVector3fMap());
+    }
+    return points;
+  };
+  return source;
+}
+
+void
+countPoints(const CloudFile& file, Scene& scene)
+{
+  const auto& rooms = scene.room_of_point;
+  scene.counts.all = file.points->size();
+  scene.counts.finite = file.finite_count;
+  scene.counts.in_rooms =
+      rooms.size() -
+      static_cast<std::size_t>(std::count(rooms.begin(), rooms.end(), 0u));
+  scene.counts.outside = scene.report.outside.size();
+}
+
+/** The same of a scan that was divided into the files of its rooms. */
+void
+countPoints(const CloudFile& file, const FiledRooms& filed, Scene& scene)
+{
+  scene.counts.all = filed.point_count;
+  scene.counts.finite = file.finite_count;
+  for (std::size_t room = 0; room + 1 < filed.rooms.size(); ++room)
+    scene.counts.in_rooms += filed.rooms[room].point_count;
+  scene.counts.outside = filed.outside;
+}
+
+} // namespace
+
+Scan
+loadScan(const PipelineOptions& options, Progress& progress)
+{
+  constexpr double bytes_per_point = 400; // that are in use at once, measured
+  constexpr double fineness = 0.25;       // voxels of the rooms
+  auto stream = streamOf(options.input, options.points_at_once);
+  options.memory.require(
+      options.input, bytes_per_point, stream ? options.points_at_once : 0);
+  const double voxel = options.rooms.voxel_size > 0.0 ? options.rooms.voxel_size
+                                                      : smallest_automatic_voxel;
+  progress.start((stream ? "Reading in parts " : "Loading ") + options.input);
+  auto scan = readScan(
+      options.input,
+      std::move(stream),
+      fineness * voxel / options.frame.metresPerUnit(),
+      static_cast<std::size_t>(options.points_at_once),
+      [&progress](std::size_t done, std::size_t all) { progress.update(done, all); });
+  const auto points = std::to_string(scan.file.points->size());
+  progress.done(scan.stream ? std::to_string(scan.stream->pointCount()) + " points, " +
+                                  points + " for the rooms"
+                            : points + " points");
+  return scan;
+}
+
+std::uint64_t
+keyOfRun(const PipelineOptions& options, const std::vector<Setting>& settings)
+{
+  auto text = programVersion() + "\n";
+  for (const auto& setting : settings)
+    text += setting.name + " " + setting.value + "\n";
+  const auto model = modelFile(options);
+  if (!model.empty())
+    text += std::to_string(digestOfFile(model)) + "\n";
+  return digestOf(text, digestOfFile(options.input));
+}
+
+RoomWork
+roomWork(const PipelineOptions& options)
+{
+  RoomWork work;
+  work.options.segmentation = options.objects;
+  if (options.partition == "lccp")
+    work.options.segmentation.partition = Partition::Lccp;
+  work.options.segmentation.threads = 1; // the threads are busy with the rooms
+  const auto model = modelFile(options);
+  if (!model.empty())
+    work.model = loadModel(model);
+  work.is_standing = options.frame.unit == "m" && options.frame.up == "z";
+  work.metres_per_unit = options.frame.metresPerUnit();
+  return work;
+}
+
+Scene
+findRooms(const PipelineOptions& options,
+          const CloudFile& file,
+          WorkFolder& folder,
+          Progress& progress)
+{
+  progress.start("Segmenting rooms");
+  if (auto scene = roomsBefore(file, folder)) {
+    for (const auto& line : scene->report.warnings)
+      printWarning(file.path + ": " + line);
+    progress.done(std::to_string(scene->rooms.size()) + " rooms, found before");
+    return std::move(*scene);
+  }
+  RoomSegmentation<PointXYZ> segmentation;
+  segmentation.setOptions(options.rooms);
+  segmentation.setNumberOfThreads(options.threads);
+  segmentation.setProgressCallback([&progress](double share, const char*) {
+    progress.update(static_cast<std::size_t>(100.0 * share), 100);
+    return true;
+  });
+  auto scene = segmentScene(options, file, segmentation);
+  folder.write("scene", sceneBytes(scene));
+  progress.done(summaryOf(segmentation));
+  return scene;
+}
+
+PointCloud<PointXYZ>::ConstPtr
+standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene)
+{
+  if (work.is_standing && scene.report.outside.empty())
+    return file.points;
+  auto points = pcl::make_shared<PointCloud<PointXYZ>>(*file.points);
+  for (auto& point : *points)
+    point.getVector3fMap() = work.standing(point.getVector3fMap());
+  for (const auto index : scene.report.outside)
+    (*points)[index].getVector3fMap().setConstant(NAN);
+  return points;
+}
+
+OutputFile
+findObjects(const PipelineOptions& options,
+            Scan& scan,
+            const PointCloud<PointXYZ>& standing,
+            const RoomWork& work,
+            WorkFolder& folder,
+            Ranks& ranks,
+            Scene& scene,
+            Progress& progress)
+{
+  scene.seeds_per_voxel = options.objects.seed_size / options.objects.voxel_size;
+  if (work.model)
+    scene.classes.names = classNames(*work.model);
+  const auto report = [&progress](std::size_t done, std::size_t all) {
+    progress.update(done, all);
+  };
+  const auto finish = [&](const RoomSource& source, const VisitRoom& visit) {
+    progress.start("Finding objects");
+    finishRooms(source, work, folder, ranks, options.threads, report);
+    gatherRooms(source, folder, scene, visit);
+    progress.done(std::to_string(scene.objects.size()) + " objects");
+  };
+  if (!scan.stream) {
+    const auto rooms = pointsOfRooms(standing, scene.room_of_point, scene.rooms.size());
+    countPoints(scan.file, scene);
+    scene.object_of_point.assign(standing.size(), 0);
+    scene.structure_of_point.assign(standing.size(), 0);
+    finish(sourceInMemory(options, scan.file, rooms),
+           [&](std::size_t room, std::uint32_t first, const RoomObjects& objects) {
+             for (std::size_t i = 0; i < rooms[room].size(); ++i) {
+               const auto point = static_cast<std::size_t>(rooms[room][i]);
+               if (objects.object_of_point[i] > 0)
+                 scene.object_of_point[point] = first + objects.object_of_point[i];
+               scene.structure_of_point[point] = objects.structure_of_point[i];
+             }
+           });
+    progress.start("Completing the cloud");
+    auto cloud = completeCloud(options, scene, scan.file);
+    progress.done();
+    return cloud;
+  }
+  progress.start("Dividing the scan into its rooms");
+  const bool with_normals = scan.file.has_normals && !options.ignore_normals;
+  const auto filed = fileRooms(scan, with_normals, folder, scene, report);
+  countPoints(scan.file, filed, scene);
+  progress.done();
+  std::vector<std::uint32_t> first_object;
+  finish(filedSource(filed, with_normals, folder),
+         [&](std::size_t, std::uint32_t first, const RoomObjects&) {
+           first_object.push_back(first);
+         });
+  progress.start("Completing the cloud");
+  auto cloud =
+      completeCloudInParts(options, filed, folder, first_object, scan, scene, report);
+  progress.done();
+  return cloud;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,111 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "pipeline/scan.h"
+
+#include <pcl/common/point_tests.h> // for isFinite
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+/** Points from all over the file, to see where its middle is. */
+PCLPointCloud2
+pointsFromAllOver(CloudStream& stream)
+{
+  constexpr std::uint64_t blocks = 256, block_size = 4096;
+  PCLPointCloud2 cloud;
+  for (std::uint64_t block = 0; block < blocks; ++block) {
+    const auto first = stream.pointCount() * block / blocks;
+    const auto part = stream.read(
+        first,
+        static_cast<std::size_t>(std::min(block_size, stream.pointCount() - first)));
+    if (block == 0)
+      cloud = part;
+    else {
+      cloud.data.insert(cloud.data.end(), part.data.begin(), part.data.end());
+      cloud.width += part.width;
+    }
+  }
+  return cloud;
+}
+
+PointCloud<PointXYZ>::Ptr
+cloudOf(const std::vector<Eigen::Vector3f>& points, const CloudFile& file)
+{
+  auto cloud = pcl::make_shared<PointCloud<PointXYZ>>();
+  cloud->reserve(points.size());
+  for (const auto& point : points)
+    cloud->emplace_back(point.x(), point.y(), point.z());
+  cloud->sensor_origin_ = file.frame.origin;
+  cloud->sensor_origin_.head<3>() -= (file.offset - file.frame.offset).cast<float>();
+  cloud->sensor_orientation_ = file.frame.orientation;
+  return cloud;
+}
+
+} // namespace
+
+std::unique_ptr<CloudStream>
+streamOf(const std::string& path, std::uint64_t most_points)
+{
+  auto stream = most_points > 0 ? CloudStream::open(path) : nullptr;
+  return stream && stream->pointCount() > most_points ? std::move(stream) : nullptr;
+}
+
+Scan
+readScan(const std::string& path,
+         std::unique_ptr<CloudStream> stream,
+         double cell_size,
+         std::size_t most_points,
+         const std::function<void(std::size_t done, std::size_t all)>& report)
+{
+  Scan scan;
+  if (!stream) {
+    scan.file = loadCloud(path);
+    return scan;
+  }
+  auto& file = scan.file;
+  file.path = path;
+  file.cloud = stream->layout();
+  file.frame = stream->frame();
+  const auto origin = coordinateOrigin(pointsFromAllOver(*stream));
+  file.offset = file.frame.offset + origin.middle;
+  file.coordinate_step = origin.step;
+  file.has_normals = isRealField(file.cloud, "normal_x") &&
+                     isRealField(file.cloud, "normal_y") &&
+                     isRealField(file.cloud, "normal_z");
+  auto& sample = scan.sample.emplace(cell_size, most_points);
+  stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& part) {
+    std::size_t finite = 0;
+    const auto points = pointsAround(part, origin.middle, finite);
+    file.finite_count += finite;
+    for (std::size_t i = 0; i < points->size(); ++i)
+      if (isFinite((*points)[i]))
+        sample.add((*points)[i].getVector3fMap(), first + i);
+    report(first + points->size(), stream->pointCount());
+  });
+  if (file.finite_count < 2)
+    throw ToolError(path + ": " + std::to_string(file.finite_count) +
+                    " finite points are too few, 2 are needed");
+  file.points = cloudOf(sample.points(), file);
+  scan.stream = std::move(stream);
+  return scan;
+}
+
+CloudFile
+partOf(const Scan& scan, PCLPointCloud2 part)
+{
+  CloudFile file;
+  file.path = scan.file.path;
+  file.frame = scan.stream->frame();
+  file.offset = scan.file.offset;
+  file.has_normals = scan.file.has_normals;
+  file.points = pointsAround(part, file.offset - file.frame.offset, file.finite_count);
+  file.cloud = std::move(part);
+  return file;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,142 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "pipeline/work_folder.h"
+
+#include "command_line/options.h" // for ToolError
+#include "files/digest.h"
+#include "files/output_file.h"
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* begun = "run"; // the first file
+
+/** In front of the bytes of a file. */
+struct Head {
+  char name[8] = {'r', 'o', 'o', 'm', 's', ' ', '1', '\n'};
+  std::uint64_t key = 0;
+  std::uint64_t digest = 0; ///< of what follows
+};
+
+/** Does a file of this name belong to runs? Whatever else is there is left alone. */
+bool
+isOfRuns(const std::string& name)
+{
+  return name == begun || name == "scene" || name.compare(0, 5, "room_") == 0 ||
+         name.compare(0, 7, "points_") == 0 || name.find(".part") != name.npos;
+}
+
+} // namespace
+
+WorkFolder::WorkFolder(std::string folder, std::uint64_t key)
+: folder_(std::move(folder))
+, key_(key)
+, is_begun_(read(begun).has_value())
+{}
+
+void
+WorkFolder::removeOutdated()
+{
+  if (!is_begun_)
+    remove();
+}
+
+std::optional<std::string>
+WorkFolder::read(const std::string& name) const
+{
+  std::ifstream stream(path(name), std::ios::binary);
+  Head head;
+  const Head right;
+  if (!stream.read(reinterpret_cast<char*>(&head), sizeof(head)) ||
+      std::memcmp(head.name, right.name, sizeof(head.name)) != 0 || head.key != key_)
+    return {};
+  std::error_code error;
+  const auto size = fs::file_size(path(name), error);
+  if (error || size < sizeof(head))
+    return {};
+  std::string bytes(size - sizeof(head), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (static_cast<std::size_t>(stream.gcount()) != bytes.size() ||
+      digestOf(bytes, key_) != head.digest)
+    return {};
+  return bytes;
+}
+
+void
+WorkFolder::readPart(const std::string& name,
+                     std::size_t first,
+                     void* bytes,
+                     std::size_t count) const
+{
+  std::ifstream stream(path(name), std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(sizeof(Head) + first));
+  if (!stream.read(static_cast<char*>(bytes), static_cast<std::streamsize>(count)))
+    throw ToolError(path(name) + ": the file is gone or too short");
+}
+
+void
+WorkFolder::put(const std::string& name, const std::string& bytes)
+{
+  Head head;
+  head.key = key_;
+  head.digest = digestOf(bytes, key_);
+  OutputFile file(path(name));
+  file.write(&head, sizeof(head));
+  file.write(bytes);
+  file.commit();
+}
+
+void
+WorkFolder::write(const std::string& name, const std::string& bytes)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!is_begun_) {
+    makeFolder(folder_);
+    put(begun, "");
+    is_begun_ = true;
+  }
+  put(name, bytes);
+}
+
+void
+WorkFolder::writePlain(const std::string& name, const std::string& bytes)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  saveText(path(name), bytes);
+}
+
+void
+WorkFolder::removeFile(const std::string& name)
+{
+  std::error_code error;
+  fs::remove(path(name), error);
+}
+
+void
+WorkFolder::remove()
+{
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_, error))
+    if (isOfRuns(entry.path().filename().string())) {
+      std::error_code kept; // is harmless: its key tells that it is outdated
+      fs::remove(entry.path(), kept);
+    }
+  fs::remove(folder_, error); // if it is empty
+}
+
+std::string
+roomFile(std::size_t room)
+{
+  return "room_" + std::to_string(room + 1);
+}
+
+} // namespace pcl::indoor::tool
