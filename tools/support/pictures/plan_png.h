@@ -12,10 +12,13 @@ namespace pcl::indoor::tool {
 bool
 canDrawPlans();
 
-/** \brief Draw an SVG drawing, with its fonts, as a PNG file: at twice its size,
- * smaller if it would be wider or higher than \a most_pixels. \param[in] svg as
- * planSvg() gives it \return the bytes of the file; empty unless canDrawPlans() \throws
- * ToolError if it cannot be drawn
+/** \brief Draw an SVG drawing, with its fonts, as a PNG file: at twice its size, or
+ * smaller if it would be wider or higher than \a most_pixels.
+ *
+ * A process of its own draws: libraries for fonts end theirs where memory lacks.
+ * \param[in] svg as planSvg() gives it
+ * \return the bytes of the file; empty unless canDrawPlans()
+ * \throws ToolError if it cannot be drawn
  */
 std::string
 drawnAsPng(const std::string& svg, int most_pixels = 10000);
