@@ -32,11 +32,12 @@ class AveragePrecision {
 public:
   /** \brief Add a scene.
    * \param[in] min_size true segments of fewer points are void
-   * \param[in] counted labels of the true segments to score, others are void; empty:
-   * all \param[in] confidences of predicted segments, by label; segments that are not
-   * named have the number of their points, so that larger ones come first \throws
-   * pcl::BadArgumentException if the numbers of labels differ or a confidence is not
-   * finite
+   * \param[in] counted labels of the true segments to score, others are void; none:
+   * all
+   * \param[in] confidences of predicted segments, by label; segments that are not
+   * named have the number of their points, so that larger ones come first
+   * \throws pcl::BadArgumentException if the numbers of labels differ or a confidence
+   * is not finite
    */
   void
   add(const SegmentLabels& truth,

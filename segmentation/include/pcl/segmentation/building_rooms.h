@@ -91,9 +91,8 @@ struct RoomOpening {
 struct BuildingRooms {
   OccupancyGrid occupancy; ///< its voxel size is the one that was used
   InteriorSpace interior;
-  Storeys storeys; ///< heights of the storeys
-  std::vector<RoomMap>
-      maps; ///< of the storeys, from below; each has its own labels 1 ... n
+  Storeys storeys;           ///< heights of the storeys
+  std::vector<RoomMap> maps; ///< per storey; each has its own labels 1 ... n
   std::vector<std::vector<std::uint32_t>> room_of; ///< per storey and label: the room
   std::vector<std::uint32_t> point_labels;         ///< room per point, 0 = none
   std::vector<Room> rooms;                         ///< in the order of their labels

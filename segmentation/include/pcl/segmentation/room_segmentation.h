@@ -228,8 +228,8 @@ public:
   }
 
   /** \brief Set the unit of the cloud. Positions of the results are in it; lengths,
-   * areas and volumes of the results and of all parameters are in metres. \param[in]
-   * metres greater than 0, for example 0.001 for millimetres (default 1)
+   * areas and volumes of the results and of all parameters are in metres.
+   * \param[in] metres greater than 0, for example 0.001 for millimetres (default 1)
    */
   void
   setMetresPerUnit(double metres)

@@ -19,11 +19,13 @@ constexpr unsigned recovery_rounds = 20; ///< S of Algorithm 1
  * Algorithm 1). In each round every place without label that touches labelled ones
  * proposes the label of the nearest by Eq. (4.4); the best 80 % (P_r) of the proposals
  * are accepted. All are in the last of 20 rounds (S) and after it, until nothing
- * changes, or until that last round only. Places that touch no labelled place keep
- * none. \param[in] positions one per place \param[in] normals one per place \param[in]
- * neighbors which places touch \param[in,out] labels one per place, Supervoxels::none
- * for places without \param[in] most_rounds no round follows so many \throws
- * pcl::BadArgumentException if an option is out of range or sizes differ
+ * changes, or until that last round only. Places that touch no labelled one keep none.
+ * \param[in] positions one per place
+ * \param[in] normals one per place
+ * \param[in] neighbors which places touch
+ * \param[in,out] labels one per place, Supervoxels::none for places without
+ * \param[in] most_rounds no round follows so many
+ * \throws pcl::BadArgumentException if an option is out of range or sizes differ
  */
 void
 recoverLabels(const std::vector<Eigen::Vector3f>& positions,

@@ -34,8 +34,8 @@ struct WallCasing {
 /** \brief Find the casings of doors and windows in upright planes. A casing is a
  * segment that meets the extent of a wall, is thin along it (see isThinAlong()), with
  * at least 5 % of its points more than a voxel behind the wall. A wall cabinet may be
- * as thin, but has no points behind the wall. \param[in] groups the points of the
- * planes, and of all other segments
+ * as thin, but has no points behind the wall.
+ * \param[in] groups the points of the planes, and of all other segments
  */
 std::vector<WallCasing>
 casingsInWalls(const ObjectScene& scene, const PlanesAndObjects& groups);
