@@ -31,6 +31,7 @@ namespace indoor {
 class AveragePrecision {
 public:
   /** \brief Add a scene.
+   * \param[in] truth, predicted labels, one per point each
    * \param[in] min_size true segments of fewer points are void
    * \param[in] counted labels of the true segments to score, others are void; none:
    * all
