@@ -21,7 +21,7 @@ protected:
   void
   expectLikeLoaded(const std::string& path)
   {
-    const auto file = loadCloud(path, 1);
+    const auto file = loadCloud(path, {}, 1);
     const auto stream = CloudStream::open(path);
     ASSERT_TRUE(stream) << path;
     EXPECT_EQ(stream->layout().width, file.cloud.width);
