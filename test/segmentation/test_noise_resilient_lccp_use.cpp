@@ -224,7 +224,7 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_FALSE(segmentation.getInputNormals());
 }
 
-TEST(NoiseResilientLCCPUse, TheThesisKeepsWallsInTheGraph)
+TEST(NoiseResilientLCCPUse, TheThesisTakesLargePlanesOffByRansac)
 {
   const auto scene = floorWithTwoBoxes();
   const auto thesis = thesisOptions();
@@ -236,6 +236,11 @@ TEST(NoiseResilientLCCPUse, TheThesisKeepsWallsInTheGraph)
   segmentation.setInputCloud(cloudOf(scene.points));
   segmentation.setViewPoint(2, 1, 3);
   Labels labels;
+  segmentation.segment(labels);
+  EXPECT_FALSE(segmentation.getStructureIndices().empty());
+  auto whole = thesis;
+  whole.ransac_share = 0;
+  segmentation.setOptions(whole);
   segmentation.segment(labels);
   EXPECT_TRUE(segmentation.getStructureIndices().empty());
   auto wrong = thesis;

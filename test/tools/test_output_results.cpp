@@ -95,7 +95,7 @@ TEST_F(OutputResults, TablesSumTheSceneUp)
   for (const char* part : {"\nstorey  rooms  area, m^2  objects\n     0      2 ",
                            "\nclass ",
                            "\nSegmenting rooms ",
-                           "\nClassifying objects ",
+                           "\nFinding objects ",
                            "\nall "})
     EXPECT_NE(said.find(part), std::string::npos) << part << said;
   ASSERT_EQ(run("pcl_indoor_pipeline", path("out") + " -quiet"), 0);
@@ -133,12 +133,14 @@ TEST_F(OutputResults, TheReportIsOnePageWhereItIsWanted)
   EXPECT_FALSE(std::filesystem::exists(path("no")));
 }
 
-TEST_F(OutputResults, AFullDiskIsSaidInOneLineAndLeavesNothing)
+TEST_F(OutputResults, AFullDiskIsSaidInOneLineAndLeavesFinishedRoomsOnly)
 {
   const auto files = [&] {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path("")))
-      names.insert(entry.path().string());
+      if (entry.path().string().rfind(path("out/.unfinished"), 0) != 0 &&
+          entry.path() != path("out")) // with them the same command goes on
+        names.insert(entry.path().string());
     return names;
   };
   std::ofstream(path("said"));

@@ -188,7 +188,8 @@ TEST_F(ToolResults, NoiseResilientLccpKeepsWallsApartUnlessToldOtherwise)
        {"", " -structure apart", " -structure joined", " -preset thesis"}) {
     run("pcl_noise_resilient_lccp", path("in.pcd") + " " + path("out.pcd") + options);
     const auto out = loadCloud(path("out.pcd"));
-    expectEveryFinitePointHas(out, "object");
+    if (std::string(options) != " -preset thesis") // Algorithm 1 leaves some out
+      expectEveryFinitePointHas(out, "object");
     results.insert(readLabels(out, "object"));
   }
   EXPECT_EQ(results.size(), 3u); // the first two are the same

@@ -154,6 +154,6 @@ TEST(BuildingRoomsOptions, FieldsOfThePotentialField)
   CHECK_FIELD(map.field_rooms.dbscan_distance, (V{0, 25}), bad_weight);
   CHECK_FIELD(map.field_rooms.min_cluster_area, V{2}, (V{0, -1, infinity}));
   CHECK_FIELD(map.field_rooms.sample_area, V{2}, (V{0, -1, infinity}));
-  CHECK_FIELD(map.field_rooms.landmark_spacing, V{1}, bad_positive);
+  CHECK_FIELD(map.field_rooms.landmark_spacing, (V{0, 1}), bad_length);
   CHECK_FIELD(map.field_rooms.beta, (V{0, 100}), bad_weight);
 }

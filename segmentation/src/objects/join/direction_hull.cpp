@@ -9,36 +9,56 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace {
 
-/** Of a convex polygon, in order. */
-using Corners = std::vector<Eigen::Vector2d>;
+constexpr std::size_t face_count = std::tuple_size<pcl::indoor::HullReach>::value;
+
+/** A convex polygon, its corners in order: a square that the other faces cut, each of
+ * which adds a corner at most. */
+struct Polygon {
+  std::array<double, face_count + 4> x, y;
+  std::size_t size = 0;
+
+  void
+  add(double corner_x, double corner_y)
+  {
+    x[size] = corner_x;
+    y[size++] = corner_y;
+  }
+};
+
+using Heights = std::array<double, face_count + 4>;
 
 /** Keep of a polygon what is on or below a line, whose heights its corners have. */
 void
-clip(const Corners& corners, const std::vector<double>& heights, Corners& kept)
+clip(const Polygon& corners, const Heights& heights, Polygon& kept)
 {
-  kept.clear();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::size_t next = i + 1 == corners.size() ? 0 : i + 1;
+  kept.size = 0;
+  for (std::size_t i = 0; i < corners.size; ++i) {
+    const std::size_t next = i + 1 == corners.size ? 0 : i + 1;
     if (heights[i] <= 0)
-      kept.push_back(corners[i]);
-    if ((heights[i] < 0 && heights[next] > 0) || (heights[i] > 0 && heights[next] < 0))
-      kept.emplace_back(corners[i] + (corners[next] - corners[i]) * heights[i] /
-                                         (heights[i] - heights[next]));
+      kept.add(corners.x[i], corners.y[i]);
+    if ((heights[i] < 0 && heights[next] > 0) ||
+        (heights[i] > 0 && heights[next] < 0)) {
+      const double fall = heights[i] - heights[next];
+      kept.add(corners.x[i] + (corners.x[next] - corners.x[i]) * heights[i] / fall,
+               corners.y[i] + (corners.y[next] - corners.y[i]) * heights[i] / fall);
+    }
   }
 }
 
 double
-areaOf(const Corners& corners)
+areaOf(const Polygon& corners)
 {
   double twice = 0;
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    const Eigen::Vector2d a = corners[i - 1] - corners[0], b = corners[i] - corners[0];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
+  for (std::size_t i = 2; i < corners.size; ++i)
+    twice += (corners.x[i - 1] - corners.x[0]) * (corners.y[i] - corners.y[0]) -
+             (corners.y[i - 1] - corners.y[0]) * (corners.x[i] - corners.x[0]);
   return twice / 2;
 }
 
@@ -123,26 +143,28 @@ DirectionHulls::faceArea(const std::array<double, count>& heights,
                          std::size_t face,
                          double radius) const
 {
-  Corners corners{
-      {-radius, -radius}, {radius, -radius}, {radius, radius}, {-radius, radius}};
-  Corners kept;
-  std::vector<double> above;
+  Polygon one, other;
+  Polygon *corners = &one, *kept = &other;
+  one.add(-radius, -radius); // counter-clockwise
+  one.add(radius, -radius);
+  one.add(radius, radius);
+  one.add(-radius, radius);
+  Heights above;
   for (const auto& cut : cuts_[face]) {
     const double line = heights[cut.face] - heights[face] * cut.along;
-    above.clear();
-    bool cuts = false;
-    for (const auto& corner : corners) {
-      above.push_back(cut.u * corner.x() + cut.v * corner.y() - line);
-      cuts = cuts || above.back() > 0;
+    double highest = 0;
+    for (std::size_t i = 0; i < corners->size; ++i) {
+      above[i] = cut.u * corners->x[i] + cut.v * corners->y[i] - line;
+      highest = std::max(highest, above[i]);
     }
-    if (!cuts)
+    if (!(highest > 0))
       continue;
-    clip(corners, above, kept);
-    corners.swap(kept);
-    if (corners.size() < 3)
+    clip(*corners, above, *kept);
+    std::swap(corners, kept);
+    if (corners->size < 3)
       return 0;
   }
-  return areaOf(corners);
+  return areaOf(*corners);
 }
 
 HullReach

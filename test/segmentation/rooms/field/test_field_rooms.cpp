@@ -138,10 +138,11 @@ TEST(SegmentFieldMap, RejectsBadOptions)
   for (const double value : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
     refused(&FieldRoomsOptions::min_cluster_area, value);
     refused(&FieldRoomsOptions::sample_area, value);
-    refused(&FieldRoomsOptions::landmark_spacing, value);
   }
-  for (const double value : {-0.1, std::nan(""), HUGE_VAL})
+  for (const double value : {-0.1, std::nan(""), HUGE_VAL}) {
+    refused(&FieldRoomsOptions::landmark_spacing, value); // 0: each pixel
     refused(&FieldRoomsOptions::dbscan_distance, value);
+  }
   FieldRoomsOptions options;
   options.distance.field_weight = -1.0;
   EXPECT_THROW(segmentFieldMap(space, options), pcl::BadArgumentException);
