@@ -11,6 +11,7 @@
 #include <librsvg/rsvg.h>
 
 #include <fcntl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,14 +52,14 @@ template <typename T>
 using Owned = std::unique_ptr<T, Release>;
 
 bool
-writeAll(int file, const unsigned char* data, std::size_t length)
+sendAll(int file, const unsigned char* data, std::size_t length)
 {
   while (length > 0) {
-    const auto written = write(file, data, length);
-    if (written <= 0)
+    const auto sent = send(file, data, length, MSG_NOSIGNAL);
+    if (sent <= 0)
       return false;
-    data += written;
-    length -= static_cast<std::size_t>(written);
+    data += sent;
+    length -= static_cast<std::size_t>(sent);
   }
   return true;
 }
@@ -66,8 +67,8 @@ writeAll(int file, const unsigned char* data, std::size_t length)
 cairo_status_t
 append(void* file, const unsigned char* data, unsigned int length)
 {
-  return writeAll(*static_cast<int*>(file), data, length) ? CAIRO_STATUS_SUCCESS
-                                                          : CAIRO_STATUS_WRITE_ERROR;
+  return sendAll(*static_cast<int*>(file), data, length) ? CAIRO_STATUS_SUCCESS
+                                                         : CAIRO_STATUS_WRITE_ERROR;
 }
 
 /** Draw, and write the bytes of the PNG file; false if that fails. */
@@ -139,7 +140,7 @@ drawnAsPng(const std::string& svg, int most_pixels)
 {
   const char* problem = "The plan cannot be drawn as PNG";
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0)
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     throw ToolError(problem);
   const pid_t process = fork();
   if (process == 0)
