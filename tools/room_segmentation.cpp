@@ -218,9 +218,10 @@ describe(const Options& options,
     };
     save("_rooms.png", pngBytes(drawRooms(building)));
     save("_field.png", pngBytes(drawPotentialField(building)));
-    save("_rooms.svg", planSvg(plan));
+    const auto svg = planSvg(plan);
+    save("_rooms.svg", svg);
     if (canDrawPlans())
-      save("_plan.png", drawnAsPng(planSvg(plan)));
+      save("_plan.png", drawnAsPng(svg));
   }
   return files;
 }

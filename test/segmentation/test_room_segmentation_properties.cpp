@@ -98,17 +98,8 @@ TEST(RoomProperties, CopiesOfPointsChangeNoLabel)
 
 TEST(RoomProperties, BadPointsGetNoLabelAndChangeNoOther)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
-    const auto points = randomBuilding(seed);
-    std::mt19937 rng(seed);
-    std::vector<std::size_t> places;
-    const auto labels = labelsOf(withBadPoints(points, rng, places));
-    Labels expected(labels.size(), 0);
-    const auto alone = labelsOf(points);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      expected[places[i]] = alone[i];
-    EXPECT_EQ(labels, expected) << seed;
-  }
+  for (unsigned seed = 0; seed < trials; ++seed)
+    expectBadPointsToChangeNoLabel(randomBuilding(seed), seed, labelsOf);
 }
 
 TEST(RoomProperties, IndicesGiveTheLabelsOfTheirPointsAlone)

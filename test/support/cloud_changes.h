@@ -10,7 +10,11 @@
 
 #include <Eigen/Core>
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <vector>
@@ -71,7 +75,7 @@ randomSubset(std::size_t count, std::mt19937& rng)
   return order;
 }
 
-/** Points of which some are not finite, or too far to compute with.
+/** Points with some among them that are not finite.
  * \param[out] places where each of the points is among them
  */
 inline std::vector<Eigen::Vector3f>
@@ -93,6 +97,26 @@ withBadPoints(const std::vector<Eigen::Vector3f>& points,
     result.push_back(point);
   }
   return result;
+}
+
+/** Points that are not finite must get the label 0 and change no other label.
+ * \param[in] labels_of called with points, gives a label for each
+ */
+template <typename LabelsOf>
+void
+expectBadPointsToChangeNoLabel(const std::vector<Eigen::Vector3f>& points,
+                               unsigned seed,
+                               const LabelsOf& labels_of)
+{
+  std::mt19937 rng(seed);
+  std::vector<std::size_t> places;
+  const auto labels = labels_of(withBadPoints(points, rng, places));
+  auto expected = labels;
+  std::fill(expected.begin(), expected.end(), 0);
+  const auto alone = labels_of(points);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    expected[places[i]] = alone[i];
+  EXPECT_EQ(labels, expected) << seed;
 }
 
 /** Points on a raster of 1 / 256 m, which floats hold exactly up to 65 km. */

@@ -197,6 +197,13 @@ isRealField(const PCLPointCloud2& cloud, const std::string& name)
   return type == PCLPointField::FLOAT32 || type == PCLPointField::FLOAT64;
 }
 
+bool
+hasNormals(const PCLPointCloud2& cloud)
+{
+  return isRealField(cloud, "normal_x") && isRealField(cloud, "normal_y") &&
+         isRealField(cloud, "normal_z");
+}
+
 void
 readPose(const FileHeader& header, CloudFrame& frame)
 { // PCL reads it by a stream that hides a lack of memory; what is no number stays as
@@ -279,9 +286,7 @@ loadCloud(const std::string& path,
     throw ToolError(path + ": " + std::to_string(file.finite_count) +
                     " finite points are too few, " + std::to_string(least_points) +
                     " are needed");
-  file.has_normals = isRealField(file.cloud, "normal_x") &&
-                     isRealField(file.cloud, "normal_y") &&
-                     isRealField(file.cloud, "normal_z");
+  file.has_normals = hasNormals(file.cloud);
   return file;
 }
 

@@ -81,6 +81,10 @@ readPose(const FileHeader& header, CloudFrame& frame);
 bool
 isRealField(const PCLPointCloud2& cloud, const std::string& name);
 
+/** \brief Does the cloud have normal_x, normal_y and normal_z as real numbers? */
+bool
+hasNormals(const PCLPointCloud2& cloud);
+
 /** \brief The normals of a cloud with \a has_normals, in its order; curvature 0 where
  * the file has none. */
 PointCloud<Normal>::Ptr

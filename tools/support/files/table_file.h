@@ -30,8 +30,8 @@ tablePointCount(const std::string& path, const std::string& beginning);
  * Numbers are separated by blanks and tabs, by commas or by semicolons; lines that
  * begin with # or // are left out, unless they name the columns; a line may name the
  * columns, one may hold the number of points. Coordinates are doubles, rgb packed as in
- * PCD files, labels unsigned integers, all else floats, see columnsOf(). \throws
- * ToolError naming the line that cannot be read
+ * PCD files, labels unsigned integers, all else floats, see columnsOf().
+ * \throws ToolError naming the line that cannot be read
  */
 PCLPointCloud2
 readTable(const std::string& path, const TableColumns& columns);

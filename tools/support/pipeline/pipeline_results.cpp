@@ -180,9 +180,10 @@ describe(const PipelineOptions& options,
     add("classes.png", pngBytes(drawClasses(scene, points)));
   auto plan = floorPlan(scene.building, thingsFromAbove(scene));
   plan.origin = originOf(file, options.frame, scene.building_pose);
-  add("plan.svg", planSvg(plan));
+  const auto svg = planSvg(plan);
+  add("plan.svg", svg);
   if (canDrawPlans())
-    add("plan.png", drawnAsPng(planSvg(plan)));
+    add("plan.png", drawnAsPng(svg));
   add("plan.dxf", planDxf(plan));
   const auto json = sceneJson(scene, file, options.frame, settings);
   if (options.report != "none")

@@ -70,9 +70,7 @@ readScan(const std::string& path,
   const auto origin = coordinateOrigin(pointsFromAllOver(*stream));
   file.offset = file.frame.offset + origin.middle;
   file.coordinate_step = origin.step;
-  file.has_normals = isRealField(file.cloud, "normal_x") &&
-                     isRealField(file.cloud, "normal_y") &&
-                     isRealField(file.cloud, "normal_z");
+  file.has_normals = hasNormals(file.cloud);
   auto& sample = scan.sample.emplace(cell_size, most_points);
   stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& part) {
     std::size_t finite = 0;

@@ -46,7 +46,8 @@ using VisitRoom = std::function<void(
     std::size_t room, std::uint32_t first_object, const RoomObjects& objects)>;
 
 /** \brief Put what was found in the rooms into the scene, which knows its rooms: all
- * but objects and structure of the points. \param[in] visit is called with each room
+ * but objects and structure of the points.
+ * \param[in] visit is called with each room
  * \throws ToolError if the folder lacks one of them
  */
 void
