@@ -78,8 +78,8 @@ addLengths(OptionParser& parser, Settings& settings)
       .number("-bend_threshold",
               settings.bend_threshold,
               withPresets("mean concave bend that parts pieces",
-                          room.bend_threshold_degrees,
-                          view.bend_threshold_degrees),
+                          room.pieces.bend_threshold_degrees,
+                          view.pieces.bend_threshold_degrees),
               "degrees",
               Range::between(0, 180));
 }
@@ -110,13 +110,13 @@ addPartition(OptionParser& parser, Settings& settings)
             "apart for objects and parts",
             {"auto", "apart", "joined"})
       .number("-ransac_share",
-              options.ransac_share,
+              options.on_points.ransac_share,
               "for the thesis's presets: planes of at least this share of all points "
               "are taken off by RANSAC, as floor, walls and ceiling; 0 = none",
               "",
               Range::between(0, 1))
       .number("-removal_radius",
-              options.removal_radius,
+              options.on_points.removal_radius,
               "for the thesis's presets: neighbourhood of normals and of the points "
               "that are counted; 0 = 2.5 times the distance of points",
               "m",
@@ -129,12 +129,12 @@ addPartition(OptionParser& parser, Settings& settings)
               "supervoxels",
               Range::atLeast(0))
       .number("-graph_scale",
-              options.graph_scale,
+              options.edges.graph_scale,
               "for -partition felzenszwalb; higher gives larger segments",
               "",
               Range::atLeast(0))
       .number("-concavity_tolerance",
-              options.concavity_tolerance_degrees,
+              options.edges.concavity_tolerance_degrees,
               "for -partition felzenszwalb and lccp: bend up to which concave edges "
               "count as convex",
               "degrees",
@@ -218,18 +218,19 @@ chosenOptions(const Settings& settings, bool organised)
   options.seed_size =
       either(settings.seed_resolution,
              settings.voxel_resolution > 0 ? 4 * options.voxel_size : preset.seed_size);
-  options.bend_threshold_degrees = static_cast<float>(
-      either(settings.bend_threshold, preset.bend_threshold_degrees));
+  options.pieces.bend_threshold_degrees = static_cast<float>(
+      either(settings.bend_threshold, preset.pieces.bend_threshold_degrees));
   options.plane_tolerance = preset.plane_tolerance;
-  options.on_points = preset.on_points;
+  options.on_points.enabled = preset.on_points.enabled;
   options.min_segment_size =
       settings.min_segment > 0 ? settings.min_segment : preset.min_segment_size;
   options.separate_structure = settings.structure == "auto"
                                    ? preset.separate_structure
                                    : settings.structure == "apart";
-  options.scale = preset.scale;
-  options.joining_level =
-      settings.level < 0 ? preset.joining_level : static_cast<float>(settings.level);
+  options.pieces.scale = preset.pieces.scale;
+  options.pieces.joining_level = settings.level < 0
+                                     ? preset.pieces.joining_level
+                                     : static_cast<float>(settings.level);
   options.adapt_to_resolution =
       preset.adapt_to_resolution && !(settings.voxel_resolution > 0);
   options.partition = settings.partition == "auto"   ? preset.partition
@@ -282,8 +283,8 @@ main(int argc, char** argv)
     requireWritableCloud(settings.output);
     if (settings.level < 0 && settings.level != -1)
       throw ToolError("-level: must be -1 or from 0 to 1");
-    const bool as_thesis = presetOptions(settings.preset, false).on_points;
-    if (!as_thesis && settings.others.ransac_share > 0)
+    const bool as_thesis = presetOptions(settings.preset, false).on_points.enabled;
+    if (!as_thesis && settings.others.on_points.ransac_share > 0)
       throw ToolError("-ransac_share: needs -preset thesis or thesis_kinect");
     if (as_thesis && settings.partition == "graph")
       throw ToolError("-partition graph: the thesis's presets have no pieces");

@@ -24,10 +24,9 @@ firstPoint(const std::vector<Eigen::Vector3f>& points,
   const auto key = [&](std::uint32_t i) {
     return std::make_tuple(points[i].x(), points[i].y(), points[i].z());
   };
-  const auto begin = cells.points.begin();
-  return *std::min_element(begin + cells.offsets[cell],
-                           begin + cells.offsets[cell + 1],
-                           [&](auto a, auto b) { return key(a) < key(b); });
+  const auto inside = cells.pointsOf(cell);
+  return *std::min_element(
+      inside.begin(), inside.end(), [&](auto a, auto b) { return key(a) < key(b); });
 }
 
 } // namespace
@@ -46,14 +45,13 @@ medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& c
     const auto query = firstPoint(points, cells, cell);
     float nearest = std::numeric_limits<float>::infinity();
     const auto visit = [&](std::uint32_t other_cell) {
-      for (auto i = cells.offsets[other_cell]; i < cells.offsets[other_cell + 1]; ++i)
-        if (cells.points[i] != query)
-          nearest = std::min(nearest,
-                             (points[cells.points[i]] - points[query]).squaredNorm());
+      for (const auto point : cells.pointsOf(other_cell))
+        if (point != query)
+          nearest = std::min(nearest, (points[point] - points[query]).squaredNorm());
     };
     visit(cell);
-    for (auto j = around.offsets[cell]; j < around.offsets[cell + 1]; ++j)
-      visit(around.targets[j]);
+    for (const auto other : around.of(cell))
+      visit(other);
     distances.push_back(std::sqrt(nearest));
   }
   if (distances.empty())

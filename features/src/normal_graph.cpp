@@ -52,8 +52,7 @@ normalGraph(const std::vector<Eigen::Vector3f>& positions,
   std::vector<SignEdge> edges;
   edges.reserve(neighbors.targets.size() / 2);
   for (std::uint32_t i = 0; i < positions.size(); ++i)
-    for (auto j = neighbors.offsets[i]; j < neighbors.offsets[i + 1]; ++j) {
-      const auto other = neighbors.targets[j];
+    for (const auto other : neighbors.of(i)) {
       if (i < other)
         edges.push_back(
             {i,

@@ -8,6 +8,7 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_graph.h>
+#include <pcl/indoor/flood_fill.h>
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/quantile.h>
 #include <pcl/indoor/threads.h>
@@ -207,11 +208,11 @@ collectVotes(const std::vector<Eigen::Vector3f>& positions,
       [&] { return NearestViewpoints(viewpoints, options.viewpoints); },
       [&](NearestViewpoints& nearest, std::ptrdiff_t b) {
         Eigen::AlignedBox3f box;
-        for (auto j = blocks.offsets[b]; j < blocks.offsets[b + 1]; ++j)
-          box.extend(sampled[blocks.points[j]]);
+        for (const auto point : blocks.pointsOf(b))
+          box.extend(sampled[point]);
         nearest.enterBlock(box);
-        for (auto j = blocks.offsets[b]; j < blocks.offsets[b + 1]; ++j) {
-          const auto i = blocks.points[j] * options.sample_stride;
+        for (const auto point : blocks.pointsOf(b)) {
+          const auto i = point * options.sample_stride;
           for (const auto& entry : nearest.nearestTo(positions[i])) {
             const auto& viewpoint = viewpoints[entry.second];
             const float cosine =
@@ -236,8 +237,7 @@ spreadVotes(const std::vector<Eigen::Vector3f>& normals,
 #pragma omp parallel for num_threads(pcl::indoor::threadCount(threads))
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     float sum = votes[i];
-    for (auto j = neighbors.offsets[i]; j < neighbors.offsets[i + 1]; ++j) {
-      const auto other = neighbors.targets[j];
+    for (const auto other : neighbors.of(i)) {
       const float cosine = normals[i].dot(normals[other]);
       if (std::abs(cosine) > smooth_cosine)
         sum += cosine * votes[other];
@@ -254,22 +254,18 @@ followNeighbors(const Adjacency& neighbors,
                 std::vector<float>& votes,
                 std::vector<Eigen::Vector3f>& normals)
 {
-  std::vector<std::uint32_t> queue;
+  std::vector<std::uint32_t> decided;
   for (std::uint32_t i = 0; i < votes.size(); ++i)
     if (votes[i] != 0)
-      queue.push_back(i);
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    const auto i = queue[head];
-    for (auto j = neighbors.offsets[i]; j < neighbors.offsets[i + 1]; ++j) {
-      const auto other = neighbors.targets[j];
-      if (votes[other] != 0)
-        continue;
-      votes[other] = 1;
-      if (normals[i].dot(normals[other]) < 0)
-        normals[other] *= -1;
-      queue.push_back(other);
-    }
-  }
+      decided.push_back(i);
+  pcl::indoor::floodFill(decided, neighbors, [&](auto other, auto from) {
+    if (votes[other] != 0)
+      return false;
+    votes[other] = 1;
+    if (normals[from].dot(normals[other]) < 0)
+      normals[other] *= -1;
+    return true;
+  });
 }
 
 } // namespace

@@ -42,12 +42,12 @@ visitAround(const PointCells& cells,
             const Visit& visit)
 {
   const auto visit_cell = [&](std::uint32_t c) {
-    for (auto i = cells.offsets[c]; i < cells.offsets[c + 1]; ++i)
-      visit(cells.points[i]);
+    for (const auto point : cells.pointsOf(c))
+      visit(point);
   };
   visit_cell(cell);
-  for (auto j = around.offsets[cell]; j < around.offsets[cell + 1]; ++j)
-    visit_cell(around.targets[j]);
+  for (const auto other : around.of(cell))
+    visit_cell(other);
 }
 
 } // namespace

@@ -109,8 +109,8 @@ sortObjects(Room& room)
     if (objects[i] == 0)
       near_wall[cells.cell_of_point[i]] |= 1;
   for (std::uint32_t c = 0; c < cells.size(); ++c)
-    for (auto n = around.offsets[c]; n < around.offsets[c + 1]; ++n)
-      near_wall[c] |= near_wall[around.targets[n]] & 1 ? 2 : 0;
+    for (const auto other : around.of(c))
+      near_wall[c] |= near_wall[other] & 1 ? 2 : 0;
   std::map<std::uint32_t, std::size_t> on_wall;
   for (std::size_t i = 0; i < places.size(); ++i)
     on_wall[objects[i]] += near_wall[cells.cell_of_point[i]] != 0;
@@ -255,7 +255,7 @@ makeMethods(bool single_view, const Settings& settings)
 {
   auto ours = single_view ? singleViewOptions() : ObjectSegmentationOptions();
   if (settings.level >= 0)
-    ours.joining_level = static_cast<float>(settings.level);
+    ours.pieces.joining_level = static_cast<float>(settings.level);
   const auto threads = settings.threads;
   const auto plain = exampleUpstreamOptions(single_view, threads);
   const auto tuned =
@@ -280,8 +280,8 @@ makeMethods(bool single_view, const Settings& settings)
     proposed.seed_size = ours.seed_size;
   }
   auto thesis = thesisOptions(); // its graph segmentation alone, all else on voxels
-  thesis.on_points = false;
-  thesis.ransac_share = 0;
+  thesis.on_points.enabled = false;
+  thesis.on_points.ransac_share = 0;
   thesis.voxel_size = proposed.voxel_size;
   thesis.seed_size = proposed.seed_size;
   std::vector<Method> methods{{"LCCP, example's defaults", upstream(plain)},
@@ -292,11 +292,11 @@ makeMethods(bool single_view, const Settings& settings)
                               best};
   if (!single_view) {
     auto pieces = ours;
-    pieces.joining_level = 1;
+    pieces.pieces.joining_level = 1;
     methods.insert(methods.end() - 1, {"ours, pieces alone", own(pieces)});
     auto parts = partsOptions();
     if (settings.level >= 0)
-      parts.joining_level = ours.joining_level;
+      parts.pieces.joining_level = ours.pieces.joining_level;
     methods.insert(methods.end() - 1, {"ours, parts", own(parts)});
   }
   return methods;

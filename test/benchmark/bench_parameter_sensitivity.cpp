@@ -85,8 +85,7 @@ countEdges(const ObjectSegmentation& graph,
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   const auto& neighbors = graph.scene.voxels.neighbors;
   for (std::uint32_t v = 0; v < graph.scene.voxels.size(); ++v)
-    for (auto j = neighbors.offsets[v]; j < neighbors.offsets[v + 1]; ++j) {
-      const auto other = neighbors.targets[j];
+    for (const auto other : neighbors.of(v)) {
       const auto a = graph.supervoxels.label_of_voxel[v];
       const auto b = graph.supervoxels.label_of_voxel[other];
       if (a < b && b != Supervoxels::none && !removed[v] && !removed[other])

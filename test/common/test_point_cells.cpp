@@ -50,8 +50,11 @@ TEST(PointCells, PointsAreInTheirCells)
     for (std::size_t c = 0; c < cells.size(); ++c) {
       EXPECT_LT(cells.offsets[c], cells.offsets[c + 1]) << "cells hold points";
       EXPECT_TRUE(c == 0 || cells.keys[c - 1] < cells.keys[c]);
-      for (auto i = cells.offsets[c]; i < cells.offsets[c + 1]; ++i, ++listed)
-        EXPECT_EQ(cells.cell_of_point[cells.points[i]], c);
+      EXPECT_EQ(cells.pointsOf(c).size(), cells.offsets[c + 1] - cells.offsets[c]);
+      for (const auto point : cells.pointsOf(c)) {
+        EXPECT_EQ(cells.cell_of_point[point], c);
+        ++listed;
+      }
     }
     EXPECT_EQ(listed, points.size());
   }
@@ -70,10 +73,8 @@ TEST(PointCells, NeighborsAreThoseOfBruteForce)
         if (a != b && way.cwiseAbs().maxCoeff() <= 1)
           expected.push_back(b);
       }
-      const auto begin = adjacency.targets.begin();
-      EXPECT_EQ(std::vector<std::uint32_t>(begin + adjacency.offsets[a],
-                                           begin + adjacency.offsets[a + 1]),
-                expected);
+      const auto found = adjacency.of(a);
+      EXPECT_EQ(std::vector<std::uint32_t>(found.begin(), found.end()), expected);
     }
   }
 }

@@ -45,13 +45,13 @@ neighborsOf(const std::vector<Eigen::Vector3f>& points, double distance)
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const auto c = cells.cell_of_point[i];
     const auto add = [&](std::uint32_t cell) {
-      for (auto k = cells.offsets[cell]; k < cells.offsets[cell + 1]; ++k)
-        if (cells.points[k] != i)
-          adjacency.targets.push_back(cells.points[k]);
+      for (const auto point : cells.pointsOf(cell))
+        if (point != i)
+          adjacency.targets.push_back(point);
     };
     add(c);
-    for (auto j = around.offsets[c]; j < around.offsets[c + 1]; ++j)
-      add(around.targets[j]);
+    for (const auto other : around.of(c))
+      add(other);
     adjacency.offsets.push_back(static_cast<std::uint32_t>(adjacency.targets.size()));
   }
   return adjacency;

@@ -67,7 +67,7 @@ TEST(NoiseResilientLCCP, UsesGivenNormals)
   segmentation.setInputCloud(cloudOf(scene.points));
   segmentation.setInputNormals(normals);
   auto options = segmentation.getOptions();
-  options.joining_level = 1; // joining might mend it
+  options.pieces.joining_level = 1; // joining might mend it
   segmentation.setOptions(options);
   Labels labels;
   segmentation.segment(labels);

@@ -23,7 +23,7 @@ piecesFrom(const Eigen::Vector3f& viewpoint,
 {
   Segmentation segmentation;
   auto options = segmentation.getOptions();
-  options.joining_level = joining_level;
+  options.pieces.joining_level = joining_level;
   segmentation.setOptions(options);
   segmentation.setInputCloud(cloudOf(scene.points));
   segmentation.setViewPoint(viewpoint.x(), viewpoint.y(), viewpoint.z());
@@ -125,7 +125,7 @@ TEST(NoiseResilientLCCPSteps, JoinsThePiecesUpToItsLevel)
   Labels pieces;
   std::size_t most = 0;
   for (const float level : {0.0f, 0.3f, 0.7f, 1.0f}) {
-    options.joining_level = level;
+    options.pieces.joining_level = level;
     segmentation.setOptions(options);
     Labels labels;
     segmentation.segment(labels);

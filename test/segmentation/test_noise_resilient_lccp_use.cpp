@@ -130,7 +130,7 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
   segmentation.setOptions(options);
   expectRejected("normal weight");
   options = {};
-  options.concavity_weight = 2;
+  options.edges.concavity_weight = 2;
   segmentation.setOptions(options);
   expectRejected("concavity weight");
   options = {};
@@ -139,7 +139,7 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
   expectRejected("plane tolerance");
   for (const float level : {-0.1f, 1.1f, std::nanf("")}) {
     options = {};
-    options.joining_level = level;
+    options.pieces.joining_level = level;
     segmentation.setOptions(options);
     expectRejected("joining level");
   }
@@ -230,7 +230,7 @@ TEST(NoiseResilientLCCPUse, TheThesisTakesLargePlanesOffByRansac)
   const auto thesis = thesisOptions();
   EXPECT_EQ(thesis.partition, Segmentation::Partition::FelzenszwalbHuttenlocher);
   EXPECT_EQ(thesis.min_segment_size, 3u);
-  EXPECT_FLOAT_EQ(thesis.graph_scale, 3);
+  EXPECT_FLOAT_EQ(thesis.edges.graph_scale, 3);
   Segmentation segmentation;
   segmentation.setOptions(thesis);
   segmentation.setInputCloud(cloudOf(scene.points));
@@ -239,12 +239,12 @@ TEST(NoiseResilientLCCPUse, TheThesisTakesLargePlanesOffByRansac)
   segmentation.segment(labels);
   EXPECT_FALSE(segmentation.getStructureIndices().empty());
   auto whole = thesis;
-  whole.ransac_share = 0;
+  whole.on_points.ransac_share = 0;
   segmentation.setOptions(whole);
   segmentation.segment(labels);
   EXPECT_TRUE(segmentation.getStructureIndices().empty());
   auto wrong = thesis;
-  wrong.graph_scale = -1;
+  wrong.edges.graph_scale = -1;
   segmentation.setOptions(wrong);
   segmentation.segment(labels);
   EXPECT_TRUE(labels.empty());

@@ -25,8 +25,8 @@ piecesOfVoxels(const ObjectSegmentation& result)
   std::vector<std::uint32_t> piece_of_voxel(result.scene.voxels.size(), 0), pieces;
   for (std::size_t v = 0; v < result.scene.voxels.size(); ++v) {
     pieces.clear();
-    for (auto i = cells.offsets[v]; i < cells.offsets[v + 1]; ++i)
-      pieces.push_back(result.piece_of_point[cells.points[i]]);
+    for (const auto point : cells.pointsOf(v))
+      pieces.push_back(result.piece_of_point[point]);
     std::sort(pieces.begin(), pieces.end());
     std::ptrdiff_t most = 0;
     for (auto begin = pieces.begin(); begin != pieces.end();) {
@@ -82,10 +82,10 @@ joinPiecesOfRoom(const ObjectSegmentationOptions& options, ObjectSegmentation& r
                               result.segment_count,
                               result.supervoxels,
                               result.edges});
-  LearnedCriterion criterion(options.scale);
+  LearnedCriterion criterion(options.pieces.scale);
   result.joins = joinPieces(result.pieces, criterion);
   const auto segment_of_piece =
-      segmentsAtLevel(result.segment_count, result.joins, options.joining_level);
+      segmentsAtLevel(result.segment_count, result.joins, options.pieces.joining_level);
   for (auto& segment : result.segment_of_point)
     segment = segment_of_piece[segment];
 }

@@ -94,8 +94,9 @@ partitionVoxels(const ObjectSegmentationOptions& options, ObjectSegmentation& re
                                    options.seed_size / options.voxel_size,
                                    distance,
                                    options.threads);
-  result.edges = pcl::indoor::surfaceEdges(
-      result.scene.voxels, result.supervoxels, options.concavity_tolerance_degrees);
+  result.edges = pcl::indoor::surfaceEdges(result.scene.voxels,
+                                           result.supervoxels,
+                                           options.edges.concavity_tolerance_degrees);
   auto segments =
       segmentsOfVoxels(joinSupervoxels(result.supervoxels, result.edges, options),
                        options.min_segment_size,
@@ -123,7 +124,7 @@ segmentObjects(ObjectSegmentationInput input,
                const ProgressCallback& progress)
 {
   const auto options = checkedOptions(input, given_options);
-  if (options.on_points)
+  if (options.on_points.enabled)
     return segmentOnPoints(std::move(input), options, progress);
   const auto stops = [&progress](double share, const char* stage) {
     return progress && !progress(share, stage);

@@ -49,33 +49,33 @@ findProblem(const ObjectSegmentationOptions& options)
   require(not_negative(options.normal_weight),
           "normal importance must not be negative",
           options.normal_weight);
-  require(options.concavity_weight >= 0 && options.concavity_weight <= 1,
+  require(options.edges.concavity_weight >= 0 && options.edges.concavity_weight <= 1,
           "concavity weight must be in [0, 1]",
-          options.concavity_weight);
-  require(options.concavity_tolerance_degrees >= 0 &&
-              options.concavity_tolerance_degrees <= 180,
+          options.edges.concavity_weight);
+  require(options.edges.concavity_tolerance_degrees >= 0 &&
+              options.edges.concavity_tolerance_degrees <= 180,
           "concavity tolerance must be in [0, 180]",
-          options.concavity_tolerance_degrees,
+          options.edges.concavity_tolerance_degrees,
           " degrees");
-  require(not_negative(options.graph_scale),
+  require(not_negative(options.edges.graph_scale),
           "graph scale must not be negative",
-          options.graph_scale);
-  require(options.bend_threshold_degrees >= -180 &&
-              options.bend_threshold_degrees <= 180,
+          options.edges.graph_scale);
+  require(options.pieces.bend_threshold_degrees >= -180 &&
+              options.pieces.bend_threshold_degrees <= 180,
           "bend threshold must be in [-180, 180]",
-          options.bend_threshold_degrees,
+          options.pieces.bend_threshold_degrees,
           " degrees");
-  require(options.joining_level >= 0 && options.joining_level <= 1,
+  require(options.pieces.joining_level >= 0 && options.pieces.joining_level <= 1,
           "joining level must be in [0, 1]",
-          options.joining_level);
-  require(not_negative(options.removal_radius),
+          options.pieces.joining_level);
+  require(not_negative(options.on_points.removal_radius),
           "radius of the removal must not be negative",
-          options.removal_radius,
+          options.on_points.removal_radius,
           " m");
-  require(options.ransac_share >= 0 && options.ransac_share <= 1,
+  require(options.on_points.ransac_share >= 0 && options.on_points.ransac_share <= 1,
           "share of a plane must be in [0, 1]",
-          options.ransac_share);
-  if (options.on_points && options.partition == Partition::Pieces &&
+          options.on_points.ransac_share);
+  if (options.on_points.enabled && options.partition == Partition::Pieces &&
       problem.str().empty())
     problem << "On points there are no pieces to join.";
   return problem.str();
@@ -87,10 +87,10 @@ singleViewOptions()
   ObjectSegmentationOptions options;
   options.voxel_size = 0.005;
   options.seed_size = 0.02;
-  options.bend_threshold_degrees = 18;
+  options.pieces.bend_threshold_degrees = 18;
   options.min_segment_size = 6;
   options.separate_structure = false;
-  options.joining_level = 1; // the criterion knows rooms only
+  options.pieces.joining_level = 1; // the criterion knows rooms only
   return options;
 }
 
@@ -98,8 +98,9 @@ ObjectSegmentationOptions
 partsOptions()
 {
   ObjectSegmentationOptions options;
-  options.scale = JoiningScale::Parts;
-  options.joining_level = 0.7f; // surer, so that things in reach do not become one
+  options.pieces.scale = JoiningScale::Parts;
+  options.pieces.joining_level =
+      0.7f; // surer, so that things in reach do not become one
   return options;
 }
 
@@ -112,9 +113,9 @@ thesisOptions()
   options.plane_tolerance = 0;
   options.partition = Partition::FelzenszwalbHuttenlocher;
   options.min_segment_size = 3;
-  options.on_points = true;
-  options.removal_radius = 0.05; // Sec. 2.1.5.2, points 2 cm apart
-  options.ransac_share = 0.05;
+  options.on_points.enabled = true;
+  options.on_points.removal_radius = 0.05; // Sec. 2.1.5.2, points 2 cm apart
+  options.on_points.ransac_share = 0.05;
   return options;
 }
 
@@ -122,9 +123,9 @@ ObjectSegmentationOptions
 thesisKinectOptions()
 {
   auto options = thesisOptions();
-  options.ransac_share = 0;
+  options.on_points.ransac_share = 0;
   options.curvature_threshold = 0.02f;
-  options.graph_scale = 5;
+  options.edges.graph_scale = 5;
   options.seed_size = 0.16;
   options.voxel_size = 0.04;
   return options;

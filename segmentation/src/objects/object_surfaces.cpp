@@ -42,8 +42,8 @@ objectOfVoxel(const PointCells& cells,
 {
   std::uint32_t object = nothing;
   int lead = 0; // Boyer and Moore's vote
-  for (auto k = cells.offsets[voxel]; k < cells.offsets[voxel + 1]; ++k) {
-    const auto own = object_of_point[cells.points[k]];
+  for (const auto point : cells.pointsOf(voxel)) {
+    const auto own = object_of_point[point];
     if (own >= object_count)
       continue;
     if (lead == 0)

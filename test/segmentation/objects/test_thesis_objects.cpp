@@ -182,9 +182,10 @@ private:
                               n2 = clusters_.at(b)->normal_.getNormalVector3fMap();
         const float d = distance(x1, n1, x2, n2);
         const float between = std::acos(std::min(1.0f, std::max(-1.0f, n1.dot(n2))));
-        const bool convex = (n1 - n2).dot(x1 - x2) > 0 ||
-                            between * 180 / M_PI < options_.concavity_tolerance_degrees;
-        edges.emplace_back(convex ? options_.concavity_weight * d * d : d, a, b);
+        const bool convex =
+            (n1 - n2).dot(x1 - x2) > 0 ||
+            between * 180 / M_PI < options_.edges.concavity_tolerance_degrees;
+        edges.emplace_back(convex ? options_.edges.concavity_weight * d * d : d, a, b);
       }
     std::sort(edges.begin(), edges.end());
     const auto merge = [&](std::uint32_t a, std::uint32_t b, float weight) {
@@ -199,7 +200,7 @@ private:
       const auto a = component.at(source), b = component.at(target);
       const auto threshold = [&](std::uint32_t c) {
         return internal.at(c) +
-               options_.graph_scale / static_cast<float>(members.at(c).size());
+               options_.edges.graph_scale / static_cast<float>(members.at(c).size());
       };
       if (a != b && weight <= std::min(threshold(a), threshold(b)))
         merge(a, b, weight);
@@ -276,10 +277,10 @@ expectAsDefined(const ObjectSegmentationOptions& given, unsigned seed)
 {
   const auto points = tableScene(seed);
   auto options = given;
-  options.removal_radius = 0.06;
-  options.ransac_share = 0; // the table is to stay
+  options.on_points.removal_radius = 0.06;
+  options.on_points.ransac_share = 0; // the table is to stay
   const auto result = segmentObjects(inputOf(points), options);
-  const DenseObjects dense(points, options, options.removal_radius);
+  const DenseObjects dense(points, options, options.on_points.removal_radius);
   for (std::size_t i = 0; i < points.size(); ++i) {
     ASSERT_NEAR(result.scene.voxels.curvatures[i], dense.curvatures[i], 1e-5);
     ASSERT_GT(result.scene.voxels.normals[i].dot(dense.normals[i]), 0.999f);
@@ -304,7 +305,7 @@ expectAsDefined(const ObjectSegmentationOptions& given, unsigned seed)
 TEST(ThesisObjects, GraphSegmentationAsDefined)
 {
   auto options = thesisOptions();
-  options.graph_scale = 0.3f; // else so small a scene is one segment
+  options.edges.graph_scale = 0.3f; // else so small a scene is one segment
   for (unsigned seed = 1; seed <= 4; ++seed)
     expectAsDefined(options, seed);
 }
@@ -321,11 +322,11 @@ TEST(ThesisObjects, KinectAsDefined)
 {
   auto options = thesisKinectOptions();
   EXPECT_FLOAT_EQ(options.curvature_threshold, 0.02f);
-  EXPECT_FLOAT_EQ(options.graph_scale, 5);
+  EXPECT_FLOAT_EQ(options.edges.graph_scale, 5);
   EXPECT_DOUBLE_EQ(options.seed_size, 0.16);
   EXPECT_DOUBLE_EQ(options.voxel_size, 0.04);
-  EXPECT_DOUBLE_EQ(options.removal_radius, 0.05);
-  options.graph_scale = 0.3f;
+  EXPECT_DOUBLE_EQ(options.on_points.removal_radius, 0.05);
+  options.edges.graph_scale = 0.3f;
   expectAsDefined(options, 1);
 }
 
@@ -337,8 +338,8 @@ TEST(ThesisObjects, ASingleCameraMayStandAnywhere)
     point = Eigen::Vector3f(point.x() - 0.5f, point.y() - 0.4f, 1.2f - point.z());
   input.viewpoint = {Eigen::Vector3f::Zero()};
   auto options = thesisKinectOptions();
-  options.graph_scale = 0.3f;
-  options.removal_radius = 0.06;
+  options.edges.graph_scale = 0.3f;
+  options.on_points.removal_radius = 0.06;
   const auto here = segmentObjects(input, options);
   EXPECT_LT(here.supervoxels.size(), 300u);
   EXPECT_GT(here.segment_count, 1u);
@@ -356,8 +357,8 @@ TEST(ThesisObjects, ASingleCameraMayStandAnywhere)
 TEST(ThesisObjects, TheSameForAnyNumberOfThreads)
 {
   auto options = thesisOptions();
-  options.graph_scale = 0.3f;
-  options.ransac_share = 0;
+  options.edges.graph_scale = 0.3f;
+  options.on_points.ransac_share = 0;
   options.threads = 1;
   const auto one = segmentObjects(inputOf(tableScene(5)), options);
   options.threads = 8;
@@ -374,7 +375,7 @@ TEST(ThesisObjects, RansacTakesFloorAndWallsOff)
       {0, 0, 0}, {3, 0, 0}, {0, 0, 2.5f}, {0, 1, 0}, 2, 0.04f, 0.004f, rng);
   room.addBox({1, 1, 0.03f}, {0.5f, 0.5f, 0.5f}, 3, 0.04f, 0.004f, rng);
   auto options = thesisOptions();
-  options.ransac_share = 0.2;
+  options.on_points.ransac_share = 0.2;
   const auto result = segmentObjects(inputOf(room.points), options);
   ASSERT_EQ(result.scene.planes.size(), 2u);
   std::map<StructureKind, std::set<std::uint32_t>> segments;
@@ -399,7 +400,7 @@ TEST(ThesisObjects, RansacTakesFloorAndWallsOff)
   EXPECT_EQ(segments[StructureKind::Floor].size(), 1u);
   EXPECT_EQ(segments[StructureKind::Wall].size(), 1u);
   EXPECT_GE(segments[StructureKind::None].size(), 1u);
-  options.ransac_share = 0.9;
+  options.on_points.ransac_share = 0.9;
   EXPECT_TRUE(segmentObjects(inputOf(room.points), options).scene.planes.empty());
 }
 
@@ -409,10 +410,10 @@ TEST(ThesisObjects, BadOptionsAreRefusedAndFewPointsAreNone)
   options.partition = Partition::Pieces;
   EXPECT_NE(findProblem(options), "");
   options = thesisOptions();
-  options.ransac_share = 1.5;
+  options.on_points.ransac_share = 1.5;
   EXPECT_NE(findProblem(options), "");
   options = thesisOptions();
-  options.removal_radius = -1;
+  options.on_points.removal_radius = -1;
   EXPECT_NE(findProblem(options), "");
   EXPECT_EQ(findProblem(thesisKinectOptions()), "");
   const auto two = segmentObjects(inputOf({{0, 0, 0}, {0, 0, 0}}), thesisOptions());

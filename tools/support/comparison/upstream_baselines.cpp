@@ -145,8 +145,7 @@ segmentNormalGraph(const Cloud::Ptr& places,
   const auto normals = normalsOf(places, options);
   std::vector<pcl::indoor::WeightedEdge> edges;
   for (std::uint32_t a = 0; a < places->size(); ++a)
-    for (auto k = around.offsets[a]; k < around.offsets[a + 1]; ++k) {
-      const auto b = around.targets[k];
+    for (const auto b : around.of(a)) {
       if (b < a)
         continue;
       const Eigen::Vector3f n1 = (*normals)[a].getNormalVector3fMap(),
@@ -183,8 +182,8 @@ segmentBaseline(const PointCloud<PointXYZ>& cloud, const BaselineOptions& option
   const auto places = pcl::make_shared<Cloud>();
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (auto k = cells.offsets[cell]; k < cells.offsets[cell + 1]; ++k)
-      sum += points[cells.points[k]];
+    for (const auto point : cells.pointsOf(cell))
+      sum += points[point];
     const Eigen::Vector3f mean =
         sum / static_cast<float>(cells.offsets[cell + 1] - cells.offsets[cell]);
     places->push_back({mean.x(), mean.y(), mean.z()});

@@ -13,6 +13,38 @@
 namespace pcl {
 namespace indoor {
 
+/** \brief Numbers that lie one after the other in an array, for range-based loops. */
+class NumberRange {
+public:
+  NumberRange(const std::vector<std::uint32_t>& numbers,
+              std::size_t begin,
+              std::size_t end)
+  : begin_(numbers.data() + begin)
+  , end_(numbers.data() + end)
+  {}
+
+  const std::uint32_t*
+  begin() const
+  {
+    return begin_;
+  }
+
+  const std::uint32_t*
+  end() const
+  {
+    return end_;
+  }
+
+  std::size_t
+  size() const
+  {
+    return static_cast<std::size_t>(end_ - begin_);
+  }
+
+private:
+  const std::uint32_t *begin_, *end_;
+};
+
 /** \brief The occupied cells of a regular grid, sparse, with the points of each.
  * Cells are in ascending order of their keys, hence in an order that does not depend on
  * the order of the points; the points of a cell are in the order of the input.
@@ -29,6 +61,13 @@ struct PointCells {
   {
     return keys.size();
   }
+
+  /** \brief Get the points of a cell, ascending. */
+  NumberRange
+  pointsOf(std::size_t cell) const
+  {
+    return NumberRange(points, offsets[cell], offsets[cell + 1]);
+  }
 };
 
 /** \brief Lists of neighbours in one array: those of node i are targets[offsets[i]] to
@@ -38,6 +77,13 @@ struct PointCells {
 struct Adjacency {
   std::vector<std::uint32_t> offsets;
   std::vector<std::uint32_t> targets;
+
+  /** \brief Get the neighbours of a node, ascending. */
+  NumberRange
+  of(std::size_t node) const
+  {
+    return NumberRange(targets, offsets[node], offsets[node + 1]);
+  }
 };
 
 /** \brief Sort points into the cells of a regular grid whose corner is their minimum.

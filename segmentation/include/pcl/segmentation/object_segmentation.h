@@ -27,6 +27,38 @@ enum class Partition {
   Lccp ///< over all convex edges, as LCCP does ("Proposed + LCCP" of Table 4.1)
 };
 
+/** \brief Parameters of Partition::Pieces. */
+struct PieceOptions {
+  /** mean concave bend of a border that parts two pieces (-180 to 180) */
+  float bend_threshold_degrees = 15;
+  JoiningScale scale = JoiningScale::Objects; ///< what the pieces are joined to
+  /** least probability that two pieces are one thing for them to be joined (0 to 1);
+   * higher gives smaller segments */
+  float joining_level = 0.5f;
+};
+
+/** \brief Parameters of the partitions by single edges of the graph:
+ * Partition::FelzenszwalbHuttenlocher and Partition::Lccp. */
+struct EdgeOptions {
+  float concavity_tolerance_degrees = 10; ///< of LCCP's criterion (0 to 180)
+  float concavity_weight = 0.25f;         ///< a of Eq. (4.3) (0 to 1)
+  float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
+};
+
+/** \brief Parameters of the thesis's way on points instead of voxels. */
+struct PointOptions {
+  /** as Sec. 4.2 has it: removal and recovery on points within a radius, supervoxels of
+   * pcl::SupervoxelClustering, and Partition::Lccp by pcl::LCCPSegmentation; points
+   * that no round of Algorithm 1 reaches have no segment. Not for Partition::Pieces. */
+  bool enabled = false;
+  /** R of Eq. (4.2), also of normals and curvatures, metres (>= 0); 0 = that of Eq.
+   * (2.9) */
+  double removal_radius = 0;
+  /** least share of all points that a plane holds that RANSAC takes off before all else
+   * (0 to 1); 0 = none is */
+  double ransac_share = 0;
+};
+
 /** \brief Parameters of the noise-resilient object segmentation (Sec. 4.2). */
 struct ObjectSegmentationOptions {
   double voxel_size = 0.03; ///< R_voxel, metres (> 0)
@@ -45,34 +77,16 @@ struct ObjectSegmentationOptions {
   /** neighbours nearer to the tangent plane count for neither half-space; voxels (>= 0)
    */
   float plane_tolerance = 0.3f;
-  float spatial_weight = 0.2f;               ///< w_s of Eq. (4.4) (>= 0)
-  float normal_weight = 0.5f;                ///< w_n of Eq. (4.4) (>= 0)
-  float concavity_weight = 0.25f;            ///< a of Eq. (4.3) (0 to 1)
-  float concavity_tolerance_degrees = 10.0f; ///< of LCCP's criterion (0 to 180)
+  float spatial_weight = 0.2f; ///< w_s of Eq. (4.4) (>= 0)
+  float normal_weight = 0.5f;  ///< w_n of Eq. (4.4) (>= 0)
   Partition partition = Partition::Pieces;
-  /** mean concave bend of a border that parts two pieces, for Partition::Pieces (-180
-   * to 180) */
-  float bend_threshold_degrees = 15;
-  /** what the pieces are joined to, for Partition::Pieces */
-  JoiningScale scale = JoiningScale::Objects;
-  /** least probability that two pieces are one thing for them to be joined, for
-   * Partition::Pieces (0 to 1); higher gives smaller segments */
-  float joining_level = 0.5f;
-  float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
+  PieceOptions pieces; ///< for Partition::Pieces
+  EdgeOptions edges;   ///< for the others
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
   std::uint32_t min_segment_size = 4;
-  /** as Sec. 4.2 has it: removal and recovery on points within a radius, supervoxels of
-   * pcl::SupervoxelClustering, and Partition::Lccp by pcl::LCCPSegmentation; points
-   * that no round of Algorithm 1 reaches have no segment. Not for Partition::Pieces. */
-  bool on_points = false;
-  /** R of Eq. (4.2), also of normals and curvatures, metres (>= 0); 0 = that of Eq.
-   * (2.9). For on_points. */
-  double removal_radius = 0;
-  /** least share of all points that a plane holds that RANSAC takes off before all else
-   * (0 to 1); 0 = none is. For on_points. */
-  double ransac_share = 0;
-  unsigned threads = 0; ///< 0 = automatic; the result does not depend on it
+  PointOptions on_points; ///< for the others
+  unsigned threads = 0;   ///< 0 = automatic; the result does not depend on it
 };
 
 /** \brief Parts of things, as the seat and the back of a chair, instead of whole
@@ -119,7 +133,7 @@ struct ObjectSegmentation {
   /** joins of pieces, the most probable first; those of at least a level give a
    * segmentation, see segmentsAtLevel() */
   std::vector<PieceJoin> joins;
-  /** 0 ... segment_count - 1, or Supervoxels::none where on_points leaves one without
+  /** 0 ... segment_count - 1, or Supervoxels::none where PointOptions leave one without
    */
   std::vector<std::uint32_t> segment_of_point;
   std::uint32_t segment_count = 0;

@@ -22,12 +22,10 @@ findNonConvexVoxels(const ObjectScene& scene, const ObjectSegmentationOptions& o
         !(voxels.curvatures[v] > options.curvature_threshold))
       continue;
     double positive = 0, negative = 0;
-    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
-         ++j) {
-      const auto other = voxels.neighbors.targets[j];
+    for (const auto other : voxels.neighbors.of(v)) {
       const float height =
           voxels.normals[v].dot(voxels.centroids[other] - voxels.centroids[v]);
-      const auto points = voxels.cells.offsets[other + 1] - voxels.cells.offsets[other];
+      const auto points = voxels.cells.pointsOf(other).size();
       if (std::abs(height) > on_plane)
         (height > 0 ? positive : negative) += points;
     }

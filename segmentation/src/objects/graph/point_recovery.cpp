@@ -5,6 +5,7 @@
 #include "objects/graph/point_recovery.h"
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/flood_fill.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +49,7 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
       open.push_back(i);
   const auto propose = [&](std::uint32_t place) {
     Proposal best{0, place, none};
-    for (auto j = neighbors.offsets[place]; j < neighbors.offsets[place + 1]; ++j) {
-      const auto other = neighbors.targets[j];
+    for (const auto other : neighbors.of(place)) {
       if (labels[other] == none)
         continue;
       const float d =
@@ -91,24 +91,20 @@ labelRemainder(const Adjacency& neighbors,
                std::uint32_t first_label,
                std::vector<std::uint32_t>& labels)
 {
-  std::vector<std::uint32_t> stack;
+  std::vector<std::uint32_t> part;
   auto next = first_label;
+  const auto enter = [&](std::uint32_t place, std::uint32_t) {
+    const bool is_open = labels[place] == none;
+    if (is_open)
+      labels[place] = next;
+    return is_open;
+  };
   for (std::uint32_t first = 0; first < labels.size(); ++first) {
     if (labels[first] != none)
       continue;
     labels[first] = next;
-    stack.assign(1, first);
-    while (!stack.empty()) {
-      const auto place = stack.back();
-      stack.pop_back();
-      for (auto j = neighbors.offsets[place]; j < neighbors.offsets[place + 1]; ++j) {
-        const auto other = neighbors.targets[j];
-        if (labels[other] == none) {
-          labels[other] = next;
-          stack.push_back(other);
-        }
-      }
-    }
+    part.assign(1, first);
+    floodFill(part, neighbors, enter);
     ++next;
   }
   return next;

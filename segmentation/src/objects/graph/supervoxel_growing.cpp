@@ -5,6 +5,7 @@
 #include <pcl/segmentation/objects/supervoxel_growing.h>
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/flood_fill.h>
 #include <pcl/indoor/threads.h>
 
 #include <cmath>
@@ -69,15 +70,14 @@ placeSeeds(const SurfaceVoxels& voxels,
   const auto cells = pcl::indoor::groupByCell(places, grid_scale);
   std::vector<std::uint32_t> seeds;
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const auto begin = cells.offsets[c], end = cells.offsets[c + 1];
+    const auto in_cell = cells.pointsOf(c);
     Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-    for (auto i = begin; i < end; ++i)
-      mean += places[cells.points[i]];
-    mean /= static_cast<float>(end - begin);
-    auto best = cells.points[begin];
-    for (auto i = begin; i < end; ++i)
-      if ((places[cells.points[i]] - mean).squaredNorm() <
-          (places[best] - mean).squaredNorm())
+    for (const auto i : in_cell)
+      mean += places[i];
+    mean /= static_cast<float>(in_cell.size());
+    auto best = *in_cell.begin();
+    for (const auto i : in_cell)
+      if ((places[i] - mean).squaredNorm() < (places[best] - mean).squaredNorm())
         best = cells.points[i];
     seeds.push_back(members[best]);
   }
@@ -108,9 +108,8 @@ nearestPatch(const SurfaceVoxels& voxels,
     }
   };
   consider(labels[voxel]);
-  const auto end = voxels.neighbors.offsets[voxel + 1];
-  for (auto j = voxels.neighbors.offsets[voxel]; j < end; ++j)
-    consider(labels[voxels.neighbors.targets[j]]);
+  for (const auto other : voxels.neighbors.of(voxel))
+    consider(labels[other]);
   return best;
 }
 
@@ -147,29 +146,22 @@ connectedParts(const SurfaceVoxels& voxels,
                const std::vector<std::uint32_t>& labels,
                std::vector<std::uint32_t>& part_sizes)
 {
-  std::vector<std::uint32_t> part(labels.size(), none), stack;
+  std::vector<std::uint32_t> part(labels.size(), none), members;
   part_sizes.clear();
   for (std::uint32_t first = 0; first < labels.size(); ++first) {
     if (part[first] != none || (!left_out.empty() && left_out[first]))
       continue;
     const auto number = static_cast<std::uint32_t>(part_sizes.size());
-    part_sizes.push_back(0);
     part[first] = number;
-    stack.assign(1, first);
-    while (!stack.empty()) {
-      const auto v = stack.back();
-      stack.pop_back();
-      ++part_sizes[number];
-      for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
-           ++j) {
-        const auto other = voxels.neighbors.targets[j];
-        if (part[other] == none && labels[other] == labels[first] &&
-            (left_out.empty() || !left_out[other])) {
-          part[other] = number;
-          stack.push_back(other);
-        }
-      }
-    }
+    members.assign(1, first);
+    pcl::indoor::floodFill(members, voxels.neighbors, [&](auto other, auto) {
+      if (part[other] != none || labels[other] != labels[first] ||
+          (!left_out.empty() && left_out[other]))
+        return false;
+      part[other] = number;
+      return true;
+    });
+    part_sizes.push_back(static_cast<std::uint32_t>(members.size()));
   }
   return part;
 }

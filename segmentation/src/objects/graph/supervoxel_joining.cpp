@@ -26,11 +26,13 @@ joinSupervoxels(const Supervoxels& supervoxels,
   if (options.partition == Partition::FelzenszwalbHuttenlocher)
     return segmentGraph(
         count,
-        weighEdges(supervoxels, edges, distanceOf(options), options.concavity_weight),
-        {options.graph_scale, options.min_segment_size});
-  return clusterByBorders(count,
-                          bendBorders(supervoxels, edges),
-                          {options.bend_threshold_degrees, options.min_segment_size});
+        weighEdges(
+            supervoxels, edges, distanceOf(options), options.edges.concavity_weight),
+        {options.edges.graph_scale, options.min_segment_size});
+  return clusterByBorders(
+      count,
+      bendBorders(supervoxels, edges),
+      {options.pieces.bend_threshold_degrees, options.min_segment_size});
 }
 
 std::map<std::uint32_t, std::uint32_t>
@@ -54,7 +56,7 @@ segmentSupervoxels(const NamedSupervoxels& given,
                                   supervoxels.normals[source],
                                   supervoxels.centroids[target],
                                   supervoxels.normals[target],
-                                  options.concavity_tolerance_degrees),
+                                  options.edges.concavity_tolerance_degrees),
                      1});
   }
   const auto segments = joinSupervoxels(supervoxels, edges, options);

@@ -142,9 +142,8 @@ surfaceEdges(const SurfaceVoxels& voxels,
   for (std::size_t v = 0; v < label.size(); ++v) {
     if (label[v] == Supervoxels::none)
       continue;
-    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
-         ++j) {
-      const auto other = label[voxels.neighbors.targets[j]];
+    for (const auto neighbor : voxels.neighbors.of(v)) {
+      const auto other = label[neighbor];
       if (other != Supervoxels::none && label[v] < other) {
         const auto pair = (static_cast<std::uint64_t>(label[v]) << 32) | other;
         pairs.push_back(pair);

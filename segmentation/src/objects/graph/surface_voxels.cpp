@@ -45,8 +45,8 @@ spread(const std::vector<Moments>& moments, const SurfaceVoxels& voxels, int thr
 #pragma omp parallel for num_threads(threads)
   for (std::ptrdiff_t v = 0; v < count; ++v) {
     Moments sum = moments[v];
-    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1]; ++j)
-      sum += moments[voxels.neighbors.targets[j]];
+    for (const auto other : voxels.neighbors.of(v))
+      sum += moments[other];
     sums[v] = sum;
   }
   return sums;
@@ -98,7 +98,7 @@ surfaceVoxels(const std::vector<Eigen::Vector3f>& points,
     sums[voxels.cells.cell_of_point[i]] += points[i].cast<double>();
   voxels.centroids.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
-    const auto size = voxels.cells.offsets[v + 1] - voxels.cells.offsets[v];
+    const auto size = voxels.cells.pointsOf(v).size();
     voxels.centroids[v] = (sums[v] / static_cast<double>(size)).cast<float>();
   }
   return voxels;

@@ -135,8 +135,7 @@ addTouching(const PieceSurface& surface, const LooseVoxels& loose, ContactMap& c
   for (std::uint32_t i = 0; i < loose.voxels.size(); ++i) {
     const auto voxel = loose.voxels[i], own = loose.pieces[i];
     around.clear();
-    for (auto j = neighbors.offsets[voxel]; j < neighbors.offsets[voxel + 1]; ++j) {
-      const auto other = neighbors.targets[j];
+    for (const auto other : neighbors.of(voxel)) {
       const auto piece = surface.piece_of_voxel[other];
       if (surface.scene.plane_of_voxel[other] != 0 || piece == own)
         continue;
@@ -170,8 +169,7 @@ sharesOf(const LooseVoxels& loose,
          std::uint32_t cell)
 {
   std::map<std::uint32_t, CellShare> share_of_piece;
-  for (auto i = cells.offsets[cell]; i < cells.offsets[cell + 1]; ++i) {
-    const auto entry = cells.points[i];
+  for (const auto entry : cells.pointsOf(cell)) {
     auto& share = share_of_piece[loose.pieces[entry]];
     share.place += loose.positions[entry].cast<double>();
     share.normal += loose.normals[entry].cast<double>();
@@ -219,9 +217,9 @@ addNear(const LooseVoxels& loose, double voxel_size, ContactMap& contacts)
     for (std::size_t i = 0; i < shares[cell].size(); ++i) {
       for (std::size_t j = i + 1; j < shares[cell].size(); ++j)
         look(shares[cell][i], shares[cell][j]);
-      for (auto n = around.offsets[cell]; n < around.offsets[cell + 1]; ++n)
-        if (around.targets[n] > cell)
-          for (const auto& other : shares[around.targets[n]])
+      for (const auto neighbor : around.of(cell))
+        if (neighbor > cell)
+          for (const auto& other : shares[neighbor])
             look(shares[cell][i], other);
     }
 }

@@ -50,9 +50,11 @@ makeScene(ObjectSegmentationInput& input,
                   scene.voxels.normals);
   }
   scene.plane_of_voxel.assign(input.points.size(), 0);
-  if (options.ransac_share > 0)
-    scene.planes = ransacPlanes(
-        input.points, options.voxel_size, options.ransac_share, scene.plane_of_voxel);
+  if (options.on_points.ransac_share > 0)
+    scene.planes = ransacPlanes(input.points,
+                                options.voxel_size,
+                                options.on_points.ransac_share,
+                                scene.plane_of_voxel);
   scene.points = std::move(input.points);
   return scene;
 }
@@ -153,8 +155,8 @@ segmentOnPoints(ObjectSegmentationInput input,
   ObjectSegmentation result;
   if (stops(0, "normals and planes"))
     return {};
-  double radius = options.removal_radius > 0
-                      ? options.removal_radius
+  double radius = options.on_points.removal_radius > 0
+                      ? options.on_points.removal_radius
                       : neighborhoodRadius(input.points, options.threads);
   if (!(radius > 0)) // no two different points: no neighbourhood
     radius = options.voxel_size;

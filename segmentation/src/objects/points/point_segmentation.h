@@ -10,7 +10,7 @@ namespace pcl {
 namespace indoor {
 
 /** \brief Segment a scene as Sec. 4.2 does, on points: see
- * ObjectSegmentationOptions::on_points. Each point is a voxel of the result's scene.
+ * PointOptions. Each point is a voxel of the result's scene.
  * \param[in] options that were checked
  * \param[in] progress as for segmentObjects()
  */

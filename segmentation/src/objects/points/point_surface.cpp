@@ -28,14 +28,14 @@ visitWithin(const std::vector<Eigen::Vector3f>& points,
             const Visit& visit)
 {
   const auto visit_cell = [&](std::uint32_t cell) {
-    for (auto k = cells.offsets[cell]; k < cells.offsets[cell + 1]; ++k)
-      if ((points[cells.points[k]] - points[i]).squaredNorm() <= squared_radius)
-        visit(cells.points[k]);
+    for (const auto point : cells.pointsOf(cell))
+      if ((points[point] - points[i]).squaredNorm() <= squared_radius)
+        visit(point);
   };
   const auto own = cells.cell_of_point[i];
   visit_cell(own);
-  for (auto k = around.offsets[own]; k < around.offsets[own + 1]; ++k)
-    visit_cell(around.targets[k]);
+  for (const auto other : around.of(own))
+    visit_cell(other);
 }
 
 } // namespace

@@ -32,7 +32,7 @@ lccpSegments(const Clusters& clusters,
              const ObjectSegmentationOptions& options)
 {
   pcl::LCCPSegmentation<PointT> lccp;
-  lccp.setConcavityToleranceThreshold(options.concavity_tolerance_degrees);
+  lccp.setConcavityToleranceThreshold(options.edges.concavity_tolerance_degrees);
   lccp.setSanityCheck(true);
   lccp.setSmoothnessCheck(false,
                           static_cast<float>(options.voxel_size),
@@ -134,8 +134,8 @@ partitionWithUpstream(const SurfaceVoxels& surface,
     if (found != number.end())
       supervoxels.label_of_voxel[kept[i]] = found->second;
   }
-  result.edges =
-      convexityOf(adjacency, number, supervoxels, options.concavity_tolerance_degrees);
+  result.edges = convexityOf(
+      adjacency, number, supervoxels, options.edges.concavity_tolerance_degrees);
   result.segment_of_supervoxel =
       options.partition == Partition::Lccp
           ? lccpSegments(clusters, adjacency, options)

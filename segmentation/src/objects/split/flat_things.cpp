@@ -167,8 +167,8 @@ private:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
     const auto& cells = scene_.voxels.cells;
     for (const auto v : members)
-      for (auto i = cells.offsets[v]; i < cells.offsets[v + 1]; ++i) {
-        const Eigen::Vector3d place = placeOf(scene_.points[cells.points[i]]);
+      for (const auto point : cells.pointsOf(v)) {
+        const Eigen::Vector3d place = placeOf(scene_.points[point]);
         const double height = level.above(place);
         std::uint32_t cell = 0;
         if (!(height > -scene_.voxel_size / 2) || !map.find(place.head<2>(), cell))
@@ -177,7 +177,7 @@ private:
           map.addHigh(cell);
         else
           map.add(cell, height);
-        found.emplace_back(cells.points[i], cell);
+        found.emplace_back(point, cell);
       }
     return found;
   }

@@ -70,9 +70,7 @@ growRegion(const SurfaceVoxels& voxels,
       sums.fit(plane);
       next_fit *= 2;
     }
-    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
-         ++j) {
-      const auto other = voxels.neighbors.targets[j];
+    for (const auto other : voxels.neighbors.of(v)) {
       const double cosine = voxels.normals[other].cast<double>().dot(plane.normal);
       if (taken[other] || std::abs(cosine) < region_cosine ||
           std::abs(plane.heightOf(place(other))) > tolerance)

@@ -66,10 +66,9 @@ deviationOf(const std::vector<Eigen::Vector3f>& points,
 {
   std::vector<double> distances;
   for (const auto v : plane.voxels)
-    for (auto i = voxels.cells.offsets[v]; i < voxels.cells.offsets[v + 1]; ++i)
+    for (const auto point : voxels.cells.pointsOf(v))
       distances.push_back(
-          std::abs(plane.normal.dot(points[voxels.cells.points[i]].cast<double>()) -
-                   plane.offset));
+          std::abs(plane.normal.dot(points[point].cast<double>()) - plane.offset));
   return pcl::indoor::deviation_per_median * pcl::indoor::median(distances);
 }
 
@@ -87,9 +86,7 @@ withSurroundings(const SurfaceVoxels& voxels, const StructurePlane& plane)
     const auto end = found.size();
     for (; begin < end; ++begin) {
       const auto v = found[begin];
-      for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
-           ++j) {
-        const auto other = voxels.neighbors.targets[j];
+      for (const auto other : voxels.neighbors.of(v)) {
         if (!taken[other]) {
           taken[other] = 1;
           found.push_back(other);
@@ -213,8 +210,7 @@ pointsOfStructure(const std::vector<Eigen::Vector3f>& points,
         voxel_size,
         std::max(deviations * deviationOf(points, voxels, plane), 0.1 * voxel_size));
     for (const auto v : withSurroundings(voxels, plane))
-      for (auto i = voxels.cells.offsets[v]; i < voxels.cells.offsets[v + 1]; ++i) {
-        const auto point = voxels.cells.points[i];
+      for (const auto point : voxels.cells.pointsOf(v)) {
         if (plane_of_point[point] == 0 &&
             std::abs(plane.heightOf(points[point].cast<double>())) <= tolerance)
           plane_of_point[point] = static_cast<std::uint32_t>(p + 1);

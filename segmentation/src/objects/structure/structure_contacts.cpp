@@ -32,8 +32,8 @@ objectsIn(const SurfaceVoxels& surroundings,
     for (std::uint32_t v = 0; v < voxels.size(); ++v) {
       if (plane_of_voxel[v] != 0 || voxels.normals[v].isZero())
         continue;
-      for (auto i = voxels.cells.offsets[v]; i < voxels.cells.offsets[v + 1]; ++i) {
-        const auto place = surroundings.cells.cell_of_point[voxels.cells.points[i]];
+      for (const auto point : voxels.cells.pointsOf(v)) {
+        const auto place = surroundings.cells.cell_of_point[point];
         if (last[place] == v + 1)
           continue;
         last[place] = v + 1;
@@ -61,14 +61,12 @@ gatherAround(std::uint32_t place,
 {
   found.clear();
   const auto add = [&](std::uint32_t cell) {
-    found.insert(found.end(),
-                 objects.targets.begin() + objects.offsets[cell],
-                 objects.targets.begin() + objects.offsets[cell + 1]);
+    found.insert(found.end(), objects.of(cell).begin(), objects.of(cell).end());
   };
   add(place);
   const auto& around = surroundings.neighbors;
-  for (auto j = around.offsets[place]; j < around.offsets[place + 1]; ++j)
-    add(around.targets[j]);
+  for (const auto other : around.of(place))
+    add(other);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
@@ -112,14 +110,14 @@ yieldContacts(const SurfaceVoxels& surroundings, ObjectScene& scene)
   for (std::uint32_t place = 0; place < surroundings.size(); ++place) {
     bool gathered = false;
     const auto& cells = surroundings.cells;
-    for (auto i = cells.offsets[place]; i < cells.offsets[place + 1]; ++i) {
-      auto& voxel = voxels.cells.cell_of_point[cells.points[i]];
+    for (const auto point : cells.pointsOf(place)) {
+      auto& voxel = voxels.cells.cell_of_point[point];
       if (plane_of_voxel[voxel] == 0)
         continue;
       if (!gathered)
         gatherAround(place, surroundings, objects, around);
       gathered = true;
-      const auto nearest = nearestSurface(scene.points[cells.points[i]],
+      const auto nearest = nearestSurface(scene.points[point],
                                           scene.planes[plane_of_voxel[voxel] - 1],
                                           voxel,
                                           around,

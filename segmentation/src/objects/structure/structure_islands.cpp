@@ -4,8 +4,12 @@
  */
 #include "objects/structure/structure_islands.h"
 
+#include <pcl/indoor/flood_fill.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -30,16 +34,9 @@ returnIslands(std::size_t patch_size, std::size_t min_size, ObjectScene& scene)
       continue;
     seen[first] = 1;
     island.assign(1, first);
-    for (std::size_t i = 0; i < island.size(); ++i)
-      for (auto j = voxels.neighbors.offsets[island[i]];
-           j < voxels.neighbors.offsets[island[i] + 1];
-           ++j) {
-        const auto other = voxels.neighbors.targets[j];
-        if (!seen[other] && plane_of_voxel[other] == 0) {
-          seen[other] = 1;
-          island.push_back(other);
-        }
-      }
+    floodFill(island, voxels.neighbors, [&](auto other, auto) {
+      return plane_of_voxel[other] == 0 && !std::exchange(seen[other], 1);
+    });
     if (island.size() >= std::max(min_size, patch_size))
       continue;
     const auto plane = std::find_if(scene.planes.begin(), scene.planes.end(), lies_in);

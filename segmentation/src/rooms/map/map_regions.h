@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/flood_fill.h>
 #include <pcl/indoor/voxel_map.h>
 
 #include <algorithm>
@@ -27,26 +28,23 @@ forEachRegion(const PixelMap<Value>& map, Neighbours neighbours, const Visitor& 
 {
   std::vector<std::uint8_t> seen(map.size(), 0);
   std::vector<std::size_t> region;
+  const auto for_each_neighbor = [&](std::size_t pixel, const auto& reach) {
+    const int x = static_cast<int>(pixel / map.ny);
+    const int y = static_cast<int>(pixel % map.ny);
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, map.nx - 1); ++u)
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, map.ny - 1); ++v)
+        if (neighbours == Neighbours::Eight || u == x || v == y)
+          reach(map.index(u, v));
+  };
   for (std::size_t start = 0; start < map.size(); ++start) {
     const Value value = map.values[start];
     if (value == Value{0} || seen[start])
       continue;
     region.assign(1, start);
     seen[start] = 1;
-    for (std::size_t next = 0; next < region.size(); ++next) {
-      const int x = static_cast<int>(region[next] / map.ny);
-      const int y = static_cast<int>(region[next] % map.ny);
-      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, map.nx - 1); ++u)
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, map.ny - 1); ++v) {
-          if (neighbours == Neighbours::Four && u != x && v != y)
-            continue;
-          const std::size_t other = map.index(u, v);
-          if (map.values[other] == value && !seen[other]) {
-            seen[other] = 1;
-            region.push_back(other);
-          }
-        }
-    }
+    floodFill(region, for_each_neighbor, [&](std::size_t other, std::size_t) {
+      return map.values[other] == value && !std::exchange(seen[other], 1);
+    });
     visit(region);
   }
 }
@@ -59,23 +57,25 @@ template <typename Value, typename MayPass>
 void
 spreadValues(PixelMap<Value>& map, const MayPass& may_pass)
 {
-  std::vector<std::size_t> queue;
+  std::vector<std::size_t> reached;
   for (std::size_t pixel = 0; pixel < map.size(); ++pixel)
     if (map.values[pixel] != Value{0})
-      queue.push_back(pixel);
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    const int x = static_cast<int>(queue[next] / map.ny);
-    const int y = static_cast<int>(queue[next] % map.ny);
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-      if (!map.contains(x + dx, y + dy))
-        continue;
-      const std::size_t other = map.index(x + dx, y + dy);
-      if (map.values[other] == Value{0} && may_pass(queue[next], other)) {
-        map.values[other] = map.values[queue[next]];
-        queue.push_back(other);
-      }
-    }
-  }
+      reached.push_back(pixel);
+  floodFill(
+      reached,
+      [&](std::size_t pixel, const auto& visit) {
+        const int x = static_cast<int>(pixel / map.ny);
+        const int y = static_cast<int>(pixel % map.ny);
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+          if (map.contains(x + dx, y + dy))
+            visit(map.index(x + dx, y + dy));
+      },
+      [&](std::size_t other, std::size_t from) {
+        const bool goes = map.values[other] == Value{0} && may_pass(from, other);
+        if (goes)
+          map.values[other] = map.values[from];
+        return goes;
+      });
 }
 
 } // namespace indoor

@@ -5,6 +5,7 @@
 
 #include "rooms/space/block_extent.h"
 
+#include <pcl/indoor/flood_fill.h>
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/quantile.h>
 
@@ -244,28 +245,27 @@ connectedParts(const SortedBlocks& blocks)
   for (std::size_t b = 0; b < blocks.size(); ++b)
     numbers[blocks[b].first] = static_cast<std::uint32_t>(b);
   std::vector<char> seen(blocks.size(), 0);
-  std::vector<std::size_t> stack;
+  std::vector<std::size_t> members;
+  const auto for_each_neighbor = [&](std::size_t b, const auto& visit) {
+    const Block block = blockOf(blocks[b].first);
+    for (int n = 0; n < 27; ++n) {
+      const Block step(n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
+      if (const std::uint32_t* other = numbers.lookUp(keyOf(block + step)))
+        visit(*other);
+    }
+  };
   std::vector<Part> parts;
   for (std::size_t start = 0; start < blocks.size(); ++start) {
     if (seen[start])
       continue;
     Part part;
     seen[start] = 1;
-    stack.assign(1, start);
-    while (!stack.empty()) {
-      const std::size_t current = stack.back();
-      stack.pop_back();
-      const Block block = blockOf(blocks[current].first);
-      addBlock(part, block, blocks[current].second);
-      for (int n = 0; n < 27; ++n) {
-        const Block step(n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
-        const std::uint32_t* other = numbers.lookUp(keyOf(block + step));
-        if (!other || seen[*other])
-          continue;
-        seen[*other] = 1;
-        stack.push_back(*other);
-      }
-    }
+    members.assign(1, start);
+    pcl::indoor::floodFill(members, for_each_neighbor, [&](auto other, auto) {
+      return !std::exchange(seen[other], 1);
+    });
+    for (const auto member : members)
+      addBlock(part, blockOf(blocks[member].first), blocks[member].second);
     parts.push_back(part);
   }
   return parts;

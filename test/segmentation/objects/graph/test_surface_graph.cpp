@@ -46,9 +46,7 @@ isConnected(const SurfaceVoxels& voxels, const Labels& labels, std::uint32_t lab
     const auto v = stack.back();
     stack.pop_back();
     ++reached;
-    for (auto j = voxels.neighbors.offsets[v]; j < voxels.neighbors.offsets[v + 1];
-         ++j) {
-      const auto other = voxels.neighbors.targets[j];
+    for (const auto other : voxels.neighbors.of(v)) {
       if (!seen[other] && labels[other] == label) {
         seen[other] = 1;
         stack.push_back(other);

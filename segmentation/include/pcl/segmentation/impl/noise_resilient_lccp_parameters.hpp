@@ -98,56 +98,56 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setBendThreshold(float value)
 {
-  chosen().bend_threshold_degrees = value;
+  chosen().pieces.bend_threshold_degrees = value;
 }
 
 template <typename PointT>
 float
 NoiseResilientLCCP<PointT>::getBendThreshold() const
 {
-  return options_.bend_threshold_degrees;
+  return options_.pieces.bend_threshold_degrees;
 }
 
 template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setJoiningScale(indoor::JoiningScale value)
 {
-  chosen().scale = value;
+  chosen().pieces.scale = value;
 }
 
 template <typename PointT>
 indoor::JoiningScale
 NoiseResilientLCCP<PointT>::getJoiningScale() const
 {
-  return options_.scale;
+  return options_.pieces.scale;
 }
 
 template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setJoiningLevel(float value)
 {
-  chosen().joining_level = value;
+  chosen().pieces.joining_level = value;
 }
 
 template <typename PointT>
 float
 NoiseResilientLCCP<PointT>::getJoiningLevel() const
 {
-  return options_.joining_level;
+  return options_.pieces.joining_level;
 }
 
 template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setGraphScale(float value)
 {
-  chosen().graph_scale = value;
+  chosen().edges.graph_scale = value;
 }
 
 template <typename PointT>
 float
 NoiseResilientLCCP<PointT>::getGraphScale() const
 {
-  return options_.graph_scale;
+  return options_.edges.graph_scale;
 }
 
 template <typename PointT>
@@ -168,14 +168,14 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setConcavityToleranceThreshold(float value)
 {
-  chosen().concavity_tolerance_degrees = value;
+  chosen().edges.concavity_tolerance_degrees = value;
 }
 
 template <typename PointT>
 float
 NoiseResilientLCCP<PointT>::getConcavityToleranceThreshold() const
 {
-  return options_.concavity_tolerance_degrees;
+  return options_.edges.concavity_tolerance_degrees;
 }
 
 template <typename PointT>
