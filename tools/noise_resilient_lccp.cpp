@@ -128,6 +128,11 @@ addPartition(OptionParser& parser, Settings& settings)
                           pcl::indoor::singleViewOptions().min_segment_size),
               "supervoxels",
               Range::atLeast(0))
+      .number("-min_points",
+              options.pieces.fewest_points,
+              "for -partition graph: segments of fewer points, or smaller than a "
+              "supervoxel, are the remainder",
+              "points")
       .number("-graph_scale",
               options.edges.graph_scale,
               "for -partition felzenszwalb; higher gives larger segments",
@@ -177,6 +182,7 @@ addOthers(OptionParser& parser, Settings& settings)
       .number("-threads", options.threads, "threads, 0 = automatic")
       .expert({"-bend_threshold",
                "-min_segment",
+               "-min_points",
                "-ransac_share",
                "-removal_radius",
                "-graph_scale",

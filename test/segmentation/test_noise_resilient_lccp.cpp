@@ -207,6 +207,32 @@ TEST(NoiseResilientLCCP, WhatIsTooSmallToBeToldIsOneRemainder)
     EXPECT_NE(kind, remainder);
 }
 
+TEST(NoiseResilientLCCP, FewPointsAreTheRemainder)
+{
+  auto scene = floorWithTwoBoxes();
+  const auto things = scene.points.size();
+  std::mt19937 rng(5); // a patch of 25 voxels, more than a supervoxel, of 64 points
+  scene.addRectangle(
+      {0.9f, 0.2f, 2}, {0.16f, 0, 0}, {0, 0.16f, 0}, {0, 0, 1}, 7, 0.02f, 0, rng);
+  const auto count = scene.points.size() - things;
+  ASSERT_GT(count, 50u);
+  ASSERT_LT(count, 100u);
+  const auto remainder = static_cast<std::uint32_t>(StructureKind::Remainder);
+  const auto kindOfPatch = [&](std::uint32_t fewest_points) {
+    Segmentation segmentation;
+    EXPECT_EQ(segmentation.getFewestPoints(), 100u);
+    segmentation.setFewestPoints(fewest_points);
+    segmentation.setInputCloud(cloudOf(scene.points));
+    Labels labels;
+    segmentation.segment(labels);
+    return segmentation.getStructure().back();
+  };
+  EXPECT_EQ(kindOfPatch(100), remainder);
+  EXPECT_EQ(kindOfPatch(static_cast<std::uint32_t>(count) + 1), remainder);
+  EXPECT_EQ(kindOfPatch(static_cast<std::uint32_t>(count)), 0u);
+  EXPECT_EQ(kindOfPatch(0), 0u);
+}
+
 TEST(NoiseResilientLCCP, TheFirstPointIsLikeAllOthers)
 {
   auto points = floorWithTwoBoxes().points;

@@ -18,7 +18,6 @@
 #include <pcl/indoor/require_valid.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace {
@@ -149,8 +148,7 @@ segmentObjects(ObjectSegmentationInput input,
     for (const auto voxel : result.scene.voxels.cells.cell_of_point)
       result.segment_of_point.push_back(segment_of_voxel[voxel]);
   yieldEnclosed(result.scene, result.segment_of_point);
-  nameSegments(has_pieces ? std::pow(options.seed_size / options.voxel_size, 2) : 0,
-               result);
+  nameSegments(options, result);
   if (stops(1, "done"))
     return {};
   return result; // moved: a conditional would copy all of it

@@ -5,32 +5,56 @@
 #include "objects/segment_names.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
 namespace {
 
 using pcl::indoor::ObjectSegmentation;
+using pcl::indoor::ObjectSegmentationOptions;
 
-/** Put segments of fewer voxels than a supervoxel, too small to be told, into one.
+/** Which segments have fewer voxels or points. */
+std::vector<std::uint8_t>
+smallSegments(const ObjectSegmentation& result,
+              std::size_t segment_count,
+              double fewest_voxels,
+              std::uint32_t fewest_points)
+{
+  std::vector<std::vector<std::uint32_t>> voxels(
+      segment_count); // as many as are enough
+  std::vector<std::uint32_t> points(segment_count, 0);
+  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i) {
+    const auto segment = result.segment_of_point[i];
+    ++points[segment];
+    auto& own = voxels[segment];
+    const auto voxel = result.scene.voxels.cells.cell_of_point[i];
+    if (static_cast<double>(own.size()) < fewest_voxels &&
+        std::find(own.begin(), own.end(), voxel) == own.end())
+      own.push_back(voxel);
+  }
+  std::vector<std::uint8_t> small(segment_count);
+  for (std::size_t s = 0; s < segment_count; ++s)
+    small[s] = static_cast<double>(voxels[s].size()) < fewest_voxels ||
+               points[s] < fewest_points;
+  return small;
+}
+
+/** Put segments that are too small to be told into one.
  * \return a point of it; none if there is none */
 std::optional<std::size_t>
-gatherRemainder(double supervoxel, ObjectSegmentation& result)
+gatherRemainder(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
 {
   auto& segments = result.segment_of_point;
   const auto highest = std::max_element(segments.begin(), segments.end());
   const auto remainder = highest == segments.end() ? 0 : *highest + 1;
-  std::vector<std::vector<std::uint32_t>> voxels(remainder); // as many as are enough
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    auto& own = voxels[segments[i]];
-    const auto voxel = result.scene.voxels.cells.cell_of_point[i];
-    if (static_cast<double>(own.size()) < supervoxel &&
-        std::find(own.begin(), own.end(), voxel) == own.end())
-      own.push_back(voxel);
-  }
+  const double voxels_of_supervoxel =
+      std::pow(options.seed_size / options.voxel_size, 2);
+  const auto small = smallSegments(
+      result, remainder, voxels_of_supervoxel, options.pieces.fewest_points);
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < segments.size(); ++i)
-    if (static_cast<double>(voxels[segments[i]].size()) < supervoxel) {
+    if (small[segments[i]]) {
       segments[i] = remainder;
       first = first.value_or(i);
     }
@@ -80,9 +104,11 @@ numberSegments(ObjectSegmentation& result)
 }
 
 void
-nameSegments(double supervoxel, ObjectSegmentation& result)
+nameSegments(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
 {
-  const auto remainder = gatherRemainder(supervoxel, result);
+  const auto remainder = options.partition == Partition::Pieces
+                             ? gatherRemainder(options, result)
+                             : std::nullopt;
   numberSegments(result);
   result.structure_of_segment = structureOfSegments(result);
   if (remainder)

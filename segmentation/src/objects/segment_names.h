@@ -13,11 +13,10 @@ namespace indoor {
 void
 numberSegments(ObjectSegmentation& result);
 
-/** Number the segments, and say which are floor, wall or ceiling. Segments of fewer
- * voxels than a supervoxel has become one segment together, the remainder.
- * \param[in] supervoxel voxels of a supervoxel; 0 for no remainder */
+/** Number the segments, and say which are floor, wall or ceiling. Those of pieces that
+ * are too small to be told become one segment, the remainder, see PieceOptions. */
 void
-nameSegments(double supervoxel, ObjectSegmentation& result);
+nameSegments(const ObjectSegmentationOptions& options, ObjectSegmentation& result);
 
 } // namespace indoor
 } // namespace pcl

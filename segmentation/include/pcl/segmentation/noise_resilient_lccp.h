@@ -135,6 +135,17 @@ public:
   float
   getJoiningLevel() const;
 
+  /** \brief Set how many points tell a segment, for Partition::Pieces.
+   * \param[in] points default 100; segments of fewer, or of fewer voxels than a
+   * supervoxel has, are the remainder, one segment
+   */
+  void
+  setFewestPoints(std::uint32_t points);
+
+  /** \brief Get how many points tell a segment. */
+  std::uint32_t
+  getFewestPoints() const;
+
   /** \brief Set k of Partition::FelzenszwalbHuttenlocher.
    * \param[in] scale not negative (default 3). Higher gives larger segments.
    */

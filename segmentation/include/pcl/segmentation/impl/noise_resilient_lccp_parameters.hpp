@@ -138,6 +138,20 @@ NoiseResilientLCCP<PointT>::getJoiningLevel() const
 
 template <typename PointT>
 void
+NoiseResilientLCCP<PointT>::setFewestPoints(std::uint32_t value)
+{
+  chosen().pieces.fewest_points = value;
+}
+
+template <typename PointT>
+std::uint32_t
+NoiseResilientLCCP<PointT>::getFewestPoints() const
+{
+  return options_.pieces.fewest_points;
+}
+
+template <typename PointT>
+void
 NoiseResilientLCCP<PointT>::setGraphScale(float value)
 {
   chosen().edges.graph_scale = value;

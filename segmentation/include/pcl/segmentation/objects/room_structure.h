@@ -33,7 +33,7 @@ enum class StructureKind : std::uint8_t {
   Floor = 1,
   Wall = 2,
   Ceiling = 3,
-  Remainder = 4 ///< all pieces smaller than a supervoxel, as one segment
+  Remainder = 4 ///< all that is too small to be told, as one segment
 };
 
 /** \brief Tell whether two unit normals are at right angles, give or take 17 degrees.
