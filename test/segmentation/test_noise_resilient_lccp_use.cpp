@@ -216,8 +216,8 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_TRUE(segmentation.getOptions().separate_structure);
   EXPECT_EQ(segmentation.getJoiningScale(), JoiningScale::Objects);
   EXPECT_FLOAT_EQ(segmentation.getJoiningLevel(), 0.5f);
-  EXPECT_EQ(partsOptions().scale, JoiningScale::Parts);
-  EXPECT_FLOAT_EQ(singleViewOptions().joining_level, 1);
+  EXPECT_EQ(partsOptions().pieces.scale, JoiningScale::Parts);
+  EXPECT_FLOAT_EQ(singleViewOptions().pieces.joining_level, 1);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
   EXPECT_EQ(segmentation.getPartition(), Segmentation::Partition::Pieces);

@@ -78,7 +78,7 @@ placeSeeds(const SurfaceVoxels& voxels,
     auto best = *in_cell.begin();
     for (const auto i : in_cell)
       if ((places[i] - mean).squaredNorm() < (places[best] - mean).squaredNorm())
-        best = cells.points[i];
+        best = i;
     seeds.push_back(members[best]);
   }
   return seeds;
