@@ -47,7 +47,11 @@ makeParser(Options& options)
       "and the class of each object; writes cloud.pcd with the fields "
       "room, object, structure, category and confidence, scene.json, report.html, "
       "plan.svg, plan.png, plan.dxf, rooms.png, potential_field.png and classes.png.");
-  parser.positional("input", options.input, "PCD, PLY or LAS file or table")
+  parser
+      .positionals("input",
+                   options.inputs,
+                   "PCD, PLY or LAS file or table; several, or a folder of them, are "
+                   "the stations of one building")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
       .number(

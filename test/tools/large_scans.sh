@@ -36,7 +36,7 @@ done
 agree() { # <field> <metric> <least>: of both results
   local score
   score=$("$tools"/pcl_segmentation_evaluation whole/cloud.pcd expected/cloud.pcd -truth_field "$1" -predicted_field "$1" |
-    sed -n "s/^$2 *//p")
+    sed -n "s/^$2  *//p")
   awk -v score="$score" -v least="$3" 'BEGIN { exit !(score >= least) }' || fail "$1: $2 is $score, not at least $3"
 }
 agree room right_segments "$(grep -c '"footprint"' whole/scene.json)"

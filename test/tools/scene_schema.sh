@@ -35,6 +35,8 @@ for options in "" "-model none" "-up -y -unit ft" "-voxel_resolution 0.05 -parti
   number=$((number + 1))
 done
 [ $number -eq 4 ]
+"$tools/pcl_indoor_pipeline" "$folder/scan.pcd" "$folder/scan.pcd" "$folder/stations" -quiet # one stands twice
+validate "$folder/stations/scene.json" || { echo "of several scans"; exit 1; }
 
 spoil() {
   python3 - "$folder/out/scene.json" "$1" > "$folder/wrong.json" << 'END'

@@ -169,6 +169,33 @@ TEST(OptionParser, TakesTheRestAsAList)
   EXPECT_THROW(parser.parse(3, arguments), ToolError);
 }
 
+TEST(OptionParser, TheRestMayStandBeforeOtherNames)
+{
+  std::vector<std::string> rest;
+  std::string last;
+  OptionParser parser("pcl_example", "Does something.");
+  parser.positionals("scan", rest, "scans").positional("folder", last, "the last");
+  const char* const arguments[] = {"pcl_example", "a", "b", "c"};
+  ASSERT_TRUE(parser.parse(4, arguments));
+  EXPECT_EQ(rest, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(last, "c");
+  ASSERT_TRUE(parser.parse(3, arguments));
+  EXPECT_EQ(rest, std::vector<std::string>{"a"});
+  EXPECT_EQ(last, "b");
+  const auto missing = [&](int count) {
+    try {
+      parser.parse(count, arguments);
+    } catch (const ToolError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(missing(2).find("The argument 'folder'"), 0u) << missing(2);
+  EXPECT_EQ(missing(1).find("The argument 'scan'"), 0u) << missing(1);
+  EXPECT_NE(parser.usage().find("pcl_example scan ... folder <options>"),
+            std::string::npos);
+}
+
 TEST(OptionParser, HelpNamesEverythingWithItsDefault)
 {
   Values values;

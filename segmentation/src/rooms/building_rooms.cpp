@@ -216,11 +216,12 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
   std::uint32_t room_count = 0;
   const bool by_vote = options.point_rooms == PointRooms::Vote;
   std::vector<VoxelMap<int>> votes; // per storey
-  const auto spaces = storeySpaces(grid, building.interior, building.storeys);
-  for (const auto& space : spaces) {
-    const double part = static_cast<double>(building.maps.size()) / spaces.size();
+  const std::size_t storeys = building.storeys.heights.size();
+  for (std::size_t s = 0; s < storeys; ++s) {
+    const double part = static_cast<double>(s) / static_cast<double>(storeys);
     if (stopped(0.5 + 0.3 * part, "rooms of a storey"))
       return {};
+    const auto space = storeySpace(grid, building.interior, building.storeys, s);
     building.maps.push_back(segmentRoomMap(space, options.map));
     auto& room_of = building.room_of.emplace_back();
     for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)

@@ -342,9 +342,9 @@ expectAsDefined(const std::vector<Eigen::Vector3f>& points, std::size_t least_ro
   EXPECT_GE(building.rooms.size(), least_rooms);
   EXPECT_EQ(building.occupancy.yaw, 0.0);
   EXPECT_EQ(building.interior.factor, 1);
-  const auto spaces =
-      storeySpaces(building.occupancy.grid, building.interior, building.storeys);
-  const DenseRooms dense(spaces.front().interior, options.map.field_rooms);
+  const auto space =
+      storeySpace(building.occupancy.grid, building.interior, building.storeys, 0);
+  const DenseRooms dense(space.interior, options.map.field_rooms);
 
   const auto& found = building.maps.front().field_rooms;
   std::map<int, int> name; // of the dense version's labels
@@ -370,7 +370,7 @@ expectAsDefined(const std::vector<Eigen::Vector3f>& points, std::size_t least_ro
       const int pixel = cell / grid.shape.nz;
       voted[cell] = dense.labelOf({pixel / grid.shape.ny,
                                    pixel % grid.shape.ny,
-                                   cell % grid.shape.nz - spaces.front().first_layer});
+                                   cell % grid.shape.nz - space.first_layer});
     }
     const int label = voted.at(cell);
     const std::uint32_t expected =

@@ -57,13 +57,15 @@ OptionParser::usage() const
 {
   std::string syntax = "Syntax is: " + program_;
   std::string lines;
-  for (const auto& argument : positionals_) {
-    syntax += " " + argument.name;
-    lines += "  " + argument.name + " = " + argument.meaning + "\n";
-  }
-  if (rest_variable_ != nullptr) {
-    syntax += " " + rest_.name + " ...";
-    lines += "  " + rest_.name + " ... = " + rest_.meaning + "\n";
+  const auto add = [&](const std::string& name, const std::string& meaning) {
+    syntax += " " + name;
+    lines += "  " + name + " = " + meaning + "\n";
+  };
+  for (std::size_t i = 0; i <= positionals_.size(); ++i) {
+    if (rest_variable_ != nullptr && i == before_rest_)
+      add(rest_.name + " ...", rest_.meaning);
+    if (i < positionals_.size())
+      add(positionals_[i].name, positionals_[i].meaning);
   }
   std::string text = summary_ + "\n\n" + syntax + " <options>\n\n" + lines;
   text += "  where options are:\n";

@@ -143,6 +143,7 @@ OptionParser::positionals(const std::string& name,
   rest_ = {name, meaning, nullptr};
   rest_variable_ = &variable;
   rest_at_least_ = at_least;
+  before_rest_ = positionals_.size();
   return *this;
 }
 
@@ -309,19 +310,25 @@ OptionParser::assignPositionals(const std::vector<std::string>& names)
 {
   const std::size_t required = positionals_.size() + rest_at_least_;
   if (names.size() < required) {
-    const auto& missing =
-        names.size() < positionals_.size() ? positionals_[names.size()] : rest_;
+    const std::size_t next = names.size();
+    const auto& missing = next < before_rest_ ? positionals_[next]
+                          : next < before_rest_ + rest_at_least_
+                              ? rest_
+                              : positionals_[next - rest_at_least_];
     throw ToolError("The argument '" + missing.name + "' (" + missing.meaning +
                     ") is missing, -h shows the syntax");
   }
   if (rest_variable_ == nullptr && names.size() > positionals_.size())
     throw ToolError("'" + names[positionals_.size()] +
                     "' is one argument too many, -h shows the syntax");
+  const std::size_t rest_count = names.size() - positionals_.size();
   for (std::size_t i = 0; i < positionals_.size(); ++i)
-    *positionals_[i].variable = names[i];
-  if (rest_variable_ != nullptr)
-    rest_variable_->assign(
-        names.begin() + static_cast<std::ptrdiff_t>(positionals_.size()), names.end());
+    *positionals_[i].variable =
+        names[rest_variable_ != nullptr && i >= before_rest_ ? i + rest_count : i];
+  if (rest_variable_ != nullptr) {
+    const auto begin = names.begin() + static_cast<std::ptrdiff_t>(before_rest_);
+    rest_variable_->assign(begin, begin + static_cast<std::ptrdiff_t>(rest_count));
+  }
 }
 
 #define INSTANTIATE_NUMBER(T)                                                          \

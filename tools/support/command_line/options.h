@@ -96,8 +96,8 @@ public:
              std::string& variable,
              const std::string& meaning);
 
-  /** \brief All further names, at least \a at_least of them; after every other
-   * positional(). */
+  /** \brief Any number of names, at least \a at_least of them, between those that were
+   * declared before and after it. */
   OptionParser&
   positionals(const std::string& name,
               std::vector<std::string>& variable,
@@ -209,6 +209,7 @@ private:
   Positional rest_;
   std::vector<std::string>* rest_variable_ = nullptr;
   std::size_t rest_at_least_ = 0;
+  std::size_t before_rest_ = 0; // positionals
   std::vector<Option> options_;
   bool quiet_ = false;
 };

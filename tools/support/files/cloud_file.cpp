@@ -22,6 +22,7 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <utility>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -271,6 +272,19 @@ loadCloud(const std::string& path,
   CloudFile file;
   file.path = path;
   readFile(file, columns);
+  return withPoints(path, std::move(file.cloud), file.frame, least_points);
+}
+
+CloudFile
+withPoints(const std::string& path,
+           PCLPointCloud2 cloud,
+           const CloudFrame& frame,
+           std::size_t least_points)
+{
+  CloudFile file;
+  file.path = path;
+  file.cloud = std::move(cloud);
+  file.frame = frame;
   for (const char* name : axes)
     if (!isRealField(file.cloud, name))
       throw ToolError(path + ": the file has no floating-point field '" + name + "'");

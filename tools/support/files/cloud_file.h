@@ -37,8 +37,9 @@ struct CloudFile {
   /** The greatest distance between neighbouring numbers in which large coordinates are
    * stored: floats are coarse. 0 without large coordinates. */
   double coordinate_step = 0.0;
-  std::size_t finite_count = 0; ///< of \a points without NaN
-  bool has_normals = false;     ///< the file has normal_x, normal_y, normal_z
+  std::size_t finite_count = 0;      ///< of \a points without NaN
+  bool has_normals = false;          ///< the file has normal_x, normal_y, normal_z
+  std::vector<std::string> stations; ///< names of the files it was joined of, if any
 };
 
 /** \brief Read a PCD (ascii, binary, binary_compressed), PLY or LAS file or a table of
@@ -53,6 +54,15 @@ CloudFile
 loadCloud(const std::string& path,
           const TableColumns& columns = {},
           std::size_t least_points = 2);
+
+/** \brief The same of a cloud that was read.
+ * \param[in] path names it in errors
+ */
+CloudFile
+withPoints(const std::string& path,
+           PCLPointCloud2 cloud,
+           const CloudFrame& frame,
+           std::size_t least_points = 2);
 
 /** \brief What is subtracted from the coordinates of a cloud before they become floats:
  * whole units near the middle of those that are large. */

@@ -16,23 +16,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <utility>
 
 namespace pcl::indoor::tool {
 namespace {
 
 constexpr std::size_t points_of_part = 1 << 18;
-
-/** A row of points with the fields of a layout. */
-PCLPointCloud2
-emptyPart(const PCLPointCloud2& layout, std::size_t count)
-{
-  auto part = layout;
-  part.width = static_cast<std::uint32_t>(count);
-  part.height = 1;
-  part.row_step = part.point_step * part.width;
-  return part;
-}
 
 /** The header of a PCD with a single point: for more, PCL's reader takes memory. */
 std::string
@@ -50,40 +40,58 @@ headerOfOnePoint(const FileHeader& header)
   return text;
 }
 
-} // namespace
+/** A file whose points are records of one size. */
+class FileStream : public CloudStream {
+public:
+  explicit FileStream(const std::string& path)
+  : path_(path)
+  {}
 
-std::unique_ptr<CloudStream>
-CloudStream::open(const std::string& path)
+  /** Read the header.
+   * \return false if the file is of no kind that can be read in parts */
+  bool
+  open();
+
+  PCLPointCloud2
+  read(std::uint64_t first, std::size_t count) override;
+
+private:
+  bool
+  openPcd();
+
+  bool
+  openPly();
+
+  bool
+  openLas();
+
+  std::string path_;
+  std::ifstream stream_;
+  std::size_t body_begin_ = 0, record_size_ = 0;
+  std::function<PCLPointCloud2(std::string records, std::size_t count)> points_;
+};
+
+bool
+FileStream::open()
 {
-  std::unique_ptr<CloudStream> cloud(new CloudStream);
-  cloud->path_ = path;
-  try {
-    cloud->stream_.open(path, std::ios::binary);
-    std::string beginning(512, '\0');
-    cloud->stream_.read(beginning.data(),
-                        static_cast<std::streamsize>(beginning.size()));
-    cloud->stream_.clear();
-    cloud->stream_.seekg(0);
-    const bool is_open = isLas(beginning)                      ? cloud->openLas()
-                         : beginning.compare(0, 3, "ply") == 0 ? cloud->openPly()
-                                                               : cloud->openPcd();
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path, error);
-    if (!is_open || error || cloud->pointCount() == 0 || cloud->record_size_ == 0 ||
-        size < cloud->body_begin_ ||
-        (size - cloud->body_begin_) / cloud->record_size_ < cloud->pointCount())
-      return nullptr;
-  } catch (const ToolError&) {
-    return nullptr;
-  }
-  for (const char* name : {"x", "y", "z"})
-    if (!isRealField(cloud->layout_, name))
-      return nullptr;
-  return cloud;
+  stream_.open(path_, std::ios::binary);
+  std::string beginning(512, '\0');
+  stream_.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  stream_.clear();
+  stream_.seekg(0);
+  const bool is_open = isLas(beginning)                      ? openLas()
+                       : beginning.compare(0, 3, "ply") == 0 ? openPly()
+                                                             : openPcd();
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path_, error);
+  return is_open && !error && pointCount() > 0 && record_size_ > 0 &&
+         size >= body_begin_ && (size - body_begin_) / record_size_ >= pointCount() &&
+         isRealField(layout_, "x") && isRealField(layout_, "y") &&
+         isRealField(layout_, "z");
 }
 
 bool
-CloudStream::openPcd()
+FileStream::openPcd()
 {
   const auto header = readFileHeader(stream_, "DATA", path_);
   std::uint64_t width = 0, height = 1, points = 0;
@@ -129,7 +137,7 @@ CloudStream::openPcd()
 }
 
 bool
-CloudStream::openPly()
+FileStream::openPly()
 {
   auto records = plyRecords(path_);
   if (!records)
@@ -143,7 +151,7 @@ CloudStream::openPly()
 }
 
 bool
-CloudStream::openLas()
+FileStream::openLas()
 {
   auto records = lasRecords(path_);
   layout_ = records.layout;
@@ -161,7 +169,7 @@ CloudStream::openLas()
 }
 
 PCLPointCloud2
-CloudStream::read(std::uint64_t first, std::size_t count)
+FileStream::read(std::uint64_t first, std::size_t count)
 {
   std::string records(count * record_size_, '\0');
   stream_.clear();
@@ -169,6 +177,31 @@ CloudStream::read(std::uint64_t first, std::size_t count)
   if (!stream_.read(records.data(), static_cast<std::streamsize>(records.size())))
     throw ToolError(path_ + ": the file can no longer be read");
   return points_(std::move(records), count);
+}
+
+} // namespace
+
+PCLPointCloud2
+emptyPart(const PCLPointCloud2& layout, std::size_t count)
+{
+  auto part = layout;
+  part.width = static_cast<std::uint32_t>(count);
+  part.height = 1;
+  part.row_step = part.point_step * part.width;
+  return part;
+}
+
+std::unique_ptr<CloudStream>
+CloudStream::open(const std::string& path)
+{
+  auto file = std::make_unique<FileStream>(path);
+  try {
+    if (!file->open())
+      return nullptr;
+  } catch (const ToolError&) {
+    return nullptr;
+  }
+  return file;
 }
 
 void

@@ -9,7 +9,6 @@
 #include <pcl/PCLPointCloud2.h>
 
 #include <cstdint>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,6 +18,8 @@ namespace pcl::indoor::tool {
 /** \brief Reads the points of a file part by part, as loadCloud() would give them. */
 class CloudStream {
 public:
+  virtual ~CloudStream() = default;
+
   /** \brief Open a binary PCD, a binary PLY without faces and lists, or a LAS file.
    * \return null if it is none of these, or damaged: then loadCloud() can read it, or
    * says what is wrong
@@ -47,8 +48,8 @@ public:
 
   /** \brief Read some points, one row of them.
    * \throws ToolError if the file has become shorter */
-  PCLPointCloud2
-  read(std::uint64_t first, std::size_t count);
+  virtual PCLPointCloud2
+  read(std::uint64_t first, std::size_t count) = 0;
 
   /** \brief Read all points, part by part.
    * \param[in] visit is called with the number of the first point of the part */
@@ -56,24 +57,14 @@ public:
   forEachPart(
       const std::function<void(std::uint64_t first, PCLPointCloud2& part)>& visit);
 
-private:
-  CloudStream() = default;
-
-  bool
-  openPcd();
-
-  bool
-  openPly();
-
-  bool
-  openLas();
-
-  std::string path_;
-  std::ifstream stream_;
+protected:
   PCLPointCloud2 layout_;
   CloudFrame frame_;
-  std::size_t body_begin_ = 0, record_size_ = 0;
-  std::function<PCLPointCloud2(std::string records, std::size_t count)> points_;
 };
+
+/** \brief A row of so many points with the fields of a layout, which have no bytes yet.
+ */
+PCLPointCloud2
+emptyPart(const PCLPointCloud2& layout, std::size_t count);
 
 } // namespace pcl::indoor::tool

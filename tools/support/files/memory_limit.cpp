@@ -63,19 +63,19 @@ MemoryLimit::addOption(OptionParser& parser)
 void
 MemoryLimit::require(const std::string& path,
                      double bytes_per_point,
-                     std::uint64_t most_points) const
+                     std::uint64_t points) const
 {
-  const auto points =
-      static_cast<double>(most_points > 0 ? most_points : promisedPoints(path));
-  const double needed = (base + points * bytes_per_point) / gigabyte;
+  points = points > 0 ? points : promisedPoints(path);
+  const double needed =
+      (base + static_cast<double>(points) * bytes_per_point) / gigabyte;
   const double available = roundedDown(availableMemory() / gigabyte);
   const double limit = gigabytes_ > 0 ? gigabytes_ : available;
   if (limit == 0 || needed <= limit)
     return;
   std::ostringstream text;
   text.precision(2);
-  text << std::fixed << path << ": its " << static_cast<std::uint64_t>(points)
-       << " points need about " << needed << " GB of memory, the limit is " << limit
+  text << std::fixed << path << ": its " << points << " points need about " << needed
+       << " GB of memory, the limit is " << limit
        << " GB; thin them out (pcl_voxel_grid), cut the scan into parts, or raise "
           "-memory_limit";
   throw ToolError(text.str());

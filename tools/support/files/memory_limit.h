@@ -25,13 +25,13 @@ public:
 
   /** \brief Compare the limit with what a tool will need, from the header of the scan.
    * \param[in] bytes_per_point measured, see docs/experiments/robustness.md
-   * \param[in] most_points that are in memory at once; 0 = all
+   * \param[in] points that are in memory at once; 0 = all that the file promises
    * \throws ToolError naming need, limit and what can be done
    */
   void
   require(const std::string& path,
           double bytes_per_point,
-          std::uint64_t most_points = 0) const;
+          std::uint64_t points = 0) const;
 
 private:
   double gigabytes_ = 0.0; ///< 0: what is available

@@ -13,20 +13,20 @@ namespace {
 constexpr int coarsest = 2; // level
 constexpr int bits = 21;    // of a place along an axis
 constexpr double half = 1 << (bits - 1);
+constexpr std::uint32_t free_place = 0xffffffffu;
 
 } // namespace
 
 CellSample::CellSample(double cell_size, std::size_t limit)
 : cell_size_(cell_size)
 , limit_(limit)
-, cells_(1 << 10, 0)
-, numbers_(1 << 10, 0)
+, numbers_(1 << 10, free_place)
 {}
 
 std::uint64_t
 CellSample::cellOf(const Eigen::Vector3f& point) const
 {
-  std::uint64_t cell = 1; // in front, so that none is 0
+  std::uint64_t cell = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double place =
         std::floor(static_cast<double>(point[axis]) / cell_size_) + half;
@@ -40,11 +40,11 @@ CellSample::cellOf(const Eigen::Vector3f& point) const
 std::size_t
 CellSample::placeOf(std::uint64_t cell) const
 {
-  const std::size_t mask = cells_.size() - 1;
+  const std::size_t mask = numbers_.size() - 1;
   std::uint64_t hash = cell * 0x9e3779b97f4a7c15u;
   hash ^= hash >> 32;
   for (std::size_t place = hash & mask;; place = (place + 1) & mask)
-    if (cells_[place] == 0 || cells_[place] == cell)
+    if (numbers_[place] == free_place || cellOf(points_[numbers_[place]]) == cell)
       return place;
 }
 
@@ -57,11 +57,9 @@ CellSample::find(const Eigen::Vector3f& point) const
 bool
 CellSample::insert(const Eigen::Vector3f& point)
 {
-  const auto cell = cellOf(point);
-  const auto place = placeOf(cell);
-  if (cells_[place] == cell)
+  const auto place = placeOf(cellOf(point));
+  if (numbers_[place] != free_place)
     return false;
-  cells_[place] = cell;
   numbers_[place] = static_cast<std::uint32_t>(points_.size());
   points_.push_back(point);
   return true;
@@ -70,8 +68,8 @@ CellSample::insert(const Eigen::Vector3f& point)
 void
 CellSample::rebuild(std::size_t capacity)
 {
-  cells_.assign(capacity, 0);
-  numbers_.assign(capacity, 0);
+  numbers_.clear(); // or its memory would be copied
+  numbers_.resize(capacity, free_place);
   const auto points = std::move(points_);
   points_.clear();
   std::size_t kept = 0;
@@ -89,10 +87,10 @@ CellSample::add(const Eigen::Vector3f& point, std::uint64_t index)
   indices_.push_back(index);
   if (points_.size() > limit_ && level_ < coarsest) {
     ++level_;
-    rebuild(cells_.size());
+    rebuild(numbers_.size());
   }
-  else if (2 * points_.size() > cells_.size())
-    rebuild(2 * cells_.size());
+  else if (3 * points_.size() > 2 * numbers_.size())
+    rebuild(2 * numbers_.size());
 }
 
 } // namespace pcl::indoor::tool

@@ -53,7 +53,7 @@ private:
   std::uint64_t
   cellOf(const Eigen::Vector3f& point) const;
 
-  /** Where a cell is in the table, or the free place where it belongs. */
+  /** Where the point of a cell is in the table, or the free place where it belongs. */
   std::size_t
   placeOf(std::uint64_t cell) const;
 
@@ -69,8 +69,7 @@ private:
   int level_ = 0;
   std::vector<Eigen::Vector3f> points_;
   std::vector<std::uint64_t> indices_;
-  std::vector<std::uint64_t> cells_; ///< a table of a power of two; 0 = free
-  std::vector<std::uint32_t> numbers_;
+  std::vector<std::uint32_t> numbers_; ///< of points, a table of a power of two
 };
 
 } // namespace pcl::indoor::tool

@@ -13,13 +13,16 @@
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/object_segmentation.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace pcl::indoor::tool {
 
 /** \brief What the command line of the pipeline says. */
 struct PipelineOptions {
-  std::string input, folder;
+  std::vector<std::string> inputs; ///< scans of one building, or folders of them
+  std::string folder;
   std::string partition = "graph";
   std::string preset = "default";
   std::string model = "bundled"; ///< file, "none" or "bundled"

@@ -5,6 +5,7 @@
 #include "pipeline/pipeline_stages.h"
 
 #include "command_line/printable.h"
+#include "files/cloud_check.h" // for promisedPoints
 #include "files/cloud_file.h"
 #include "files/digest.h"
 #include "pipeline/scene_record.h"
@@ -15,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -105,29 +108,59 @@ countPoints(const CloudFile& file, const FiledRooms& filed, Scene& scene)
   scene.counts.outside = filed.outside;
 }
 
+Scan
+readInParts(const PipelineOptions& options,
+            const std::string& name,
+            std::unique_ptr<CloudStream> stream,
+            Progress& progress)
+{
+  constexpr double fineness = 0.25; // voxels of the rooms
+  const double voxel = options.rooms.voxel_size > 0.0 ? options.rooms.voxel_size
+                                                      : smallest_automatic_voxel;
+  return readScan(
+      name,
+      std::move(stream),
+      fineness * voxel / options.frame.metresPerUnit(),
+      static_cast<std::size_t>(options.points_at_once),
+      [&progress](std::size_t done, std::size_t all) { progress.update(done, all); });
+}
+
 } // namespace
 
 Scan
 loadScan(const PipelineOptions& options, Progress& progress)
 {
   constexpr double bytes_per_point = 400; // that are in use at once, measured
-  constexpr double fineness = 0.25;       // voxels of the rooms
-  auto stream = streamOf(options.input, options.points_at_once);
+  const auto files = scanFiles(options.inputs);
+  const auto name = nameOfScan(options.inputs, files);
+  std::vector<std::unique_ptr<CloudStream>> opened;
+  std::uint64_t count = 0;
+  bool in_parts = options.points_at_once > 0;
+  for (const auto& file : files) {
+    opened.push_back(CloudStream::open(file));
+    in_parts = in_parts && opened.back();
+    count += opened.back() ? opened.back()->pointCount() : promisedPoints(file);
+  }
+  in_parts = in_parts && count > options.points_at_once;
   options.memory.require(
-      options.input, bytes_per_point, stream ? options.points_at_once : 0);
-  const double voxel = options.rooms.voxel_size > 0.0 ? options.rooms.voxel_size
-                                                      : smallest_automatic_voxel;
-  progress.start((stream ? "Reading in parts " : "Loading ") + options.input);
+      name, bytes_per_point, in_parts ? options.points_at_once : count);
+  progress.start((in_parts ? "Reading in parts " : "Loading ") + name);
+  auto stream = files.size() == 1
+                    ? std::move(opened[0])
+                    : joinedScans(files, std::move(opened), options.columns);
   Scan scan;
-  if (!stream)
-    scan.file = loadCloud(options.input, options.columns);
+  if (in_parts)
+    scan = readInParts(options, name, std::move(stream), progress);
+  else if (files.size() == 1)
+    scan.file = loadCloud(files[0], options.columns);
   else
-    scan = readScan(
-        options.input,
-        std::move(stream),
-        fineness * voxel / options.frame.metresPerUnit(),
-        static_cast<std::size_t>(options.points_at_once),
-        [&progress](std::size_t done, std::size_t all) { progress.update(done, all); });
+    scan.file =
+        withPoints(name,
+                   stream->read(0, static_cast<std::size_t>(stream->pointCount())),
+                   stream->frame());
+  if (files.size() > 1)
+    for (const auto& file : files)
+      scan.file.stations.push_back(std::filesystem::path(file).filename().string());
   const auto points = std::to_string(scan.file.points->size());
   progress.done(scan.stream ? std::to_string(scan.stream->pointCount()) + " points, " +
                                   points + " for the rooms"
@@ -144,7 +177,12 @@ keyOfRun(const PipelineOptions& options, const std::vector<Setting>& settings)
   const auto model = modelFile(options);
   if (!model.empty())
     text += std::to_string(digestOfFile(model)) + "\n";
-  return digestOf(text, digestOfFile(options.input));
+  std::uint64_t key = 0;
+  for (const auto& file : scanFiles(options.inputs)) {
+    text += std::filesystem::path(file).filename().string() + "\n";
+    key = digestOf(std::to_string(digestOfFile(file)), key);
+  }
+  return digestOf(text, key);
 }
 
 RoomWork

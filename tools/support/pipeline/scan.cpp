@@ -4,13 +4,34 @@
  */
 #include "pipeline/scan.h"
 
+#include "command_line/printable.h"
+#include "files/joined_clouds.h"
+
 #include <pcl/common/point_tests.h> // for isFinite
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <utility>
 
 namespace pcl::indoor::tool {
 namespace {
+
+namespace fs = std::filesystem;
+
+bool
+hasCloudEnding(const fs::path& path)
+{
+  auto ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  for (const char* known :
+       {".pcd", ".ply", ".las", ".xyz", ".txt", ".csv", ".asc", ".pts"})
+    if (ending == known)
+      return true;
+  return false;
+}
 
 /** Points from all over the file, to see where its middle is. */
 PCLPointCloud2
@@ -48,11 +69,59 @@ cloudOf(const std::vector<Eigen::Vector3f>& points, const CloudFile& file)
 
 } // namespace
 
-std::unique_ptr<CloudStream>
-streamOf(const std::string& path, std::uint64_t most_points)
+std::vector<std::string>
+scanFiles(const std::vector<std::string>& inputs)
 {
-  auto stream = most_points > 0 ? CloudStream::open(path) : nullptr;
-  return stream && stream->pointCount() > most_points ? std::move(stream) : nullptr;
+  std::vector<std::string> files;
+  for (const auto& input : inputs) {
+    std::error_code error;
+    if (!fs::is_directory(input, error)) {
+      files.push_back(input);
+      continue;
+    }
+    std::vector<std::string> inside;
+    for (const auto& entry : fs::directory_iterator(input, error))
+      if (entry.is_regular_file() && hasCloudEnding(entry.path()))
+        inside.push_back(entry.path().string());
+    if (error)
+      throw ToolError(input + ": the folder cannot be read");
+    if (inside.empty())
+      throw ToolError(input + ": the folder holds no PCD, PLY or LAS file or table");
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+std::string
+nameOfScan(const std::vector<std::string>& inputs,
+           const std::vector<std::string>& files)
+{
+  if (inputs.size() == 1) { // of a folder without the slash that may end it
+    const fs::path path(inputs[0]);
+    return (path.has_filename() ? path : path.parent_path()).string();
+  }
+  return files.front() + " and " + std::to_string(files.size() - 1) + " more";
+}
+
+std::unique_ptr<CloudStream>
+joinedScans(const std::vector<std::string>& files,
+            std::vector<std::unique_ptr<CloudStream>> opened,
+            const TableColumns& columns)
+{
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (!opened[i]) {
+      auto file = loadCloud(files[i], columns, 0);
+      opened[i] = streamInMemory(std::move(file.cloud), file.frame);
+    }
+  std::vector<std::string> left_out;
+  auto joined = joinedStream(std::move(opened), left_out);
+  std::string names;
+  for (const auto& name : left_out)
+    names += (names.empty() ? "" : ", ") + name;
+  if (!names.empty())
+    printWarning("fields that not all of the scans have are left out: " + names);
+  return joined;
 }
 
 Scan

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl::indoor::tool {
 
@@ -21,10 +22,27 @@ struct Scan {
   std::optional<CellSample> sample;    ///< of a large scan
 };
 
-/** \brief How a scan is read, from its header alone: null if it has at most so many
- * points, or cannot be read in parts. */
+/** \brief The files of the scans that were asked for: each that is named, and of each
+ * folder all PCD, PLY and LAS files and tables, by their names.
+ * \throws ToolError if a folder holds none
+ */
+std::vector<std::string>
+scanFiles(const std::vector<std::string>& inputs);
+
+/** \brief What a scan of such files is called. */
+std::string
+nameOfScan(const std::vector<std::string>& inputs,
+           const std::vector<std::string>& files);
+
+/** \brief Open the scans of one building as one, see joinedStream(). Those that cannot
+ * be read in parts are read into memory.
+ * \param[in] opened of each file, null if it cannot be read in parts
+ * \param[in] columns of tables
+ */
 std::unique_ptr<CloudStream>
-streamOf(const std::string& path, std::uint64_t most_points);
+joinedScans(const std::vector<std::string>& files,
+            std::vector<std::unique_ptr<CloudStream>> opened,
+            const TableColumns& columns);
 
 /** \brief Read a scan part by part, keeping a point per cell.
  * \param[in] cell_size in the unit of the file

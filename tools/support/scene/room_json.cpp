@@ -83,6 +83,8 @@ inputJson(const CloudFile& file, const std::vector<std::uint32_t>& room_of_point
 {
   Json json;
   json["input"] = std::filesystem::path(file.path).filename().string();
+  if (!file.stations.empty())
+    json["stations"] = file.stations;
   json["unit"] = "metre";
   json["offset"] = {
       file.frame.offset.x(), file.frame.offset.y(), file.frame.offset.z()};

@@ -70,30 +70,27 @@ cut(const VoxelMap<std::uint8_t>& grid, const ColumnRanges& ranges, int factor)
 
 } // namespace
 
-std::vector<StoreySpace>
-storeySpaces(const VoxelMap<std::uint8_t>& occupancy,
-             const InteriorSpace& interior,
-             const Storeys& storeys)
+StoreySpace
+storeySpace(const VoxelMap<std::uint8_t>& occupancy,
+            const InteriorSpace& interior,
+            const Storeys& storeys,
+            std::size_t storey)
 {
-  std::vector<StoreySpace> spaces;
-  for (std::size_t k = 0; k <= storeys.borders.size(); ++k) {
-    const ColumnRanges ranges = columnRanges(occupancy, storeys, k);
-    StoreySpace space;
-    space.occupancy = cut(occupancy, ranges, 1);
-    space.first_layer = ranges.lowest;
-    const double floor =
-        (storeys.heights[k].floor - space.occupancy.origin.z()) / occupancy.voxel_size;
-    const int layers = space.occupancy.shape.nz;
-    space.range = {static_cast<int>(
-                       std::clamp(std::floor(floor), 0.0, std::max(0.0, layers - 1.0))),
-                   layers};
-    space.interior.factor = interior.factor;
-    space.interior.directions = interior.directions;
-    space.interior.occupancy = cut(interior.occupancy, ranges, interior.factor);
-    space.interior.inside = cut(interior.inside, ranges, interior.factor);
-    spaces.push_back(std::move(space));
-  }
-  return spaces;
+  const ColumnRanges ranges = columnRanges(occupancy, storeys, storey);
+  StoreySpace space;
+  space.occupancy = cut(occupancy, ranges, 1);
+  space.first_layer = ranges.lowest;
+  const double floor = (storeys.heights[storey].floor - space.occupancy.origin.z()) /
+                       occupancy.voxel_size;
+  const int layers = space.occupancy.shape.nz;
+  space.range = {
+      static_cast<int>(std::clamp(std::floor(floor), 0.0, std::max(0.0, layers - 1.0))),
+      layers};
+  space.interior.factor = interior.factor;
+  space.interior.directions = interior.directions;
+  space.interior.occupancy = cut(interior.occupancy, ranges, interior.factor);
+  space.interior.inside = cut(interior.inside, ranges, interior.factor);
+  return space;
 }
 
 } // namespace indoor

@@ -10,8 +10,8 @@
 #include <pcl/segmentation/rooms/interior_space.h>
 #include <pcl/segmentation/rooms/storeys.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace pcl {
 namespace indoor {
@@ -27,15 +27,17 @@ struct StoreySpace {
   InteriorSpace interior; ///< the same part of the coarser voxels
 };
 
-/** \brief Divide a building's voxels among its storeys.
+/** \brief Cut one storey out of a building's voxels.
  * \param[in] occupancy of the whole building
  * \param[in] interior of the same
  * \param[in] storeys of the same
+ * \param[in] storey 0 = the lowest; less than storeys.heights.size()
  */
-std::vector<StoreySpace>
-storeySpaces(const VoxelMap<std::uint8_t>& occupancy,
-             const InteriorSpace& interior,
-             const Storeys& storeys);
+StoreySpace
+storeySpace(const VoxelMap<std::uint8_t>& occupancy,
+            const InteriorSpace& interior,
+            const Storeys& storeys,
+            std::size_t storey);
 
 } // namespace indoor
 } // namespace pcl

@@ -1,0 +1,203 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "command_line/options.h" // for ToolError
+#include "files/cloud_file.h"
+#include "files/joined_clouds.h"
+#include "pipeline/scan.h"
+#include "support/folder_test.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <random>
+
+using namespace pcl::indoor::tool;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/** A cloud with coordinates of one type, and more fields of a byte and of a float. */
+pcl::PCLPointCloud2
+cloudOf(const Points& points, std::uint8_t real, const std::vector<std::string>& more)
+{
+  pcl::PCLPointCloud2 cloud;
+  const auto add = [&](const std::string& name, std::uint8_t type, std::uint32_t size) {
+    pcl::PCLPointField field;
+    field.name = name;
+    field.datatype = type;
+    field.offset = cloud.point_step;
+    field.count = 1;
+    cloud.fields.push_back(field);
+    cloud.point_step += size;
+  };
+  const bool is_double = real == pcl::PCLPointField::FLOAT64;
+  for (const char* axis : {"x", "y", "z"})
+    add(axis, real, is_double ? 8 : 4);
+  for (const auto& name : more)
+    add(name, pcl::PCLPointField::UINT8, 1);
+  cloud.width = static_cast<std::uint32_t>(points.size());
+  cloud.height = 1;
+  cloud.data.resize(points.size() * cloud.point_step, 7);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto* bytes = &cloud.data[i * cloud.point_step];
+    const Eigen::Vector3f single = points[i].cast<float>();
+    if (is_double)
+      std::memcpy(bytes, points[i].data(), 24);
+    else
+      std::memcpy(bytes, single.data(), 12);
+    for (std::size_t k = 0; k < more.size(); ++k)
+      bytes[(is_double ? 24 : 12) + k] = static_cast<std::uint8_t>(10 * k + i);
+  }
+  return cloud;
+}
+
+Points
+randomPoints(std::size_t count, std::uint32_t seed)
+{
+  std::mt19937 rng(seed);
+  std::uniform_real_distribution<double> place(-20, 20);
+  Points points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = place(rng), y = place(rng);
+    points.emplace_back(x, y, place(rng));
+  }
+  return points;
+}
+
+CloudFrame
+frameAt(const Eigen::Vector3d& offset)
+{
+  CloudFrame frame;
+  frame.offset = offset;
+  return frame;
+}
+
+std::vector<std::string>
+namesOf(const pcl::PCLPointCloud2& cloud)
+{
+  std::vector<std::string> names;
+  for (const auto& field : cloud.fields)
+    names.push_back(field.name);
+  return names;
+}
+
+constexpr auto float32 = pcl::PCLPointField::FLOAT32;
+constexpr auto float64 = pcl::PCLPointField::FLOAT64;
+
+/** Scans of 5, 1 and 4 points. */
+std::vector<std::unique_ptr<CloudStream>>
+threeScans(const std::vector<Points>& points,
+           const std::vector<std::uint8_t>& types,
+           const std::vector<Eigen::Vector3d>& offsets)
+{
+  std::vector<std::unique_ptr<CloudStream>> scans;
+  for (std::size_t s = 0; s < points.size(); ++s)
+    scans.push_back(
+        streamInMemory(cloudOf(points[s], types[s], {"label"}), frameAt(offsets[s])));
+  return scans;
+}
+
+} // namespace
+
+TEST(JoinedClouds, PointsFollowEachOtherWithTheirStation)
+{
+  const std::vector<Points> points = {
+      randomPoints(5, 1), randomPoints(1, 2), randomPoints(4, 3)};
+  std::vector<std::string> left_out;
+  const auto zero = Eigen::Vector3d::Zero();
+  const auto joined = joinedStream(
+      threeScans(points, {float32, float32, float32}, {zero, zero, zero}), left_out);
+  EXPECT_TRUE(left_out.empty());
+  ASSERT_EQ(joined->pointCount(), 10u);
+  EXPECT_EQ(namesOf(joined->layout()),
+            (std::vector<std::string>{"x", "y", "z", "label", "station"}));
+  const auto file = withPoints("all", joined->read(0, 10), joined->frame());
+  const std::vector<std::uint32_t> stations = {1, 1, 1, 1, 1, 2, 3, 3, 3, 3};
+  EXPECT_EQ(readLabels(file, "station"), stations);
+  const auto labels = readLabels(file, "label");
+  std::size_t i = 0;
+  for (const auto& scan : points)
+    for (std::size_t k = 0; k < scan.size(); ++k, ++i) {
+      EXPECT_EQ((*file.points)[i].getVector3fMap(), scan[k].cast<float>());
+      EXPECT_EQ(labels[i], k);
+    }
+  for (std::uint64_t first = 0; first < 10; ++first) // any part is that of the whole
+    for (std::size_t count = 1; first + count <= 10; ++count) {
+      const auto part = joined->read(first, count);
+      const auto step = part.point_step;
+      ASSERT_EQ(part.data.size(), count * step);
+      EXPECT_EQ(
+          std::memcmp(part.data.data(), &file.cloud.data[first * step], count * step),
+          0);
+    }
+}
+
+TEST(JoinedClouds, OffsetsAndDoublesLoseNothing)
+{
+  const std::vector<Points> points = {
+      randomPoints(5, 4), randomPoints(1, 5), randomPoints(4, 6)};
+  const std::vector<Eigen::Vector3d> offsets = {
+      {691000, 5334000, 500}, {691000, 5334000, 500}, {691010.25, 5334000, 0}};
+  for (const bool all_doubles : {false, true}) {
+    std::vector<std::string> left_out;
+    const auto joined = joinedStream(
+        threeScans(
+            points, {float32, float64, all_doubles ? float64 : float32}, offsets),
+        left_out);
+    EXPECT_EQ(joined->frame().offset, offsets[0]);
+    const auto all = joined->read(0, 10);
+    EXPECT_EQ(all.fields[0].datatype, float64);
+    const auto file = withPoints("all", all, joined->frame());
+    std::size_t i = 0;
+    for (std::size_t s = 0; s < points.size(); ++s)
+      for (const auto& point : points[s]) {
+        const Eigen::Vector3d expected = point + offsets[s];
+        const Eigen::Vector3d found =
+            (*file.points)[i++].getVector3fMap().cast<double>() + file.offset;
+        EXPECT_LT((found - expected).norm(), 1e-4);
+      }
+  }
+}
+
+TEST(JoinedClouds, FieldsThatNotAllHaveAreLeftOutAndNamed)
+{
+  std::vector<std::unique_ptr<CloudStream>> scans;
+  const auto points = randomPoints(3, 7);
+  scans.push_back(streamInMemory(
+      cloudOf(points, float32, {"label", "station", "class"}), CloudFrame()));
+  scans.push_back(
+      streamInMemory(cloudOf(points, float32, {"return", "label"}), CloudFrame()));
+  std::vector<std::string> left_out;
+  const auto joined = joinedStream(std::move(scans), left_out);
+  EXPECT_EQ(left_out, (std::vector<std::string>{"class", "return"}));
+  EXPECT_EQ(namesOf(joined->layout()),
+            (std::vector<std::string>{"x", "y", "z", "label", "station"}));
+  const auto file = withPoints("both", joined->read(0, 6), joined->frame());
+  EXPECT_EQ(readLabels(file, "label"),
+            (std::vector<std::uint32_t>{0, 1, 2, 10, 11, 12})); // of its own place
+}
+
+using ScanFilesTest = pcl::indoor::test::FolderTest;
+
+TEST_F(ScanFilesTest, OfAFolderAllCloudsByName)
+{
+  fs::create_directory(path("stations"));
+  for (const char* name : {"b.las", "a.PCD", "c.csv", "notes.md", "d.json"})
+    write(std::string("stations/") + name, "x");
+  fs::create_directory(path("stations/e.pcd"));
+  const auto folder = path("stations");
+  EXPECT_EQ(scanFiles({folder, "other.ply"}),
+            (std::vector<std::string>{
+                folder + "/a.PCD", folder + "/b.las", folder + "/c.csv", "other.ply"}));
+  EXPECT_EQ(nameOfScan({folder + "/"}, scanFiles({folder})), folder);
+  EXPECT_EQ(nameOfScan({"a.pcd", "b.pcd", "c.pcd"}, {"a.pcd", "b.pcd", "c.pcd"}),
+            "a.pcd and 2 more");
+  fs::create_directory(path("empty"));
+  EXPECT_THROW(scanFiles({path("empty")}), ToolError);
+}

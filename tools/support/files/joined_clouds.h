@@ -1,0 +1,33 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/cloud_stream.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief A cloud in memory, read part by part. */
+std::unique_ptr<CloudStream>
+streamInMemory(PCLPointCloud2 cloud, const CloudFrame& frame);
+
+/** \brief Several scans of one building, from several stations, as one: their points
+ * one scan after the other, in the frame of the first one's offset.
+ *
+ * It has the fields that all of them have with the same type, in the order of the
+ * first, and the field station: from 1, of which of them a point is. Coordinates stay
+ * floats if they are floats in all and all tell the same offset; else they are doubles.
+ * Of the sensors' poses none is kept.
+ * \param[out] left_out fields that not all have
+ * \throws ToolError if there are more points than a file can have, 2^32 - 1
+ */
+std::unique_ptr<CloudStream>
+joinedStream(std::vector<std::unique_ptr<CloudStream>> scans,
+             std::vector<std::string>& left_out);
+
+} // namespace pcl::indoor::tool
