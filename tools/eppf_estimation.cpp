@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/pcl_errors.h"
 #include "command_line/preset.h"
 #include "files/cloud_file.h"
 #include "objects/eppf_options.h"
@@ -37,9 +38,9 @@ describe(const std::string& input, const std::string& output, const Settings& se
   estimation.setInputCloud(object);
   estimation.setInputNormals(object);
   pcl::PointCloud<SignatureT> descriptor;
-  estimation.compute(descriptor);
+  const auto problem = problemOf([&] { estimation.compute(descriptor); });
   if (descriptor.empty())
-    throw AlreadyReported();
+    throw ToolError(input + ": " + problem);
   if (!std::isfinite(descriptor[0].histogram[0]))
     throw ToolError(input + ": no two points with normals that differ in position");
   pcl::PCLPointCloud2 cloud;

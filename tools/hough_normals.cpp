@@ -4,6 +4,7 @@
  */
 
 #include "command_line/options.h"
+#include "command_line/pcl_errors.h"
 #include "files/cloud_file.h"
 #include "files/point_coordinates.h"
 
@@ -124,9 +125,9 @@ main(int argc, char** argv)
     estimation.setRadiusSearch(settings.radius);
     estimation.setKSearch(settings.neighbors);
     pcl::PointCloud<pcl::Normal> normals;
-    estimation.compute(normals);
+    const auto problem = problemOf([&] { estimation.compute(normals); });
     if (normals.empty())
-      throw AlreadyReported();
+      throw ToolError(file.path + ": " + problem);
     const auto found =
         std::count_if(normals.begin(), normals.end(), [](const auto& normal) {
           return std::isfinite(normal.normal_x);

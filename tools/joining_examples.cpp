@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/pcl_errors.h"
 #include "command_line/printable.h"
 #include "files/cloud_file.h"
 #include "files/output_file.h"
@@ -251,9 +252,9 @@ saveExamples(const Room& room,
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
   segmentation.setInputCloud(room.points);
   std::vector<std::uint32_t> labels;
-  segmentation.segment(labels);
+  const auto problem = problemOf([&] { segmentation.segment(labels); });
   if (labels.empty())
-    throw AlreadyReported();
+    throw ToolError(settings.input + ": " + problem);
   const auto& pieces = segmentation.getResult();
   Teacher teacher(pieces, room.truth, learned, settings, room.number, examples);
   joinPieces(pieces.pieces, teacher);

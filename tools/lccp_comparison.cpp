@@ -4,6 +4,7 @@
  */
 
 #include "command_line/options.h"
+#include "command_line/pcl_errors.h"
 #include "command_line/printable.h"
 #include "comparison/measured_segmentation.h"
 #include "comparison/upstream_baselines.h"
@@ -56,9 +57,9 @@ segmentOurs(const Cloud::Ptr& cloud,
   segmentation.setOptions(options);
   segmentation.setInputCloud(cloud);
   Labels labels;
-  segmentation.segment(labels);
+  const auto problem = problemOf([&] { segmentation.segment(labels); });
   if (labels.empty())
-    throw AlreadyReported();
+    throw ToolError(problem);
   return labels;
 }
 

@@ -4,6 +4,7 @@
  */
 
 #include "command_line/options.h"
+#include "command_line/pcl_errors.h"
 #include "command_line/preset.h"
 #include "files/cloud_file.h"
 #include "files/memory_limit.h"
@@ -313,9 +314,9 @@ main(int argc, char** argv)
     if (file.has_normals && !settings.ignore_normals)
       segmentation.setInputNormals(readNormals(file));
     std::vector<std::uint32_t> objects;
-    segmentation.segment(objects);
+    const auto problem = problemOf([&] { segmentation.segment(objects); });
     if (objects.empty())
-      throw AlreadyReported();
+      throw ToolError(file.path + ": " + problem);
     const auto count = *std::max_element(objects.begin(), objects.end());
     progress.done(std::to_string(count) + " objects");
 

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstring>
+#include <set>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::test;
@@ -186,6 +187,24 @@ TEST(HoughNormalProperties, ShiftsThatFloatsHoldChangeNoBit)
     for (auto* const n : {&normals, &moved})
       n->estimation.setRadiusSearch(0.06); // not that of a tie
     EXPECT_EQ(moved.bitsOf(shifted(points, by)), normals.bitsOf(points)) << seed;
+  }
+}
+
+TEST(HoughNormalProperties, UtmCoordinatesAsFloatsAreTheirPointsNearTheOrigin)
+{
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    auto points = randomBox(seed);
+    for (auto& point : points)
+      point *= 10; // several of the steps of UTM coordinates
+    const UtmPoints utm(points);
+    Normals normals, moved;
+    moved.estimation.setViewPoint(
+        -2 + utm.offset.x(), -3 + utm.offset.y(), 4 + utm.offset.z());
+    for (auto* const n : {&normals, &moved})
+      n->estimation.setRadiusSearch(0.8); // not that of a tie
+    const auto bits = normals.bitsOf(utm.near);
+    EXPECT_GT(std::set(bits.begin(), bits.end()).size(), 10u) << seed;
+    EXPECT_EQ(moved.bitsOf(utm.far), bits) << seed;
   }
 }
 

@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "features/oriented_shapes.h"
 
 using namespace pcl::indoor;
@@ -170,6 +172,25 @@ TYPED_TEST(PairFeatureProperties, ShiftsThatFloatsHoldChangeNoBit)
     for (auto& point : far)
       point.position += Eigen::Vector3f(16384, -8192, 512);
     EXPECT_EQ(this->described(far), this->described(points)) << seed;
+  }
+}
+
+TYPED_TEST(PairFeatureProperties, UtmCoordinatesAsFloatsAreTheirPointsNearTheOrigin)
+{
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    auto near = randomObject(seed);
+    std::vector<Eigen::Vector3f> positions;
+    for (const auto& point : near)
+      positions.push_back(10 * point.position); // several of the steps of UTM
+    const UtmPoints utm(positions);
+    auto far = near;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      near[i].position = utm.near[i];
+      far[i].position = utm.far[i];
+    }
+    const auto bits = this->described(near);
+    EXPECT_GT(std::set<float>(bits.begin(), bits.end()).size(), 10u) << seed;
+    EXPECT_EQ(this->described(far), bits) << seed;
   }
 }
 

@@ -8,6 +8,7 @@
 // defect, and the file stays in the working folder as fuzz_input.* fuzz_readers CORPUS
 // FILE: gives one file to the reader of its ending
 #include "amount.h"
+#include "cloud_parts.h"
 #include "command_line/options.h"
 #include "files/cloud_check.h"
 #include "files/cloud_file.h"
@@ -16,6 +17,7 @@
 #include "mutation.h"
 #include "objects/category_names.h"
 #include "support/folder_test.h" // for bytesOf
+#include "work_files.h"
 
 #include <pcl/console/print.h>
 #include <pcl/exceptions.h>
@@ -40,7 +42,6 @@
 using namespace pcl::indoor;
 using namespace pcl::indoor::fuzz;
 namespace fs = std::filesystem;
-using pcl::indoor::test::bytesOf;
 
 namespace {
 
@@ -51,6 +52,7 @@ struct Reader {
   std::string kind; ///< folder in the corpus and ending of its files
   std::function<void(const std::string& path)> read;
   std::function<void(std::string& bytes)> repair = [](std::string&) {};
+  std::vector<std::string> made = {}; ///< files in place of the folder in the corpus
 };
 
 void
@@ -68,13 +70,18 @@ readPlanFile(const std::string& path)
   static_cast<void>(buildBuilding(readPlan(path), path));
 }
 
-/** All that tools take from a cloud. What was taken must be the same after it was
- * written and read again. */
+/** All that tools take from a cloud. What was taken must be the same in parts, and
+ * after it was written and read again. */
 void
 readCloud(const std::string& path)
 {
   static_cast<void>(tool::promisedPoints(path));
+  const auto stream = tool::CloudStream::open(path);
+  if (stream)
+    static_cast<void>(bytesOf(*stream)); // also of a file that is refused
   auto file = tool::loadCloud(path);
+  if (stream)
+    requireTheSame(*stream, file);
   if (file.has_normals)
     tool::readNormals(file);
   if (tool::hasField(file.cloud, "label")) {
@@ -138,7 +145,9 @@ allReaders()
           {"model", readModelFile, repairModel},
           {"joining", readJoining},
           {"las", readCloud},
-          {"xyz", readCloud}};
+          {"xyz", readCloud},
+          {"work", readWorkFile, [](std::string&) {}, wholeWorkFiles()},
+          {"record", readRecord, repairWorkFile, wholeWorkFiles()}};
 }
 
 /** Why the reader refuses a file; empty if it takes it. What it may refuse it by is
@@ -178,6 +187,19 @@ struct Tally {
   }
 };
 
+/** The files of a reader, in the order of their names. */
+std::vector<std::string>
+corpusFiles(const Reader& reader, const std::string& corpus)
+{
+  std::vector<std::string> paths, files;
+  for (const auto& entry : fs::directory_iterator(corpus + "/" + reader.kind))
+    paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  for (const auto& path : paths)
+    files.push_back(test::bytesOf(path));
+  return files;
+}
+
 /** Gives a reader changed files for some time. */
 Tally
 fuzzOne(const Reader& reader,
@@ -185,17 +207,13 @@ fuzzOne(const Reader& reader,
         const Amount& amount,
         Random& random)
 {
-  std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(corpus + "/" + reader.kind))
-    files.push_back(entry.path().string());
-  std::sort(files.begin(), files.end());
-  std::vector<std::string> seeds;
-  for (const auto& file : files) {
-    seeds.push_back(bytesOf(file));
-    if (const auto reason = refusal(reader, file); !reason.empty())
+  const auto seeds = reader.made.empty() ? corpusFiles(reader, corpus) : reader.made;
+  const std::string path = "fuzz_input." + reader.kind;
+  for (const auto& seed : seeds) {
+    std::ofstream(path, std::ios::binary) << seed;
+    if (const auto reason = refusal(reader, path); !reason.empty())
       std::printf("refused, although it is in the corpus: %s\n", reason.c_str());
   }
-  const std::string path = "fuzz_input." + reader.kind;
   const auto now = std::chrono::steady_clock::now;
   const auto begin = now();
   std::chrono::duration<double> passed(0);

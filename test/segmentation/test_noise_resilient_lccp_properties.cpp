@@ -135,6 +135,17 @@ TEST(ObjectProperties, LargeCoordinatesLoseNoMoreThanTheirFloats)
   }
 }
 
+TEST(ObjectProperties, UtmCoordinatesAsFloatsAreTheirPointsNearTheOrigin)
+{
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    const UtmPoints utm(randomScene(seed));
+    const Eigen::Vector3d viewpoint(2, -1, 3);
+    const auto labels = labelsOf(utm.near, viewpoint);
+    EXPECT_GE(*std::max_element(labels.begin(), labels.end()), 3u) << seed;
+    EXPECT_EQ(labelsOf(utm.far, viewpoint + utm.offset.cast<double>()), labels) << seed;
+  }
+}
+
 TEST(ObjectProperties, TurnedAboutTheVerticalTheObjectsAreNearlyTheSame)
 {
   for (unsigned seed = 0; seed < trials; ++seed) {

@@ -136,14 +136,14 @@ shifted(std::vector<Eigen::Vector3f> points, const Eigen::Vector3f& by)
   return points;
 }
 
-/** UTM coordinates as floats have them, and the same points near the origin: the
- * difference of two such floats is exact. */
+/** UTM coordinates as floats have them, in steps of 1 / 16 m in x and 1 / 2 m in y, and
+ * the same points near the origin: the difference of two such floats is exact. */
 struct UtmPoints {
+  Eigen::Vector3f offset = {691234, 5334567, 512};
   std::vector<Eigen::Vector3f> far, near;
 
   explicit UtmPoints(const std::vector<Eigen::Vector3f>& points)
   {
-    const Eigen::Vector3f offset(691234, 5334567, 512);
     for (const auto& point : points) {
       far.push_back(point + offset);
       near.push_back(far.back() - offset);

@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the pcl_indoor contributors
 #
-# killed_runs.sh <folder of the tools> <plan> <library kill_at_step> <number of random moments>
+# killed_runs.sh <folder of the tools> <plan> <library kill_at_step> <number of random moments> [pipeline|rooms]...
 # Kills tools (kill -9) before each step by which they change files, and at random moments. Every file under its final
 # name must be whole: that of the run before or that of this run, or absent. In the folder of pcl_indoor_pipeline, if
 # scene.json is there, all files must be of the same run. After TERM and HUP, all files must be of one run in any case,
 # and no unfinished one may be left. The folder of finished rooms does not count.
 set -u
 tools=$1 plan=$2 library=$3 random_moments=$4
+shift 4
+[ $# -gt 0 ] || set -- pipeline rooms
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
@@ -50,7 +52,7 @@ is_of_one_run() { # what is finished of a run that was ended does not count
   diff -rq -x .unfinished now old > /dev/null || diff -rq -x .unfinished now new > /dev/null
 }
 
-for tool in pipeline rooms; do
+for tool in "$@"; do
   rm -rf old new
   for run in old new; do
     rm -rf now

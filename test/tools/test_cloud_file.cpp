@@ -88,13 +88,16 @@ TEST_F(CloudFiles, PlyIsReadWithItsDoubles)
   EXPECT_NEAR((*file.points)[1].x - (*file.points)[0].x, 1e-4, 1e-6); // float near 0
 }
 
-TEST_F(CloudFiles, ABodyThatPclWouldReadElsewhereIsRefused)
+TEST_F(CloudFiles, ABodyThatLooksLikeAHeaderIsReadAsPoints)
 {
   const std::string header = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
                              "COUNT 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA binary\n";
-  // PCL takes what looks like lines for more of the header
-  EXPECT_THROW(loadCloud(write("two.pcd", header + "HEIGHT 1\nPOINTS 2\nDATA b")),
-               ToolError);
+  // PCL would take these lines for more of the header, and gigabytes for the second
+  for (const std::string body :
+       {"HEIGHT 1\nPOINTS 2 2\nDATA b", "POINTS 2147483647  \nDATA b"}) {
+    const auto cloud = loadCloud(write("two.pcd", header + body)).cloud;
+    EXPECT_EQ(std::string(cloud.data.begin(), cloud.data.end()), body.substr(0, 24));
+  }
 }
 
 TEST_F(CloudFiles, PointsWithoutPropertiesAreRefusedBeforeTheyAreCounted)
@@ -226,7 +229,9 @@ TEST_F(CloudFiles, NumbersInAHeaderCannotAskForEverything)
                            with("4 4 3", "1 1 1", "3"),
                            with("4 4", "1 1 1", "3"),
                            with("4 4 4", "1 1", "3"),
-                           with("4 4 4", "1 0 1", "3")})
+                           with("4 4 4", "1 0 1", "3"),
+                           with("4 4 4\nPOINTSX 2000000000", "1 1 1", "3") +
+                               std::string(36, '\0')}) // which PCL would take
     EXPECT_THROW(loadCloud(write("bad.pcd", text)), ToolError) << text;
 }
 
@@ -254,6 +259,22 @@ TEST_F(CloudFiles, DamagedHeadersNeverCrash)
     }
   }
   EXPECT_GT(refused, 100u);
+}
+
+TEST_F(CloudFiles, AViewpointThatIsNoneIsTheOrigin)
+{
+  for (const std::string viewpoint : {"-inf 1 2 1 0 0 0", "1 2 x 1 0 0 0"}) {
+    auto text = utmPcd();
+    const std::string known = "0 0 0 1 0 0 0";
+    text.replace(text.find(known), known.size(), viewpoint);
+    const auto frame = loadCloud(write("cloud.pcd", text)).frame;
+    EXPECT_EQ(frame.origin, Eigen::Vector4f::Zero().eval()) << viewpoint;
+    EXPECT_EQ(frame.orientation.coeffs(), Eigen::Vector4f(0, 0, 0, 1)) << viewpoint;
+  }
+  auto text = utmPcd();
+  text.replace(text.find("0 0 0 1"), 7, "+1 -2 3 1");
+  EXPECT_EQ(loadCloud(write("cloud.pcd", text)).frame.origin,
+            Eigen::Vector4f(1, -2, 3, 0));
 }
 
 TEST_F(CloudFiles, CoordinatesTooLargeToComputeWithAreLeftOut)

@@ -115,6 +115,15 @@ TEST_F(CloudStreamTest, ReadsBinaryPcdInParts)
   }
 }
 
+TEST_F(CloudStreamTest, AViewpointThatIsNoneIsTheOrigin)
+{
+  expectLikeLoaded(write(
+      "cloud.pcd",
+      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3\nHEIGHT "
+      "1\nVIEWPOINT -inf 2 3 1 0 0 0\nPOINTS 3\nDATA binary\n" +
+          std::string(36, '\0')));
+}
+
 TEST_F(CloudStreamTest, ReadsBinaryPlyInParts)
 {
   CloudFrame frame;
@@ -142,6 +151,15 @@ TEST_F(CloudStreamTest, LeavesOtherEncodingsAndDamagedFilesToTheLoader)
       write("ascii.ply",
             "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
             "y\nproperty float z\nend_header\n1 2 3\n")));
+  const auto with = [&](const std::string& line, const std::string& other_line) {
+    auto text = header + "binary\n" + points;
+    return write("changed.pcd", text.replace(text.find(line), line.size(), other_line));
+  };
+  EXPECT_TRUE(CloudStream::open(with("COUNT 1 1 1\n", "")));
+  EXPECT_FALSE(CloudStream::open(with("COUNT 1 1 1", "COUNT -1 1 1")));
+  EXPECT_FALSE(CloudStream::open(with("COUNT 1 1 1", "COUNT 1 1")));
+  EXPECT_FALSE(CloudStream::open(with("TYPE F F F", "TYPE F F A")));
+  EXPECT_FALSE(CloudStream::open(with("HEIGHT 1", "HEIGHT 2")));
   saveCloud(path("packed.pcd"), cloudOf(5000, false)); // compressed
   EXPECT_FALSE(CloudStream::open(path("packed.pcd")));
 }

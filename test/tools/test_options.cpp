@@ -4,9 +4,14 @@
  */
 #include "command_line/options.h"
 
+#include "command_line/pcl_errors.h"
+
+#include <pcl/console/print.h>
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -226,9 +231,22 @@ TEST(OptionParser, RunTurnsErrorsIntoAnExitStatusAndOneLine)
   const auto bad = run([](Progress&) { throw ToolError("a.pcd: too\nbad"); });
   EXPECT_EQ(bad.first, EXIT_FAILURE);
   EXPECT_NE(bad.second.find("[pcl_example] a.pcd: too bad\n"), std::string::npos);
-  const auto said = run([](Progress&) { throw AlreadyReported(); });
-  EXPECT_EQ(said.first, EXIT_FAILURE);
-  EXPECT_EQ(said.second, "");
+}
+
+TEST(ProblemOf, IsTheFirstErrorOfAClassWithoutItsName)
+{
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(problemOf([] {}), "");
+  EXPECT_EQ(problemOf([] { PCL_WARN("[pcl::Class::function] A warning.\n"); }), "");
+  EXPECT_EQ(problemOf([] {
+              PCL_ERROR("[pcl::Class::function] It is %g m.\n", 0.5);
+              PCL_ERROR("[pcl::Class::other] Another.\n");
+            }),
+            "It is 0.5 m.");
+  EXPECT_EQ(problemOf([] { PCL_ERROR("No place."); }), "No place.");
+  EXPECT_THROW(problemOf([] { throw std::bad_alloc(); }), std::bad_alloc);
+  std::fputs("after", stderr); // is there again
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "after");
 }
 
 TEST(OptionParser, AChoiceMayBeginWithADash)

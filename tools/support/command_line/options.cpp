@@ -243,8 +243,6 @@ OptionParser::run(int argc,
       console::setVerbosityLevel(console::L_ERROR);
     body(progress);
     return EXIT_SUCCESS;
-  } catch (const AlreadyReported&) {
-    return EXIT_FAILURE;
   } catch (const std::exception& error) {
     return report(program_, messageOf(error));
   }

@@ -22,9 +22,6 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief Thrown after a PCL class has already said on stderr what is wrong. */
-struct AlreadyReported {};
-
 /** \brief The legal values of a number. */
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
@@ -136,8 +133,8 @@ public:
   expert(const std::vector<std::string>& names);
 
   /** \brief Read the command line; if it is good, run the body.
-   * \param[in] body the tool's work; it says why it stops by throwing ToolError,
-   * pcl::PCLException or AlreadyReported
+   * \param[in] body the tool's work; it says why it stops by throwing ToolError or
+   * pcl::PCLException
    * \return what main() returns: EXIT_SUCCESS after -h, --version and the body's end,
    * EXIT_FAILURE after any error
    */

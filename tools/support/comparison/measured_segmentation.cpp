@@ -48,8 +48,6 @@ runInChild(int output, const std::function<std::vector<std::uint32_t>()>& segmen
         transfer(
             output, result.labels.data(), size * sizeof(result.labels.front()), true);
     return written ? 0 : 1;
-  } catch (const AlreadyReported&) {
-    return reported;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", printable(messageOf(error)).c_str());
     return reported;

@@ -8,6 +8,7 @@
 #include "files/file_header.h"
 #include "files/foreign_format.h"
 #include "files/las_file.h"
+#include "files/pcd_header.h"
 #include "files/table_file.h"
 
 #include <algorithm>
@@ -68,107 +69,13 @@ checkAsciiBody(std::istream& stream,
     throwTruncated(path, promised, rows, "points");
 }
 
-struct PcdHeader {
-  std::vector<std::uint64_t> sizes, counts;
-  std::vector<std::string> types;
-  std::size_t fields = 0;
-  std::uint64_t width = 0, height = 1, points = 0;
-  bool has_points = false;
-  std::string data;
-
-  std::uint64_t
-  valuesPerPoint() const
-  {
-    std::uint64_t sum = 0;
-    for (const auto count : counts)
-      sum += count;
-    return sum;
-  }
-
-  std::uint64_t
-  bytesPerPoint() const
-  {
-    std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-      sum += sizes[i] * counts[i];
-    return sum;
-  }
-};
-
-PcdHeader
-parsePcdHeader(const FileHeader& header, const std::string& path)
-{
-  PcdHeader pcd;
-  const auto numbers = [&path](const std::vector<std::string>& words) {
-    std::vector<std::uint64_t> values;
-    for (std::size_t i = 1; i < words.size(); ++i)
-      values.push_back(headerCount(words[i], words[0], path));
-    return values;
-  };
-  for (const auto& words : header.lines) {
-    if (words.size() < 2)
-      throw ToolError(path + ": the header's line " + words[0] + " has no value");
-    if (words[0] == "FIELDS" || words[0] == "COLUMNS")
-      pcd.fields = words.size() - 1;
-    else if (words[0] == "SIZE")
-      pcd.sizes = numbers(words);
-    else if (words[0] == "TYPE")
-      pcd.types.assign(words.begin() + 1, words.end());
-    else if (words[0] == "COUNT")
-      pcd.counts = numbers(words);
-    else if (words[0] == "WIDTH")
-      pcd.width = headerCount(words[1], words[0], path);
-    else if (words[0] == "HEIGHT")
-      pcd.height = headerCount(words[1], words[0], path);
-    else if (words[0] == "POINTS") {
-      pcd.points = headerCount(words[1], words[0], path);
-      pcd.has_points = true;
-    }
-    else if (words[0] == "DATA")
-      pcd.data = words[1];
-  }
-  if (pcd.counts.empty())
-    pcd.counts.assign(pcd.fields, 1);
-  if (!pcd.has_points)
-    pcd.points = pcd.width * pcd.height;
-  return pcd;
-}
-
-/** A field's number of bytes must be one that numbers of its type can have. */
-bool
-isUsable(const std::string& type, std::uint64_t size, std::uint64_t count)
-{
-  const bool real = type == "F" && (size == 4 || size == 8);
-  const bool whole = (type == "I" || type == "U") &&
-                     (size == 1 || size == 2 || size == 4 || size == 8);
-  return (real || whole) && count > 0 && count <= 1000000;
-}
-
-void
-requireUsable(const PcdHeader& pcd, const std::string& path)
-{
-  if (pcd.fields == 0 || pcd.sizes.size() != pcd.fields ||
-      pcd.types.size() != pcd.fields || pcd.counts.size() != pcd.fields)
-    throw ToolError(path +
-                    ": FIELDS, SIZE, TYPE and COUNT of the header differ in number");
-  for (std::size_t i = 0; i < pcd.fields; ++i)
-    if (!isUsable(pcd.types[i], pcd.sizes[i], pcd.counts[i]))
-      throw ToolError(path + ": SIZE, TYPE or COUNT of field " + std::to_string(i + 1) +
-                      " in the header is not usable");
-  if (pcd.width != 0 && pcd.width * pcd.height != pcd.points)
-    throw ToolError(path + ": WIDTH times HEIGHT in the header is not POINTS");
-  if (pcd.points == 0)
-    throw ToolError(path + ": the cloud is empty (0 points)");
-}
-
 void
 checkPcd(const std::string& content, const std::string& path, CheckedCloud& checked)
 {
   MemoryStream stream(content.data(), content.size());
   stream.exceptions(std::ios::badbit); // memory that lacks is no end of the file
   const auto header = readFileHeader(stream, "DATA", path);
-  const auto pcd = parsePcdHeader(header, path);
-  requireUsable(pcd, path);
+  const auto pcd = readPcdHeader(header, path);
   const std::uint64_t body =
       content.size() - std::min<std::uint64_t>(header.body_begin, content.size());
   const std::uint64_t bytes = pcd.points * pcd.bytesPerPoint();
@@ -282,7 +189,7 @@ promisedPoints(const std::string& path)
     return tablePointCount(path, beginning);
   try {
     if (format == CloudFormat::PCD)
-      return parsePcdHeader(readFileHeader(stream, "DATA", path), path).points;
+      return readPcdHeader(readFileHeader(stream, "DATA", path), path).points;
     if (format == CloudFormat::PLY)
       for (const auto& words : readFileHeader(stream, "end_header", path).lines)
         if (words.size() == 3 && words[0] == "element" && words[1] == "vertex")

@@ -78,36 +78,36 @@ readReals(const PCLPointCloud2& cloud, const std::string& name)
   return values;
 }
 
-/** PCL's reader walks over the body by what it made of the header: nothing may be amiss
- * there. */
+/** PCL's reader gets the header alone: it would take lines of the body for more of it,
+ * and the memory that these ask for. */
 bool
 readPcd(const CheckedCloud& checked, CloudFile& file)
 {
+  const auto& content = checked.content;
+  const auto body = std::min<std::size_t>(checked.header.body_begin, content.size());
   PCDReader reader;
-  MemoryStream stream(checked.content.data(), checked.content.size());
-  stream.exceptions(std::ios::badbit); // PCL would wait for the end for ever
+  MemoryStream header(content.data(), body);
+  header.exceptions(std::ios::badbit); // PCL would wait for the end for ever
   int version = 0, encoding = 0;       // 0: ASCII, 2: compressed
   unsigned int body_begin = 0;
-  if (reader.readHeader(stream,
+  if (reader.readHeader(header,
                         file.cloud,
                         file.frame.origin,
                         file.frame.orientation,
                         version,
                         encoding,
                         body_begin) != 0 ||
-      file.cloud.data.size() != checked.bytes ||
-      body_begin != checked.header.body_begin)
+      file.cloud.data.size() != checked.bytes || body_begin != body)
     return false;
   if (encoding != 0)
-    return reader.readBodyBinary(
-               reinterpret_cast<const unsigned char*>(checked.content.data()),
-               file.cloud,
-               version,
-               encoding == 2,
-               body_begin) == 0;
-  stream.clear();
-  stream.seekg(body_begin);
-  return reader.readBodyASCII(stream, file.cloud, version) == 0;
+    return reader.readBodyBinary(reinterpret_cast<const unsigned char*>(content.data()),
+                                 file.cloud,
+                                 version,
+                                 encoding == 2,
+                                 body_begin) == 0;
+  MemoryStream points(content.data() + body, content.size() - body);
+  points.exceptions(std::ios::badbit);
+  return reader.readBodyASCII(points, file.cloud, version) == 0;
 }
 
 void
@@ -207,16 +207,19 @@ hasNormals(const PCLPointCloud2& cloud)
 
 void
 readPose(const FileHeader& header, CloudFrame& frame)
-{ // PCL reads it by a stream that hides a lack of memory; what is no number stays as
-  // PCL has read it
+{ // not as PCL has read it: by a stream that hides a lack of memory, and that leaves
+  // what is no number as memory has it
+  frame.origin = Eigen::Vector4f::Zero();
+  frame.orientation = Eigen::Quaternionf::Identity();
   for (const auto& words : header.lines) {
     if (words[0] != "VIEWPOINT" || words.size() < 8)
       continue;
     float pose[7];
     for (std::size_t k = 0; k < 7; ++k) {
       const auto& word = words[k + 1];
+      const char* const begin = word.data() + (word[0] == '+');
       const char* const end = word.data() + word.size();
-      const auto read = std::from_chars(word.data(), end, pose[k]);
+      const auto read = std::from_chars(begin, end, pose[k]);
       if (read.ec != std::errc() || read.ptr != end || !std::isfinite(pose[k]))
         return;
     }

@@ -83,7 +83,8 @@ pointsAround(const PCLPointCloud2& cloud,
              const Eigen::Vector3d& middle,
              std::size_t& finite_count);
 
-/** \brief The sensor's pose that the header of a PCD tells. */
+/** \brief The sensor's pose that the header of a PCD tells; the frame's own where it
+ * tells none by seven finite numbers. */
 void
 readPose(const FileHeader& header, CloudFrame& frame);
 

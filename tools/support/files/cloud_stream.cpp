@@ -9,6 +9,7 @@
 #include "files/cloud_file.h"
 #include "files/file_header.h"
 #include "files/las_file.h"
+#include "files/pcd_header.h"
 #include "files/ply_file.h"
 #include "files/silent_pcl.h"
 
@@ -94,18 +95,8 @@ bool
 FileStream::openPcd()
 {
   const auto header = readFileHeader(stream_, "DATA", path_);
-  std::uint64_t width = 0, height = 1, points = 0;
-  for (const auto& words : header.lines) {
-    if (words.size() < 2)
-      return false;
-    if (words[0] == "WIDTH")
-      width = headerCount(words[1], words[0], path_);
-    else if (words[0] == "HEIGHT")
-      height = headerCount(words[1], words[0], path_);
-    else if (words[0] == "POINTS")
-      points = headerCount(words[1], words[0], path_);
-  }
-  if (header.lines.back()[1] != "binary" || width * height != points)
+  const auto pcd = readPcdHeader(header, path_);
+  if (pcd.data != "binary")
     return false;
   const auto text = headerOfOnePoint(header);
   MemoryStream stream(text.data(), text.size());
@@ -118,13 +109,14 @@ FileStream::openPcd()
                              frame_.orientation,
                              version,
                              encoding,
-                             body_begin) != 0)
+                             body_begin) != 0 ||
+      layout_.point_step != pcd.bytesPerPoint())
     return false;
   readPose(header, frame_);
   frame_.offset = header.offset;
   layout_.data.clear();
-  layout_.width = static_cast<std::uint32_t>(width);
-  layout_.height = static_cast<std::uint32_t>(height);
+  layout_.width = static_cast<std::uint32_t>(pcd.width);
+  layout_.height = static_cast<std::uint32_t>(pcd.height);
   layout_.row_step = layout_.point_step * layout_.width;
   body_begin_ = header.body_begin;
   record_size_ = layout_.point_step;

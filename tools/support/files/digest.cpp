@@ -47,12 +47,12 @@ digestOf(const std::string& text, std::uint64_t seed)
 }
 
 std::uint64_t
-digestOfFile(const std::string& path)
+digestOfFile(const std::string& path, std::size_t block_size)
 {
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     throw ToolError(path + ": the file cannot be read");
-  std::string block(1 << 20, '\0');
+  std::string block(block_size, '\0');
   std::uint64_t digest = 0;
   do {
     stream.read(block.data(), static_cast<std::streamsize>(block.size()));

@@ -18,9 +18,11 @@ digestOf(const void* bytes, std::size_t size, std::uint64_t seed = 0);
 std::uint64_t
 digestOf(const std::string& text, std::uint64_t seed = 0);
 
-/** \brief The same of all bytes of a file, which are read block by block.
+/** \brief The same of all bytes of a file, block by block: the digest of each block
+ * starts the next one's; the last is shorter than a block, or empty.
+ * \param[in] block_size in bytes
  * \throws ToolError if it cannot be read */
 std::uint64_t
-digestOfFile(const std::string& path);
+digestOfFile(const std::string& path, std::size_t block_size = 1 << 20);
 
 } // namespace pcl::indoor::tool

@@ -6,9 +6,9 @@
 
 #include "command_line/options.h" // for ToolError
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -46,10 +46,13 @@ readOffset(const std::vector<std::string>& words, Eigen::Vector3d& offset)
 std::vector<std::string>
 wordsOf(const std::string& line)
 {
-  std::istringstream stream(line);
+  constexpr const char* blanks = " \t\r\n"; // no others are of PCL's reader
   std::vector<std::string> words;
-  for (std::string word; stream >> word;)
-    words.push_back(word);
+  for (std::size_t begin = line.find_first_not_of(blanks); begin != line.npos;) {
+    const auto end = std::min(line.find_first_of(blanks, begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(blanks, end);
+  }
   return words;
 }
 

@@ -75,7 +75,7 @@ endWithMessage()
     problem = error.what();
   } catch (...) {
   }
-  std::fprintf(stderr, "[%s] %s\n", program_invocation_short_name, problem);
+  dprintf(STDERR_FILENO, "[%s] %s\n", program_invocation_short_name, problem);
   std::_Exit(EXIT_FAILURE);
 }
 

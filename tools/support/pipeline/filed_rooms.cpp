@@ -5,6 +5,7 @@
 #include "pipeline/filed_rooms.h"
 
 #include "command_line/options.h" // for ToolError
+#include "files/digest.h"
 #include "files/record.h"
 #include "pipeline/room_points_file.h"
 
@@ -30,7 +31,7 @@ namespace {
 constexpr const char* stage_file = "points_filed";  // written when all are
 constexpr const char* labels_file = "points_rooms"; // a number per point
 constexpr std::uint32_t in_no_file = 0xffffffffu;
-constexpr std::size_t buffer_size = 1 << 14; // bytes per room
+constexpr std::size_t block_size = 12 << 10; // bytes: whole vectors, whole labels
 
 void
 appendTo(const std::string& path, const std::string& bytes)
@@ -42,11 +43,23 @@ appendTo(const std::string& path, const std::string& bytes)
     throw ToolError(path + ": cannot be written, " + std::strerror(errno));
 }
 
-/** Collects what goes to the end of several files. */
+/** The files of the points of some rooms and of those in none, and that of labels. */
+std::vector<std::string>
+fileNames(std::size_t room_count)
+{
+  std::vector<std::string> names;
+  for (std::size_t room = 0; room <= room_count; ++room)
+    names.push_back(pointsFile(room));
+  names.emplace_back(labels_file);
+  return names;
+}
+
+/** Collects what goes to the end of several files, block by block. */
 class Appender {
 public:
   Appender(WorkFolder& folder, const std::vector<std::string>& names)
   : buffers_(names.size())
+  , digests_(names.size(), 0)
   {
     for (const auto& name : names) {
       folder.removeFile(name);
@@ -59,15 +72,17 @@ public:
   add(std::size_t file, const void* bytes, std::size_t size)
   {
     buffers_[file].append(static_cast<const char*>(bytes), size);
-    if (buffers_[file].size() >= buffer_size)
+    if (buffers_[file].size() == block_size)
       flush(file);
   }
 
-  void
+  /** \return the digest of each file, as digestOfFile() gives it */
+  const std::vector<std::uint64_t>&
   flushAll()
   {
     for (std::size_t file = 0; file < buffers_.size(); ++file)
       flush(file);
+    return digests_;
   }
 
 private:
@@ -75,10 +90,12 @@ private:
   flush(std::size_t file)
   {
     appendTo(paths_[file], buffers_[file]);
+    digests_[file] = digestOf(buffers_[file], digests_[file]);
     buffers_[file].clear();
   }
 
   std::vector<std::string> paths_, buffers_;
+  std::vector<std::uint64_t> digests_;
 };
 
 void
@@ -113,12 +130,8 @@ filePoints(Scan& scan,
 {
   const std::size_t file_count = scene.rooms.size() + 1;
   const auto file_of_sample = filesOfSample(scene);
-  std::vector<std::string> names;
-  for (std::size_t room = 0; room < file_count; ++room)
-    names.push_back(pointsFile(room));
-  names.emplace_back(labels_file);
   folder.removeFile(stage_file);
-  Appender files(folder, names);
+  Appender files(folder, fileNames(scene.rooms.size()));
   FiledRooms filed;
   filed.rooms.resize(file_count);
   filed.point_count = scan.stream->pointCount();
@@ -142,14 +155,25 @@ filePoints(Scan& scan,
     }
     report(first + part.points->size(), filed.point_count);
   });
-  files.flushAll();
+  filed.digests = files.flushAll();
   RecordWriter record;
-  record(filed.rooms, filed.point_count, filed.outside);
+  record(filed.rooms, filed.point_count, filed.outside, filed.digests);
   folder.write(stage_file, record.bytes());
   return filed;
 }
 
-/** What an earlier run has put into files. */
+/** Are all files as they were written? */
+bool
+areWhole(const WorkFolder& folder, const FiledRooms& filed)
+{
+  const auto names = fileNames(filed.rooms.size() - 1);
+  for (std::size_t file = 0; file < names.size(); ++file)
+    if (digestOfFile(folder.path(names[file]), block_size) != filed.digests.at(file))
+      return false;
+  return true;
+}
+
+/** What an earlier run has put into files; nothing if one of them is damaged. */
 std::optional<FiledRooms>
 filedBefore(const WorkFolder& folder)
 {
@@ -159,10 +183,12 @@ filedBefore(const WorkFolder& folder)
   try {
     FiledRooms filed;
     RecordReader record(*bytes);
-    record(filed.rooms, filed.point_count, filed.outside);
+    record(filed.rooms, filed.point_count, filed.outside, filed.digests);
     record.finish();
-    return filed;
+    return areWhole(folder, filed) ? std::optional(std::move(filed)) : std::nullopt;
   } catch (const DamagedRecord&) {
+    return {};
+  } catch (const ToolError&) { // a file is gone
     return {};
   }
 }

@@ -5,9 +5,8 @@
 #include "scene/scan_frame.h"
 
 #include "command_line/options.h"
+#include "command_line/pcl_errors.h"
 #include "command_line/printable.h"
-
-#include <pcl/console/print.h>
 
 #include <sstream>
 
@@ -49,12 +48,8 @@ segmentRooms(const CloudFile& file,
   segmentation.setUpAxis(frame.upAxis());
   segmentation.setMetresPerUnit(frame.metresPerUnit());
   segmentation.setInputCloud(file.points);
-  const auto level = console::getVerbosityLevel();
-  if (level > console::L_ERROR) // warnings come below, also where stdout is no terminal
-    console::setVerbosityLevel(console::L_ERROR);
   std::vector<std::uint32_t> rooms;
-  segmentation.segment(rooms);
-  console::setVerbosityLevel(level);
+  const auto problem = problemOf([&] { segmentation.segment(rooms); });
   auto lines = segmentation.getReport().warnings;
   const auto step = stepWarning(file.coordinate_step * frame.metresPerUnit(),
                                 segmentation.getVoxelSize());
@@ -63,7 +58,7 @@ segmentRooms(const CloudFile& file,
   for (const auto& line : lines)
     printWarning(file.path + ": " + line);
   if (rooms.empty())
-    throw AlreadyReported();
+    throw ToolError(file.path + ": " + problem);
   return rooms;
 }
 

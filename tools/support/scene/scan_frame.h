@@ -34,7 +34,7 @@ struct ScanFrame {
 /** \brief Find the rooms; what is implausible is said on stderr, a line each.
  * \param[in,out] segmentation its parameters are set; frame and input are set here
  * \return the room of each point
- * \throws AlreadyReported if the segmentation has printed why it failed
+ * \throws ToolError if there are none
  */
 std::vector<std::uint32_t>
 segmentRooms(const CloudFile& file,

@@ -1,0 +1,75 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "command_line/pcl_errors.h"
+
+#include <pcl/console/print.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+/** Memory in place of stderr, for errors only; warnings are dropped. */
+class ErrorText {
+public:
+  ErrorText()
+  : level_(console::getVerbosityLevel())
+  {
+    auto* const memory = open_memstream(&text_, &size_);
+    if (memory == nullptr)
+      throw std::bad_alloc();
+    stderr_ = std::exchange(stderr, memory);
+    if (level_ > console::L_ERROR)
+      console::setVerbosityLevel(console::L_ERROR);
+  }
+
+  ~ErrorText()
+  {
+    console::setVerbosityLevel(level_);
+    std::fclose(std::exchange(stderr, stderr_));
+    std::free(text_);
+  }
+
+  ErrorText(const ErrorText&) = delete;
+  ErrorText&
+  operator=(const ErrorText&) = delete;
+
+  std::string
+  get() const
+  {
+    std::fflush(stderr);
+    return std::string(text_, size_);
+  }
+
+private:
+  console::VERBOSITY_LEVEL level_;
+  std::FILE* stderr_ = nullptr;
+  char* text_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/** "[pcl::Class::function] It is wrong." without what is in brackets. */
+std::string
+withoutPlace(const std::string& line)
+{
+  const auto end = line.front() == '[' ? line.find("] ") : line.npos;
+  return end == line.npos ? line : line.substr(end + 2);
+}
+
+} // namespace
+
+std::string
+problemOf(const std::function<void()>& run)
+{
+  const ErrorText errors;
+  run();
+  const auto text = errors.get();
+  return text.empty() ? text : withoutPlace(text.substr(0, text.find('\n')));
+}
+
+} // namespace pcl::indoor::tool
