@@ -124,6 +124,7 @@ thesisKinectOptions()
 {
   auto options = thesisOptions();
   options.on_points.ransac_share = 0;
+  options.on_points.removal_radius = 0;
   options.curvature_threshold = 0.02f;
   options.edges.graph_scale = 5;
   options.seed_size = 0.16;

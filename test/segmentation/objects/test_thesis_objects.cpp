@@ -325,7 +325,7 @@ TEST(ThesisObjects, KinectAsDefined)
   EXPECT_FLOAT_EQ(options.edges.graph_scale, 5);
   EXPECT_DOUBLE_EQ(options.seed_size, 0.16);
   EXPECT_DOUBLE_EQ(options.voxel_size, 0.04);
-  EXPECT_DOUBLE_EQ(options.on_points.removal_radius, 0.05);
+  EXPECT_DOUBLE_EQ(options.on_points.removal_radius, 0);
   options.edges.graph_scale = 0.3f;
   expectAsDefined(options, 1);
 }

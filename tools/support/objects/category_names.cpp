@@ -4,34 +4,11 @@
  */
 #include "objects/category_names.h"
 
-#include "command_line/options.h" // for ToolError
-#include "command_line/printable.h"
-
-#include <nlohmann/json.hpp>
-
-#include <fstream>
+#include "files/json_file.h"
 
 namespace pcl::indoor::tool {
-namespace {
 
 using Json = nlohmann::json;
-
-/** \brief What a JSON file gives, read by a function; its complaints name the file. */
-template <typename Read>
-auto
-fromJsonFile(const std::string& path, const Read& read)
-{
-  std::ifstream stream(path);
-  if (!stream)
-    throw ToolError(path + ": cannot be opened");
-  try {
-    return read(Json::parse(stream));
-  } catch (const Json::exception& problem) {
-    throw ToolError(path + ": " + messageOf(problem));
-  }
-}
-
-} // namespace
 
 std::map<std::uint32_t, std::string>
 readCategoryNames(const std::string& path)

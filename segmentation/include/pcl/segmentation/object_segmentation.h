@@ -104,7 +104,8 @@ ObjectSegmentationOptions
 thesisOptions();
 
 /** \brief The same with its parameters for the Kinect (Sec. 4.3.3): theta_t = 0.02, k =
- * 5, R_seed = 16 cm; no planes are taken off. */
+ * 5, R_seed = 16 cm; R of Eq. (2.9), as points are closer than in laser scans; no
+ * planes are taken off. */
 ObjectSegmentationOptions
 thesisKinectOptions();
 
