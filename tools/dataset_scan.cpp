@@ -8,7 +8,7 @@
 #include "datasets/scannet.h"
 #include "files/output_file.h"
 #include "files/point_coordinates.h"
-#include "files/table_columns.h" // for listedNames
+#include "formats/table_columns.h" // for listedNames
 
 #include <filesystem>
 

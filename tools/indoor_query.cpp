@@ -5,7 +5,7 @@
 #include "command_line/options.h"
 #include "command_line/printable.h"
 #include "command_line/text_table.h"
-#include "files/json_text.h"
+#include "formats/json_text.h"
 #include "scene/scene_query.h"
 
 #include <charconv>

@@ -10,7 +10,7 @@
 #include "comparison/upstream_baselines.h"
 #include "comparison/upstream_lccp.h"
 #include "files/cloud_file.h"
-#include "files/json_text.h"
+#include "formats/json_text.h"
 #include "pictures/comparison_picture.h"
 
 #include <pcl/segmentation/noise_resilient_lccp.h>

@@ -10,10 +10,11 @@
 #include "amount.h"
 #include "cloud_parts.h"
 #include "command_line/options.h"
+#include "dataset_files.h"
 #include "files/cloud_check.h"
 #include "files/cloud_file.h"
-#include "files/mesh_file.h"
-#include "files/ply_file.h"
+#include "formats/mesh_file.h"
+#include "formats/ply_file.h"
 #include "mutation.h"
 #include "objects/category_names.h"
 #include "support/folder_test.h" // for bytesOf
@@ -147,7 +148,11 @@ allReaders()
           {"las", readCloud},
           {"xyz", readCloud},
           {"work", readWorkFile, [](std::string&) {}, wholeWorkFiles()},
-          {"record", readRecord, repairWorkFile, wholeWorkFiles()}};
+          {"record", readRecord, repairWorkFile, wholeWorkFiles()},
+          {"png", readPng, repairPng, wholePngs()},
+          {"segs", readSegments, [](std::string&) {}, {scan_segments}},
+          {"groups", readGroups, [](std::string&) {}, {scan_groups}},
+          {"camera", readCamera, [](std::string&) {}, {camera_matrix}}};
 }
 
 /** Why the reader refuses a file; empty if it takes it. What it may refuse it by is

@@ -4,8 +4,8 @@
  */
 #include "datasets/depth_image.h"
 
-#include "files/png_file.h"
-#include "files/table_rows.h" // for readNumber
+#include "formats/png_file.h"
+#include "formats/table_rows.h" // for readNumber
 
 #include <pcl/common/io.h>          // for copyPointCloud
 #include <pcl/common/point_tests.h> // for isFinite

@@ -4,7 +4,7 @@
  */
 #include "datasets/labelled_scan.h"
 
-#include "files/json_text.h"
+#include "formats/json_text.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
  */
 #include "datasets/scannet.h"
 
-#include "files/json_file.h"
+#include "formats/json_file.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -5,11 +5,11 @@
 #include "files/cloud_check.h"
 
 #include "command_line/options.h" // for ToolError
-#include "files/file_header.h"
-#include "files/foreign_format.h"
-#include "files/las_file.h"
-#include "files/pcd_header.h"
-#include "files/table_file.h"
+#include "formats/file_header.h"
+#include "formats/foreign_format.h"
+#include "formats/las_file.h"
+#include "formats/pcd_header.h"
+#include "formats/table_file.h"
 
 #include <algorithm>
 #include <charconv>

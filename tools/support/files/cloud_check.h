@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "files/file_header.h"
+#include "formats/file_header.h"
 
 #include <boost/iostreams/device/array.hpp>
 #include <boost/iostreams/stream.hpp>

@@ -5,11 +5,11 @@
 #include "files/cloud_file.h"
 
 #include "files/cloud_check.h"
-#include "files/file_header.h"
-#include "files/las_file.h"
-#include "files/ply_file.h"
-#include "files/silent_pcl.h"
-#include "files/table_file.h"
+#include "formats/file_header.h"
+#include "formats/las_file.h"
+#include "formats/ply_file.h"
+#include "formats/silent_pcl.h"
+#include "formats/table_file.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
 #include <pcl/indoor/quantile.h>

@@ -6,8 +6,8 @@
 
 #include "command_line/options.h" // for ToolError
 #include "files/cloud_writer.h"   // for CloudFrame
-#include "files/file_header.h"
-#include "files/table_columns.h"
+#include "formats/file_header.h"
+#include "formats/table_columns.h"
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/point_cloud.h>

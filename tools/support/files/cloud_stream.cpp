@@ -7,11 +7,11 @@
 #include "command_line/options.h" // for ToolError
 #include "files/cloud_check.h"    // for MemoryStream
 #include "files/cloud_file.h"
-#include "files/file_header.h"
-#include "files/las_file.h"
-#include "files/pcd_header.h"
-#include "files/ply_file.h"
-#include "files/silent_pcl.h"
+#include "formats/file_header.h"
+#include "formats/las_file.h"
+#include "formats/pcd_header.h"
+#include "formats/ply_file.h"
+#include "formats/silent_pcl.h"
 
 #include <pcl/io/pcd_io.h>
 

@@ -5,8 +5,8 @@
 #include "files/cloud_writer.h"
 
 #include "command_line/options.h" // for ToolError
-#include "files/pcd_writer.h"
-#include "files/ply_writer.h"
+#include "formats/pcd_writer.h"
+#include "formats/ply_writer.h"
 
 #include <algorithm>
 #include <cctype>

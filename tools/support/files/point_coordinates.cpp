@@ -5,7 +5,7 @@
 #include "files/point_coordinates.h"
 
 #include "command_line/printable.h"
-#include "files/file_header.h" // for offsetText
+#include "formats/file_header.h" // for offsetText
 
 #include <pcl/common/io.h> // for getFieldSize
 

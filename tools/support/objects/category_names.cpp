@@ -4,7 +4,7 @@
  */
 #include "objects/category_names.h"
 
-#include "files/json_file.h"
+#include "formats/json_file.h"
 
 namespace pcl::indoor::tool {
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "files/json_text.h"
+#include "formats/json_text.h"
 #include "objects/file_classification.h"
 
 #include <pcl/ml/classification_metrics.h>

@@ -4,7 +4,7 @@
  */
 #include "objects/object_files.h"
 
-#include "files/mesh_file.h"
+#include "formats/mesh_file.h"
 
 #include <pcl/common/centroid.h>
 #include <pcl/common/io.h>

@@ -6,7 +6,7 @@
 
 #include "command_line/options.h" // for ToolError
 #include "files/digest.h"
-#include "files/record.h"
+#include "formats/record.h"
 #include "pipeline/room_points_file.h"
 
 #include <pcl/common/point_tests.h> // for isFinite

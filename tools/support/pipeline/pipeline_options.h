@@ -7,7 +7,7 @@
 #include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
-#include "files/table_columns.h"
+#include "formats/table_columns.h"
 #include "scene/scan_frame.h"
 
 #include <pcl/segmentation/building_rooms.h>

@@ -4,8 +4,8 @@
  */
 #include "pipeline/pipeline_results.h"
 
-#include "files/json_text.h"
-#include "files/pcd_writer.h"
+#include "formats/json_text.h"
+#include "formats/pcd_writer.h"
 #include "objects/category_names.h" // for other_class
 #include "pictures/class_picture.h"
 #include "pictures/plan_dxf.h"

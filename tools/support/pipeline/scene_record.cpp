@@ -4,7 +4,7 @@
  */
 #include "pipeline/scene_record.h"
 
-#include "files/record.h"
+#include "formats/record.h"
 
 namespace pcl::indoor::tool {
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "files/cloud_file.h"
-#include "files/json_text.h"
+#include "formats/json_text.h"
 
 #include <pcl/segmentation/building_rooms.h>
 

@@ -6,7 +6,7 @@
 
 #include "command_line/options.h" // for ToolError
 #include "command_line/printable.h"
-#include "files/json_text.h" // for rounded
+#include "formats/json_text.h" // for rounded
 #include "scene/scan_frame.h"
 
 #include <pcl/segmentation/upright_box.h>

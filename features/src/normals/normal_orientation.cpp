@@ -1,0 +1,344 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/features/normal_orientation.h>
+
+#include "eppf/free_space_grid.h"
+
+#include <pcl/exceptions.h>
+#include <pcl/features/normal_graph.h>
+#include <pcl/indoor/flood_fill.h>
+#include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/quantile.h>
+#include <pcl/indoor/threads.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using pcl::indoor::Adjacency;
+using pcl::indoor::FreeSpaceGrid;
+using pcl::indoor::FreeSpaceOptions;
+
+constexpr int spreading_rounds = 4;
+constexpr float clearance_share = 0.4f; // of the largest: no viewpoints under tables
+constexpr float smooth_cosine =
+    0.8f; // normals of one surface differ by less than 37 deg
+
+void
+requireValid(const FreeSpaceOptions& options)
+{
+  if (!(options.cell_size > 0) || !std::isfinite(options.cell_size))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The cell size must be positive, not " << options.cell_size
+                                                               << " m.");
+  if (options.viewpoints < 1 || options.sample_stride < 1)
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "Free space needs at least one viewpoint and stride, not "
+                            << options.viewpoints << " and " << options.sample_stride
+                            << ".");
+}
+
+/** A room of this size, m^3, gets the number of viewpoints in the options. */
+constexpr double room_volume = 60;
+constexpr double most_viewpoints = 2000;
+
+/** Free places on a coarse raster, with their clearance in metres. */
+struct Candidate {
+  Eigen::Vector3f place;
+  float clearance;
+};
+
+int
+rasterStep(const FreeSpaceGrid& grid)
+{
+  constexpr double most_candidates = 64000;
+  const double cells = grid.shape().cast<double>().prod();
+  return std::max(1, static_cast<int>(std::ceil(std::cbrt(cells / most_candidates))));
+}
+
+std::vector<Candidate>
+freeCandidates(const FreeSpaceGrid& grid)
+{
+  const auto directions = grid.enclosedDirections();
+  const Eigen::Vector3i shape = grid.shape();
+  const int raster = rasterStep(grid);
+  std::vector<Candidate> candidates;
+  Eigen::Vector3i cell;
+  for (cell.x() = raster / 2; cell.x() < shape.x(); cell.x() += raster)
+    for (cell.y() = raster / 2; cell.y() < shape.y(); cell.y() += raster)
+      for (cell.z() = raster / 2; cell.z() < shape.z(); cell.z() += raster) {
+        const auto i = grid.index(cell);
+        if (directions[i] >= 5 && grid.clearance(i) > 2)
+          candidates.push_back(
+              {grid.center(cell),
+               static_cast<float>(grid.clearance(i) * grid.cellSize())});
+      }
+  return candidates;
+}
+
+std::size_t
+viewpointCount(const FreeSpaceGrid& grid,
+               std::size_t candidate_count,
+               const FreeSpaceOptions& options)
+{
+  const double edge = grid.cellSize() * rasterStep(grid);
+  const double volume = edge * edge * edge * static_cast<double>(candidate_count);
+  // Half as many where hardly anything is enclosed, so that lines of sight stay short.
+  const double cell = grid.cellSize() * grid.cellSize() * grid.cellSize();
+  const double box = cell * grid.shape().cast<double>().prod();
+  const double rooms =
+      std::max({1.0, volume / room_volume, std::floor(box / (2 * room_volume))});
+  const double count = options.viewpoints * rooms;
+  return static_cast<std::size_t>(
+      std::max<double>(options.viewpoints, std::min(count, most_viewpoints)));
+}
+
+/** Free places far from all surfaces and from each other, the widest first. */
+std::vector<Eigen::Vector3f>
+viewpointsIn(const FreeSpaceGrid& grid, const FreeSpaceOptions& options)
+{
+  auto candidates = freeCandidates(grid);
+  if (candidates.empty())
+    return {grid.center(grid.shape() / 2)};
+  const auto count = viewpointCount(grid, candidates.size(), options);
+  const auto nearer = [](const auto& a, const auto& b) {
+    return a.clearance < b.clearance;
+  };
+  const float widest =
+      std::max_element(candidates.begin(), candidates.end(), nearer)->clearance;
+  candidates.erase(std::remove_if(candidates.begin(),
+                                  candidates.end(),
+                                  [&](const auto& candidate) {
+                                    return candidate.clearance <
+                                           clearance_share * widest;
+                                  }),
+                   candidates.end());
+  std::vector<Eigen::Vector3f> viewpoints;
+  while (viewpoints.size() < count) {
+    const auto best = std::max_element(candidates.begin(), candidates.end(), nearer);
+    if (!(best->clearance > 0))
+      break;
+    viewpoints.push_back(best->place);
+    // A place counts for no more than its distance to the places that were taken.
+    for (auto& candidate : candidates)
+      candidate.clearance = std::min(
+          candidate.clearance, 0.5f * (candidate.place - viewpoints.back()).norm());
+  }
+  return viewpoints;
+}
+
+/** Finds the viewpoints nearest to positions, which are taken block by block. */
+class NearestViewpoints {
+public:
+  using Ranked = std::pair<float, std::uint32_t>; // squared distance, number
+
+  NearestViewpoints(const std::vector<Eigen::Vector3f>& viewpoints, std::size_t count)
+  : viewpoints_(viewpoints)
+  , count_(std::min(count, viewpoints.size()))
+  {}
+
+  /** \brief Prepare for positions in a box: only viewpoints that are among the nearest
+   * of some place in it are looked at from then on. */
+  void
+  enterBlock(const Eigen::AlignedBox3f& box)
+  {
+    ranked_.clear();
+    for (std::uint32_t i = 0; i < viewpoints_.size(); ++i) {
+      const Eigen::Array3f to_low = (viewpoints_[i] - box.min()).array().abs();
+      const Eigen::Array3f to_high = (viewpoints_[i] - box.max()).array().abs();
+      ranked_.emplace_back(to_low.max(to_high).square().sum(), i);
+    }
+    const float farthest =
+        pcl::indoor::valueAtRank(ranked_, count_ - 1).first * 1.0001f;
+    candidates_.clear();
+    for (std::uint32_t i = 0; i < viewpoints_.size(); ++i)
+      if (box.squaredExteriorDistance(viewpoints_[i]) <= farthest)
+        candidates_.push_back(i);
+  }
+
+  /** \return nearest first, ties by number */
+  const std::vector<Ranked>&
+  nearestTo(const Eigen::Vector3f& position)
+  {
+    ranked_.clear();
+    for (const auto i : candidates_)
+      ranked_.emplace_back((viewpoints_[i] - position).squaredNorm(), i);
+    std::partial_sort(ranked_.begin(),
+                      ranked_.begin() + static_cast<std::ptrdiff_t>(count_),
+                      ranked_.end());
+    ranked_.resize(count_);
+    return ranked_;
+  }
+
+private:
+  const std::vector<Eigen::Vector3f>& viewpoints_;
+  std::size_t count_;
+  std::vector<Ranked> ranked_;
+  std::vector<std::uint32_t> candidates_;
+};
+
+/** Votes of the viewpoints on the sides of the normals; positive: keep the normal. */
+std::vector<float>
+collectVotes(const std::vector<Eigen::Vector3f>& positions,
+             const std::vector<Eigen::Vector3f>& normals,
+             const std::vector<Eigen::Vector3f>& viewpoints,
+             const FreeSpaceGrid& grid,
+             const FreeSpaceOptions& options)
+{
+  constexpr double least_block_size = 2, most_blocks = 1e6; // metres; along an axis
+  std::vector<float> votes(positions.size(), 0.0f);
+  std::vector<Eigen::Vector3f> sampled;
+  for (std::size_t i = 0; i < positions.size(); i += options.sample_stride)
+    sampled.push_back(positions[i]);
+  Eigen::AlignedBox3f all;
+  for (const auto& position : sampled)
+    all.extend(position);
+  const double extent = static_cast<double>(all.sizes().maxCoeff());
+  const auto blocks = pcl::indoor::groupByCell(
+      sampled, std::max(least_block_size, extent / most_blocks));
+  pcl::indoor::parallelFor(
+      static_cast<std::ptrdiff_t>(blocks.size()),
+      pcl::indoor::threadCount(options.threads),
+      1,
+      [&] { return NearestViewpoints(viewpoints, options.viewpoints); },
+      [&](NearestViewpoints& nearest, std::ptrdiff_t b) {
+        Eigen::AlignedBox3f box;
+        for (const auto point : blocks.pointsOf(b))
+          box.extend(sampled[point]);
+        nearest.enterBlock(box);
+        for (const auto point : blocks.pointsOf(b)) {
+          const auto i = point * options.sample_stride;
+          for (const auto& entry : nearest.nearestTo(positions[i])) {
+            const auto& viewpoint = viewpoints[entry.second];
+            const float cosine =
+                (viewpoint - positions[i]).normalized().dot(normals[i]);
+            if (std::abs(cosine) > 0.1f && grid.sees(viewpoint, positions[i]))
+              votes[i] += cosine;
+          }
+        }
+      });
+  return votes;
+}
+
+/** Let each position hear its neighbours on the same smooth surface. */
+std::vector<float>
+spreadVotes(const std::vector<Eigen::Vector3f>& normals,
+            const Adjacency& neighbors,
+            const std::vector<float>& votes,
+            unsigned threads)
+{
+  std::vector<float> sums(votes.size());
+  const auto count = static_cast<std::ptrdiff_t>(votes.size());
+#pragma omp parallel for num_threads(pcl::indoor::threadCount(threads))
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    float sum = votes[i];
+    for (const auto other : neighbors.of(i)) {
+      const float cosine = normals[i].dot(normals[other]);
+      if (std::abs(cosine) > smooth_cosine)
+        sum += cosine * votes[other];
+    }
+    sums[i] = sum;
+  }
+  return sums;
+}
+
+/** Positions without vote follow a decided neighbour, outwards from the decided ones.
+ */
+void
+followNeighbors(const Adjacency& neighbors,
+                std::vector<float>& votes,
+                std::vector<Eigen::Vector3f>& normals)
+{
+  std::vector<std::uint32_t> decided;
+  for (std::uint32_t i = 0; i < votes.size(); ++i)
+    if (votes[i] != 0)
+      decided.push_back(i);
+  pcl::indoor::floodFill(decided, neighbors, [&](auto other, auto from) {
+    if (votes[other] != 0)
+      return false;
+    votes[other] = 1;
+    if (normals[from].dot(normals[other]) < 0)
+      normals[other] *= -1;
+    return true;
+  });
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+void
+orientTowards(const Eigen::Vector3f& viewpoint,
+              const std::vector<Eigen::Vector3f>& positions,
+              std::vector<Eigen::Vector3f>& normals)
+{
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (normals[i].dot(viewpoint - positions[i]) < 0)
+      normals[i] *= -1;
+}
+
+std::vector<Eigen::Vector3f>
+findViewpoints(const std::vector<Eigen::Vector3f>& positions,
+               const FreeSpaceOptions& options)
+{
+  requireValid(options);
+  if (positions.empty())
+    return {};
+  return viewpointsIn(FreeSpaceGrid(positions, options.cell_size), options);
+}
+
+void
+orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,
+                       const Adjacency& neighbors,
+                       const FreeSpaceOptions& options,
+                       std::vector<Eigen::Vector3f>& normals)
+{
+  requireValid(options);
+  if (normals.size() != positions.size() ||
+      neighbors.offsets.size() != positions.size() + 1)
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        positions.size()
+                            << " positions have " << normals.size() << " normals.");
+  if (positions.empty())
+    return;
+  const FreeSpaceGrid grid(positions, options.cell_size);
+  const auto viewpoints = viewpointsIn(grid, options);
+  auto votes = collectVotes(positions, normals, viewpoints, grid, options);
+  for (int round = 0; round < spreading_rounds; ++round)
+    votes = spreadVotes(normals, neighbors, votes, options.threads);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (votes[i] < 0)
+      normals[i] *= -1;
+  followNeighbors(neighbors, votes, normals);
+}
+
+void
+orientNormals(NormalOrientation orientation,
+              const std::vector<Eigen::Vector3f>& positions,
+              const Adjacency& neighbors,
+              const std::vector<Eigen::Vector3f>& viewpoint,
+              const FreeSpaceOptions& free_space,
+              std::vector<Eigen::Vector3f>& normals)
+{
+  if (orientation == NormalOrientation::Automatic)
+    orientation =
+        viewpoint.empty() ? NormalOrientation::FreeSpace : NormalOrientation::Viewpoint;
+  if (orientation == NormalOrientation::Viewpoint && viewpoint.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "Normals cannot be turned to a viewpoint that is not known.");
+  if (orientation == NormalOrientation::Graph)
+    orientConsistently(positions, neighbors, viewpoint, normals);
+  else if (orientation == NormalOrientation::FreeSpace)
+    orientTowardsFreeSpace(positions, neighbors, free_space, normals);
+  else
+    orientTowards(viewpoint.front(), positions, normals);
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,246 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "random/room_furnisher.h"
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+void
+mediaCorner(RoomFurnisher& room)
+{
+  const int unit = room.atWall(room.piece("tv_unit"));
+  if (room.chance(0.75))
+    room.onTop(unit, room.shaped("tv", 0, 2));
+  if (room.chance(0.4))
+    room.onTop(unit, room.piece(room.chance(0.5) ? "books" : "vase"));
+}
+
+void
+seatingGroup(RoomFurnisher& room)
+{
+  const int sofa = room.atWall(room.piece("sofa"));
+  int table = -1;
+  if (room.chance(0.85))
+    table =
+        room.before(sofa, room.piece("coffee_table"), room.between(0.2, 0.45), 0, M_PI);
+  room.putSmallThings(table, room.pick(4));
+  if (room.chance(0.5))
+    room.beside(sofa, room.piece("bedside_table"), room.chance(0.5) ? 1 : -1, 0.02);
+  for (int i = room.pick(3); i > 0; --i)
+    room.anywhere(room.piece("armchair"));
+}
+
+void
+diningPlace(RoomFurnisher& room, const std::string& seat)
+{
+  const int table =
+      room.inTheMiddle(room.piece(room.chance(0.35) ? "round_table" : "table"), 0.7);
+  room.around(table, seat, 2 + room.pick(5));
+  room.putSmallThings(table, room.pick(5));
+  if (room.chance(0.4))
+    room.fromCeiling(room.shaped("ceiling_lamp", 1, 4), table);
+}
+
+void
+furnishLiving(RoomFurnisher& room)
+{
+  seatingGroup(room);
+  if (room.chance(0.8))
+    mediaCorner(room);
+  if (room.chance(0.6))
+    diningPlace(room, "chair");
+  if (room.chance(0.2))
+    room.atWall(room.piece("fireplace"));
+  if (room.chance(0.15))
+    room.atWall(room.piece("piano"));
+  for (int i = room.pick(4); i > 0; --i)
+    room.atWall(room.piece("bookcase"));
+  if (room.chance(0.6))
+    room.putSmallThings(room.atWall(room.piece("cabinet")), 2);
+  for (int i = room.pick(3); i > 0; --i)
+    room.atWall(room.piece("floor_lamp"));
+  for (int i = room.pick(3); i > 0; --i)
+    room.atWall(room.piece("plant"));
+  if (room.chance(0.2))
+    room.anywhere(room.shaped("stool", 2, 2));
+  if (room.chance(0.15))
+    room.anywhere(room.piece("person"));
+  if (room.chance(0.2))
+    room.onWall(room.shaped("air_conditioner", 0, 0), 1.9);
+  else if (room.chance(0.15))
+    room.atWall(room.shaped("air_conditioner", 1, 1));
+}
+
+void
+furnishKitchen(RoomFurnisher& room)
+{
+  room.kitchenRow(2 + room.pick(4));
+  if (room.chance(0.5))
+    room.atWall(room.piece("fridge"));
+  if (room.chance(0.4))
+    room.kitchenRow(1 + room.pick(3));
+  if (room.chance(0.15))
+    room.putSmallThings(room.inTheMiddle(room.shaped("kitchen_unit", 3, 3), 0.3), 3);
+  else if (room.chance(0.7))
+    diningPlace(room, room.chance(0.2) ? "stool" : "chair");
+  if (room.chance(0.3))
+    room.atWall(room.piece("cabinet"));
+  if (room.chance(0.7))
+    room.atWall(room.piece("bin"));
+  if (room.chance(0.4))
+    room.onWall(room.piece("shelf"), room.between(1.2, 1.6));
+}
+
+void
+furnishBathroom(RoomFurnisher& room)
+{
+  if (room.chance(0.6))
+    room.atWall(room.piece("bath"));
+  if (room.chance(0.5))
+    room.atWall(room.piece("shower"));
+  room.atWall(room.piece("toilet"));
+  if (room.chance(0.3))
+    room.atWall(room.shaped("sink", 2, 2), room.between(0.52, 0.62));
+  else
+    room.atWall(room.shaped("sink", 0, 1));
+  if (room.chance(0.5))
+    room.atWall(room.piece("washing_machine"));
+  if (room.chance(0.3))
+    room.atWall(room.piece("cabinet", Eigen::Vector3d(0.45, 0.35, 1.6)));
+  if (room.chance(0.4))
+    room.atWall(room.piece("stool"));
+  if (room.chance(0.5))
+    room.atWall(room.piece("bin"));
+  if (room.chance(0.5)) // a mirror
+    room.onWall(room.piece("picture"), 1.2);
+  if (room.chance(0.5))
+    room.onWall(room.piece("wall_lamp"), room.between(1.7, 1.95));
+}
+
+void
+furnishBedroom(RoomFurnisher& room)
+{
+  const bool bunk = room.chance(0.15);
+  const int bed = room.atWall(room.piece(bunk ? "bunk_bed" : "bed"));
+  for (const int side : {-1, 1})
+    if (!bunk && room.chance(0.7)) {
+      const int table = room.beside(
+          bed, room.piece("bedside_table"), side, room.between(0.005, 0.08));
+      if (room.chance(0.6))
+        room.onTop(table, room.piece("table_lamp"));
+      else
+        room.putSmallThings(table, 1);
+    }
+  for (int i = 1 + room.pick(2); i > 0; --i)
+    room.atWall(room.piece("wardrobe"));
+  if (room.chance(0.5))
+    room.putSmallThings(room.atWall(room.piece("drawers")), room.pick(3));
+  if (room.chance(0.4))
+    room.workplace(room.piece("desk"), "chair", 0.0);
+  if (room.chance(0.3))
+    room.atWall(room.piece("bookcase"));
+  if (room.chance(0.25))
+    room.atWall(room.piece(room.chance(0.5) ? "chair" : "armchair"));
+  if (room.chance(0.2))
+    room.before(bed, room.piece("bench"), 0.03, 0, M_PI);
+  if (room.chance(0.3))
+    room.atWall(room.piece("plant"));
+  if (room.chance(0.3))
+    room.onWall(room.shaped("tv", 1, 1), room.between(1.0, 1.4));
+  if (room.chance(0.3))
+    room.onWall(room.piece("shelf"), room.between(1.2, 1.6));
+  if (room.chance(0.2))
+    room.atWall(room.piece("ball"));
+}
+
+void
+furnishStudy(RoomFurnisher& room)
+{
+  room.workplace(room.piece("desk"), "office_chair", 0.2);
+  for (int i = 1 + room.pick(3); i > 0; --i)
+    room.atWall(room.piece("bookcase"));
+  if (room.chance(0.5))
+    room.putSmallThings(room.atWall(room.piece("drawers")), 1);
+  if (room.chance(0.3))
+    room.anywhere(room.piece("treadmill"));
+  if (room.chance(0.2))
+    room.atWall(room.piece("piano"));
+  if (room.chance(0.3))
+    room.atWall(room.piece("rack"));
+  if (room.chance(0.4))
+    room.atWall(room.piece("armchair"));
+  if (room.chance(0.4))
+    room.atWall(room.piece("floor_lamp"));
+}
+
+void
+furnishHall(RoomFurnisher& room)
+{
+  if (room.chance(0.5))
+    room.putSmallThings(
+        room.atWall(room.piece(room.chance(0.5) ? "cabinet" : "drawers")),
+        room.pick(3));
+  if (room.chance(0.4))
+    room.atWall(room.piece("wardrobe"));
+  if (room.chance(0.4))
+    room.atWall(room.piece("coat_rack"));
+  if (room.chance(0.3))
+    room.atWall(room.piece("bench"));
+  if (room.chance(0.15))
+    room.atWall(room.piece("bicycle"));
+  if (room.chance(0.3))
+    room.atWall(room.piece("plant"));
+  if (room.chance(0.1))
+    room.anywhere(room.piece("person"));
+}
+
+void
+finish(RoomFurnisher& room, bool dry)
+{
+  room.belowWindows("radiator", 0.6);
+  if (room.chance(0.8))
+    room.fromCeiling(room.shaped("ceiling_lamp", 1, 5));
+  if (!dry)
+    return;
+  room.curtains(0.5);
+  for (int i = room.pick(3); i > 0; --i)
+    room.onWall(room.piece("picture"), room.between(1.1, 1.5));
+  for (int i = room.pick(2); i > 0; --i)
+    room.onWall(room.piece("wall_lamp"), room.between(1.5, 1.9));
+  for (int i = room.pick(3); i > 0; --i)
+    room.anywhere(room.piece(room.chance(0.8) ? "box" : "bin"));
+}
+
+} // namespace
+
+void
+furnishHomeRoom(RoomFurnisher& room, RoomKind kind)
+{
+  switch (kind) {
+  case RoomKind::Living:
+    furnishLiving(room);
+    break;
+  case RoomKind::Kitchen:
+    furnishKitchen(room);
+    break;
+  case RoomKind::Bathroom:
+    furnishBathroom(room);
+    break;
+  case RoomKind::Bedroom:
+    furnishBedroom(room);
+    break;
+  case RoomKind::Study:
+    furnishStudy(room);
+    break;
+  default:
+    furnishHall(room);
+  }
+  finish(room, kind != RoomKind::Bathroom);
+}
+
+} // namespace indoor
+} // namespace pcl

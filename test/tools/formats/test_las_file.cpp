@@ -1,0 +1,252 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "command_line/options.h"
+#include "files/cloud_check.h"
+#include "files/cloud_file.h"
+#include "files/cloud_stream.h"
+#include "formats/las_file.h"
+#include "support/folder_test.h"
+
+#include <pcl/common/io.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <vector>
+
+using namespace pcl::indoor::tool;
+
+namespace {
+
+class LasFiles : public pcl::indoor::test::FolderTest {};
+
+template <typename T>
+void
+put(std::string& bytes, std::size_t at, T value)
+{
+  std::memcpy(&bytes[at], &value, sizeof(value));
+}
+
+/** A LAS file of three points at 691234 + i, 5334567 - 2 i, 0.25 i metres. */
+struct LasMaker {
+  int minor = 2;
+  std::uint8_t format = 3;
+  std::size_t step = 34;
+  std::string extra; ///< descriptions of extra bytes
+  std::uint64_t count = 3;
+
+  std::string
+  file() const
+  {
+    const std::size_t header = minor == 4 ? 375 : 227;
+    const std::size_t record = extra.empty() ? 0 : 54 + extra.size();
+    std::string bytes(header + record + step * count, '\0');
+    std::memcpy(&bytes[0], "LASF", 4);
+    bytes[24] = 1;
+    bytes[25] = static_cast<char>(minor);
+    put<std::uint16_t>(bytes, 94, static_cast<std::uint16_t>(header));
+    put<std::uint32_t>(bytes, 96, static_cast<std::uint32_t>(header + record));
+    put<std::uint32_t>(bytes, 100, extra.empty() ? 0 : 1);
+    bytes[104] = static_cast<char>(format);
+    put<std::uint16_t>(bytes, 105, static_cast<std::uint16_t>(step));
+    if (minor == 4)
+      put<std::uint64_t>(bytes, 247, count);
+    else
+      put<std::uint32_t>(bytes, 107, static_cast<std::uint32_t>(count));
+    const double scales[] = {0.001, 0.001, 0.25}, offsets[] = {691000, 5334000, 0};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      put(bytes, 131 + 8 * axis, scales[axis]);
+      put(bytes, 155 + 8 * axis, offsets[axis]);
+    }
+    if (!extra.empty()) {
+      std::memcpy(&bytes[header + 2], "LASF_Spec", 9);
+      put<std::uint16_t>(bytes, header + 18, 4);
+      put<std::uint16_t>(bytes, header + 20, static_cast<std::uint16_t>(extra.size()));
+      bytes.replace(header + 54, extra.size(), extra);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      putPoint(bytes, header + record + i * step, static_cast<int>(i));
+    return bytes;
+  }
+
+private:
+  void
+  putPoint(std::string& bytes, std::size_t at, int i) const
+  {
+    put<std::int32_t>(bytes, at, 234000 + 1000 * i);
+    put<std::int32_t>(bytes, at + 4, 567000 - 2000 * i);
+    put<std::int32_t>(bytes, at + 8, i);
+    put<std::uint16_t>(bytes, at + 12, static_cast<std::uint16_t>(100 * i));
+    if (format < 6) {
+      bytes[at + 15] = static_cast<char>(0xe0 | (i + 1)); // flags above 5 bits of class
+      put<std::uint16_t>(bytes, at + 18, 7);
+    }
+    else {
+      bytes[at + 16] = static_cast<char>(200 + i);
+      put<std::uint16_t>(bytes, at + 20, 7);
+    }
+    if (format == 3) {
+      put(bytes, at + 20, 1.5 * i);
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        put<std::uint16_t>(bytes,
+                           at + 28 + 2 * channel,
+                           static_cast<std::uint16_t>(0x1100 * (channel + 1)));
+    }
+    if (!extra.empty())
+      put<std::int16_t>(bytes, at + step - 2, static_cast<std::int16_t>(-i));
+  }
+};
+
+std::string
+extraDescription(const std::string& name, int type, bool scaled)
+{
+  std::string about(192, '\0');
+  about[2] = static_cast<char>(type);
+  about[3] = scaled ? 24 : 0;
+  about.replace(4, name.size(), name);
+  put(about, 112, 0.5);
+  put(about, 136, 10.0);
+  return about;
+}
+
+std::vector<double>
+valuesOf(const CloudFile& file, const std::string& name)
+{
+  const int index = pcl::getFieldIndex(file.cloud, name);
+  std::vector<double> values;
+  if (index < 0)
+    return values;
+  const auto& field = file.cloud.fields[static_cast<std::size_t>(index)];
+  for (std::size_t i = 0; i < file.cloud.width; ++i) {
+    const auto* bytes = &file.cloud.data[i * file.cloud.point_step + field.offset];
+    if (field.datatype == pcl::PCLPointField::FLOAT64) {
+      double value;
+      std::memcpy(&value, bytes, sizeof(value));
+      values.push_back(value);
+    }
+    else if (field.datatype == pcl::PCLPointField::UINT8)
+      values.push_back(*bytes);
+    else if (field.datatype == pcl::PCLPointField::INT16) {
+      std::int16_t value;
+      std::memcpy(&value, bytes, sizeof(value));
+      values.push_back(value);
+    }
+    else {
+      std::uint16_t value;
+      std::memcpy(&value, bytes, sizeof(value));
+      values.push_back(value);
+    }
+  }
+  return values;
+}
+
+} // namespace
+
+TEST_F(LasFiles, PointsAreWhereScaleAndOffsetPutThem)
+{
+  for (const int minor : {0, 2, 3}) {
+    LasMaker maker;
+    maker.minor = minor;
+    const auto file = loadCloud(write("scan.las", maker.file()));
+    EXPECT_EQ(valuesOf(file, "x"), (std::vector<double>{691234, 691235, 691236}));
+    EXPECT_EQ(valuesOf(file, "y"), (std::vector<double>{5334567, 5334565, 5334563}));
+    EXPECT_EQ(valuesOf(file, "z"), (std::vector<double>{0, 0.25, 0.5}));
+    EXPECT_EQ(file.finite_count, 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Vector3d place =
+          (*file.points)[i].getVector3fMap().cast<double>() + file.offset;
+      EXPECT_NEAR(place.x(), 691234.0 + static_cast<double>(i), 1e-6);
+      EXPECT_NEAR(place.y(), 5334567.0 - 2 * static_cast<double>(i), 1e-6);
+    }
+  }
+}
+
+TEST_F(LasFiles, OtherFieldsAreKept)
+{
+  const auto file = loadCloud(write("scan.las", LasMaker().file()));
+  EXPECT_EQ(valuesOf(file, "intensity"), (std::vector<double>{0, 100, 200}));
+  EXPECT_EQ(valuesOf(file, "classification"), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(valuesOf(file, "point_source_id"), (std::vector<double>{7, 7, 7}));
+  EXPECT_EQ(valuesOf(file, "gps_time"), (std::vector<double>{0, 1.5, 3}));
+  const int rgb = pcl::getFieldIndex(file.cloud, "rgb");
+  ASSERT_GE(rgb, 0);
+  std::uint32_t color = 0;
+  std::memcpy(&color,
+              &file.cloud.data[file.cloud.fields[static_cast<std::size_t>(rgb)].offset],
+              4);
+  EXPECT_EQ(color, 0x112233u);
+}
+
+TEST_F(LasFiles, LongFormatsHaveClassesOfEightBits)
+{
+  LasMaker maker;
+  maker.minor = 4;
+  maker.format = 6;
+  maker.step = 30;
+  const auto file = loadCloud(write("scan.las", maker.file()));
+  EXPECT_EQ(valuesOf(file, "classification"), (std::vector<double>{200, 201, 202}));
+  EXPECT_TRUE(valuesOf(file, "gps_time").size() == 3);
+  EXPECT_EQ(promisedPoints(path("scan.las")), 3u);
+}
+
+TEST_F(LasFiles, ExtraDimensionsHaveTheirOwnNames)
+{
+  for (const bool scaled : {false, true}) {
+    LasMaker maker;
+    maker.step = 36;
+    maker.extra = extraDescription("tilt (deg)", 4, scaled);
+    const auto file = loadCloud(write("scan.las", maker.file()));
+    EXPECT_EQ(valuesOf(file, "tilt__deg_"),
+              scaled ? (std::vector<double>{10, 9.5, 9})
+                     : (std::vector<double>{0, -1, -2}));
+  }
+}
+
+TEST_F(LasFiles, DamagedFilesAreRefusedInOneLine)
+{
+  const auto refused = [&](std::string bytes, const std::string& what) {
+    try {
+      loadCloud(write("scan.las", bytes));
+      ADD_FAILURE() << "was read: " << what;
+    } catch (const ToolError& error) {
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos)
+          << error.what();
+    }
+  };
+  auto bytes = LasMaker().file();
+  refused(bytes.substr(0, bytes.size() - 1), "promises 3 points");
+  refused(bytes.substr(0, 180), "header of this LAS file");
+  auto far = bytes;
+  put<std::uint32_t>(far, 96, 1000000); // where the points begin
+  put<std::uint32_t>(far, 100, 1000);   // records before them
+  put<std::uint32_t>(far, 107, 0);
+  refused(far, "promises 1000000 bytes before its points");
+  bytes[104] = 11;
+  refused(bytes, "header of this LAS file");
+  bytes = LasMaker().file();
+  put<std::uint16_t>(bytes, 105, 20); // shorter than its format
+  refused(bytes, "header of this LAS file");
+  bytes = LasMaker().file();
+  bytes[24] = 2;
+  refused(bytes, "header of this LAS file");
+  LasMaker none;
+  none.count = 0;
+  refused(none.file(), "empty");
+}
+
+TEST_F(LasFiles, AreReadInPartsAlike)
+{
+  const auto file = loadCloud(write("scan.las", LasMaker().file()));
+  const auto stream = CloudStream::open(path("scan.las"));
+  ASSERT_TRUE(stream);
+  EXPECT_EQ(stream->pointCount(), file.points->size());
+  const auto part = stream->read(1, 2);
+  EXPECT_EQ(part.width, 2u);
+  EXPECT_EQ(part.fields.size(), file.cloud.fields.size());
+  EXPECT_TRUE(std::equal(part.data.begin(),
+                         part.data.end(),
+                         file.cloud.data.begin() + file.cloud.point_step));
+}
