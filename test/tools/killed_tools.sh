@@ -26,7 +26,7 @@ normals() { exec "$tools"/pcl_hough_normals scan.pcd now/cloud.pcd -k 1"$1"; }
 simulation() { exec "$tools"/pcl_scan_simulation "$plan" now/cloud.pcd -json now/scan.json -leaf 0.12 -seed "$1" -rays_per_pose 5000; }
 descriptor() { exec "$tools"/pcl_eppf_estimation object.pcd now/descriptor.pcd -seed "$1"; }
 evaluation() { exec "$tools"/pcl_segmentation_evaluation scan.pcd scan.pcd -truth_field object -predicted_field room -ignore "$1" -json now/result.json; }
-collection() { exec "$tools"/pcl_segment_collection scan.pcd now/classes -names scan.json -min_points "$1"0; }
+collection() { exec "$tools"/pcl_segment_collection scan.pcd now/classes -names scan.json -min_points "$1"00; }
 examples() { exec "$tools"/pcl_joining_examples scan.pcd now/examples -seed "$1"; }
 classes() { exec "$tools"/pcl_eppf_classify "$model" "$([ "$1" = 1 ] && echo object || echo scan)".pcd -json now/classes.json; }
 comparison() {
