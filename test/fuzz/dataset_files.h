@@ -29,22 +29,15 @@ constexpr const char* scan_groups =
     R"({"segGroups":[{"id":0,"label":"chair","segments":[3]},{"id":1,"label":"wall","segments":[7]}]})";
 constexpr const char* camera_matrix = "500 0 1.5\n0 500 1\n0 0 1\n";
 
-/** \brief Of 8 and of 16 bits, coloured, with a palette. */
+/** \brief Of 8 and of 16 bits, with a palette, coloured. */
 inline std::vector<std::string>
 wholePngs()
 {
   const std::vector<std::uint16_t> values = {0, 1, 2, 3, 2, 1};
   return {test::pngBytes(3, 2, 8, values),
           test::pngBytes(3, 2, 16, values),
-          test::pngBytes(2, 1, 24, values),
-          test::pngBytes(3, 2, test::palette_bits, values)};
-}
-
-inline void
-readPng(const std::string& path)
-{
-  static_cast<void>(tool::readColorPng(path));
-  static_cast<void>(tool::readNumberPng(path)); // not of colours
+          test::pngBytes(3, 2, test::palette_bits, values),
+          test::pngBytes(2, 1, 24, values)};
 }
 
 /** \brief Checksums that fit: after 8 bytes follow parts of a length, a kind, the

@@ -136,23 +136,29 @@ repairModel(std::string& bytes)
 std::vector<Reader>
 allReaders()
 {
-  return {{"pcd", readCloud},
-          {"ply", readPlyFile},
-          {"off", [](const auto& path) { tool::readMesh(path); }},
-          {"plan", readPlanFile},
-          {"obj", [](const auto& path) { tool::readMesh(path); }},
-          {"names", [](const auto& path) { tool::readCategoryNames(path); }},
-          {"classes", [](const auto& path) { tool::readClassMap(path); }},
-          {"model", readModelFile, repairModel},
-          {"joining", readJoining},
-          {"las", readCloud},
-          {"xyz", readCloud},
-          {"work", readWorkFile, [](std::string&) {}, wholeWorkFiles()},
-          {"record", readRecord, repairWorkFile, wholeWorkFiles()},
-          {"png", readPng, repairPng, wholePngs()},
-          {"segs", readSegments, [](std::string&) {}, {scan_segments}},
-          {"groups", readGroups, [](std::string&) {}, {scan_groups}},
-          {"camera", readCamera, [](std::string&) {}, {camera_matrix}}};
+  const auto pngs = wholePngs();
+  return {
+      {"pcd", readCloud},
+      {"ply", readPlyFile},
+      {"off", [](const auto& path) { tool::readMesh(path); }},
+      {"plan", readPlanFile},
+      {"obj", [](const auto& path) { tool::readMesh(path); }},
+      {"names", [](const auto& path) { tool::readCategoryNames(path); }},
+      {"classes", [](const auto& path) { tool::readClassMap(path); }},
+      {"model", readModelFile, repairModel},
+      {"joining", readJoining},
+      {"las", readCloud},
+      {"xyz", readCloud},
+      {"work", readWorkFile, [](std::string&) {}, wholeWorkFiles()},
+      {"record", readRecord, repairWorkFile, wholeWorkFiles()},
+      {"colors", [](const auto& path) { tool::readColorPng(path); }, repairPng, pngs},
+      {"numbers",
+       [](const auto& path) { tool::readNumberPng(path); },
+       repairPng,
+       {pngs.begin(), pngs.end() - 1}},
+      {"segs", readSegments, [](std::string&) {}, {scan_segments}},
+      {"groups", readGroups, [](std::string&) {}, {scan_groups}},
+      {"camera", readCamera, [](std::string&) {}, {camera_matrix}}};
 }
 
 /** Why the reader refuses a file; empty if it takes it. What it may refuse it by is
