@@ -5,6 +5,7 @@
 #include "files/cloud_file.h"
 #include "files/cloud_stream.h"
 #include "formats/pcd_writer.h"
+#include "support/added_field.h"
 #include "support/folder_test.h"
 
 #include <gtest/gtest.h>
@@ -58,20 +59,12 @@ pcl::PCLPointCloud2
 cloudOf(std::uint32_t count, bool doubles)
 {
   pcl::PCLPointCloud2 cloud;
-  const auto add = [&cloud](const char* name, std::uint8_t type, std::uint32_t size) {
-    pcl::PCLPointField field;
-    field.name = name;
-    field.datatype = type;
-    field.offset = cloud.point_step;
-    field.count = 1;
-    cloud.fields.push_back(field);
-    cloud.point_step += size;
-  };
   for (const char* name : {"x", "y", "z"})
-    add(name,
-        doubles ? pcl::PCLPointField::FLOAT64 : pcl::PCLPointField::FLOAT32,
-        doubles ? 8 : 4);
-  add("label", pcl::PCLPointField::UINT16, 2);
+    pcl::indoor::test::addField(cloud,
+                                name,
+                                doubles ? pcl::PCLPointField::FLOAT64
+                                        : pcl::PCLPointField::FLOAT32);
+  pcl::indoor::test::addField(cloud, "label", pcl::PCLPointField::UINT16);
   cloud.width = count;
   cloud.height = 1;
   cloud.data.resize(static_cast<std::size_t>(count) * cloud.point_step);

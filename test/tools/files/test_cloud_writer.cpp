@@ -5,6 +5,7 @@
 #include "files/cloud_writer.h"
 
 #include "files/cloud_file.h"
+#include "support/added_field.h"
 #include "support/folder_test.h"
 
 #include <pcl/common/io.h>
@@ -22,22 +23,9 @@ using pcl::indoor::test::bytesOf;
 
 namespace {
 
-class CloudWriter : public pcl::indoor::test::FolderTest {};
+using pcl::indoor::test::addField;
 
-void
-addField(pcl::PCLPointCloud2& cloud,
-         const std::string& name,
-         std::uint8_t type,
-         std::uint32_t count = 1)
-{
-  pcl::PCLPointField field;
-  field.name = name;
-  field.datatype = type;
-  field.count = count;
-  field.offset = cloud.point_step;
-  cloud.fields.push_back(field);
-  cloud.point_step += static_cast<std::uint32_t>(pcl::getFieldSize(type)) * count;
-}
+class CloudWriter : public pcl::indoor::test::FolderTest {};
 
 /** Six points in two rows, with every type of numbers that PLY has and padding. */
 pcl::PCLPointCloud2

@@ -6,6 +6,7 @@
 #include "files/cloud_file.h"
 #include "files/joined_clouds.h"
 #include "pipeline/scan.h"
+#include "support/added_field.h"
 #include "support/folder_test.h"
 
 #include <gtest/gtest.h>
@@ -27,20 +28,11 @@ pcl::PCLPointCloud2
 cloudOf(const Points& points, std::uint8_t real, const std::vector<std::string>& more)
 {
   pcl::PCLPointCloud2 cloud;
-  const auto add = [&](const std::string& name, std::uint8_t type, std::uint32_t size) {
-    pcl::PCLPointField field;
-    field.name = name;
-    field.datatype = type;
-    field.offset = cloud.point_step;
-    field.count = 1;
-    cloud.fields.push_back(field);
-    cloud.point_step += size;
-  };
   const bool is_double = real == pcl::PCLPointField::FLOAT64;
   for (const char* axis : {"x", "y", "z"})
-    add(axis, real, is_double ? 8 : 4);
+    pcl::indoor::test::addField(cloud, axis, real);
   for (const auto& name : more)
-    add(name, pcl::PCLPointField::UINT8, 1);
+    pcl::indoor::test::addField(cloud, name, pcl::PCLPointField::UINT8);
   cloud.width = static_cast<std::uint32_t>(points.size());
   cloud.height = 1;
   cloud.data.resize(points.size() * cloud.point_step, 7);

@@ -4,7 +4,8 @@
  */
 #include "files/joined_clouds.h"
 
-#include "command_line/options.h" // for ToolError
+#include "command_line/options.h"    // for ToolError
+#include "files/point_coordinates.h" // for realAt
 
 #include <pcl/common/io.h> // for getFieldIndex, getFieldSize
 
@@ -37,19 +38,6 @@ sizeOf(const PCLPointField& field)
 {
   return static_cast<std::size_t>(getFieldSize(field.datatype)) *
          std::max(field.count, 1u);
-}
-
-double
-coordinateAt(const std::uint8_t* bytes, std::uint8_t datatype)
-{
-  if (datatype == PCLPointField::FLOAT64) {
-    double value = 0;
-    std::memcpy(&value, bytes, sizeof(value));
-    return value;
-  }
-  float value = 0;
-  std::memcpy(&value, bytes, sizeof(value));
-  return value;
 }
 
 class StreamInMemory : public CloudStream {
@@ -194,8 +182,7 @@ private:
           std::memcpy(to, from, sizeOf(field));
           continue;
         }
-        const double value =
-            coordinateAt(from, own->datatype) + shift[field.name[0] - 'x'];
+        const double value = realAt(from, own->datatype) + shift[field.name[0] - 'x'];
         std::memcpy(to, &value, sizeof(value));
       }
     }

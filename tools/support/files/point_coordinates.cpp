@@ -34,19 +34,6 @@ hasDoubles(const PCLPointCloud2& cloud)
   return false;
 }
 
-double
-valueOf(const std::uint8_t* bytes, std::uint8_t datatype)
-{
-  if (datatype == PCLPointField::FLOAT64) {
-    double value = 0.0;
-    std::memcpy(&value, bytes, sizeof(value));
-    return value;
-  }
-  float value = 0.0f;
-  std::memcpy(&value, bytes, sizeof(value));
-  return static_cast<double>(value);
-}
-
 template <typename T>
 void
 store(double value, std::uint8_t* bytes)
@@ -90,15 +77,28 @@ withCoordinates(const PCLPointCloud2& cloud,
       if (axis < 0)
         std::memcpy(to, from, sizeOf(field));
       else if (datatype == PCLPointField::FLOAT64)
-        store<double>(valueOf(from, field.datatype) - shift[axis], to);
+        store<double>(realAt(from, field.datatype) - shift[axis], to);
       else
-        store<float>(valueOf(from, field.datatype) - shift[axis], to);
+        store<float>(realAt(from, field.datatype) - shift[axis], to);
     }
   }
   return other;
 }
 
 } // namespace
+
+double
+realAt(const std::uint8_t* bytes, std::uint8_t datatype)
+{
+  if (datatype == PCLPointField::FLOAT64) {
+    double value = 0.0;
+    std::memcpy(&value, bytes, sizeof(value));
+    return value;
+  }
+  float value = 0.0f;
+  std::memcpy(&value, bytes, sizeof(value));
+  return static_cast<double>(value);
+}
 
 void
 PointCoordinates::addOption(OptionParser& parser)
