@@ -18,9 +18,8 @@
 
 #include "command_line/options.h"
 #include "comparison/upstream_lccp.h"
-#include "files/cloud_file.h"
+#include "labelled_rooms.h"
 
-#include <pcl/indoor/point_cells.h>
 #include <pcl/segmentation/average_precision.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/segmentation_metrics.h>
@@ -38,154 +37,13 @@ using namespace pcl::indoor::tool;
 
 namespace {
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-
-constexpr std::size_t large = 100;        // points of an object
-constexpr std::size_t fewest_objects = 3; // large ones in a room
-constexpr double flat_thickness = 0.15;   // metres
-constexpr double step_of_turns = 11;      // degrees
-
 struct Settings {
-  std::vector<std::string> scans;
-  std::string room_field = "room", object_field = "object", part_field, methods = "all";
+  RoomSource source;
+  std::string methods = "all";
   bool each_room = false, failures = false;
-  unsigned threads = 2, turns = 1;
+  unsigned threads = 2;
   double level = -1;
 };
-
-struct Room {
-  std::string name;
-  Cloud::Ptr points = pcl::make_shared<Cloud>();
-  SegmentLabels objects, parts;
-  std::vector<std::uint32_t> flat, others; ///< large objects: flat on walls, and not
-};
-
-/** Distance between the 1st and the 99th percentile. */
-double
-spread(std::vector<float>& values)
-{
-  const auto rest = static_cast<std::ptrdiff_t>(values.size() / 100);
-  const auto low = values.begin() + rest, high = values.end() - 1 - rest;
-  std::nth_element(values.begin(), low, values.end());
-  const float lowest = *low;
-  std::nth_element(values.begin(), high, values.end());
-  return *high - lowest;
-}
-
-bool
-isThin(const std::vector<Eigen::Vector3f>& places)
-{
-  std::vector<float> heights(places.size());
-  for (int degrees = 0; degrees < 180; degrees += 5) {
-    const double angle = degrees * M_PI / 180;
-    const Eigen::Vector3f direction(
-        static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0);
-    std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
-      return direction.dot(p);
-    });
-    if (spread(heights) <= flat_thickness)
-      return true;
-  }
-  return false;
-}
-
-/** Tell the large objects that are flat on walls from the others. */
-void
-sortObjects(Room& room)
-{
-  std::vector<Eigen::Vector3f> places;
-  std::vector<std::uint32_t> objects;
-  std::map<std::uint32_t, std::vector<Eigen::Vector3f>> places_of;
-  for (std::size_t i = 0; i < room.objects.size(); ++i)
-    if (const auto& point = (*room.points)[i]; std::isfinite(point.x)) {
-      places.push_back(point.getVector3fMap());
-      objects.push_back(room.objects[i]);
-      places_of[objects.back()].push_back(places.back());
-    }
-  const auto cells = groupByCell(places, flat_thickness);
-  const auto around = cellAdjacency(cells.keys);
-  std::vector<std::uint8_t> near_wall(cells.size(), 0);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (objects[i] == 0)
-      near_wall[cells.cell_of_point[i]] |= 1;
-  for (std::uint32_t c = 0; c < cells.size(); ++c)
-    for (const auto other : around.of(c))
-      near_wall[c] |= near_wall[other] & 1 ? 2 : 0;
-  std::map<std::uint32_t, std::size_t> on_wall;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    on_wall[objects[i]] += near_wall[cells.cell_of_point[i]] != 0;
-  for (const auto& [object, own] : places_of) {
-    if (object == 0 || own.size() < large)
-      continue;
-    const bool is_flat = 2 * on_wall[object] >= own.size() && isThin(own);
-    (is_flat ? room.flat : room.others).push_back(object);
-  }
-}
-
-Room
-turned(const Room& room, unsigned turn)
-{
-  auto result = room;
-  result.points = pcl::make_shared<Cloud>(*room.points);
-  const double angle = turn * step_of_turns * M_PI / 180;
-  const auto cosine = static_cast<float>(std::cos(angle)),
-             sine = static_cast<float>(std::sin(angle));
-  for (auto& point : *result.points) {
-    const float x = point.x, y = point.y;
-    point.x = cosine * x - sine * y;
-    point.y = sine * x + cosine * y;
-  }
-  if (turn > 0)
-    result.name += ", turned by " + std::to_string(turn * step_of_turns);
-  return result;
-}
-
-std::vector<Room>
-cutRooms(const std::string& path, const Settings& settings)
-{
-  const auto file = loadCloud(path);
-  const auto object_of = readLabels(file, settings.object_field);
-  const auto part_of =
-      settings.part_field.empty() ? object_of : readLabels(file, settings.part_field);
-  if (settings.room_field == "none") {
-    Room room{path, file.points, object_of, part_of, {}, {}};
-    return {room};
-  }
-  const auto room_of = readLabels(file, settings.room_field);
-  std::map<std::uint32_t, Room> rooms;
-  for (std::size_t i = 0; i < room_of.size(); ++i) {
-    if (room_of[i] == 0)
-      continue;
-    auto& room = rooms[room_of[i]];
-    room.points->push_back((*file.points)[i]);
-    room.objects.push_back(object_of[i]);
-    room.parts.push_back(part_of[i]);
-  }
-  std::vector<Room> all;
-  for (auto& [number, room] : rooms) {
-    room.name = path + " " + settings.room_field + " " + std::to_string(number);
-    all.push_back(std::move(room));
-  }
-  return all;
-}
-
-std::vector<Room>
-loadRooms(const Settings& settings)
-{
-  std::vector<Room> rooms;
-  for (const auto& scan : settings.scans)
-    for (auto& room : cutRooms(scan, settings)) {
-      sortObjects(room);
-      if (room.flat.size() + room.others.size() < fewest_objects &&
-          settings.room_field != "none")
-        continue;
-      for (unsigned turn = 0; turn < settings.turns; ++turn)
-        rooms.push_back(turned(room, turn));
-    }
-  if (rooms.empty())
-    throw ToolError("no room has three objects of 100 points");
-  return rooms;
-}
 
 /** What a method finds; one that joins pieces tells in which order. */
 struct Found {
@@ -279,15 +137,9 @@ makeMethods(bool single_view, const Settings& settings)
     proposed.voxel_size = ours.voxel_size;
     proposed.seed_size = ours.seed_size;
   }
-  auto thesis = thesisOptions(); // its graph segmentation alone, all else on voxels
-  thesis.on_points.enabled = false;
-  thesis.on_points.ransac_share = 0;
-  thesis.voxel_size = proposed.voxel_size;
-  thesis.seed_size = proposed.seed_size;
   std::vector<Method> methods{{"LCCP, example's defaults", upstream(plain)},
                               {"LCCP, tuned", upstream(tuned)},
                               {"the thesis's method", own(proposed)},
-                              {"the thesis's setting", own(thesis)},
                               {"ours + LCCP", own(lccp)},
                               best};
   if (!single_view) {
@@ -443,7 +295,7 @@ printRow(const std::string& name, const Score& sum, double count)
 void
 compare(const Settings& settings)
 {
-  const auto rooms = loadRooms(settings);
+  const auto rooms = loadRooms(settings.source);
   std::printf("%zu rooms\n\n", rooms.size());
   printHead();
   const bool single_view = rooms.front().points->height > 1;
@@ -468,19 +320,22 @@ main(int argc, char** argv)
   OptionParser parser("bench_object_accuracy",
                       "Segment the rooms of labelled scans into objects by several "
                       "methods and compare their errors.");
-  parser.positionals("scan.pcd", settings.scans, "labelled scans, metres, z up")
+  parser.positionals("scan.pcd", settings.source.scans, "labelled scans, metres, z up")
       .text("-room_field",
-            settings.room_field,
+            settings.source.room_field,
             "room of a point, 0 = in none; none: a scan is one room or view")
-      .text("-object_field", settings.object_field, "object of a point; 0 = none")
-      .text("-part_field", settings.part_field, "its part, for the multi-scale errors")
+      .text(
+          "-object_field", settings.source.object_field, "object of a point; 0 = none")
+      .text("-part_field",
+            settings.source.part_field,
+            "its part, for the multi-scale errors")
       .text("-methods", settings.methods, "which are compared", {"all", "ours"})
       .flag("-each_room", settings.each_room, "print a line for each room, too")
       .flag("-failures",
             settings.failures,
             "print a line for each large object that was not found whole, too")
       .number("-turns",
-              settings.turns,
+              settings.source.turns,
               "each room is also turned by 11 degrees, 22 and so on",
               "",
               Range::between(1, 30))

@@ -215,7 +215,7 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_EQ(segmentation.getMinSegmentSize(), 4u);
   EXPECT_TRUE(segmentation.getOptions().separate_structure);
   EXPECT_EQ(segmentation.getJoiningScale(), JoiningScale::Objects);
-  EXPECT_FLOAT_EQ(segmentation.getJoiningLevel(), 0.5f);
+  EXPECT_FLOAT_EQ(segmentation.getJoiningLevel(), 0.4f);
   EXPECT_EQ(partsOptions().pieces.scale, JoiningScale::Parts);
   EXPECT_FLOAT_EQ(singleViewOptions().pieces.joining_level, 1);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());

@@ -126,7 +126,7 @@ public:
 
   /** \brief Set the probability of being one thing from which pieces are joined, for
    * Partition::Pieces.
-   * \param[in] level 0 to 1 (default 0.5). Higher gives smaller segments; 1 joins none.
+   * \param[in] level 0 to 1 (default 0.4). Higher gives smaller segments; 1 joins none.
    */
   void
   setJoiningLevel(float level);

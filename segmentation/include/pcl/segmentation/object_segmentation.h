@@ -34,7 +34,7 @@ struct PieceOptions {
   JoiningScale scale = JoiningScale::Objects; ///< what the pieces are joined to
   /** least probability that two pieces are one thing for them to be joined (0 to 1);
    * higher gives smaller segments */
-  float joining_level = 0.5f;
+  float joining_level = 0.4f;
   /** segments of fewer points, or of fewer voxels than a supervoxel has, are too small
    * to be told: together they are the remainder, one segment */
   std::uint32_t fewest_points = 100;
