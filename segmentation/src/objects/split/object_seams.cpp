@@ -27,7 +27,7 @@ using Profile = pcl::indoor::SeamProfile;
 using Members = pcl::indoor::SegmentMembers;
 
 constexpr double farthest = 4096; // extent of a segment, voxels
-constexpr double min_cover = 0.3; // share of the inside that a seam fills
+constexpr double min_cover = 0.5; // share of the inside that a seam fills
 constexpr double min_depth = 2;   // of the inside, cells of a voxel
 /** least share of inside cells among the cells of a sheet in which neither side has
  * points: the side of a drawer unit under a desk has fewer */
