@@ -5,8 +5,11 @@
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 #include "objects/eppf_options.h"
+#include "objects/object_files.h"
 #include "retrieval/feature_correlation.h"
 #include "retrieval/retrieval_report.h"
+
+#include <pcl/indoor/parallel_for.h>
 
 #include <algorithm>
 #include <charconv>
@@ -25,6 +28,7 @@ struct Settings {
   std::string noise = "0";
   std::string ablation = "none";
   std::string scale_by = "own";
+  std::string normals = "given";
   bool correlation = false;
   std::string json;
   std::string confusion;
@@ -210,12 +214,20 @@ withPairsAndScale(EPPFOptions options, const EPPFOptions& given)
   return options;
 }
 
-std::vector<RetrievalDescriptor>
-chosenDescriptors(const Settings& settings, const SetScale& scale)
+/** \brief The options of the command line, with the set's scale if it is wanted. */
+EPPFOptions
+scaledOptions(const Settings& settings, const SetScale& scale)
 {
   auto options = settings.eppf.options();
   if (settings.scale_by != "own")
     options.scale = settings.scale_by == "largest" ? scale.largest : scale.median;
+  return options;
+}
+
+std::vector<RetrievalDescriptor>
+chosenDescriptors(const Settings& settings, const SetScale& scale)
+{
+  const auto options = scaledOptions(settings, scale);
   const auto thesis = withPairsAndScale(thesisEPPFOptions(), options);
   if (settings.ablation.rfind("thesis_", 0) == 0)
     return thesisAblation(settings.ablation, thesis, scale);
@@ -265,27 +277,55 @@ writeReports(const std::vector<RetrievalLevel>& levels,
                               : barPicture(levels.front().results));
 }
 
+/** \brief Estimate all normals by RRHT in place of those that were loaded. */
+void
+estimateHoughNormals(LabelledObjects& objects, unsigned threads, Progress& progress)
+{
+  const auto count = objects.clouds.size();
+  progress.start("Estimating normals");
+  std::size_t done = 0;
+  parallelFor(static_cast<std::ptrdiff_t>(count),
+              static_cast<int>(threads),
+              1,
+              [&](std::ptrdiff_t k) {
+                tool::estimateHoughNormals(
+                    *objects.clouds[static_cast<std::size_t>(k)]);
+#pragma omp critical(pcl_indoor_progress)
+                progress.update(++done, count);
+              });
+  progress.done(std::to_string(count) + " objects");
+}
+
 void
 run(const Settings& settings, Progress& progress)
 {
   chosenDescriptors(settings, {1, 1}); // complains before anything is read
   const auto noise_levels = readNoise(settings.noise);
+  const bool is_noisy = std::any_of(
+      noise_levels.begin(), noise_levels.end(), [](double level) { return level > 0; });
+  if (settings.normals == "rrht" &&
+      (is_noisy || settings.experiment.disturbance.estimates_normals))
+    throw ToolError("-normals rrht: normals under noise, and those of "
+                    "-estimate_normals, are of planes");
   auto experiment = settings.experiment;
   experiment.distances = readDistances(settings.distances);
   for (const auto& path :
        {settings.json, settings.confusion, settings.confusion_picture, settings.plot})
     if (!path.empty())
       requireWritable(path);
-  const auto objects = loadLabelledObjects(settings.folder,
-                                           experiment.neighbor_count,
-                                           experiment.number_of_threads,
-                                           progress);
-  const auto descriptors = chosenDescriptors(settings, scaleOf(objects));
+  auto objects = loadLabelledObjects(settings.folder,
+                                     experiment.neighbor_count,
+                                     experiment.number_of_threads,
+                                     progress);
+  if (settings.normals == "rrht")
+    estimateHoughNormals(objects, experiment.number_of_threads, progress);
+  const auto scale = scaleOf(objects);
+  const auto descriptors = chosenDescriptors(settings, scale);
   if (settings.correlation)
-    std::fputs(
-        correlationText(featureCorrelation(objects.clouds, settings.eppf.options()))
-            .c_str(),
-        stdout);
+    std::fputs(correlationText(
+                   featureCorrelation(objects.clouds, scaledOptions(settings, scale)))
+                   .c_str(),
+               stdout);
   std::vector<RetrievalLevel> levels;
   for (const double noise : noise_levels) {
     experiment.disturbance.noise_percent = noise;
@@ -362,9 +402,17 @@ main(int argc, char** argv)
             "length the distance bins spread over: own = -scale, or the extent of the "
             "largest or of the median object of the set",
             {"own", "largest", "median"})
+      .text("-normals",
+            settings.normals,
+            "given: those of the file or of the mesh's faces, or of planes where it "
+            "has none; rrht: estimated by RRHT in all objects, as the thesis does on "
+            "samples of meshes",
+            {"given", "rrht"})
       .flag("-correlation",
             settings.correlation,
-            "print the Pearson correlation of the thesis's features, Eq. (5.9)")
+            "print the Pearson correlation of the thesis's features over the pairs of "
+            "all "
+            "objects, Eq. (5.9)")
       .number("-normal_neighbors",
               experiment.neighbor_count,
               "neighbours of a normal that has to be estimated",

@@ -122,6 +122,27 @@ addPartition(OptionParser& parser, Settings& settings)
               "that are counted; 0 = 2.5 times the distance of points",
               "m",
               Range::atLeast(0))
+      .number("-spatial_weight",
+              options.spatial_weight,
+              "weight of distance, over the distance of supervoxels",
+              "",
+              Range::atLeast(0))
+      .number("-normal_weight",
+              options.normal_weight,
+              "weight of the difference of normals, 0 to 1",
+              "",
+              Range::atLeast(0))
+      .number("-colour_weight",
+              options.on_points.color_weight,
+              "for the thesis's presets: weight of the difference of colours (CIELab), "
+              "1 for black and white; needs points with colours",
+              "",
+              Range::atLeast(0))
+      .number("-fpfh_weight",
+              options.on_points.fpfh_weight,
+              "for the thesis's presets: weight of the difference of FPFH, 0 to 1",
+              "",
+              Range::atLeast(0))
       .number("-min_segment",
               settings.min_segment,
               withPresets("smallest segment",
@@ -186,6 +207,10 @@ addOthers(OptionParser& parser, Settings& settings)
                "-min_points",
                "-ransac_share",
                "-removal_radius",
+               "-spatial_weight",
+               "-normal_weight",
+               "-colour_weight",
+               "-fpfh_weight",
                "-graph_scale",
                "-concavity_tolerance",
                "-curvature_threshold",
@@ -291,8 +316,14 @@ main(int argc, char** argv)
     if (settings.level < 0 && settings.level != -1)
       throw ToolError("-level: must be -1 or from 0 to 1");
     const bool as_thesis = presetOptions(settings.preset, false).on_points.enabled;
-    if (!as_thesis && settings.others.on_points.ransac_share > 0)
-      throw ToolError("-ransac_share: needs -preset thesis or thesis_kinect");
+    const auto& on_points = settings.others.on_points;
+    for (const auto& [option, value] :
+         {std::make_pair("-ransac_share", on_points.ransac_share),
+          std::make_pair("-colour_weight", double{on_points.color_weight}),
+          std::make_pair("-fpfh_weight", double{on_points.fpfh_weight})})
+      if (!as_thesis && value > 0)
+        throw ToolError(std::string(option) +
+                        ": needs -preset thesis or thesis_kinect");
     if (as_thesis && settings.partition == "graph")
       throw ToolError("-partition graph: the thesis's presets have no pieces");
     settings.memory.require(settings.input, bytes_per_point);
@@ -313,6 +344,8 @@ main(int argc, char** argv)
       segmentation.setIndices(indicesWithoutOutliers(file, settings.others.threads));
     if (file.has_normals && !settings.ignore_normals)
       segmentation.setInputNormals(readNormals(file));
+    if (on_points.color_weight > 0)
+      segmentation.setInputColors(readColors(file));
     std::vector<std::uint32_t> objects;
     const auto problem = problemOf([&] { segmentation.segment(objects); });
     if (objects.empty())

@@ -210,6 +210,49 @@ TEST_F(ToolResults, NoiseResilientLccpPresetsSetTheirOptions)
   expectEveryFinitePointHas(loadCloud(path("out.pcd")), "object");
 }
 
+TEST_F(ToolResults, NoiseResilientLccpTellsColoursApart)
+{
+  pcl::PointCloud<pcl::PointXYZRGB> plate; // red and blue halves, in two spellings
+  for (int x = 0; x < 84; ++x)
+    for (int y = 0; y < 36; ++y) {
+      const std::uint8_t red = x < 42 ? 200 : 0;
+      plate.push_back({0.01f * static_cast<float>(x),
+                       0.01f * static_cast<float>(y),
+                       0.0f,
+                       red,
+                       0,
+                       static_cast<std::uint8_t>(200 - red)});
+    }
+  pcl::PointCloud<pcl::PointXYZRGBA> other_field;
+  pcl::copyPointCloud(plate, other_field);
+  pcl::io::savePCDFileBinary(path("rgb.pcd"), plate);
+  pcl::io::savePCDFileBinary(path("rgba.pcd"), other_field);
+  const auto count = [&](const std::string& input, const std::string& options) {
+    run("pcl_noise_resilient_lccp",
+        path(input) + " " + path("out.pcd") +
+            " -preset thesis -ransac_share 0 -graph_scale 0.3" + options);
+    const auto objects = readLabels(loadCloud(path("out.pcd")), "object");
+    std::set<std::uint32_t> found; // not at the border of the halves
+    for (std::size_t k = 0; k < objects.size(); ++k)
+      if (k / 36 < 36 || k / 36 >= 48)
+        found.insert(objects[k]);
+    return found.size();
+  };
+  EXPECT_EQ(count("rgb.pcd", ""), 1u);
+  EXPECT_EQ(count("rgb.pcd", " -fpfh_weight 1"), 1u);
+  EXPECT_EQ(count("rgb.pcd", " -colour_weight 1"), 2u);
+  EXPECT_EQ(count("rgba.pcd", " -colour_weight 1 -fpfh_weight 1"), 2u);
+  EXPECT_GT(count("rgb.pcd", " -spatial_weight 20"), 2u) << "far from each other";
+  pcl::PointCloud<pcl::PointXYZ> plain;
+  pcl::copyPointCloud(plate, plain);
+  pcl::io::savePCDFileBinary(path("plain.pcd"), plain);
+  std::filesystem::remove(path("out.pcd"));
+  expectRefusal("pcl_noise_resilient_lccp",
+                path("plain.pcd") + " " + path("out.pcd") +
+                    " -preset thesis -colour_weight 1");
+  EXPECT_NE(bytesOf(path("said")).find("no colours"), std::string::npos);
+}
+
 TEST_F(ToolResults, NoiseResilientLccpRefusesWrongLevels)
 {
   pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());

@@ -38,6 +38,13 @@ checkedOptions(const ObjectSegmentationInput& input,
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         input.points.size()
                             << " points have " << input.normals.size() << " normals.");
+  if (!input.colors.empty() && input.colors.size() != input.points.size())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        input.points.size()
+                            << " points have " << input.colors.size() << " colors.");
+  if (given.on_points.color_weight > 0 && input.colors.empty())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The weight of colors needs points with colors.");
   if (input.single_camera && input.viewpoint.empty())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "A single camera needs a viewpoint.");

@@ -75,6 +75,15 @@ findProblem(const ObjectSegmentationOptions& options)
   require(options.on_points.ransac_share >= 0 && options.on_points.ransac_share <= 1,
           "share of a plane must be in [0, 1]",
           options.on_points.ransac_share);
+  require(not_negative(options.on_points.color_weight),
+          "color importance must not be negative",
+          options.on_points.color_weight);
+  require(not_negative(options.on_points.fpfh_weight),
+          "importance of FPFH must not be negative",
+          options.on_points.fpfh_weight);
+  if (!options.on_points.enabled && problem.str().empty() &&
+      (options.on_points.color_weight > 0 || options.on_points.fpfh_weight > 0))
+    problem << "Colors and FPFH have a weight on points alone.";
   if (options.on_points.enabled && options.partition == Partition::Pieces &&
       problem.str().empty())
     problem << "On points there are no pieces to join.";

@@ -337,6 +337,24 @@ readNormals(const PCLPointCloud2& cloud)
   return normals;
 }
 
+PointCloud<RGB>::Ptr
+readColors(const CloudFile& file)
+{
+  const auto& cloud = file.cloud;
+  const int index = std::max(getFieldIndex(cloud, "rgb"), getFieldIndex(cloud, "rgba"));
+  if (index < 0 || getFieldSize(cloud.fields[index].datatype) != sizeof(std::uint32_t))
+    throw ToolError(file.path + ": the points have no colours (field rgb)");
+  auto colors = pcl::make_shared<PointCloud<RGB>>();
+  for (std::size_t i = 0; i < file.points->size(); ++i) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits,
+                &cloud.data[i * cloud.point_step + cloud.fields[index].offset],
+                sizeof(bits));
+    colors->push_back(RGB(bits >> 16 & 0xff, bits >> 8 & 0xff, bits & 0xff));
+  }
+  return colors;
+}
+
 bool
 hasField(const PCLPointCloud2& cloud, const std::string& name)
 {

@@ -105,6 +105,12 @@ readNormals(const CloudFile& file);
 PointCloud<Normal>::Ptr
 readNormals(const PCLPointCloud2& cloud);
 
+/** \brief The colours of a cloud, from its field rgb or rgba, in its order.
+ * \throws ToolError if it has none
+ */
+PointCloud<RGB>::Ptr
+readColors(const CloudFile& file);
+
 /** \brief Does the cloud have such a field? */
 bool
 hasField(const PCLPointCloud2& cloud, const std::string& name);

@@ -10,6 +10,7 @@
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
 #include <pcl/exceptions.h>
+#include <pcl/features/hough_normals.h>
 #include <pcl/features/impl/hough_normals.hpp> // for firstInPlace
 #include <pcl/features/impl/oriented_points.hpp>
 #include <pcl/features/normal_3d.h>
@@ -156,6 +157,24 @@ estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
     const Normal& normal = normals[searched.place_of_point[k]];
     cloud[k].getNormalVector3fMap() = normal.getNormalVector3fMap();
     cloud[k].curvature = normal.curvature;
+  }
+}
+
+void
+estimateHoughNormals(PointCloud<PointNormal>& cloud)
+{
+  const auto points = pcl::make_shared<PointCloud<PointXYZ>>();
+  copyPointCloud(cloud, *points);
+  HoughNormalEstimation<PointXYZ> estimation(1);
+  estimation.setInputCloud(points);
+  Eigen::Vector4f centroid;
+  compute3DCentroid(*points, centroid);
+  estimation.setViewPoint(centroid.x(), centroid.y(), centroid.z());
+  PointCloud<Normal> normals;
+  estimation.compute(normals);
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    cloud[k].getNormalVector3fMap() = normals[k].getNormalVector3fMap();
+    cloud[k].curvature = normals[k].curvature;
   }
 }
 

@@ -37,6 +37,14 @@ classFolder(const std::string& path);
 void
 estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count);
 
+/** \brief The same by RRHT, as the thesis has it on samples of meshes (Sec. 5.3), with
+ * the parameters of HoughNormalEstimation.
+ *
+ * Points at which no plane is found have the normal NaN.
+ */
+void
+estimateHoughNormals(PointCloud<PointNormal>& cloud);
+
 /** \brief Points that are drawn on a mesh. */
 constexpr std::size_t mesh_point_count = 2048;
 

@@ -34,13 +34,15 @@ arcCosine(double cosine)
   return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
-/** Eq. (5.2) to (5.8) of the pairs of one object; those in one place are left out. */
-std::vector<PairFeatures>
-featuresOf(const std::vector<OrientedPoint>& points, const EPPFOptions& options)
+/** Add Eq. (5.2) to (5.8) of the pairs of one object, but for those in one place. */
+void
+addFeatures(const std::vector<OrientedPoint>& points,
+            const EPPFOptions& options,
+            FeatureMoments& moments)
 {
-  std::vector<PairFeatures> features;
   if (points.size() < 2)
-    return features;
+    return;
+  const double scale = options.scale > 0 ? options.scale : objectExtent(points);
   const LineOccupancy occupancy(points, grid_size);
   const PairSampler sampler(points, PairSampling::Uniform, options.seed);
   for (std::uint64_t k = 0; k < options.pair_count; ++k) {
@@ -54,36 +56,39 @@ featuresOf(const std::vector<OrientedPoint>& points, const EPPFOptions& options)
                           n2 = two.normal.cast<double>();
     const auto count = occupancy.countBetween(occupancy.cell(one.position),
                                               occupancy.cell(two.position));
-    features.push_back(
-        {length,
+    moments.add(
+        {length / scale,
          std::max(arcCosine(n1.dot(line) / length), arcCosine(n2.dot(line) / length)) -
              M_PI / 2,
          arcCosine(std::abs(n1.dot(n2))),
          static_cast<double>(count.occupied) / count.total});
   }
-  return features;
 }
 
 } // namespace
 
-std::array<double, 6>
-pearsonCorrelations(const std::vector<PairFeatures>& pairs)
+void
+FeatureMoments::add(const PairFeatures& features)
 {
-  const auto count = static_cast<double>(pairs.size());
-  PairFeatures mean{};
-  for (const auto& pair : pairs)
-    for (std::size_t f = 0; f < 4; ++f)
-      mean[f] += pair[f] / count;
-  std::array<std::array<double, 4>, 4> product{};
-  for (const auto& pair : pairs)
-    for (std::size_t f = 0; f < 4; ++f)
-      for (std::size_t g = f; g < 4; ++g)
-        product[f][g] += (pair[f] - mean[f]) * (pair[g] - mean[g]);
+  ++count_;
+  PairFeatures before{};
+  for (std::size_t f = 0; f < 4; ++f) {
+    before[f] = features[f] - mean_[f];
+    mean_[f] += before[f] / count_;
+  }
+  for (std::size_t f = 0; f < 4; ++f)
+    for (std::size_t g = f; g < 4; ++g)
+      products_[f][g] += before[f] * (features[g] - mean_[g]);
+}
+
+std::array<double, 6>
+FeatureMoments::correlations() const
+{
   std::array<double, 6> correlations{};
   for (std::size_t k = 0; k < 6; ++k) {
     const auto [f, g] = both[k];
-    const double scale = std::sqrt(product[f][f] * product[g][g]);
-    correlations[k] = scale > 0 ? product[f][g] / scale : 0;
+    const double scale = std::sqrt(products_[f][f]) * std::sqrt(products_[g][g]);
+    correlations[k] = scale > 0 ? products_[f][g] / scale : 0;
   }
   return correlations;
 }
@@ -92,20 +97,10 @@ std::array<double, 6>
 featureCorrelation(const std::vector<PointCloud<PointNormal>::Ptr>& objects,
                    const EPPFOptions& options)
 {
-  std::array<double, 6> sums{};
-  double count = 0;
-  for (const auto& object : objects) {
-    const auto features = featuresOf(surfaceOf(*object), options);
-    if (features.empty())
-      continue;
-    const auto correlations = pearsonCorrelations(features);
-    ++count;
-    for (std::size_t k = 0; k < 6; ++k)
-      sums[k] += std::abs(correlations[k]);
-  }
-  for (auto& sum : sums)
-    sum = count > 0 ? sum / count : 0;
-  return sums;
+  FeatureMoments moments;
+  for (const auto& object : objects)
+    addFeatures(surfaceOf(*object), options, moments);
+  return moments.correlations();
 }
 
 std::string
@@ -113,7 +108,7 @@ correlationText(const std::array<double, 6>& correlations)
 {
   double mean = 0;
   for (const double correlation : correlations)
-    mean += correlation / 6;
+    mean += std::abs(correlation) / 6;
   char text[160];
   std::snprintf(text,
                 sizeof(text),

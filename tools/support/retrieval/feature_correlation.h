@@ -14,24 +14,36 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief The four features of a pair, f1 to f4 of Sec. 5.2.1; f1 in metres. */
+/** \brief The four features of a pair, f1 to f4 of Sec. 5.2.1. */
 using PairFeatures = std::array<double, 4>;
 
-/** \brief Pearson's correlation of each pair of features, Eq. (5.9), by the places of
- * the pairs (f1 f2), (f1 f3), (f1 f4), (f2 f3), (f2 f4), (f3 f4); 0 where a feature
- * never changes.
- */
-std::array<double, 6>
-pearsonCorrelations(const std::vector<PairFeatures>& pairs);
+/** \brief Pearson's correlation of each pair of features, Eq. (5.9), over all pairs of
+ * points that were added, in one pass. */
+class FeatureMoments {
+public:
+  void
+  add(const PairFeatures& features);
 
-/** \brief The magnitudes of the correlations, as means over the objects. Each object
- * has as many pairs as the options say, drawn uniformly, and the thesis's features on
- * its grid of 64 voxels. */
+  /** \brief The correlations (f1 f2), (f1 f3), (f1 f4), (f2 f3), (f2 f4), (f3 f4); 0
+   * where a feature never changes. */
+  std::array<double, 6>
+  correlations() const;
+
+private:
+  double count_ = 0;
+  PairFeatures mean_{};
+  std::array<PairFeatures, 4> products_{}; // of differences from the means; upper half
+};
+
+/** \brief The correlations over all pairs of all objects together, as the thesis has
+ * them. Each object has as many pairs as the options say, drawn uniformly, and the
+ * thesis's features on its grid of 64 voxels; f1 is in units of the options' scale, or
+ * of the object's extent where that is 0. */
 std::array<double, 6>
 featureCorrelation(const std::vector<PointCloud<PointNormal>::Ptr>& objects,
                    const EPPFOptions& options);
 
-/** \brief One line with the mean of all and each of them. */
+/** \brief One line with the mean of the magnitudes and each correlation. */
 std::string
 correlationText(const std::array<double, 6>& correlations);
 

@@ -52,6 +52,16 @@ public:
   PointCloudN::ConstPtr
   getInputNormals() const;
 
+  /** \brief Set colours, one per point of the input, for a colour weight in the
+   * options. Without them (default, or null) those of the input's points are taken, if
+   * its type has any. */
+  void
+  setInputColors(const PointCloud<RGB>::ConstPtr& colors);
+
+  /** \brief Get the colours that were set. */
+  PointCloud<RGB>::ConstPtr
+  getInputColors() const;
+
   /** \brief Set the edge of a voxel, R_voxel.
    * \param[in] resolution metres, positive (default 0.03). Lower shows smaller objects
    * and needs denser points: unless adapt_to_resolution is off in the options, both
@@ -361,7 +371,12 @@ private:
   indoor::ObjectSegmentationInput
   localInput();
 
+  /** \brief The colour of a point of the input: red, green and blue. */
+  Eigen::Vector3f
+  colorOf(index_t index) const;
+
   PointCloudN::ConstPtr normals_;
+  PointCloud<RGB>::ConstPtr colors_;
   indoor::ObjectSegmentationOptions options_;
   bool chosen_ = false; // whether any parameter of the method was set
   indoor::ProgressCallback progress_;

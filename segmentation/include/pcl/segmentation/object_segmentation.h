@@ -60,6 +60,12 @@ struct PointOptions {
   /** least share of all points that a plane holds that RANSAC takes off before all else
    * (0 to 1); 0 = none is */
   double ransac_share = 0;
+  /** w_c of Eq. (2.19), in supervoxels and in the graph (>= 0); 0 = no colours, as in
+   * Eq. (4.4). Needs colours */
+  float color_weight = 0;
+  /** of FPFH, Eq. (2.18), in supervoxels and in the graph (>= 0); 0 = none. Else the
+   * supervoxels and Partition::Lccp are our own, as PCL's have no such term */
+  float fpfh_weight = 0;
 };
 
 /** \brief Parameters of the noise-resilient object segmentation (Sec. 4.2). */
@@ -114,6 +120,8 @@ struct ObjectSegmentationInput {
   std::vector<Eigen::Vector3f> points; ///< finite, metres
   /** one per point, oriented; empty to estimate and orient them */
   std::vector<Eigen::Vector3f> normals;
+  /** one per point: red, green and blue, 0 to 255; empty if there are none */
+  std::vector<Eigen::Vector3f> colors;
   /** one sensor position; empty to orient towards the free space */
   std::vector<Eigen::Vector3f> viewpoint;
   /** one camera at the viewpoint: voxels grow with the distance along z */

@@ -23,7 +23,30 @@ struct Patches {
   std::vector<Eigen::Vector3f> centroids;
   std::vector<Eigen::Vector3f> normals;
   std::vector<std::uint32_t> counts;
+  pcl::indoor::SurfaceAppearance appearance;
 };
+
+/** The mean column of each patch's members; no columns if there are none. */
+template <typename Columns>
+Columns
+averageColumns(const Columns& columns,
+               const std::vector<std::uint32_t>& labels,
+               const std::vector<std::uint32_t>& counts)
+{
+  Columns means;
+  if (columns.cols() == 0)
+    return means;
+  Eigen::MatrixXd sums =
+      Eigen::MatrixXd::Zero(columns.rows(), static_cast<Eigen::Index>(counts.size()));
+  for (std::size_t v = 0; v < labels.size(); ++v)
+    if (labels[v] != none)
+      sums.col(labels[v]) +=
+          columns.col(static_cast<Eigen::Index>(v)).template cast<double>();
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    sums.col(static_cast<Eigen::Index>(i)) /= std::max(counts[i], 1u);
+  means = sums.cast<float>();
+  return means;
+}
 
 Patches
 averagePatches(const SurfaceVoxels& voxels,
@@ -50,6 +73,10 @@ averagePatches(const SurfaceVoxels& voxels,
                              ? Eigen::Vector3f(normals[i].normalized().cast<float>())
                              : Eigen::Vector3f::Zero();
   }
+  patches.appearance.colors =
+      averageColumns(voxels.appearance.colors, labels, patches.counts);
+  patches.appearance.shapes =
+      averageColumns(voxels.appearance.shapes, labels, patches.counts);
   return patches;
 }
 
@@ -98,10 +125,12 @@ nearestPatch(const SurfaceVoxels& voxels,
     if (label == none || label == last)
       return;
     last = label;
-    const float d = distance(voxels.centroids[voxel],
-                             voxels.normals[voxel],
-                             patches.centroids[label],
-                             patches.normals[label]);
+    const float d =
+        distance(voxels.centroids[voxel],
+                 voxels.normals[voxel],
+                 patches.centroids[label],
+                 patches.normals[label]) +
+        distance.ofAppearance(voxels.appearance, voxel, patches.appearance, label);
     if (d < nearest || (d == nearest && label < best && best != labels[voxel])) {
       nearest = d;
       best = label;
@@ -193,6 +222,21 @@ releaseFragments(const SurfaceVoxels& voxels,
 namespace pcl {
 namespace indoor {
 
+float
+SurfaceDistance::ofAppearance(const SurfaceAppearance& one,
+                              std::size_t i,
+                              const SurfaceAppearance& other,
+                              std::size_t j) const
+{
+  const auto a = static_cast<Eigen::Index>(i), b = static_cast<Eigen::Index>(j);
+  float sum = 0;
+  if (color_weight > 0 && one.colors.cols() > 0 && other.colors.cols() > 0)
+    sum += color_weight * (one.colors.col(a) - other.colors.col(b)).norm() / 100;
+  if (shape_weight > 0 && one.shapes.cols() > 0 && other.shapes.cols() > 0)
+    sum += shape_weight * (one.shapes.col(a) - other.shapes.col(b)).lpNorm<1>() / 2;
+  return sum;
+}
+
 Supervoxels
 growSupervoxels(const SurfaceVoxels& voxels,
                 const std::vector<std::uint8_t>& left_out,
@@ -231,6 +275,7 @@ growSupervoxels(const SurfaceVoxels& voxels,
   supervoxels.centroids = std::move(patches.centroids);
   supervoxels.normals = std::move(patches.normals);
   supervoxels.voxel_counts = std::move(sizes);
+  supervoxels.appearance = std::move(patches.appearance);
   return supervoxels;
 }
 

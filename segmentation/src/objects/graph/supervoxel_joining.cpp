@@ -12,7 +12,11 @@ namespace indoor {
 SurfaceDistance
 distanceOf(const ObjectSegmentationOptions& options)
 {
-  return {options.seed_size, options.spatial_weight, options.normal_weight};
+  return {options.seed_size,
+          options.spatial_weight,
+          options.normal_weight,
+          options.on_points.color_weight,
+          options.on_points.fpfh_weight};
 }
 
 std::vector<std::uint32_t>

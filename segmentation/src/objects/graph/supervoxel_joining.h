@@ -13,7 +13,7 @@
 namespace pcl {
 namespace indoor {
 
-/** Eq. (4.4) with the weights of the options. */
+/** Eq. (4.4) or (2.19) with the weights of the options. */
 SurfaceDistance
 distanceOf(const ObjectSegmentationOptions& options);
 

@@ -180,10 +180,12 @@ weighEdges(const Supervoxels& supervoxels,
   std::vector<WeightedEdge> weighted;
   weighted.reserve(edges.size());
   for (const auto& edge : edges) {
+    const auto& looks = supervoxels.appearance;
     const float d = distance(supervoxels.centroids[edge.source],
                              supervoxels.normals[edge.source],
                              supervoxels.centroids[edge.target],
-                             supervoxels.normals[edge.target]);
+                             supervoxels.normals[edge.target]) +
+                    distance.ofAppearance(looks, edge.source, looks, edge.target);
     weighted.push_back(
         {edge.source, edge.target, edge.convex ? concavity_weight * d * d : d});
   }

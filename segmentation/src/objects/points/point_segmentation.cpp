@@ -8,6 +8,7 @@
 #include "objects/graph/supervoxel_joining.h"
 #include "objects/points/point_surface.h"
 #include "objects/points/ransac_planes.h"
+#include "objects/points/shape_supervoxels.h"
 #include "objects/points/upstream_supervoxels.h"
 
 #include <pcl/features/normal_orientation.h>
@@ -24,7 +25,8 @@ using namespace pcl::indoor;
 
 constexpr unsigned side_by_side = 8; // closest points that agree about a surface's side
 
-/** Points with normals and curvatures (Sec. 2.1.5.2), and planes by RANSAC. */
+/** Points with normals and curvatures (Sec. 2.1.5.2), with colours if they have a
+ * weight, and planes by RANSAC. */
 ObjectScene
 makeScene(ObjectSegmentationInput& input,
           const ObjectSegmentationOptions& options,
@@ -48,6 +50,12 @@ makeScene(ObjectSegmentationInput& input,
                   input.viewpoint,
                   free_space,
                   scene.voxels.normals);
+  }
+  if (options.on_points.color_weight > 0) {
+    auto& colors = scene.voxels.appearance.colors;
+    colors.resize(3, static_cast<Eigen::Index>(input.colors.size()));
+    for (std::size_t i = 0; i < input.colors.size(); ++i)
+      colors.col(static_cast<Eigen::Index>(i)) = labOfRgb(input.colors[i]);
   }
   scene.plane_of_voxel.assign(input.points.size(), 0);
   if (options.on_points.ransac_share > 0)
@@ -172,8 +180,9 @@ segmentOnPoints(ObjectSegmentationInput input,
     left_out[i] |= result.removed[i];
   if (stops(0.5, "supervoxels"))
     return {};
-  auto partition =
-      partitionWithUpstream(result.scene.voxels, left_out, camera, options);
+  const auto partition_points =
+      options.on_points.fpfh_weight > 0 ? partitionByShapes : partitionWithUpstream;
+  auto partition = partition_points(result.scene.voxels, left_out, camera, options);
   for (const auto label : partition.supervoxels.label_of_voxel)
     result.segment_of_point.push_back(
         label == Supervoxels::none ? label : partition.segment_of_supervoxel[label]);

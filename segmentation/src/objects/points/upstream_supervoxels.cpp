@@ -11,6 +11,8 @@
 #include <pcl/segmentation/lccp_segmentation.h>
 #include <pcl/segmentation/supervoxel_clustering.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace {
@@ -23,7 +25,28 @@ using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::Supervoxels;
 using pcl::indoor::SurfaceEdge;
 
+constexpr float zero_hue = 128;     // of a and b as bytes: those of sRGB are -108 to 98
+constexpr float color_unit = 2.55f; // PCL's colours are from 0 to 1, D_c is per 100
 constexpr unsigned smallest_segment = 3; // n_filter of LCCP in Sec. 4.3.2, supervoxels
+
+void
+putColor(const Eigen::Vector3f& lab, PointT& point)
+{
+  const auto byte = [](float value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 255.0f)));
+  };
+  point.r = byte(lab[0]);
+  point.g = byte(lab[1] + zero_hue);
+  point.b = byte(lab[2] + zero_hue);
+}
+
+Eigen::Vector3f
+colorOf(const PointT& point)
+{
+  return {static_cast<float>(point.r),
+          static_cast<float>(point.g) - zero_hue,
+          static_cast<float>(point.b) - zero_hue};
+}
 
 /** The segment of each supervoxel by LCCP; its sanity criterion has 60 degrees. */
 std::vector<std::uint32_t>
@@ -81,24 +104,27 @@ convexityOf(const Adjacencies& adjacency,
 namespace pcl {
 namespace indoor {
 
-UpstreamPartition
+PointPartition
 partitionWithUpstream(const SurfaceVoxels& surface,
                       const std::vector<std::uint8_t>& left_out,
                       const std::optional<Eigen::Vector3f>& camera,
                       const ObjectSegmentationOptions& options)
 {
-  UpstreamPartition result;
+  PointPartition result;
   auto& supervoxels = result.supervoxels;
   supervoxels.label_of_voxel.assign(surface.size(), Supervoxels::none);
   const auto cloud = pcl::make_shared<PointCloud<PointT>>();
   const auto normals = pcl::make_shared<PointCloud<Normal>>();
   const Eigen::Vector3f origin = camera.value_or(Eigen::Vector3f::Zero());
+  const bool has_colors = surface.appearance.colors.cols() > 0;
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < surface.size(); ++i)
     if (!left_out[i]) {
       kept.push_back(i);
       PointT point;
       point.getVector3fMap() = surface.centroids[i] - origin;
+      if (has_colors)
+        putColor(surface.appearance.colors.col(static_cast<Eigen::Index>(i)), point);
       cloud->push_back(point);
       const auto& n = surface.normals[i];
       normals->push_back(Normal(n.x(), n.y(), n.z()));
@@ -110,7 +136,7 @@ partitionWithUpstream(const SurfaceVoxels& surface,
   clustering.setUseSingleCameraTransform(camera.has_value());
   clustering.setInputCloud(cloud);
   clustering.setNormalCloud(normals);
-  clustering.setColorImportance(0.0f);
+  clustering.setColorImportance(options.on_points.color_weight * color_unit);
   clustering.setSpatialImportance(options.spatial_weight);
   clustering.setNormalImportance(options.normal_weight);
   Clusters clusters;
@@ -119,7 +145,12 @@ partitionWithUpstream(const SurfaceVoxels& surface,
   clustering.getSupervoxelAdjacency(adjacency);
 
   std::map<std::uint32_t, std::uint32_t> number;
+  if (has_colors)
+    supervoxels.appearance.colors.resize(3, static_cast<Eigen::Index>(clusters.size()));
   for (const auto& [name, supervoxel] : clusters) {
+    if (has_colors)
+      supervoxels.appearance.colors.col(static_cast<Eigen::Index>(number.size())) =
+          colorOf(supervoxel->centroid_);
     number.emplace(name, static_cast<std::uint32_t>(number.size()));
     supervoxels.centroids.push_back(supervoxel->centroid_.getVector3fMap() + origin);
     const Eigen::Vector3f normal = supervoxel->normal_.getNormalVector3fMap();

@@ -68,6 +68,13 @@ NoiseResilientLCCP<PointT>::initCompute()
               static_cast<std::size_t>(normals_->size()));
     return false;
   }
+  if (colors_ && colors_->size() != input_->size()) {
+    PCL_ERROR("%s The input has %zu points, but %zu colors.\n",
+              where,
+              static_cast<std::size_t>(input_->size()),
+              static_cast<std::size_t>(colors_->size()));
+    return false;
+  }
   const bool has_sensor =
       !viewpoint_.empty() || input_->height > 1 || camera_ == Camera::Single;
   const Eigen::Vector3f sensor =
@@ -90,9 +97,25 @@ NoiseResilientLCCP<PointT>::initCompute()
 }
 
 template <typename PointT>
+Eigen::Vector3f
+NoiseResilientLCCP<PointT>::colorOf(index_t index) const
+{
+  const auto read = [](const auto& point) {
+    return Eigen::Vector3f(static_cast<float>(point.r),
+                           static_cast<float>(point.g),
+                           static_cast<float>(point.b));
+  };
+  if constexpr (traits::has_color<PointT>::value)
+    if (!colors_)
+      return read((*input_)[index]);
+  return read((*colors_)[index]);
+}
+
+template <typename PointT>
 indoor::ObjectSegmentationInput
 NoiseResilientLCCP<PointT>::localInput()
 {
+  const bool has_colors = colors_ || traits::has_color<PointT>::value;
   indoor::ObjectSegmentationInput local;
   local.single_camera = getUseSingleCameraTransform();
   Eigen::Vector3d sensor =
@@ -106,6 +129,8 @@ NoiseResilientLCCP<PointT>::localInput()
     local.points.push_back((*input_)[index].getVector3fMap());
     if (normals_)
       local.normals.push_back((*normals_)[index].getNormalVector3fMap());
+    if (has_colors && options_.on_points.color_weight > 0)
+      local.colors.push_back(colorOf(index));
   }
   // Double differences to a median: nothing is lost in large coordinates, and the
   // order of the points does not matter.

@@ -26,6 +26,20 @@ NoiseResilientLCCP<PointT>::getInputNormals() const
 
 template <typename PointT>
 void
+NoiseResilientLCCP<PointT>::setInputColors(const PointCloud<RGB>::ConstPtr& colors)
+{
+  colors_ = colors;
+}
+
+template <typename PointT>
+PointCloud<RGB>::ConstPtr
+NoiseResilientLCCP<PointT>::getInputColors() const
+{
+  return colors_;
+}
+
+template <typename PointT>
+void
 NoiseResilientLCCP<PointT>::setVoxelResolution(double value)
 {
   chosen().voxel_size = value;

@@ -52,7 +52,8 @@ surfaceEdges(const SurfaceVoxels& voxels,
              const Supervoxels& supervoxels,
              float concavity_tolerance_degrees);
 
-/** \brief Weigh the edges: a * D^2 if convex, D if concave, Eq. (4.3) and (4.4).
+/** \brief Weigh the edges: a * D^2 if convex, D if concave, Eq. (4.3) and (4.4), or
+ * (2.19) where the supervoxels have an appearance with a weight.
  * \param[in] concavity_weight a, 0 to 1; lower makes convex edges stronger
  */
 std::vector<WeightedEdge>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/indoor/point_cells.h>
+#include <pcl/segmentation/objects/surface_appearance.h>
 
 #include <Eigen/Core>
 
@@ -23,6 +24,7 @@ struct SurfaceVoxels {
   std::vector<Eigen::Vector3f> centroids; ///< mean of the points
   std::vector<Eigen::Vector3f> normals;   ///< unit length; zero where none is defined
   std::vector<float> curvatures;          ///< surface variation, Eq. (2.8)
+  SurfaceAppearance appearance;           ///< unless it is not used
 
   /** \brief Get the number of voxels. */
   std::size_t
