@@ -4,11 +4,8 @@
  */
 #pragma once
 
-#include <pcl/features/eppf_denoising.h>
-#include <pcl/features/eppf_histogram.h>
-#include <pcl/features/surface_harmonics.h>
-
-#include <Eigen/SVD>
+#include "features/harmonics_oracle.h"
+#include "features/noise_oracle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +37,22 @@ combined(double one, double two, SurfaceAngleRule rule)
   }
 }
 
-constexpr double pi = 3.14159265358979323846;
+/** \brief L of the L (L + 1) / 2 bins of two angles whose order does not count. */
+inline int
+levelCount(const EPPFBins& bins)
+{
+  return static_cast<int>(std::lround(std::sqrt(2 * bins.surface_angle + 0.25) - 0.5));
+}
+
+/** \brief The voxels per edge of the grid, and 64 at most, of 4 L^2 points. */
+inline int
+gridSize(const EPPFOptions& options, std::size_t point_count)
+{
+  if (options.grid_size > 0)
+    return options.grid_size;
+  const double edge = std::sqrt(static_cast<double>(point_count)) / 2;
+  return static_cast<int>(std::round(std::min(std::max(edge, 8.0), 64.0)));
+}
 
 /** \brief The bin of f2 from both surface angles. */
 inline int
@@ -52,7 +64,7 @@ surfaceBin(double beta1, double beta2, const EPPFOptions& options)
     return binOf((beta - lowest * pi / 2) / (pi / 2 - lowest * pi / 2),
                  options.bins.surface_angle);
   }
-  const int levels = jointLevels(options.bins);
+  const int levels = levelCount(options.bins);
   const int one = binOf((std::sin(beta1) - lowest) / (1.0 - lowest), levels);
   const int two = binOf((std::sin(beta2) - lowest) / (1.0 - lowest), levels);
   int bin = 0; // counted out: (0, 0), (1, 0), (1, 1), (2, 0) ...
@@ -91,86 +103,6 @@ onSides(const std::vector<OrientedPoint>& given, NormalSides sides)
     for (auto& point : points)
       point.normal = -point.normal;
   return points;
-}
-
-/** \brief The share of a place, in bins, that falls into a bin: its own, and within
- * softness / 2 of a border linearly the next one's. */
-inline double
-softShare(double place, int bin, int count, double softness)
-{
-  const auto rise = [softness](double x) { // over a border at 0
-    return std::clamp(x / softness + 0.5, 0.0, 1.0);
-  };
-  const double above_lower = bin == 0 ? 1.0 : rise(place - bin);
-  const double above_upper = bin == count - 1 ? 0.0 : rise(place - bin - 1);
-  return above_lower - above_upper;
-}
-
-/** \brief A real spherical harmonic of mean square 1, from the standard library's
- * associated Legendre functions, sine for m < 0. */
-inline double
-slowHarmonic(int l, int m, const Eigen::Vector3d& direction)
-{
-  const auto order = static_cast<unsigned int>(std::abs(m));
-  const double theta = std::acos(std::clamp(direction.z(), -1.0, 1.0));
-  const double phi = std::atan2(direction.y(), direction.x());
-  const double value = std::sqrt(4.0 * pi) *
-                       std::sph_legendre(static_cast<unsigned int>(l), order, theta);
-  if (m == 0)
-    return value;
-  return std::sqrt(2.0) * value *
-         (m > 0 ? std::cos(order * phi) : std::sin(order * phi));
-}
-
-/** \brief surfaceHarmonics() around the centre that lies middle_share of the way from
- * the mean to the middle of the extents, with every point offered to every shell. */
-inline std::vector<double>
-slowHarmonics(const std::vector<OrientedPoint>& points,
-              double middle_share,
-              double scale,
-              const HarmonicBins& bins)
-{
-  const auto count = static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd offsets(3, count);
-  for (Eigen::Index k = 0; k < count; ++k)
-    offsets.col(k) = points[static_cast<std::size_t>(k)].position.cast<double>();
-  offsets.colwise() -= offsets.rowwise().mean().eval();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(offsets, Eigen::ComputeFullU);
-  Eigen::MatrixXd places = svd.matrixU().transpose() * offsets;
-  places.colwise() -=
-      (middle_share * (places.rowwise().minCoeff() + places.rowwise().maxCoeff()) / 2)
-          .eval();
-  const std::size_t functions = bins.functionCount();
-  const auto shell_share = [&](const Eigen::Vector3d& place, int shell, int shells) {
-    return softShare(place.norm() / (0.6 * scale) * shells, shell, shells, 1.0);
-  };
-  std::vector<double> values(bins.size());
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::Vector3d place = places.col(k);
-    const Eigen::Vector3d normal =
-        svd.matrixU().transpose() *
-        points[static_cast<std::size_t>(k)].normal.cast<double>();
-    for (int shell = 0; shell < bins.shells; ++shell)
-      for (int l = 0; l <= bins.degree; ++l)
-        for (int m = -l; m <= l; ++m)
-          for (int axis = 0; axis < 4; ++axis) {
-            const double share = axis < 3 ? normal[axis] * normal[axis] : 1.0;
-            values[(4 * shell + axis) * functions + l * l + l + m] +=
-                share * shell_share(place, shell, bins.shells) *
-                slowHarmonic(l, m, place.normalized()) / static_cast<double>(count);
-          }
-    for (int near = 0; near < bins.distances; ++near)
-      values[4 * bins.shells * functions + near] +=
-          shell_share(place, near, bins.distances) / static_cast<double>(count);
-  }
-  double sum = 0.0;
-  for (auto& value : values) {
-    value = std::abs(value) + 0.002;
-    sum += value;
-  }
-  for (auto& value : values)
-    value /= sum;
-  return values;
 }
 
 /** \brief The sum of pairs brought to 1, or to 1 / 2 beside harmonics. */
@@ -270,20 +202,29 @@ private:
   std::vector<bool> occupied_;
 };
 
-/** \brief The thesis's formulas pair by pair, with real angles and no shortcut. */
+/** \brief Every pair of two different points, in both orders. */
+inline std::vector<std::pair<std::size_t, std::size_t>>
+allPairs(std::size_t count)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t first = 0; first < count; ++first)
+    for (std::size_t second = 0; second < count; ++second)
+      if (first != second)
+        pairs.emplace_back(first, second);
+  return pairs;
+}
+
+/** \brief The thesis's formulas of every pair of two different points, with real angles
+ * and no shortcut: what the histogram of drawn pairs tends to. */
 inline std::vector<double>
 slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& options)
 {
   const auto points = onSides(given, options.normal_sides);
   const auto& bins = options.bins;
-  const int grid_size =
-      options.grid_size > 0 ? options.grid_size : automaticGridSize(points.size());
-  const DenseOccupancy grid(points, grid_size);
-  const PairSampler sampler(points, options.sampling, options.seed);
-  const double scale = options.scale > 0.0 ? options.scale : objectExtent(points);
+  const DenseOccupancy grid(points, gridSize(options, points.size()));
+  const double scale = options.scale > 0.0 ? options.scale : slowExtent(points);
   std::vector<double> histogram(bins.pairSize());
-  for (std::size_t k = 0; k < options.pair_count; ++k) {
-    const auto [first, second] = sampler.pair(k);
+  for (const auto& [first, second] : allPairs(points.size())) {
     const Eigen::Vector3d one = points[first].position.cast<double>();
     const Eigen::Vector3d two = points[second].position.cast<double>();
     const Eigen::Vector3d d = (two - one).normalized();
@@ -291,12 +232,13 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
     const Eigen::Vector3d n2 = points[second].normal.cast<double>();
     const auto sides = options.normal_sides;
     const bool has_sides = sides != NormalSides::Ignored;
+    const bool are_known = has_sides && sides != NormalSides::Given;
     double cosine = n1.dot(n2);
     if (options.normal_angle_rule == NormalAngleRule::AroundLine)
       cosine = turnCosine(n1, n2, d);
     double beta1 = std::acos(std::clamp(n1.dot(d), -1.0, 1.0)) - pi / 2;
     double beta2 = std::acos(std::clamp(n2.dot(d), -1.0, 1.0)) - pi / 2;
-    if (areSidesKnown(sides))
+    if (are_known)
       beta2 = -beta2; // towards the first point
     const double lowest = has_sides ? -pi / 2 : 0.0;
     if (!has_sides) {
@@ -306,10 +248,10 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
     const auto angle_place = [&](double beta) {
       return (beta - lowest) / (pi / 2 - lowest);
     };
-    if (!areSidesKnown(sides))
+    if (!are_known)
       cosine = std::abs(cosine);
     const double f3 =
-        std::acos(std::clamp(cosine, -1.0, 1.0)) / (areSidesKnown(sides) ? pi : pi / 2);
+        std::acos(std::clamp(cosine, -1.0, 1.0)) / (are_known ? pi : pi / 2);
     const bool both =
         options.surface_angle_rule == SurfaceAngleRule::BothInsteadOfOccupancy;
     const auto& on = options.features;
@@ -331,25 +273,21 @@ slowHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& option
   return withHarmonics(std::move(histogram), given, 0.0, scale, options);
 }
 
-/** \brief eppfHistogram() of an object with noise: sides known, stratified pairs,
- * automatic grid; every pair offered to every bin of the soft features. */
+/** \brief The same of an object with noise: sides known, automatic grid; every pair
+ * offered to every bin of the soft features. */
 inline std::vector<double>
 slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& options)
 {
-  const auto order = spaceFillingOrder(given);
-  const float extent = objectExtent(given);
-  const auto noise = measureNoise(given, order, extent);
-  const auto object = denoised(given, order, extent, noise, 1);
+  const auto noise = slowNoise(given);
+  const auto object = slowDenoised(given, noise);
   const auto points = onSides(object.points, options.normal_sides);
   const auto& bins = options.bins;
-  const DenseOccupancy grid(points, automaticGridSize(points.size()));
-  const PairSampler sampler(points.size(), options.seed); // they lie along the order
+  const DenseOccupancy grid(points, gridSize(options, points.size()));
   const double scale = options.scale > 0.0 ? options.scale : object.extent;
   const bool joint = options.surface_angle_rule == SurfaceAngleRule::Joint;
-  const int levels = joint ? jointLevels(bins) : 1;
+  const int levels = joint ? levelCount(bins) : 1;
   std::vector<double> histogram(bins.pairSize());
-  for (std::size_t k = 0; k < options.pair_count; ++k) {
-    const auto [first, second] = sampler.pair(k);
+  for (const auto& [first, second] : allPairs(points.size())) {
     const auto& one = points[first];
     const auto& two = points[second];
     const Eigen::Vector3d line =

@@ -2,100 +2,18 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/features/eppf.h>
-#include <pcl/features/impl/oriented_points.hpp>
-#include <pcl/io/pcd_io.h>
-#include <pcl/kdtree/impl/kdtree_flann.hpp>
-#include <pcl/point_types.h>
+#include "features/eppf_clouds.h"
+
+#include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
 
-#include "features/oriented_shapes.h"
-
 #include <cmath>
-#include <cstdio>
-#include <limits>
 #include <numeric>
-#include <vector>
+
+using namespace pcl::indoor::test;
 
 namespace {
-
-template <typename SignatureT>
-using EstimationOf =
-    pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal, SignatureT>;
-
-// What holds for any output is tested with the one that has all parts.
-using Signature = pcl::PairHarmonicsSignature1200;
-using Estimation = EstimationOf<Signature>;
-using Descriptors = pcl::PointCloud<Signature>;
-
-pcl::PointCloud<pcl::PointNormal>::Ptr
-boxCloud(std::size_t count, std::uint32_t seed)
-{
-  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
-  for (const auto& point : pcl::indoor::boxSurface({1.0f, 0.6f, 0.3f}, count, seed)) {
-    pcl::PointNormal both;
-    both.getVector3fMap() = point.position;
-    both.getNormalVector3fMap() = point.normal;
-    cloud->push_back(both);
-  }
-  return cloud;
-}
-
-Descriptors
-describe(const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
-{
-  Estimation estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setInputNormals(cloud);
-  Descriptors output;
-  estimation.compute(output);
-  return output;
-}
-
-bool
-isSame(const Signature& a, const Signature& b)
-{
-  return std::equal(a.histogram, a.histogram + 1200, b.histogram);
-}
-
-double
-difference(const Signature& a, const Signature& b)
-{
-  double sum = 0.0;
-  for (int bin = 0; bin < 1200; ++bin)
-    sum += std::abs(a.histogram[bin] - b.histogram[bin]);
-  return sum;
-}
-
-TEST(EPPFEstimation, PointsTooFarToComputeWithAreSkipped)
-{
-  auto cloud = boxCloud(500, 3);
-  const auto expected = describe(cloud);
-  for (const float far : {1e10f, 1e20f, 3e38f}) {
-    auto damaged = *cloud;
-    damaged.push_back(damaged.front());
-    damaged.back().x = far;
-    const auto output = describe(damaged.makeShared());
-    ASSERT_EQ(output.size(), 1u);
-    EXPECT_TRUE(isSame(output[0], expected[0])) << far;
-    for (auto& point : damaged)
-      point.getVector3fMap() *= far;
-    if (far > 1e15f) { // else a few points near the axes stay
-      EXPECT_FALSE(describe(damaged.makeShared()).is_dense) << far;
-    }
-  }
-}
-
-TEST(EPPFEstimation, TinyObjectsTakeNoLongerThanOthers)
-{
-  for (const float size : {1e-18f, 1e-20f, 1e-22f, 1e-40f}) {
-    auto cloud = boxCloud(500, 3); // squares of such lengths are denormal or 0
-    for (auto& point : *cloud)
-      point.getVector3fMap() *= size;
-    EXPECT_EQ(describe(cloud).size(), 1u);
-  }
-}
 
 TEST(EPPFEstimation, OneObjectGivesOneDescriptor)
 {
@@ -126,66 +44,6 @@ TEST(EPPFEstimation, CallThroughTheBaseGivesTheSame)
   estimation.compute(own); // a second run on the same object
   ASSERT_EQ(own.size(), 1u);
   EXPECT_TRUE(isSame(own[0], base[0]));
-}
-
-/** \brief The descriptor of a cloud by an output type's defaults. */
-template <typename SignatureT>
-std::vector<float>
-defaultHistogram(const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
-{
-  EstimationOf<SignatureT> estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setInputNormals(cloud);
-  pcl::PointCloud<SignatureT> output;
-  estimation.compute(output);
-  EXPECT_EQ(output.size(), 1u);
-  return {std::begin(output[0].histogram), std::end(output[0].histogram)};
-}
-
-TEST(EPPFEstimation, OutputTypeSaysWhatIsComputed)
-{
-  using namespace pcl::indoor;
-  const auto cloud = boxCloud(500, 3);
-  pcl::Indices indices(cloud->size());
-  std::iota(indices.begin(), indices.end(), 0);
-  const auto points = orientedPoints(*cloud, *cloud, indices);
-  EXPECT_EQ(defaultHistogram<pcl::EPPFSignature1200>(cloud),
-            eppfHistogram(points, thesisEPPFOptions()));
-  EXPECT_EQ(defaultHistogram<pcl::EPPFSignature540>(cloud),
-            eppfHistogram(points, shortEPPFOptions()));
-  EXPECT_EQ(defaultHistogram<Signature>(cloud),
-            eppfHistogram(points, pairHarmonicsOptions()));
-  const pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal> thesis;
-  EXPECT_EQ(thesis.getBins().distance, 20);
-  EXPECT_EQ(thesis.getBins().surface_angle, 4);
-  EXPECT_EQ(thesis.getBins().normal_angle, 5);
-  EXPECT_EQ(thesis.getBins().occupancy, 3);
-  EXPECT_EQ(thesis.getBins().harmonics.size(), 0u);
-}
-
-TEST(EPPFEstimation, EPPFSignaturesHoldNoHarmonics)
-{
-  const auto cloud = boxCloud(500, 3);
-  EstimationOf<pcl::EPPFSignature1200> estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setInputNormals(cloud);
-  estimation.setOptions(pcl::indoor::pairHarmonicsOptions()); // 1,200 bins, too
-  pcl::PointCloud<pcl::EPPFSignature1200> output;
-  estimation.compute(output);
-  EXPECT_TRUE(output.empty());
-  estimation.setBins({8, 15, 5, 2, {}});
-  estimation.compute(output);
-  EXPECT_EQ(output.size(), 1u);
-}
-
-TEST(EPPFEstimation, EachOutputHasAFieldOfItsOwn)
-{
-  const auto field = [](auto signature) {
-    return pcl::getFieldsList(pcl::PointCloud<decltype(signature)>());
-  };
-  EXPECT_EQ(field(pcl::EPPFSignature1200()), "eppf");
-  EXPECT_EQ(field(pcl::EPPFSignature540()), "eppf_short");
-  EXPECT_EQ(field(Signature()), "pair_harmonics");
 }
 
 TEST(EPPFEstimation, SeparateNormalsOfAnyLengthWillDo)
@@ -221,42 +79,6 @@ TEST(EPPFEstimation, OnlyTheIndicesAreRead)
   estimation.compute(output);
   ASSERT_EQ(output.size(), 1u);
   EXPECT_TRUE(isSame(output[0], describe(cloud)[0]));
-}
-
-TEST(EPPFEstimation, SkipsPointsThatAreNotFinite)
-{
-  const auto cloud = boxCloud(400, 7);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  auto broken = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
-  for (std::size_t k = 0; k < cloud->size(); ++k) {
-    auto bad = (*cloud)[k];
-    if (k % 3 == 0)
-      bad.y = nan;
-    else if (k % 3 == 1)
-      bad.normal_z = std::numeric_limits<float>::infinity();
-    else
-      bad.normal_x = bad.normal_y = bad.normal_z = 0.0f;
-    broken->push_back(bad);
-    broken->push_back((*cloud)[k]);
-  }
-  broken->is_dense = false;
-  EXPECT_TRUE(isSame(describe(broken)[0], describe(cloud)[0]));
-}
-
-TEST(EPPFEstimation, NoPairGivesNaN)
-{
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (const std::size_t count : {1u, 2u, 50u}) {
-    auto cloud = boxCloud(count, 8);
-    if (count > 1)
-      for (auto& point : *cloud)
-        point.x = nan;
-    const auto output = describe(cloud);
-    ASSERT_EQ(output.size(), 1u);
-    EXPECT_FALSE(output.is_dense);
-    for (const float value : output[0].histogram)
-      EXPECT_TRUE(std::isnan(value));
-  }
 }
 
 TEST(EPPFEstimation, LargeCoordinatesChangeLittle)
@@ -301,60 +123,6 @@ TEST(EPPFEstimation, TurnedObjectLooksLikeItselfAndUnlikeOthers)
             difference(describe(cube)[0], original));
 }
 
-void
-expectRefused(Estimation& estimation)
-{
-  Descriptors output;
-  output.resize(3);
-  estimation.compute(output);
-  EXPECT_TRUE(output.empty());
-}
-
-TEST(EPPFEstimation, RefusesUnusableInput)
-{
-  const auto cloud = boxCloud(10, 11);
-  Estimation estimation;
-  expectRefused(estimation); // no cloud
-  estimation.setInputCloud(cloud);
-  expectRefused(estimation); // no normals
-  estimation.setInputNormals(boxCloud(9, 11));
-  expectRefused(estimation); // another number of them
-  estimation.setInputNormals(cloud);
-  estimation.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{0, 10}));
-  expectRefused(estimation); // outside the cloud
-  estimation.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{-1}));
-  expectRefused(estimation);
-  estimation.setIndices(pcl::make_shared<pcl::Indices>());
-  expectRefused(estimation); // none
-  estimation.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{0, 9}));
-  Descriptors output;
-  estimation.compute(output);
-  EXPECT_EQ(output.size(), 1u);
-  const auto empty = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
-  Estimation fresh;
-  fresh.setInputCloud(empty);
-  fresh.setInputNormals(empty);
-  expectRefused(fresh);
-}
-
-TEST(EPPFEstimation, RefusesParametersOutOfRange)
-{
-  const auto cloud = boxCloud(10, 12);
-  const auto refuses = [&](auto change) {
-    Estimation estimation;
-    estimation.setInputCloud(cloud);
-    estimation.setInputNormals(cloud);
-    change(estimation);
-    expectRefused(estimation);
-  };
-  refuses([](auto& e) { e.setPairCount(0); });
-  refuses([](auto& e) { e.setScale(-1.0); });
-  refuses([](auto& e) { e.setScale(std::nan("")); });
-  refuses([](auto& e) { e.setWeightingConstant(1.0); });
-  refuses([](auto& e) { e.setGridSize(65); });
-  refuses([](auto& e) { e.setBins({20, 10, 6, 2}); }); // 2,400 bins
-}
-
 TEST(EPPFEstimation, SettersAreKept)
 {
   Estimation estimation;
@@ -384,43 +152,6 @@ TEST(EPPFEstimation, SettersAreKept)
   Estimation other;
   other.setOptions(options);
   EXPECT_EQ(other.getScale(), 2.5);
-}
-
-TEST(PairHarmonicsSignature1200, SurvivesAPCDFile)
-{
-  Descriptors written = describe(boxCloud(500, 13));
-  written.push_back(describe(boxCloud(500, 14))[0]);
-  const std::string path = testing::TempDir() + "pair_harmonics.pcd";
-  for (const bool binary : {false, true}) {
-    ASSERT_EQ(pcl::io::savePCDFile(path, written, binary), 0);
-    Descriptors read;
-    ASSERT_EQ(pcl::io::loadPCDFile(path, read), 0);
-    ASSERT_EQ(read.size(), 2u);
-    for (int bin = 0; bin < 1200; ++bin) // text keeps 8 digits
-      EXPECT_NEAR(
-          read[1].histogram[bin], written[1].histogram[bin], binary ? 0.0 : 1e-8);
-  }
-  std::remove(path.c_str());
-}
-
-TEST(PairHarmonicsSignature1200, KdTreeSeesAllBins)
-{
-  auto cloud = pcl::make_shared<Descriptors>();
-  for (int k = 0; k < 50; ++k) {
-    cloud->emplace_back();
-    cloud->back().histogram[1199 - k] = 1.0f; // the first three bins are all alike
-  }
-  pcl::KdTreeFLANN<Signature> tree;
-  tree.setInputCloud(cloud);
-  for (int k = 0; k < 50; ++k) {
-    auto query = (*cloud)[k];
-    query.histogram[0] = 0.25f;
-    pcl::Indices indices(1);
-    std::vector<float> distances(1);
-    ASSERT_EQ(tree.nearestKSearch(query, 1, indices, distances), 1);
-    EXPECT_EQ(indices[0], k);
-    EXPECT_FLOAT_EQ(distances[0], 0.0625f);
-  }
 }
 
 } // namespace

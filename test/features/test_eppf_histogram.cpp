@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "features/eppf_oracle.h"
+#include "features/histogram_bounds.h"
 #include "features/oriented_shapes.h"
 
 #include <algorithm>
@@ -21,61 +21,10 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-template <typename A, typename B>
-double
-difference(const std::vector<A>& a, const std::vector<B>& b)
-{
-  double sum = 0.0;
-  for (std::size_t bin = 0; bin < a.size(); ++bin)
-    sum += std::abs(static_cast<double>(a[bin]) - static_cast<double>(b[bin]));
-  return sum;
-}
-
 // A value within rounding of a border may fall on either side of it: of 20,000 pairs
 // with features in single precision (relative error 1e-7) a handful at most, each 1 /
 // 20,000 of the sum on two sides and up to 0.79 / 0.18 of it by the weights.
 constexpr double rounding = 10 * 2 * 4.4 / 20000;
-
-TEST(EPPFHistogram, EqualsTheFormulasForEveryRule)
-{
-  const auto points = randomSurflets(500, 1);
-  for (const auto rule : {SurfaceAngleRule::Joint,
-                          SurfaceAngleRule::Maximum,
-                          SurfaceAngleRule::Minimum,
-                          SurfaceAngleRule::Mean,
-                          SurfaceAngleRule::RandomOne,
-                          SurfaceAngleRule::BothInsteadOfOccupancy})
-    for (const auto sides : {NormalSides::Outward,
-                             NormalSides::Given,
-                             NormalSides::Ignored,
-                             NormalSides::MostlyOutward}) {
-      auto options = pairHarmonicsOptions();
-      options.bins = {4, 15, 5, 2, {3, 6, 12}};
-      if (rule == SurfaceAngleRule::Mean)
-        options.normal_angle_rule = NormalAngleRule::Between;
-      options.denoising = false; // random points look like noise
-      options.surface_angle_rule = rule;
-      options.normal_sides = sides;
-      EXPECT_LT(
-          difference(eppfHistogram(points, options), slowHistogram(points, options)),
-          rounding)
-          << "rule " << static_cast<int>(rule) << ", sides " << static_cast<int>(sides);
-    }
-}
-
-TEST(EPPFHistogram, EqualsTheThesis)
-{
-  const auto points = randomSurflets(500, 21);
-  auto options = thesisEPPFOptions();
-  EXPECT_EQ(options.bins.size(), 1200u);
-  EXPECT_EQ(eppfHistogram(points, options), eppfHistogram(points, {})); // the defaults
-  EXPECT_LT(difference(eppfHistogram(points, options), slowHistogram(points, options)),
-            rounding);
-  options = shortEPPFOptions();
-  EXPECT_EQ(options.bins.size(), 540u);
-  EXPECT_LT(difference(eppfHistogram(points, options), slowHistogram(points, options)),
-            rounding);
-}
 
 TEST(EPPFHistogram, SidesOfNormalsDoNotMatterUnlessGiven)
 {
@@ -100,40 +49,6 @@ TEST(EPPFHistogram, SidesOfNormalsDoNotMatterUnlessGiven)
     turned[k].normal = -points[k].normal;
   options.normal_sides = NormalSides::MostlyOutward;
   EXPECT_EQ(eppfHistogram(points, options), eppfHistogram(turned, options));
-}
-
-TEST(EPPFHistogram, EqualsTheFormulasForOtherOptions)
-{
-  const auto points = boxSurface({1.0f, 0.6f, 0.3f}, 700, 2);
-  auto options = pairHarmonicsOptions();
-  options.surface_angle_rule = SurfaceAngleRule::Maximum;
-  options.bins = {7, 4, 6, 5, {2, 3, 4}};
-  options.scale = 0.8;
-  options.weighting_constant = 2.0;
-  options.grid_size = 17;
-  options.pair_count = 3333;
-  EXPECT_LT(difference(eppfHistogram(points, options), slowHistogram(points, options)),
-            rounding * 6);
-  options.weighting = false;
-  EXPECT_LT(difference(eppfHistogram(points, options), slowHistogram(points, options)),
-            rounding * 6);
-}
-
-TEST(EPPFHistogram, SwitchedOffFeatureStaysInItsFirstBin)
-{
-  const auto points = randomSurflets(300, 3);
-  for (int off = 0; off < 5; ++off) {
-    auto options = pairHarmonicsOptions();
-    options.denoising = false; // random points look like noise
-    options.bins = {4, 15, 5, 2, {3, 6, 12}};
-    options.features = {off != 0, off != 1, off != 2, off != 3, off != 4};
-    const auto histogram = eppfHistogram(points, options);
-    EXPECT_LT(difference(histogram, slowHistogram(points, options)), rounding);
-    const std::size_t counts[] = {4, 15, 5, 2, 2};
-    const std::size_t strides[] = {150, 10, 2, 1, 600}; // harmonics are the second half
-    for (std::size_t bin = 0; bin < (off < 4 ? 600u : 1200u); ++bin)
-      EXPECT_TRUE(histogram[bin] == 0.0f || (bin / strides[off]) % counts[off] == 0);
-  }
 }
 
 TEST(EPPFHistogram, TurnAboutTheLineInClosedForm)
@@ -186,21 +101,6 @@ TEST(EPPFHistogram, ThreadsChangeNoBit)
     options.number_of_threads = threads;
     EXPECT_EQ(histogram, eppfHistogram(points, options)) << threads << " threads";
   }
-}
-
-/** \brief Mean of the L1 distance between two histograms of n independent pairs each.
- *
- * Each of two counts of a bin of probability p is binomial; their difference over n has
- * the variance 2 p (1 - p) / n and, for its magnitude, at most the square root of it as
- * its mean (Jensen). The weights of Eq. (5.11) differ by at most their ratio.
- */
-double
-samplingBound(const std::vector<float>& histogram, double pair_count)
-{
-  double sum = 0.0;
-  for (const double p : histogram)
-    sum += std::sqrt(2.0 * p * (1.0 - p) / pair_count);
-  return sum;
 }
 
 TEST(EPPFHistogram, OrderOfThePointsChangesOnlySampling)
@@ -275,29 +175,6 @@ TEST(EPPFHistogram, ScaleFreeWithTheObjectsOwnExtent)
   auto options = pairHarmonicsOptions();
   options.scale = 10.0;
   EXPECT_GT(difference(histogram, eppfHistogram(points, options)), 0.5);
-}
-
-TEST(EPPFHistogram, NoisyObjectsEqualTheFormulas)
-{
-  for (const auto rule : {SurfaceAngleRule::Joint, SurfaceAngleRule::Maximum})
-    for (const double scale : {0.0, 0.9}) {
-      const auto points = noisyBox({1.0f, 0.6f, 0.3f}, 0.07f, 900, 24);
-      auto options = pairHarmonicsOptions();
-      options.surface_angle_rule = rule;
-      options.scale = scale;
-      const auto histogram = eppfHistogram(points, options);
-      // In units of 2^-16 each of eight parts of 20,000 pairs is rounded, and single
-      // precision moves a few parts in a million of a pair over a border.
-      EXPECT_LT(difference(histogram, slowNoisyHistogram(points, options)), rounding);
-      EXPECT_NEAR(std::accumulate(histogram.begin(), histogram.end(), 0.0), 1.0, 1e-6);
-      options.denoising = false;
-      EXPECT_GT(difference(histogram, eppfHistogram(points, options)), 0.1);
-      for (options.number_of_threads = 1; options.number_of_threads < 4;
-           ++options.number_of_threads) {
-        options.denoising = true;
-        EXPECT_EQ(histogram, eppfHistogram(points, options));
-      }
-    }
 }
 
 TEST(EPPFHistogram, ObjectsWithoutNoiseAreLeftAsTheyAre)

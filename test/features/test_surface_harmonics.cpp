@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "features/eppf_oracle.h"
+#include "features/harmonics_oracle.h"
 #include "features/oriented_shapes.h"
 
 #include <algorithm>

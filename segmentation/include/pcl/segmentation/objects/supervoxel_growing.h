@@ -35,10 +35,11 @@ struct SurfaceDistance {
            (1 - std::abs(normal_1.dot(normal_2))) * normal_weight;
   }
 
-  /** \brief What is added to it by appearance: w_c D_c, where D_c is the difference of
-   * colours (CIE 1976) over 100, the one of black and white; and the weight of FPFH
-   * times the share of the two histograms that is not common to them. \param[in] i, j
-   * columns; a part of the appearance that one of them lacks adds 0
+  /** \brief What appearance adds: w_c D_c, where D_c is the difference of colours (CIE
+   * 1976) over 100, that of black and white; and the weight of FPFH times the share of
+   * the two histograms that is not common to them.
+   * \param[in] one, other the appearances of two places
+   * \param[in] i, j their columns; what one of them has no columns of adds 0
    */
   float
   ofAppearance(const SurfaceAppearance& one,
@@ -72,7 +73,8 @@ struct Supervoxels {
  * in rounds in which all voxels decide at once. Unlike pcl::SupervoxelClustering every
  * voxel gets a supervoxel (voxels out of reach form their own), supervoxels are
  * connected, and the result depends neither on the order of the points nor on the
- * number of threads. \param[in] voxels with centroids, neighbours and normals
+ * number of threads.
+ * \param[in] voxels with centroids, neighbours and normals
  * \param[in] left_out one flag per voxel, not 0 for voxels that take no part; may be
  * empty
  * \param[in] grid_scale seeds are this many voxels apart, in the grid's unit (>= 1)
