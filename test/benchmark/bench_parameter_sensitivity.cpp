@@ -6,20 +6,27 @@
 /* Which edges of the supervoxel graph the removal of non-convex points takes away, by
  * curvature threshold and ratio threshold (Sec. 4.3.4, Fig. 4.14).
  *
- *   bench_parameter_sensitivity plot.png room.pcd ...
+ *   bench_parameter_sensitivity plot.png [-points|-labelled] room.pcd ...
  *
- * Rooms have the part of each point in the field label, 0 = not judged. */
+ * Rooms have the part of each point in the field label, 0 = not judged. On voxels with
+ * the default options; with -points on points with those of the thesis, but no planes
+ * are taken off; with -labelled the same on the labelled points alone, as the thesis's
+ * scenes are. */
 
 #include "pictures/line_plot.h"
 
 #include <pcl/common/point_tests.h>
+#include <pcl/filters/non_convex_points.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/object_segmentation.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <numeric>
 #include <set>
+#include <string>
 
 using namespace pcl::indoor;
 
@@ -35,13 +42,13 @@ struct Room {
 };
 
 bool
-loadRoom(const std::string& path, Room& room)
+loadRoom(const std::string& path, bool labelled_alone, Room& room)
 {
   pcl::PointCloud<pcl::PointXYZL> cloud;
   if (pcl::io::loadPCDFile(path, cloud) < 0)
     return false;
   for (const auto& point : cloud)
-    if (pcl::isFinite(point)) {
+    if (pcl::isFinite(point) && (point.label != 0 || !labelled_alone)) {
       room.input.points.push_back(point.getVector3fMap() - cloud[0].getVector3fMap());
       room.labels.push_back(point.label);
     }
@@ -75,29 +82,79 @@ struct EdgeCount {
   std::size_t intra = 0, inter = 0;
 };
 
-/** Count the edges of the graph of all supervoxels that are left: those over which
- * voxels touch that were not removed. */
+/** Supervoxels of what was not removed, and the cells of R_voxel that they are in. */
+struct TouchingCells {
+  std::vector<std::uint32_t> cell_of_voxel; ///< of each voxel, or point, of the scene
+  Adjacency neighbors;                      ///< of cells
+};
+
+TouchingCells
+touchingCells(const ObjectScene& scene, bool on_points)
+{
+  if (on_points) {
+    const auto cells = surfaceVoxels(scene.points, {}, scene.voxel_size);
+    return {cells.cells.cell_of_point, cells.neighbors};
+  }
+  std::vector<std::uint32_t> own(scene.voxels.size());
+  std::iota(own.begin(), own.end(), 0u);
+  return {own, scene.voxels.neighbors};
+}
+
+/** Count the edges of the graph of all supervoxels that are left: those that have
+ * voxels, or points, that were not removed, in one cell or in two that touch. */
 EdgeCount
 countEdges(const ObjectSegmentation& graph,
+           const TouchingCells& cells,
            const std::vector<std::uint32_t>& labels,
            const std::vector<std::uint8_t>& removed)
 {
+  std::vector<std::set<std::uint32_t>> in_cell(cells.neighbors.offsets.size() - 1);
+  for (std::size_t v = 0; v < removed.size(); ++v)
+    if (!removed[v] && graph.supervoxels.label_of_voxel[v] != Supervoxels::none)
+      in_cell[cells.cell_of_voxel[v]].insert(graph.supervoxels.label_of_voxel[v]);
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-  const auto& neighbors = graph.scene.voxels.neighbors;
-  for (std::uint32_t v = 0; v < graph.scene.voxels.size(); ++v)
-    for (const auto other : neighbors.of(v)) {
-      const auto a = graph.supervoxels.label_of_voxel[v];
-      const auto b = graph.supervoxels.label_of_voxel[other];
-      if (a < b && b != Supervoxels::none && !removed[v] && !removed[other])
-        edges.emplace(a, b);
-      else if (b < a && a != Supervoxels::none && !removed[v] && !removed[other])
-        edges.emplace(b, a);
-    }
+  const auto connect = [&](std::uint32_t one, std::uint32_t other) {
+    for (const auto a : in_cell[one])
+      for (const auto b : in_cell[other])
+        if (a != b)
+          edges.emplace(std::min(a, b), std::max(a, b));
+  };
+  for (std::uint32_t cell = 0; cell < in_cell.size(); ++cell) {
+    connect(cell, cell);
+    for (const auto other : cells.neighbors.of(cell))
+      connect(cell, other);
+  }
   EdgeCount count;
   for (const auto& edge : edges)
     if (labels[edge.first] != 0 && labels[edge.second] != 0)
       ++(labels[edge.first] == labels[edge.second] ? count.intra : count.inter);
   return count;
+}
+
+/** What is removed with the thresholds of the options: Eq. (4.2) on the points of a
+ * graph, or the voxels' own way. */
+std::vector<std::uint8_t>
+removedWith(const ObjectSegmentationOptions& options,
+            const ObjectSegmentation& graph,
+            const Room& room)
+{
+  if (!options.on_points.enabled)
+    return segmentObjects(room.input, options).removed;
+  const auto& surface = graph.scene.voxels;
+  NonConvexityOptions removal;
+  removal.radius = options.on_points.removal_radius;
+  removal.curvature_threshold = options.curvature_threshold;
+  removal.ratio_threshold = options.ratio_threshold;
+  return nonConvexPoints(
+      surface.centroids, surface.normals, surface.curvatures, removal);
+}
+
+double
+percentLess(std::size_t after, std::size_t before)
+{
+  return before > 0
+             ? 100 - 100 * static_cast<double>(after) / static_cast<double>(before)
+             : 0;
 }
 
 /** Removed edges of all rooms, in percent. */
@@ -106,17 +163,19 @@ struct Shares {
 };
 
 std::vector<std::vector<Shares>>
-measure(const std::vector<Room>& rooms)
+measure(const std::vector<Room>& rooms, bool on_points)
 {
   std::vector<std::vector<EdgeCount>> left(
       ratio_thresholds.size(), std::vector<EdgeCount>(curvature_thresholds.size()));
   EdgeCount all;
   for (const auto& room : rooms) {
-    ObjectSegmentationOptions options;
+    auto options = on_points ? thesisOptions() : ObjectSegmentationOptions();
+    options.on_points.ransac_share = 0;
     options.curvature_threshold = 1.0f / 3; // nothing is removed
     const auto graph = segmentObjects(room.input, options);
     const auto labels = labelsOfSupervoxels(graph, room.labels);
-    const auto before = countEdges(graph, labels, graph.removed);
+    const auto cells = touchingCells(graph.scene, on_points);
+    const auto before = countEdges(graph, cells, labels, graph.removed);
     all.intra += before.intra;
     all.inter += before.inter;
     for (std::size_t r = 0; r < ratio_thresholds.size(); ++r)
@@ -124,26 +183,55 @@ measure(const std::vector<Room>& rooms)
         options.curvature_threshold = curvature_thresholds[c];
         options.ratio_threshold = ratio_thresholds[r];
         const auto count =
-            countEdges(graph, labels, segmentObjects(room.input, options).removed);
+            countEdges(graph, cells, labels, removedWith(options, graph, room));
         left[r][c].intra += count.intra;
         left[r][c].inter += count.inter;
       }
   }
   std::printf(
       "%zu edges within objects, %zu between objects\n\n", all.intra, all.inter);
-  const auto percent = [](std::size_t part, std::size_t whole) {
-    return whole > 0
-               ? 100 - 100 * static_cast<double>(part) / static_cast<double>(whole)
-               : 0;
-  };
   std::vector<std::vector<Shares>> shares;
   for (const auto& of_ratio : left) {
     shares.emplace_back();
     for (const auto& count : of_ratio)
       shares.back().push_back(
-          {percent(count.intra, all.intra), percent(count.inter, all.inter)});
+          {percentLess(count.intra, all.intra), percentLess(count.inter, all.inter)});
   }
   return shares;
+}
+
+/** The same by numbers: how many edges fewer the graph has that is made anew of what
+ * was not removed. Its supervoxels are others. */
+void
+printGraphsAnew(const std::vector<Room>& rooms, float ratio_threshold)
+{
+  const auto count = [&](float curvature_threshold) {
+    EdgeCount all;
+    for (const auto& room : rooms) {
+      auto options = thesisOptions();
+      options.on_points.ransac_share = 0;
+      options.curvature_threshold = curvature_threshold;
+      options.ratio_threshold = ratio_threshold;
+      const auto graph = segmentObjects(room.input, options);
+      const auto labels = labelsOfSupervoxels(graph, room.labels);
+      for (const auto& edge : graph.edges)
+        if (labels[edge.source] != 0 && labels[edge.target] != 0)
+          ++(labels[edge.source] == labels[edge.target] ? all.intra : all.inter);
+    }
+    return all;
+  };
+  const auto before = count(1.0f / 3);
+  std::printf("\nGraphs made anew, alpha_t %g: %zu edges within, %zu between\n",
+              ratio_threshold,
+              before.intra,
+              before.inter);
+  for (const float threshold : {0.01f, 0.02f, 0.025f, 0.03f, 0.05f}) {
+    const auto after = count(threshold);
+    std::printf("theta_t %g: inter %.1f %%, intra %.1f %% fewer\n",
+                threshold,
+                percentLess(after.inter, before.inter),
+                percentLess(after.intra, before.intra));
+  }
 }
 
 void
@@ -197,18 +285,26 @@ savePlot(const std::string& path, const std::vector<std::vector<Shares>>& shares
 int
 main(int argc, char** argv)
 {
-  if (argc < 3) {
-    std::fprintf(stderr, "Syntax is: %s plot.png room.pcd ...\n", argv[0]);
+  const std::string mode = argc > 2 ? argv[2] : "";
+  const bool labelled_alone = mode == "-labelled";
+  const bool on_points = labelled_alone || mode == "-points";
+  const int first = on_points ? 3 : 2;
+  if (argc <= first) {
+    std::fprintf(
+        stderr, "Syntax is: %s plot.png [-points|-labelled] room.pcd ...\n", argv[0]);
     return EXIT_FAILURE;
   }
-  std::vector<Room> rooms(argc - 2);
-  for (int i = 2; i < argc; ++i)
-    if (!loadRoom(argv[i], rooms[i - 2])) {
+  std::vector<Room> rooms(static_cast<std::size_t>(argc - first));
+  for (int i = first; i < argc; ++i)
+    if (!loadRoom(
+            argv[i], labelled_alone, rooms[static_cast<std::size_t>(i - first)])) {
       std::fprintf(stderr, "%s: cannot be read\n", argv[i]);
       return EXIT_FAILURE;
     }
-  const auto shares = measure(rooms);
+  const auto shares = measure(rooms, on_points);
   printTable(shares);
   savePlot(argv[1], shares);
+  if (on_points)
+    printGraphsAnew(rooms, 0.2f);
   return EXIT_SUCCESS;
 }

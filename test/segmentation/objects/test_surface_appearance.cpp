@@ -216,6 +216,17 @@ TEST(SurfaceAppearance, ColorAndShapeTogether)
   EXPECT_EQ(segmentObjects(twoShapes(), lccp).segment_count, 1u);
 }
 
+TEST(SurfaceAppearance, TheSameForAnyNumberOfThreads)
+{
+  auto options = optionsWith(0, 3);
+  options.threads = 1;
+  const auto one = segmentObjects(twoShapes(), options);
+  options.threads = 7;
+  const auto seven = segmentObjects(twoShapes(), options);
+  EXPECT_EQ(seven.supervoxels.label_of_voxel, one.supervoxels.label_of_voxel);
+  EXPECT_EQ(seven.segment_of_point, one.segment_of_point);
+}
+
 TEST(SurfaceAppearance, BadWeightsAndColorsAreRefused)
 {
   for (const float bad : {-1.0f, std::nanf(""), HUGE_VALF}) {
