@@ -28,7 +28,7 @@ struct Settings {
   std::string noise = "0";
   std::string ablation = "none";
   std::string scale_by = "own";
-  std::string normals = "given";
+  std::string normal_method = "given";
   bool correlation = false;
   std::string json;
   std::string confusion;
@@ -303,9 +303,9 @@ run(const Settings& settings, Progress& progress)
   const auto noise_levels = readNoise(settings.noise);
   const bool is_noisy = std::any_of(
       noise_levels.begin(), noise_levels.end(), [](double level) { return level > 0; });
-  if (settings.normals == "rrht" &&
+  if (settings.normal_method == "rrht" &&
       (is_noisy || settings.experiment.disturbance.estimates_normals))
-    throw ToolError("-normals rrht: normals under noise, and those of "
+    throw ToolError("-normal_method rrht: normals under noise, and those of "
                     "-estimate_normals, are of planes");
   auto experiment = settings.experiment;
   experiment.distances = readDistances(settings.distances);
@@ -317,7 +317,7 @@ run(const Settings& settings, Progress& progress)
                                      experiment.neighbor_count,
                                      experiment.number_of_threads,
                                      progress);
-  if (settings.normals == "rrht")
+  if (settings.normal_method == "rrht")
     estimateHoughNormals(objects, experiment.number_of_threads, progress);
   const auto scale = scaleOf(objects);
   const auto descriptors = chosenDescriptors(settings, scale);
@@ -402,8 +402,8 @@ main(int argc, char** argv)
             "length the distance bins spread over: own = -scale, or the extent of the "
             "largest or of the median object of the set",
             {"own", "largest", "median"})
-      .text("-normals",
-            settings.normals,
+      .text("-normal_method",
+            settings.normal_method,
             "given: those of the file or of the mesh's faces, or of planes where it "
             "has none; rrht: estimated by RRHT in all objects, as the thesis does on "
             "samples of meshes",
@@ -411,8 +411,7 @@ main(int argc, char** argv)
       .flag("-correlation",
             settings.correlation,
             "print the Pearson correlation of the thesis's features over the pairs of "
-            "all "
-            "objects, Eq. (5.9)")
+            "all objects, Eq. (5.9)")
       .number("-normal_neighbors",
               experiment.neighbor_count,
               "neighbours of a normal that has to be estimated",

@@ -72,10 +72,10 @@ protected:
 TEST_F(RetrievalResults, NormalsAreGivenUnlessRRHTIsWanted)
 {
   const auto faces = correlation("");
-  EXPECT_EQ(correlation("-normals given"), faces);
-  const auto hough = correlation("-normals rrht");
+  EXPECT_EQ(correlation("-normal_method given"), faces);
+  const auto hough = correlation("-normal_method rrht");
   EXPECT_NE(hough, faces);
-  EXPECT_EQ(correlation("-normals rrht"), hough);
+  EXPECT_EQ(correlation("-normal_method rrht"), hough);
 }
 
 TEST_F(RetrievalResults, CorrelationFollowsTheScale)
@@ -89,11 +89,13 @@ TEST_F(RetrievalResults, CorrelationFollowsTheScale)
 TEST_F(RetrievalResults, RRHTIsRefusedWhereNormalsAreOfPlanes)
 {
   for (const std::string options : {"-noise 1", "-noise 0,2", "-estimate_normals"}) {
-    EXPECT_EQ(status("-normals rrht -json " + path("out.json") + " " + options), 1);
+    EXPECT_EQ(status("-normal_method rrht -json " + path("out.json") + " " + options),
+              1);
     const auto said = bytesOf(path("said"));
-    EXPECT_NE(said.find("-normals rrht: "), std::string::npos) << said;
+    EXPECT_NE(said.find("-normal_method rrht: "), std::string::npos) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
     EXPECT_FALSE(std::filesystem::exists(path("out.json")));
   }
-  EXPECT_EQ(status("-normals other"), 1);
+  EXPECT_EQ(status("-normal_method other"), 1);
+  EXPECT_EQ(status("-normals ignored"), 0); // the descriptor's own
 }

@@ -149,6 +149,17 @@ TEST(OptionParser, IncompleteUnknownAndRepeatedOptionsAreRefused)
             std::string::npos);
 }
 
+TEST(OptionParser, TwoOptionsOfOneNameAreAnErrorOfTheProgram)
+{
+  Values values;
+  auto parser = makeParser(values);
+  parser.flag("-size", values.fast, "do it in size");
+  for (const char* argument : {"-h", "-fast"}) {
+    const char* const arguments[] = {"pcl_example", argument};
+    EXPECT_THROW(parser.parse(2, arguments), ToolError);
+  }
+}
+
 TEST(OptionParser, MissingFileNamesAreNamed)
 {
   Values values;

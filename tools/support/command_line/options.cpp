@@ -254,6 +254,9 @@ OptionParser::parse(int argc, const char* const* argv)
   const auto asks_for_help = [](const std::string& argument) {
     return argument == "-h" || argument == "-help" || argument == "--help";
   };
+  for (const auto& option : options_)
+    if (find(option.name) != &option)
+      throw ToolError(option.name + ": two options have this name");
   if (std::any_of(argv + 1, argv + argc, asks_for_help))
     return false;
   std::vector<std::string> names;
