@@ -10,6 +10,7 @@ FROM debian:12 AS try
 RUN apt-get update && apt-get install -y --no-install-recommends cmake g++ make
 COPY --from=build /source/build/package/*.deb /packages/
 COPY README.md /source/
+COPY docs/guide /source/docs/guide
 COPY test/consumer /source/test/consumer
 RUN apt-get install -y --no-install-recommends /packages/*.deb \
   && /source/test/consumer/try_packages.sh /packages installed && touch /tried

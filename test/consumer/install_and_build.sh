@@ -12,10 +12,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 "$cmake" --install "$build" --prefix "$folder/prefix" > "$folder/install.log"
-mkdir "$folder/source"
-cp "$here/CMakeLists.txt" "$here/consumer.cpp" "$folder/source"
-"$here/gather_examples.sh" "$here/../../README.md" "$here/../../docs/guide/"{rooms,objects,normals,descriptors_and_classes}.md \
-  "$folder/source/examples.cpp"
+"$here/make_project.sh" "$folder/source"
 
 configure() {
   "$cmake" -S "$folder/source" -B "$1" -Wno-dev -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$folder/prefix" > "$1.log" 2>&1

@@ -19,9 +19,7 @@ else
   done
   usr=$folder/root/usr
 fi
-mkdir "$folder/source"
-cp "$here/CMakeLists.txt" "$here/consumer.cpp" "$folder/source"
-"$here/gather_readme.sh" "$here/../../README.md" "$folder/source/readme.cpp"
+"$here/make_project.sh" "$folder/source"
 cmake -S "$folder/source" -B "$folder/build" -Wno-dev -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$usr" \
   > "$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
 grep -q "pcl_indoor_DIR:PATH=$usr/" "$folder/build/CMakeCache.txt" || { echo "another pcl_indoor is found"; exit 1; }

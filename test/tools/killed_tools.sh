@@ -18,6 +18,10 @@ cd "$folder" || exit 1
 "$tools"/pcl_segment_collection scan.pcd objects -names scan.json -min_points 20 -quiet || exit 1
 cp -r objects pairs # classes with something to train and something to test with
 for class in pairs/*; do [ "$(find "$class" -type f | wc -l)" -ge 2 ] || rm -r "$class"; done
+mkdir -p room/Annotations # as in S3DIS
+for object in chair_1 wall_1; do
+  awk -v n="${#object}" 'BEGIN { srand(n); for (i = 0; i < 30000; ++i) print rand(), rand(), rand(), n, 0, 0 }' > room/Annotations/$object.txt
+done
 model=$(realpath "$tools")/../share/pcl_indoor/indoor_objects.model
 
 # each: <1|2>, by which an option and the results differ
@@ -29,6 +33,7 @@ evaluation() { exec "$tools"/pcl_segmentation_evaluation scan.pcd scan.pcd -trut
 collection() { exec "$tools"/pcl_segment_collection scan.pcd now/classes -names scan.json -min_points "$1"00; }
 examples() { exec "$tools"/pcl_joining_examples scan.pcd now/examples -seed "$1"; }
 classes() { exec "$tools"/pcl_eppf_classify "$model" "$([ "$1" = 1 ] && echo object || echo scan)".pcd -json now/classes.json; }
+dataset() { exec "$tools"/pcl_dataset_scan room now/cloud.pcd -json now/names.json -structure "$([ "$1" = 1 ] && echo wall || echo chair,wall)"; }
 comparison() {
   exec "$tools"/pcl_lccp_comparison scan.pcd -truth_field "$([ "$1" = 1 ] && echo object || echo room)" -json now/result.json \
     -picture now/picture.png
@@ -59,7 +64,7 @@ goes_on() { # as if it had not been killed
   (training 2 > /dev/null) && cmp -s now/net.model new/net.model
 }
 
-all=(objects normals simulation descriptor evaluation collection examples classes comparison retrieval)
+all=(objects normals simulation descriptor evaluation collection examples classes dataset comparison retrieval)
 [ ! -x "$tools"/pcl_eppf_train ] || all+=(training) # built where libtorch is
 [ $# -eq 0 ] || all=("$@")
 for tool in "${all[@]}"; do
