@@ -409,10 +409,12 @@ appendValues(PCLPointCloud2& cloud,
   removeField(cloud, name);
   const std::size_t old_step = cloud.point_step;
   const std::size_t new_step = old_step + sizeof(T);
-  std::vector<std::uint8_t> data(values.size() * new_step);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    std::memcpy(&data[i * new_step], &cloud.data[i * old_step], old_step);
-    std::memcpy(&data[i * new_step + old_step], &values[i], sizeof(T));
+  // in place, from the end: the vector grows for several fields at once
+  cloud.data.resize(values.size() * new_step);
+  for (std::size_t i = values.size(); i-- > 0;) {
+    std::uint8_t* const point = cloud.data.data() + i * new_step;
+    std::memmove(point, cloud.data.data() + i * old_step, old_step);
+    std::memcpy(point + old_step, &values[i], sizeof(T));
   }
   PCLPointField field;
   field.name = name;
@@ -422,7 +424,6 @@ appendValues(PCLPointCloud2& cloud,
   cloud.fields.push_back(field);
   cloud.point_step = static_cast<std::uint32_t>(new_step);
   cloud.row_step = cloud.point_step * cloud.width;
-  cloud.data = std::move(data);
 }
 
 } // namespace
