@@ -87,6 +87,28 @@ readGroups(const std::string& path)
   readScene(scan_segments, test::bytesOf(path));
 }
 
+/** \brief A folder of SUN RGB-D with this depth image; colours, labels and their names
+ * are whole. */
+inline void
+readDepths(const std::string& path)
+{
+  std::filesystem::create_directories("fuzz_sun/depth");
+  std::ofstream("fuzz_sun/depth/d.png", std::ios::binary) << test::bytesOf(path);
+  std::ofstream("fuzz_sun/intrinsics.txt") << camera_matrix;
+  std::ofstream("fuzz_labels.png", std::ios::binary) << wholePngs()[0];
+  std::ofstream("fuzz_color.png", std::ios::binary)
+      << test::pngBytes(3, 2, 24, std::vector<std::uint16_t>(18, 7));
+  std::ofstream("fuzz_names.txt") << "wall\r\nfloor\nchair\n";
+  tool::DepthImageFiles files;
+  if (!tool::isSunRgbd("fuzz_sun"))
+    return;
+  tool::findSunRgbd("fuzz_sun", files);
+  files.labels = files.instances = "fuzz_labels.png";
+  files.color = "fuzz_color.png";
+  files.label_names = "fuzz_names.txt";
+  static_cast<void>(tool::readDepthImage(files));
+}
+
 /** \brief A depth image with this camera. */
 inline void
 readCamera(const std::string& path)

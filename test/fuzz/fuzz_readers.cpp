@@ -158,6 +158,7 @@ allReaders()
        {pngs.begin(), pngs.end() - 1}},
       {"segs", readSegments, [](std::string&) {}, {scan_segments}},
       {"groups", readGroups, [](std::string&) {}, {scan_groups}},
+      {"depths", readDepths, repairPng, {pngs[1]}},
       {"camera", readCamera, [](std::string&) {}, {camera_matrix}}};
 }
 
