@@ -175,6 +175,9 @@ TEST_F(S3dis, DamagedScansAreRefused)
   expectRefused("area", "wall_3.txt: line 1");
   save("area/office_1/Annotations/wall_3.txt", "4 5 6 0 0 0\n4 5 6 0 \x10 0\n");
   expectRefused("area", "wall_3.txt: line 2");
+  save("area/office_1/Annotations/wall_3.txt",
+       "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n");
+  expectRefused("area", "wall_3.txt: names its fields, 'x,y,z,r,g,b' is for tables");
   save("area/office_1/Annotations/wall_3.txt", "");
   expectRefused("area", "wall_3.txt: ");
   std::filesystem::remove(path("area/office_1/Annotations/wall_3.txt"));

@@ -140,7 +140,7 @@ TEST_F(Tables, TheOptionSaysWhatColumnsAre)
   EXPECT_EQ(readLabels(file, "room"), (Wholes{9}));
   // it stands above a header, which need not name anything known
   EXPECT_EQ(fieldsOf(load("east,north,up\n1,2,3\n", "x,y,z")), "x y z");
-  EXPECT_EQ(complaint("1 2 3 4\n", "x,y,z"), "line 1 has 4 values, -columns names 3");
+  EXPECT_EQ(complaint("1 2 3 4\n", "x,y,z"), "line 1 has 4 values, 'x,y,z' names 3");
   EXPECT_EQ(complaint("1 2 3\n", "x,y,_"), "-columns: it names no column 'z'");
   EXPECT_EQ(complaint("1 2 3 4\n", "x,y,z,x"), "-columns: it names columns 'x' twice");
   EXPECT_THROW(loadCloud(write("a.pcd",

@@ -115,7 +115,8 @@ readFile(CloudFile& file, const TableColumns& columns)
 {
   const auto checked = checkCloudFile(file.path);
   if (!columns.names.empty() && checked.format != CloudFormat::Table)
-    throw ToolError("-columns: " + file.path + " is no table, it names its fields");
+    throw ToolError(file.path + ": names its fields, '" + columns.names +
+                    "' is for tables");
   const SilentPcl silence;
   bool is_read = true;
   try {

@@ -7,6 +7,8 @@
 #include "command_line/options.h" // for ToolError
 #include "formats/file_header.h"  // for throwTruncated
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -220,7 +222,8 @@ TableRows::addFirstRow(std::string_view line)
       refuse(values + where + " names " + std::to_string(names.size()));
   };
   if (!option_names_.empty()) {
-    requireAsMany(option_names_, "-columns");
+    requireAsMany(option_names_,
+                  "'" + boost::algorithm::join(option_names_, ",") + "'");
     columns_ = columnsOf(option_names_, "-columns: it");
   }
   else if (has_names_) {
