@@ -104,6 +104,15 @@ makeParser(Options& options)
       .flag("-ignore_normals",
             options.ignore_normals,
             "estimate normals although there are some")
+      .text("-normals",
+            options.preparation.normals,
+            "how normals are estimated; voxels: planes of the objects' voxels; rrht: "
+            "Robust Randomized Hough Transform; multi_scale: planes at several scales",
+            {"voxels", "rrht", "multi_scale"})
+      .flag("-remove_outliers",
+            options.preparation.removes_outliers,
+            "leave out points of a room that lie alone (pcl::ScanOutlierRemoval); "
+            "their object is 0")
       .number("-threads",
               options.threads,
               "threads, 0 = automatic",
@@ -119,6 +128,7 @@ makeParser(Options& options)
                  "-partition",
                  "-preset",
                  "-ignore_normals",
+                 "-normals",
                  "-double",
                  points_option,
                  "-memory_limit"});

@@ -7,6 +7,7 @@
  * surfaces whose normals are known, as one table. */
 
 #include <pcl/features/hough_normals.h>
+#include <pcl/features/multi_scale_normals.h>
 #include <pcl/features/normal_3d.h>
 
 #include <cmath>
@@ -126,6 +127,15 @@ leastSquares(const Scene& scene, Normals& normals)
   estimation.compute(normals);
 }
 
+void
+multiScale(const Scene& scene, Normals& normals)
+{
+  pcl::indoor::MultiScaleNormalOptions options;
+  options.radius = radius;
+  options.threads = 1;
+  normals = pcl::indoor::multiScaleNormals(*scene.cloud, options);
+}
+
 /** Root mean square of the angle to the truth, and share of it above ten degrees, of
  * the points whose distance to the edge is in the range. */
 struct Errors {
@@ -169,6 +179,7 @@ main()
       fold("fold of 30 deg, noise 2 mm", 30, 0.002f, 10000)};
   const std::vector<std::pair<std::string, Method>> methods = {
       {"NormalEstimation", leastSquares},
+      {"planes at several scales", multiScale},
       {"Hough, as in the paper", hough([](Estimation& e) {
          auto options = e.getOptions();
          options.sampling = Estimation::Sampling::Points;

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
@@ -97,6 +98,29 @@ TEST_F(Preprocessing, OutliersHaveNoObject)
   objects = readLabels(loadCloud(path("out.pcd")), "object");
   for (const auto object : objects)
     EXPECT_GT(object, 0u);
+}
+
+TEST_F(Preprocessing, ThePipelinePreparesRooms)
+{
+  const auto cloud = [this](const std::string& options) {
+    std::filesystem::remove_all(path("out.pcd")); // here a folder
+    EXPECT_EQ(run("pcl_indoor_pipeline", "-model none -report none " + options), 0);
+    return test::bytesOf(path("out.pcd/cloud.pcd"));
+  };
+  const auto usual = cloud("");
+  const auto hough = cloud("-normals rrht");
+  const auto scales = cloud("-normals multi_scale -threads 1");
+  EXPECT_NE(usual, hough);
+  EXPECT_NE(usual, scales);
+  EXPECT_EQ(scales, cloud("-normals multi_scale -threads 2 -points_at_once 0"));
+  cloud("-remove_outliers");
+  const auto objects = readLabels(loadCloud(path("out.pcd/cloud.pcd")), "object");
+  const auto structure = readLabels(loadCloud(path("out.pcd/cloud.pcd")), "structure");
+  for (std::size_t i = scene_.points.size(); i < objects.size(); ++i) {
+    EXPECT_EQ(objects[i], 0u) << i;
+    EXPECT_EQ(structure[i], 0u) << i; // not even of the remainder
+  }
+  EXPECT_NE(run("pcl_indoor_pipeline", "-normals pca"), 0);
 }
 
 TEST_F(Preprocessing, OrientationIsAnOption)

@@ -20,8 +20,10 @@ finishRoom(RoomPoints room, const RoomWork& work)
       normal = turn * normal;
   }
   const auto standing = room.positions;
+  const auto removed = prepareRoom(work.preparation, room);
   FinishedRoom finished;
   finished.objects = segmentRoomObjects(std::move(room), work.options);
+  putBack(removed, finished.objects);
   finished.measures = measureObjects(positions, standing, finished.objects);
   const auto surfaces = std::exchange(finished.objects.surfaces, {});
   if (work.model)

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "pipeline/room_preparation.h"
 #include "scene/object_classes.h"
 
 #include <pcl/ml/classifier_model.h>
@@ -19,6 +20,7 @@ namespace pcl::indoor::tool {
 
 /** \brief What the rooms of a scan have in common. */
 struct RoomWork {
+  RoomPreparation preparation;
   RoomObjectsOptions options;
   std::optional<ClassifierModel> model; ///< without it there are no classes
   bool is_standing = true;              ///< z is up and the unit is the metre

@@ -8,6 +8,7 @@
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "formats/table_columns.h"
+#include "pipeline/room_preparation.h"
 #include "scene/scan_frame.h"
 
 #include <pcl/segmentation/building_rooms.h>
@@ -28,6 +29,7 @@ struct PipelineOptions {
   std::string model = "bundled"; ///< file, "none" or "bundled"
   std::string report = "folder"; ///< file, "none" or "folder"
   ScanFrame frame;
+  RoomPreparation preparation;
   BuildingRoomsOptions rooms;
   ObjectSegmentationOptions objects;
   double voxel_resolution = 0.0,

@@ -189,6 +189,7 @@ RoomWork
 roomWork(const PipelineOptions& options)
 {
   RoomWork work;
+  work.preparation = options.preparation;
   work.options.segmentation = options.objects;
   if (options.partition == "lccp")
     work.options.segmentation.partition = Partition::Lccp;

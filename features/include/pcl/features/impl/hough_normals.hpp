@@ -7,49 +7,19 @@
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/console/print.h>
 #include <pcl/features/hough_normals.h>
+#include <pcl/indoor/first_in_place.h>
 #include <pcl/indoor/neighbor_distance.h>
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/indoor/usable_point.h>
 #include <pcl/search/kdtree.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace pcl {
-
-namespace indoor {
-
-/** \brief For each of some points of a cloud, the first of them in the same place. */
-template <typename PointT>
-std::vector<std::ptrdiff_t>
-firstInPlace(const PointCloud<PointT>& cloud, const Indices& indices)
-{
-  std::vector<std::ptrdiff_t> order, first(indices.size());
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    first[i] = static_cast<std::ptrdiff_t>(i);
-    if (isFinite(cloud[indices[i]])) // the others have no order
-      order.push_back(first[i]);
-  }
-  const auto place = [&](std::ptrdiff_t i) {
-    const PointT& point = cloud[indices[i]];
-    return std::make_tuple(point.x, point.y, point.z);
-  };
-  std::sort(order.begin(), order.end(), [&](std::ptrdiff_t a, std::ptrdiff_t b) {
-    return std::make_pair(place(a), a) < std::make_pair(place(b), b);
-  });
-  for (std::size_t k = 1; k < order.size(); ++k)
-    if (place(order[k]) == place(order[k - 1]))
-      first[order[k]] = first[order[k - 1]];
-  return first;
-}
-
-} // namespace indoor
 
 template <typename PointInT, typename PointOutT>
 HoughNormalEstimation<PointInT, PointOutT>::HoughNormalEstimation(unsigned threads)
