@@ -176,5 +176,8 @@ TEST(MultiScaleNormals, WrongOptionsAreRefused)
     EXPECT_THROW(multiScaleNormals(cloud, withRadius(radius, 3)),
                  pcl::BadArgumentException)
         << radius;
-  EXPECT_THROW(multiScaleNormals(cloud, withRadius(1, 0)), pcl::BadArgumentException);
+  for (const unsigned scales : {0u, 17u})
+    EXPECT_THROW(multiScaleNormals(cloud, withRadius(1, scales)),
+                 pcl::BadArgumentException)
+        << scales;
 }

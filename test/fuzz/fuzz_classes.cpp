@@ -11,6 +11,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/eppf.h>
 #include <pcl/features/hough_normals.h>
+#include <pcl/features/multi_scale_normals.h>
 #include <pcl/filters/non_convex_points_removal.h>
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
@@ -179,6 +180,18 @@ tryHough(const Cloud::Ptr& cloud, Random& random)
   hough.compute(normals);
 }
 
+void
+tryMultiScale(const Cloud::Ptr& cloud, Random& random)
+{
+  pcl::indoor::MultiScaleNormalOptions options;
+  options.radius = below(random, 2) > 0 ? 0 : anyNumber(random, 0.5);
+  options.scales = static_cast<unsigned>(anyCount(random, 4));
+  try {
+    pcl::indoor::multiScaleNormals(*cloud, options);
+  } catch (const pcl::BadArgumentException&) { // as it says
+  }
+}
+
 template <typename Descriptor>
 void
 tryDescriptor(const Cloud::Ptr& cloud, Random& random)
@@ -266,6 +279,7 @@ main(int argc, char** argv)
       {"rooms", tryRooms},
       {"objects", tryObjects},
       {"hough", tryHough},
+      {"multi_scale", tryMultiScale},
       {"eppf", tryDescriptor<pcl::EPPFSignature1200>},
       {"harmonics", tryDescriptor<pcl::PairHarmonicsSignature1200>},
       {"nonconvex", tryNonConvex},

@@ -86,8 +86,8 @@ findProblem(const MultiScaleNormalOptions& options)
   if (!(options.radius >= 0.0) || !std::isfinite(options.radius))
     problem << "The radius must be 0 (automatic) or a positive length, not "
             << options.radius << " m";
-  else if (options.scales < 1)
-    problem << "There must be at least 1 scale";
+  else if (options.scales < 1 || options.scales > 16)
+    problem << "The number of scales must be in 1 ... 16, not " << options.scales;
   return problem.str();
 }
 

@@ -17,7 +17,7 @@ struct MultiScaleNormalOptions {
   /** of the largest neighbourhood, metres (>= 0); 0: twice that of Eq. (2.9), about 50
    * points */
   double radius = 0;
-  unsigned scales = 4;  ///< radii that are tried, down to half of the largest (>= 1)
+  unsigned scales = 4;  ///< radii that are tried, down to half of the largest (1 to 16)
   unsigned threads = 0; ///< 0 = automatic; the result does not depend on it
 };
 
