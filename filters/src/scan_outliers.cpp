@@ -5,7 +5,6 @@
 #include <pcl/filters/scan_outliers.h>
 
 #include <pcl/filters/radius_outlier_removal.h>
-#include <pcl/filters/statistical_outlier_removal.h>
 #include <pcl/indoor/neighbor_distance.h>
 #include <pcl/indoor/require_valid.h>
 #include <pcl/point_types.h>
@@ -30,45 +29,34 @@ withNeighbors(const Cloud::ConstPtr& cloud, double radius, int min_neighbors)
   return kept;
 }
 
-/** How many standard deviations the given multiple of the mean lies above it. */
-double
-deviationsOf(double ratio, const std::vector<float>& values)
-{
-  double sum = 0, squares = 0;
-  for (const auto value : values) {
-    sum += value;
-    squares += static_cast<double>(value) * value;
-  }
-  const auto count = static_cast<double>(values.size());
-  const double variance = (squares - sum * sum / count) / (count - 1);
-  const double most = 1e6; // of values that are all equal
-  return variance > 0 ? std::min(most, (ratio - 1) * sum / count / std::sqrt(variance))
-                      : most;
-}
-
-/** The indices that are kept, of those given. */
+/** The indices that are kept, of those given: where the mean distance to neighbours is
+ * not far above that of all, as pcl::StatisticalOutlierRemoval has it. */
 pcl::IndicesPtr
-withNearNeighbors(const Cloud::ConstPtr& cloud,
+withNearNeighbors(const std::vector<Eigen::Vector3f>& points,
                   const pcl::Indices& indices,
                   const pcl::indoor::ScanOutlierOptions& options)
 {
-  // On a cloud of their own: else what was removed would still be a neighbour.
-  const auto rest = pcl::make_shared<Cloud>(*cloud, indices);
-  const auto distances =
-      pcl::indoor::meanNeighborDistances(pcl::indoor::finitePoints(*rest),
-                                         static_cast<unsigned>(options.mean_k),
-                                         options.threads);
-  pcl::StatisticalOutlierRemoval<pcl::PointXYZ> removal;
-  removal.setInputCloud(rest);
-  removal.setMeanK(options.mean_k);
-  removal.setStddevMulThresh(
-      std::max(options.deviations, deviationsOf(options.least_ratio, distances)));
-  pcl::Indices kept;
-  removal.filter(kept);
-  const auto result = pcl::make_shared<pcl::Indices>();
-  for (const auto i : kept)
-    result->push_back(indices[i]);
-  return result;
+  // On their own: else what was removed would still be a neighbour.
+  std::vector<Eigen::Vector3f> rest;
+  for (const auto i : indices)
+    rest.push_back(points[i]);
+  const auto distances = pcl::indoor::meanNeighborDistances(
+      rest, static_cast<unsigned>(options.mean_k), options.threads);
+  double sum = 0, squares = 0;
+  for (const double distance : distances) {
+    sum += distance;
+    squares += distance * distance;
+  }
+  const auto count = static_cast<double>(distances.size());
+  const double mean = sum / count;
+  const double variance = std::max(0.0, (squares - sum * mean) / (count - 1));
+  const double most = mean + std::max(options.deviations * std::sqrt(variance),
+                                      (options.least_ratio - 1) * mean);
+  const auto kept = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (distances[i] <= most)
+      kept->push_back(indices[i]);
+  return kept;
 }
 
 } // namespace
@@ -117,7 +105,7 @@ scanOutliers(const std::vector<Eigen::Vector3f>& points,
     kept = withNeighbors(cloud, radius, options.min_neighbors);
   if (std::isfinite(options.deviations) &&
       kept->size() > static_cast<std::size_t>(options.mean_k))
-    kept = withNearNeighbors(cloud, *kept, options);
+    kept = withNearNeighbors(points, *kept, options);
   outliers.assign(points.size(), 1);
   for (const auto i : *kept)
     outliers[i] = 0;

@@ -12,11 +12,11 @@ namespace pcl {
 /** \brief Removes the points of a scan that lie alone: reflections, ghost points,
  * noise.
  *
- * PCL's RadiusOutlierRemoval and StatisticalOutlierRemoval, one after the other, with
- * parameters that follow from the resolution of the cloud, so that none has to be set.
- * Where the density of a scan varies more than threefold, raise the radius or the
- * deviations, or sparse surfaces are removed. Coordinates may be large (UTM). Cost: one
- * search tree and a search per point for each of three passes.
+ * What PCL's RadiusOutlierRemoval and StatisticalOutlierRemoval do, one after the
+ * other, with parameters that follow from the resolution of the cloud, so that none has
+ * to be set. Where the density of a scan varies more than threefold, raise the radius
+ * or the deviations, or sparse surfaces are removed. Coordinates may be large (UTM).
+ * Cost: a search tree and a search per point for each of three passes.
  * \note The method: D. Bobkov, "Semantic Understanding of 3D Point Clouds of Indoor
  * Environments", TUM 2019, Sec. 2.1.5.1.
  * \ingroup filters

@@ -35,7 +35,7 @@ std::string
 findProblem(const ScanOutlierOptions& options);
 
 /** \brief Find the points of reflections and sensor noise that lie alone (Sec.
- * 2.1.5.1), with pcl::RadiusOutlierRemoval and then, on what is left, with
+ * 2.1.5.1), with pcl::RadiusOutlierRemoval and then, on what is left, by the rule of
  * pcl::StatisticalOutlierRemoval: in this order far outliers cannot raise the standard
  * deviation.
  * \param[in] points finite points, metres, local frame
