@@ -106,8 +106,9 @@ makeParser(Options& options)
             "estimate normals although there are some")
       .text("-normals",
             options.preparation.normals,
-            "how normals are estimated; voxels: planes of the objects' voxels; rrht: "
-            "Robust Randomized Hough Transform; multi_scale: planes at several scales",
+            "how normals are estimated where the input has none; voxels: planes of the "
+            "objects' voxels; rrht: Robust Randomized Hough Transform; multi_scale: "
+            "planes at several scales",
             {"voxels", "rrht", "multi_scale"})
       .flag("-remove_outliers",
             options.preparation.removes_outliers,

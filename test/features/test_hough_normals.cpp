@@ -3,6 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "features/known_normals.h"
+#include "support/labelled_cloud.h"
 #include "support/labelled_points.h"
 
 #include <pcl/features/hough_normals.h>
@@ -19,31 +21,12 @@ using Normals = pcl::PointCloud<pcl::Normal>;
 using Estimation = pcl::HoughNormalEstimation<pcl::PointXYZ>;
 
 Cloud::Ptr
-cloudOf(const std::vector<Eigen::Vector3f>& points)
-{
-  const auto cloud = pcl::make_shared<Cloud>();
-  for (const auto& point : points)
-    cloud->emplace_back(point.x(), point.y(), point.z());
-  return cloud;
-}
-
-Cloud::Ptr
 plane(const Eigen::Vector3f& corner)
 {
   std::mt19937 rng(1);
   test::LabelledPoints scene;
   scene.addRectangle(corner, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 0.05f, 0, rng);
-  return cloudOf(scene.points);
-}
-
-/** A box with noise, and the faces' normals. */
-test::LabelledPoints
-noisyBox()
-{
-  std::mt19937 rng(2);
-  test::LabelledPoints box;
-  box.addBox({0, 0, 0}, {0.5f, 0.4f, 0.3f}, 1, 0.012f, 0.003f, rng);
-  return box;
+  return test::cloudOf(scene.points);
 }
 
 Normals
@@ -55,17 +38,6 @@ estimated(const Cloud::Ptr& cloud, double radius, unsigned threads = 1)
   Normals normals;
   estimation.compute(normals);
   return normals;
-}
-
-/** Share of the normals that are more than ten degrees off, 0 to 1. */
-double
-shareOfBad(const Normals& normals, const std::vector<Eigen::Vector3f>& truth)
-{
-  std::size_t bad = 0;
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    bad += !(std::abs(normals[i].getNormalVector3fMap().dot(truth[i])) >
-             std::cos(10 * 3.14159265f / 180));
-  return static_cast<double>(bad) / static_cast<double>(normals.size());
 }
 
 void
@@ -98,17 +70,17 @@ TEST(HoughNormalEstimation, APlaneIsExactAlsoInLargeCoordinates)
 
 TEST(HoughNormalEstimation, EdgesStaySharp)
 {
-  const auto box = noisyBox();
-  const auto cloud = cloudOf(box.points);
+  const auto box = test::noisyBox(0.003f);
+  const auto cloud = test::cloudOf(box.points);
   pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> least_squares;
   least_squares.setInputCloud(cloud);
   least_squares.setRadiusSearch(0.06);
   Normals rounded;
   least_squares.compute(rounded);
   const auto sharp = estimated(cloud, 0.06);
-  EXPECT_GT(shareOfBad(rounded, box.normals), 0.3);
+  EXPECT_GT(test::shareOfBad(rounded, box.normals), 0.3);
   // One point in fifteen lies on an edge, where both faces are right.
-  EXPECT_LT(shareOfBad(sharp, box.normals), 0.08);
+  EXPECT_LT(test::shareOfBad(sharp, box.normals), 0.08);
   for (std::size_t i = 0; i < sharp.size(); ++i) // Eq. (2.8) of the same neighbours
     EXPECT_NEAR(sharp[i].curvature, rounded[i].curvature, 1e-3f);
 }
@@ -124,7 +96,7 @@ TEST(HoughNormalEstimation, TheDenseSideOfAnEdgeDoesNotOutvoteTheOther)
       {0, 0, 0}, {0, 0, -0.5f}, {0, 1, 0}, {1, 0, 0}, 2, 0.035f, 0.002f, rng);
   fold.removeIf(
       [](const auto& p) { return std::abs(p.x()) + std::abs(p.z()) < 0.008f; });
-  const auto cloud = cloudOf(fold.points);
+  const auto cloud = test::cloudOf(fold.points);
   const auto badOfSparse = [&](Estimation::Sampling sampling) {
     Estimation estimation;
     estimation.setInputCloud(cloud);
@@ -143,7 +115,7 @@ TEST(HoughNormalEstimation, TheDenseSideOfAnEdgeDoesNotOutvoteTheOther)
         truth.push_back(fold.normals[i]);
       }
     EXPECT_LT(sparse.size(), dense / 5);
-    return shareOfBad(sparse, truth);
+    return test::shareOfBad(sparse, truth);
   };
   const auto by_cubes = badOfSparse(Estimation::Sampling::Cubes);
   EXPECT_LT(by_cubes, 0.8 * badOfSparse(Estimation::Sampling::Points));
@@ -151,9 +123,9 @@ TEST(HoughNormalEstimation, TheDenseSideOfAnEdgeDoesNotOutvoteTheOther)
 
 TEST(HoughNormalEstimation, ThreadsAndOrderDoNotMatter)
 {
-  const auto box = noisyBox();
-  const auto one = estimated(cloudOf(box.points), 0.05, 1);
-  expectSame(one, estimated(cloudOf(box.points), 0.05, 4));
+  const auto box = test::noisyBox(0.003f);
+  const auto one = estimated(test::cloudOf(box.points), 0.05, 1);
+  expectSame(one, estimated(test::cloudOf(box.points), 0.05, 4));
   std::mt19937 rng(4);
   const auto order = test::shuffledOrder(box.points.size(), rng);
   std::vector<Eigen::Vector3f> shuffled;
@@ -162,27 +134,27 @@ TEST(HoughNormalEstimation, ThreadsAndOrderDoNotMatter)
     shuffled.push_back(box.points[i]);
     expected.push_back(one[i]);
   }
-  expectSame(estimated(cloudOf(shuffled), 0.05, 2), expected);
+  expectSame(estimated(test::cloudOf(shuffled), 0.05, 2), expected);
 }
 
 TEST(HoughNormalEstimation, RunsTwiceTheSame)
 {
   Estimation estimation;
-  estimation.setInputCloud(cloudOf(noisyBox().points));
+  estimation.setInputCloud(test::cloudOf(test::noisyBox(0.003f).points));
   Normals first, second;
   estimation.compute(first); // with the automatic radius
   EXPECT_EQ(estimation.getRadiusSearch(), 0);
-  EXPECT_LT(shareOfBad(first, noisyBox().normals), 0.1);
+  EXPECT_LT(test::shareOfBad(first, test::noisyBox(0.003f).normals), 0.1);
   estimation.compute(second);
   expectSame(first, second);
   estimation.setKSearch(60);
   estimation.compute(second);
-  EXPECT_LT(shareOfBad(second, noisyBox().normals), 0.1);
+  EXPECT_LT(test::shareOfBad(second, test::noisyBox(0.003f).normals), 0.1);
 }
 
 TEST(HoughNormalEstimation, IndicesAndSearchSurfaceAreRespected)
 {
-  const auto cloud = cloudOf(noisyBox().points);
+  const auto cloud = test::cloudOf(test::noisyBox(0.003f).points);
   const auto all = estimated(cloud, 0.05);
   Estimation estimation;
   estimation.setInputCloud(cloud);
@@ -197,7 +169,7 @@ TEST(HoughNormalEstimation, IndicesAndSearchSurfaceAreRespected)
               all[(*indices)[i]].getNormalVector3fMap());
 
   Estimation elsewhere;
-  elsewhere.setInputCloud(cloudOf({{0.5f, 0.5f, 1.01f}}));
+  elsewhere.setInputCloud(test::cloudOf({{0.5f, 0.5f, 1.01f}}));
   elsewhere.setSearchSurface(plane({0, 0, 1}));
   elsewhere.setRadiusSearch(0.2);
   elsewhere.compute(some);
@@ -218,8 +190,9 @@ TEST(HoughNormalEstimation, PointsWithoutPlaneAreNaN)
     EXPECT_EQ(std::isnan(normals[i].normal_x), i + 2 >= normals.size()) << i;
     EXPECT_EQ(std::isnan(normals[i].curvature), i + 2 >= normals.size()) << i;
   }
-  EXPECT_FALSE(estimated(cloudOf({{1, 2, 3}}), 0.2).is_dense);
-  const auto equal = estimated(cloudOf(std::vector<Eigen::Vector3f>(9, {1, 2, 3})), 0);
+  EXPECT_FALSE(estimated(test::cloudOf({{1, 2, 3}}), 0.2).is_dense);
+  const auto equal =
+      estimated(test::cloudOf(std::vector<Eigen::Vector3f>(9, {1, 2, 3})), 0);
   ASSERT_EQ(equal.size(), 9u);
   EXPECT_TRUE(std::isnan(equal[0].normal_x));
 }
@@ -265,8 +238,8 @@ TEST(HoughNormalEstimation, NormalsPointToTheViewpoint)
 
 TEST(HoughNormalEstimation, NormalsTurnAsTheirNeighbours)
 {
-  const auto box = noisyBox();
-  const auto cloud = cloudOf(box.points);
+  const auto box = test::noisyBox(0.003f);
+  const auto cloud = test::cloudOf(box.points);
   // Beside the box: the viewpoint alone is wrong for the far sides.
   cloud->sensor_origin_ = Eigen::Vector4f(0.25f, 0.2f, 9, 0);
   Estimation estimation;

@@ -3,7 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/labelled_points.h"
+#include "features/known_normals.h"
+#include "support/labelled_cloud.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/features/multi_scale_normals.h>
@@ -23,25 +24,6 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Normals = pcl::PointCloud<pcl::Normal>;
-
-Cloud
-cloudOf(const std::vector<Eigen::Vector3f>& points)
-{
-  Cloud cloud;
-  for (const auto& point : points)
-    cloud.emplace_back(point.x(), point.y(), point.z());
-  return cloud;
-}
-
-/** A box with noise, and the faces' normals. */
-test::LabelledPoints
-noisyBox()
-{
-  std::mt19937 rng(2);
-  test::LabelledPoints box;
-  box.addBox({0, 0, 0}, {0.5f, 0.4f, 0.3f}, 1, 0.012f, 0.002f, rng);
-  return box;
-}
 
 MultiScaleNormalOptions
 withRadius(double radius, unsigned scales, unsigned threads = 1)
@@ -74,21 +56,11 @@ cosine(const pcl::Normal& a, const Eigen::Vector3f& b)
   return std::abs(a.getNormalVector3fMap().dot(b));
 }
 
-/** Share of the normals that are more than ten degrees off. */
-double
-shareOfWrong(const Normals& normals, const std::vector<Eigen::Vector3f>& truth)
-{
-  std::size_t wrong = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i)
-    wrong += !(cosine(normals[i], truth[i]) > std::cos(10 * M_PI / 180));
-  return static_cast<double>(wrong) / static_cast<double>(truth.size());
-}
-
 } // namespace
 
 TEST(MultiScaleNormals, OfAllScalesTheFlattestDecides)
 {
-  const auto cloud = cloudOf(noisyBox().points);
+  const auto cloud = *test::cloudOf(test::noisyBox(0.002f).points);
   const auto normals = multiScaleNormals(cloud, withRadius(0.08, 3));
   ASSERT_EQ(normals.size(), cloud.size());
   for (std::size_t i = 0; i < cloud.size(); i += 37) {
@@ -106,16 +78,17 @@ TEST(MultiScaleNormals, OfAllScalesTheFlattestDecides)
 
 TEST(MultiScaleNormals, EdgesAreSharperThanAtOneScale)
 {
-  const auto box = noisyBox();
-  const auto cloud = cloudOf(box.points);
+  const auto box = test::noisyBox(0.002f);
+  const auto cloud = *test::cloudOf(box.points);
   const auto several = multiScaleNormals(cloud, withRadius(0.08, 4));
   const auto one = multiScaleNormals(cloud, withRadius(0.08, 1));
-  EXPECT_LT(shareOfWrong(several, box.normals), 0.75 * shareOfWrong(one, box.normals));
+  EXPECT_LT(test::shareOfBad(several, box.normals),
+            0.75 * test::shareOfBad(one, box.normals));
 }
 
 TEST(MultiScaleNormals, OneScaleIsNormalEstimation)
 {
-  const auto cloud = cloudOf(noisyBox().points).makeShared();
+  const auto cloud = test::cloudOf(test::noisyBox(0.002f).points);
   pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   estimation.setInputCloud(cloud);
   estimation.setRadiusSearch(0.05);
@@ -130,15 +103,15 @@ TEST(MultiScaleNormals, OneScaleIsNormalEstimation)
 
 TEST(MultiScaleNormals, TheRadiusFollowsTheResolution)
 {
-  const auto box = noisyBox();
-  const auto normals = multiScaleNormals(cloudOf(box.points));
-  EXPECT_LT(shareOfWrong(normals, box.normals), 0.3);
+  const auto box = test::noisyBox(0.002f);
+  const auto normals = multiScaleNormals(*test::cloudOf(box.points));
+  EXPECT_LT(test::shareOfBad(normals, box.normals), 0.3);
 }
 
 TEST(MultiScaleNormals, ThreadsAndCopiesAndUnusablePointsChangeNothing)
 {
-  const auto points = noisyBox().points;
-  auto cloud = cloudOf(points);
+  const auto points = test::noisyBox(0.002f).points;
+  auto cloud = *test::cloudOf(points);
   const auto normals = multiScaleNormals(cloud, withRadius(0.06, 4));
   const float nan = std::numeric_limits<float>::quiet_NaN();
   cloud.emplace_back(nan, 0.0f, 0.0f);

@@ -11,9 +11,9 @@
 #include <pcl/conversions.h>
 #include <pcl/exceptions.h>
 #include <pcl/features/hough_normals.h>
-#include <pcl/features/impl/hough_normals.hpp> // for firstInPlace
 #include <pcl/features/impl/oriented_points.hpp>
 #include <pcl/features/normal_3d.h>
+#include <pcl/indoor/first_in_place.h>
 #include <pcl/search/kdtree.h>
 
 #include <algorithm>

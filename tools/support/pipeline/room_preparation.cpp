@@ -30,18 +30,6 @@ keep(const std::vector<std::uint8_t>& removed, std::vector<T>& values)
   values.resize(count);
 }
 
-/** Differences to the middle: nothing is lost in large coordinates. */
-std::vector<Eigen::Vector3f>
-localPoints(const std::vector<Eigen::Vector3f>& positions)
-{
-  const Eigen::Vector3d origin = middlePoint(positions);
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(positions.size());
-  for (const auto& position : positions)
-    points.push_back((position.cast<double>() - origin).cast<float>());
-  return points;
-}
-
 /** Points without a normal have that of a neighbour that has one, or else upwards. */
 void
 fillGaps(const Adjacency& neighbors, std::vector<Eigen::Vector3f>& normals)
@@ -104,7 +92,8 @@ prepareRoom(const RoomPreparation& preparation, RoomPoints& room)
   const bool has_normals = preparation.normals == "voxels" || !room.normals.empty();
   if (room.positions.empty() || (has_normals && !preparation.removes_outliers))
     return removed;
-  auto points = localPoints(room.positions);
+  auto points = room.positions;
+  moveToMiddle(points);
   if (preparation.removes_outliers) {
     ScanOutlierOptions options;
     options.threads = threads;

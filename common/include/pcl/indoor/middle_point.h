@@ -29,5 +29,18 @@ middlePoint(const std::vector<Eigen::Vector3f>& points)
   return middle;
 }
 
+/** \brief Move points so that their middlePoint() is the origin: nothing is lost in
+ * large coordinates.
+ * \return where the origin was taken from
+ */
+inline Eigen::Vector3d
+moveToMiddle(std::vector<Eigen::Vector3f>& points)
+{
+  const Eigen::Vector3d origin = middlePoint(points);
+  for (auto& point : points)
+    point = (point.cast<double>() - origin).cast<float>();
+  return origin;
+}
+
 } // namespace indoor
 } // namespace pcl

@@ -4,6 +4,8 @@
  */
 #include <pcl/segmentation/objects/supervoxel_growing.h>
 
+#include "objects/graph/average_columns.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/indoor/flood_fill.h>
 #include <pcl/indoor/threads.h>
@@ -25,28 +27,6 @@ struct Patches {
   std::vector<std::uint32_t> counts;
   pcl::indoor::SurfaceAppearance appearance;
 };
-
-/** The mean column of each patch's members; no columns if there are none. */
-template <typename Columns>
-Columns
-averageColumns(const Columns& columns,
-               const std::vector<std::uint32_t>& labels,
-               const std::vector<std::uint32_t>& counts)
-{
-  Columns means;
-  if (columns.cols() == 0)
-    return means;
-  Eigen::MatrixXd sums =
-      Eigen::MatrixXd::Zero(columns.rows(), static_cast<Eigen::Index>(counts.size()));
-  for (std::size_t v = 0; v < labels.size(); ++v)
-    if (labels[v] != none)
-      sums.col(labels[v]) +=
-          columns.col(static_cast<Eigen::Index>(v)).template cast<double>();
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    sums.col(static_cast<Eigen::Index>(i)) /= std::max(counts[i], 1u);
-  means = sums.cast<float>();
-  return means;
-}
 
 Patches
 averagePatches(const SurfaceVoxels& voxels,
@@ -73,10 +53,10 @@ averagePatches(const SurfaceVoxels& voxels,
                              ? Eigen::Vector3f(normals[i].normalized().cast<float>())
                              : Eigen::Vector3f::Zero();
   }
-  patches.appearance.colors =
-      averageColumns(voxels.appearance.colors, labels, patches.counts);
-  patches.appearance.shapes =
-      averageColumns(voxels.appearance.shapes, labels, patches.counts);
+  patches.appearance.colors = pcl::indoor::averageColumns(
+      voxels.appearance.colors, labels, patches.counts.size());
+  patches.appearance.shapes = pcl::indoor::averageColumns(
+      voxels.appearance.shapes, labels, patches.counts.size());
   return patches;
 }
 

@@ -4,12 +4,15 @@
  */
 #include "objects/points/shape_supervoxels.h"
 
+#include "objects/graph/average_columns.h"
 #include "objects/graph/scene_making.h" // for gridPoints
 #include "objects/graph/supervoxel_joining.h"
 
 #include <pcl/features/fpfh.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+
+#include <cmath>
 
 namespace {
 
@@ -57,15 +60,11 @@ meanColors(const SurfaceVoxels& voxels,
            const Eigen::Matrix3Xf& colors,
            const std::vector<std::size_t>& point_of_kept)
 {
-  Eigen::Matrix3Xd sums =
-      Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(voxels.size()));
+  Eigen::Matrix3Xf kept(3, static_cast<Eigen::Index>(point_of_kept.size()));
   for (std::size_t k = 0; k < point_of_kept.size(); ++k)
-    sums.col(voxels.cells.cell_of_point[k]) +=
-        colors.col(static_cast<Eigen::Index>(point_of_kept[k])).cast<double>();
-  for (std::size_t v = 0; v < voxels.size(); ++v)
-    sums.col(static_cast<Eigen::Index>(v)) /=
-        static_cast<double>(voxels.cells.pointsOf(v).size());
-  return sums.cast<float>();
+    kept.col(static_cast<Eigen::Index>(k)) =
+        colors.col(static_cast<Eigen::Index>(point_of_kept[k]));
+  return averageColumns(kept, voxels.cells.cell_of_point, voxels.size());
 }
 
 } // namespace

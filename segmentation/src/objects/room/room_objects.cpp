@@ -43,14 +43,11 @@ requireSizes(const RoomPoints& room)
                                      << " given objects.");
 }
 
-/** Double differences to a median: nothing is lost in large coordinates. */
 ObjectSegmentationInput
 localInput(RoomPoints& room)
 {
   ObjectSegmentationInput input;
-  const Eigen::Vector3d origin = middlePoint(room.positions);
-  for (auto& position : room.positions)
-    position = (position.cast<double>() - origin).cast<float>();
+  moveToMiddle(room.positions);
   input.points = std::move(room.positions);
   input.normals = std::move(room.normals);
   return input;

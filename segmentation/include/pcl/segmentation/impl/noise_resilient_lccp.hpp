@@ -132,11 +132,7 @@ NoiseResilientLCCP<PointT>::localInput()
     if (has_colors && options_.on_points.color_weight > 0)
       local.colors.push_back(colorOf(index));
   }
-  // Double differences to a median: nothing is lost in large coordinates, and the
-  // order of the points does not matter.
-  const Eigen::Vector3d origin = indoor::middlePoint(local.points);
-  for (auto& point : local.points)
-    point = (point.cast<double>() - origin).cast<float>();
+  const Eigen::Vector3d origin = indoor::moveToMiddle(local.points);
   if (local.single_camera || !viewpoint_.empty())
     local.viewpoint.assign(1, (sensor - origin).cast<float>());
   return local;
