@@ -27,7 +27,7 @@ namespace {
 
 using pcl::indoor::test::bytesOf;
 
-constexpr std::size_t feature_count = 66;
+constexpr std::size_t feature_count = 74;
 
 /** A pair of pieces. */
 struct Example {

@@ -10,82 +10,6 @@
 #include <cassert>
 #include <cmath>
 
-namespace {
-
-using pcl::indoor::OutlineReach;
-
-struct Direction {
-  double x, y;
-};
-
-const std::array<Direction, 16>&
-outlineDirections()
-{
-  static const auto directions = [] {
-    std::array<Direction, 16> made;
-    for (std::size_t d = 0; d < made.size(); ++d) {
-      const double angle = 2 * M_PI * static_cast<double>(d) / made.size();
-      made[d] = {std::cos(angle), std::sin(angle)};
-    }
-    return made;
-  }();
-  return directions;
-}
-
-/** Area of the polygon with these reaches, clipped face by face. */
-double
-outlineArea(const OutlineReach& reach)
-{
-  const auto& directions = outlineDirections();
-  const double x0 = -reach[8], x1 = reach[0], y0 = -reach[12], y1 = reach[4];
-  if (!(x1 > x0) || !(y1 > y0))
-    return 0;
-  // the box first, the other faces cut its corners
-  std::array<Direction, 40> corners{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}, kept;
-  std::size_t count = 4;
-  for (std::size_t d = 0; d < directions.size(); ++d) {
-    if (d % 4 == 0)
-      continue;
-    std::size_t kept_count = 0;
-    const auto above = [&](const Direction& p) {
-      return directions[d].x * p.x + directions[d].y * p.y - reach[d];
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& here = corners[i];
-      const auto& next = corners[i + 1 == count ? 0 : i + 1];
-      const double h = above(here), n = above(next);
-      if (h <= 0)
-        kept[kept_count++] = here;
-      if ((h < 0 && n > 0) || (h > 0 && n < 0)) {
-        const double t = h / (h - n);
-        kept[kept_count++] = {here.x + t * (next.x - here.x),
-                              here.y + t * (next.y - here.y)};
-      }
-    }
-    count = kept_count;
-    std::swap(corners, kept);
-    if (count < 3)
-      return 0;
-  }
-  double twice = 0;
-  for (std::size_t i = 2; i < count; ++i)
-    twice += (corners[i - 1].x - corners[0].x) * (corners[i].y - corners[0].y) -
-             (corners[i].x - corners[0].x) * (corners[i - 1].y - corners[0].y);
-  return twice / 2;
-}
-
-template <typename Limit>
-OutlineReach
-combine(const OutlineReach& a, const OutlineReach& b, Limit limit)
-{
-  OutlineReach reach;
-  for (std::size_t d = 0; d < reach.size(); ++d)
-    reach[d] = limit(a[d], b[d]);
-  return reach;
-}
-
-} // namespace
-
 namespace pcl {
 namespace indoor {
 
@@ -185,13 +109,22 @@ joiningFeatureNames()
         "log parts, b",
         "contacts, a",
         "contacts, b",
-        "voxel size"}};
+        "voxel size",
+        "off the middle, least",
+        "off the middle, most",
+        "outline in its rectangle",
+        "gap of outlines",
+        "open gap",
+        "filled gap",
+        "floor below, a",
+        "floor below, b"}};
   return names;
 }
 
 PairDescription::PairDescription(const PieceGraph& graph)
 : voxel_size_(graph.voxel_size)
 , floor_(graph.floor)
+, columns_(graph.columns)
 , hulls_(Eigen::Matrix3f::Identity())
 {}
 
@@ -202,6 +135,7 @@ PairDescription::shapeOf(const Piece& piece) const
   shape.volume = hulls_.volume(piece.reach);
   shape.box_volume = hulls_.boxVolume(piece.reach);
   shape.outline_area = outlineArea(piece.outline);
+  shape.floor_area = columns_.areaOfFloor(piece.outline);
   shape.mean = piece.positions.mean();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(piece.positions.covariance());
@@ -332,14 +266,8 @@ PairDescription::putHulls(const PairSide& a, const PairSide& b, FeatureList& lis
   list.put(common_box / std::max(least_volume, a.shape.box_volume));
 
   const double least_area = voxel_size_ * voxel_size_;
-  const double common =
-      outlineArea(combine(a.piece.outline, b.piece.outline, [](float x, float y) {
-        return std::min(x, y);
-      }));
-  const double both =
-      outlineArea(combine(a.piece.outline, b.piece.outline, [](float x, float y) {
-        return std::max(x, y);
-      }));
+  const double common = outlineArea(commonOutline(a.piece.outline, b.piece.outline));
+  const double both = outlineArea(outlineOfBoth(a.piece.outline, b.piece.outline));
   list.put(common /
            std::max(least_area, std::min(a.shape.outline_area, b.shape.outline_area)));
   list.put(common / std::max(least_area, both));
@@ -358,6 +286,42 @@ PairDescription::putHeights(const PairSide& a,
                     std::min(a.shape.high - a.shape.low, b.shape.high - b.shape.low)));
   list.put(b.shape.low - a.shape.low);
   list.put(b.shape.high - a.shape.high);
+}
+
+/** How the outlines lie to each other, and what is seen between them. */
+void
+PairDescription::putOutlines(const PairSide& a,
+                             const PairSide& b,
+                             FeatureList& list) const
+{
+  const double least_area = voxel_size_ * voxel_size_;
+  const auto both = outlineOfBoth(a.piece.outline, b.piece.outline);
+  const double area = std::max(least_area, outlineArea(both));
+  const auto rectangle = outlineRectangle(both);
+  const auto off_middle = [&](std::size_t axis, double size) {
+    const auto twice_middle = [axis](const OutlineReach& reach) {
+      return static_cast<double>(reach[axis]) - reach[axis + 8];
+    };
+    return std::abs(twice_middle(a.piece.outline) - twice_middle(b.piece.outline)) /
+           (2 * std::max(voxel_size_, size));
+  };
+  const double along = off_middle(rectangle.axis, rectangle.length),
+               across = off_middle(rectangle.axis + 4, rectangle.width);
+  list.put(std::min(along, across));
+  list.put(std::max(along, across));
+  list.put(area / std::max(least_area, rectangle.length * rectangle.width));
+
+  const double common = outlineArea(commonOutline(a.piece.outline, b.piece.outline));
+  list.put((area - a.shape.outline_area - b.shape.outline_area + common) / area);
+  const auto gap =
+      columns_.areaBetween(a.piece.outline,
+                           b.piece.outline,
+                           {std::max(a.shape.low, b.shape.low) + floor_,
+                            std::min(a.shape.high, b.shape.high) + floor_});
+  list.put(gap.open / area);
+  list.put(gap.filled / area);
+  for (const auto* side : {&a, &b})
+    list.put(side->shape.floor_area / std::max(least_area, side->shape.outline_area));
 }
 
 JoiningFeatures
@@ -381,6 +345,7 @@ PairDescription::describe(const PairSide& side_a,
   list.put(side_a.contacts);
   list.put(side_b.contacts);
   list.put(voxel_size_);
+  putOutlines(side_a, side_b, list);
   return list.features();
 }
 

@@ -13,6 +13,7 @@ namespace indoor {
 struct PieceShape {
   double volume = 0, box_volume = 0; ///< of its hull, m^3
   double outline_area = 0;           ///< seen from above, m^2
+  double floor_area = 0;             ///< of it, where the floor was seen, m^2
   Eigen::Vector3d mean, deviations;  ///< of its places, ascending, metres
   Eigen::Vector3d thin;              ///< direction in which it is thinnest
   Eigen::Vector3d normal_shares;     ///< of three orthogonal directions, ascending
@@ -31,6 +32,7 @@ struct PairSide {
 /** Tells how two pieces lie to each other. */
 class PairDescription {
 public:
+  /** \param[in] graph must outlive the description */
   explicit PairDescription(const PieceGraph& graph);
 
   PieceShape
@@ -64,7 +66,11 @@ private:
   void
   putHeights(const PairSide& a, const PairSide& b, FeatureList& list) const;
 
+  void
+  putOutlines(const PairSide& a, const PairSide& b, FeatureList& list) const;
+
   double voxel_size_, floor_;
+  const RoomColumns& columns_;
   DirectionHulls hulls_;
 };
 

@@ -64,9 +64,7 @@ outlineOf(const std::vector<Eigen::Vector3f>& places, float margin)
   std::vector<float> heights(places.size());
   const auto outliers = places.size() / 100;
   for (std::size_t d = 0; d < reach.size(); ++d) {
-    const double angle = 2 * M_PI * static_cast<double>(d) / reach.size();
-    const Eigen::Vector2f direction(static_cast<float>(std::cos(angle)),
-                                    static_cast<float>(std::sin(angle)));
+    const Eigen::Vector2f direction = pcl::indoor::outlineDirection(d).cast<float>();
     std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
       return direction.dot(p.template head<2>());
     });
@@ -81,15 +79,18 @@ struct LooseVoxels {
   std::vector<std::uint32_t> voxels, pieces;
   std::vector<Eigen::Vector3f> positions, normals; ///< one per entry of voxels
   double floor = 0; ///< height of the lowest voxels, also of planes, metres
+  pcl::indoor::RoomColumns columns;
 };
 
 LooseVoxels
 placesOf(const PieceSurface& surface, const Eigen::Matrix3f& frame)
 {
   LooseVoxels loose;
+  std::vector<Eigen::Vector3f> all;
   std::vector<double> heights;
   for (std::uint32_t v = 0; v < surface.scene.voxels.size(); ++v) {
     const Eigen::Vector3f position = frame * surface.scene.voxels.centroids[v];
+    all.push_back(position);
     heights.push_back(position.z());
     if (surface.scene.plane_of_voxel[v] != 0)
       continue;
@@ -98,8 +99,10 @@ placesOf(const PieceSurface& surface, const Eigen::Matrix3f& frame)
     loose.positions.push_back(position);
     loose.normals.push_back(frame * surface.scene.voxels.normals[v]);
   }
-  if (!heights.empty())
+  if (!heights.empty()) {
     loose.floor = pcl::indoor::quantile(heights, lowest_share);
+    loose.columns = {all, loose.floor, surface.scene.voxel_size};
+  }
   return loose;
 }
 
@@ -292,8 +295,7 @@ Piece::operator+=(const Piece& other)
   positions += other.positions;
   normals += other.normals;
   reach = hullOfBoth(reach, other.reach);
-  for (std::size_t d = 0; d < outline.size(); ++d)
-    outline[d] = std::max(outline[d], other.outline[d]);
+  outline = outlineOfBoth(outline, other.outline);
   parts += other.parts;
   return *this;
 }
@@ -320,11 +322,11 @@ PieceGraph
 pieceGraph(const PieceSurface& surface)
 {
   const auto& scene = surface.scene;
-  const auto places =
-      placesOf(surface, roomFrame(scene.planes, scene.up).cast<float>());
+  auto places = placesOf(surface, roomFrame(scene.planes, scene.up).cast<float>());
   PieceGraph graph;
   graph.voxel_size = surface.scene.voxel_size;
   graph.floor = places.floor;
+  graph.columns = std::move(places.columns);
   graph.pieces = describePieces(surface, places);
   ContactMap contacts;
   addTouching(surface, places, contacts);

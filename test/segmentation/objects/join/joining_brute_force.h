@@ -5,6 +5,7 @@
 #pragma once
 
 #include "objects/join/joining_features.h"
+#include "segmentation/objects/join/outline_of.h"
 
 #include <gtest/gtest.h>
 
@@ -45,13 +46,7 @@ randomPiece(std::mt19937& rng)
     piece.normals.add(Eigen::Vector3d::Unit(rng() % 3));
   }
   piece.reach = DirectionHulls(Eigen::Matrix3f::Identity()).reachOf(places, 0.015f);
-  for (std::size_t d = 0; d < 16; ++d) {
-    const float angle = static_cast<float>(d) * static_cast<float>(M_PI) / 8;
-    const Eigen::Vector3f direction(std::cos(angle), std::sin(angle), 0);
-    piece.outline[d] = -100;
-    for (const auto& place : places)
-      piece.outline[d] = std::max(piece.outline[d], direction.dot(place));
-  }
+  piece.outline = outlineOf(places);
   return piece;
 }
 
@@ -85,6 +80,10 @@ randomGraph(std::uint32_t count, unsigned percent, std::mt19937& rng)
   PieceGraph graph;
   graph.voxel_size = 1.0 / 32;
   graph.floor = -0.125;
+  std::vector<Eigen::Vector3f> voxels;
+  for (unsigned v = 0; v < 500; ++v)
+    voxels.push_back(randomPlace(rng, 4).cast<float>());
+  graph.columns = {voxels, graph.floor, graph.voxel_size};
   for (std::uint32_t p = 0; p < count; ++p)
     graph.pieces.push_back(randomPiece(rng));
   for (std::uint32_t a = 0; a < count; ++a)

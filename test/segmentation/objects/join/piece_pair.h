@@ -5,6 +5,7 @@
 #pragma once
 
 #include "objects/join/joining_features.h"
+#include "segmentation/objects/join/outline_of.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +17,6 @@
 namespace pcl {
 namespace indoor {
 namespace test {
-
-using Places = std::vector<Eigen::Vector3f>;
 
 constexpr double voxel_size = 0.03;
 
@@ -35,13 +34,7 @@ pieceOf(const Places& places,
     piece.normals.add(normal.cast<double>(),
                       piece.positions.count / static_cast<double>(normals.size()));
   piece.reach = DirectionHulls(Eigen::Matrix3f::Identity()).reachOf(places, margin);
-  for (std::size_t d = 0; d < 16; ++d) {
-    const float angle = static_cast<float>(d) * static_cast<float>(M_PI) / 8;
-    const Eigen::Vector3f direction(std::cos(angle), std::sin(angle), 0);
-    piece.outline[d] = -1e9f;
-    for (const auto& place : places)
-      piece.outline[d] = std::max(piece.outline[d], direction.dot(place) + margin);
-  }
+  piece.outline = outlineOf(places, margin);
   return piece;
 }
 
@@ -50,6 +43,7 @@ struct Pair {
   Piece a, b;
   PieceContact contact{};
   double floor = 0;
+  RoomColumns columns{};
   double touching_a = 0, touching_b = 0, contacts_a = 1, contacts_b = 1;
 
   JoiningFeatures
@@ -58,6 +52,7 @@ struct Pair {
     PieceGraph graph;
     graph.voxel_size = voxel_size;
     graph.floor = floor;
+    graph.columns = columns;
     const PairDescription description(graph);
     const auto shape_a = description.shapeOf(a), shape_b = description.shapeOf(b);
     return description.describe({a, shape_a, touching_a, contacts_a},

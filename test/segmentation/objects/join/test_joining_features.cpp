@@ -272,3 +272,52 @@ TEST(JoiningFeatures, BendsAndGapsAreMeans)
                   {"log near cells", std::log(8)},
                   {"near in line", 0.25}});
 }
+
+TEST(JoiningFeatures, OutlinesLieWithinARectangle)
+{
+  // Squares along a diagonal: together a hexagon of 5 square metres, in a rectangle of
+  // 3 sqrt(2) x sqrt(2), with 2 sqrt(2) between their middles.
+  Pair pair{box({0, 0, 0}, {1, 1, 1}), box({2, 2, 0}, {3, 3, 1})};
+  for (int side = 0; side < 2; ++side) {
+    expectFeatures(pair.features(),
+                   {{"off the middle, least", 0},
+                    {"off the middle, most", 2.0 / 3},
+                    {"outline in its rectangle", 5.0 / 6},
+                    {"gap of outlines", 3.0 / 5}});
+    std::swap(pair.a, pair.b);
+  }
+  // Together 4 m x 1 m; their middles are 3 m apart along it, 0.25 m across.
+  const Pair along{box({0, 0, 0}, {1, 0.5f, 1}), box({3, 0, 0}, {4, 1, 1})};
+  expectFeatures(along.features(),
+                 {{"off the middle, least", 0.25}, {"off the middle, most", 0.75}});
+  const Pair within{box({1, 1, 0}, {2, 2, 1}), box({0, 0, 0}, {3, 3, 1})};
+  expectFeatures(within.features(),
+                 {{"off the middle, least", 0},
+                  {"off the middle, most", 0},
+                  {"outline in its rectangle", 1},
+                  {"gap of outlines", 0},
+                  {"open gap", 0},
+                  {"filled gap", 0}});
+}
+
+TEST(JoiningFeatures, TellWhatIsSeenBetweenAndBelow)
+{
+  Pair pair{box({0, 0, 0.6f}, {1, 1, 0.72f}), box({2, 0, 0.6f}, {3, 1, 0.72f})};
+  Places voxels;
+  for (int i = 0; i < 100; ++i)
+    for (int j = 0; j < 34; ++j) {
+      const float x = 0.03f * static_cast<float>(i), y = 0.03f * static_cast<float>(j);
+      if (x >= 0.5f)
+        voxels.emplace_back(x, y, 0);
+      if (x > 1.02f && x < 1.5f)
+        voxels.emplace_back(x, y, 0.66f);
+    }
+  pair.columns = {voxels, 0, voxel_size};
+  expectFeatures(pair.features(),
+                 {{"gap of outlines", 1.0 / 3},
+                  {"open gap", 0.5 / 3},
+                  {"filled gap", 0.5 / 3},
+                  {"floor below, a", 0.5},
+                  {"floor below, b", 1}},
+                 0.05);
+}

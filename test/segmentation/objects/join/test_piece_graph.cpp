@@ -142,6 +142,21 @@ TEST(PieceGraph, TheFloorIsBelowAllButTheLowestVoxels)
   EXPECT_DOUBLE_EQ(graph.voxel_size, voxel_size);
 }
 
+TEST(PieceGraph, ColumnsAreThoseOfAllVoxels)
+{
+  auto scene = twoBoxes(leaning);
+  scene.setPieces(1, [](std::uint32_t) { return 0u; });
+  const auto frame = frameOf(scene);
+  std::vector<Eigen::Vector3f> voxels; // those of the floor's plane, too
+  for (const auto& centroid : scene.voxels.centroids)
+    voxels.push_back(frame * centroid);
+  const auto graph = scene.graph();
+  const RoomColumns all(voxels, graph.floor, voxel_size);
+  const auto& outline = graph.pieces[0].outline;
+  EXPECT_GT(all.areaOfFloor(outline), 0.05) << "between the boxes";
+  EXPECT_EQ(graph.columns.areaOfFloor(outline), all.areaOfFloor(outline));
+}
+
 TEST(PieceGraph, PiecesAddUpToTheirUnion)
 {
   auto scene = twoBoxes(leaning);

@@ -16,7 +16,7 @@ namespace indoor {
 
 /** \brief What is known of two pieces that may be one thing, see joiningFeatureNames().
  */
-using JoiningFeatures = std::array<float, 66>;
+using JoiningFeatures = std::array<float, 74>;
 
 /** \brief Get what each of the features is. */
 const std::array<const char*, std::tuple_size<JoiningFeatures>::value>&

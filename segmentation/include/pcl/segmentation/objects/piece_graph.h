@@ -6,21 +6,18 @@
 
 #include <pcl/segmentation/objects/direction_hull.h>
 #include <pcl/segmentation/objects/object_scene.h>
+#include <pcl/segmentation/objects/outline_reach.h>
+#include <pcl/segmentation/objects/room_columns.h>
 #include <pcl/segmentation/objects/surface_graph.h>
 #include <pcl/segmentation/objects/surface_voxels.h>
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
-
-/** \brief How far places reach in sixteen level directions, metres; direction i is
- * turned by i * 22.5 degrees. */
-using OutlineReach = std::array<float, 16>;
 
 /** \brief Mean and covariance of vectors, kept as sums, so that those of two sets can
  * be added. */
@@ -79,6 +76,7 @@ struct PieceContact {
 struct PieceGraph {
   double voxel_size = 0; ///< metres
   double floor = 0;      ///< height of the floor, metres
+  RoomColumns columns;   ///< of all voxels, also those of planes
   std::vector<Piece> pieces;
   std::vector<PieceContact> contacts; ///< first < second, ascending
 };

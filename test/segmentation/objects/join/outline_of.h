@@ -1,0 +1,43 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/objects/outline_reach.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace test {
+
+using Places = std::vector<Eigen::Vector3f>;
+
+/** How far all of the places reach, by the letter. */
+inline OutlineReach
+outlineOf(const Places& places, float margin = 0)
+{
+  OutlineReach reach;
+  for (std::size_t d = 0; d < 16; ++d) {
+    const float angle = static_cast<float>(d) * static_cast<float>(M_PI) / 8;
+    const Eigen::Vector3f direction(std::cos(angle), std::sin(angle), 0);
+    reach[d] = -1e9f;
+    for (const auto& place : places)
+      reach[d] = std::max(reach[d], direction.dot(place) + margin);
+  }
+  return reach;
+}
+
+/** The outline of a level rectangle. */
+inline OutlineReach
+rectangle(float x0, float y0, float x1, float y1)
+{
+  return outlineOf({{x0, y0, 0}, {x1, y0, 0}, {x0, y1, 0}, {x1, y1, 0}});
+}
+
+} // namespace test
+} // namespace indoor
+} // namespace pcl
