@@ -41,20 +41,6 @@ piecesOfVoxels(const ObjectSegmentation& result)
   return piece_of_voxel;
 }
 
-/** The flags, set also for points of segments that are a single piece: pieces were
- * already parted at gaps. */
-std::vector<std::uint8_t>
-withSinglePieces(const ObjectSegmentation& result, std::vector<std::uint8_t> flags)
-{
-  std::vector<std::uint8_t> has_joined(result.pieces.pieces.size(), 0);
-  for (std::size_t i = 0; i < flags.size(); ++i)
-    if (result.segment_of_point[i] != result.piece_of_point[i])
-      has_joined[result.segment_of_point[i]] = 1;
-  for (std::size_t i = 0; i < flags.size(); ++i)
-    flags[i] |= !has_joined[result.segment_of_point[i]];
-  return flags;
-}
-
 } // namespace
 
 namespace pcl {
@@ -94,7 +80,6 @@ void
 cutBodies(ObjectSegmentation& result)
 {
   const auto left_out = flagStructureAndCasings(result.scene, result.segment_of_point);
-  partAtGaps(result.scene, withSinglePieces(result, left_out), result.segment_of_point);
   partAtSeams(result.scene, left_out, result.segment_of_point);
 }
 

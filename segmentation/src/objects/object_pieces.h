@@ -24,7 +24,7 @@ cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& 
 void
 joinPiecesOfRoom(const ObjectSegmentationOptions& options, ObjectSegmentation& result);
 
-/** Part objects at gaps, and at seams between bodies that stand against each other. */
+/** Part objects at seams between bodies that stand against each other. */
 void
 cutBodies(ObjectSegmentation& result);
 

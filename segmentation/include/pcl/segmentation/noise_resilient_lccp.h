@@ -324,7 +324,7 @@ public:
   getStructure() const;
 
   /** \brief Get the segments of the last segment() that joining up to another level
-   * would give, before things are parted at gaps and seams.
+   * would give, before things are parted at seams.
    * \param[in] level 0.3 to 1; higher gives smaller segments
    * \return one per point of the input, from 1; 0 for points without a segment; empty
    * unless the partition is Partition::Pieces */
