@@ -121,6 +121,12 @@ joiningFeatureNames()
   return names;
 }
 
+PairOutlines::PairOutlines(const OutlineReach& a, const OutlineReach& b)
+: both(outlineOfBoth(a, b))
+, both_area(outlineArea(both))
+, common_area(outlineArea(commonOutline(a, b)))
+{}
+
 PairDescription::PairDescription(const PieceGraph& graph)
 : voxel_size_(graph.voxel_size)
 , floor_(graph.floor)
@@ -239,7 +245,10 @@ PairDescription::putPlanes(const PairSide& a,
 }
 
 void
-PairDescription::putHulls(const PairSide& a, const PairSide& b, FeatureList& list) const
+PairDescription::putHulls(const PairSide& a,
+                          const PairSide& b,
+                          const PairOutlines& outlines,
+                          FeatureList& list) const
 {
   constexpr double most = 20; // times the smaller
   const double least_volume = std::pow(voxel_size_, 3);
@@ -266,12 +275,10 @@ PairDescription::putHulls(const PairSide& a, const PairSide& b, FeatureList& lis
   list.put(common_box / std::max(least_volume, a.shape.box_volume));
 
   const double least_area = voxel_size_ * voxel_size_;
-  const double common = outlineArea(commonOutline(a.piece.outline, b.piece.outline));
-  const double both = outlineArea(outlineOfBoth(a.piece.outline, b.piece.outline));
-  list.put(common /
+  list.put(outlines.common_area /
            std::max(least_area, std::min(a.shape.outline_area, b.shape.outline_area)));
-  list.put(common / std::max(least_area, both));
-  list.putLog(both, least_area);
+  list.put(outlines.common_area / std::max(least_area, outlines.both_area));
+  list.putLog(outlines.both_area, least_area);
 }
 
 void
@@ -292,12 +299,12 @@ PairDescription::putHeights(const PairSide& a,
 void
 PairDescription::putOutlines(const PairSide& a,
                              const PairSide& b,
+                             const PairOutlines& outlines,
                              FeatureList& list) const
 {
   const double least_area = voxel_size_ * voxel_size_;
-  const auto both = outlineOfBoth(a.piece.outline, b.piece.outline);
-  const double area = std::max(least_area, outlineArea(both));
-  const auto rectangle = outlineRectangle(both);
+  const double area = std::max(least_area, outlines.both_area);
+  const auto rectangle = outlineRectangle(outlines.both);
   const auto off_middle = [&](std::size_t axis, double size) {
     const auto twice_middle = [axis](const OutlineReach& reach) {
       return static_cast<double>(reach[axis]) - reach[axis + 8];
@@ -311,8 +318,8 @@ PairDescription::putOutlines(const PairSide& a,
   list.put(std::max(along, across));
   list.put(area / std::max(least_area, rectangle.length * rectangle.width));
 
-  const double common = outlineArea(commonOutline(a.piece.outline, b.piece.outline));
-  list.put((area - a.shape.outline_area - b.shape.outline_area + common) / area);
+  list.put((area - a.shape.outline_area - b.shape.outline_area + outlines.common_area) /
+           area);
   const auto gap =
       columns_.areaBetween(a.piece.outline,
                            b.piece.outline,
@@ -330,11 +337,12 @@ PairDescription::describe(const PairSide& side_a,
                           const PieceContact& contact) const
 {
   FeatureList list;
+  const PairOutlines outlines(side_a.piece.outline, side_b.piece.outline);
   putPieces(side_a, side_b, list);
   putContact(side_a, side_b, contact, list);
   putBend(contact, list);
   putPlanes(side_a, side_b, list);
-  putHulls(side_a, side_b, list);
+  putHulls(side_a, side_b, outlines, list);
   putHeights(side_a, side_b, list);
   const double none = 1; // metres: no gap
   list.put(contact.near_cells > 0 ? contact.gap : none);
@@ -345,7 +353,7 @@ PairDescription::describe(const PairSide& side_a,
   list.put(side_a.contacts);
   list.put(side_b.contacts);
   list.put(voxel_size_);
-  putOutlines(side_a, side_b, list);
+  putOutlines(side_a, side_b, outlines, list);
   return list.features();
 }
 

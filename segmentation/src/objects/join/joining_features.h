@@ -29,6 +29,14 @@ struct PairSide {
   double contacts = 0; ///< number of other pieces that are near
 };
 
+/** The outlines of two pieces. */
+struct PairOutlines {
+  OutlineReach both;
+  double both_area, common_area; ///< m^2
+
+  PairOutlines(const OutlineReach& a, const OutlineReach& b);
+};
+
 /** Tells how two pieces lie to each other. */
 class PairDescription {
 public:
@@ -61,13 +69,19 @@ private:
   putPlanes(const PairSide& a, const PairSide& b, FeatureList& list) const;
 
   void
-  putHulls(const PairSide& a, const PairSide& b, FeatureList& list) const;
+  putHulls(const PairSide& a,
+           const PairSide& b,
+           const PairOutlines& outlines,
+           FeatureList& list) const;
 
   void
   putHeights(const PairSide& a, const PairSide& b, FeatureList& list) const;
 
   void
-  putOutlines(const PairSide& a, const PairSide& b, FeatureList& list) const;
+  putOutlines(const PairSide& a,
+              const PairSide& b,
+              const PairOutlines& outlines,
+              FeatureList& list) const;
 
   double voxel_size_, floor_;
   const RoomColumns& columns_;

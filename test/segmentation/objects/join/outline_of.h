@@ -31,6 +31,16 @@ outlineOf(const Places& places, float margin = 0)
   return reach;
 }
 
+/** Whether a place is inside, by the letter. */
+inline bool
+isWithin(const OutlineReach& reach, double x, double y)
+{
+  for (std::size_t d = 0; d < reach.size(); ++d)
+    if (outlineDirection(d).dot(Eigen::Vector2d(x, y)) > reach[d])
+      return false;
+  return true;
+}
+
 /** The outline of a level rectangle. */
 inline OutlineReach
 rectangle(float x0, float y0, float x1, float y1)

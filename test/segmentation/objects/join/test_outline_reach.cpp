@@ -26,15 +26,6 @@ randomPlaces(std::mt19937& rng, std::size_t count)
   return places;
 }
 
-bool
-isWithin(const OutlineReach& reach, double x, double y)
-{
-  for (std::size_t d = 0; d < reach.size(); ++d)
-    if (outlineDirection(d).dot(Eigen::Vector2d(x, y)) > reach[d])
-      return false;
-  return true;
-}
-
 /** Share of random places of a square, four by four metres, that are in an outline. */
 double
 areaByChance(const OutlineReach& reach, std::mt19937& rng)

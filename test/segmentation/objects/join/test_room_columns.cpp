@@ -151,12 +151,6 @@ TEST(RoomColumns, AgreeWithCountingByTheLetter)
       places_b.emplace_back(1 + random(2), random(2), 0);
     }
     const auto a = outlineOf(places_a), b = outlineOf(places_b);
-    const auto within = [](const OutlineReach& reach, double x, double y) {
-      for (std::size_t d = 0; d < 16; ++d)
-        if (outlineDirection(d).dot(Eigen::Vector2d(x, y)) > reach[d])
-          return false;
-      return true;
-    };
     int floor = 0, open = 0, filled = 0;
     for (const auto& [place, heights] : steps) {
       const double x = 0.1 * place.first + 0.05, y = 0.1 * place.second + 0.05;
@@ -166,8 +160,9 @@ TEST(RoomColumns, AgreeWithCountingByTheLetter)
         has_between |= step >= 6 && step <= 9; // 0.6 to 0.9 m
         has_below |= step < 6;
       }
-      floor += has_floor && within(a, x, y);
-      if (!within(outlineOfBoth(a, b), x, y) || within(a, x, y) || within(b, x, y))
+      floor += has_floor && isWithin(a, x, y);
+      if (!isWithin(outlineOfBoth(a, b), x, y) || isWithin(a, x, y) ||
+          isWithin(b, x, y))
         continue;
       filled += has_between;
       open += has_below && !has_between;
