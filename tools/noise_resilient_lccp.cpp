@@ -100,7 +100,7 @@ addPartition(OptionParser& parser, Settings& settings)
       .number("-level",
               settings.level,
               "for -partition graph: probability of being one thing from which pieces "
-              "are joined; higher gives smaller segments; -1 = 0.4, for parts 0.75, in "
+              "are joined; higher gives smaller segments; -1 = 0.4, for parts 0.7, in "
               "single views 1: "
               "none",
               "",
