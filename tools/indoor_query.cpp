@@ -3,13 +3,12 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/place_text.h"
 #include "command_line/printable.h"
 #include "command_line/text_table.h"
 #include "formats/json_text.h"
 #include "scene/scene_query.h"
 
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 
 using namespace pcl::indoor::tool;
@@ -73,23 +72,6 @@ makeParser(Options& options)
   return parser;
 }
 
-Eigen::Vector3d
-readPlace(const std::string& text)
-{
-  Eigen::Vector3d place;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto read = std::from_chars(at, end, place[axis]);
-    const bool is_last = axis == 2;
-    if (read.ec != std::errc() || !std::isfinite(place[axis]) ||
-        (is_last ? read.ptr != end : read.ptr == end || *read.ptr != ','))
-      throw ToolError("-nearest: '" + text + "' is not X,Y,Z, such as 1.5,-2,0");
-    at = read.ptr + 1;
-  }
-  return place;
-}
-
 void
 chooseQuery(Options& options)
 {
@@ -103,7 +85,7 @@ chooseQuery(Options& options)
   if (query.max_size < query.min_size)
     throw ToolError("-max_size: the value is less than -min_size");
   if (!options.nearest.empty())
-    query.nearest = readPlace(options.nearest);
+    query.nearest = readPlace("-nearest", options.nearest);
   query.count = options.count;
 }
 

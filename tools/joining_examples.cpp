@@ -46,7 +46,9 @@ makeParser(Settings& settings)
   parser.positional("scan.pcd", settings.input, "PCD or PLY file, metres, z up")
       .positional(
           "examples", settings.output, "file of 32-bit floats, a row for a pair")
-      .text("-room_field", settings.room_field, "room of a point, 0 = in none")
+      .text("-room_field",
+            settings.room_field,
+            "room of a point, 0 = in none; an organised cloud is a camera's view")
       .text("-object_field", settings.object_field, "object of a point, 0 = structure")
       .text("-part_categories",
             settings.part_categories,
@@ -71,6 +73,7 @@ struct Room {
   pcl::PointCloud<pcl::PointXYZ>::Ptr points =
       pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   std::vector<std::uint32_t> truth;
+  bool is_view = false; ///< of one camera
 };
 
 /** The numbers of the categories whose parts count. */
@@ -113,7 +116,9 @@ std::vector<Room>
 readRooms(const Settings& settings)
 {
   const auto file = loadCloud(settings.input);
-  const auto rooms = readLabels(file, settings.room_field);
+  const bool is_view = file.points->height > 1;
+  const auto rooms = is_view ? std::vector<std::uint32_t>(file.points->size(), 1)
+                             : readLabels(file, settings.room_field);
   const auto truth = readTruth(file, settings);
   std::map<std::uint32_t, Room> room_of_number;
   for (std::size_t i = 0; i < rooms.size(); ++i) {
@@ -126,6 +131,8 @@ readRooms(const Settings& settings)
   std::vector<Room> result;
   for (auto& [number, room] : room_of_number) {
     room.number = number;
+    room.is_view = is_view;
+    room.points->sensor_origin_ = file.points->sensor_origin_;
     result.push_back(std::move(room));
   }
   return result;
@@ -251,6 +258,7 @@ saveExamples(const Room& room,
 {
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
   segmentation.setInputCloud(room.points);
+  segmentation.setUseSingleCameraTransform(room.is_view);
   std::vector<std::uint32_t> labels;
   const auto problem = problemOf([&] { segmentation.segment(labels); });
   if (labels.empty())

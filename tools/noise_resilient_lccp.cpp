@@ -33,7 +33,7 @@ struct Settings {
   std::string orientation = "auto", structure = "auto";
   double level = -1;
   std::uint32_t min_segment = 0;
-  double voxel_resolution = 0, seed_resolution = 0, bend_threshold = 0;
+  double voxel_resolution = 0, seed_resolution = 0;
   bool ignore_normals = false, remove_outliers = false;
   ObjectSegmentationOptions others;
   PointColors colors;
@@ -77,10 +77,8 @@ addLengths(OptionParser& parser, Settings& settings)
               "m",
               Range::atLeast(0))
       .number("-bend_threshold",
-              settings.bend_threshold,
-              withPresets("mean concave bend that parts pieces",
-                          room.pieces.bend_threshold_degrees,
-                          view.pieces.bend_threshold_degrees),
+              settings.others.pieces.bend_threshold_degrees,
+              "for -partition graph: mean concave bend that parts pieces",
               "degrees",
               Range::between(0, 180));
 }
@@ -101,8 +99,7 @@ addPartition(OptionParser& parser, Settings& settings)
               settings.level,
               "for -partition graph: probability of being one thing from which pieces "
               "are joined; higher gives smaller segments; -1 = 0.4, for parts 0.7, in "
-              "single views 1: "
-              "none",
+              "single views 0.9",
               "",
               Range::between(-1, 1))
       .text("-structure",
@@ -250,8 +247,6 @@ chosenOptions(const Settings& settings, bool organised)
   options.seed_size =
       either(settings.seed_resolution,
              settings.voxel_resolution > 0 ? 4 * options.voxel_size : preset.seed_size);
-  options.pieces.bend_threshold_degrees = static_cast<float>(
-      either(settings.bend_threshold, preset.pieces.bend_threshold_degrees));
   options.plane_tolerance = preset.plane_tolerance;
   options.on_points.enabled = preset.on_points.enabled;
   options.min_segment_size =

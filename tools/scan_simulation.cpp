@@ -3,18 +3,21 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/place_text.h"
 #include "files/cloud_file.h"
 
 #include <pcl/conversions.h>
 #include <pcl/simulation/building.h>
+#include <pcl/simulation/depth_camera.h>
 #include <pcl/simulation/random_plan.h>
 #include <pcl/simulation/range_sensor.h>
 #include <pcl/simulation/scene_description.h>
 #include <pcl/simulation/trajectory.h>
 
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -22,6 +25,7 @@ using namespace pcl::indoor::tool;
 
 struct Options {
   std::string plan_file, output_file, json_file;
+  std::string view, target = "0,0,0.7"; // X,Y,Z; no view: a moving sensor
   pcl::indoor::TrajectoryOptions trajectory;
   pcl::indoor::RangeSensorOptions sensor;
   double leaf_size = 0.04;
@@ -86,8 +90,8 @@ makeParser(Options& options)
   parser
       .positional("plan.json",
                   options.plan_file,
-                  "plan of the building, or random:home:SEED, random:office:SEED, with "
-                  ":cluttered behind it for many small things")
+                  "plan of the building, or random:home:SEED, random:office:SEED, "
+                  "random:table:SEED, with :cluttered behind it for many small things")
       .positional("output.pcd|ply", options.output_file, "the scan")
       .number("-spacing",
               options.trajectory.spacing,
@@ -115,10 +119,17 @@ makeParser(Options& options)
               "-1 = the walls that the plan names lean",
               "degrees",
               Range::between(-1.0, 360.0))
+      .text("-view",
+            options.view,
+            "X,Y,Z in m, where a depth camera stands; writes what it sees at once, an "
+            "organised cloud in its frame")
+      .text("-target", options.target, "X,Y,Z in m, in the middle of its view")
       .text("-json", options.json_file, "file for the names of rooms and objects");
   addSensorOptions(parser, options.sensor);
   parser.expert({"-lean",
                  "-lean_towards",
+                 "-view",
+                 "-target",
                  "-rays_per_pose",
                  "-min_range",
                  "-max_range",
@@ -132,14 +143,20 @@ makeParser(Options& options)
 }
 
 pcl::PCLPointCloud2
+toCloud(const pcl::PointCloud<pcl::indoor::PointXYZScene>& points)
+{
+  pcl::PCLPointCloud2 cloud;
+  pcl::toPCLPointCloud2(points, cloud);
+  return cloud;
+}
+
+pcl::PCLPointCloud2
 toCloud(const pcl::indoor::SimulatedScan& scan)
 {
   pcl::PointCloud<pcl::indoor::PointXYZScene> points;
   points.resize(scan.points.size());
   std::copy(scan.points.begin(), scan.points.end(), points.begin());
-  pcl::PCLPointCloud2 cloud;
-  pcl::toPCLPointCloud2(points, cloud);
-  return cloud;
+  return toCloud(points);
 }
 
 void
@@ -165,11 +182,9 @@ requireUsable(const Options& options)
     requireWritable(options.json_file);
 }
 
-void
-simulate(Options& options, Progress& progress)
+pcl::indoor::Plan
+planOf(const Options& options)
 {
-  requireUsable(options);
-  progress.start("Building " + options.plan_file);
   const auto random = pcl::indoor::randomPlanNamed(options.plan_file);
   auto plan = random ? *random : pcl::indoor::readPlan(options.plan_file);
   if (options.lean >= 0 && options.lean_towards >= 0)
@@ -177,11 +192,21 @@ simulate(Options& options, Progress& progress)
         plan, {options.lean * M_PI / 180, options.lean_towards * M_PI / 180});
   else if (options.lean >= 0)
     pcl::indoor::setLean(plan, options.lean * M_PI / 180);
-  const auto building = pcl::indoor::buildBuilding(plan, options.plan_file);
-  progress.done(std::to_string(building.rooms.size()) + " rooms, " +
-                std::to_string(building.objects.size()) + " objects, " +
-                std::to_string(building.triangles.size()) + " triangles");
+  return plan;
+}
 
+/** What was scanned, and from where. */
+struct Scan {
+  pcl::PCLPointCloud2 cloud;
+  std::vector<Eigen::Vector3d> positions;
+};
+
+Scan
+scanWithMovingSensor(const pcl::indoor::Plan& plan,
+                     const pcl::indoor::Building& building,
+                     Options& options,
+                     Progress& progress)
+{
   const auto trajectory =
       plan.trajectory.empty()
           ? pcl::indoor::planTrajectory(building, options.trajectory)
@@ -193,20 +218,53 @@ simulate(Options& options, Progress& progress)
   auto scan = pcl::indoor::scanBuilding(building, trajectory, options.sensor);
   progress.done(std::to_string(scan.ray_count) + " rays, " +
                 std::to_string(scan.points.size()) + " points");
-
-  progress.start("Saving " + options.output_file);
   pcl::indoor::thinScan(scan, options.leaf_size);
-  if (scan.points.empty())
+  return {toCloud(scan), trajectory};
+}
+
+Scan
+scanWithCamera(const pcl::indoor::Building& building,
+               const Options& options,
+               Progress& progress)
+{
+  progress.start("Seeing it from " + options.view);
+  pcl::indoor::DepthCameraOptions camera;
+  camera.seed = options.sensor.seed;
+  const auto position = readPlace("-view", options.view);
+  const auto target = readPlace("-target", options.target);
+  const auto view = pcl::indoor::viewBuilding(building, position, target, camera);
+  const auto seen = std::count_if(
+      view.begin(), view.end(), [](const auto& point) { return point.category != 0; });
+  progress.done(std::to_string(seen) + " of " + std::to_string(view.size()) +
+                " pixels have a depth");
+  return {seen > 0 ? toCloud(view) : pcl::PCLPointCloud2(), {position}};
+}
+
+void
+simulate(Options& options, Progress& progress)
+{
+  requireUsable(options);
+  progress.start("Building " + options.plan_file);
+  const auto plan = planOf(options);
+  const auto building = pcl::indoor::buildBuilding(plan, options.plan_file);
+  progress.done(std::to_string(building.rooms.size()) + " rooms, " +
+                std::to_string(building.objects.size()) + " objects, " +
+                std::to_string(building.triangles.size()) + " triangles");
+  const auto scan = options.view.empty()
+                        ? scanWithMovingSensor(plan, building, options, progress)
+                        : scanWithCamera(building, options, progress);
+  const auto points = std::to_string(scan.cloud.width * scan.cloud.height) + " points";
+  progress.start("Saving " + options.output_file);
+  if (scan.cloud.data.empty())
     throw ToolError(options.plan_file + ": no ray found a surface");
   std::vector<OutputFile> files;
   if (!options.json_file.empty())
-    files.push_back(writtenBeside(options.json_file,
-                                  pcl::indoor::describeScene(building, trajectory)));
-  files.push_back(cloudBeside(options.output_file, toCloud(scan), {}));
+    files.push_back(writtenBeside(
+        options.json_file, pcl::indoor::describeScene(building, scan.positions)));
+  files.push_back(cloudBeside(options.output_file, scan.cloud, {}));
   commitTogether(files);
-  progress.done(std::to_string(scan.points.size()) + " points");
-  progress.summary(options.output_file + ": " + std::to_string(scan.points.size()) +
-                   " points");
+  progress.done(points);
+  progress.summary(options.output_file + ": " + points);
 }
 
 } // namespace

@@ -142,10 +142,10 @@ makeMethods(bool single_view, const Settings& settings)
                               {"the thesis's method", own(proposed)},
                               {"ours + LCCP", own(lccp)},
                               best};
+  auto pieces = ours;
+  pieces.pieces.joining_level = 1;
+  methods.insert(methods.end() - 1, {"ours, pieces alone", own(pieces)});
   if (!single_view) {
-    auto pieces = ours;
-    pieces.pieces.joining_level = 1;
-    methods.insert(methods.end() - 1, {"ours, pieces alone", own(pieces)});
     auto parts = partsOptions();
     if (settings.level >= 0)
       parts.pieces.joining_level = ours.pieces.joining_level;

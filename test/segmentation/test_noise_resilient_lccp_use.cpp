@@ -217,7 +217,9 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_EQ(segmentation.getJoiningScale(), JoiningScale::Objects);
   EXPECT_FLOAT_EQ(segmentation.getJoiningLevel(), 0.4f);
   EXPECT_EQ(partsOptions().pieces.scale, JoiningScale::Parts);
-  EXPECT_FLOAT_EQ(singleViewOptions().pieces.joining_level, 1);
+  EXPECT_EQ(singleViewOptions().pieces.scale, JoiningScale::View);
+  EXPECT_FLOAT_EQ(singleViewOptions().pieces.joining_level, 0.9f);
+  EXPECT_EQ(singleViewOptions().min_segment_size, 6u);
   EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
   EXPECT_EQ(segmentation.getPartition(), Segmentation::Partition::Pieces);

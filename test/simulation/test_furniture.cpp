@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/simulation/furniture.h>
+#include <pcl/simulation/ray_tracer.h>
 
 #include <Eigen/Geometry>
 #include <pcl/exceptions.h>
@@ -128,19 +129,71 @@ TEST(Furniture, EveryClassBuildsInAGivenSize)
     }
 }
 
+/** The parts, the sides of a hollow vessel together. */
+std::vector<FurniturePart>
+bodiesOf(const FurnitureModel& model)
+{
+  std::vector<FurniturePart> bodies;
+  for (const auto& part : model.parts)
+    if (part.name != "inside" && part.name != "bottom")
+      bodies.push_back(part);
+    else
+      bodies.back().triangles.insert(
+          bodies.back().triangles.end(), part.triangles.begin(), part.triangles.end());
+  return bodies;
+}
+
 TEST(Furniture, PartsAreClosedWithNormalsOutwards)
 {
   for (const auto& category : furnitureCategories())
     for (int variant = 0; variant < furnitureVariants(category); ++variant)
       for (std::uint32_t seed = 0; seed < 20; ++seed)
         for (const auto& part :
-             makeFurniture(category, seed, std::nullopt, variant).parts) {
+             bodiesOf(makeFurniture(category, seed, std::nullopt, variant))) {
           const std::string what =
               category + " " + std::to_string(variant) + ", " + part.name;
           EXPECT_FALSE(part.name.empty());
           EXPECT_TRUE(isClosed(part.triangles)) << what;
           EXPECT_GT(enclosedVolume(part.triangles), 0.0) << what;
         }
+}
+
+// From above one sees the inside and the bottom of a vessel and its rim, from the side
+// its outside alone.
+TEST(Furniture, VesselsHaveAnInsideAndABottom)
+{
+  for (const auto* category : {"bowl", "mug"})
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+      const auto model = makeFurniture(category, seed);
+      ASSERT_GE(model.parts.size(), 3u);
+      EXPECT_EQ(model.parts[0].name, category);
+      EXPECT_EQ(model.parts[1].name, "inside");
+      EXPECT_EQ(model.parts[2].name, "bottom");
+      std::vector<Triangle> triangles;
+      std::vector<std::size_t> part_of_triangle;
+      for (std::size_t p = 0; p < 3; ++p)
+        for (const auto& triangle : model.parts[p].triangles) {
+          triangles.push_back(triangle);
+          part_of_triangle.push_back(p);
+        }
+      Eigen::AlignedBox3f box;
+      for (const auto& t : model.parts[0].triangles)
+        box.extend(t.a);
+      const Eigen::Vector3f middle = box.center();
+      const RayTracer tracer(triangles);
+      const auto seen = [&](const Eigen::Vector3f& from, const Eigen::Vector3f& way) {
+        const auto hit = tracer.trace(from, way);
+        return hit.triangle < 0 ? 9 : part_of_triangle[hit.triangle];
+      };
+      const float high = box.max().z();
+      const Eigen::Vector3f above(middle.x() + 0.001f, middle.y() + 0.002f, 2 * high);
+      EXPECT_EQ(seen(above, {0, 0, -1}), 2u) << category << ' ' << seed;
+      const Eigen::Vector3f inner(above.x(), above.y(), 0.95f * high);
+      for (const float side : {-1.0f, 1.0f}) {
+        EXPECT_EQ(seen(inner, {side, 0, 0}), 1u) << category << ' ' << seed;
+        EXPECT_EQ(seen({side * 2, inner.y(), inner.z()}, {-side, 0, 0}), 0u);
+      }
+    }
 }
 
 TEST(Furniture, SameSeedSamePieceOtherSeedAnother)

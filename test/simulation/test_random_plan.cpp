@@ -21,6 +21,7 @@ using namespace pcl::indoor;
 
 constexpr std::uint32_t seeds = 30;
 constexpr PlanKind kinds[] = {PlanKind::Home, PlanKind::Office};
+constexpr PlanKind all_kinds[] = {PlanKind::Home, PlanKind::Office, PlanKind::Table};
 
 Polygon
 footprintOf(const FurniturePlan& item)
@@ -82,7 +83,7 @@ TEST(RandomPlan, EveryPlanBuildsAndEveryRoomIsVisited)
 
 TEST(RandomPlan, FurnitureDoesNotCollide)
 {
-  for (const auto kind : kinds)
+  for (const auto kind : all_kinds)
     for (std::uint32_t seed = 0; seed < 2 * seeds; ++seed) {
       const auto plan = randomPlan(seed / 2, kind, seed % 2 == 1);
       for (const auto& storey : plan.storeys)
@@ -121,7 +122,7 @@ TEST(RandomPlan, DoorsJoinAllRooms)
 TEST(RandomPlan, EveryClassAppears)
 {
   std::set<std::string> seen;
-  for (const auto kind : kinds)
+  for (const auto kind : all_kinds)
     for (std::uint32_t seed = 0; seed < seeds; ++seed)
       for (const auto& storey : randomPlan(seed, kind, true).storeys)
         for (const auto& item : storey.furniture)
@@ -179,9 +180,35 @@ TEST(RandomPlan, MostHomesHaveTheirMainPieces)
     EXPECT_GT(count, 0.8 * seeds);
 }
 
+TEST(RandomPlan, ATableHasSmallThingsOnIt)
+{
+  std::size_t alone[2] = {0, 0};
+  for (std::uint32_t seed = 0; seed < 2 * seeds; ++seed) {
+    const bool cluttered = seed % 2 == 1;
+    const auto plan = randomPlan(seed / 2, PlanKind::Table, cluttered);
+    ASSERT_EQ(plan.storeys.size(), 1u);
+    EXPECT_EQ(buildBuilding(plan).rooms.size(), 1u);
+    const auto& furniture = plan.storeys[0].furniture;
+    const auto& table = furniture.at(0);
+    EXPECT_TRUE(isTable(table)) << table.category;
+    EXPECT_EQ(table.at, Eigen::Vector2d(0, 0));
+    const double top = table.size->z();
+    for (std::size_t i = 1; i < furniture.size(); ++i) {
+      const auto& thing = furniture[i];
+      if (isSeat(thing))
+        continue;
+      ++alone[cluttered];
+      EXPECT_GE(*thing.elevation, top - 1e-9) << thing.category;
+      EXPECT_LE(thing.size->maxCoeff(), 0.3) << thing.category;
+    }
+  }
+  EXPECT_GE(alone[0], 2 * seeds);
+  EXPECT_GE(alone[1], 2 * alone[0]) << "cluttered";
+}
+
 TEST(RandomPlan, TheSameSeedGivesTheSamePlan)
 {
-  for (const auto kind : kinds) {
+  for (const auto kind : all_kinds) {
     const auto a = buildBuilding(randomPlan(3, kind));
     const auto b = buildBuilding(randomPlan(3, kind));
     const auto c = buildBuilding(randomPlan(4, kind));
@@ -197,6 +224,7 @@ TEST(RandomPlan, NamesOfPlans)
   EXPECT_FALSE(randomPlanNamed("plans/house.json"));
   EXPECT_EQ(randomPlanNamed("random:home:7")->name, "random home 7");
   EXPECT_EQ(randomPlanNamed("random:office:4294967295")->seed, 4294967295u);
+  EXPECT_EQ(randomPlanNamed("random:table:3")->name, "random table 3");
   const auto furniture = [](const std::string& name) {
     return randomPlanNamed(name)->storeys[0].furniture.size();
   };

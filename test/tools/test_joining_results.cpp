@@ -152,6 +152,24 @@ TEST_F(JoiningResults, ExamplesAreSound)
   }
 }
 
+TEST_F(JoiningResults, AnOrganisedScanIsOneView)
+{
+  const std::string command = std::string(PCL_INDOOR_TOOLS) +
+                              "/pcl_scan_simulation random:table:7 " +
+                              path("table.pcd") + " -view 0.6,0.5,1.5 -quiet";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const auto bytes = saved("-share 1 -room_field none", "table.pcd");
+  ASSERT_EQ(bytes.size() % sizeof(Example), 0u);
+  std::vector<Example> all(bytes.size() / sizeof(Example));
+  ASSERT_GT(all.size(), 20u);
+  std::memcpy(all.data(), bytes.data(), bytes.size());
+  const auto ones = soundOnes(all);
+  EXPECT_GT(ones, 5u);
+  EXPECT_LT(ones, all.size() - 5);
+  fs::remove(path("out"));
+  expectRefusal("-room_field none", "none"); // the home is no view
+}
+
 TEST_F(JoiningResults, SameCallGivesTheSameAndAnotherSeedDoesNot)
 {
   const auto bytes = saved("-seed 3");

@@ -58,16 +58,22 @@ cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& 
 }
 
 void
-joinPiecesOfRoom(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
+joinPieces(const ObjectSegmentationOptions& options,
+           const std::optional<Eigen::Vector3f>& camera,
+           ObjectSegmentation& result)
 {
   numberSegments(result);
   result.piece_of_point = result.segment_of_point;
   const auto piece_of_voxel = piecesOfVoxels(result);
+  const auto frame =
+      camera ? viewFrame(result.scene, piece_of_voxel, result.segment_count, *camera)
+             : roomFrame(result.scene);
   result.pieces = pieceGraph({result.scene,
                               piece_of_voxel,
                               result.segment_count,
                               result.supervoxels,
-                              result.edges});
+                              result.edges},
+                             frame);
   LearnedCriterion criterion(options.pieces.scale);
   result.joins = joinPieces(result.pieces, criterion);
   const auto segment_of_piece =

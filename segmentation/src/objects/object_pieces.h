@@ -8,6 +8,7 @@
 #include <pcl/segmentation/objects/room_structure.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -20,9 +21,12 @@ namespace indoor {
 void
 cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& result);
 
-/** Take the segments for pieces, and join those that are probably one thing. */
+/** Take the segments for pieces, and join those that are probably one thing.
+ * \param[in] camera where it was, if the points are a camera's view */
 void
-joinPiecesOfRoom(const ObjectSegmentationOptions& options, ObjectSegmentation& result);
+joinPieces(const ObjectSegmentationOptions& options,
+           const std::optional<Eigen::Vector3f>& camera,
+           ObjectSegmentation& result);
 
 /** Part objects at seams between bodies that stand against each other. */
 void

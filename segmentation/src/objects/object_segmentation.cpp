@@ -18,6 +18,7 @@
 #include <pcl/indoor/require_valid.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace {
@@ -136,7 +137,9 @@ segmentObjects(ObjectSegmentationInput input,
     return progress && !progress(share, stage);
   };
   const bool has_pieces = options.partition == Partition::Pieces;
-  const bool is_room = !input.single_camera;
+  std::optional<Eigen::Vector3f> camera;
+  if (input.single_camera)
+    camera = input.viewpoint.front();
   ObjectSegmentation result;
   if (stops(0, "voxels and structure"))
     return {};
@@ -146,14 +149,14 @@ segmentObjects(ObjectSegmentationInput input,
   const auto segment_of_voxel = partitionVoxels(options, result);
   if (stops(0.6, "objects"))
     return {};
-  if (has_pieces && is_room) {
+  for (const auto voxel : result.scene.voxels.cells.cell_of_point)
+    result.segment_of_point.push_back(segment_of_voxel[voxel]);
+  if (has_pieces && !camera)
     cutPieces(segment_of_voxel, result);
-    joinPiecesOfRoom(options, result);
+  if (has_pieces)
+    joinPieces(options, camera, result);
+  if (has_pieces && !camera)
     cutBodies(result);
-  }
-  else
-    for (const auto voxel : result.scene.voxels.cells.cell_of_point)
-      result.segment_of_point.push_back(segment_of_voxel[voxel]);
   yieldEnclosed(result.scene, result.segment_of_point);
   nameSegments(options, result);
   if (stops(1, "done"))

@@ -96,10 +96,10 @@ singleViewOptions()
   ObjectSegmentationOptions options;
   options.voxel_size = 0.005;
   options.seed_size = 0.02;
-  options.pieces.bend_threshold_degrees = 18;
   options.min_segment_size = 6;
   options.separate_structure = false;
-  options.pieces.joining_level = 1; // the criterion knows rooms only
+  options.pieces.scale = JoiningScale::View;
+  options.pieces.joining_level = 0.9f; // a wrong join loses the smaller of two things
   return options;
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -209,6 +210,41 @@ roundLegs(PartMaker& make, double x, double y, double radius, double z, double s
                {sx * (x - radius), sy * (y - radius), 0.0},
                {sx * (x - radius - splay), sy * (y - radius - splay), z},
                radius);
+}
+
+void
+PartMaker::hollow(const std::string& name,
+                  const Rectangle& r,
+                  const std::vector<Section>& sections,
+                  double thickness)
+{
+  const double half = std::min(r.x1 - r.x0, r.y1 - r.y0) / 2;
+  std::vector<Section> both = sections;
+  for (auto section = sections.rbegin(); section != sections.rend(); ++section) {
+    both.push_back(*section);
+    both.back().scale -= thickness / half;
+  }
+  both.back().z += thickness;
+  loft(name, r, both, 24);
+  const double rim = sections.back().z - thickness;
+  const Eigen::Vector2d middle((r.x0 + r.x1) / 2, (r.y0 + r.y1) / 2);
+  std::vector<Triangle> triangles;
+  triangles.swap(model_.parts.back().triangles);
+  FurniturePart inside{"inside", {}, false}, floor{"bottom", {}, false};
+  for (const auto& t : triangles) {
+    const Eigen::Vector3d normal = (t.b - t.a).cross(t.c - t.a).cast<double>(),
+                          place = (t.a + t.b + t.c).cast<double>() / 3;
+    const bool is_level = std::abs(normal.z()) > 0.99 * normal.norm(),
+               is_inwards = normal.head<2>().dot(place.head<2>() - middle) < 0;
+    if (is_level && normal.z() > 0 && place.z() < rim)
+      floor.triangles.push_back(t);
+    else if (!is_level && is_inwards)
+      inside.triangles.push_back(t);
+    else
+      model_.parts.back().triangles.push_back(t);
+  }
+  model_.parts.push_back(inside);
+  model_.parts.push_back(floor);
 }
 
 void

@@ -107,6 +107,15 @@ public:
           {0.88 * bottom, floor, corner}});
   }
 
+  /** \brief Add a vessel whose inside and bottom are parts of their own.
+   * \param[in] sections of its outer side, from its foot to its rim
+   * \param[in] thickness of its wall and floor, metres */
+  void
+  hollow(const std::string& name,
+         const Rectangle& r,
+         const std::vector<Section>& sections,
+         double thickness);
+
   /** \brief Add a shade that is open below; scales of its bottom and its top. */
   void
   shade(const std::string& name,
@@ -183,6 +192,8 @@ std::vector<FurnitureClass>
 decorationClasses();
 std::vector<FurnitureClass>
 clutterClasses();
+std::vector<FurnitureClass>
+vesselClasses();
 
 /** \brief Doors side by side on the front of a body of a size, with handles or without.
  * They fill the last 0.04 m of its depth.

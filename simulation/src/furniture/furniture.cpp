@@ -31,7 +31,8 @@ allClasses()
                              lampClasses(),
                              deviceClasses(),
                              decorationClasses(),
-                             clutterClasses()})
+                             clutterClasses(),
+                             vesselClasses()})
     classes.insert(classes.end(), family.begin(), family.end());
   return classes;
 }

@@ -4,9 +4,11 @@
  */
 #include <pcl/simulation/random_plan.h>
 
+#include "random/random_table.h"
 #include "random/room_furnisher.h"
 
 #include <map>
+#include <utility>
 
 namespace pcl {
 namespace indoor {
@@ -173,6 +175,8 @@ turnPlan(Plan& plan, double angle)
 Plan
 randomPlan(std::uint32_t seed, PlanKind kind, bool cluttered)
 {
+  if (kind == PlanKind::Table)
+    return randomTable(seed, cluttered);
   RandomDraw draw(mixSeed(seed, kind == PlanKind::Home ? 0 : 1));
   const bool home = kind == PlanKind::Home;
   Plan plan;
@@ -215,9 +219,11 @@ randomPlanNamed(const std::string& name)
       name.size() > clutter.size() &&
       name.compare(name.size() - clutter.size(), clutter.size(), clutter) == 0;
   const auto plain = name.substr(0, name.size() - (cluttered ? clutter.size() : 0));
-  for (const auto kind : {PlanKind::Home, PlanKind::Office}) {
-    const std::string start =
-        kind == PlanKind::Home ? "random:home:" : "random:office:";
+  const std::pair<PlanKind, std::string> kinds[] = {
+      {PlanKind::Home, "random:home:"},
+      {PlanKind::Office, "random:office:"},
+      {PlanKind::Table, "random:table:"}};
+  for (const auto& [kind, start] : kinds) {
     if (plain.rfind(start, 0) != 0)
       continue;
     const std::string digits = plain.substr(start.size());
@@ -227,9 +233,9 @@ randomPlanNamed(const std::string& name)
       break;
     return randomPlan(static_cast<std::uint32_t>(std::stoull(digits)), kind, cluttered);
   }
-  throw PlanError(name +
-                  ": must be random:home:SEED or random:office:SEED, with a seed "
-                  "from 0 to 4294967295, and may end with :cluttered");
+  throw PlanError(
+      name + ": must be random:home:SEED, random:office:SEED or random:table:SEED, "
+             "with a seed from 0 to 4294967295, and may end with :cluttered");
 }
 
 } // namespace indoor

@@ -104,11 +104,14 @@ RoomFurnisher::piece(const std::string& category,
 }
 
 Piece
-RoomFurnisher::shaped(const std::string& category, int first, int last)
+RoomFurnisher::shaped(const std::string& category,
+                      int first,
+                      int last,
+                      const std::optional<Eigen::Vector3d>& size)
 {
   Piece result = piece(category);
   result.variant = first + draw_.pick(last - first + 1);
-  result.size = makeFurniture(category, result.seed, std::nullopt, result.variant).size;
+  result.size = makeFurniture(category, result.seed, size, result.variant).size;
   return result;
 }
 

@@ -67,7 +67,10 @@ public:
 
   /** \brief Draw a piece of one of the shapes \a first to \a last. */
   Piece
-  shaped(const std::string& category, int first, int last);
+  shaped(const std::string& category,
+         int first,
+         int last,
+         const std::optional<Eigen::Vector3d>& size = std::nullopt);
 
   /** \brief Back to a wall, at a height above the floor; often in a corner or right
    * beside another piece. */

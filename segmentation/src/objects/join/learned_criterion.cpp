@@ -8,6 +8,7 @@
 
 #include <pcl/exceptions.h>
 
+#include <array>
 #include <sstream>
 #include <string>
 
@@ -33,8 +34,9 @@ readTrees(const std::string& scale)
 const BoostedTrees&
 bundledTrees(JoiningScale scale)
 {
-  static const auto parts = readTrees("parts"), objects = readTrees("objects");
-  return scale == JoiningScale::Parts ? parts : objects;
+  static const std::array<BoostedTrees, 3> trees{
+      readTrees("parts"), readTrees("objects"), readTrees("view")};
+  return trees.at(static_cast<std::size_t>(scale));
 }
 
 } // namespace

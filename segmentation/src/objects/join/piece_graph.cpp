@@ -6,7 +6,6 @@
 
 #include <pcl/indoor/point_cells.h>
 
-#include <pcl/indoor/ground_frame.h>
 #include <pcl/indoor/quantile.h>
 
 #include <Eigen/Geometry>
@@ -22,11 +21,9 @@ using pcl::indoor::OutlineReach;
 using pcl::indoor::Piece;
 using pcl::indoor::PieceContact;
 using pcl::indoor::PieceSurface;
-using pcl::indoor::StructurePlane;
 
-constexpr double cell_voxels = 3;      // edge of the cells that tell what is near
-constexpr double in_line = 0.5;        // voxels from a tangent plane
-constexpr double lowest_share = 0.005; // of all voxels, below the floor's height
+constexpr double cell_voxels = 3; // edge of the cells that tell what is near
+constexpr double in_line = 0.5;   // voxels from a tangent plane
 
 using ContactMap = std::map<std::pair<std::uint32_t, std::uint32_t>, PieceContact>;
 
@@ -38,23 +35,6 @@ contactOf(std::uint32_t a, std::uint32_t b, ContactMap& contacts)
   contact.first = pair.first;
   contact.second = pair.second;
   return contact;
-}
-
-/** z is up, x across the largest wall. */
-Eigen::Matrix3d
-roomFrame(const std::vector<StructurePlane>& planes, const Eigen::Vector3f& up)
-{
-  Eigen::Matrix3d frame = pcl::indoor::groundFrame(up);
-  for (const auto& plane : planes) {
-    const Eigen::Vector3d z = up.cast<double>();
-    const Eigen::Vector3d across = plane.normal - plane.normal.dot(z) * z;
-    if (across.norm() < 0.7)
-      continue;
-    frame.row(0) = across.normalized();
-    frame.row(1) = z.cross(across).normalized();
-    break;
-  }
-  return frame;
 }
 
 OutlineReach
@@ -74,40 +54,31 @@ outlineOf(const std::vector<Eigen::Vector3f>& places, float margin)
   return reach;
 }
 
-/** The voxels in no plane, in the frame of the room. */
+/** The voxels in no plane, in the frame of the pieces. */
 struct LooseVoxels {
   std::vector<std::uint32_t> voxels, pieces;
   std::vector<Eigen::Vector3f> positions, normals; ///< one per entry of voxels
-  double floor = 0; ///< height of the lowest voxels, also of planes, metres
-  pcl::indoor::RoomColumns columns;
 };
 
 LooseVoxels
-placesOf(const PieceSurface& surface, const Eigen::Matrix3f& frame)
+looseVoxels(const PieceSurface& surface,
+            const std::vector<Eigen::Vector3f>& places,
+            const Eigen::Matrix3f& axes)
 {
   LooseVoxels loose;
-  std::vector<Eigen::Vector3f> all;
-  std::vector<double> heights;
   for (std::uint32_t v = 0; v < surface.scene.voxels.size(); ++v) {
-    const Eigen::Vector3f position = frame * surface.scene.voxels.centroids[v];
-    all.push_back(position);
-    heights.push_back(position.z());
     if (surface.scene.plane_of_voxel[v] != 0)
       continue;
     loose.voxels.push_back(v);
     loose.pieces.push_back(surface.piece_of_voxel[v]);
-    loose.positions.push_back(position);
-    loose.normals.push_back(frame * surface.scene.voxels.normals[v]);
-  }
-  if (!heights.empty()) {
-    loose.floor = pcl::indoor::quantile(heights, lowest_share);
-    loose.columns = {all, loose.floor, surface.scene.voxel_size};
+    loose.positions.push_back(places[v]);
+    loose.normals.push_back(axes * surface.scene.voxels.normals[v]);
   }
   return loose;
 }
 
 std::vector<Piece>
-describePieces(const PieceSurface& surface, const LooseVoxels& loose)
+describePieces(const PieceSurface& surface, const LooseVoxels& loose, double voxel_size)
 {
   std::vector<Piece> pieces(surface.piece_count);
   std::vector<std::vector<Eigen::Vector3f>> positions_of(surface.piece_count);
@@ -118,7 +89,7 @@ describePieces(const PieceSurface& surface, const LooseVoxels& loose)
     positions_of[loose.pieces[i]].push_back(loose.positions[i]);
   }
   const pcl::indoor::DirectionHulls hulls(Eigen::Matrix3f::Identity());
-  const float margin = 0.5f * static_cast<float>(surface.scene.voxel_size);
+  const float margin = 0.5f * static_cast<float>(voxel_size);
   for (std::uint32_t p = 0; p < surface.piece_count; ++p)
     if (!positions_of[p].empty()) {
       pieces[p].reach = hulls.reachOf(positions_of[p], margin);
@@ -319,18 +290,23 @@ PieceContact::operator+=(const PieceContact& other)
 }
 
 PieceGraph
-pieceGraph(const PieceSurface& surface)
+pieceGraph(const PieceSurface& surface, const PieceFrame& frame)
 {
-  const auto& scene = surface.scene;
-  auto places = placesOf(surface, roomFrame(scene.planes, scene.up).cast<float>());
+  const Eigen::Matrix3f axes = frame.axes.cast<float>();
+  std::vector<Eigen::Vector3f> places;
+  places.reserve(surface.scene.voxels.size());
+  for (const auto& centroid : surface.scene.voxels.centroids)
+    places.push_back(axes * centroid);
+  const auto loose = looseVoxels(surface, places, axes);
   PieceGraph graph;
-  graph.voxel_size = surface.scene.voxel_size;
-  graph.floor = places.floor;
-  graph.columns = std::move(places.columns);
-  graph.pieces = describePieces(surface, places);
+  graph.voxel_size = frame.voxel_size;
+  graph.floor = frame.floor;
+  if (!places.empty())
+    graph.columns = {places, frame.floor, frame.voxel_size};
+  graph.pieces = describePieces(surface, loose, frame.voxel_size);
   ContactMap contacts;
-  addTouching(surface, places, contacts);
-  addNear(places, surface.scene.voxel_size, contacts);
+  addTouching(surface, loose, contacts);
+  addNear(loose, frame.voxel_size, contacts);
   addBends(surface, contacts);
   for (const auto& entry : contacts)
     graph.contacts.push_back(entry.second);

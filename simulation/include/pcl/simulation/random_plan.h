@@ -16,11 +16,12 @@ namespace indoor {
 
 /** \brief What a random plan is a plan of. */
 enum class PlanKind {
-  Home,  ///< 4 to 8 rooms per storey: living room, kitchen, bathroom, bedrooms, hall
-  Office ///< a corridor with offices, meeting room, kitchenette and storage
+  Home,   ///< 4 to 8 rooms per storey: living room, kitchen, bathroom, bedrooms, hall
+  Office, ///< a corridor with offices, meeting room, kitchenette and storage
+  Table   ///< one room with a table in its middle, above the origin, things on it
 };
 
-/** \brief Draw a furnished building.
+/** \brief Draw a furnished building, or a table with small things on it.
  *
  * Rooms are rectangles that cut a rectangular or L-shaped outline into pieces; a tree
  * of doors, some of them closed, joins them all. Furniture stands as people put it for
@@ -29,14 +30,14 @@ enum class PlanKind {
  * \param[in] seed the same seed gives the same plan; another one another plan
  * \param[in] kind of the building
  * \param[in] cluttered desks are pushed together, and many small things lie on what has
- * a level top and on the floor; all else is as without
+ * a level top and on the floor, all else is as without; of a table: more things on it
  * \return a plan that buildBuilding() accepts
  */
 Plan
 randomPlan(std::uint32_t seed, PlanKind kind, bool cluttered = false);
 
-/** \brief Read what names a random plan: random:home:SEED or random:office:SEED,
- * followed by :cluttered for one with clutter.
+/** \brief Read what names a random plan: random:home:SEED, random:office:SEED or
+ * random:table:SEED, followed by :cluttered for one with clutter.
  * \param[in] name a plan's name, for example random:home:7
  * \return the plan; none if the name does not begin with random:
  * \throws PlanError if the kind is none of these or the seed is no number from 0 to

@@ -44,7 +44,8 @@ struct Scene : ObjectScene {
   PieceGraph
   graph() const
   {
-    return pieceGraph({*this, piece_of_voxel, piece_count, supervoxels, edges});
+    return pieceGraph({*this, piece_of_voxel, piece_count, supervoxels, edges},
+                      roomFrame(*this));
   }
 
   /** Give each supervoxel a piece, the planes the last one. */

@@ -46,7 +46,8 @@ TEST(LearnedCriterion, AsksItsTrees)
 
 TEST(LearnedCriterion, BundledTreesGiveProbabilities)
 {
-  for (const auto scale : {JoiningScale::Parts, JoiningScale::Objects}) {
+  for (const auto scale :
+       {JoiningScale::Parts, JoiningScale::Objects, JoiningScale::View}) {
     LearnedCriterion criterion(scale), same(scale);
     std::mt19937 rng(10);
     for (int trial = 0; trial < 100; ++trial) {

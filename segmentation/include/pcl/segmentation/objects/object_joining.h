@@ -32,7 +32,8 @@ struct PieceJoin {
 /** \brief What pieces are joined to. */
 enum class JoiningScale {
   Parts, ///< parts of chairs and sofas, as a seat, a back and an arm; else whole things
-  Objects ///< whole things
+  Objects, ///< whole things
+  View     ///< small things in a camera's view, as on a table
 };
 
 /** \brief Tells how probable it is that two pieces are one thing. */

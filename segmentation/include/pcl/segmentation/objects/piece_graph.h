@@ -7,6 +7,7 @@
 #include <pcl/segmentation/objects/direction_hull.h>
 #include <pcl/segmentation/objects/object_scene.h>
 #include <pcl/segmentation/objects/outline_reach.h>
+#include <pcl/segmentation/objects/piece_frame.h>
 #include <pcl/segmentation/objects/room_columns.h>
 #include <pcl/segmentation/objects/surface_graph.h>
 #include <pcl/segmentation/objects/surface_voxels.h>
@@ -42,7 +43,7 @@ struct VectorMoments {
 };
 
 /** \brief What is known of a connected piece of surface, or of several that were
- * joined. Two of them can be added. In the frame of the room: z is up. */
+ * joined. Two of them can be added. In a PieceFrame: z is up. */
 struct Piece {
   VectorMoments positions; ///< of its voxels, metres
   VectorMoments normals;   ///< of its voxels, unit vectors
@@ -94,10 +95,10 @@ struct PieceSurface {
 /** \brief Describe the pieces of a room and their contacts. Pieces touch where their
  * voxels are neighbours, and are near where they are at most about six voxels apart.
  * Floor, ceiling and walls have no contacts. The cost is linear in the number of
- * voxels. In the frame of the room x is across the first wall.
+ * voxels.
  */
 PieceGraph
-pieceGraph(const PieceSurface& surface);
+pieceGraph(const PieceSurface& surface, const PieceFrame& frame);
 
 } // namespace indoor
 } // namespace pcl

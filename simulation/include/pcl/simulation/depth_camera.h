@@ -1,0 +1,52 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/simulation/building.h>
+#include <pcl/simulation/point_xyz_scene.h>
+
+#include <pcl/point_cloud.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Properties of a camera that measures depth by a projected pattern; the
+ * defaults are those of a Kinect. */
+struct DepthCameraOptions {
+  int width = 640, height = 480; ///< pixels (>= 1)
+  double focal_length = 525;     ///< pixels (> 0)
+  double baseline = 0.075;       ///< from the camera to the projector, metres (> 0)
+  double noise = 0.08;           ///< standard deviation of a disparity, pixels (>= 0)
+  double step = 0.125;           ///< of the disparities, pixels (> 0)
+  double min_range = 0.5;        ///< nearest depth, metres (>= 0)
+  double max_range = 5.0;        ///< farthest depth, metres (> min_range)
+  double least_cosine = 0.1;     ///< of the angle at which surfaces are seen (0 ... 1)
+  std::uint32_t seed = 1;        ///< same seed, same view
+};
+
+/** \brief See a building with a depth camera.
+ *
+ * A pixel has no depth where the surface is out of range, seen at a grazing angle, of
+ * glass, or not lit by the projector, which is on the right of the camera. Noise is of
+ * the disparity, so that of the depth grows with its square, and alike for pixels a few
+ * apart, as patches of the pattern are compared.
+ * \param[in] position of the camera, metres
+ * \param[in] target in the middle of the view, metres
+ * \return organised, in the frame of the camera: x to the right, y down, z forwards;
+ * NaN and labels 0 where there is no depth \throws BadArgumentException if an option is
+ * out of its range, or the target is where the camera is
+ */
+PointCloud<PointXYZScene>
+viewBuilding(const Building& building,
+             const Eigen::Vector3d& position,
+             const Eigen::Vector3d& target,
+             const DepthCameraOptions& options);
+
+} // namespace indoor
+} // namespace pcl
