@@ -20,7 +20,10 @@ int (*real_main)(int, char**, char**) = nullptr;
 bool
 fails()
 {
-  return counts && ++allocations == fail_at;
+  if (!counts || ++allocations != fail_at)
+    return false;
+  errno = ENOMEM; // as the real ones do; those who start threads look at it
+  return true;
 }
 
 int

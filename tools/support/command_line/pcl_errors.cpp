@@ -24,6 +24,9 @@ public:
     if (memory == nullptr)
       throw std::bad_alloc();
     stderr_ = std::exchange(stderr, memory);
+    static const int registered = std::atexit(sayAtExit);
+    static_cast<void>(registered);
+    current_ = this;
     if (level_ > console::L_ERROR)
       console::setVerbosityLevel(console::L_ERROR);
   }
@@ -31,6 +34,7 @@ public:
   ~ErrorText()
   {
     console::setVerbosityLevel(level_);
+    current_ = nullptr;
     std::fclose(std::exchange(stderr, stderr_));
     std::free(text_);
   }
@@ -47,6 +51,20 @@ public:
   }
 
 private:
+  /** A library may end the program, as OpenMP does where no thread can be started. */
+  static void
+  sayAtExit()
+  {
+    if (current_ == nullptr)
+      return;
+    std::fflush(stderr);
+    const char* text = current_->text_;
+    while (*text == '\n')
+      ++text;
+    std::fputs(text, current_->stderr_);
+  }
+
+  static inline const ErrorText* current_ = nullptr;
   console::VERBOSITY_LEVEL level_;
   std::FILE* stderr_ = nullptr;
   char* text_ = nullptr;
