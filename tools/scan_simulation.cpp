@@ -119,10 +119,11 @@ makeParser(Options& options)
               "-1 = the walls that the plan names lean",
               "degrees",
               Range::between(-1.0, 360.0))
-      .text("-view",
-            options.view,
-            "X,Y,Z in m, where a depth camera stands; writes what it sees at once, an "
-            "organised cloud in its frame")
+      .text(
+          "-view",
+          options.view,
+          "X,Y,Z in m, where a depth camera stands: what it sees at once, an organised "
+          "cloud in its frame; the moving sensor's options but -seed do not count")
       .text("-target", options.target, "X,Y,Z in m, in the middle of its view")
       .text("-json", options.json_file, "file for the names of rooms and objects");
   addSensorOptions(parser, options.sensor);
