@@ -63,6 +63,25 @@ TEST(NoiseResilientLCCPView, JoinsWhatTheCameraSeesInPieces)
   EXPECT_GT(quality, quality_of_pieces + 4 * 0.1);
 }
 
+TEST(NoiseResilientLCCPView, PointsBesideAndBehindTheCameraAreNoHarm)
+{
+  for (const float depth : {0.0f, -1.0f, 1e-6f}) {
+    const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(
+        new pcl::PointCloud<pcl::PointXYZ>(40, 40));
+    for (int v = 0; v < 40; ++v)
+      for (int u = 0; u < 40; ++u)
+        cloud->at(u, v) = pcl::PointXYZ(static_cast<float>(u) * 0.01f,
+                                        static_cast<float>(v) * 0.01f,
+                                        depth + static_cast<float>(u % 7) * 1e-3f);
+    pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
+    segmentation.setInputCloud(cloud);
+    Labels labels;
+    segmentation.segment(labels);
+    EXPECT_EQ(labels.size(), cloud->size());
+    EXPECT_GT(segmentation.getResult().pieces.voxel_size, 0);
+  }
+}
+
 TEST(NoiseResilientLCCPView, TheOrderOfJoiningIsATreeAsInRooms)
 {
   const auto view = viewOfTable(90001);

@@ -11,7 +11,8 @@
 
 namespace {
 
-constexpr double lowest_share = 0.005; // of all voxels, below the floor's height
+constexpr double lowest_share = 0.005;  // of all voxels, below the floor's height
+constexpr float least_distance = 1e-3f; // metres, from a camera
 
 } // namespace
 
@@ -71,7 +72,7 @@ viewFrame(const ObjectScene& scene,
       heights.push_back(
           frame.axes.row(2).dot(scene.voxels.centroids[v].cast<double>()));
   frame.floor = median(heights);
-  frame.voxel_size *= median(distances);
+  frame.voxel_size *= std::max(median(distances), least_distance);
   return frame;
 }
 
