@@ -202,6 +202,13 @@ struct Scan {
   std::vector<Eigen::Vector3d> positions;
 };
 
+void
+requireSeen(bool any_surface, const Options& options)
+{
+  if (!any_surface)
+    throw ToolError(options.plan_file + ": no ray found a surface");
+}
+
 Scan
 scanWithMovingSensor(const pcl::indoor::Plan& plan,
                      const pcl::indoor::Building& building,
@@ -219,6 +226,7 @@ scanWithMovingSensor(const pcl::indoor::Plan& plan,
   auto scan = pcl::indoor::scanBuilding(building, trajectory, options.sensor);
   progress.done(std::to_string(scan.ray_count) + " rays, " +
                 std::to_string(scan.points.size()) + " points");
+  requireSeen(!scan.points.empty(), options);
   pcl::indoor::thinScan(scan, options.leaf_size);
   return {toCloud(scan), trajectory};
 }
@@ -236,9 +244,10 @@ scanWithCamera(const pcl::indoor::Building& building,
   const auto view = pcl::indoor::viewBuilding(building, position, target, camera);
   const auto seen = std::count_if(
       view.begin(), view.end(), [](const auto& point) { return point.category != 0; });
+  requireSeen(seen > 0, options);
   progress.done(std::to_string(seen) + " of " + std::to_string(view.size()) +
                 " pixels have a depth");
-  return {seen > 0 ? toCloud(view) : pcl::PCLPointCloud2(), {position}};
+  return {toCloud(view), {position}};
 }
 
 void
@@ -256,8 +265,6 @@ simulate(Options& options, Progress& progress)
                         : scanWithCamera(building, options, progress);
   const auto points = std::to_string(scan.cloud.width * scan.cloud.height) + " points";
   progress.start("Saving " + options.output_file);
-  if (scan.cloud.data.empty())
-    throw ToolError(options.plan_file + ": no ray found a surface");
   std::vector<OutputFile> files;
   if (!options.json_file.empty())
     files.push_back(writtenBeside(

@@ -58,9 +58,9 @@ cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& 
 }
 
 void
-joinPieces(const ObjectSegmentationOptions& options,
-           const std::optional<Eigen::Vector3f>& camera,
-           ObjectSegmentation& result)
+joinToThings(const ObjectSegmentationOptions& options,
+             const std::optional<Eigen::Vector3f>& camera,
+             ObjectSegmentation& result)
 {
   numberSegments(result);
   result.piece_of_point = result.segment_of_point;

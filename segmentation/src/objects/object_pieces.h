@@ -24,9 +24,9 @@ cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& 
 /** Take the segments for pieces, and join those that are probably one thing.
  * \param[in] camera where it was, if the points are a camera's view */
 void
-joinPieces(const ObjectSegmentationOptions& options,
-           const std::optional<Eigen::Vector3f>& camera,
-           ObjectSegmentation& result);
+joinToThings(const ObjectSegmentationOptions& options,
+             const std::optional<Eigen::Vector3f>& camera,
+             ObjectSegmentation& result);
 
 /** Part objects at seams between bodies that stand against each other. */
 void

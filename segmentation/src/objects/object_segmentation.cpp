@@ -149,12 +149,13 @@ segmentObjects(ObjectSegmentationInput input,
   const auto segment_of_voxel = partitionVoxels(options, result);
   if (stops(0.6, "objects"))
     return {};
-  for (const auto voxel : result.scene.voxels.cells.cell_of_point)
-    result.segment_of_point.push_back(segment_of_voxel[voxel]);
   if (has_pieces && !camera)
     cutPieces(segment_of_voxel, result);
+  else
+    for (const auto voxel : result.scene.voxels.cells.cell_of_point)
+      result.segment_of_point.push_back(segment_of_voxel[voxel]);
   if (has_pieces)
-    joinPieces(options, camera, result);
+    joinToThings(options, camera, result);
   if (has_pieces && !camera)
     cutBodies(result);
   yieldEnclosed(result.scene, result.segment_of_point);

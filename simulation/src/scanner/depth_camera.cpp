@@ -4,6 +4,8 @@
  */
 #include <pcl/simulation/depth_camera.h>
 
+#include "scanner/option_check.h"
+
 #include <pcl/simulation/random_draw.h>
 
 #include <Eigen/Geometry>
@@ -15,30 +17,25 @@ namespace {
 
 using pcl::indoor::DepthCameraOptions;
 using pcl::indoor::RandomDraw;
+using pcl::indoor::requireOption;
 
 constexpr int patch = 4; // pixels from one independent error to the next
 
 void
 requireLegal(const DepthCameraOptions& o)
 {
-  const auto require =
-      [](bool legal, const char* name, double value, const char* range) {
-        if (!legal)
-          PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                              name << " must be " << range << ", not " << value);
-      };
-  require(o.width >= 1, "width", o.width, "at least 1");
-  require(o.height >= 1, "height", o.height, "at least 1");
-  require(o.focal_length > 0, "focal_length", o.focal_length, "positive");
-  require(o.baseline > 0, "baseline", o.baseline, "positive");
-  require(o.noise >= 0, "noise", o.noise, "at least 0 pixels");
-  require(o.step > 0, "step", o.step, "positive");
-  require(o.min_range >= 0, "min_range", o.min_range, "at least 0 m");
-  require(o.max_range > o.min_range, "max_range", o.max_range, "above min_range");
-  require(o.least_cosine >= 0 && o.least_cosine <= 1,
-          "least_cosine",
-          o.least_cosine,
-          "from 0 to 1");
+  requireOption(o.width >= 1, "width", o.width, "at least 1");
+  requireOption(o.height >= 1, "height", o.height, "at least 1");
+  requireOption(o.focal_length > 0, "focal_length", o.focal_length, "positive");
+  requireOption(o.baseline > 0, "baseline", o.baseline, "positive");
+  requireOption(o.noise >= 0, "noise", o.noise, "at least 0 pixels");
+  requireOption(o.step > 0, "step", o.step, "positive");
+  requireOption(o.min_range >= 0, "min_range", o.min_range, "at least 0 m");
+  requireOption(o.max_range > o.min_range, "max_range", o.max_range, "above min_range");
+  requireOption(o.least_cosine >= 0 && o.least_cosine <= 1,
+                "least_cosine",
+                o.least_cosine,
+                "from 0 to 1");
 }
 
 /** Right, down and forwards, as columns. */

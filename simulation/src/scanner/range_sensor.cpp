@@ -4,6 +4,8 @@
  */
 #include <pcl/simulation/range_sensor.h>
 
+#include "scanner/option_check.h"
+
 #include <pcl/simulation/random_draw.h>
 
 #include <Eigen/Geometry>
@@ -25,26 +27,21 @@ namespace {
 void
 requireLegal(const RangeSensorOptions& o)
 {
-  const auto require =
-      [](bool legal, const char* name, double value, const char* range) {
-        if (!legal)
-          PCL_THROW_EXCEPTION(BadArgumentException,
-                              name << " must be " << range << ", not " << value);
-      };
   const auto isShare = [](double share) { return share >= 0 && share <= 1; };
-  require(o.rays_per_pose >= 1, "rays_per_pose", o.rays_per_pose, "at least 1");
-  require(o.min_range >= 0, "min_range", o.min_range, "at least 0 m");
-  require(o.max_range > o.min_range, "max_range", o.max_range, "above min_range");
-  require(o.noise >= 0, "noise", o.noise, "at least 0 m");
-  require(o.drift >= 0, "drift", o.drift, "at least 0 m");
-  require(isShare(o.dropout), "dropout", o.dropout, "from 0 to 1");
-  require(o.grazing_exponent > 0, "grazing_exponent", o.grazing_exponent, "positive");
-  require(isShare(o.glass_echo), "glass_echo", o.glass_echo, "from 0 to 1");
-  require(isShare(o.glass_ghost) && o.glass_echo + o.glass_ghost <= 1,
-          "glass_ghost",
-          o.glass_ghost,
-          "from 0 to 1 - glass_echo");
-  require(o.threads >= 0, "threads", o.threads, "at least 0");
+  requireOption(o.rays_per_pose >= 1, "rays_per_pose", o.rays_per_pose, "at least 1");
+  requireOption(o.min_range >= 0, "min_range", o.min_range, "at least 0 m");
+  requireOption(o.max_range > o.min_range, "max_range", o.max_range, "above min_range");
+  requireOption(o.noise >= 0, "noise", o.noise, "at least 0 m");
+  requireOption(o.drift >= 0, "drift", o.drift, "at least 0 m");
+  requireOption(isShare(o.dropout), "dropout", o.dropout, "from 0 to 1");
+  requireOption(
+      o.grazing_exponent > 0, "grazing_exponent", o.grazing_exponent, "positive");
+  requireOption(isShare(o.glass_echo), "glass_echo", o.glass_echo, "from 0 to 1");
+  requireOption(isShare(o.glass_ghost) && o.glass_echo + o.glass_ghost <= 1,
+                "glass_ghost",
+                o.glass_ghost,
+                "from 0 to 1 - glass_echo");
+  requireOption(o.threads >= 0, "threads", o.threads, "at least 0");
 }
 
 struct Scene {
