@@ -10,6 +10,7 @@
 #include "comparison/upstream_baselines.h"
 #include "comparison/upstream_lccp.h"
 #include "files/cloud_file.h"
+#include "files/table_view.h"
 #include "formats/json_text.h"
 #include "pictures/comparison_picture.h"
 
@@ -250,7 +251,7 @@ bool
 isSingleView(const Settings& settings, const CloudFile& file)
 {
   return settings.preset == "single_view" ||
-         (settings.preset == "auto" && file.points->height > 1);
+         (settings.preset == "auto" && isTableView(file.points));
 }
 
 void
@@ -270,7 +271,7 @@ compare(const Settings& settings, Progress& progress)
       methods = methodsFor(single_view, settings);
     }
     else if (single_view != isSingleView(settings, file))
-      throw ToolError(input + ": single views and rooms cannot be in one table");
+      throw ToolError(input + ": views of tables and rooms cannot be in one table");
     std::vector<LabelledView> views{{"truth", truth}};
     for (auto& method : methods) {
       progress.start(method.name + ", " + input);
@@ -324,8 +325,9 @@ main(int argc, char** argv)
           "room.pcd", settings.inputs, "PCD or PLY files with the true labels, metres")
       .text("-preset",
             settings.preset,
-            "what was scanned; auto: single_view if the first input is organised; "
-            "thesis, thesis_kinect: the rows of the thesis alone, with its parameters "
+            "what was scanned; auto: single_view if the first input is a camera's "
+            "view of a table; thesis, thesis_kinect: the rows of the thesis alone, "
+            "with its parameters "
             "for laser scans or the Kinect",
             {"auto", "room", "single_view", "thesis", "thesis_kinect"})
       .text("-methods",

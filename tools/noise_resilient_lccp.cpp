@@ -10,6 +10,7 @@
 #include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
+#include "files/table_view.h"
 
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
@@ -63,7 +64,7 @@ addLengths(OptionParser& parser, Settings& settings)
             "arms apart; single_view: a table seen by one camera; thesis, "
             "thesis_kinect: the method of the thesis with its parameters for laser "
             "scans or the Kinect, and no more; auto: single_view if the input is "
-            "organised, else objects",
+            "organised and seen by one camera, at most 1.6 m away, else objects",
             {"auto", "objects", "parts", "single_view", "thesis", "thesis_kinect"})
       .number("-voxel_resolution",
               settings.voxel_resolution,
@@ -183,7 +184,7 @@ addOthers(OptionParser& parser, Settings& settings)
       .text("-camera",
             settings.camera,
             "voxels grow with the distance from one camera along z; auto: if the input "
-            "is organised",
+            "is the view of a table",
             {"auto", "single", "none"})
       .text("-orientation",
             settings.orientation,
@@ -222,7 +223,7 @@ addOthers(OptionParser& parser, Settings& settings)
 }
 
 ObjectSegmentationOptions
-presetOptions(const std::string& preset, bool organised)
+presetOptions(const std::string& preset, bool is_table_view)
 {
   if (preset == "thesis")
     return pcl::indoor::thesisOptions();
@@ -230,15 +231,15 @@ presetOptions(const std::string& preset, bool organised)
     return pcl::indoor::thesisKinectOptions();
   if (preset == "parts")
     return pcl::indoor::partsOptions();
-  if (preset == "single_view" || (preset == "auto" && organised))
+  if (preset == "single_view" || (preset == "auto" && is_table_view))
     return pcl::indoor::singleViewOptions();
   return {};
 }
 
 ObjectSegmentationOptions
-chosenOptions(const Settings& settings, bool organised)
+chosenOptions(const Settings& settings, bool is_table_view)
 {
-  const auto preset = presetOptions(settings.preset, organised);
+  const auto preset = presetOptions(settings.preset, is_table_view);
   auto options = settings.others;
   const auto either = [](double given, double other) {
     return given > 0 ? given : other;
@@ -328,7 +329,7 @@ main(int argc, char** argv)
 
     progress.start("Segmenting objects");
     pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
-    segmentation.setOptions(chosenOptions(settings, file.points->height > 1));
+    segmentation.setOptions(chosenOptions(settings, isTableView(file.points)));
     if (settings.camera != "auto")
       segmentation.setUseSingleCameraTransform(settings.camera == "single");
     const auto& origin = file.points->sensor_origin_;

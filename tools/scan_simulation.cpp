@@ -25,7 +25,7 @@ using namespace pcl::indoor::tool;
 
 struct Options {
   std::string plan_file, output_file, json_file;
-  std::string view, target = "0,0,0.7"; // X,Y,Z; no view: a moving sensor
+  std::string view, target = "0,0,0.7"; // X,Y,Z or random; no view: a moving sensor
   pcl::indoor::TrajectoryOptions trajectory;
   pcl::indoor::RangeSensorOptions sensor;
   double leaf_size = 0.04;
@@ -63,6 +63,11 @@ addSensorOptions(OptionParser& parser, pcl::indoor::RangeSensorOptions& sensor)
               "standard deviation of the error of a position",
               "m",
               Range::atLeast(0.0))
+      .number("-beam",
+              sensor.beam,
+              "standard deviation of the directions in a beam, 0 = no mixed pixels",
+              "radians",
+              Range::between(0.0, 0.1))
       .number("-dropout",
               sensor.dropout,
               "share of echoes lost at right angles; more are at grazing ones",
@@ -123,8 +128,11 @@ makeParser(Options& options)
           "-view",
           options.view,
           "X,Y,Z in m, where a depth camera stands: what it sees at once, an organised "
-          "cloud in its frame; the moving sensor's options but -seed do not count")
-      .text("-target", options.target, "X,Y,Z in m, in the middle of its view")
+          "cloud in its frame; random: from one of the positions, drawn by -seed, to "
+          "an "
+          "object; options of the moving sensor's rays do not count")
+      .text(
+          "-target", options.target, "X,Y,Z in m, in the middle of the view from X,Y,Z")
       .text("-json", options.json_file, "file for the names of rooms and objects");
   addSensorOptions(parser, options.sensor);
   parser.expert({"-lean",
@@ -136,6 +144,7 @@ makeParser(Options& options)
                  "-max_range",
                  "-noise",
                  "-drift",
+                 "-beam",
                  "-dropout",
                  "-glass",
                  "-glass_echo",
@@ -236,18 +245,21 @@ scanWithCamera(const pcl::indoor::Building& building,
                const Options& options,
                Progress& progress)
 {
-  progress.start("Seeing it from " + options.view);
+  progress.start("Seeing it");
   pcl::indoor::DepthCameraOptions camera;
   camera.seed = options.sensor.seed;
-  const auto position = readPlace("-view", options.view);
-  const auto target = readPlace("-target", options.target);
-  const auto view = pcl::indoor::viewBuilding(building, position, target, camera);
+  const auto pose =
+      options.view == "random"
+          ? pcl::indoor::drawCameraPose(building, options.trajectory, camera.seed)
+          : pcl::indoor::CameraPose{readPlace("-view", options.view),
+                                    readPlace("-target", options.target)};
+  const auto view = pcl::indoor::viewBuilding(building, pose, camera);
   const auto seen = std::count_if(
       view.begin(), view.end(), [](const auto& point) { return point.category != 0; });
   requireSeen(seen > 0, options);
   progress.done(std::to_string(seen) + " of " + std::to_string(view.size()) +
                 " pixels have a depth");
-  return {toCloud(view), {position}};
+  return {toCloud(view), {pose.position}};
 }
 
 void

@@ -18,6 +18,7 @@
 
 #include "command_line/options.h"
 #include "comparison/upstream_lccp.h"
+#include "files/table_view.h"
 #include "labelled_rooms.h"
 
 #include <pcl/segmentation/average_precision.h>
@@ -107,13 +108,20 @@ struct Method {
   std::function<Found(const Cloud::Ptr&)> segment;
 };
 
-/** \param[in] single_view the scans are of one camera */
+ObjectSegmentationOptions
+ourOptions(bool single_view, const Settings& settings)
+{
+  auto options = single_view ? singleViewOptions() : ObjectSegmentationOptions();
+  if (settings.level >= 0)
+    options.pieces.joining_level = static_cast<float>(settings.level);
+  return options;
+}
+
+/** \param[in] single_view the scans are of one camera and of tables */
 std::vector<Method>
 makeMethods(bool single_view, const Settings& settings)
 {
-  auto ours = single_view ? singleViewOptions() : ObjectSegmentationOptions();
-  if (settings.level >= 0)
-    ours.pieces.joining_level = static_cast<float>(settings.level);
+  const auto ours = ourOptions(single_view, settings);
   const auto threads = settings.threads;
   const auto plain = exampleUpstreamOptions(single_view, threads);
   const auto tuned =
@@ -128,7 +136,10 @@ makeMethods(bool single_view, const Settings& settings)
       return segmentOurs(points, options, threads);
     };
   };
-  const Method best{"ours", own(ours)};
+  const Method best{"ours", [settings, threads](const Cloud::Ptr& points) {
+                      const auto options = ourOptions(isTableView(points), settings);
+                      return segmentOurs(points, options, threads);
+                    }};
   if (settings.methods == "ours")
     return {best};
   auto proposed = single_view ? thesisKinectOptions() : thesisOptions(), lccp = ours;
@@ -298,7 +309,7 @@ compare(const Settings& settings)
   const auto rooms = loadRooms(settings.source);
   std::printf("%zu rooms\n\n", rooms.size());
   printHead();
-  const bool single_view = rooms.front().points->height > 1;
+  const bool single_view = isTableView(rooms.front().points);
   for (const auto& method : makeMethods(single_view, settings)) {
     Score sum;
     for (const auto& room : rooms) {

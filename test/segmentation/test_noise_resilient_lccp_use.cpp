@@ -368,8 +368,12 @@ TEST(NoiseResilientLCCPUse, SettersHaveGetters)
   segmentation.setViewPoint(1, 2, 3);
   EXPECT_EQ(segmentation.getViewPoint(), Eigen::Vector3d(1, 2, 3));
   EXPECT_FALSE(segmentation.getUseSingleCameraTransform());
-  segmentation.setInputCloud(Cloud::Ptr(new Cloud(4, 3)));
-  EXPECT_TRUE(segmentation.getUseSingleCameraTransform()) << "it is organised";
+  const auto organised = pcl::make_shared<Cloud>(4, 3, pcl::PointXYZ(1, 2, 4));
+  segmentation.setInputCloud(organised);
+  EXPECT_TRUE(segmentation.getUseSingleCameraTransform()) << "1 m before the camera";
+  organised->at(0, 0).z = -1;
+  EXPECT_FALSE(segmentation.getUseSingleCameraTransform()) << "not all are before it";
+  organised->at(0, 0).z = 4;
   segmentation.setUseSingleCameraTransform(false);
   EXPECT_FALSE(segmentation.getUseSingleCameraTransform());
 }

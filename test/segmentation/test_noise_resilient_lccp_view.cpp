@@ -25,18 +25,33 @@ struct View {
 };
 
 View
-viewOfTable(std::uint32_t seed)
+viewOf(const Building& building, const CameraPose& pose, std::uint32_t seed)
 {
-  const auto building = buildBuilding(randomPlan(seed, PlanKind::Table));
   DepthCameraOptions camera;
   camera.seed = seed;
-  const auto seen = viewBuilding(building, {0.6, 0.5, 1.5}, {0, 0, 0.7}, camera);
+  const auto seen = viewBuilding(building, pose, camera);
   View view;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     (*view.cloud)[i] = pcl::PointXYZ(seen[i].x, seen[i].y, seen[i].z);
     view.objects.push_back(seen[i].object);
   }
   return view;
+}
+
+View
+viewOfTable(std::uint32_t seed)
+{
+  const auto building = buildBuilding(randomPlan(seed, PlanKind::Table));
+  return viewOf(building, {{0.6, 0.5, 1.5}, {0, 0, 0.7}}, seed);
+}
+
+/** Up in the frame of a camera that is not rolled. */
+Eigen::Vector3f
+upSeenFrom(const CameraPose& pose)
+{
+  const Eigen::Vector3d forwards = (pose.target - pose.position).normalized();
+  const double cosine = forwards.head<2>().norm();
+  return Eigen::Vector3d(0, -cosine, forwards.z()).cast<float>();
 }
 
 } // namespace
@@ -61,6 +76,49 @@ TEST(NoiseResilientLCCPView, JoinsWhatTheCameraSeesInPieces)
   }
   EXPECT_GT(quality, 4 * 0.4);
   EXPECT_GT(quality, quality_of_pieces + 4 * 0.1);
+}
+
+TEST(NoiseResilientLCCPView, ARoomIsSegmentedAsARoom)
+{
+  double quality = 0, quality_of_table = 0;
+  int rooms = 0;
+  for (std::uint32_t seed = 90001; seed <= 90006; ++seed) {
+    const auto building = buildBuilding(randomPlan(seed, PlanKind::Home));
+    const auto pose = drawCameraPose(building, {}, seed);
+    if ((pose.target - pose.position).norm() < 2)
+      continue;
+    ++rooms;
+    const auto view = viewOf(building, pose, seed);
+    pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
+    segmentation.setInputCloud(view.cloud);
+    EXPECT_FALSE(segmentation.getUseSingleCameraTransform());
+    Labels labels;
+    segmentation.segment(labels);
+    ASSERT_EQ(labels.size(), view.objects.size());
+    EXPECT_GT(segmentation.getResult().scene.up.dot(upSeenFrom(pose)), 0.996)
+        << "5 degrees off, seed " << seed;
+    EXPECT_FALSE(segmentation.getStructureIndices().empty()) << "no wall, no floor";
+    quality += scoreThings(view.objects, labels).panopticQuality();
+
+    segmentation.setUseSingleCameraTransform(true);
+    segmentation.segment(labels);
+    quality_of_table += scoreThings(view.objects, labels).panopticQuality();
+  }
+  ASSERT_GE(rooms, 3);
+  EXPECT_GT(quality, rooms * 0.4);
+  EXPECT_GT(quality, quality_of_table + rooms * 0.2);
+}
+
+TEST(NoiseResilientLCCPView, TheDirectionUpThatWasSetIsTaken)
+{
+  const auto building = buildBuilding(randomPlan(90001, PlanKind::Home));
+  const auto view = viewOf(building, drawCameraPose(building, {}, 1), 1);
+  pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
+  segmentation.setInputCloud(view.cloud);
+  segmentation.setUpAxis({0, -1, 0});
+  Labels labels;
+  segmentation.segment(labels);
+  EXPECT_EQ(segmentation.getResult().scene.up, Eigen::Vector3f(0, -1, 0));
 }
 
 TEST(NoiseResilientLCCPView, PointsBesideAndBehindTheCameraAreNoHarm)

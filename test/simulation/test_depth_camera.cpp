@@ -8,8 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 
 namespace {
@@ -30,7 +32,7 @@ room(const std::string& furniture = "")
 const std::string cabinet = R"(, "furniture": [{"class": "cabinet", "at": [3, 1.5],
   "size": [0.6, 0.4, 1.6], "rotation": 90}])";
 
-const Eigen::Vector3d position(1, 1.5, 1.2), target(4, 1.5, 1.2);
+const CameraPose pose{{1, 1.5, 1.2}, {4, 1.5, 1.2}};
 
 DepthCameraOptions
 perfect()
@@ -53,7 +55,7 @@ sees(const PointXYZScene& point)
 
 TEST(DepthCamera, SeesAWallWhereItIs)
 {
-  const auto view = viewBuilding(room(), position, target, perfect());
+  const auto view = viewBuilding(room(), pose, perfect());
   ASSERT_EQ(view.width, 160u);
   ASSERT_EQ(view.height, 120u);
   EXPECT_FALSE(view.is_dense);
@@ -68,7 +70,8 @@ TEST(DepthCamera, SeesAWallWhereItIs)
       ++seen;
       EXPECT_NEAR(p.x, (u - 79.5) / 131 * p.z, 1e-4);
       EXPECT_NEAR(p.y, (v - 59.5) / 131 * p.z, 1e-4);
-      const Eigen::Vector3d place(position.x() + p.z, position.y() - p.x, 1.2 - p.y);
+      const Eigen::Vector3d place(
+          pose.position.x() + p.z, pose.position.y() - p.x, 1.2 - p.y);
       const Eigen::AlignedBox3d box(Eigen::Vector3d(0, 0, 0),
                                     Eigen::Vector3d(4, 3, 2.5));
       EXPECT_NEAR(box.squaredExteriorDistance(place), 0, 1e-6);
@@ -85,13 +88,13 @@ TEST(DepthCamera, NoDepthOutOfRangeAtGrazingAnglesAndWhereTheProjectorIsHidden)
 {
   auto options = perfect();
   options.max_range = 2.9;
-  EXPECT_FALSE(sees(viewBuilding(room(), position, target, options).at(80, 60)));
+  EXPECT_FALSE(sees(viewBuilding(room(), pose, options).at(80, 60)));
   options.max_range = 5;
   options.min_range = 3.1;
-  EXPECT_FALSE(sees(viewBuilding(room(), position, target, options).at(80, 60)));
+  EXPECT_FALSE(sees(viewBuilding(room(), pose, options).at(80, 60)));
   options = perfect();
   options.least_cosine = 0.99; // 8 degrees
-  const auto straight = viewBuilding(room(), position, target, options);
+  const auto straight = viewBuilding(room(), pose, options);
   EXPECT_TRUE(sees(straight.at(80, 60)));
   EXPECT_FALSE(sees(straight.at(110, 60))) << "13 degrees from the middle";
 
@@ -102,7 +105,7 @@ TEST(DepthCamera, NoDepthOutOfRangeAtGrazingAnglesAndWhereTheProjectorIsHidden)
   options = perfect();
   const auto shadow = [&](double baseline) {
     options.baseline = baseline;
-    const auto view = viewBuilding(building, position, target, options);
+    const auto view = viewBuilding(building, pose, options);
     std::array<int, 2> dark{0, 0}; // on the left and right of the cabinet
     for (int u = 0; u < 160; ++u)
       dark[u >= 80] += !sees(view.at(u, 60));
@@ -120,7 +123,7 @@ TEST(DepthCamera, NoiseIsThatOfTheDisparity)
   auto options = perfect();
   options.noise = 0.5;
   const auto building = room();
-  const auto view = viewBuilding(building, position, target, options);
+  const auto view = viewBuilding(building, pose, options);
   const double scale = options.focal_length * options.baseline;
   double squares = 0, products = 0, count = 0;
   for (int v = 45; v < 75; ++v)
@@ -136,7 +139,7 @@ TEST(DepthCamera, NoiseIsThatOfTheDisparity)
 
   options.noise = 0;
   options.step = 0.125;
-  const auto stepped = viewBuilding(building, position, target, options);
+  const auto stepped = viewBuilding(building, pose, options);
   const double disparity = scale / stepped.at(80, 60).z;
   EXPECT_NEAR(disparity, scale / 3, 0.0626);
   EXPECT_NEAR(std::remainder(disparity, 0.125), 0, 1e-4);
@@ -148,7 +151,7 @@ TEST(DepthCamera, TheSameSeedGivesTheSameView)
   options.noise = 0.1;
   const auto building = room(cabinet);
   const auto bytes = [&] {
-    const auto view = viewBuilding(building, position, target, options);
+    const auto view = viewBuilding(building, pose, options);
     return std::string(reinterpret_cast<const char*>(view.points.data()),
                        view.size() * sizeof(PointXYZScene));
   };
@@ -160,20 +163,39 @@ TEST(DepthCamera, TheSameSeedGivesTheSameView)
 
 TEST(DepthCamera, LooksStraightDown)
 {
-  const auto view = viewBuilding(room(), {2, 1.5, 2}, {2, 1.5, 0}, perfect());
+  const auto view = viewBuilding(room(), {{2, 1.5, 2}, {2, 1.5, 0}}, perfect());
   EXPECT_NEAR(view.at(80, 60).z, 2, 1e-3);
+}
+
+TEST(DepthCamera, DrawsViewsOfWhatIsThere)
+{
+  const auto building = room(cabinet);
+  const auto walk = planTrajectory(building, {});
+  std::set<double> places;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const auto drawn = drawCameraPose(building, {}, seed);
+    EXPECT_EQ(std::count(walk.begin(), walk.end(), drawn.position), 1);
+    EXPECT_NEAR((drawn.target - Eigen::Vector3d(3, 1.5, 0.8)).norm(), 0, 1e-9);
+    const double distance = (drawn.target - drawn.position).norm();
+    EXPECT_GE(distance, 1);
+    EXPECT_LE(distance, 4);
+    EXPECT_EQ(viewBuilding(building, drawn, perfect()).at(80, 60).object, 1u);
+    EXPECT_EQ(drawCameraPose(building, {}, seed).position, drawn.position);
+    places.insert(drawn.position.x());
+  }
+  EXPECT_GT(places.size(), 1u) << "all from one place of " << walk.size();
+  EXPECT_THROW(drawCameraPose(room(), {}, 1), pcl::BadArgumentException) << "no object";
 }
 
 TEST(DepthCamera, RefusesWhatItCannotSee)
 {
   const auto building = room();
-  EXPECT_THROW(viewBuilding(building, position, position, perfect()),
+  EXPECT_THROW(viewBuilding(building, {pose.position, pose.position}, perfect()),
                pcl::BadArgumentException);
   const auto refuses = [&](auto change) {
     auto options = perfect();
     change(options);
-    EXPECT_THROW(viewBuilding(building, position, target, options),
-                 pcl::BadArgumentException);
+    EXPECT_THROW(viewBuilding(building, pose, options), pcl::BadArgumentException);
   };
   refuses([](auto& o) { o.width = 0; });
   refuses([](auto& o) { o.height = -1; });

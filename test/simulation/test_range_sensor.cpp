@@ -6,6 +6,8 @@
 #include <pcl/simulation/range_sensor.h>
 #include <pcl/simulation/trajectory.h>
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -111,6 +113,42 @@ TEST(RangeSensor, NoiseHasItsStandardDeviationAlongTheRay)
   const double n = static_cast<double>(exact.points.size());
   EXPECT_NEAR(sum / n, 0.0, 4 * 0.02 / std::sqrt(n)); // 4 standard errors
   EXPECT_NEAR(std::sqrt(sum2 / n), 0.02, 4 * 0.02 / std::sqrt(2 * n));
+}
+
+TEST(RangeSensor, ABroadBeamMixesWhatIsBesideAnEdge)
+{
+  // A board, its front 0.4 m before the wall at x = 4 m.
+  const auto building =
+      buildBuilding(parsePlan(R"({"name": "box", "wall_thickness": 0.2, "storeys": [
+    {"name": "", "elevation": 0, "ceiling_height": 2.5, "rooms": [{"name": "box",
+     "polygon": [[-0.1, -0.1], [4.1, -0.1], [4.1, 3.1], [-0.1, 3.1]]}],
+     "furniture": [{"class": "cabinet", "at": [3.7, 1.2],
+      "size": [0.6, 0.2, 1.2], "rotation": 90}]}]})",
+                              "box"));
+  auto options = perfect(200000);
+  const auto exact = scanBuilding(building, {middle}, options);
+  options.beam = 0.004;
+  const auto mixed = scanBuilding(building, {middle}, options);
+  ASSERT_EQ(exact.points.size(), mixed.points.size()) << "the same rays";
+  std::size_t between = 0;
+  for (std::size_t i = 0; i < exact.points.size(); ++i) {
+    const auto &p = exact.points[i], &q = mixed.points[i];
+    EXPECT_EQ(p.object, q.object) << "labels are those of the middle of the beam";
+    const Eigen::Vector3d ray = Eigen::Vector3d(p.x, p.y, p.z) - middle;
+    const Eigen::Vector3d other = Eigen::Vector3d(q.x, q.y, q.z) - middle;
+    EXPECT_NEAR(ray.normalized().cross(other).norm(), 0, 1e-5) << "on the same ray";
+    const double moved = other.norm() - ray.norm();
+    EXPECT_LT(std::abs(moved), 0.25) << "not half way to what is 0.5 m apart";
+    if (std::abs(moved) < 0.05)
+      continue;
+    ++between;
+    // In the air between the board and the wall.
+    EXPECT_GT(q.x, 3.6f);
+    EXPECT_LT(q.x, 4.0);
+    EXPECT_EQ(p.object == 1, moved > 0) << "towards the other";
+  }
+  EXPECT_GE(between, 20u);
+  EXPECT_LE(between, 400u) << "most of the scan is no edge";
 }
 
 TEST(RangeSensor, DriftMovesAllPointsOfAPoseTogether)
@@ -245,8 +283,7 @@ TEST(RangeSensor, FurnitureHidesWhatIsBehind)
     const Eigen::Vector3f from = positions[scan.poses[i]].cast<float>();
     const Eigen::Vector3f ray = Eigen::Vector3f(p.x, p.y, p.z) - from;
     const auto hit = tracer.trace(from, ray, 0.0f, 0.999f);
-    EXPECT_TRUE(hit.triangle < 0 ||
-                building.surfaces[hit.triangle].kind >= SurfaceKind::InteriorGlass);
+    EXPECT_TRUE(hit.triangle < 0 || building.surfaces[hit.triangle].isGlass());
   }
 }
 
@@ -344,6 +381,8 @@ TEST(RangeSensor, RefusesImpossibleOptions)
   refused([](auto& o) { o.noise = -0.1; });
   refused([](auto& o) { o.noise = std::nan(""); });
   refused([](auto& o) { o.drift = -0.1; });
+  refused([](auto& o) { o.beam = -0.001; });
+  refused([](auto& o) { o.beam = 0.2; });
   refused([](auto& o) { o.dropout = 1.1; });
   refused([](auto& o) { o.grazing_exponent = 0; });
   refused([](auto& o) { o.glass_echo = -0.1; });

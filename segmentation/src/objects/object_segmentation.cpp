@@ -23,6 +23,7 @@
 
 namespace {
 
+using pcl::indoor::Capture;
 using pcl::indoor::ObjectSegmentation;
 using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
@@ -46,7 +47,7 @@ checkedOptions(const ObjectSegmentationInput& input,
   if (given.on_points.color_weight > 0 && input.colors.empty())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "The weight of colors needs points with colors.");
-  if (input.single_camera && input.viewpoint.empty())
+  if (input.capture != Capture::Scan && input.viewpoint.empty())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "A single camera needs a viewpoint.");
   auto options = given;
@@ -54,7 +55,7 @@ checkedOptions(const ObjectSegmentationInput& input,
   if (given.adapt_to_resolution) {
     const auto grid_points = pcl::indoor::gridPoints(input);
     options.voxel_size = pcl::indoor::raisedToResolution(
-        input.single_camera ? grid_points : input.points, given.voxel_size);
+        grid_points.empty() ? input.points : grid_points, given.voxel_size);
     options.seed_size *= options.voxel_size / given.voxel_size;
   }
   return options;
@@ -138,7 +139,7 @@ segmentObjects(ObjectSegmentationInput input,
   };
   const bool has_pieces = options.partition == Partition::Pieces;
   std::optional<Eigen::Vector3f> camera;
-  if (input.single_camera)
+  if (input.capture == Capture::TableView)
     camera = input.viewpoint.front();
   ObjectSegmentation result;
   if (stops(0, "voxels and structure"))

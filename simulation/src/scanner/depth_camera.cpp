@@ -15,6 +15,7 @@
 
 namespace {
 
+using pcl::indoor::CameraPose;
 using pcl::indoor::DepthCameraOptions;
 using pcl::indoor::RandomDraw;
 using pcl::indoor::requireOption;
@@ -40,9 +41,9 @@ requireLegal(const DepthCameraOptions& o)
 
 /** Right, down and forwards, as columns. */
 Eigen::Matrix3d
-cameraAxes(const Eigen::Vector3d& position, const Eigen::Vector3d& target)
+cameraAxes(const CameraPose& pose)
 {
-  const Eigen::Vector3d way = target - position;
+  const Eigen::Vector3d way = pose.target - pose.position;
   if (!(way.norm() > 0))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "the camera's target is where the camera is");
@@ -84,14 +85,48 @@ private:
 namespace pcl {
 namespace indoor {
 
+CameraPose
+drawCameraPose(const Building& building,
+               const TrajectoryOptions& walk,
+               std::uint32_t seed)
+{
+  constexpr double nearest = 1, farthest = 4; // metres
+  const RayTracer tracer(building.triangles);
+  const auto is_seen = [&](const CameraPose& pose, std::uint32_t object) {
+    const Eigen::Vector3d way = pose.target - pose.position;
+    if (way.norm() < nearest || way.norm() > farthest)
+      return false;
+    const auto hit = tracer.trace(
+        pose.position.cast<float>(), way.normalized().cast<float>(), 0, farthest);
+    if (hit.triangle < 0)
+      return false;
+    const auto& surface = building.surfaces[hit.triangle];
+    return surface.labels.object == object && !surface.isGlass();
+  };
+  std::vector<CameraPose> poses;
+  for (const auto& position : planTrajectory(building, walk))
+    for (std::uint32_t o = 0; o < building.objects.size(); ++o) {
+      const auto& object = building.objects[o];
+      const CameraPose pose{
+          position, object.position + 0.5 * object.size.z() * Eigen::Vector3d::UnitZ()};
+      if (is_seen(pose, o + 1))
+        poses.push_back(pose);
+    }
+  if (poses.empty())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "no position of the walk sees an object from "
+                            << nearest << " to " << farthest << " m away");
+  return poses[RandomDraw(mixSeed(seed, 0)).pick(static_cast<int>(poses.size()))];
+}
+
 PointCloud<PointXYZScene>
 viewBuilding(const Building& building,
-             const Eigen::Vector3d& position,
-             const Eigen::Vector3d& target,
+             const CameraPose& pose,
              const DepthCameraOptions& options)
 {
   requireLegal(options);
-  const Eigen::Matrix3d axes = cameraAxes(position, target);
+  const auto& position = pose.position;
+  const Eigen::Matrix3d axes = cameraAxes(pose);
   const Eigen::Vector3d projector = position + options.baseline * axes.col(0);
   const RayTracer tracer(building.triangles);
   const PatchNoise errors(options.width, options.height, RandomDraw(options.seed));
@@ -124,10 +159,8 @@ viewBuilding(const Building& building,
       const auto& t = building.triangles[hit.triangle];
       const double cosine =
           (t.b - t.a).cross(t.c - t.a).normalized().dot(way.normalized().cast<float>());
-      const bool is_glass = surface.kind == SurfaceKind::InteriorGlass ||
-                            surface.kind == SurfaceKind::ExteriorGlass;
       const double depth = hit.distance;
-      if (is_glass || std::abs(cosine) < options.least_cosine ||
+      if (surface.isGlass() || std::abs(cosine) < options.least_cosine ||
           !is_lit(position + depth * way))
         continue;
       const double scale = options.focal_length * options.baseline;

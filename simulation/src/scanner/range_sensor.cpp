@@ -33,6 +33,7 @@ requireLegal(const RangeSensorOptions& o)
   requireOption(o.max_range > o.min_range, "max_range", o.max_range, "above min_range");
   requireOption(o.noise >= 0, "noise", o.noise, "at least 0 m");
   requireOption(o.drift >= 0, "drift", o.drift, "at least 0 m");
+  requireOption(o.beam >= 0 && o.beam <= 0.1, "beam", o.beam, "from 0 to 0.1 radians");
   requireOption(isShare(o.dropout), "dropout", o.dropout, "from 0 to 1");
   requireOption(
       o.grazing_exponent > 0, "grazing_exponent", o.grazing_exponent, "positive");
@@ -90,9 +91,7 @@ follow(const Scene& scene,
     const float cosine = normal.dot(direction);
     if (surface.kind == SurfaceKind::Shell && cosine > 0)
       return {};
-    const bool glass = surface.kind == SurfaceKind::InteriorGlass ||
-                       surface.kind == SurfaceKind::ExteriorGlass;
-    if (!glass) {
+    if (!surface.isGlass()) {
       echo.triangle = hit.triangle;
       return draw.uniform() < echoProbability(cosine, options) ? echo : Echo();
     }
@@ -111,6 +110,31 @@ follow(const Scene& scene,
     start = off_pane;
   }
   return {};
+}
+
+// What a beam of some width brings back, of which a share hits what is beside its
+// middle.
+Echo
+followBeam(const Scene& scene,
+           const Eigen::Vector3f& origin,
+           const Eigen::Vector3f& direction,
+           const RangeSensorOptions& options,
+           RandomDraw& draw)
+{
+  constexpr float longest_pulse = 0.5f; // metres: echoes farther apart are told apart
+  Echo echo = follow(scene, origin, direction, options, draw);
+  if (options.beam == 0 || echo.triangle < 0 || echo.mirrored)
+    return echo;
+  Eigen::Vector3d beside = direction.cast<double>();
+  for (int k = 0; k < 3; ++k)
+    beside[k] += options.beam * draw.gaussian();
+  const float share = static_cast<float>(draw.uniform(0, 0.5));
+  const Echo other =
+      follow(scene, origin, beside.normalized().cast<float>(), options, draw);
+  if (other.triangle >= 0 && !other.mirrored &&
+      std::abs(other.range - echo.range) < longest_pulse)
+    echo.range += share * (other.range - echo.range);
+  return echo;
 }
 
 // The i-th of n directions, spread evenly over the sphere along a spiral.
@@ -142,7 +166,7 @@ scanFrom(const Scene& scene,
   std::vector<PointXYZScene> points;
   for (int i = 0; i < options.rays_per_pose; ++i) {
     const auto direction = spiralDirection(i, options.rays_per_pose, turn, shift);
-    const Echo echo = follow(scene, origin, direction.cast<float>(), options, draw);
+    const Echo echo = followBeam(scene, origin, direction.cast<float>(), options, draw);
     if (echo.triangle < 0)
       continue;
     const double range = echo.range + options.noise * draw.gaussian();

@@ -205,7 +205,7 @@ TEST(SurfaceAppearance, ColorAndShapeTogether)
   auto colors = optionsWith(1, 1e-6f), none = optionsWith(1e-6f, 1e-6f);
   expectOnlyTheWeightParts(twoColors(), none, colors);
   auto input = twoShapes();
-  input.single_camera = true;
+  input.capture = Capture::TableView;
   for (auto& point : input.points)
     point.z() += 1;
   input.viewpoint = {Eigen::Vector3f::Zero()};

@@ -333,7 +333,7 @@ TEST(ThesisObjects, KinectAsDefined)
 TEST(ThesisObjects, ASingleCameraMayStandAnywhere)
 {
   auto input = inputOf(tableScene(7));
-  input.single_camera = true;
+  input.capture = Capture::TableView;
   for (auto& point : input.points) // in front of a camera that looks along z
     point = Eigen::Vector3f(point.x() - 0.5f, point.y() - 0.4f, 1.2f - point.z());
   input.viewpoint = {Eigen::Vector3f::Zero()};

@@ -42,8 +42,8 @@ public:
 
   /** \brief Set normals, one per point of the input, that point to the side the surface
    * was seen from. Without them (default, or null) normals are estimated, and turned to
-   * the viewpoint, if one is set, to the sensor of an organised cloud, or else to the
-   * free space between the surfaces.
+   * the viewpoint, if one is set, to the camera of a single view, or else to the free
+   * space between the surfaces.
    */
   void
   setInputNormals(const PointCloudN::ConstPtr& normals);
@@ -188,7 +188,7 @@ public:
   getConcavityToleranceThreshold() const;
 
   /** \brief Set all parameters at once, also those without a setter of their own.
-   * Where no parameter was ever set, a single view is segmented with
+   * Where no parameter was ever set, the single view of a table is segmented with
    * indoor::singleViewOptions(), all else with the defaults. */
   void
   setOptions(const indoor::ObjectSegmentationOptions& options);
@@ -205,8 +205,9 @@ public:
   Eigen::Vector3d
   getViewPoint() const;
 
-  /** \brief Set which direction of the cloud points up, of any length (default +z);
-   * without meaning for a single view. */
+  /** \brief Set which direction of the cloud points up, of any length (default +z, but
+   * in a camera's view of a room found from its surfaces, indoor::upOfView()); without
+   * meaning for the view of a table. */
   void
   setUpAxis(const Eigen::Vector3f& axis);
 
@@ -226,8 +227,9 @@ public:
   getNormalOrientation() const;
 
   /** \brief Use voxels that grow with the distance from a single camera looking along
-   * z.
-   * \param[in] use default: for organised clouds with more than one row
+   * z, as for a table.
+   * \param[in] use default: for organised clouds of which indoor::captureOf() tells
+   * that they are views of a table
    */
   void
   setUseSingleCameraTransform(bool use);
@@ -364,9 +366,18 @@ private:
   indoor::ObjectSegmentationOptions&
   chosen();
 
-  /** \brief Those that were chosen, or those for the input. */
+  /** \brief Those that were chosen, or those for the capture. */
   indoor::ObjectSegmentationOptions
-  optionsForInput() const;
+  optionsFor(indoor::Capture capture) const;
+
+  /** \brief Where the sensor was set to be, or the input says that it was. */
+  Eigen::Vector3d
+  sensorOrigin() const;
+
+  /** \brief How the input was taken: as was set, or as its points show. */
+  indoor::Capture
+  captureOf(const std::vector<Eigen::Vector3f>& points,
+            const Eigen::Vector3f& sensor) const;
 
   indoor::ObjectSegmentationInput
   localInput();
@@ -379,6 +390,7 @@ private:
   PointCloud<RGB>::ConstPtr colors_;
   indoor::ObjectSegmentationOptions options_;
   bool chosen_ = false; // whether any parameter of the method was set
+  bool up_chosen_ = false;
   indoor::ProgressCallback progress_;
   indoor::NamedSupervoxels given_;
   std::map<std::uint32_t, std::uint32_t> segment_of_supervoxel_;

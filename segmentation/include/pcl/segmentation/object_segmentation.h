@@ -6,6 +6,7 @@
 
 #include <pcl/features/normal_orientation.h>
 #include <pcl/indoor/progress_callback.h>
+#include <pcl/segmentation/objects/camera_view.h>
 #include <pcl/segmentation/objects/object_joining.h>
 #include <pcl/segmentation/objects/object_scene.h>
 #include <pcl/segmentation/objects/surface_graph.h>
@@ -76,7 +77,7 @@ struct ObjectSegmentationOptions {
    * raisedToResolution() */
   bool adapt_to_resolution = true;
   /** keep floor, ceiling and walls out of the graph, see findRoomStructure(): nothing
-   * is joined through them; never for a single camera */
+   * is joined through them; never for a Capture::TableView */
   bool separate_structure = true;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< against gravity, unit length
   /** which way estimated normals are turned */
@@ -124,8 +125,10 @@ struct ObjectSegmentationInput {
   std::vector<Eigen::Vector3f> colors;
   /** one sensor position; empty to orient towards the free space */
   std::vector<Eigen::Vector3f> viewpoint;
-  /** one camera at the viewpoint: voxels grow with the distance along z */
-  bool single_camera = false;
+  /** views need the camera's place as viewpoint. Of a table, voxels grow with the
+   * distance along z; of a room, the direction up of the options does not count, see
+   * upOfView() */
+  Capture capture = Capture::Scan;
 };
 
 /** \brief Options for a single view of a table with small objects, as from a Kinect at

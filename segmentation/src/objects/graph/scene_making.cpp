@@ -83,7 +83,7 @@ std::vector<Eigen::Vector3f>
 gridPoints(const ObjectSegmentationInput& input)
 {
   std::vector<Eigen::Vector3f> grid_points;
-  if (!input.single_camera)
+  if (input.capture != Capture::TableView)
     return grid_points;
   grid_points.reserve(input.points.size());
   for (const auto& point : input.points) {
@@ -103,8 +103,11 @@ makeObjectScene(ObjectSegmentationInput input, const ObjectSegmentationOptions& 
   scene.threads = options.threads;
   scene.voxels = surfaceVoxels(input.points, gridPoints(input), options.voxel_size);
   // Normals for the sides of large planes need fewer votes.
-  const bool separate = options.separate_structure && !input.single_camera;
+  const bool separate =
+      options.separate_structure && input.capture != Capture::TableView;
   findNormals(input, options, separate ? 4 : 1, scene.voxels);
+  if (input.capture == Capture::RoomView)
+    scene.up = upOfView(scene.voxels.normals);
   scene.plane_of_voxel.assign(scene.voxels.size(), 0);
   if (separate)
     scene.planes = findRoomStructure(scene.voxels, options.voxel_size);

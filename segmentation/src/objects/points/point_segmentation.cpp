@@ -38,6 +38,8 @@ makeScene(ObjectSegmentationInput& input,
   scene.threads = options.threads;
   scene.voxels = pointsAsVoxels(input.points);
   estimatePointNormals(radius, options.threads, scene.voxels);
+  if (input.capture == Capture::RoomView)
+    scene.up = upOfView(scene.voxels.normals);
   if (!input.normals.empty())
     scene.voxels.normals = std::move(input.normals);
   else {
@@ -169,7 +171,7 @@ segmentOnPoints(ObjectSegmentationInput input,
   if (!(radius > 0)) // no two different points: no neighbourhood
     radius = options.voxel_size;
   std::optional<Eigen::Vector3f> camera;
-  if (input.single_camera)
+  if (input.capture == Capture::TableView)
     camera = input.viewpoint.front();
   result.scene = makeScene(input, options, radius);
   if (stops(0.4, "removal"))

@@ -81,9 +81,10 @@ partitionByShapes(const SurfaceVoxels& surface,
   PointPartition result;
   auto& supervoxels = result.supervoxels;
   ObjectSegmentationInput kept;
-  kept.single_camera = camera.has_value();
-  if (camera)
+  if (camera) {
+    kept.capture = Capture::TableView;
     kept.viewpoint.push_back(*camera);
+  }
   std::vector<std::size_t> point_of_kept;
   for (std::size_t i = 0; i < surface.size(); ++i)
     if (!left_out[i]) {

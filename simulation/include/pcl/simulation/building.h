@@ -35,6 +35,12 @@ enum class SurfaceKind : std::uint8_t {
 struct Surface {
   SceneLabels labels;
   SurfaceKind kind = SurfaceKind::Solid;
+
+  bool
+  isGlass() const
+  {
+    return kind == SurfaceKind::InteriorGlass || kind == SurfaceKind::ExteriorGlass;
+  }
 };
 
 struct RoomInfo {

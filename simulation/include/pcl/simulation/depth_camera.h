@@ -6,6 +6,7 @@
 
 #include <pcl/simulation/building.h>
 #include <pcl/simulation/point_xyz_scene.h>
+#include <pcl/simulation/trajectory.h>
 
 #include <pcl/point_cloud.h>
 
@@ -30,22 +31,36 @@ struct DepthCameraOptions {
   std::uint32_t seed = 1;        ///< same seed, same view
 };
 
+/** \brief Where a camera is, and what is in the middle of its view; metres. */
+struct CameraPose {
+  Eigen::Vector3d position, target;
+};
+
+/** \brief Draw a view as somebody who walks through the building may have it.
+ *
+ * From one of the positions of the walk to the middle of an object that is seen from
+ * there, 1 to 4 m away.
+ * \throws BadArgumentException if an option is out of its range, or no position sees an
+ * object
+ */
+CameraPose
+drawCameraPose(const Building& building,
+               const TrajectoryOptions& walk,
+               std::uint32_t seed);
+
 /** \brief See a building with a depth camera.
  *
  * A pixel has no depth where the surface is out of range, seen at a grazing angle, of
  * glass, or not lit by the projector, which is on the right of the camera. Noise is of
  * the disparity, so that of the depth grows with its square, and alike for pixels a few
  * apart, as patches of the pattern are compared.
- * \param[in] position of the camera, metres
- * \param[in] target in the middle of the view, metres
  * \return organised, in the frame of the camera: x to the right, y down, z forwards;
  * NaN and labels 0 where there is no depth \throws BadArgumentException if an option is
  * out of its range, or the target is where the camera is
  */
 PointCloud<PointXYZScene>
 viewBuilding(const Building& building,
-             const Eigen::Vector3d& position,
-             const Eigen::Vector3d& target,
+             const CameraPose& pose,
              const DepthCameraOptions& options);
 
 } // namespace indoor

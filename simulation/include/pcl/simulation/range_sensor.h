@@ -20,7 +20,9 @@ struct RangeSensorOptions {
   double max_range = 30.0;   ///< metres; farther surfaces give no echo (> min_range)
   double noise = 0.008;      ///< standard deviation of a range, metres (>= 0)
   double drift = 0.01;       ///< standard deviation of a pose's error, metres (>= 0)
-  double dropout = 0.02;     ///< share of echoes lost at right angles (0 ... 1)
+  double beam = 0;       ///< standard deviation of the directions in a beam, radians
+                         ///< (0 ... 0.1); above 0 there are mixed pixels
+  double dropout = 0.02; ///< share of echoes lost at right angles (0 ... 1)
   double grazing_exponent = 6.0; ///< larger: fewer echoes lost at grazing angles (> 0)
   double glass_echo = 0.05;      ///< share of rays that the glass itself returns
   double glass_ghost = 0.05;     ///< share of rays that glass mirrors
@@ -50,11 +52,13 @@ echoProbability(double cosine, const RangeSensorOptions& options);
  * Rays leave each position evenly over the sphere. An echo is lost with a probability
  * that grows towards grazing angles; a range gets Gaussian noise along its ray; all
  * points of one position share an error of position and heading, so that walls appear
- * double. Where a ray meets glass, a few return at once, a few go on mirrored and are
- * recorded on the straight ray behind the glass (category "ghost", room 0), the others
- * pass or, through an outer window, are lost. A point carries the labels of the
- * surface. Time grows with poses * rays_per_pose.
- * \throws BadArgumentException if an option is out of its range
+ * double. A beam of some width that meets an edge may hit two surfaces; if they are
+ * less than 0.5 m apart, the point lies anywhere between the nearer to its middle and
+ * half way to the other (a mixed pixel). Where a ray meets glass, a few return at once,
+ * a few go on mirrored and are recorded on the straight ray behind the glass (category
+ * "ghost", room 0), the others pass or, through an outer window, are lost. A point
+ * carries the labels of the surface. Time grows with poses * rays_per_pose. \throws
+ * BadArgumentException if an option is out of its range
  */
 SimulatedScan
 scanBuilding(const Building& building,

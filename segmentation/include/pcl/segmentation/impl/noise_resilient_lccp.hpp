@@ -30,9 +30,9 @@ NoiseResilientLCCP<PointT>::chosen()
 
 template <typename PointT>
 indoor::ObjectSegmentationOptions
-NoiseResilientLCCP<PointT>::optionsForInput() const
+NoiseResilientLCCP<PointT>::optionsFor(indoor::Capture capture) const
 {
-  if (chosen_ || !getUseSingleCameraTransform())
+  if (chosen_ || capture != indoor::Capture::TableView)
     return options_;
   auto options = indoor::singleViewOptions();
   options.up = options_.up;
@@ -77,9 +77,7 @@ NoiseResilientLCCP<PointT>::initCompute()
   }
   const bool has_sensor =
       !viewpoint_.empty() || input_->height > 1 || camera_ == Camera::Single;
-  const Eigen::Vector3f sensor =
-      viewpoint_.empty() ? Eigen::Vector3f(input_->sensor_origin_.template head<3>())
-                         : Eigen::Vector3f(viewpoint_.front().template cast<float>());
+  const Eigen::Vector3f sensor = sensorOrigin().template cast<float>();
   if (has_sensor && !indoor::isUsable(sensor)) {
     PCL_ERROR("%s The sensor stands at %g %g %g, which is no usable place.\n",
               where,
@@ -94,6 +92,32 @@ NoiseResilientLCCP<PointT>::initCompute()
     return false;
   }
   return true;
+}
+
+template <typename PointT>
+Eigen::Vector3d
+NoiseResilientLCCP<PointT>::sensorOrigin() const
+{
+  return viewpoint_.empty()
+             ? Eigen::Vector3d(
+                   input_->sensor_origin_.template head<3>().template cast<double>())
+             : viewpoint_.front();
+}
+
+template <typename PointT>
+indoor::Capture
+NoiseResilientLCCP<PointT>::captureOf(const std::vector<Eigen::Vector3f>& points,
+                                      const Eigen::Vector3f& sensor) const
+{
+  using indoor::Capture;
+  using indoor::JoiningScale;
+  const bool organised = input_ && input_->height > 1;
+  if (camera_ == Camera::Automatic && organised) {
+    const auto capture = indoor::captureOf(points, sensor);
+    const bool for_tables = chosen_ && options_.pieces.scale == JoiningScale::View;
+    return capture == Capture::RoomView && for_tables ? Capture::TableView : capture;
+  }
+  return camera_ == Camera::Single ? Capture::TableView : Capture::Scan;
 }
 
 template <typename PointT>
@@ -117,11 +141,6 @@ NoiseResilientLCCP<PointT>::localInput()
 {
   const bool has_colors = colors_ || traits::has_color<PointT>::value;
   indoor::ObjectSegmentationInput local;
-  local.single_camera = getUseSingleCameraTransform();
-  Eigen::Vector3d sensor =
-      input_->sensor_origin_.template head<3>().template cast<double>();
-  if (!viewpoint_.empty())
-    sensor = viewpoint_.front();
   for (const auto index : *indices_)
     if (indoor::isUsablePoint((*input_)[index]))
       finite_.push_back(index);
@@ -133,8 +152,12 @@ NoiseResilientLCCP<PointT>::localInput()
       local.colors.push_back(colorOf(index));
   }
   const Eigen::Vector3d origin = indoor::moveToMiddle(local.points);
-  if (local.single_camera || !viewpoint_.empty())
-    local.viewpoint.assign(1, (sensor - origin).cast<float>());
+  const Eigen::Vector3f sensor = (sensorOrigin() - origin).template cast<float>();
+  local.capture = captureOf(local.points, sensor);
+  if (local.capture != indoor::Capture::Scan || !viewpoint_.empty())
+    local.viewpoint.assign(1, sensor);
+  if (local.capture == indoor::Capture::RoomView && up_chosen_)
+    local.capture = indoor::Capture::Scan; // but for the viewpoint
   return local;
 }
 
@@ -149,6 +172,7 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   if (!initCompute())
     return;
   auto input = localInput();
+  const auto options = optionsFor(input.capture);
   bool goes_on = true;
   const auto progress = [&](double share, const char* stage) {
     goes_on = !progress_ || progress_(share, stage);
@@ -157,7 +181,7 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   try {
     if (finite_.empty())
       PCL_THROW_EXCEPTION(BadArgumentException, "No point is finite.");
-    result_ = indoor::segmentObjects(std::move(input), optionsForInput(), progress);
+    result_ = indoor::segmentObjects(std::move(input), options, progress);
   } catch (const PCLException& error) { // voxels too small for the extent of the cloud
     PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n",
               indoor::plainMessage(error).c_str());

@@ -8,6 +8,8 @@
 
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
+#include <pcl/indoor/usable_point.h>
+
 namespace pcl {
 
 template <typename PointT>
@@ -239,6 +241,7 @@ void
 NoiseResilientLCCP<PointT>::setUpAxis(const Eigen::Vector3f& axis)
 {
   options_.up = axis.normalized();
+  up_chosen_ = true;
 }
 
 template <typename PointT>
@@ -273,8 +276,14 @@ template <typename PointT>
 bool
 NoiseResilientLCCP<PointT>::getUseSingleCameraTransform() const
 {
-  const bool organised = input_ && input_->height > 1;
-  return camera_ == Camera::Single || (camera_ == Camera::Automatic && organised);
+  if (!input_ || camera_ != Camera::Automatic)
+    return camera_ == Camera::Single;
+  std::vector<Eigen::Vector3f> points;
+  for (const auto& point : *input_)
+    if (indoor::isUsablePoint(point))
+      points.push_back(point.getVector3fMap());
+  return captureOf(points, sensorOrigin().template cast<float>()) ==
+         indoor::Capture::TableView;
 }
 
 template <typename PointT>
