@@ -64,7 +64,7 @@ addLengths(OptionParser& parser, Settings& settings)
             "arms apart; single_view: a table seen by one camera; thesis, "
             "thesis_kinect: the method of the thesis with its parameters for laser "
             "scans or the Kinect, and no more; auto: single_view if the input is "
-            "organised and seen by one camera, at most 1.6 m away, else objects",
+            "organised and seen by one camera, at most 1.4 m away, else objects",
             {"auto", "objects", "parts", "single_view", "thesis", "thesis_kinect"})
       .number("-voxel_resolution",
               settings.voxel_resolution,
@@ -99,7 +99,7 @@ addPartition(OptionParser& parser, Settings& settings)
       .number("-level",
               settings.level,
               "for -partition graph: probability of being one thing from which pieces "
-              "are joined; higher gives smaller segments; -1 = 0.4, for parts 0.7, in "
+              "are joined; higher gives smaller segments; -1 = 0.4, for parts 0.6, in "
               "single views 0.9",
               "",
               Range::between(-1, 1))

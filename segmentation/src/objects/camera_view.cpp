@@ -15,7 +15,7 @@ namespace {
 constexpr double least_in_front = 0.99; // share of a camera's points
 constexpr double widest_view = 75;      // degrees from the camera's axis
 constexpr double middle = 10;           // degrees: what the camera looks at
-constexpr float farthest_table = 1.6f;  // metres, half of the points in the middle
+constexpr float farthest_table = 1.4f;  // metres, half of the points in the middle
 constexpr int rounds = 5;               // with each tolerance
 
 /** The direction to which normals near it are most parallel, and those across it most

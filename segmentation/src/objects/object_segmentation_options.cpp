@@ -108,7 +108,7 @@ partsOptions()
 {
   ObjectSegmentationOptions options;
   options.pieces.scale = JoiningScale::Parts;
-  options.pieces.joining_level = 0.7f; // surer: things in reach stay apart
+  options.pieces.joining_level = 0.6f; // surer: things in reach stay apart
   return options;
 }
 

@@ -63,8 +63,8 @@ normalsOfRoom(float pitch, float roll, float noise, Eigen::Vector3f& up)
 TEST(CameraView, TheDistanceOfWhatIsLookedAtTellsRoomsFromTables)
 {
   const Eigen::Vector3f camera = Eigen::Vector3f::Zero();
-  EXPECT_EQ(captureOf(wallAt(1.5f), camera), Capture::TableView);
-  EXPECT_EQ(captureOf(wallAt(1.7f), camera), Capture::RoomView);
+  EXPECT_EQ(captureOf(wallAt(1.3f), camera), Capture::TableView);
+  EXPECT_EQ(captureOf(wallAt(1.5f), camera), Capture::RoomView);
   // A table's floor and a room's things beside the middle do not count.
   for (const auto& [middle, beside] :
        {std::make_pair(1.0f, 3.0f), std::make_pair(3.0f, 0.7f)}) {

@@ -100,7 +100,7 @@ struct ObjectSegmentationOptions {
 };
 
 /** \brief Parts of things, as the seat and the back of a chair, instead of whole
- * things: JoiningScale::Parts from the level 0.7 on. */
+ * things: JoiningScale::Parts from the level 0.6 on. */
 ObjectSegmentationOptions
 partsOptions();
 

@@ -6,6 +6,7 @@
 #include "support/labelled_points.h"
 
 #include "objects/structure/structure_islands.h"
+#include "objects/structure/view_structure.h"
 
 #include <pcl/segmentation/objects/room_structure.h>
 
@@ -273,6 +274,25 @@ TEST(RoomStructure, NothingInNothing)
   EXPECT_TRUE(findRoomStructure(surfaceVoxels({}, {}, 1), voxel_size).empty());
   std::vector<std::uint32_t> planes;
   EXPECT_EQ(separateVoxels({}, {}, 1, planes).size(), 0u);
+}
+
+TEST(ViewStructure, AWallOfWhichHalfIsSeenIsOneButTheFrontOfACupboardIsNot)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(5);
+  const Eigen::Vector3f wall(0, 0, 3), front(2.05f, 0, 2.2f);
+  const Eigen::Vector3f up(0, 1.2f, 0); // too little for a room's structure
+  scene.addRectangle(wall, {2, 0, 0}, up, {0, 0, -1}, 1, 0.015f, 0.003f, rng);
+  scene.addRectangle(front, {1.6f, 0, 0}, up, {0, 0, -1}, 2, 0.015f, 0.003f, rng);
+  auto voxels = surfaceVoxels(scene.points, {}, voxel_size);
+  estimateNormals(scene.points, voxels, 1, 1);
+  orientTowards(Eigen::Vector3f(1.5f, 1, 0), voxels.centroids, voxels.normals);
+  EXPECT_TRUE(findRoomStructure(voxels, voxel_size).empty());
+  const auto planes = findViewStructure(voxels, voxel_size);
+  ASSERT_EQ(planes.size(), 1u);
+  EXPECT_NEAR(planes.front().heightOf({1, 1, 3}), 0, 0.01);
+  EXPECT_NEAR(planes.front().normal.z(), -1, 0.01);
+  EXPECT_THROW(findViewStructure(voxels, 0), pcl::BadArgumentException);
 }
 
 TEST(RoomStructure, RejectsWrongInput)

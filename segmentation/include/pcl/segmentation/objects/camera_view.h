@@ -21,7 +21,7 @@ enum class Capture {
 /** \brief Tell how the points of an organised cloud were taken.
  *
  * A camera has 99 % of them in front of it, within 75 degrees of z. It sees a room if
- * what it looks at, within 10 degrees of z, is more than 1.6 m away (half of it).
+ * what it looks at, within 10 degrees of z, is more than 1.4 m away (half of it).
  * \param[in] points finite, metres
  * \param[in] camera where it would stand
  */
