@@ -327,8 +327,7 @@ main(int argc, char** argv)
             settings.preset,
             "what was scanned; auto: single_view if the first input is a camera's "
             "view of a table; thesis, thesis_kinect: the rows of the thesis alone, "
-            "with its parameters "
-            "for laser scans or the Kinect",
+            "with its parameters for laser scans or the Kinect",
             {"auto", "room", "single_view", "thesis", "thesis_kinect"})
       .text("-methods",
             settings.methods,

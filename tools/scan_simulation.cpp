@@ -129,8 +129,7 @@ makeParser(Options& options)
           options.view,
           "X,Y,Z in m, where a depth camera stands: what it sees at once, an organised "
           "cloud in its frame; random: from one of the positions, drawn by -seed, to "
-          "an "
-          "object; options of the moving sensor's rays do not count")
+          "an object; options of the moving sensor's rays do not count")
       .text(
           "-target", options.target, "X,Y,Z in m, in the middle of the view from X,Y,Z")
       .text("-json", options.json_file, "file for the names of rooms and objects");

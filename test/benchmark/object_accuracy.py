@@ -45,7 +45,7 @@ def clutter(number):
 
 
 def see_tables(tools, folder):
-    """What a depth camera sees of 60 random tables, from 0.5 to 1.2 m away."""
+    """What a depth camera sees of 60 random tables, from 0.9 to 1.3 m away."""
     places = "0.5,0.3,1.35 0.8,0,1.3 0.7,0.7,1.5 0.4,0.6,1.6 0.9,0.2,1.35 0.2,0.5,1.4 0.9,0.4,1.6".split()
     return [scan_once(tools, os.path.join(folder, "tables", f"table_{number}.pcd"),
                       f"random:table:{9000 + number}{clutter(number)}",

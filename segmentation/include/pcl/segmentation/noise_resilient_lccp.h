@@ -374,6 +374,10 @@ private:
   Eigen::Vector3d
   sensorOrigin() const;
 
+  /** \brief Whether how the input was taken follows from its points. */
+  bool
+  mayBeView() const;
+
   /** \brief How the input was taken: as was set, or as its points show. */
   indoor::Capture
   captureOf(const std::vector<Eigen::Vector3f>& points,

@@ -6,7 +6,6 @@
 
 #include "objects/structure/structure_contacts.h"
 #include "objects/structure/structure_islands.h"
-#include "objects/structure/view_structure.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_orientation.h>
@@ -111,9 +110,7 @@ makeObjectScene(ObjectSegmentationInput input, const ObjectSegmentationOptions& 
     scene.up = upOfView(scene.voxels.normals);
   scene.plane_of_voxel.assign(scene.voxels.size(), 0);
   if (separate)
-    scene.planes = input.capture == Capture::RoomView
-                       ? findViewStructure(scene.voxels, options.voxel_size)
-                       : findRoomStructure(scene.voxels, options.voxel_size);
+    scene.planes = findRoomStructure(scene.voxels, options.voxel_size, input.capture);
   if (!scene.planes.empty()) {
     const auto surroundings = std::move(scene.voxels);
     const auto plane_of_point =

@@ -6,7 +6,6 @@
 
 #include "objects/structure/plane_growing.h"
 #include "objects/structure/plane_raster.h"
-#include "objects/structure/view_structure.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/quantile.h>
@@ -145,43 +144,6 @@ bounds(const SurfaceVoxels& voxels, const StructurePlane& plane, double voxel_si
          most_beyond * static_cast<double>(voxels.size());
 }
 
-/** Floor, ceiling and walls of a room, or of one camera's view of it. */
-std::vector<StructurePlane>
-structureIn(const SurfaceVoxels& voxels, double voxel_size, bool is_view)
-{
-  if (!(voxel_size > 0) || !std::isfinite(voxel_size))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "The voxel size must be positive, not " << voxel_size << " m.");
-  const double least = min_area * static_cast<double>(voxels.size());
-  auto planes = pcl::indoor::growPlanes(voxels, voxel_size, flat_curvature);
-  if (planes.empty())
-    return {};
-  const auto axes = pcl::indoor::axesOf(planes);
-  std::array<double, 3> room;
-  for (int a = 0; a < 3; ++a)
-    room[a] = extentOf(voxels, nullptr, axes.col(a));
-  const auto spans = [&](const StructurePlane& plane) {
-    for (int a = 0; a < 3; ++a)
-      if (pcl::indoor::areAcross(axes.col(a), plane.normal) &&
-          extentOf(voxels, &plane.voxels, axes.col(a)) >=
-              std::max(min_span * room[a], min_length))
-        return true;
-    return false;
-  };
-  std::vector<StructurePlane> structure;
-  for (auto& plane : planes) {
-    if (static_cast<double>(plane.voxels.size()) < least ||
-        !(spans(plane) || (is_view && bounds(voxels, plane, voxel_size))))
-      continue;
-    // Walls seen from several places appear double: what is near does not count.
-    PlaneRaster raster(voxels, plane, behind * voxel_size);
-    raster.look(voxels, behind * voxel_size);
-    if (raster.freeShare() >= min_free)
-      structure.push_back(std::move(plane));
-  }
-  return structure;
-}
-
 } // namespace
 
 namespace pcl {
@@ -214,15 +176,40 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up)
 }
 
 std::vector<StructurePlane>
-findRoomStructure(const SurfaceVoxels& voxels, double voxel_size)
+findRoomStructure(const SurfaceVoxels& voxels, double voxel_size, Capture capture)
 {
-  return structureIn(voxels, voxel_size, false);
-}
-
-std::vector<StructurePlane>
-findViewStructure(const SurfaceVoxels& voxels, double voxel_size)
-{
-  return structureIn(voxels, voxel_size, true);
+  if (!(voxel_size > 0) || !std::isfinite(voxel_size))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The voxel size must be positive, not " << voxel_size << " m.");
+  const double least = min_area * static_cast<double>(voxels.size());
+  auto planes = growPlanes(voxels, voxel_size, flat_curvature);
+  if (planes.empty())
+    return {};
+  const auto axes = axesOf(planes);
+  std::array<double, 3> room;
+  for (int a = 0; a < 3; ++a)
+    room[a] = extentOf(voxels, nullptr, axes.col(a));
+  const auto spans = [&](const StructurePlane& plane) {
+    for (int a = 0; a < 3; ++a)
+      if (areAcross(axes.col(a), plane.normal) &&
+          extentOf(voxels, &plane.voxels, axes.col(a)) >=
+              std::max(min_span * room[a], min_length))
+        return true;
+    return false;
+  };
+  const bool is_view = capture == Capture::RoomView;
+  std::vector<StructurePlane> structure;
+  for (auto& plane : planes) {
+    if (static_cast<double>(plane.voxels.size()) < least ||
+        !(spans(plane) || (is_view && bounds(voxels, plane, voxel_size))))
+      continue;
+    // Walls seen from several places appear double: what is near does not count.
+    PlaneRaster raster(voxels, plane, behind * voxel_size);
+    raster.look(voxels, behind * voxel_size);
+    if (raster.freeShare() >= min_free)
+      structure.push_back(std::move(plane));
+  }
+  return structure;
 }
 
 std::vector<std::uint32_t>

@@ -6,8 +6,6 @@
 #include "support/labelled_points.h"
 
 #include "objects/structure/structure_islands.h"
-#include "objects/structure/view_structure.h"
-
 #include <pcl/segmentation/objects/room_structure.h>
 
 #include <pcl/exceptions.h>
@@ -276,7 +274,7 @@ TEST(RoomStructure, NothingInNothing)
   EXPECT_EQ(separateVoxels({}, {}, 1, planes).size(), 0u);
 }
 
-TEST(ViewStructure, AWallOfWhichHalfIsSeenIsOneButTheFrontOfACupboardIsNot)
+TEST(RoomStructure, InAViewAWallOfWhichHalfIsSeenIsOneButTheFrontOfACupboardIsNot)
 {
   LabelledPoints scene;
   std::mt19937 rng(5);
@@ -288,11 +286,10 @@ TEST(ViewStructure, AWallOfWhichHalfIsSeenIsOneButTheFrontOfACupboardIsNot)
   estimateNormals(scene.points, voxels, 1, 1);
   orientTowards(Eigen::Vector3f(1.5f, 1, 0), voxels.centroids, voxels.normals);
   EXPECT_TRUE(findRoomStructure(voxels, voxel_size).empty());
-  const auto planes = findViewStructure(voxels, voxel_size);
+  const auto planes = findRoomStructure(voxels, voxel_size, Capture::RoomView);
   ASSERT_EQ(planes.size(), 1u);
   EXPECT_NEAR(planes.front().heightOf({1, 1, 3}), 0, 0.01);
   EXPECT_NEAR(planes.front().normal.z(), -1, 0.01);
-  EXPECT_THROW(findViewStructure(voxels, 0), pcl::BadArgumentException);
 }
 
 TEST(RoomStructure, RejectsWrongInput)

@@ -105,19 +105,24 @@ NoiseResilientLCCP<PointT>::sensorOrigin() const
 }
 
 template <typename PointT>
+bool
+NoiseResilientLCCP<PointT>::mayBeView() const
+{
+  return camera_ == Camera::Automatic && input_ && input_->height > 1;
+}
+
+template <typename PointT>
 indoor::Capture
 NoiseResilientLCCP<PointT>::captureOf(const std::vector<Eigen::Vector3f>& points,
                                       const Eigen::Vector3f& sensor) const
 {
   using indoor::Capture;
   using indoor::JoiningScale;
-  const bool organised = input_ && input_->height > 1;
-  if (camera_ == Camera::Automatic && organised) {
-    const auto capture = indoor::captureOf(points, sensor);
-    const bool for_tables = chosen_ && options_.pieces.scale == JoiningScale::View;
-    return capture == Capture::RoomView && for_tables ? Capture::TableView : capture;
-  }
-  return camera_ == Camera::Single ? Capture::TableView : Capture::Scan;
+  if (!mayBeView())
+    return camera_ == Camera::Single ? Capture::TableView : Capture::Scan;
+  const auto capture = indoor::captureOf(points, sensor);
+  const bool for_tables = chosen_ && options_.pieces.scale == JoiningScale::View;
+  return capture == Capture::RoomView && for_tables ? Capture::TableView : capture;
 }
 
 template <typename PointT>

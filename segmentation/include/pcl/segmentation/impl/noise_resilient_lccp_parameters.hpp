@@ -276,7 +276,7 @@ template <typename PointT>
 bool
 NoiseResilientLCCP<PointT>::getUseSingleCameraTransform() const
 {
-  if (!input_ || camera_ != Camera::Automatic)
+  if (!mayBeView())
     return camera_ == Camera::Single;
   std::vector<Eigen::Vector3f> points;
   for (const auto& point : *input_)

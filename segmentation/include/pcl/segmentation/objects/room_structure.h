@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/segmentation/objects/camera_view.h>
 #include <pcl/segmentation/objects/surface_voxels.h>
 
 #include <cmath>
@@ -54,14 +55,18 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
  * to the structure if it reaches from one side of the room to the other and nothing was
  * seen behind it. A desk is none, as the floor lies behind it; nor is a cabinet's
  * front, which is lower than the room. Which way is up need not be known. The cost is
- * linear in the number of voxels.
+ * linear in the number of voxels. What a camera sees of a room ends anywhere: there, a
+ * plane also belongs to it if at least 90 % of all that is seen lies before it.
  * \param[in] voxels with normals, most of them into the room, and curvatures
  * \param[in] voxel_size of the voxels, metres
+ * \param[in] capture whether it is a camera's view
  * \return the largest plane first; may be empty
  * \throws pcl::BadArgumentException if the voxel size is not positive
  */
 std::vector<StructurePlane>
-findRoomStructure(const SurfaceVoxels& voxels, double voxel_size);
+findRoomStructure(const SurfaceVoxels& voxels,
+                  double voxel_size,
+                  Capture capture = Capture::Scan);
 
 /** \brief Get three orthogonal directions that fit the planes: the normals of the first
  * and of the next that is orthogonal to it.
