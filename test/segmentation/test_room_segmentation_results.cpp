@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 using namespace pcl::indoor::test;
 using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
@@ -33,6 +34,19 @@ TEST(RoomSegmentation, TwoRoomsWithADoorAreTwoRooms)
   ASSERT_EQ(labels.size(), scene.points.size());
   EXPECT_EQ(roomCount(labels), 2u);
   EXPECT_EQ(wrongPoints(scene, labels, {doorOfTwoRooms()}), 0u);
+}
+
+TEST(RoomSegmentation, AWardrobeBesideAWallStaysInItsRoom)
+{
+  auto scene = twoRooms();
+  std::mt19937 rng(3);
+  // Its top lies as high as the slab in which walls are looked for.
+  scene.addBox({3.4f, 0.3f, 0}, {0.58f, 0.5f, 2.2f}, 1, 0.03f, 0.005f, rng);
+  const auto labels = segmented(cloudOf(scene.points));
+  ASSERT_EQ(labels.size(), scene.points.size());
+  EXPECT_EQ(roomCount(labels), 2u);
+  // Between the corner and the wardrobe's side, the map's pixels of 10 cm decide.
+  EXPECT_LT(wrongPoints(scene, labels, {doorOfTwoRooms()}), labels.size() / 100);
 }
 
 TEST(RoomSegmentation, ATurnedBuildingHasTheSameRooms)

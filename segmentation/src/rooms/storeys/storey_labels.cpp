@@ -159,7 +159,8 @@ StoreyLabels::wallLabels(const std::uint32_t* begin,
     const std::uint32_t i = begin[k];
     const std::size_t pixel = pixel_of[i];
     position[k] = (size * placeOf(i)).cast<float>();
-    is_wall[k] = inSlab(i, pixel);
+    // The top of a wardrobe may lie in the slab, but it does not go on to the ceiling.
+    is_wall[k] = map_.blocked.values[pixel] != 0 && inSlab(i, pixel);
     labels[k] = map_.labels.values[pixel];
   }
   assignWallSides(
