@@ -27,10 +27,12 @@ constexpr float flat_curvature = 0.03f; // of voxels that start a plane, at most
 constexpr double min_area = 0.02;       // share of all voxels
 constexpr double min_span = 0.85; // share of the room's extent in one of its directions
 constexpr double min_length = 1.5; // in that direction, metres: rooms are not lower
-constexpr double min_free = 0.7;   // share of a plane with nothing behind it
+constexpr double slab = 0.3; // metres behind floors and ceilings: a roof, another layer
+constexpr double min_free = 0.7; // share of a plane with nothing behind it
 constexpr double behind = 2; // from so many voxels on: the double of a wall is nearer
-constexpr double most_beyond = 0.1; // share of what a view shows behind a wall
-constexpr double deviations = 3;    // within so many a point counts to its plane
+constexpr double most_beyond = 0.1;     // share of what a view shows behind a wall
+constexpr double deviations = 3;        // within so many a point counts to its plane
+constexpr double least_tolerance = 0.2; // or within so many voxels
 
 /** Distance between the 1st and the 99th percentile. */
 double
@@ -132,6 +134,12 @@ besideEachOther(const std::vector<Eigen::Vector3f>& points,
   return places;
 }
 
+/** Whether a plane reaches from one side of a room to the other. */
+struct Reach {
+  bool one_way;   ///< in one direction, as walls do from floor to ceiling
+  bool both_ways; ///< in both, as floors and ceilings do, also those of small rooms
+};
+
 /** Whether nearly all that is seen lies before a plane. */
 bool
 bounds(const SurfaceVoxels& voxels, const StructurePlane& plane, double voxel_size)
@@ -189,23 +197,30 @@ findRoomStructure(const SurfaceVoxels& voxels, double voxel_size, Capture captur
   std::array<double, 3> room;
   for (int a = 0; a < 3; ++a)
     room[a] = extentOf(voxels, nullptr, axes.col(a));
-  const auto spans = [&](const StructurePlane& plane) {
+  const double near = behind * voxel_size;
+  const bool is_room = *std::max_element(room.begin(), room.end()) >= min_length;
+  const auto reachOf = [&](const StructurePlane& plane) {
+    Reach reach{false, is_room};
     for (int a = 0; a < 3; ++a)
-      if (areAcross(axes.col(a), plane.normal) &&
-          extentOf(voxels, &plane.voxels, axes.col(a)) >=
-              std::max(min_span * room[a], min_length))
-        return true;
-    return false;
+      if (areAcross(axes.col(a), plane.normal)) {
+        const double extent = extentOf(voxels, &plane.voxels, axes.col(a));
+        reach.one_way |= extent >= std::max(min_span * room[a], min_length);
+        reach.both_ways &= extent + 2 * near >= min_span * room[a]; // without edges
+      }
+    return reach;
   };
   const bool is_view = capture == Capture::RoomView;
   std::vector<StructurePlane> structure;
   for (auto& plane : planes) {
-    if (static_cast<double>(plane.voxels.size()) < least ||
-        !(spans(plane) || (is_view && bounds(voxels, plane, voxel_size))))
+    if (static_cast<double>(plane.voxels.size()) < least)
+      continue;
+    const auto reach = reachOf(plane);
+    if (!reach.one_way && !reach.both_ways &&
+        !(is_view && bounds(voxels, plane, voxel_size)))
       continue;
     // Walls seen from several places appear double: what is near does not count.
-    PlaneRaster raster(voxels, plane, behind * voxel_size);
-    raster.look(voxels, behind * voxel_size);
+    PlaneRaster raster(voxels, plane, near);
+    raster.look(voxels, reach.both_ways ? std::max(near, slab) : near);
     if (raster.freeShare() >= min_free)
       structure.push_back(std::move(plane));
   }
@@ -221,9 +236,10 @@ pointsOfStructure(const std::vector<Eigen::Vector3f>& points,
   std::vector<std::uint32_t> plane_of_point(points.size(), 0);
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const auto& plane = planes[p];
-    const double tolerance = std::min(
-        voxel_size,
-        std::max(deviations * deviationOf(points, voxels, plane), 0.1 * voxel_size));
+    const double tolerance =
+        std::min(voxel_size,
+                 std::max(deviations * deviationOf(points, voxels, plane),
+                          least_tolerance * voxel_size));
     for (const auto v : withSurroundings(voxels, plane))
       for (const auto point : voxels.cells.pointsOf(v)) {
         if (plane_of_point[point] == 0 &&

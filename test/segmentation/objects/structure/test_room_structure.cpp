@@ -93,6 +93,43 @@ TEST(RoomStructure, IsFloorCeilingAndWallsButNotTheBoxes)
     EXPECT_LT(shareInPlanes(scene, plane_of_point, object), 0.05) << object;
 }
 
+TEST(RoomStructure, ASmallRoomHasAFloorAndACeiling)
+{
+  std::mt19937 rng(8);
+  LabelledPoints closet;
+  const Eigen::Vector3f low(1.5f, 0.6f, 0), x(1, 0, 0), y(0, 1.2f, 0), z(0, 0, 2.4f);
+  closet.addRectangle(low, x, y, {0, 0, 1}, 1, 0.015f, 0.003f, rng);
+  closet.addRectangle(low + z, x, y, {0, 0, -1}, 2, 0.015f, 0.003f, rng);
+  closet.addRectangle(low, x, z, {0, 1, 0}, 3, 0.015f, 0.003f, rng);
+  closet.addRectangle(low, y, z, {1, 0, 0}, 4, 0.015f, 0.003f, rng);
+  closet.addRectangle(low + x, y, z, {-1, 0, 0}, 5, 0.015f, 0.003f, rng);
+  EXPECT_EQ(findRoomStructure(voxelsOf(closet), voxel_size).size(), 5u);
+}
+
+TEST(RoomStructure, ACeilingBelowARoofIsOne)
+{
+  auto scene = closedRoom();
+  Eigen::AlignedBox3f box;
+  for (const auto& point : scene.points)
+    box.extend(point);
+  std::mt19937 rng(9);
+  for (const float above : {0.13f, 0.5f}) {
+    auto roofed = scene;
+    const Eigen::Vector3f low(box.min().x(), box.min().y(), box.max().z() + above);
+    roofed.addRectangle(low,
+                        {box.sizes().x(), 0, 0},
+                        {0, box.sizes().y(), 0},
+                        {0, 0, -1},
+                        9,
+                        0.015f,
+                        0.003f,
+                        rng);
+    EXPECT_EQ(findRoomStructure(voxelsOf(roofed), voxel_size).size(),
+              above < 0.3f ? 7u : 6u)
+        << above;
+  }
+}
+
 TEST(RoomStructure, DoesNotNeedWallsNorTakeSidesOfBoxesForThem)
 {
   // The boxes' sides are as high as the scene, and from the viewpoint nothing is behind

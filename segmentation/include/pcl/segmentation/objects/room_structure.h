@@ -50,13 +50,19 @@ areAcross(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 StructureKind
 kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
 
-/** \brief Find the planes that enclose a room: floor, ceiling and walls. Flat regions
- * are grown over touching voxels, and those in one plane put together. A plane belongs
- * to the structure if it reaches from one side of the room to the other and nothing was
- * seen behind it. A desk is none, as the floor lies behind it; nor is a cabinet's
- * front, which is lower than the room. Which way is up need not be known. The cost is
- * linear in the number of voxels. What a camera sees of a room ends anywhere: there, a
- * plane also belongs to it if at least 90 % of all that is seen lies before it.
+/** \brief Find the planes that enclose a room: floor, ceiling and walls.
+ *
+ * Flat regions are grown over touching voxels, and those in one plane put together. A
+ * plane belongs to the structure if it reaches from one side of the room to the other,
+ * at least 1.5 m, and nothing was seen behind it. A desk is none, as the floor lies
+ * behind it; nor is a cabinet's front, which is lower than the room.
+ *
+ * A plane that reaches so in both directions, as floors and ceilings do, may be shorter
+ * than 1.5 m, and what lies up to 0.3 m behind it does not count: another layer, or the
+ * roof. What a camera sees of a room ends anywhere: there, a plane also belongs to the
+ * structure if at least 90 % of all that is seen lies before it.
+ *
+ * Which way is up need not be known. The cost is linear in the number of voxels.
  * \param[in] voxels with normals, most of them into the room, and curvatures
  * \param[in] voxel_size of the voxels, metres
  * \param[in] capture whether it is a camera's view
