@@ -13,6 +13,7 @@ objects of fewer than 100 points void. They do not tell how much of the building
     things    segments of at least 100 points that are none of these
     building  those of them most of whose points are of the building
 
+The last row has the sums, and the means of shares.
 Needs numpy.
 """
 import argparse
@@ -40,6 +41,12 @@ def building_in(cloud):
     return flagged, things.sum(), (things & (2 * of_building > points)).sum()
 
 
+def print_row(name, row):
+    right, true, quality, precision, share, things, wrong = row
+    print(f"| {name} | {right:.0f} of {true:.0f} | {quality:.3f} | {precision:.3f} | {100 * share:.1f} | {things:.0f} | {wrong:.0f} |",
+          flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tools")
@@ -47,6 +54,7 @@ def main():
     arguments = parser.parse_args()
 
     print("| scan | right | PQ | AP50 | flagged % | things | building |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: |")
+    rows = []
     for scan in arguments.scans:
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([os.path.join(arguments.tools, "pcl_indoor_pipeline"), scan, folder, "-quiet",
@@ -57,10 +65,11 @@ def main():
                            check=True, stdout=subprocess.DEVNULL)
             with open(result, encoding="utf-8") as file:
                 score = json.load(file)
-            share, things, wrong = building_in(cloud)
-        name = os.path.splitext(os.path.basename(scan))[0]
-        print(f"| {name} | {score['right_segments']} of {score['true_segments']} | {score['panoptic_quality']:.3f} "
-              f"| {score['average_precision_50']:.3f} | {100 * share:.1f} | {things} | {wrong} |", flush=True)
+            rows.append((score["right_segments"], score["true_segments"], score["panoptic_quality"],
+                         score["average_precision_50"], *building_in(cloud)))
+        print_row(os.path.splitext(os.path.basename(scan))[0], rows[-1])
+    table = numpy.array(rows)
+    print_row("**all**", numpy.where([1, 1, 0, 0, 0, 1, 1], table.sum(axis=0), table.mean(axis=0)))
 
 
 if __name__ == "__main__":

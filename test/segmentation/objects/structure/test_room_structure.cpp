@@ -6,6 +6,7 @@
 #include "support/labelled_points.h"
 
 #include "objects/structure/structure_islands.h"
+
 #include <pcl/segmentation/objects/room_structure.h>
 
 #include <pcl/exceptions.h>
