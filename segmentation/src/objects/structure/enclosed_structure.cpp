@@ -32,6 +32,9 @@ constexpr double cover = 1; // voxels: what is farther hides the plane
 /** Share of a segment that is across the plane: what lies along it is no closed object,
  * but a picture, or the double of a wall. */
 constexpr double min_across = 0.1;
+/** Share of the cells within a flat frame that are not its own: a double has no hole.
+ */
+constexpr double min_hollow = 0.1;
 constexpr double cells_per_point = 20; // with more, a segment is too sparse
 
 /** The plane ends where others begin, which stand on it. */
@@ -60,6 +63,17 @@ struct Projection {
   bool is_across;
 };
 
+bool
+isHollow(const PlaneShadow& shadow, const std::vector<PlaneCell>& enclosed)
+{
+  const auto hollow =
+      std::count_if(enclosed.begin(), enclosed.end(), [&](const PlaneCell& cell) {
+        return !shadow.isSeen(cell);
+      });
+  return static_cast<double>(hollow) >=
+         min_hollow * static_cast<double>(enclosed.size());
+}
+
 /** The cells of a plane that a segment encloses from one side.
  * \param[in] is_casing what is within its outline is its own, covered or not */
 std::vector<PlaneCell>
@@ -85,8 +99,9 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
   const auto size = static_cast<double>(segment.size());
   const auto cells = static_cast<double>(high[0] - low[0] + 1) *
                      static_cast<double>(high[1] - low[1] + 1);
-  if (touching == 0 || (deep == 0 && !is_casing) ||
-      static_cast<double>(across) < min_across * size || cells > cells_per_point * size)
+  const bool is_flat = static_cast<double>(across) < min_across * size;
+  if (touching == 0 || ((deep == 0 || is_flat) && !is_casing) ||
+      cells > cells_per_point * size)
     return {};
   PlaneShadow shadow(low, high);
   for (const auto& [cell, depth, is_across] : segment) {
@@ -98,7 +113,10 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
   if (is_casing)
     shadow.coverAll();
   markEnds(frame, low, high, others, voxel_size, shadow);
-  return shadow.enclosed();
+  auto enclosed = shadow.enclosed();
+  if (is_flat && !isHollow(shadow, enclosed))
+    return {};
+  return enclosed;
 }
 
 struct CellHash {

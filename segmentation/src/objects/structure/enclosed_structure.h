@@ -30,7 +30,8 @@ namespace indoor {
  * plane, get what lies in the plane within their outline, as a leaf or a pane does, but
  * never more than half of the wall. A shelf as flat as that is taken for a frame.
  * Segments that hardly reach out of the plane are seen as a second registration of the
- * wall and get nothing. Floors and ceilings are never given away.
+ * wall and get nothing, but for a frame of which a tenth of the outline or more is not
+ * its own. Floors and ceilings are never given away.
  *
  * The cost is linear in the points and in the cells of the segments that reach planes.
  * \param[in,out] segment_of_point numbered from 0

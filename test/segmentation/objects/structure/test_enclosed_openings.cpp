@@ -78,6 +78,28 @@ TEST(EnclosedOpenings, AFrameGetsThePaneInThePlaneOfTheWall)
   EXPECT_EQ(shareTaken(flush, window(0.025f)), 1);
 }
 
+/** The sheets that are seen of a frame whose edges are too low for points of their own;
+ * together with the pane they cover the wall twice. */
+TEST(EnclosedOpenings, AFlatFrameGetsWhatIsWithinIt)
+{
+  const auto opening = window(0.025f);
+  for (const bool has_pane : {false, true}) {
+    Scene scene;
+    const Eigen::Vector3f low = opening.min(), size = opening.sizes();
+    const auto sheet = [&](float x, float z, float width, float height) {
+      scene.addFaces(boxAt({low.x() + x, 0.04f, low.z() + z}, {width, 0, height}),
+                     front);
+    };
+    sheet(-bar, -bar, bar, size.z() + 2 * bar);
+    sheet(size.x(), -bar, bar, size.z() + 2 * bar);
+    sheet(0, -bar, size.x(), bar);
+    sheet(0, size.z(), size.x(), bar);
+    if (has_pane)
+      sheet(0, 0, size.x(), size.z());
+    EXPECT_EQ(shareTaken(scene, opening), has_pane ? 0 : 1) << has_pane;
+  }
+}
+
 TEST(EnclosedOpenings, AFrameWithoutABarDoesNot)
 {
   for (const int missing : {left_bar, right_bar, upper_bar, lower_bar}) {

@@ -182,8 +182,10 @@ TEST(PlaneShadow, EnclosedCellsAreThoseThatNoWayLeadsTo)
     ASSERT_EQ(found, expected) << trial;
     enclosed += found.size();
     for (auto row = scene.low[1]; row <= scene.high[1]; ++row)
-      for (auto column = scene.low[0]; column <= scene.high[0]; ++column)
+      for (auto column = scene.low[0]; column <= scene.high[0]; ++column) {
+        ASSERT_EQ(shadow.isSeen({column, row}), scene.isSeen({column, row})) << trial;
         covered += scene.isMarked({column, row}, PlaneShadow::covered);
+      }
   }
   EXPECT_GT(enclosed, 3000u);
   EXPECT_GT(covered, 3 * enclosed / 2) << "there are open sides, too";
