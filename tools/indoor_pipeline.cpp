@@ -136,19 +136,17 @@ makeParser(Options& options)
   return parser;
 }
 
-/** Sizes that are given hold, and each gives the other; if none is, the library raises
- * both where points are sparse. */
+/** Sizes that are given hold. */
 void
 chooseResolution(Options& options)
 {
   auto& objects = options.objects;
-  const double seeds_per_voxel = objects.seed_size / objects.voxel_size;
   const double voxel = options.voxel_resolution, seed = options.seed_resolution;
   if (voxel == 0.0 && seed == 0.0)
     return;
-  objects.adapt_to_resolution = false;
-  objects.voxel_size = voxel > 0.0 ? voxel : seed / seeds_per_voxel;
-  objects.seed_size = seed > 0.0 ? seed : seeds_per_voxel * voxel;
+  objects.voxel_size = voxel;
+  objects.seed_size = seed;
+  objects = withSizes(objects);
   if (objects.seed_size < objects.voxel_size)
     throw ToolError("-seed_resolution: '" + std::to_string(seed) +
                     "' is less than -voxel_resolution, " + std::to_string(voxel));

@@ -72,8 +72,9 @@ thesisMethods(bool single_view, const Settings& settings)
   const bool kinect = settings.preset == "thesis_kinect" || single_view;
   auto proposed = kinect ? thesisKinectOptions() : thesisOptions();
   if (single_view && settings.preset != "thesis_kinect") { // things on a table
-    proposed.voxel_size = singleViewOptions().voxel_size;
-    proposed.seed_size = singleViewOptions().seed_size;
+    const auto view = withSizes(singleViewOptions());
+    proposed.voxel_size = view.voxel_size;
+    proposed.seed_size = view.seed_size;
   }
   auto with_lccp = proposed;
   with_lccp.partition = Partition::Lccp;
@@ -101,7 +102,7 @@ baselines(bool single_view, const Settings& settings)
     options.single_camera = single_view;
     options.threads = settings.threads;
     if (single_view)
-      options.voxel_size = singleViewOptions().voxel_size;
+      options.voxel_size = withSizes(singleViewOptions()).voxel_size;
     methods.push_back({name,
                        false,
                        [options](const Cloud::Ptr& cloud) {
@@ -122,9 +123,10 @@ methodsFor(bool single_view, const Settings& settings)
   if (settings.methods == "baselines")
     return baselines(single_view, settings);
   const auto ours = single_view ? singleViewOptions() : ObjectSegmentationOptions();
+  const auto sizes = withSizes(ours);
   const auto plain = exampleUpstreamOptions(single_view, settings.threads);
   const auto tuned = tunedUpstreamOptions(
-      single_view, settings.threads, ours.voxel_size, ours.seed_size);
+      single_view, settings.threads, sizes.voxel_size, sizes.seed_size);
   const auto upstream = [](const UpstreamOptions& options) {
     return
         [options](const Cloud::Ptr& cloud) { return segmentUpstream(*cloud, options); };

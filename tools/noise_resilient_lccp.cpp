@@ -31,12 +31,13 @@ constexpr double bytes_per_point = 350; // that are in use at once, measured
 struct Settings {
   std::string input, output;
   std::string preset = "auto", partition = "auto", camera = "auto";
-  std::string orientation = "auto", structure = "auto";
+  std::string orientation = "auto";
   double level = -1;
   std::uint32_t min_segment = 0;
   double voxel_resolution = 0, seed_resolution = 0;
   bool ignore_normals = false, remove_outliers = false;
   ObjectSegmentationOptions others;
+  pcl::indoor::PointOptions on_points; // for the thesis's presets
   PointColors colors;
   PointCoordinates coordinates;
   TableColumns columns;
@@ -56,7 +57,8 @@ withPresets(const std::string& meaning, double room, double single_view)
 void
 addLengths(OptionParser& parser, Settings& settings)
 {
-  const ObjectSegmentationOptions room, view = pcl::indoor::singleViewOptions();
+  const auto room = withSizes(ObjectSegmentationOptions());
+  const auto view = withSizes(pcl::indoor::singleViewOptions());
   parser
       .text("-preset",
             settings.preset,
@@ -76,12 +78,7 @@ addLengths(OptionParser& parser, Settings& settings)
               settings.seed_resolution,
               withPresets("distance of supervoxels", room.seed_size, view.seed_size),
               "m",
-              Range::atLeast(0))
-      .number("-bend_threshold",
-              settings.others.pieces.bend_threshold_degrees,
-              "for -partition graph: mean concave bend that parts pieces",
-              "degrees",
-              Range::between(0, 180));
+              Range::atLeast(0));
 }
 
 void
@@ -103,19 +100,14 @@ addPartition(OptionParser& parser, Settings& settings)
               "single views 0.9",
               "",
               Range::between(-1, 1))
-      .text("-structure",
-            settings.structure,
-            "floor, ceiling and walls; apart: nothing is joined through them; auto: "
-            "apart for objects and parts",
-            {"auto", "apart", "joined"})
       .number("-ransac_share",
-              options.on_points.ransac_share,
+              settings.on_points.ransac_share,
               "for the thesis's presets: planes of at least this share of all points "
               "are taken off by RANSAC, as floor, walls and ceiling; 0 = none",
               "",
               Range::between(0, 1))
       .number("-removal_radius",
-              options.on_points.removal_radius,
+              settings.on_points.removal_radius,
               "for the thesis's presets: neighbourhood of normals and of the points "
               "that are counted; 0 = 2.5 times the distance of points",
               "m",
@@ -131,13 +123,13 @@ addPartition(OptionParser& parser, Settings& settings)
               "",
               Range::atLeast(0))
       .number("-colour_weight",
-              options.on_points.color_weight,
+              settings.on_points.color_weight,
               "for the thesis's presets: weight of the difference of colours (CIELab), "
               "1 for black and white; needs points with colours",
               "",
               Range::atLeast(0))
       .number("-fpfh_weight",
-              options.on_points.fpfh_weight,
+              settings.on_points.fpfh_weight,
               "for the thesis's presets: weight of the difference of FPFH, 0 to 1",
               "",
               Range::atLeast(0))
@@ -149,7 +141,7 @@ addPartition(OptionParser& parser, Settings& settings)
               "supervoxels",
               Range::atLeast(0))
       .number("-min_points",
-              options.pieces.fewest_points,
+              options.fewest_points,
               "for -partition graph: segments of fewer points, or smaller than a "
               "supervoxel, are the remainder",
               "points")
@@ -200,8 +192,7 @@ addOthers(OptionParser& parser, Settings& settings)
             "leave out points that lie alone (pcl::ScanOutlierRemoval); their object "
             "is 0")
       .number("-threads", options.threads, "threads, 0 = automatic")
-      .expert({"-bend_threshold",
-               "-min_segment",
+      .expert({"-min_segment",
                "-min_points",
                "-ransac_share",
                "-removal_radius",
@@ -241,26 +232,17 @@ chosenOptions(const Settings& settings, bool is_table_view)
 {
   const auto preset = presetOptions(settings.preset, is_table_view);
   auto options = settings.others;
-  const auto either = [](double given, double other) {
-    return given > 0 ? given : other;
-  };
-  options.voxel_size = either(settings.voxel_resolution, preset.voxel_size);
-  options.seed_size =
-      either(settings.seed_resolution,
-             settings.voxel_resolution > 0 ? 4 * options.voxel_size : preset.seed_size);
-  options.plane_tolerance = preset.plane_tolerance;
-  options.on_points.enabled = preset.on_points.enabled;
+  const bool given = settings.voxel_resolution > 0 || settings.seed_resolution > 0;
+  options.voxel_size = given ? settings.voxel_resolution : preset.voxel_size;
+  options.seed_size = given ? settings.seed_resolution : preset.seed_size;
+  if (preset.on_points)
+    options.on_points = settings.on_points;
   options.min_segment_size =
       settings.min_segment > 0 ? settings.min_segment : preset.min_segment_size;
-  options.separate_structure = settings.structure == "auto"
-                                   ? preset.separate_structure
-                                   : settings.structure == "apart";
   options.pieces.scale = preset.pieces.scale;
   options.pieces.joining_level = settings.level < 0
                                      ? preset.pieces.joining_level
                                      : static_cast<float>(settings.level);
-  options.adapt_to_resolution =
-      preset.adapt_to_resolution && !(settings.voxel_resolution > 0);
   options.partition = settings.partition == "auto"   ? preset.partition
                       : settings.partition == "lccp" ? Partition::Lccp
                       : settings.partition == "graph"
@@ -295,6 +277,7 @@ main(int argc, char** argv)
 {
   Settings settings;
   settings.others = presetOptions(presetOf(argc, argv), false);
+  settings.on_points = settings.others.on_points.value_or(settings.on_points);
   OptionParser parser("pcl_noise_resilient_lccp",
                       "Segment the scan of a room into objects with "
                       "pcl::NoiseResilientLCCP; adds the fields object and structure.");
@@ -311,8 +294,8 @@ main(int argc, char** argv)
     requireWritableCloud(settings.output);
     if (settings.level < 0 && settings.level != -1)
       throw ToolError("-level: must be -1 or from 0 to 1");
-    const bool as_thesis = presetOptions(settings.preset, false).on_points.enabled;
-    const auto& on_points = settings.others.on_points;
+    const bool as_thesis = settings.others.on_points.has_value();
+    const auto& on_points = settings.on_points;
     for (const auto& [option, value] :
          {std::make_pair("-ransac_share", on_points.ransac_share),
           std::make_pair("-colour_weight", double{on_points.color_weight}),

@@ -152,12 +152,15 @@ findObjects(const Options& options, const CloudFile& file, Progress& progress)
   progress.done(summaryOf(rooms));
 
   progress.start("Segmenting objects");
+  pcl::indoor::ObjectSegmentationOptions segmentation;
+  if (!given.empty())
+    segmentation.fewest_points = 0; // small ones are objects, too
   ScanObjects objects;
   objects.found = pcl::indoor::segmentBuildingObjects(
       *file.points,
       nullptr,
       room_of_point,
-      {{}, 0},
+      segmentation,
       options.threads,
       given,
       [&](std::size_t done, std::size_t all) { progress.update(done, all); });

@@ -122,10 +122,11 @@ std::vector<Method>
 makeMethods(bool single_view, const Settings& settings)
 {
   const auto ours = ourOptions(single_view, settings);
+  const auto sizes = withSizes(ours);
   const auto threads = settings.threads;
   const auto plain = exampleUpstreamOptions(single_view, threads);
   const auto tuned =
-      tunedUpstreamOptions(single_view, threads, ours.voxel_size, ours.seed_size);
+      tunedUpstreamOptions(single_view, threads, sizes.voxel_size, sizes.seed_size);
   const auto upstream = [](const UpstreamOptions& options) {
     return [options](const Cloud::Ptr& points) {
       return Found{segmentUpstream(*points, options), {}, {}};
@@ -145,8 +146,8 @@ makeMethods(bool single_view, const Settings& settings)
   auto proposed = single_view ? thesisKinectOptions() : thesisOptions(), lccp = ours;
   lccp.partition = Partition::Lccp;
   if (single_view) {
-    proposed.voxel_size = ours.voxel_size;
-    proposed.seed_size = ours.seed_size;
+    proposed.voxel_size = sizes.voxel_size;
+    proposed.seed_size = sizes.seed_size;
   }
   std::vector<Method> methods{{"LCCP, example's defaults", upstream(plain)},
                               {"LCCP, tuned", upstream(tuned)},

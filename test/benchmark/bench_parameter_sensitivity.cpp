@@ -138,11 +138,11 @@ removedWith(const ObjectSegmentationOptions& options,
             const ObjectSegmentation& graph,
             const Room& room)
 {
-  if (!options.on_points.enabled)
+  if (!options.on_points)
     return segmentObjects(room.input, options).removed;
   const auto& surface = graph.scene.voxels;
   NonConvexityOptions removal;
-  removal.radius = options.on_points.removal_radius;
+  removal.radius = options.on_points->removal_radius;
   removal.curvature_threshold = options.curvature_threshold;
   removal.ratio_threshold = options.ratio_threshold;
   return nonConvexPoints(
@@ -170,7 +170,8 @@ measure(const std::vector<Room>& rooms, bool on_points)
   EdgeCount all;
   for (const auto& room : rooms) {
     auto options = on_points ? thesisOptions() : ObjectSegmentationOptions();
-    options.on_points.ransac_share = 0;
+    if (on_points)
+      options.on_points->ransac_share = 0;
     options.curvature_threshold = 1.0f / 3; // nothing is removed
     const auto graph = segmentObjects(room.input, options);
     const auto labels = labelsOfSupervoxels(graph, room.labels);
@@ -209,7 +210,7 @@ printGraphsAnew(const std::vector<Room>& rooms, float ratio_threshold)
     EdgeCount all;
     for (const auto& room : rooms) {
       auto options = thesisOptions();
-      options.on_points.ransac_share = 0;
+      options.on_points->ransac_share = 0;
       options.curvature_threshold = curvature_threshold;
       options.ratio_threshold = ratio_threshold;
       const auto graph = segmentObjects(room.input, options);

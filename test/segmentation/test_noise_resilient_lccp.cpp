@@ -278,9 +278,7 @@ TEST(NoiseResilientLCCP, RaisesItsVoxelsForSparseClouds)
   segmentation.segment(labels);
   EXPECT_NEAR(segmentation.getResult().scene.voxel_size, 0.125, 0.02); // 2.5 spacings
   EXPECT_EQ(scoreDetections(countOverlaps(scene.objects, labels)).right_count, 3u);
-  auto options = segmentation.getOptions();
-  options.adapt_to_resolution = false;
-  segmentation.setOptions(options);
+  segmentation.setVoxelResolution(0.03); // what is given holds
   segmentation.segment(labels);
   EXPECT_LT(scoreDetections(countOverlaps(scene.objects, labels)).right_count, 3u);
 }

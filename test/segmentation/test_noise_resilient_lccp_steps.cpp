@@ -108,9 +108,8 @@ TEST(NoiseResilientLCCPSteps, KeepsFloorCeilingAndWallsOutOfTheGraph)
   for (const auto index : structure)
     of_boxes += scene.objects[index] == 2 || scene.objects[index] == 3;
   EXPECT_LT(of_boxes, structure.size() / 50);
-  auto options = segmentation.getOptions();
-  options.separate_structure = false;
-  segmentation.setOptions(options);
+  segmentation.setJoiningScale(JoiningScale::View);
+  segmentation.setVoxelResolution(0.03);
   segmentation.segment(labels);
   EXPECT_EQ(planes(), 0u);
   EXPECT_TRUE(segmentation.getStructureIndices().empty());

@@ -118,7 +118,7 @@ TEST(NoiseResilientLCCPSupervoxels, UnknownNamesAndWrongUse)
   unknown.back().label = 4000000;
   segmentation.relabelCloud(unknown);
   EXPECT_EQ(unknown.back().label, 0u);
-  segmentation.setBendThreshold(500);
+  segmentation.setJoiningLevel(500);
   segmentation.segment();
   EXPECT_TRUE(segmentation.getSupervoxelToSegmentMap().empty());
 }

@@ -100,23 +100,24 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
     EXPECT_TRUE(labels.empty()) << what;
     segmentation.setOptions({});
   };
-  segmentation.setVoxelResolution(0);
+  segmentation.setVoxelResolution(-0.01);
   expectRejected("voxel resolution");
   segmentation.setViewPoint(0, 1e300, 0);
   expectRejected("viewpoint");
   segmentation.setViewPoint(0, 0, 0);
   segmentation.setVoxelResolution(1e-9);
   expectRejected("voxels too small for the cloud");
+  segmentation.setVoxelResolution(0.03);
   segmentation.setSeedResolution(0.01);
   expectRejected("seed resolution");
+  segmentation.setSeedResolution(std::nanf(""));
+  expectRejected("seed resolution that is no number");
   segmentation.setCurvatureThreshold(0.4f);
   expectRejected("curvature");
   segmentation.setRatioThreshold(std::nanf(""));
   expectRejected("ratio");
   segmentation.setGraphScale(-1);
   expectRejected("scale");
-  segmentation.setBendThreshold(200);
-  expectRejected("bend");
   segmentation.setJoiningLevel(2);
   expectRejected("level");
   segmentation.setConcavityToleranceThreshold(181);
@@ -133,20 +134,15 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
   options.edges.concavity_weight = 2;
   segmentation.setOptions(options);
   expectRejected("concavity weight");
-  options = {};
-  options.plane_tolerance = -1;
-  segmentation.setOptions(options);
-  expectRejected("plane tolerance");
   for (const float level : {-0.1f, 1.1f, std::nanf("")}) {
     options = {};
     options.pieces.joining_level = level;
     segmentation.setOptions(options);
     expectRejected("joining level");
   }
-  options = {};
-  options.up = {0, 0, 0};
-  segmentation.setOptions(options);
+  segmentation.setUpAxis({0, 0, 0});
   expectRejected("up");
+  segmentation.setUpAxis({0, 0, 1});
   segmentation.setInputNormals(
       pcl::PointCloud<pcl::Normal>::Ptr(new pcl::PointCloud<pcl::Normal>));
   expectRejected("normals");
@@ -206,24 +202,42 @@ TEST(NoiseResilientLCCPUse, OtherLevelsAndStructureFitTheSegments)
 TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
 {
   const Segmentation segmentation;
-  EXPECT_DOUBLE_EQ(segmentation.getVoxelResolution(), 0.03);
-  EXPECT_DOUBLE_EQ(segmentation.getSeedResolution(), 0.12);
+  EXPECT_DOUBLE_EQ(segmentation.getVoxelResolution(), 0);
+  EXPECT_DOUBLE_EQ(segmentation.getSeedResolution(), 0);
   EXPECT_FLOAT_EQ(segmentation.getCurvatureThreshold(), 0.03f);
   EXPECT_FLOAT_EQ(segmentation.getRatioThreshold(), 0.2f);
   EXPECT_FLOAT_EQ(segmentation.getGraphScale(), 3);
-  EXPECT_FLOAT_EQ(segmentation.getBendThreshold(), 15);
   EXPECT_EQ(segmentation.getMinSegmentSize(), 4u);
-  EXPECT_TRUE(segmentation.getOptions().separate_structure);
   EXPECT_EQ(segmentation.getJoiningScale(), JoiningScale::Objects);
   EXPECT_FLOAT_EQ(segmentation.getJoiningLevel(), 0.4f);
   EXPECT_EQ(partsOptions().pieces.scale, JoiningScale::Parts);
   EXPECT_EQ(singleViewOptions().pieces.scale, JoiningScale::View);
   EXPECT_FLOAT_EQ(singleViewOptions().pieces.joining_level, 0.9f);
   EXPECT_EQ(singleViewOptions().min_segment_size, 6u);
-  EXPECT_EQ(segmentation.getOptions().up, Eigen::Vector3f::UnitZ());
+  EXPECT_EQ(segmentation.getUpAxis(), Eigen::Vector3f::UnitZ());
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);
   EXPECT_EQ(segmentation.getPartition(), Segmentation::Partition::Pieces);
   EXPECT_FALSE(segmentation.getInputNormals());
+}
+
+TEST(NoiseResilientLCCPUse, SizesThatAreNotGivenFollowFromTheOthers)
+{
+  const auto expectSizes =
+      [](const ObjectSegmentationOptions& options, double voxel, double seed) {
+        const auto sized = withSizes(options);
+        EXPECT_DOUBLE_EQ(sized.voxel_size, voxel);
+        EXPECT_DOUBLE_EQ(sized.seed_size, seed);
+      };
+  expectSizes({}, 0.03, 0.12);
+  expectSizes(partsOptions(), 0.03, 0.12);
+  expectSizes(singleViewOptions(), 0.005, 0.02);
+  ObjectSegmentationOptions options;
+  options.seed_size = 0.2;
+  expectSizes(options, 0.05, 0.2);
+  options.voxel_size = 0.1;
+  expectSizes(options, 0.1, 0.2);
+  options.seed_size = 0;
+  expectSizes(options, 0.1, 0.4);
 }
 
 TEST(NoiseResilientLCCPUse, TheThesisTakesLargePlanesOffByRansac)
@@ -241,7 +255,7 @@ TEST(NoiseResilientLCCPUse, TheThesisTakesLargePlanesOffByRansac)
   segmentation.segment(labels);
   EXPECT_FALSE(segmentation.getStructureIndices().empty());
   auto whole = thesis;
-  whole.on_points.ransac_share = 0;
+  whole.on_points->ransac_share = 0;
   segmentation.setOptions(whole);
   segmentation.segment(labels);
   EXPECT_TRUE(segmentation.getStructureIndices().empty());

@@ -180,21 +180,6 @@ TEST_F(ToolResults, NoiseResilientLccpAddsTheObjectAndKeepsTheRest)
   }
 }
 
-TEST_F(ToolResults, NoiseResilientLccpKeepsWallsApartUnlessToldOtherwise)
-{
-  pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
-  std::set<std::vector<std::uint32_t>> results;
-  for (const char* options :
-       {"", " -structure apart", " -structure joined", " -preset thesis"}) {
-    run("pcl_noise_resilient_lccp", path("in.pcd") + " " + path("out.pcd") + options);
-    const auto out = loadCloud(path("out.pcd"));
-    if (std::string(options) != " -preset thesis") // Algorithm 1 leaves some out
-      expectEveryFinitePointHas(out, "object");
-    results.insert(readLabels(out, "object"));
-  }
-  EXPECT_EQ(results.size(), 3u); // the first two are the same
-}
-
 TEST_F(ToolResults, NoiseResilientLccpPresetsSetTheirOptions)
 {
   pcl::io::savePCDFileBinary(path("in.pcd"), scanOfTwoRooms());
@@ -205,7 +190,7 @@ TEST_F(ToolResults, NoiseResilientLccpPresetsSetTheirOptions)
   EXPECT_EQ(objects(" -preset objects"), objects(""));
   EXPECT_NE(objects(" -preset thesis"), objects(""));
   EXPECT_EQ(objects(" -preset thesis"),
-            objects(" -preset thesis -partition felzenszwalb -structure joined"));
+            objects(" -preset thesis -partition felzenszwalb"));
   objects(" -preset parts");
   expectEveryFinitePointHas(loadCloud(path("out.pcd")), "object");
 }

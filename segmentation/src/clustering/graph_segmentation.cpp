@@ -13,18 +13,17 @@
 
 namespace {
 
-using pcl::indoor::GraphSegmentationOptions;
 using pcl::indoor::WeightedEdge;
 
 void
 requireValid(std::size_t node_count,
              const std::vector<WeightedEdge>& edges,
-             const GraphSegmentationOptions& options)
+             float scale)
 {
-  if (!(options.scale >= 0) || !std::isfinite(options.scale))
+  if (!(scale >= 0) || !std::isfinite(scale))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "The scale must be finite and not negative, not "
-                            << options.scale << ".");
+                        "The scale must be finite and not negative, not " << scale
+                                                                          << ".");
   for (const auto& edge : edges) {
     if (edge.source >= node_count || edge.target >= node_count)
       PCL_THROW_EXCEPTION(pcl::BadArgumentException,
@@ -46,9 +45,10 @@ namespace indoor {
 std::vector<std::uint32_t>
 segmentGraph(std::size_t node_count,
              std::vector<WeightedEdge> edges,
-             const GraphSegmentationOptions& options)
+             float scale,
+             std::uint32_t min_segment_size)
 {
-  requireValid(node_count, edges, options);
+  requireValid(node_count, edges, scale);
   for (auto& edge : edges)
     if (edge.target < edge.source)
       std::swap(edge.source, edge.target);
@@ -59,7 +59,7 @@ segmentGraph(std::size_t node_count,
   DisjointSets segments(node_count);
   std::vector<float> internal(node_count, 0.0f); // Int(C), at C's representative
   const auto bound = [&](std::uint32_t c) {      // Int(C) + tau(C), Eq. (2.17)
-    return internal[c] + options.scale / static_cast<float>(segments.size(c));
+    return internal[c] + scale / static_cast<float>(segments.size(c));
   };
   for (const auto& edge : edges) {
     const auto a = segments.find(edge.source);
@@ -70,7 +70,7 @@ segmentGraph(std::size_t node_count,
   for (const auto& edge : edges) {
     const auto a = segments.find(edge.source);
     const auto b = segments.find(edge.target);
-    if (std::min(segments.size(a), segments.size(b)) < options.min_segment_size)
+    if (std::min(segments.size(a), segments.size(b)) < min_segment_size)
       segments.merge(a, b);
   }
   return segments.labels();

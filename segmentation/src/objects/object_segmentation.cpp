@@ -18,6 +18,7 @@
 #include <pcl/indoor/require_valid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -44,19 +45,24 @@ checkedOptions(const ObjectSegmentationInput& input,
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         input.points.size()
                             << " points have " << input.colors.size() << " colors.");
-  if (given.on_points.color_weight > 0 && input.colors.empty())
+  if (given.on_points && given.on_points->color_weight > 0 && input.colors.empty())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "The weight of colors needs points with colors.");
   if (input.capture != Capture::Scan && input.viewpoint.empty())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "A single camera needs a viewpoint.");
-  auto options = given;
+  if (!(std::abs(input.up.norm() - 1) < 1e-3f))
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The direction up must have the length 1, not "
+                            << input.up.norm() << '.');
+  auto options = withSizes(given);
   options.threads = std::min(given.threads, 1024u); // each needs memory for its stack
-  if (given.adapt_to_resolution) {
+  if (given.voxel_size == 0 && given.seed_size == 0) {
     const auto grid_points = pcl::indoor::gridPoints(input);
+    const double size = options.voxel_size;
     options.voxel_size = pcl::indoor::raisedToResolution(
-        grid_points.empty() ? input.points : grid_points, given.voxel_size);
-    options.seed_size *= options.voxel_size / given.voxel_size;
+        grid_points.empty() ? input.points : grid_points, size);
+    options.seed_size *= options.voxel_size / size;
   }
   return options;
 }
@@ -132,7 +138,7 @@ segmentObjects(ObjectSegmentationInput input,
                const ProgressCallback& progress)
 {
   const auto options = checkedOptions(input, given_options);
-  if (options.on_points.enabled)
+  if (options.on_points)
     return segmentOnPoints(std::move(input), options, progress);
   const auto stops = [&progress](double share, const char* stage) {
     return progress && !progress(share, stage);

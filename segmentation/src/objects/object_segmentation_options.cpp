@@ -22,27 +22,21 @@ findProblem(const ObjectSegmentationOptions& options)
   const auto not_negative = [](double value) {
     return value >= 0 && std::isfinite(value);
   };
-  require(options.voxel_size > 0 && std::isfinite(options.voxel_size),
-          "voxel resolution must be positive",
+  require(not_negative(options.voxel_size),
+          "voxel resolution must not be negative",
           options.voxel_size,
           " m");
-  require(options.seed_size >= options.voxel_size && std::isfinite(options.seed_size),
+  require(not_negative(options.seed_size) &&
+              (options.seed_size == 0 || options.seed_size >= options.voxel_size),
           "seed resolution must be at least the voxel resolution",
           options.seed_size,
           " m");
-  require(std::abs(options.up.norm() - 1) < 1e-3f,
-          "direction up must have the length 1",
-          options.up.norm());
   require(options.curvature_threshold >= 0 && options.curvature_threshold <= 1.0f / 3,
           "curvature threshold must be in [0, 1/3]",
           options.curvature_threshold);
   require(options.ratio_threshold >= 0 && options.ratio_threshold <= 1,
           "ratio threshold must be in [0, 1]",
           options.ratio_threshold);
-  require(not_negative(options.plane_tolerance),
-          "tolerance of the tangent plane must not be negative",
-          options.plane_tolerance,
-          " voxels");
   require(not_negative(options.spatial_weight),
           "spatial importance must not be negative",
           options.spatial_weight);
@@ -60,44 +54,48 @@ findProblem(const ObjectSegmentationOptions& options)
   require(not_negative(options.edges.graph_scale),
           "graph scale must not be negative",
           options.edges.graph_scale);
-  require(options.pieces.bend_threshold_degrees >= -180 &&
-              options.pieces.bend_threshold_degrees <= 180,
-          "bend threshold must be in [-180, 180]",
-          options.pieces.bend_threshold_degrees,
-          " degrees");
   require(options.pieces.joining_level >= 0 && options.pieces.joining_level <= 1,
           "joining level must be in [0, 1]",
           options.pieces.joining_level);
-  require(not_negative(options.on_points.removal_radius),
+  if (!options.on_points)
+    return problem.str();
+  require(not_negative(options.on_points->removal_radius),
           "radius of the removal must not be negative",
-          options.on_points.removal_radius,
+          options.on_points->removal_radius,
           " m");
-  require(options.on_points.ransac_share >= 0 && options.on_points.ransac_share <= 1,
+  require(options.on_points->ransac_share >= 0 && options.on_points->ransac_share <= 1,
           "share of a plane must be in [0, 1]",
-          options.on_points.ransac_share);
-  require(not_negative(options.on_points.color_weight),
+          options.on_points->ransac_share);
+  require(not_negative(options.on_points->color_weight),
           "color importance must not be negative",
-          options.on_points.color_weight);
-  require(not_negative(options.on_points.fpfh_weight),
+          options.on_points->color_weight);
+  require(not_negative(options.on_points->fpfh_weight),
           "importance of FPFH must not be negative",
-          options.on_points.fpfh_weight);
-  if (!options.on_points.enabled && problem.str().empty() &&
-      (options.on_points.color_weight > 0 || options.on_points.fpfh_weight > 0))
-    problem << "Colors and FPFH have a weight on points alone.";
-  if (options.on_points.enabled && options.partition == Partition::Pieces &&
-      problem.str().empty())
+          options.on_points->fpfh_weight);
+  if (options.partition == Partition::Pieces && problem.str().empty())
     problem << "On points there are no pieces to join.";
   return problem.str();
+}
+
+ObjectSegmentationOptions
+withSizes(ObjectSegmentationOptions options)
+{
+  constexpr double seeds_per_voxel = 4, room_voxel = 0.03, view_voxel = 0.005;
+  if (options.voxel_size == 0 && options.seed_size > 0)
+    options.voxel_size = options.seed_size / seeds_per_voxel;
+  else if (options.voxel_size == 0)
+    options.voxel_size =
+        options.pieces.scale == JoiningScale::View ? view_voxel : room_voxel;
+  if (options.seed_size == 0)
+    options.seed_size = seeds_per_voxel * options.voxel_size;
+  return options;
 }
 
 ObjectSegmentationOptions
 singleViewOptions()
 {
   ObjectSegmentationOptions options;
-  options.voxel_size = 0.005;
-  options.seed_size = 0.02;
   options.min_segment_size = 6;
-  options.separate_structure = false;
   options.pieces.scale = JoiningScale::View;
   options.pieces.joining_level = 0.9f; // a wrong join loses the smaller of two things
   return options;
@@ -116,14 +114,13 @@ ObjectSegmentationOptions
 thesisOptions()
 {
   ObjectSegmentationOptions options;
-  options.adapt_to_resolution = false;
-  options.separate_structure = false;
-  options.plane_tolerance = 0;
+  options.voxel_size = 0.03;
+  options.seed_size = 0.12;
   options.partition = Partition::FelzenszwalbHuttenlocher;
   options.min_segment_size = 3;
-  options.on_points.enabled = true;
-  options.on_points.removal_radius = 0.05; // Sec. 2.1.5.2, points 2 cm apart
-  options.on_points.ransac_share = 0.05;
+  options.on_points.emplace();
+  options.on_points->removal_radius = 0.05; // Sec. 2.1.5.2, points 2 cm apart
+  options.on_points->ransac_share = 0.05;
   return options;
 }
 
@@ -131,8 +128,7 @@ ObjectSegmentationOptions
 thesisKinectOptions()
 {
   auto options = thesisOptions();
-  options.on_points.ransac_share = 0;
-  options.on_points.removal_radius = 0;
+  options.on_points.emplace();
   options.curvature_threshold = 0.02f;
   options.edges.graph_scale = 5;
   options.seed_size = 0.16;

@@ -50,8 +50,8 @@ gatherRemainder(const ObjectSegmentationOptions& options, ObjectSegmentation& re
   const auto remainder = highest == segments.end() ? 0 : *highest + 1;
   const double voxels_of_supervoxel =
       std::pow(options.seed_size / options.voxel_size, 2);
-  const auto small = smallSegments(
-      result, remainder, voxels_of_supervoxel, options.pieces.fewest_points);
+  const auto small =
+      smallSegments(result, remainder, voxels_of_supervoxel, options.fewest_points);
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < segments.size(); ++i)
     if (small[segments[i]]) {

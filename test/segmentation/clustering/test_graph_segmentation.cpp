@@ -109,8 +109,7 @@ TEST(GraphSegmentation, HugeScaleGivesTheConnectedComponents)
   std::mt19937 rng(42);
   for (int trial = 0; trial < 50; ++trial) {
     const auto edges = randomGraph(30, 25, rng);
-    EXPECT_EQ(segmentGraph(30, edges, {1e9f, 1}),
-              named(componentsBruteForce(30, edges)))
+    EXPECT_EQ(segmentGraph(30, edges, 1e9f, 1), named(componentsBruteForce(30, edges)))
         << "trial " << trial;
   }
 }
@@ -122,7 +121,7 @@ TEST(GraphSegmentation, AgreesWithTheDefinition)
   for (int trial = 0; trial < 100; ++trial) {
     const auto edges = randomGraph(25, 60, rng);
     const float scale = static_cast<float>(rng() % 30) / 10;
-    const auto labels = segmentGraph(25, edges, {scale, 1});
+    const auto labels = segmentGraph(25, edges, scale, 1);
     EXPECT_EQ(labels, named(segmentLiterally(25, edges, scale))) << "trial " << trial;
     several += *std::max_element(labels.begin(), labels.end()) > 0;
   }
@@ -139,7 +138,7 @@ TEST(GraphSegmentation, OrderOfEdgesDoesNotMatter)
       shuffled.push_back(edges[i]);
       std::swap(shuffled.back().source, shuffled.back().target);
     }
-    EXPECT_EQ(segmentGraph(40, edges, {1, 3}), segmentGraph(40, shuffled, {1, 3}));
+    EXPECT_EQ(segmentGraph(40, edges, 1, 3), segmentGraph(40, shuffled, 1, 3));
   }
 }
 
@@ -149,7 +148,7 @@ TEST(GraphSegmentation, SegmentsHaveTheMinimumSizeWhereTheGraphAllows)
   for (int trial = 0; trial < 50; ++trial) {
     const auto edges = randomGraph(30, 40, rng);
     const auto components = componentsBruteForce(30, edges);
-    const auto labels = segmentGraph(30, edges, {0.2f, 4});
+    const auto labels = segmentGraph(30, edges, 0.2f, 4);
     for (std::uint32_t i = 0; i < 30; ++i)
       EXPECT_GE(
           std::count(labels.begin(), labels.end(), labels[i]),
@@ -160,16 +159,17 @@ TEST(GraphSegmentation, SegmentsHaveTheMinimumSizeWhereTheGraphAllows)
 
 TEST(GraphSegmentation, EmptySingleAndIsolated)
 {
-  EXPECT_TRUE(segmentGraph(0, {}, {}).empty());
-  EXPECT_EQ(segmentGraph(1, {}, {}), Labels{0});
-  EXPECT_EQ(segmentGraph(3, {}, {}), (Labels{0, 1, 2}));
-  EXPECT_EQ(segmentGraph(2, {{1, 1, 0.5f}}, {}), (Labels{0, 1}));
+  EXPECT_TRUE(segmentGraph(0, {}, 3, 3).empty());
+  EXPECT_EQ(segmentGraph(1, {}, 3, 3), Labels{0});
+  EXPECT_EQ(segmentGraph(3, {}, 3, 3), (Labels{0, 1, 2}));
+  EXPECT_EQ(segmentGraph(2, {{1, 1, 0.5f}}, 3, 3), (Labels{0, 1}));
 }
 
 TEST(GraphSegmentation, RejectsBadInput)
 {
-  EXPECT_THROW(segmentGraph(2, {{0, 2, 1}}, {}), pcl::BadArgumentException);
-  EXPECT_THROW(segmentGraph(2, {{0, 1, -1}}, {}), pcl::BadArgumentException);
-  EXPECT_THROW(segmentGraph(2, {{0, 1, std::nanf("")}}, {}), pcl::BadArgumentException);
-  EXPECT_THROW(segmentGraph(2, {}, {-1, 3}), pcl::BadArgumentException);
+  EXPECT_THROW(segmentGraph(2, {{0, 2, 1}}, 3, 3), pcl::BadArgumentException);
+  EXPECT_THROW(segmentGraph(2, {{0, 1, -1}}, 3, 3), pcl::BadArgumentException);
+  EXPECT_THROW(segmentGraph(2, {{0, 1, std::nanf("")}}, 3, 3),
+               pcl::BadArgumentException);
+  EXPECT_THROW(segmentGraph(2, {}, -1, 3), pcl::BadArgumentException);
 }

@@ -71,9 +71,9 @@ ObjectSegmentationOptions
 optionsWith(float color_weight, float fpfh_weight)
 {
   auto options = thesisOptions();
-  options.on_points.ransac_share = 0;
-  options.on_points.color_weight = color_weight;
-  options.on_points.fpfh_weight = fpfh_weight;
+  options.on_points->ransac_share = 0;
+  options.on_points->color_weight = color_weight;
+  options.on_points->fpfh_weight = fpfh_weight;
   options.edges.graph_scale = 0.3f;
   return options;
 }
@@ -234,12 +234,6 @@ TEST(SurfaceAppearance, BadWeightsAndColorsAreRefused)
     EXPECT_NE(findProblem(optionsWith(0, bad)), "");
   }
   EXPECT_EQ(findProblem(optionsWith(1, 1)), "");
-  ObjectSegmentationOptions voxels;
-  voxels.on_points.color_weight = 1;
-  EXPECT_NE(findProblem(voxels), "");
-  voxels = {};
-  voxels.on_points.fpfh_weight = 1;
-  EXPECT_NE(findProblem(voxels), "");
   EXPECT_THROW(segmentObjects(plate(), optionsWith(1, 0)), pcl::BadArgumentException);
   auto input = twoColors();
   input.colors.pop_back();

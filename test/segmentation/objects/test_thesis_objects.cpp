@@ -277,10 +277,10 @@ expectAsDefined(const ObjectSegmentationOptions& given, unsigned seed)
 {
   const auto points = tableScene(seed);
   auto options = given;
-  options.on_points.removal_radius = 0.06;
-  options.on_points.ransac_share = 0; // the table is to stay
+  options.on_points->removal_radius = 0.06;
+  options.on_points->ransac_share = 0; // the table is to stay
   const auto result = segmentObjects(inputOf(points), options);
-  const DenseObjects dense(points, options, options.on_points.removal_radius);
+  const DenseObjects dense(points, options, options.on_points->removal_radius);
   for (std::size_t i = 0; i < points.size(); ++i) {
     ASSERT_NEAR(result.scene.voxels.curvatures[i], dense.curvatures[i], 1e-5);
     ASSERT_GT(result.scene.voxels.normals[i].dot(dense.normals[i]), 0.999f);
@@ -325,7 +325,7 @@ TEST(ThesisObjects, KinectAsDefined)
   EXPECT_FLOAT_EQ(options.edges.graph_scale, 5);
   EXPECT_DOUBLE_EQ(options.seed_size, 0.16);
   EXPECT_DOUBLE_EQ(options.voxel_size, 0.04);
-  EXPECT_DOUBLE_EQ(options.on_points.removal_radius, 0);
+  EXPECT_DOUBLE_EQ(options.on_points->removal_radius, 0);
   options.edges.graph_scale = 0.3f;
   expectAsDefined(options, 1);
 }
@@ -339,7 +339,7 @@ TEST(ThesisObjects, ASingleCameraMayStandAnywhere)
   input.viewpoint = {Eigen::Vector3f::Zero()};
   auto options = thesisKinectOptions();
   options.edges.graph_scale = 0.3f;
-  options.on_points.removal_radius = 0.06;
+  options.on_points->removal_radius = 0.06;
   const auto here = segmentObjects(input, options);
   EXPECT_LT(here.supervoxels.size(), 300u);
   EXPECT_GT(here.segment_count, 1u);
@@ -358,7 +358,7 @@ TEST(ThesisObjects, TheSameForAnyNumberOfThreads)
 {
   auto options = thesisOptions();
   options.edges.graph_scale = 0.3f;
-  options.on_points.ransac_share = 0;
+  options.on_points->ransac_share = 0;
   options.threads = 1;
   const auto one = segmentObjects(inputOf(tableScene(5)), options);
   options.threads = 8;
@@ -375,7 +375,7 @@ TEST(ThesisObjects, RansacTakesFloorAndWallsOff)
       {0, 0, 0}, {3, 0, 0}, {0, 0, 2.5f}, {0, 1, 0}, 2, 0.04f, 0.004f, rng);
   room.addBox({1, 1, 0.03f}, {0.5f, 0.5f, 0.5f}, 3, 0.04f, 0.004f, rng);
   auto options = thesisOptions();
-  options.on_points.ransac_share = 0.2;
+  options.on_points->ransac_share = 0.2;
   const auto result = segmentObjects(inputOf(room.points), options);
   ASSERT_EQ(result.scene.planes.size(), 2u);
   std::map<StructureKind, std::set<std::uint32_t>> segments;
@@ -400,7 +400,7 @@ TEST(ThesisObjects, RansacTakesFloorAndWallsOff)
   EXPECT_EQ(segments[StructureKind::Floor].size(), 1u);
   EXPECT_EQ(segments[StructureKind::Wall].size(), 1u);
   EXPECT_GE(segments[StructureKind::None].size(), 1u);
-  options.on_points.ransac_share = 0.9;
+  options.on_points->ransac_share = 0.9;
   EXPECT_TRUE(segmentObjects(inputOf(room.points), options).scene.planes.empty());
 }
 
@@ -410,10 +410,10 @@ TEST(ThesisObjects, BadOptionsAreRefusedAndFewPointsAreNone)
   options.partition = Partition::Pieces;
   EXPECT_NE(findProblem(options), "");
   options = thesisOptions();
-  options.on_points.ransac_share = 1.5;
+  options.on_points->ransac_share = 1.5;
   EXPECT_NE(findProblem(options), "");
   options = thesisOptions();
-  options.on_points.removal_radius = -1;
+  options.on_points->removal_radius = -1;
   EXPECT_NE(findProblem(options), "");
   EXPECT_EQ(findProblem(thesisKinectOptions()), "");
   const auto two = segmentObjects(inputOf({{0, 0, 0}, {0, 0, 0}}), thesisOptions());

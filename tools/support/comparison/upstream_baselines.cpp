@@ -158,7 +158,7 @@ segmentNormalGraph(const Cloud::Ptr& places,
       edges.push_back({a, b, std::isfinite(weight) ? weight : 1.0f});
     }
   auto labels = pcl::indoor::segmentGraph(
-      places->size(), std::move(edges), {graph_scale, graph_least});
+      places->size(), std::move(edges), graph_scale, graph_least);
   for (auto& label : labels)
     ++label;
   return labels;

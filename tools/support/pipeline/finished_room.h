@@ -21,7 +21,7 @@ namespace pcl::indoor::tool {
 /** \brief What the rooms of a scan have in common. */
 struct RoomWork {
   RoomPreparation preparation;
-  RoomObjectsOptions options;
+  ObjectSegmentationOptions options;
   std::optional<ClassifierModel> model; ///< without it there are no classes
   bool is_standing = true;              ///< z is up and the unit is the metre
   double metres_per_unit = 1.0;

@@ -190,10 +190,10 @@ roomWork(const PipelineOptions& options)
 {
   RoomWork work;
   work.preparation = options.preparation;
-  work.options.segmentation = options.objects;
+  work.options = options.objects;
   if (options.partition == "lccp")
-    work.options.segmentation.partition = Partition::Lccp;
-  work.options.segmentation.threads = 1; // the threads are busy with the rooms
+    work.options.partition = Partition::Lccp;
+  work.options.threads = 1; // the threads are busy with the rooms
   const auto model = modelFile(options);
   if (!model.empty())
     work.model = loadModel(model);
@@ -251,7 +251,8 @@ findObjects(const PipelineOptions& options,
             Scene& scene,
             Progress& progress)
 {
-  scene.seeds_per_voxel = options.objects.seed_size / options.objects.voxel_size;
+  const auto sizes = withSizes(options.objects);
+  scene.seeds_per_voxel = sizes.seed_size / sizes.voxel_size;
   if (work.model)
     scene.classes.names = classNames(*work.model);
   const auto report = [&progress](std::size_t done, std::size_t all) {

@@ -63,25 +63,25 @@ public:
   getInputColors() const;
 
   /** \brief Set the edge of a voxel, R_voxel.
-   * \param[in] resolution metres, positive (default 0.03). Lower shows smaller objects
-   * and needs denser points: unless adapt_to_resolution is off in the options, both
-   * resolutions are raised until voxels of a sparse surface touch.
+   * \param[in] resolution metres, not negative. Lower shows smaller objects and needs
+   * denser points. 0 (default): a quarter of the seed resolution if that is set, else
+   * 0.03, 0.005 with JoiningScale::View, raised until voxels of a sparse surface touch.
    */
   void
   setVoxelResolution(double resolution);
 
-  /** \brief Get the voxel resolution. */
+  /** \brief Get the voxel resolution that was set. */
   double
   getVoxelResolution() const;
 
   /** \brief Set the distance of supervoxels, R_seed.
-   * \param[in] resolution metres, at least the voxel resolution (default 0.12); about
-   * half of the smallest object
+   * \param[in] resolution metres, at least the voxel resolution; about half of the
+   * smallest object. 0 (default): four voxels.
    */
   void
   setSeedResolution(double resolution);
 
-  /** \brief Get the seed resolution. */
+  /** \brief Get the seed resolution that was set. */
   double
   getSeedResolution() const;
 
@@ -114,17 +114,6 @@ public:
   /** \brief Get the partition. */
   Partition
   getPartition() const;
-
-  /** \brief Set the mean concave bend of a border that parts two pieces, for
-   * Partition::Pieces.
-   * \param[in] degrees -180 to 180 (default 15). Higher gives larger pieces.
-   */
-  void
-  setBendThreshold(float degrees);
-
-  /** \brief Get the bend threshold. */
-  float
-  getBendThreshold() const;
 
   /** \brief Set what pieces are joined to, for Partition::Pieces (default Objects). */
   void
@@ -394,6 +383,7 @@ private:
   PointCloud<RGB>::ConstPtr colors_;
   indoor::ObjectSegmentationOptions options_;
   bool chosen_ = false; // whether any parameter of the method was set
+  Eigen::Vector3f up_ = Eigen::Vector3f::UnitZ();
   bool up_chosen_ = false;
   indoor::ProgressCallback progress_;
   indoor::NamedSupervoxels given_;

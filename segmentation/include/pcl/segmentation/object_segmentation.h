@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,15 +31,10 @@ enum class Partition {
 
 /** \brief Parameters of Partition::Pieces. */
 struct PieceOptions {
-  /** mean concave bend of a border that parts two pieces (-180 to 180) */
-  float bend_threshold_degrees = 15;
   JoiningScale scale = JoiningScale::Objects; ///< what the pieces are joined to
   /** least probability that two pieces are one thing for them to be joined (0 to 1);
    * higher gives smaller segments */
   float joining_level = 0.4f;
-  /** segments of fewer points, or of fewer voxels than a supervoxel has, are too small
-   * to be told: together they are the remainder, one segment */
-  std::uint32_t fewest_points = 100;
 };
 
 /** \brief Parameters of the partitions by single edges of the graph:
@@ -49,12 +45,11 @@ struct EdgeOptions {
   float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
 };
 
-/** \brief Parameters of the thesis's way on points instead of voxels. */
+/** \brief Parameters of the thesis's way on points instead of voxels, as Sec. 4.2 has
+ * it: removal and recovery on points within a radius, supervoxels of
+ * pcl::SupervoxelClustering, and Partition::Lccp by pcl::LCCPSegmentation; points that
+ * no round of Algorithm 1 reaches have no segment. Not for Partition::Pieces. */
 struct PointOptions {
-  /** as Sec. 4.2 has it: removal and recovery on points within a radius, supervoxels of
-   * pcl::SupervoxelClustering, and Partition::Lccp by pcl::LCCPSegmentation; points
-   * that no round of Algorithm 1 reaches have no segment. Not for Partition::Pieces. */
-  bool enabled = false;
   /** R of Eq. (4.2), also of normals and curvatures, metres (>= 0); 0 = that of Eq.
    * (2.9) */
   double removal_radius = 0;
@@ -71,33 +66,33 @@ struct PointOptions {
 
 /** \brief Parameters of the noise-resilient object segmentation (Sec. 4.2). */
 struct ObjectSegmentationOptions {
-  double voxel_size = 0.03; ///< R_voxel, metres (> 0)
-  double seed_size = 0.12;  ///< R_seed, metres (>= voxel_size)
-  /** raise both sizes in proportion where points are too sparse for the voxel size, see
-   * raisedToResolution() */
-  bool adapt_to_resolution = true;
-  /** keep floor, ceiling and walls out of the graph, see findRoomStructure(): nothing
-   * is joined through them; never for a Capture::TableView */
-  bool separate_structure = true;
-  Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< against gravity, unit length
+  /** R_voxel, metres (>= 0); 0 = as withSizes() has it, raised where points are too
+   * sparse for that, see raisedToResolution() */
+  double voxel_size = 0;
+  double seed_size = 0; ///< R_seed, metres (>= voxel_size); 0 = four voxels
   /** which way estimated normals are turned */
   NormalOrientation orientation = NormalOrientation::Automatic;
   float curvature_threshold = 0.03f; ///< theta_t (0 to 1/3)
   float ratio_threshold = 0.2f;      ///< alpha_t (0 to 1)
-  /** neighbours nearer to the tangent plane count for neither half-space; voxels (>= 0)
-   */
-  float plane_tolerance = 0.3f;
-  float spatial_weight = 0.2f; ///< w_s of Eq. (4.4) (>= 0)
-  float normal_weight = 0.5f;  ///< w_n of Eq. (4.4) (>= 0)
+  float spatial_weight = 0.2f;       ///< w_s of Eq. (4.4) (>= 0)
+  float normal_weight = 0.5f;        ///< w_n of Eq. (4.4) (>= 0)
   Partition partition = Partition::Pieces;
   PieceOptions pieces; ///< for Partition::Pieces
   EdgeOptions edges;   ///< for the others
   /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
    * supervoxels */
   std::uint32_t min_segment_size = 4;
-  PointOptions on_points; ///< for the others
-  unsigned threads = 0;   ///< 0 = automatic; the result does not depend on it
+  /** segments of fewer points, or of fewer voxels than a supervoxel has, are too small
+   * to be told: together they are the remainder, one segment; for Partition::Pieces */
+  std::uint32_t fewest_points = 100;
+  std::optional<PointOptions> on_points; ///< for the others; none = on voxels
+  unsigned threads = 0; ///< 0 = automatic; the result does not depend on it
 };
+
+/** \brief The sizes to work with where points are dense enough: those that are 0 follow
+ * from the other, or are 3 and 12 cm, with JoiningScale::View 5 mm and 2 cm. */
+ObjectSegmentationOptions
+withSizes(ObjectSegmentationOptions options);
 
 /** \brief Parts of things, as the seat and the back of a chair, instead of whole
  * things: JoiningScale::Parts from the level 0.6 on. */
@@ -125,9 +120,9 @@ struct ObjectSegmentationInput {
   std::vector<Eigen::Vector3f> colors;
   /** one sensor position; empty to orient towards the free space */
   std::vector<Eigen::Vector3f> viewpoint;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< against gravity, unit length
   /** views need the camera's place as viewpoint. Of a table, voxels grow with the
-   * distance along z; of a room, the direction up of the options does not count, see
-   * upOfView() */
+   * distance along z; of a room, the direction up does not count, see upOfView() */
   Capture capture = Capture::Scan;
 };
 
@@ -161,10 +156,14 @@ struct ObjectSegmentation {
  * pieces, gives the voxels that were taken out to the pieces they continue, and joins
  * pieces that are probably one thing. Works on voxels throughout, so its cost is linear
  * in the number of points and small.
+ * Floor, ceiling and walls are kept out of the graph, see findRoomStructure(): nothing
+ * is joined through them. With JoiningScale::View, for a Capture::TableView and on
+ * points there is no such structure.
  * Every point gets a segment.
  * \param[in] progress called before each stage and at the end with 1; may be empty
  * \return without segments and labels if \a progress returned false
- * \throws pcl::BadArgumentException if an option is out of range or sizes differ
+ * \throws pcl::BadArgumentException if an option is out of range, sizes differ, or the
+ * direction up has not the length 1
  */
 ObjectSegmentation
 segmentObjects(ObjectSegmentationInput input,

@@ -28,14 +28,6 @@ struct RoomPoints {
   std::vector<std::uint32_t> given;
 };
 
-/** \brief How the objects of a room are found. */
-struct RoomObjectsOptions {
-  ObjectSegmentationOptions segmentation;
-  /** what has fewer points is no object but the remainder of its room, see
-   * separateRemainder(); 0 = all are objects */
-  std::size_t fewest_points = 100;
-};
-
 /** \brief The objects of one room. */
 struct RoomObjects {
   /** one per point: 1 ... n in the order of their first points; 0 = none */
@@ -51,10 +43,12 @@ struct RoomObjects {
  * the same time, or on several machines. Time and memory are linear in the points.
  * \param[in] room taken by value: it is emptied on the way; without points there are no
  * objects
+ * \param[in] options for any partition what has less than fewest_points is the
+ * remainder, see separateRemainder()
  * \throws pcl::BadArgumentException if an option is out of range, or sizes differ
  */
 RoomObjects
-segmentRoomObjects(RoomPoints room, const RoomObjectsOptions& options = {});
+segmentRoomObjects(RoomPoints room, const ObjectSegmentationOptions& options = {});
 
 /** \brief Make what is too small to be an object the remainder of its room: segments of
  * fewer points, and those that are smaller than a supervoxel.
@@ -133,7 +127,7 @@ segmentBuildingObjects(
     const PointCloud<PointXYZ>& points,
     const PointCloud<Normal>::ConstPtr& normals,
     const std::vector<std::uint32_t>& room_of_point,
-    const RoomObjectsOptions& options = {},
+    const ObjectSegmentationOptions& options = {},
     int threads = 0,
     const std::vector<std::uint32_t>& given = {},
     const std::function<void(std::size_t done, std::size_t all)>& report = {});

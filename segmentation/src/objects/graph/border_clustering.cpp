@@ -172,12 +172,13 @@ namespace indoor {
 std::vector<std::uint32_t>
 clusterByBorders(std::size_t node_count,
                  const std::vector<Border>& borders,
-                 const BorderClusteringOptions& options)
+                 double threshold,
+                 std::uint32_t min_segment_size)
 {
   requireValid(node_count, borders);
   RegionGraph regions(node_count, borders);
-  regions.joinUpTo(options.threshold);
-  regions.joinSmall(options.min_segment_size);
+  regions.joinUpTo(threshold);
+  regions.joinSmall(min_segment_size);
   return regions.labels();
 }
 

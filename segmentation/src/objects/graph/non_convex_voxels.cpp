@@ -10,12 +10,18 @@
 
 namespace pcl {
 namespace indoor {
+namespace {
+
+/** Neighbours nearer to the tangent plane count for neither half-space; voxels. */
+constexpr double plane_tolerance = 0.3;
+
+} // namespace
 
 std::vector<std::uint8_t>
 findNonConvexVoxels(const ObjectScene& scene, const ObjectSegmentationOptions& options)
 {
   const auto& voxels = scene.voxels;
-  const double on_plane = options.plane_tolerance * scene.voxel_size;
+  const double on_plane = plane_tolerance * scene.voxel_size;
   std::vector<std::uint8_t> removed(voxels.size(), 0);
   for (std::size_t v = 0; v < voxels.size(); ++v) {
     if (scene.plane_of_voxel[v] != 0 ||

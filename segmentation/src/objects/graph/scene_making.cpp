@@ -98,13 +98,13 @@ ObjectScene
 makeObjectScene(ObjectSegmentationInput input, const ObjectSegmentationOptions& options)
 {
   ObjectScene scene;
-  scene.up = options.up;
+  scene.up = input.up;
   scene.voxel_size = options.voxel_size;
   scene.threads = options.threads;
   scene.voxels = surfaceVoxels(input.points, gridPoints(input), options.voxel_size);
   // Normals for the sides of large planes need fewer votes.
   const bool separate =
-      options.separate_structure && input.capture != Capture::TableView;
+      options.pieces.scale != JoiningScale::View && input.capture != Capture::TableView;
   findNormals(input, options, separate ? 4 : 1, scene.voxels);
   if (input.capture == Capture::RoomView)
     scene.up = upOfView(scene.voxels.normals);

@@ -8,15 +8,21 @@
 
 namespace pcl {
 namespace indoor {
+namespace {
+
+constexpr double bend_threshold = 15; // degrees, mean bend of a border of two pieces
+
+} // namespace
 
 SurfaceDistance
 distanceOf(const ObjectSegmentationOptions& options)
 {
+  const auto on_points = options.on_points.value_or(PointOptions());
   return {options.seed_size,
           options.spatial_weight,
           options.normal_weight,
-          options.on_points.color_weight,
-          options.on_points.fpfh_weight};
+          on_points.color_weight,
+          on_points.fpfh_weight};
 }
 
 std::vector<std::uint32_t>
@@ -32,17 +38,17 @@ joinSupervoxels(const Supervoxels& supervoxels,
         count,
         weighEdges(
             supervoxels, edges, distanceOf(options), options.edges.concavity_weight),
-        {options.edges.graph_scale, options.min_segment_size});
+        options.edges.graph_scale,
+        options.min_segment_size);
   return clusterByBorders(
-      count,
-      bendBorders(supervoxels, edges),
-      {options.pieces.bend_threshold_degrees, options.min_segment_size});
+      count, bendBorders(supervoxels, edges), bend_threshold, options.min_segment_size);
 }
 
 std::map<std::uint32_t, std::uint32_t>
 segmentSupervoxels(const NamedSupervoxels& given,
-                   const ObjectSegmentationOptions& options)
+                   const ObjectSegmentationOptions& given_options)
 {
+  const auto options = withSizes(given_options);
   const auto& [names, supervoxels, adjacency] = given;
   const auto number = [&names = names](std::uint32_t name) {
     return static_cast<std::uint32_t>(

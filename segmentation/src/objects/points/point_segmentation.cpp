@@ -33,7 +33,7 @@ makeScene(ObjectSegmentationInput& input,
           double radius)
 {
   ObjectScene scene;
-  scene.up = options.up;
+  scene.up = input.up;
   scene.voxel_size = options.voxel_size;
   scene.threads = options.threads;
   scene.voxels = pointsAsVoxels(input.points);
@@ -53,17 +53,17 @@ makeScene(ObjectSegmentationInput& input,
                   free_space,
                   scene.voxels.normals);
   }
-  if (options.on_points.color_weight > 0) {
+  if (options.on_points->color_weight > 0) {
     auto& colors = scene.voxels.appearance.colors;
     colors.resize(3, static_cast<Eigen::Index>(input.colors.size()));
     for (std::size_t i = 0; i < input.colors.size(); ++i)
       colors.col(static_cast<Eigen::Index>(i)) = labOfRgb(input.colors[i]);
   }
   scene.plane_of_voxel.assign(input.points.size(), 0);
-  if (options.on_points.ransac_share > 0)
+  if (options.on_points->ransac_share > 0)
     scene.planes = ransacPlanes(input.points,
                                 options.voxel_size,
-                                options.on_points.ransac_share,
+                                options.on_points->ransac_share,
                                 scene.plane_of_voxel);
   scene.points = std::move(input.points);
   return scene;
@@ -165,8 +165,8 @@ segmentOnPoints(ObjectSegmentationInput input,
   ObjectSegmentation result;
   if (stops(0, "normals and planes"))
     return {};
-  double radius = options.on_points.removal_radius > 0
-                      ? options.on_points.removal_radius
+  double radius = options.on_points->removal_radius > 0
+                      ? options.on_points->removal_radius
                       : neighborhoodRadius(input.points, options.threads);
   if (!(radius > 0)) // no two different points: no neighbourhood
     radius = options.voxel_size;
@@ -183,7 +183,7 @@ segmentOnPoints(ObjectSegmentationInput input,
   if (stops(0.5, "supervoxels"))
     return {};
   const auto partition_points =
-      options.on_points.fpfh_weight > 0 ? partitionByShapes : partitionWithUpstream;
+      options.on_points->fpfh_weight > 0 ? partitionByShapes : partitionWithUpstream;
   auto partition = partition_points(result.scene.voxels, left_out, camera, options);
   for (const auto label : partition.supervoxels.label_of_voxel)
     result.segment_of_point.push_back(

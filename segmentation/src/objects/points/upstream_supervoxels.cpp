@@ -136,7 +136,7 @@ partitionWithUpstream(const SurfaceVoxels& surface,
   clustering.setUseSingleCameraTransform(camera.has_value());
   clustering.setInputCloud(cloud);
   clustering.setNormalCloud(normals);
-  clustering.setColorImportance(options.on_points.color_weight * color_unit);
+  clustering.setColorImportance(options.on_points->color_weight * color_unit);
   clustering.setSpatialImportance(options.spatial_weight);
   clustering.setNormalImportance(options.normal_weight);
   Clusters clusters;

@@ -100,7 +100,7 @@ segmentBuildingObjects(
     const PointCloud<PointXYZ>& points,
     const PointCloud<Normal>::ConstPtr& normals,
     const std::vector<std::uint32_t>& room_of_point,
-    const RoomObjectsOptions& options,
+    const ObjectSegmentationOptions& options,
     int threads,
     const std::vector<std::uint32_t>& given,
     const std::function<void(std::size_t done, std::size_t all)>& report)
@@ -121,7 +121,7 @@ segmentBuildingObjects(
   const auto all = std::accumulate(sizes.begin(), sizes.end(), std::size_t(0));
   std::size_t done = 0;
   auto room_options = options;
-  room_options.segmentation.threads = 1; // the threads are busy with the rooms
+  room_options.threads = 1; // the threads are busy with the rooms
   std::vector<RoomObjects> objects(rooms.size());
   std::mutex mutex; // of the report
   parallelFor(

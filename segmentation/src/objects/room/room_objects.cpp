@@ -56,13 +56,13 @@ localInput(RoomPoints& room)
 } // namespace
 
 RoomObjects
-segmentRoomObjects(RoomPoints room, const RoomObjectsOptions& options)
+segmentRoomObjects(RoomPoints room, const ObjectSegmentationOptions& options)
 {
   requireSizes(room);
   RoomObjects objects;
   if (room.positions.empty())
     return objects;
-  const auto result = segmentObjects(localInput(room), options.segmentation);
+  const auto result = segmentObjects(localInput(room), options);
   objects.voxel_size = result.scene.voxel_size;
   constexpr auto none = Supervoxels::none;
   const auto& segments = result.segment_of_point;

@@ -89,7 +89,7 @@ TEST(BorderClustering, AgreesWithTheDefinition)
   for (int trial = 0; trial < 60; ++trial) {
     const auto borders = randomBorders(12, 25, rng);
     const double threshold = static_cast<double>(rng() % 80) - 40;
-    const auto labels = clusterByBorders(12, borders, {threshold, 1});
+    const auto labels = clusterByBorders(12, borders, threshold, 1);
     EXPECT_EQ(labels, named(clusterLiterally(12, borders, threshold)))
         << "trial " << trial;
     segment_counts.insert(std::set<std::uint32_t>(labels.begin(), labels.end()).size());
@@ -102,16 +102,16 @@ TEST(BorderClustering, TheWholeBorderDecidesNotItsBestEdge)
   // Two pairs, each joined first; between them one good edge and three bad ones.
   const std::vector<Border> borders{
       {0, 1, -5, 1}, {2, 3, -5, 1}, {0, 2, 0, 1}, {1, 3, 40, 3}};
-  EXPECT_EQ(clusterByBorders(4, borders, {29, 1}), (Labels{0, 0, 1, 1}));
-  EXPECT_EQ(clusterByBorders(4, borders, {30, 1}), (Labels{0, 0, 0, 0}));
+  EXPECT_EQ(clusterByBorders(4, borders, 29, 1), (Labels{0, 0, 1, 1}));
+  EXPECT_EQ(clusterByBorders(4, borders, 30, 1), (Labels{0, 0, 0, 0}));
 }
 
 TEST(BorderClustering, SmallSegmentsJoinOverTheirCheapestBorder)
 {
   const std::vector<Border> borders{
       {0, 1, 0, 1}, {3, 4, 0, 1}, {1, 2, 50, 1}, {2, 3, 45, 1}};
-  EXPECT_EQ(clusterByBorders(5, borders, {10, 1}), (Labels{0, 0, 1, 2, 2}));
-  EXPECT_EQ(clusterByBorders(5, borders, {10, 2}), (Labels{0, 0, 1, 1, 1}));
+  EXPECT_EQ(clusterByBorders(5, borders, 10, 1), (Labels{0, 0, 1, 2, 2}));
+  EXPECT_EQ(clusterByBorders(5, borders, 10, 2), (Labels{0, 0, 1, 1, 1}));
 }
 
 TEST(BorderClustering, OrderOfBordersDoesNotMatter)
@@ -124,18 +124,18 @@ TEST(BorderClustering, OrderOfBordersDoesNotMatter)
       shuffled.push_back(borders[i]);
       std::swap(shuffled.back().source, shuffled.back().target);
     }
-    EXPECT_EQ(clusterByBorders(60, borders, {5, 3}),
-              clusterByBorders(60, shuffled, {5, 3}));
+    EXPECT_EQ(clusterByBorders(60, borders, 5, 3),
+              clusterByBorders(60, shuffled, 5, 3));
   }
 }
 
 TEST(BorderClustering, EmptyAndBadInput)
 {
-  EXPECT_TRUE(clusterByBorders(0, {}, {}).empty());
-  EXPECT_EQ(clusterByBorders(2, {}, {0, 5}), (Labels{0, 1}));
-  EXPECT_EQ(clusterByBorders(2, {{1, 1, 0, 1}}, {0, 5}), (Labels{0, 1}));
-  EXPECT_THROW(clusterByBorders(2, {{0, 2, 0, 1}}, {}), pcl::BadArgumentException);
-  EXPECT_THROW(clusterByBorders(2, {{0, 1, 0, 0}}, {}), pcl::BadArgumentException);
-  EXPECT_THROW(clusterByBorders(2, {{0, 1, std::nan(""), 1}}, {}),
+  EXPECT_TRUE(clusterByBorders(0, {}, 0, 1).empty());
+  EXPECT_EQ(clusterByBorders(2, {}, 0, 5), (Labels{0, 1}));
+  EXPECT_EQ(clusterByBorders(2, {{1, 1, 0, 1}}, 0, 5), (Labels{0, 1}));
+  EXPECT_THROW(clusterByBorders(2, {{0, 2, 0, 1}}, 0, 1), pcl::BadArgumentException);
+  EXPECT_THROW(clusterByBorders(2, {{0, 1, 0, 0}}, 0, 1), pcl::BadArgumentException);
+  EXPECT_THROW(clusterByBorders(2, {{0, 1, std::nan(""), 1}}, 0, 1),
                pcl::BadArgumentException);
 }

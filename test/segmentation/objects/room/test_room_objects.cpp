@@ -61,9 +61,11 @@ TEST(RoomObjects, AreTheSegmentsOfTheRoomAlone)
 {
   const Building building;
   const auto points = room(building, 1);
-  const auto objects = segmentRoomObjects(points, {{}, 0});
+  ObjectSegmentationOptions options;
+  options.fewest_points = 0;
+  const auto objects = segmentRoomObjects(points, options);
   NoiseResilientLCCP<PointXYZ> segmentation;
-  segmentation.setOptions({});
+  segmentation.setOptions(options);
   segmentation.setInputCloud(cloudOf(points.positions));
   std::vector<std::uint32_t> labels;
   segmentation.segment(labels);
@@ -118,8 +120,10 @@ TEST(RoomObjects, GivenOnesAreTakenRoomByRoom)
   std::vector<std::uint32_t> given(building.cloud->size(), 0);
   for (std::size_t i = 0; i < given.size(); ++i)
     given[i] = building.scene.points[i].z() > 1.0f ? 70 : 0; // in both rooms
+  ObjectSegmentationOptions options;
+  options.fewest_points = 0;
   const auto all = segmentBuildingObjects(
-      *building.cloud, nullptr, building.room_of_point, {{}, 0}, 2, given);
+      *building.cloud, nullptr, building.room_of_point, options, 2, given);
   for (std::size_t i = 0; i < given.size(); ++i)
     if (i != 7) {
       const auto number = building.room_of_point[i];

@@ -35,7 +35,6 @@ NoiseResilientLCCP<PointT>::optionsFor(indoor::Capture capture) const
   if (chosen_ || capture != indoor::Capture::TableView)
     return options_;
   auto options = indoor::singleViewOptions();
-  options.up = options_.up;
   options.orientation = options_.orientation;
   options.threads = options_.threads;
   return options;
@@ -153,11 +152,12 @@ NoiseResilientLCCP<PointT>::localInput()
     local.points.push_back((*input_)[index].getVector3fMap());
     if (normals_)
       local.normals.push_back((*normals_)[index].getNormalVector3fMap());
-    if (has_colors && options_.on_points.color_weight > 0)
+    if (has_colors && options_.on_points && options_.on_points->color_weight > 0)
       local.colors.push_back(colorOf(index));
   }
   const Eigen::Vector3d origin = indoor::moveToMiddle(local.points);
   const Eigen::Vector3f sensor = (sensorOrigin() - origin).template cast<float>();
+  local.up = up_;
   local.capture = captureOf(local.points, sensor);
   if (local.capture != indoor::Capture::Scan || !viewpoint_.empty())
     local.viewpoint.assign(1, sensor);

@@ -112,20 +112,6 @@ NoiseResilientLCCP<PointT>::getPartition() const
 
 template <typename PointT>
 void
-NoiseResilientLCCP<PointT>::setBendThreshold(float value)
-{
-  chosen().pieces.bend_threshold_degrees = value;
-}
-
-template <typename PointT>
-float
-NoiseResilientLCCP<PointT>::getBendThreshold() const
-{
-  return options_.pieces.bend_threshold_degrees;
-}
-
-template <typename PointT>
-void
 NoiseResilientLCCP<PointT>::setJoiningScale(indoor::JoiningScale value)
 {
   chosen().pieces.scale = value;
@@ -156,14 +142,14 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setFewestPoints(std::uint32_t value)
 {
-  chosen().pieces.fewest_points = value;
+  chosen().fewest_points = value;
 }
 
 template <typename PointT>
 std::uint32_t
 NoiseResilientLCCP<PointT>::getFewestPoints() const
 {
-  return options_.pieces.fewest_points;
+  return options_.fewest_points;
 }
 
 template <typename PointT>
@@ -240,7 +226,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setUpAxis(const Eigen::Vector3f& axis)
 {
-  options_.up = axis.normalized();
+  up_ = axis.normalized();
   up_chosen_ = true;
 }
 
@@ -248,7 +234,7 @@ template <typename PointT>
 const Eigen::Vector3f&
 NoiseResilientLCCP<PointT>::getUpAxis() const
 {
-  return options_.up;
+  return up_;
 }
 
 template <typename PointT>

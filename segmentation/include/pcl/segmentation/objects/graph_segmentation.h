@@ -17,21 +17,16 @@ struct WeightedEdge {
   float weight = 0; ///< dissimilarity of the two nodes, not negative
 };
 
-struct GraphSegmentationOptions {
-  /** k of the paper, in the unit of the edge weights times nodes (>= 0); larger gives
-   * larger segments */
-  float scale = 3.0f;
-  /** C: smaller segments are merged into a neighbour, over their lightest edge; in
-   * nodes, 1 merges none */
-  std::uint32_t min_segment_size = 3;
-};
-
 /** \brief Segment a weighted graph by the method of Felzenszwalb and Huttenlocher (IJCV
  * 2004; Sec. 2.1.6.3, Eq. (2.14) to (2.17)). Equal weights are taken in the order of
  * (source, target), so the result does not depend on the order of the edges. Cost is
  * that of sorting the edges.
  * \param[in] node_count number of nodes
  * \param[in] edges undirected, between nodes 0 ... node_count - 1, in any order
+ * \param[in] scale k of the paper, in the unit of the edge weights times nodes (>= 0);
+ * larger gives larger segments
+ * \param[in] min_segment_size C: smaller segments are merged into a neighbour, over
+ * their lightest edge; in nodes, 1 merges none
  * \return the segment of each node; segments are numbered from 0 in the order of their
  * first node
  * \throws pcl::BadArgumentException if an edge leaves the graph, a weight is negative
@@ -40,7 +35,8 @@ struct GraphSegmentationOptions {
 std::vector<std::uint32_t>
 segmentGraph(std::size_t node_count,
              std::vector<WeightedEdge> edges,
-             const GraphSegmentationOptions& options);
+             float scale,
+             std::uint32_t min_segment_size);
 
 } // namespace indoor
 } // namespace pcl
