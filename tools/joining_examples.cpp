@@ -31,6 +31,7 @@ struct Settings {
   std::string room_field = "room", object_field = "object";
   std::string part_field = "part", part_categories, category_field = "category", names;
   std::string model;
+  bool things = false;
   double share = 0.5;
   std::uint32_t seed = 1;
 };
@@ -42,10 +43,12 @@ makeParser(Settings& settings)
       "pcl_joining_examples",
       "Joins the pieces of a labelled scan's rooms to objects and saves each pair of "
       "pieces that is judged on the way, with what is known of it and whether the two "
-      "are one thing: what models/train_joining.py learns from.");
+      "are one thing, or each piece and union, and how well it fits a thing: what "
+      "models/train_joining.py learns from.");
   parser.positional("scan.pcd", settings.input, "PCD or PLY file, metres, z up")
-      .positional(
-          "examples", settings.output, "file of 32-bit floats, a row for a pair")
+      .positional("examples",
+                  settings.output,
+                  "file of 32-bit floats, a row for a pair, or two for a thing")
       .text("-room_field",
             settings.room_field,
             "room of a point, 0 = in none; an organised cloud is a camera's view")
@@ -62,9 +65,10 @@ makeParser(Settings& settings)
             settings.model,
             "trees that join; without them what is one thing is joined, in random "
             "order")
+      .flag("-things", settings.things, "save things instead of pairs; needs -model")
       .number("-share", settings.share, "of the pairs saved", "", Range::between(0, 1))
       .number("-seed", settings.seed, "of the order and of what is saved");
-  parser.expert({"-part_categories", "-part_field", "-share", "-seed"});
+  parser.expert({"-part_categories", "-part_field", "-things", "-share", "-seed"});
   return parser;
 }
 
@@ -181,6 +185,12 @@ struct PieceTruth {
   }
 };
 
+void
+write(float value, std::ostream& examples)
+{
+  examples.write(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
 /** Joins by trees, or by the truth, and saves what it judges. */
 class Teacher : public JoiningCriterion {
 public:
@@ -212,10 +222,11 @@ public:
     if ((thing_a != 0 || thing_b != 0) && draw() < share_) {
       const double size_a = truth_[a].size(), size_b = truth_[b].size();
       const double purity = std::min(count_a / size_a, count_b / size_b);
-      write(is_one);
-      write(static_cast<float>(std::sqrt(std::min(size_a, size_b)) * purity * purity));
+      write(is_one, examples_);
+      write(static_cast<float>(std::sqrt(std::min(size_a, size_b)) * purity * purity),
+            examples_);
       for (const float feature : features)
-        write(feature);
+        write(feature, examples_);
     }
     if (learned_)
       return learned_->probability(features, a, b);
@@ -237,18 +248,55 @@ private:
     return static_cast<float>(random_() >> 8) / 16777216.0f;
   }
 
-  void
-  write(float value)
-  {
-    examples_.write(reinterpret_cast<const char*>(&value), sizeof(value));
-  }
-
   LearnedCriterion* learned_;
   double share_;
   std::mt19937 random_;
   std::vector<PieceTruth> truth_;
   std::ostream& examples_;
 };
+
+/** Save each piece and each union of the tree of joins that is large enough to be told:
+ * with the fit as weight as a thing, with the rest as none. */
+void
+saveThings(const ObjectSegmentation& pieces,
+           const std::vector<std::uint32_t>& truth,
+           const JoinTree& tree,
+           std::ostream& examples)
+{
+  const auto piece_count = pieces.pieces.pieces.size();
+  std::vector<PieceTruth> unions(piece_count);
+  PieceTruth all;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    ++unions[pieces.piece_of_point[i]].counts[truth[i]];
+    ++all.counts[truth[i]];
+  }
+  for (std::size_t i = 0; i < tree.things.size(); ++i) {
+    auto piece = i;
+    if (i >= piece_count) {
+      const auto& join = tree.joins[i - piece_count];
+      piece = join.kept;
+      for (const auto& [thing, count] : unions[join.gone].counts)
+        unions[piece].counts[thing] += count;
+    }
+    const double size = unions[piece].size();
+    if (size < ObjectSegmentationOptions().fewest_points ||
+        !(pieces.pieces.pieces[piece].positions.count > 0))
+      continue;
+    double fit = 0; // in more than half of the union of both there is one thing at most
+    for (const auto& [thing, count] : unions[piece].counts)
+      if (thing != 0 && 2 * count > size + all.counts[thing] - count)
+        fit = count / (size + all.counts[thing] - count);
+    for (const bool is_thing : {true, false}) {
+      const double weight = is_thing ? fit : 1 - fit;
+      if (!(weight > 0))
+        continue;
+      write(is_thing, examples);
+      write(static_cast<float>(weight), examples);
+      for (const float feature : tree.things[i])
+        write(feature, examples);
+    }
+  }
+}
 
 void
 saveExamples(const Room& room,
@@ -264,6 +312,10 @@ saveExamples(const Room& room,
   if (labels.empty())
     throw ToolError(settings.input + ": " + problem);
   const auto& pieces = segmentation.getResult();
+  if (settings.things) {
+    saveThings(pieces, room.truth, joinPieces(pieces.pieces, *learned), examples);
+    return;
+  }
   Teacher teacher(pieces, room.truth, learned, settings, room.number, examples);
   joinPieces(pieces.pieces, teacher);
 }
@@ -279,6 +331,8 @@ main(int argc, char** argv)
     requireWritable(settings.output);
     if (!settings.part_categories.empty() && settings.names.empty())
       throw ToolError("-part_categories needs -names");
+    if (settings.things && settings.model.empty())
+      throw ToolError("-things needs -model");
     const auto learned = readCriterion(settings.model);
     progress.start("Loading " + settings.input);
     const auto rooms = readRooms(settings);
@@ -294,8 +348,9 @@ main(int argc, char** argv)
     }
     const auto bytes = examples.str();
     saveText(settings.output, bytes);
-    progress.done(std::to_string(bytes.size() / sizeof(float) /
-                                 (2 + std::tuple_size<JoiningFeatures>::value)) +
-                  " pairs");
+    const auto features = settings.things ? std::tuple_size<ThingFeatures>::value
+                                          : std::tuple_size<JoiningFeatures>::value;
+    progress.done(std::to_string(bytes.size() / sizeof(float) / (2 + features)) +
+                  " rows");
   });
 }

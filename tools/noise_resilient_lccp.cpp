@@ -96,8 +96,8 @@ addPartition(OptionParser& parser, Settings& settings)
       .number("-level",
               settings.level,
               "for -partition graph: probability of being one thing from which pieces "
-              "are joined; higher gives smaller segments; -1 = 0.4, for parts 0.6, in "
-              "single views 0.9",
+              "are joined; higher gives smaller segments; -1 = where that gives whole "
+              "things, in single views 0.9",
               "",
               Range::between(-1, 1))
       .number("-ransac_share",
@@ -240,9 +240,8 @@ chosenOptions(const Settings& settings, bool is_table_view)
   options.min_segment_size =
       settings.min_segment > 0 ? settings.min_segment : preset.min_segment_size;
   options.pieces.scale = preset.pieces.scale;
-  options.pieces.joining_level = settings.level < 0
-                                     ? preset.pieces.joining_level
-                                     : static_cast<float>(settings.level);
+  if (settings.level >= 0)
+    options.pieces.joining_level = static_cast<float>(settings.level);
   options.partition = settings.partition == "auto"   ? preset.partition
                       : settings.partition == "lccp" ? Partition::Lccp
                       : settings.partition == "graph"

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the pcl_indoor contributors
-"""Learn whether two pieces are one thing: boosted trees from the examples of pcl_joining_examples.
+"""Learn whether two pieces are one thing, or how well a union of pieces fits a thing: boosted trees from the examples
+of pcl_joining_examples.
 
-    train_joining.py trees.txt FEATURES EXAMPLES ...
+    train_joining.py trees.txt FEATURES TREES RATE EXAMPLES ...
 
 Deterministic: the same examples give the same trees. Needs numpy and scikit-learn.
 """
@@ -12,14 +13,12 @@ import sys
 import numpy
 from sklearn.ensemble import HistGradientBoostingClassifier
 
-TREES = 150
 LEAVES = 15
-LEARNING_RATE = 0.08
 LEAST_EXAMPLES = 40  # in a leaf
 
 
 def read_examples(paths, features):
-    """Rows of: is one thing, weight, features."""
+    """Rows of: is a thing, weight, features."""
     rows = []
     for path in paths:
         try:
@@ -31,26 +30,26 @@ def read_examples(paths, features):
         rows.append(values.reshape(-1, 2 + features))
     rows = numpy.concatenate(rows)
     if len(numpy.unique(rows[:, 0])) != 2:
-        sys.exit("there must be both pairs that are one thing and pairs that are not")
+        sys.exit("there must be both examples that are a thing and others")
     return rows
 
 
-def train(rows):
-    """Trees whose sum is the log-odds of one thing."""
+def train(rows, trees, rate):
+    """Trees whose sum is the log-odds of a thing."""
     model = HistGradientBoostingClassifier(
-        max_iter=TREES, max_leaf_nodes=LEAVES, learning_rate=LEARNING_RATE, min_samples_leaf=LEAST_EXAMPLES,
+        max_iter=trees, max_leaf_nodes=LEAVES, learning_rate=rate, min_samples_leaf=LEAST_EXAMPLES,
         l2_regularization=1.0, early_stopping=False, random_state=0)
     weights = rows[:, 1] / rows[:, 1].mean()
     return model.fit(rows[:, 2:], rows[:, 0], sample_weight=weights)
 
 
 def nodes_of(tree):
-    """Nodes breadth first, so that the two that follow one are side by side: feature, next, value."""
+    """Nodes breadth first, so that the two that follow one are side by side: feature, next, value; leaves: value."""
     nodes, order, next_place = [], [0], 1
     for number in order:  # grows
         node = tree.nodes[number]
         if node["is_leaf"]:
-            nodes.append("0 0 %.4g" % node["value"])
+            nodes.append("v%.4g" % node["value"])
         else:
             nodes.append("%d %d %.6g" % (node["feature_idx"], next_place, node["num_threshold"]))
             order += [node["left"], node["right"]]
@@ -69,13 +68,16 @@ def text_of(model, features):
 
 
 def main():
-    if len(sys.argv) < 4 or not sys.argv[2].isdigit():
+    if len(sys.argv) < 6:
         sys.exit(__doc__)
-    features = int(sys.argv[2])
-    rows = read_examples(sys.argv[3:], features)
+    try:
+        features, trees, rate = int(sys.argv[2]), int(sys.argv[3]), float(sys.argv[4])
+    except ValueError:
+        sys.exit(__doc__)
+    rows = read_examples(sys.argv[5:], features)
     with open(sys.argv[1], "w", encoding="ascii") as file:
-        file.write(text_of(train(rows), features))
-    print("%d pairs, %.1f %% of them one thing" % (len(rows), 100 * rows[:, 0].mean()))
+        file.write(text_of(train(rows, trees, rate), features))
+    print("%d examples, %.1f %% of them a thing" % (len(rows), 100 * rows[:, 0].mean()))
 
 
 if __name__ == "__main__":

@@ -209,10 +209,9 @@ TEST(NoiseResilientLCCPUse, DefaultsAreAsDocumented)
   EXPECT_FLOAT_EQ(segmentation.getGraphScale(), 3);
   EXPECT_EQ(segmentation.getMinSegmentSize(), 4u);
   EXPECT_EQ(segmentation.getJoiningScale(), JoiningScale::Objects);
-  EXPECT_FLOAT_EQ(segmentation.getJoiningLevel(), 0.4f);
+  EXPECT_FALSE(segmentation.getJoiningLevel());
   EXPECT_EQ(partsOptions().pieces.scale, JoiningScale::Parts);
   EXPECT_EQ(singleViewOptions().pieces.scale, JoiningScale::View);
-  EXPECT_FLOAT_EQ(singleViewOptions().pieces.joining_level, 0.9f);
   EXPECT_EQ(singleViewOptions().min_segment_size, 6u);
   EXPECT_EQ(segmentation.getUpAxis(), Eigen::Vector3f::UnitZ());
   EXPECT_FLOAT_EQ(segmentation.getConcavityToleranceThreshold(), 10);

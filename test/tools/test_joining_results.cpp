@@ -209,8 +209,38 @@ TEST_F(JoiningResults, PartsOfChosenCategoriesCountAsThings)
   EXPECT_GT(soundOnes(parts), 0u);
 }
 
+TEST_F(JoiningResults, ThingsAreSavedWithTheirFits)
+{
+  constexpr std::size_t row = 2 + 24;
+  const auto bytes =
+      saved("-things -model " + saveTrees("yes.txt", feature_count, 2.0));
+  ASSERT_EQ(bytes.size() % (row * sizeof(float)), 0u);
+  std::vector<float> values(bytes.size() / sizeof(float));
+  std::memcpy(values.data(), bytes.data(), bytes.size());
+  std::size_t things = 0, whole = 0;
+  for (std::size_t at = 0; at < values.size(); at += row) {
+    const bool is_thing = values[at] == 1;
+    ASSERT_TRUE(is_thing || values[at] == 0);
+    ASSERT_GT(values[at + 1], 0);
+    ASSERT_LE(values[at + 1], 1);
+    for (std::size_t i = at + 2; i < at + row; ++i)
+      ASSERT_TRUE(std::isfinite(values[i]));
+    things += is_thing;
+    whole += is_thing && values[at + 1] > 0.8f;
+    if (!is_thing || values[at + 1] == 1)
+      continue;
+    EXPECT_GT(values[at + 1], 0.5f) << "what fits less is no thing";
+    ASSERT_LT(at + row, values.size());
+    EXPECT_EQ(values[at + row], 0) << "the rest of it";
+    EXPECT_NEAR(values[at + row + 1], 1 - values[at + 1], 1e-6);
+  }
+  EXPECT_GT(things, 20u);
+  EXPECT_GT(whole, 5u);
+}
+
 TEST_F(JoiningResults, WrongOptionsAreRefused)
 {
+  expectRefusal("-things", "-things needs -model");
   expectRefusal("-part_categories chair", "-part_categories needs -names");
   expectRefusal("-part_categories chair -names " + path("missing.json"),
                 "missing.json: cannot be opened");

@@ -15,7 +15,10 @@
 
 namespace {
 
+using pcl::indoor::JoiningScale;
+using pcl::indoor::JoinTree;
 using pcl::indoor::ObjectSegmentation;
+using pcl::indoor::ObjectSegmentationOptions;
 
 /** The piece of most points of each voxel. */
 std::vector<std::uint32_t>
@@ -39,6 +42,43 @@ piecesOfVoxels(const ObjectSegmentation& result)
     }
   }
   return piece_of_voxel;
+}
+
+/** What each piece and union is worth as a segment: its fit less half of what a thing
+ * adds to the panoptic quality. What is too small to be told is worth nothing. */
+std::vector<float>
+worthOf(const JoinTree& tree,
+        const ObjectSegmentationOptions& options,
+        const ObjectSegmentation& result)
+{
+  constexpr float price = 0.38f;
+  std::vector<std::size_t> points(result.segment_count, 0);
+  for (const auto piece : result.piece_of_point)
+    ++points[piece];
+  auto worth = expectedFits(tree, options.pieces.scale);
+  for (std::size_t i = 0; i < worth.size(); ++i) {
+    auto piece = i;
+    if (i >= result.segment_count) {
+      const auto& join = tree.joins[i - result.segment_count];
+      piece = join.kept;
+      points[piece] += points[join.gone];
+    }
+    worth[i] = points[piece] < options.fewest_points ? 0 : worth[i] - price;
+  }
+  return worth;
+}
+
+/** The segment of each piece, see PieceOptions::joining_level. */
+std::vector<std::uint32_t>
+thingsOf(const JoinTree& tree,
+         const ObjectSegmentationOptions& options,
+         const ObjectSegmentation& result)
+{
+  const auto [scale, level] = options.pieces;
+  if (level || scale == JoiningScale::View)
+    return segmentsAtLevel(
+        result.segment_count, tree.joins, level.value_or(levelOf(scale)));
+  return bestCut(tree.joins, worthOf(tree, options, result), levelOf(scale));
 }
 
 } // namespace
@@ -75,9 +115,9 @@ joinToThings(const ObjectSegmentationOptions& options,
                               result.edges},
                              frame);
   LearnedCriterion criterion(options.pieces.scale);
-  result.joins = joinPieces(result.pieces, criterion);
-  const auto segment_of_piece =
-      segmentsAtLevel(result.segment_count, result.joins, options.pieces.joining_level);
+  const auto tree = joinPieces(result.pieces, criterion);
+  const auto segment_of_piece = thingsOf(tree, options, result);
+  result.joins = tree.joins;
   for (auto& segment : result.segment_of_point)
     segment = segment_of_piece[segment];
 }

@@ -54,9 +54,8 @@ findProblem(const ObjectSegmentationOptions& options)
   require(not_negative(options.edges.graph_scale),
           "graph scale must not be negative",
           options.edges.graph_scale);
-  require(options.pieces.joining_level >= 0 && options.pieces.joining_level <= 1,
-          "joining level must be in [0, 1]",
-          options.pieces.joining_level);
+  const float level = options.pieces.joining_level.value_or(0);
+  require(level >= 0 && level <= 1, "joining level must be in [0, 1]", level);
   if (!options.on_points)
     return problem.str();
   require(not_negative(options.on_points->removal_radius),
@@ -97,7 +96,6 @@ singleViewOptions()
   ObjectSegmentationOptions options;
   options.min_segment_size = 6;
   options.pieces.scale = JoiningScale::View;
-  options.pieces.joining_level = 0.9f; // a wrong join loses the smaller of two things
   return options;
 }
 
@@ -106,7 +104,6 @@ partsOptions()
 {
   ObjectSegmentationOptions options;
   options.pieces.scale = JoiningScale::Parts;
-  options.pieces.joining_level = 0.6f; // surer: things in reach stay apart
   return options;
 }
 

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -124,14 +125,15 @@ public:
   getJoiningScale() const;
 
   /** \brief Set the probability of being one thing from which pieces are joined, for
-   * Partition::Pieces.
-   * \param[in] level 0 to 1 (default 0.4). Higher gives smaller segments; 1 joins none.
+   * Partition::Pieces. Until it is set, they are joined where that gives whole things,
+   * see indoor::bestCut().
+   * \param[in] level 0 to 1. Higher gives smaller segments; 1 joins none.
    */
   void
   setJoiningLevel(float level);
 
-  /** \brief Get the joining level. */
-  float
+  /** \brief Get the joining level, if one was set. */
+  std::optional<float>
   getJoiningLevel() const;
 
   /** \brief Set how many points tell a segment, for Partition::Pieces.

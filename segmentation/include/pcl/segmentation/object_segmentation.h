@@ -33,8 +33,9 @@ enum class Partition {
 struct PieceOptions {
   JoiningScale scale = JoiningScale::Objects; ///< what the pieces are joined to
   /** least probability that two pieces are one thing for them to be joined (0 to 1);
-   * higher gives smaller segments */
-  float joining_level = 0.4f;
+   * higher gives smaller segments. None: they are joined where that gives whole things,
+   * see bestCut(); for JoiningScale::View from levelOf() on */
+  std::optional<float> joining_level;
 };
 
 /** \brief Parameters of the partitions by single edges of the graph:
@@ -95,7 +96,7 @@ ObjectSegmentationOptions
 withSizes(ObjectSegmentationOptions options);
 
 /** \brief Parts of things, as the seat and the back of a chair, instead of whole
- * things: JoiningScale::Parts from the level 0.6 on. */
+ * things: JoiningScale::Parts. */
 ObjectSegmentationOptions
 partsOptions();
 

@@ -34,8 +34,11 @@ BoostedTrees::read(std::istream& stream)
     trees.roots_.push_back(static_cast<std::uint32_t>(trees.nodes_.size()));
     for (std::size_t n = 0; n < size; ++n) {
       Node node;
-      require(static_cast<bool>(stream >> node.feature >> node.next >> node.value),
-              "a tree is cut off");
+      if ((stream >> std::ws).peek() == 'v')
+        stream.ignore(); // a leaf has no more than its value
+      else
+        stream >> node.feature >> node.next;
+      require(static_cast<bool>(stream >> node.value), "a tree is cut off");
       require(node.next == 0 || (node.feature < trees.feature_count_ && node.next > n &&
                                  node.next + 1u < size),
               "a node leads nowhere");

@@ -16,10 +16,14 @@ namespace indoor {
 /** Features in their order. */
 class PairDescription::FeatureList {
 public:
+  explicit FeatureList(float* first)
+  : next_(first)
+  {}
+
   void
   put(double value)
   {
-    features_[next_++] = static_cast<float>(value);
+    *next_++ = static_cast<float>(value);
   }
 
   void
@@ -28,16 +32,14 @@ public:
     put(std::log(std::max(value, least)));
   }
 
-  const JoiningFeatures&
-  features() const
+  const float*
+  end() const
   {
-    assert(next_ == features_.size());
-    return features_;
+    return next_;
   }
 
 private:
-  JoiningFeatures features_{};
-  std::size_t next_ = 0;
+  float* next_;
 };
 
 const std::array<const char*, std::tuple_size<JoiningFeatures>::value>&
@@ -121,6 +123,37 @@ joiningFeatureNames()
   return names;
 }
 
+const std::array<const char*, std::tuple_size<ThingFeatures>::value>&
+thingFeatureNames()
+{
+  static const std::array<const char*, std::tuple_size<ThingFeatures>::value> names = {
+      {"log area",
+       "height",
+       "low",
+       "high",
+       "thickness",
+       "middle",
+       "length",
+       "level",
+       "one-sided",
+       "second direction",
+       "main direction",
+       "log outline",
+       "log volume",
+       "surface over hull",
+       "outline in its rectangle",
+       "floor below",
+       "log parts",
+       "contacts",
+       "touching share",
+       "voxel size",
+       "probability of its join",
+       "least probability within",
+       "probability of the next join",
+       "log area of what it joins with, over its own"}};
+  return names;
+}
+
 PairOutlines::PairOutlines(const OutlineReach& a, const OutlineReach& b)
 : both(outlineOfBoth(a, b))
 , both_area(outlineArea(both))
@@ -156,25 +189,22 @@ PairDescription::shapeOf(const Piece& piece) const
 }
 
 void
-PairDescription::putPieces(const PairSide& a,
-                           const PairSide& b,
-                           FeatureList& list) const
+PairDescription::putPiece(const PairSide& side, FeatureList& list) const
 {
-  for (const auto* side : {&a, &b}) {
-    const auto& [piece, shape, touching, contacts] = *side;
-    list.putLog(piece.positions.count * voxel_size_ * voxel_size_, 1e-6);
-    list.put(shape.high - shape.low);
-    list.put(shape.low);
-    list.put(shape.high);
-    for (int i = 0; i < 3; ++i)
-      list.put(shape.deviations[i]);
-    list.put(piece.normals.squares(2, 2) / piece.normals.count);
-    list.put(piece.normals.mean().norm());
-    list.put(shape.normal_shares[1]);
-    list.put(shape.normal_shares[2]);
-    list.putLog(shape.outline_area, voxel_size_ * voxel_size_);
-    list.putLog(shape.volume, std::pow(voxel_size_, 3));
-  }
+  const auto& piece = side.piece;
+  const auto& shape = side.shape;
+  list.putLog(piece.positions.count * voxel_size_ * voxel_size_, 1e-6);
+  list.put(shape.high - shape.low);
+  list.put(shape.low);
+  list.put(shape.high);
+  for (int i = 0; i < 3; ++i)
+    list.put(shape.deviations[i]);
+  list.put(piece.normals.squares(2, 2) / piece.normals.count);
+  list.put(piece.normals.mean().norm());
+  list.put(shape.normal_shares[1]);
+  list.put(shape.normal_shares[2]);
+  list.putLog(shape.outline_area, voxel_size_ * voxel_size_);
+  list.putLog(shape.volume, std::pow(voxel_size_, 3));
 }
 
 void
@@ -336,9 +366,11 @@ PairDescription::describe(const PairSide& side_a,
                           const PairSide& side_b,
                           const PieceContact& contact) const
 {
-  FeatureList list;
+  JoiningFeatures features;
+  FeatureList list(features.data());
   const PairOutlines outlines(side_a.piece.outline, side_b.piece.outline);
-  putPieces(side_a, side_b, list);
+  putPiece(side_a, list);
+  putPiece(side_b, list);
   putContact(side_a, side_b, contact, list);
   putBend(contact, list);
   putPlanes(side_a, side_b, list);
@@ -354,7 +386,37 @@ PairDescription::describe(const PairSide& side_a,
   list.put(side_b.contacts);
   list.put(voxel_size_);
   putOutlines(side_a, side_b, outlines, list);
-  return list.features();
+  assert(list.end() == features.data() + features.size());
+  return features;
+}
+
+ThingFeatures
+PairDescription::describeThing(const PairSide& thing,
+                               float probability,
+                               float level) const
+{
+  const auto& piece = thing.piece;
+  const auto& shape = thing.shape;
+  const double least_area = voxel_size_ * voxel_size_;
+  const auto rectangle = outlineRectangle(piece.outline);
+  ThingFeatures features;
+  FeatureList list(features.data());
+  putPiece(thing, list);
+  list.put(piece.positions.count * least_area /
+           std::pow(std::max(std::pow(voxel_size_, 3), shape.volume), 2.0 / 3));
+  list.put(shape.outline_area /
+           std::max(least_area, rectangle.length * rectangle.width));
+  list.put(shape.floor_area / std::max(least_area, shape.outline_area));
+  list.putLog(piece.parts, 1);
+  list.put(thing.contacts);
+  list.put(thing.touching / piece.positions.count);
+  list.put(voxel_size_);
+  list.put(probability);
+  list.put(level);
+  list.put(0); // nothing takes it up
+  list.put(0);
+  assert(list.end() == features.data() + features.size());
+  return features;
 }
 
 } // namespace indoor

@@ -50,11 +50,15 @@ public:
   JoiningFeatures
   describe(const PairSide& a, const PairSide& b, const PieceContact& contact) const;
 
+  /** All that a thing is by itself: what becomes of it follows. */
+  ThingFeatures
+  describeThing(const PairSide& thing, float probability, float level) const;
+
 private:
   class FeatureList;
 
   void
-  putPieces(const PairSide& a, const PairSide& b, FeatureList& list) const;
+  putPiece(const PairSide& side, FeatureList& list) const;
 
   void
   putContact(const PairSide& a,

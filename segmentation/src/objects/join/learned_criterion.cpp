@@ -39,6 +39,17 @@ bundledTrees(JoiningScale scale)
   return trees.at(static_cast<std::size_t>(scale));
 }
 
+const BoostedTrees&
+bundledFits(JoiningScale scale)
+{
+  static const std::array<BoostedTrees, 2> trees{readTrees("fit_of_parts"),
+                                                 readTrees("fit_of_objects")};
+  if (scale == JoiningScale::View)
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "How well things in views fit was not learned.");
+  return trees.at(static_cast<std::size_t>(scale));
+}
+
 } // namespace
 
 namespace pcl {
@@ -64,6 +75,23 @@ LearnedCriterion::probability(const JoiningFeatures& features,
                               std::uint32_t /*b*/)
 {
   return trees_.probability(features.data());
+}
+
+float
+levelOf(JoiningScale scale)
+{
+  constexpr std::array<float, 3> levels{0.7f, 0.4f, 0.9f};
+  return levels.at(static_cast<std::size_t>(scale));
+}
+
+std::vector<float>
+expectedFits(const JoinTree& tree, JoiningScale scale)
+{
+  const auto& trees = bundledFits(scale);
+  std::vector<float> fits;
+  for (const auto& thing : tree.things)
+    fits.push_back(trees.probability(thing.data()));
+  return fits;
 }
 
 } // namespace indoor

@@ -15,13 +15,18 @@
 namespace {
 
 using pcl::indoor::JoiningCriterion;
+using pcl::indoor::JoinTree;
 using pcl::indoor::PairDescription;
 using pcl::indoor::PairSide;
 using pcl::indoor::Piece;
 using pcl::indoor::PieceContact;
 using pcl::indoor::PieceGraph;
-using pcl::indoor::PieceJoin;
 using pcl::indoor::PieceShape;
+using pcl::indoor::ThingFeatures;
+
+/** What becomes of a thing. */
+constexpr std::size_t next_probability = std::tuple_size<ThingFeatures>::value - 2;
+constexpr std::size_t next_size = next_probability + 1;
 
 /** Pieces that are joined, each known by one of them. */
 class Unions {
@@ -35,7 +40,9 @@ public:
   , version_(graph.pieces.size(), 0)
   , touching_(graph.pieces.size(), 0)
   , contacts_(graph.pieces.size())
+  , node_(graph.pieces.size())
   {
+    std::iota(node_.begin(), node_.end(), 0u);
     for (std::uint32_t p = 0; p < pieces_.size(); ++p)
       if (pieces_[p].positions.count > 0)
         shapes_[p] = description_.shapeOf(pieces_[p]);
@@ -45,14 +52,17 @@ public:
       touching_[contact.first] += contact.first_voxels;
       touching_[contact.second] += contact.second_voxels;
     }
+    tree_.things.resize(pieces_.size());
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p)
+      if (pieces_[p].positions.count > 0)
+        tree_.things[p] = description_.describeThing(sideOf(p), 1, 1);
     for (const auto& contact : graph.contacts)
       propose(contact.first, contact.second);
   }
 
-  std::vector<PieceJoin>
+  JoinTree
   joinAll()
   {
-    std::vector<PieceJoin> joins;
     float level = 1;
     while (!queue_.empty()) {
       const auto best = queue_.top();
@@ -60,10 +70,19 @@ public:
       if (version_[best.a] != best.version_a || version_[best.b] != best.version_b)
         continue; // one of them has grown, or gone
       level = std::min(level, best.probability);
-      joins.push_back({best.a, best.b, level});
+      tree_.joins.push_back({best.a, best.b, level});
+      auto &kept = tree_.things[node_[best.a]], &gone = tree_.things[node_[best.b]];
+      kept[next_probability] = gone[next_probability] = best.probability;
+      kept[next_size] = gone.front() - kept.front(); // their log areas
+      gone[next_size] = -kept[next_size];
       join(best.a, best.b);
+      node_[best.a] = static_cast<std::uint32_t>(tree_.things.size());
+      tree_.things.push_back(
+          description_.describeThing(sideOf(best.a), best.probability, level));
+      for (const auto& entry : contacts_[best.a])
+        propose(best.a, entry.first);
     }
-    return joins;
+    return std::move(tree_);
   }
 
 private:
@@ -95,8 +114,14 @@ private:
     const auto features = description_.describe(sideOf(a), sideOf(b), contact);
     const float probability = criterion_.probability(features, a, b);
     const auto first = std::min(a, b), second = std::max(a, b);
-    if (probability >= least_level_)
+    if (probability >= least_level_) {
       queue_.push({probability, first, second, version_[first], version_[second]});
+      return;
+    }
+    for (const auto piece : {a, b}) { // it stays so if nothing else takes it up
+      auto& next = tree_.things[node_[piece]][next_probability];
+      next = std::max(next, probability);
+    }
   }
 
   PairSide
@@ -132,8 +157,6 @@ private:
       contacts_[other].erase(gone);
       contacts_[other][kept] = contact;
     }
-    for (const auto& entry : contacts_[kept])
-      propose(kept, entry.first);
   }
 
   PairDescription description_;
@@ -144,6 +167,8 @@ private:
   std::vector<std::uint32_t> version_;
   std::vector<double> touching_; ///< voxels that touch others, some more than once
   std::vector<std::map<std::uint32_t, PieceContact>> contacts_; // by the other piece
+  JoinTree tree_;
+  std::vector<std::uint32_t> node_; ///< the thing that each piece stands for
   std::priority_queue<Proposal> queue_;
 };
 
@@ -152,7 +177,7 @@ private:
 namespace pcl {
 namespace indoor {
 
-std::vector<PieceJoin>
+JoinTree
 joinPieces(const PieceGraph& graph, JoiningCriterion& criterion, float least_level)
 {
   return Unions(graph, criterion, least_level).joinAll();

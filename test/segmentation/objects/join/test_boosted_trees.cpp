@@ -41,14 +41,14 @@ const std::string two_trees = "trees 3 -0.75 2\n"
                               "0 1 0.5\n"
                               "2 3 -1\n"
                               "1 5 3\n"
-                              "0 0 1\n"
-                              "0 0 2\n"
-                              "0 0 -0.5\n"
-                              "0 0 -2.5\n"
+                              "v1\n"
+                              "v2\n"
+                              "v-0.5\n"
+                              "v-2.5\n"
                               "3\n"
                               "1 1 0\n"
-                              "0 0 0.125\n"
-                              "0 0 0.25\n";
+                              "v0.125\n"
+                              "v0.25\n";
 
 } // namespace
 
@@ -134,6 +134,9 @@ TEST(BoostedTrees, RejectsWhatIsNoTree)
            "trees 1 0 1 4 0 2 0 0 1 0 0 0 1 0 0 2",       // a node leads to itself
            "trees 1 0 1 5 0 3 0 0 0 0 0 1 0 0 0 1 0 0 2", // or back
            "trees 1 0 1 1 0 0 1e99",                      // no float
+           "trees 1 0 1 1 v",                             // a leaf is cut off
+           "trees 1 0 1 1 vx",                            // no value
+           "trees 1 0 1 1 w1",                            // no leaf
        })
     EXPECT_THROW(treesOf(text), pcl::BadArgumentException) << text;
 }

@@ -159,7 +159,7 @@ TEST(ObjectJoining, AgreesWithJoiningByTheLetter)
     const auto graph = randomGraph(4 + trial % 9, trial % 2 ? 30 : 70, rng);
     const float least = trial % 3 ? 0.1f : 0.0f;
     FeatureCriterion criterion;
-    const auto joins = joinPieces(graph, criterion, least);
+    const auto joins = joinPieces(graph, criterion, least).joins;
     SCOPED_TRACE(trial);
     expectSame(joins, LiteralJoining(graph).joinAll(least));
     joined += joins.size();
@@ -173,7 +173,7 @@ TEST(ObjectJoining, LevelsDescend)
   for (unsigned trial = 0; trial < 10; ++trial) {
     const auto graph = randomGraph(30, 20, rng);
     FeatureCriterion criterion;
-    const auto joins = joinPieces(graph, criterion, 0.1f);
+    const auto joins = joinPieces(graph, criterion, 0.1f).joins;
     ASSERT_GT(joins.size(), 5u);
     std::set<std::uint32_t> gone;
     for (std::size_t i = 0; i < joins.size(); ++i) {
@@ -192,7 +192,7 @@ TEST(ObjectJoining, SegmentsAtALevelAreThoseOfStoppingThere)
   for (unsigned trial = 0; trial < 10; ++trial) {
     const auto graph = randomGraph(25, 25, rng);
     FeatureCriterion criterion;
-    const auto joins = joinPieces(graph, criterion, 0.05f);
+    const auto joins = joinPieces(graph, criterion, 0.05f).joins;
     ASSERT_FALSE(joins.empty());
     std::vector<float> levels{0.05f, 0.5f, 1};
     for (const auto& join : joins) {
@@ -202,7 +202,7 @@ TEST(ObjectJoining, SegmentsAtALevelAreThoseOfStoppingThere)
     std::set<std::size_t> counts;
     for (const auto level : levels) {
       FeatureCriterion again;
-      const auto stopped = joinPieces(graph, again, level);
+      const auto stopped = joinPieces(graph, again, level).joins;
       const auto segments = segmentsAtLevel(25, joins, level);
       EXPECT_EQ(segments, segmentsAtLevel(25, stopped, 0)) << level;
       const auto count = static_cast<std::size_t>(
@@ -226,7 +226,7 @@ TEST(ObjectJoining, JoinsAreHeardBeforeTheirUnionsAreJudged)
   for (unsigned trial = 0; trial < 10; ++trial) {
     const auto graph = randomGraph(20, 30, rng);
     Listener listener(graph);
-    const auto joins = joinPieces(graph, listener, 0);
+    const auto joins = joinPieces(graph, listener, 0).joins;
     listener.expectAllJudged();
     ASSERT_EQ(listener.heard.size(), joins.size());
     ASSERT_GT(joins.size(), 10u);
@@ -262,14 +262,14 @@ TEST(ObjectJoining, TheSmallerPieceIsJudgedFirst)
   std::mt19937 rng(7);
   const auto graph = randomGraph(20, 50, rng);
   Sizes sizes(graph);
-  EXPECT_TRUE(joinPieces(graph, sizes, 0.5f).empty());
+  EXPECT_TRUE(joinPieces(graph, sizes, 0.5f).joins.empty());
   EXPECT_EQ(sizes.judged, graph.contacts.size());
 }
 
 TEST(ObjectJoining, EqualPairsAreJoinedInTheOrderOfTheirNumbers)
 {
   NumberCriterion always([](auto, auto) { return 0.5f; });
-  const auto joins = joinPieces(chain(5), always, 0.5f);
+  const auto joins = joinPieces(chain(5), always, 0.5f).joins;
   ASSERT_EQ(joins.size(), 4u);
   for (std::uint32_t i = 0; i < 4; ++i) {
     EXPECT_EQ(joins[i].kept, 0u);
@@ -279,7 +279,7 @@ TEST(ObjectJoining, EqualPairsAreJoinedInTheOrderOfTheirNumbers)
   auto graph = chain(6);
   std::reverse(graph.contacts.begin(), graph.contacts.end());
   NumberCriterion odd([](auto a, auto) { return a % 2 ? 0.75f : 0.5f; });
-  const auto in_turn = joinPieces(graph, odd, 0.6f); // 1 - 2 is before 3 - 4
+  const auto in_turn = joinPieces(graph, odd, 0.6f).joins; // 1 - 2 is before 3 - 4
   ASSERT_EQ(in_turn.size(), 4u);
   for (std::uint32_t i = 0; i < 4; ++i) {
     EXPECT_EQ(in_turn[i].kept, 1u);
@@ -295,7 +295,7 @@ TEST(ObjectJoining, ALevelDoesNotRiseAgain)
     ++calls;
     return a == 1 && b == 2 ? 0.4f : calls > 2 ? 1.0f : 0.2f;
   });
-  const auto joins = joinPieces(chain(3), criterion, 0.1f);
+  const auto joins = joinPieces(chain(3), criterion, 0.1f).joins;
   ASSERT_EQ(joins.size(), 2u);
   EXPECT_EQ(joins[0].kept, 1u);
   EXPECT_EQ(joins[0].gone, 2u);
@@ -313,12 +313,12 @@ TEST(ObjectJoining, WithoutContactsNothingIsJoined)
     ADD_FAILURE() << "there is nothing to judge";
     return 1;
   });
-  EXPECT_TRUE(joinPieces({}, never, 0).empty());
+  EXPECT_TRUE(joinPieces({}, never, 0).joins.empty());
   std::mt19937 rng(8);
-  EXPECT_TRUE(joinPieces(randomGraph(7, 0, rng), never, 0).empty());
+  EXPECT_TRUE(joinPieces(randomGraph(7, 0, rng), never, 0).joins.empty());
   auto planes = randomGraph(0, 0, rng);
   planes.pieces.resize(3); // without voxels
-  EXPECT_TRUE(joinPieces(planes, never, 0).empty());
+  EXPECT_TRUE(joinPieces(planes, never, 0).joins.empty());
   EXPECT_TRUE(segmentsAtLevel(0, {}, 0).empty());
   EXPECT_EQ(segmentsAtLevel(3, {}, 0), (Labels{0, 1, 2}));
 }

@@ -132,7 +132,7 @@ NoiseResilientLCCP<PointT>::setJoiningLevel(float value)
 }
 
 template <typename PointT>
-float
+std::optional<float>
 NoiseResilientLCCP<PointT>::getJoiningLevel() const
 {
   return options_.pieces.joining_level;

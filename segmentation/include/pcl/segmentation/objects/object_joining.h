@@ -22,11 +22,26 @@ using JoiningFeatures = std::array<float, 74>;
 const std::array<const char*, std::tuple_size<JoiningFeatures>::value>&
 joiningFeatureNames();
 
+/** \brief What is known of a piece, or of a union of pieces, that may be a whole thing,
+ * see thingFeatureNames(). */
+using ThingFeatures = std::array<float, 24>;
+
+/** \brief Get what each of the features is. */
+const std::array<const char*, std::tuple_size<ThingFeatures>::value>&
+thingFeatureNames();
+
 /** \brief Two pieces became one. */
 struct PieceJoin {
   /** numbers of the two pieces: the union keeps the first, the second is gone */
   std::uint32_t kept = 0, gone = 0;
   float level = 0; ///< least probability of this and all joins before it
+};
+
+/** \brief The joins of pieces, a tree whose leaves are pieces. */
+struct JoinTree {
+  std::vector<PieceJoin> joins; ///< in their order, by descending level
+  /** of the pieces, then of the union of each join; 0 of pieces without voxels */
+  std::vector<ThingFeatures> things;
 };
 
 /** \brief What pieces are joined to. */
@@ -78,10 +93,9 @@ private:
  * the union are found anew. The cost is n log n for n contacts, about 0.03 ms each time
  * that a pair is judged.
  * \param[in] least_level joins that are less probable are not made
- * \return the joins in their order, by descending level: with a higher least_level the
- * result would be the first of them
+ * \return with a higher least_level the joins would be the first of these
  */
-std::vector<PieceJoin>
+JoinTree
 joinPieces(const PieceGraph& graph,
            JoiningCriterion& criterion,
            float least_level = 0.3f);
@@ -92,6 +106,32 @@ std::vector<std::uint32_t>
 segmentsAtLevel(std::size_t piece_count,
                 const std::vector<PieceJoin>& joins,
                 float level);
+
+/** \brief Get the level that suits what pieces are joined to: 0.4 for objects, 0.7 for
+ * parts, 0.9 for views, where a wrong join loses the smaller of two things. */
+float
+levelOf(JoiningScale scale);
+
+/** \brief Get how well each piece and each union is expected to fit a true thing, as
+ * learned from simulated scans.
+ * \param[in] scale not JoiningScale::View, for which nothing was learned
+ * \return intersection over union, 0 where that is at most 0.5; one for each of
+ * JoinTree::things
+ * \throws pcl::BadArgumentException for JoiningScale::View */
+std::vector<float>
+expectedFits(const JoinTree& tree, JoiningScale scale);
+
+/** \brief Cut a tree of joins so that the sum of what its segments are worth is
+ * greatest. Where two unions stay apart though their join has at least the level, that
+ * costs 0.15; it earns as much if the join has less. The cost is linear in the joins.
+ * \param[in] joins in their order
+ * \param[in] worth of the pieces, then of the union of each join
+ * \param[in] level from which joins are to be made when in doubt
+ * \return the segment of each piece: the number of one of its pieces */
+std::vector<std::uint32_t>
+bestCut(const std::vector<PieceJoin>& joins,
+        const std::vector<float>& worth,
+        float level);
 
 } // namespace indoor
 } // namespace pcl
