@@ -76,7 +76,8 @@ addLengths(OptionParser& parser, Settings& settings)
               Range::atLeast(0))
       .number("-seed_resolution",
               settings.seed_resolution,
-              withPresets("distance of supervoxels", room.seed_size, view.seed_size),
+              withPresets("distance of supervoxels", room.seed_size, view.seed_size) +
+                  ", and if only one of the two is given, a seed is four voxels",
               "m",
               Range::atLeast(0));
 }
