@@ -12,6 +12,7 @@
 #include "objects/split/object_seams.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace {
 
@@ -44,8 +45,9 @@ piecesOfVoxels(const ObjectSegmentation& result)
   return piece_of_voxel;
 }
 
-/** What each piece and union is worth as a segment: its fit less half of what a thing
- * adds to the panoptic quality. What is too small to be told is worth nothing. */
+/** What each piece and union is worth as a segment: its expected fit less the price of
+ * a segment, half of the panoptic quality that is reached: what fits worse lowers it.
+ * What is too small to be told is worth nothing. */
 std::vector<float>
 worthOf(const JoinTree& tree,
         const ObjectSegmentationOptions& options,
@@ -115,9 +117,9 @@ joinToThings(const ObjectSegmentationOptions& options,
                               result.edges},
                              frame);
   LearnedCriterion criterion(options.pieces.scale);
-  const auto tree = joinPieces(result.pieces, criterion);
+  auto tree = joinPieces(result.pieces, criterion);
   const auto segment_of_piece = thingsOf(tree, options, result);
-  result.joins = tree.joins;
+  result.joins = std::move(tree.joins);
   for (auto& segment : result.segment_of_point)
     segment = segment_of_piece[segment];
 }

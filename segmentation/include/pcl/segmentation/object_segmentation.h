@@ -67,8 +67,8 @@ struct PointOptions {
 
 /** \brief Parameters of the noise-resilient object segmentation (Sec. 4.2). */
 struct ObjectSegmentationOptions {
-  /** R_voxel, metres (>= 0); 0 = as withSizes() has it, raised where points are too
-   * sparse for that, see raisedToResolution() */
+  /** R_voxel, metres (>= 0); 0 = as withSizes() has it. If both sizes are 0, they are
+   * raised where points are too sparse, see raisedToResolution() */
   double voxel_size = 0;
   double seed_size = 0; ///< R_seed, metres (>= voxel_size); 0 = four voxels
   /** which way estimated normals are turned */
