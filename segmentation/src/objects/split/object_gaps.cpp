@@ -9,7 +9,6 @@
 #include <pcl/indoor/ground_frame.h>
 
 #include <pcl/exceptions.h>
-#include <pcl/indoor/point_cells.h>
 
 #include <Eigen/Geometry>
 
@@ -34,10 +33,6 @@ constexpr double deviations = 2;
  * times the least width): the spaces between the lines of a scanner are alike and do
  * not count */
 constexpr double prominence = 1.5;
-/** a segment is looked at only if it occupies this many cells of half a voxel per
- * voxel: otherwise its points lie in lines of a scanner, with empty space between them
- */
-constexpr double min_density = 1.5;
 constexpr unsigned directions = 60; // of upright planes that are tried, in 180 degrees
 
 /** Gaps across one direction: where to cut, and how clear the clearest is. */
@@ -109,8 +104,7 @@ private:
     return isWidest(i, std::min(allowed / per_gap, as_empty)) ? lacking : 0;
   }
 
-  /** Whether what is beside the gap is solid, and no other empty stretch nearly as
-   * wide. */
+  /** Whether no other empty stretch near the gap is nearly as wide. */
   bool
   isWidest(std::ptrdiff_t i, double allowed) const
   {
@@ -119,10 +113,6 @@ private:
       --begin;
     while (end < size() && held(end, end + 1) <= allowed)
       ++end;
-    const auto beside = std::max(emptyStretch(begin - reach, begin, allowed),
-                                 emptyStretch(end, end + reach, allowed));
-    if (beside >= per_gap)
-      return false;
     const auto around = std::max(2 * reach, end - begin);
     const auto other = std::max(
         emptyStretch(std::max<std::ptrdiff_t>(begin - around, 0), begin, allowed),
@@ -130,15 +120,13 @@ private:
     return static_cast<double>(end - begin) >= prominence * static_cast<double>(other);
   }
 
-  /** The longest run of empty slices; there is nothing beyond the first and the last.
-   */
+  /** The longest run of empty slices. */
   std::ptrdiff_t
   emptyStretch(std::ptrdiff_t first, std::ptrdiff_t last, double allowed) const
   {
     std::ptrdiff_t longest = 0, run = 0;
     for (auto slice = first; slice < last; ++slice) {
-      const bool is_inside = slice >= 0 && slice < size();
-      run = is_inside && held(slice, slice + 1) > allowed ? 0 : run + 1;
+      run = held(slice, slice + 1) > allowed ? 0 : run + 1;
       longest = std::max(longest, run);
     }
     return longest;
@@ -159,49 +147,27 @@ public:
   std::vector<Members>
   partsOf(const Members& members) const
   {
-    if (!isLargeEnough(members) || !isDense(members))
-      return {members};
     return pcl::indoor::cutRepeatedly(
         members, [this](const Members& whole) { return cutOnce(whole); });
   }
 
 private:
-  /** A gap without points needs this many in the slices beside it. */
-  bool
-  isLargeEnough(const Members& members) const
-  {
-    return static_cast<double>(members.size()) * remainder > 4 * deviations;
-  }
-
-  /** Whether points fill the voxels: the lines of a sparse scan do not, nor what
-   * reaches farther than cells can be numbered. */
-  bool
-  isDense(const Members& members) const
-  {
-    std::vector<Eigen::Vector3f> places;
-    places.reserve(members.size());
-    Eigen::AlignedBox3d box;
-    for (const auto i : members) {
-      places.push_back(scene_.points[i]);
-      box.extend(scene_.points[i].cast<double>());
-    }
-    if (box.sizes().maxCoeff() > farthest * scene_.voxel_size / 2)
-      return false;
-    const auto voxels = pcl::indoor::groupByCell(places, scene_.voxel_size).size();
-    const auto halves = pcl::indoor::groupByCell(places, scene_.voxel_size / 2).size();
-    return static_cast<double>(halves) >= min_density * static_cast<double>(voxels);
-  }
-
   std::vector<Members>
   cutOnce(const Members& members) const
   {
-    if (!isLargeEnough(members))
+    // A gap without points needs this many in the slices beside it.
+    if (static_cast<double>(members.size()) * remainder <= 4 * deviations)
       return {members};
     std::vector<Eigen::Vector2f> places;
     places.reserve(members.size());
     const Eigen::Matrix<float, 2, 3> ground = frame_.topRows<2>().cast<float>();
-    for (const auto i : members)
+    Eigen::AlignedBox2f box;
+    for (const auto i : members) {
       places.emplace_back(ground * scene_.points[i]);
+      box.extend(places.back());
+    }
+    if (box.sizes().maxCoeff() > farthest * scene_.voxel_size / 2)
+      return {members};
     Cuts best;
     Eigen::Vector2f best_direction = Eigen::Vector2f::Zero();
     for (unsigned d = 0; d < directions; ++d) {

@@ -4,15 +4,15 @@
  */
 #include "objects/split/object_seams.h"
 
-#include "objects/split/seam_profile.h"
 #include "objects/split/seam_section.h"
 #include "objects/split/segment_parts.h"
+#include "objects/split/slice_counts.h"
 #include <pcl/indoor/ground_frame.h>
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/quantile.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -22,29 +22,127 @@ namespace {
 
 using pcl::indoor::ObjectScene;
 using pcl::indoor::SeamSection;
-using Profile = pcl::indoor::SeamProfile;
+using pcl::indoor::SliceCounts;
 
 using Members = pcl::indoor::SegmentMembers;
 
 constexpr double farthest = 4096; // extent of a segment, voxels
+constexpr double min_side = 0.35; // of a segment beside a seam, metres
+constexpr double density = 1.8;   // points of a sheet over those of what is beside it
+constexpr double deviations = 3;  // of a count, that are chance
 constexpr double min_cover = 0.5; // share of the inside that a seam fills
-constexpr double min_depth = 2;   // of the inside, cells of a voxel
-/** least share of inside cells among the cells of a sheet in which neither side has
- * points: the side of a drawer unit under a desk has fewer */
-constexpr double enclosed = 0.15;
 constexpr unsigned min_cells = 8; // of a voxel that a seam fills there
 /** share of the points on either side whose normals point away from the inside */
 constexpr double min_outward = 0.5;
 constexpr unsigned directions = 60; // of upright planes that are tried, in 180 degrees
-const float farthest_turn = std::cos(static_cast<float>(M_PI) / 15); // 12 degrees
+
+/** The points of a segment along one level direction, counted in thin slices. */
+class Profile {
+public:
+  /** \param places in the ground frame. REQUIRES: points. */
+  Profile(const std::vector<Eigen::Vector3f>& places,
+          const Eigen::Vector2f& direction,
+          double voxel_size)
+  : direction_(direction)
+  , along_(placesAlong(places, direction))
+  , counts_(along_, voxel_size / per_voxel)
+  {}
+
+  const Eigen::Vector2f&
+  direction() const
+  {
+    return direction_;
+  }
+
+  float
+  along(std::size_t point) const
+  {
+    return along_[point];
+  }
+
+  /** Where slice i begins. */
+  float
+  placeOf(std::ptrdiff_t i) const
+  {
+    return counts_.grid().placeOf(i);
+  }
+
+  /** Points that the sheet about the beginning of slice i, one voxel wide, has more
+   * than the slices of its width beside it. */
+  double
+  excess(std::ptrdiff_t i) const
+  {
+    return sheet(i) - beside(i);
+  }
+
+  /** Beginnings of slices about which a sheet lies. */
+  std::vector<std::ptrdiff_t>
+  peaks() const
+  {
+    const auto margin = std::max(
+        beside_end,
+        static_cast<std::ptrdiff_t>(std::ceil(min_side / counts_.grid().width)));
+    std::vector<std::ptrdiff_t> found;
+    for (auto i = margin; i + margin < counts_.size(); ++i)
+      if (isPeak(i))
+        found.push_back(i);
+    return found;
+  }
+
+private:
+  static constexpr std::ptrdiff_t per_voxel = 8; // slices
+  // What is beside a sheet, slices from its middle.
+  static constexpr std::ptrdiff_t beside_begin = per_voxel, beside_end = 3 * per_voxel;
+
+  static std::vector<float>
+  placesAlong(const std::vector<Eigen::Vector3f>& places,
+              const Eigen::Vector2f& direction)
+  {
+    std::vector<float> along;
+    along.reserve(places.size());
+    for (const auto& place : places)
+      along.push_back(direction.dot(place.head<2>()));
+    return along;
+  }
+
+  double
+  sheet(std::ptrdiff_t i) const
+  {
+    return counts_.held(i - per_voxel / 2, i + per_voxel / 2);
+  }
+
+  /** Points per voxel beside a sheet, on the side with more. */
+  double
+  beside(std::ptrdiff_t i) const
+  {
+    constexpr double voxels = 2;
+    return std::max(counts_.held(i - beside_end, i - beside_begin),
+                    counts_.held(i + beside_begin, i + beside_end)) /
+           voxels;
+  }
+
+  bool
+  isPeak(std::ptrdiff_t i) const
+  {
+    const double here = sheet(i), more = beside(i);
+    if (here < density * more + deviations * std::sqrt(more))
+      return false;
+    for (auto other = i - per_voxel; other <= i + per_voxel; ++other)
+      if (sheet(other) > here || (sheet(other) == here && other < i))
+        return false; // the first of equal ones counts
+    return true;
+  }
+
+  Eigen::Vector2f direction_;
+  std::vector<float> along_;
+  SliceCounts counts_;
+};
 
 /** A place to cut, across a level direction. */
 struct Seam {
   double excess = 0; ///< points more than in the slices beside it; 0 = there is no seam
   Eigen::Vector2f direction = Eigen::Vector2f::UnitX();
-  float place = 0;                                   ///< along the direction
-  Eigen::Vector2f normal = Eigen::Vector2f::UnitX(); ///< of the plane of its points
-  Eigen::Vector2f middle = Eigen::Vector2f::Zero();  ///< mean of its points
+  float place = 0; ///< along the direction
 };
 
 /** Looks for a seam through one segment. */
@@ -67,10 +165,7 @@ public:
       const Profile profile(
           places_, pcl::indoor::levelDirection(d, directions), voxel_size_);
       for (const auto peak : profile.peaks()) {
-        auto seam = seamAt(profile, peak);
-        if (!(seam.excess > 0))
-          continue;
-        seam = turned(seam);
+        const auto seam = seamAt(profile, peak);
         if (seam.excess > best.excess)
           best = seam;
       }
@@ -86,27 +181,11 @@ private:
     return {across.dot(vector.head<2>()), vector.z()};
   }
 
-  /** The seam along the plane through its own points, if it is clearer there. */
-  Seam
-  turned(const Seam& seam) const
-  {
-    const Profile profile(places_, seam.normal, voxel_size_);
-    const auto middle = profile.grid().sliceAt(seam.normal.dot(seam.middle));
-    Seam best = seam;
-    for (const auto peak : profile.peaks())
-      if (std::abs(peak - middle) <= Profile::per_voxel) {
-        const auto other = seamAt(profile, peak);
-        if (other.excess > best.excess)
-          best = other;
-      }
-    return best;
-  }
-
   Seam
   seamAt(const Profile& profile, std::ptrdiff_t peak) const
   {
     const auto voxel = static_cast<float>(voxel_size_);
-    const float centre = profile.grid().placeOf(peak);
+    const float centre = profile.placeOf(peak);
     std::vector<std::uint32_t> sheet, sides;
     Eigen::AlignedBox2f box;
     for (std::uint32_t i = 0; i < places_.size(); ++i) {
@@ -123,16 +202,13 @@ private:
       section.add(profile.along(i) < centre ? SeamSection::Before : SeamSection::Behind,
                   inSection(profile, places_[i]));
     section.close();
-    const auto filled = static_cast<double>(section.filled());
-    if (filled < min_cells || section.cover() < min_cover ||
-        filled < enclosed * static_cast<double>(section.sheet()) ||
-        section.depth() < min_depth ||
+    if (section.filled() < min_cells || section.cover() < min_cover ||
         outwardShare(profile, section, sides, centre) < min_outward)
       return {};
     Seam seam;
     seam.excess = profile.excess(peak);
-    seam.direction = seam.normal = profile.direction();
-    placeSeam(profile, section, sheet, seam);
+    seam.direction = profile.direction();
+    seam.place = placeOf(profile, section, sheet);
     return seam;
   }
 
@@ -157,44 +233,17 @@ private:
                     outward[1] / std::max(all[1], 1.0));
   }
 
-  void
-  placeSeam(const Profile& profile,
-            const SeamSection& section,
-            const std::vector<std::uint32_t>& sheet,
-            Seam& seam) const
+  /** Where to cut: in the middle of the sheet. */
+  float
+  placeOf(const Profile& profile,
+          const SeamSection& section,
+          const std::vector<std::uint32_t>& sheet) const
   {
     std::vector<float> along;
-    std::vector<Eigen::Vector2d> inside;
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const auto i : sheet)
-      if (section.isInside(inSection(profile, places_[i]))) {
+      if (section.isInside(inSection(profile, places_[i])))
         along.push_back(profile.along(i));
-        inside.emplace_back(places_[i].head<2>().cast<double>());
-        mean += inside.back();
-      }
-    mean /= static_cast<double>(inside.size());
-    Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-    for (const auto& place : inside)
-      scatter += (place - mean) * (place - mean).transpose();
-    seam.middle = mean.cast<float>();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scatter);
-    const Eigen::Vector2f normal = solver.eigenvectors().col(0).cast<float>();
-    if (std::abs(normal.dot(seam.direction)) > farthest_turn)
-      seam.normal = normal.dot(seam.direction) > 0 ? normal : Eigen::Vector2f(-normal);
-    seam.place = placeWithin(section, along);
-  }
-
-  /** Where to cut: in the middle of the sheet, or, if the sheet belongs to one body, on
-   * the side of the other. */
-  static float
-  placeWithin(const SeamSection& section, std::vector<float>& along)
-  {
-    const auto before = section.exposed(SeamSection::Before);
-    const auto behind = section.exposed(SeamSection::Behind);
-    const bool is_of_one = 2 * std::max(before, behind) > section.filled() &&
-                           std::max(before, behind) > 2 * std::min(before, behind);
-    const double share = !is_of_one ? 0.5 : before > behind ? 0.02 : 0.98;
-    return pcl::indoor::quantile(along, share);
+    return pcl::indoor::median(along);
   }
 
   const std::vector<Eigen::Vector3f>& places_;
@@ -212,8 +261,7 @@ cutOnce(const Members& members, const ObjectScene& scene, const Eigen::Matrix3f&
     places.emplace_back(frame * scene.points[i]);
     box.extend(places.back());
   }
-  if (members.size() < min_cells ||
-      box.sizes().head<2>().norm() < 2 * pcl::indoor::min_seam_side ||
+  if (members.size() < min_cells || box.sizes().head<2>().norm() < 2 * min_side ||
       box.sizes().maxCoeff() > farthest * scene.voxel_size)
     return {members};
   for (const auto i : members)

@@ -25,10 +25,9 @@ namespace indoor {
  * sheet that fills enough of the inside is a seam. Compartments of a shelf are no
  * inside: they are open, so the normals around them point into them.
  *
- * The cut goes through the middle of the sheet. If the sheet goes on where one of the
- * two bodies ends, as the side of a refrigerator does above a worktop, the sheet
- * belongs to the other body. Segments that reach over more than 4096 voxels are left as
- * they are. The cost is linear in the number of points times directions.
+ * The cut goes through the middle of the sheet. Segments that reach over more than 4096
+ * voxels are left as they are. The cost is linear in the number of points times
+ * directions.
  * \param[in] left_out one per point: such points (floor, walls) keep their segment
  * \param[in,out] segment_of_point numbered from 0; new segments follow those that were
  * there

@@ -5,6 +5,7 @@
 #include "objects/split/seam_section.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pcl {
 namespace indoor {
@@ -58,38 +59,27 @@ void
 SeamSection::close()
 {
   const std::array<Outline, 2> sides{outlineOf(Before), outlineOf(Behind)};
-  std::vector<std::uint8_t> has_row(rows_, 0), has_column(columns_, 0);
   std::size_t cell = 0;
   for (int row = 0; row < rows_; ++row)
     for (int column = 0; column < columns_; ++column, ++cell) {
       std::array<bool, 4> both{true, true, true, true};
-      for (const auto side : {Before, Behind}) {
-        const auto& outline = sides[side];
-        const std::array<bool, 4> from{
-            outline.first_row[column]<row, outline.last_row[column]> row,
-            outline.first_column[row]<column, outline.last_column[row]> column};
-        for (std::size_t d = 0; d < from.size(); ++d)
-          both[d] = both[d] && from[d];
-        const bool encloses = (from[0] || from[1]) && (from[2] || from[3]);
-        if (holds(Sheet, cell) && !holds(side, cell) && !encloses)
-          ++exposed_[side];
+      for (const auto& outline : sides) {
+        both[0] &= outline.first_row[column] < row;
+        both[1] &= outline.last_row[column] > row;
+        both[2] &= outline.first_column[row] < column;
+        both[3] &= outline.last_column[row] > column;
       }
-      if (holds(Before, cell) || holds(Behind, cell))
-        continue;
-      sheet_ += holds(Sheet, cell) ? 1 : 0;
-      if (!(both[0] || both[1]) || !(both[2] || both[3]))
+      if (holds(Before, cell) || holds(Behind, cell) || !(both[0] || both[1]) ||
+          !(both[2] || both[3]))
         continue;
       inside_[cell] = 1;
       ++enclosed_;
-      has_row[row] = has_column[column] = 1;
       if (!holds(Sheet, cell))
         continue;
       ++filled_;
       filled_sum_ += Eigen::Vector2f(static_cast<float>(column) + 0.5f,
                                      static_cast<float>(row) + 0.5f);
     }
-  enclosed_rows_ = std::count(has_row.begin(), has_row.end(), 1);
-  enclosed_columns_ = std::count(has_column.begin(), has_column.end(), 1);
 }
 
 double
@@ -97,14 +87,6 @@ SeamSection::cover() const
 {
   return enclosed_ == 0 ? 0
                         : static_cast<double>(filled_) / static_cast<double>(enclosed_);
-}
-
-double
-SeamSection::depth() const
-{
-  const auto longest = std::max(enclosed_rows_, enclosed_columns_);
-  return longest == 0 ? 0
-                      : static_cast<double>(enclosed_) / static_cast<double>(longest);
 }
 
 Eigen::Vector2f

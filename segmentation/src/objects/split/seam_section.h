@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -41,38 +40,20 @@ public:
     return inside_[cellOf(place)] != 0;
   }
 
-  /** Inside cells in which the sheet has points. */
+  /** Inside cells in which the sheet has points: filled. */
   std::size_t
   filled() const
   {
     return filled_;
   }
 
-  /** Cells in which the sheet has points, but neither side. */
-  std::size_t
-  sheet() const
-  {
-    return sheet_;
-  }
-
   /** Filled over all inside cells, from 0 to 1. */
   double
   cover() const;
 
-  /** Mean size of the inside, cells, along the shorter one of its two directions. */
-  double
-  depth() const;
-
   /** Mean place of the filled cells, in the coordinates of the points. */
   Eigen::Vector2f
   middle() const;
-
-  /** Cells of the sheet that this side, Before or Behind, does not enclose. */
-  std::size_t
-  exposed(Part side) const
-  {
-    return exposed_[side];
-  }
 
 private:
   /** From where to where a part has points, in each row and column. */
@@ -98,10 +79,8 @@ private:
   int columns_, rows_;
   std::vector<std::uint8_t> parts_; // one bit each
   std::vector<std::uint8_t> inside_;
-  std::size_t sheet_ = 0, filled_ = 0, enclosed_ = 0;
-  std::size_t enclosed_rows_ = 0, enclosed_columns_ = 0;
+  std::size_t filled_ = 0, enclosed_ = 0;
   Eigen::Vector2f filled_sum_ = Eigen::Vector2f::Zero();
-  std::array<std::size_t, 2> exposed_{};
 };
 
 } // namespace indoor

@@ -27,14 +27,8 @@ using pcl::indoor::StructurePlane;
 using Members = pcl::indoor::SegmentMembers;
 using Box = pcl::indoor::PointBox;
 
-constexpr double touch = 2; // voxels from a plane: what is nearer touches it
-constexpr double cover = 1; // voxels: what is farther hides the plane
-/** Share of a segment that is across the plane: what lies along it is no closed object,
- * but a picture, or the double of a wall. */
-constexpr double min_across = 0.1;
-/** Share of the cells within a flat frame that are not its own: a double has no hole.
- */
-constexpr double min_hollow = 0.1;
+constexpr double touch = 2;            // voxels from a plane: what is nearer touches it
+constexpr double cover = 1;            // voxels: what is farther hides the plane
 constexpr double cells_per_point = 20; // with more, a segment is too sparse
 
 /** The plane ends where others begin, which stand on it. */
@@ -60,19 +54,7 @@ markEnds(const PlaneFrame& frame,
 struct Projection {
   PlaneCell cell;
   double depth; // from the plane, voxels
-  bool is_across;
 };
-
-bool
-isHollow(const PlaneShadow& shadow, const std::vector<PlaneCell>& enclosed)
-{
-  const auto hollow =
-      std::count_if(enclosed.begin(), enclosed.end(), [&](const PlaneCell& cell) {
-        return !shadow.isSeen(cell);
-      });
-  return static_cast<double>(hollow) >=
-         min_hollow * static_cast<double>(enclosed.size());
-}
 
 /** The cells of a plane that a segment encloses from one side.
  * \param[in] is_casing what is within its outline is its own, covered or not */
@@ -86,25 +68,22 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
   if (segment.empty())
     return {};
   auto low = segment.front().cell, high = low;
-  std::size_t touching = 0, deep = 0, across = 0;
-  for (const auto& [cell, depth, is_across] : segment) {
+  std::size_t touching = 0, deep = 0;
+  for (const auto& [cell, depth] : segment) {
     touching += depth < touch;
     deep += depth > cover;
-    across += is_across;
     for (int k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], cell[k]);
       high[k] = std::max(high[k], cell[k]);
     }
   }
-  const auto size = static_cast<double>(segment.size());
   const auto cells = static_cast<double>(high[0] - low[0] + 1) *
                      static_cast<double>(high[1] - low[1] + 1);
-  const bool is_flat = static_cast<double>(across) < min_across * size;
-  if (touching == 0 || ((deep == 0 || is_flat) && !is_casing) ||
-      cells > cells_per_point * size)
+  if (touching == 0 || (deep == 0 && !is_casing) ||
+      cells > cells_per_point * static_cast<double>(segment.size()))
     return {};
   PlaneShadow shadow(low, high);
-  for (const auto& [cell, depth, is_across] : segment) {
+  for (const auto& [cell, depth] : segment) {
     if (depth < touch)
       shadow.mark(cell, PlaneShadow::closing);
     if (depth > cover)
@@ -113,10 +92,7 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
   if (is_casing)
     shadow.coverAll();
   markEnds(frame, low, high, others, voxel_size, shadow);
-  auto enclosed = shadow.enclosed();
-  if (is_flat && !isHollow(shadow, enclosed))
-    return {};
-  return enclosed;
+  return shadow.enclosed();
 }
 
 struct CellHash {
@@ -235,12 +211,10 @@ private:
     for (const auto i : members) {
       const double height = frame.heightOf(scene_.points[i]);
       const auto cell = frame.cellOf(scene_.points[i]);
-      const bool is_across =
-          frame.isAcross(scene_.voxels.normals[scene_.voxels.cells.cell_of_point[i]]);
       if (height >= -1)
-        sides[0].push_back({cell, height, is_across});
+        sides[0].push_back({cell, height});
       if (height <= 1)
-        sides[1].push_back({cell, -height, is_across});
+        sides[1].push_back({cell, -height});
     }
     return sides;
   }

@@ -29,9 +29,7 @@ namespace indoor {
  * Frames of doors and windows, nearly all of whose points lie within 0.2 m of the
  * plane, get what lies in the plane within their outline, as a leaf or a pane does, but
  * never more than half of the wall. A shelf as flat as that is taken for a frame.
- * Segments that hardly reach out of the plane are seen as a second registration of the
- * wall and get nothing, but for a frame of which a tenth of the outline or more is not
- * its own. Floors and ceilings are never given away.
+ * Floors and ceilings are never given away.
  *
  * The cost is linear in the points and in the cells of the segments that reach planes.
  * \param[in,out] segment_of_point numbered from 0

@@ -37,13 +37,6 @@ public:
     return (normal_.dot(point.cast<double>()) - offset_) / cell_size_;
   }
 
-  /** 45 degrees or more from the normal. */
-  bool
-  isAcross(const Eigen::Vector3f& normal) const
-  {
-    return !normal.isZero() && std::abs(normal_.dot(normal.cast<double>())) < 0.7;
-  }
-
   PlaneCell
   cellOf(const Eigen::Vector3f& point) const
   {

@@ -40,12 +40,6 @@ PlaneShadow::end(const PlaneCell& cell, Side side)
   flags_[indexOf(cell[0] - low_[0], cell[1] - low_[1])] |= side;
 }
 
-bool
-PlaneShadow::isSeen(const PlaneCell& cell) const
-{
-  return flags_[indexOf(cell[0] - low_[0], cell[1] - low_[1])] & seen;
-}
-
 void
 PlaneShadow::coverAll()
 {

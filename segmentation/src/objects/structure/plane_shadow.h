@@ -36,10 +36,6 @@ public:
   void
   mark(const PlaneCell& cell, Flag flag);
 
-  /** Whether the object has points in the cell itself, which must be within. */
-  bool
-  isSeen(const PlaneCell& cell) const;
-
   /** Let the object cover all cells. */
   void
   coverAll();

@@ -4,6 +4,8 @@
  */
 #include "objects/structure/wall_casings.h"
 
+#include "objects/structure/point_groups.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,26 +49,6 @@ isThinAlong(const StructurePlane& plane,
   });
 }
 
-std::vector<WallCasing>
-casingsInWalls(const ObjectScene& scene, const PlanesAndObjects& groups)
-{
-  std::vector<WallCasing> casings;
-  for (std::size_t p = 0; p < scene.planes.size(); ++p) {
-    const auto& plane = scene.planes[p];
-    if (!areAcross(plane.normal, scene.up.cast<double>()))
-      continue;
-    const auto reach = widened(groups.planes.boxes[p], casing_depth);
-    for (std::uint32_t s = 0; s < groups.objects.members.size(); ++s) {
-      const auto& members = groups.objects.members[s];
-      if (reach.intersects(groups.objects.boxes[s]) &&
-          isThinAlong(plane, scene.points, members) &&
-          reachesBehind(plane, scene.points, members, scene.voxel_size))
-        casings.push_back({p, s});
-    }
-  }
-  return casings;
-}
-
 std::vector<std::uint8_t>
 flagStructureAndCasings(const ObjectScene& scene,
                         const std::vector<std::uint32_t>& segment_of_point)
@@ -79,10 +61,20 @@ flagStructureAndCasings(const ObjectScene& scene,
     for (const auto i : members)
       flags[i] = 1;
   };
-  for (const auto& plane : groups.planes.members)
-    flag(plane);
-  for (const auto& casing : casingsInWalls(scene, groups))
-    flag(groups.objects.members[casing.segment]);
+  for (std::size_t p = 0; p < scene.planes.size(); ++p) {
+    const auto& plane = scene.planes[p];
+    flag(groups.planes.members[p]);
+    if (!areAcross(plane.normal, scene.up.cast<double>()))
+      continue;
+    const auto reach = widened(groups.planes.boxes[p], casing_depth);
+    for (std::size_t s = 0; s < groups.objects.members.size(); ++s) {
+      const auto& members = groups.objects.members[s];
+      if (reach.intersects(groups.objects.boxes[s]) &&
+          isThinAlong(plane, scene.points, members) &&
+          reachesBehind(plane, scene.points, members, scene.voxel_size))
+        flag(members);
+    }
+  }
   return flags;
 }
 

@@ -4,9 +4,7 @@
  */
 #pragma once
 
-#include "objects/structure/point_groups.h"
-
-#include <pcl/segmentation/objects/room_structure.h>
+#include <pcl/segmentation/objects/object_scene.h>
 
 #include <Eigen/Core>
 
@@ -25,25 +23,13 @@ isThinAlong(const StructurePlane& plane,
             const std::vector<Eigen::Vector3f>& points,
             const std::vector<std::uint32_t>& members);
 
-/** A casing of a door or window, by the numbers of its plane, from 0, and segment. */
-struct WallCasing {
-  std::size_t wall = 0;
-  std::uint32_t segment = 0;
-};
-
-/** \brief Find the casings of doors and windows in upright planes. A casing is a
- * segment that meets the extent of a wall, is thin along it (see isThinAlong()), with
- * at least 5 % of its points more than a voxel behind the wall. A wall cabinet may be
- * as thin, but has no points behind the wall.
- * \param[in] groups the points of the planes, and of all other segments
- */
-std::vector<WallCasing>
-casingsInWalls(const ObjectScene& scene, const PlanesAndObjects& groups);
-
 /** \brief Flag the points that stay in one segment: those of the structure, and those
  * of the casings of doors and windows.
- * \param[in] segment_of_point numbered from 0
- * \return one flag per point
+ *
+ * A casing is a segment that meets the extent of an upright plane, is thin along it
+ * (see isThinAlong()), with at least 5 % of its points more than a voxel behind the
+ * wall. A wall cabinet may be as thin, but has no points behind the wall. \param[in]
+ * segment_of_point numbered from 0 \return one flag per point
  */
 std::vector<std::uint8_t>
 flagStructureAndCasings(const ObjectScene& scene,
