@@ -341,6 +341,10 @@ main(int argc, char** argv)
       .text("-part_field",
             settings.source.part_field,
             "its part, for the multi-scale errors")
+      .text("-unite",
+            settings.source.united,
+            "labels that are parts of one object, as 2,3/6,7,8; the parts count for "
+            "the multi-scale errors")
       .text("-methods", settings.methods, "which are compared", {"all", "ours"})
       .flag("-each_room", settings.each_room, "print a line for each room, too")
       .flag("-failures",

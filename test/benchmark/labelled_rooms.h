@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct RoomSource {
   /** "none": a scan is a room */
   std::string room_field = "room", object_field = "object";
   std::string part_field; ///< empty: objects have no parts
+  std::string united;     ///< "2,3/6,7,8": labels of objects that are one object
   unsigned turns = 1;     ///< about the vertical, by 11 degrees each
 };
 
@@ -122,13 +124,36 @@ turned(const Room& room, unsigned turn)
   return result;
 }
 
+/** \brief Give all labels of a group the first of it. */
+inline void
+unite(const std::string& groups, std::vector<std::uint32_t>& labels)
+{
+  std::map<std::uint32_t, std::uint32_t> first_of;
+  std::istringstream stream(groups);
+  for (std::string group; std::getline(stream, group, '/');) {
+    std::istringstream members(group);
+    std::vector<std::uint32_t> numbers;
+    for (std::string number; std::getline(members, number, ',');) {
+      if (number.empty() || number.size() > 9 ||
+          number.find_first_not_of("0123456789") != std::string::npos)
+        throw ToolError("-unite: '" + number + "' is no label");
+      numbers.push_back(static_cast<std::uint32_t>(std::stoul(number)));
+      first_of[numbers.back()] = numbers.front();
+    }
+  }
+  for (auto& label : labels)
+    if (const auto found = first_of.find(label); found != first_of.end())
+      label = found->second;
+}
+
 inline std::vector<Room>
 cutRooms(const std::string& path, const RoomSource& source)
 {
   const auto file = loadCloud(path);
-  const auto object_of = readLabels(file, source.object_field);
+  auto object_of = readLabels(file, source.object_field);
   const auto part_of =
       source.part_field.empty() ? object_of : readLabels(file, source.part_field);
+  unite(source.united, object_of);
   if (source.room_field == "none") {
     Room room{path, file.points, object_of, part_of, {}, {}};
     return {room};
