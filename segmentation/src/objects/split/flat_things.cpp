@@ -26,7 +26,8 @@ using pcl::indoor::quantile;
 constexpr double level_cosine = 0.9; // normals of a horizontal surface: 26 degrees
 constexpr double most_cells = 1 << 22;
 constexpr int fit_rounds = 5;
-constexpr double max_height = 0.12; // metres; what is higher has sides that part it
+// metres; a thing with more than 30 % of its points above this has sides that part it
+constexpr double max_height = 0.12;
 
 /** A plane over the ground: height = slope * place + offset. */
 struct Level {
@@ -156,8 +157,8 @@ private:
     return frame_ * position.cast<double>();
   }
 
-  /** Points on the surface and closely above it with their cells; their heights go
-   * into the map. */
+  /** Points on the surface and above it with their cells; their heights go into the
+   * map. */
   std::vector<std::pair<std::uint32_t, std::uint32_t>>
   pointsAbove(const std::vector<std::uint32_t>& members,
               const Level& level,
@@ -170,10 +171,12 @@ private:
         const Eigen::Vector3d place = placeOf(scene_.points[point]);
         const double height = level.above(place);
         std::uint32_t cell = 0;
-        if (!(height > -scene_.voxel_size / 2) || height > max_height ||
-            !map.find(place.head<2>(), cell))
+        if (!(height > -scene_.voxel_size / 2) || !map.find(place.head<2>(), cell))
           continue;
-        map.add(cell, height);
+        if (height > max_height)
+          map.addHigh(cell);
+        else
+          map.add(cell, height);
         found.emplace_back(point, cell);
       }
     return found;

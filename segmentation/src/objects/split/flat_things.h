@@ -17,12 +17,13 @@ namespace indoor {
  *
  * Such things are only a few voxels high, too little to show in the normals. But the
  * mean height of the points in a cell tells them from the surface around them. A thing
- * is smaller than the surface and at most 12 cm high. Only the largest horizontal
+ * is smaller than the surface, which goes on around it. Only the largest horizontal
  * surface of each segment is looked at; one whose box holds more than 2^22 cells is
- * left as it is. The cost is that of sorting heights. \param[in] segment_of_voxel
- * numbered from 0; segments of floor, walls and ceiling stay whole \return one segment
- * per point; the things follow the segments that were there \throws
- * pcl::BadArgumentException if sizes differ
+ * left as it is. The cost is that of sorting heights.
+ * \param[in] segment_of_voxel numbered from 0; segments of floor, walls and ceiling
+ * stay whole
+ * \return one segment per point; the things follow the segments that were there
+ * \throws pcl::BadArgumentException if sizes differ
  */
 std::vector<std::uint32_t>
 partFlatThings(const ObjectScene& scene,

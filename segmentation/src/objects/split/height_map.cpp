@@ -13,10 +13,12 @@
 namespace {
 
 constexpr double empty = std::numeric_limits<double>::quiet_NaN();
-constexpr double outline_share = 0.35; // of a thing's height
+constexpr double outline_share = 0.35;   // of a thing's height
+constexpr double most_high_points = 0.3; // with more it is part of a higher one
 
 constexpr double min_area = 4;          // of a thing, cells
 constexpr double max_area_share = 0.25; // of a thing over that of the surface
+constexpr double min_surrounded = 0.5;  // share of the cells at its rim with points
 constexpr double deviations =
     3; // of the surface's heights that a thing rises, at least
 constexpr double min_rise = 0.1; // and at least this, cells
@@ -56,6 +58,7 @@ HeightMap::prepare()
   if (!counts_.empty())
     return;
   counts_.assign(static_cast<std::size_t>(cell_count_), 0);
+  high_counts_ = counts_;
   sums_.assign(counts_.size(), 0);
 }
 
@@ -65,6 +68,13 @@ HeightMap::add(std::uint32_t cell, double height)
   prepare();
   sums_[cell] += height;
   ++counts_[cell];
+}
+
+void
+HeightMap::addHigh(std::uint32_t cell)
+{
+  prepare();
+  ++high_counts_[cell];
 }
 
 template <typename Function>
@@ -159,12 +169,33 @@ HeightMap::largestAbove(double outline, const Cells& raised)
   return largest;
 }
 
+double
+HeightMap::shareAround(const Cells& thing) const
+{
+  auto inside = thing;
+  std::sort(inside.begin(), inside.end());
+  std::size_t around = 0, occupied = 0;
+  for (const auto cell : thing)
+    forNeighbors(cell, [&](std::uint32_t other) {
+      const bool is_around = !std::binary_search(inside.begin(), inside.end(), other);
+      around += is_around;
+      occupied += is_around && counts_[other] > 0;
+    });
+  return static_cast<double>(occupied) / static_cast<double>(around);
+}
+
 bool
 HeightMap::isThing(const Cells& thing) const
 {
+  double points = 0, high_points = 0;
+  for (const auto cell : thing) {
+    points += counts_[cell] + high_counts_[cell];
+    high_points += high_counts_[cell];
+  }
   const auto area = static_cast<double>(thing.size());
-  return area >= min_area &&
-         area <= max_area_share * static_cast<double>(surface_cells_);
+  return area >= min_area && high_points <= most_high_points * points &&
+         area <= max_area_share * static_cast<double>(surface_cells_) &&
+         shareAround(thing) >= min_surrounded;
 }
 
 std::vector<std::uint32_t>

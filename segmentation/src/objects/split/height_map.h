@@ -34,6 +34,10 @@ public:
   void
   add(std::uint32_t cell, double height);
 
+  /** \brief Count a point that is higher than things may be. */
+  void
+  addHigh(std::uint32_t cell);
+
   /** \brief Find connected cells that rise above the others.
    * \return the number of its thing, from 1, for each cell; 0 for all others
    */
@@ -87,6 +91,11 @@ private:
   Cells
   largestAbove(double outline, const Cells& raised);
 
+  /** Share of the cells at the rim of a thing that hold points; a cell counts once for
+   * each cell of the thing that it touches. */
+  double
+  shareAround(const Cells& thing) const;
+
   bool
   isThing(const Cells& thing) const;
 
@@ -95,7 +104,7 @@ private:
   Eigen::Array2i shape_;
   double cell_count_;
   std::vector<double> sums_, heights_;
-  std::vector<std::uint32_t> counts_;
+  std::vector<std::uint32_t> counts_, high_counts_;
   std::vector<State> states_;
   double surface_ = 0, deviation_ = 0;
   std::size_t surface_cells_ = 0, thing_count_ = 0;

@@ -6,9 +6,8 @@
 
 #include "objects/split/segment_parts.h"
 #include "objects/split/slice_counts.h"
-#include <pcl/indoor/ground_frame.h>
 
-#include <pcl/exceptions.h>
+#include <pcl/indoor/ground_frame.h>
 
 #include <Eigen/Geometry>
 
@@ -145,14 +144,6 @@ public:
 
   /** \return the parts; one of all members if there is no gap */
   std::vector<Members>
-  partsOf(const Members& members) const
-  {
-    return pcl::indoor::cutRepeatedly(
-        members, [this](const Members& whole) { return cutOnce(whole); });
-  }
-
-private:
-  std::vector<Members>
   cutOnce(const Members& members) const
   {
     // A gap without points needs this many in the slices beside it.
@@ -181,6 +172,7 @@ private:
     return cutAt(members, places, best_direction, best);
   }
 
+private:
   Cuts
   cutsAcross(const std::vector<Eigen::Vector2f>& places,
              const Eigen::Vector2f& direction) const
@@ -228,15 +220,11 @@ partAtGaps(const ObjectScene& scene,
            const std::vector<std::uint8_t>& left_out,
            std::vector<std::uint32_t>& segment_of_point)
 {
-  requireConsistent(scene, segment_of_point.size());
-  requireConsistent(scene, left_out.size());
-  if (scene.points.empty())
-    return;
   const GapCutter cutter(scene);
   partSegments(
+      scene,
       left_out,
-      scene.threads,
-      [&cutter](const Members& members) { return cutter.partsOf(members); },
+      [&cutter](const Members& members) { return cutter.cutOnce(members); },
       segment_of_point);
 }
 

@@ -7,9 +7,8 @@
 #include "objects/split/seam_section.h"
 #include "objects/split/segment_parts.h"
 #include "objects/split/slice_counts.h"
-#include <pcl/indoor/ground_frame.h>
 
-#include <pcl/exceptions.h>
+#include <pcl/indoor/ground_frame.h>
 #include <pcl/indoor/quantile.h>
 
 #include <Eigen/Geometry>
@@ -286,19 +285,11 @@ partAtSeams(const ObjectScene& scene,
             const std::vector<std::uint8_t>& left_out,
             std::vector<std::uint32_t>& segment_of_point)
 {
-  requireConsistent(scene, segment_of_point.size());
-  requireConsistent(scene, left_out.size());
-  if (scene.points.empty())
-    return;
   const Eigen::Matrix3f frame = groundFrame(scene.up).cast<float>();
   partSegments(
+      scene,
       left_out,
-      scene.threads,
-      [&](const Members& segment) {
-        return cutRepeatedly(segment, [&](const Members& whole) {
-          return cutOnce(whole, scene, frame);
-        });
-      },
+      [&](const Members& members) { return cutOnce(members, scene, frame); },
       segment_of_point);
 }
 

@@ -7,6 +7,7 @@
 #include "objects/split/segment_members.h"
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
+#include <pcl/segmentation/objects/object_scene.h>
 
 #include <cstdint>
 #include <iterator>
@@ -32,23 +33,29 @@ cutRepeatedly(const SegmentMembers& members, const CutOnce& cut_once)
   return parts;
 }
 
-/** Replace each segment by the parts that parts_of makes of its members; the first part
- * keeps the segment's number, the others follow those that were there. Points that are
- * left out keep their segment. REQUIRES: points.
+/** Cut each segment, and its parts, as long as cut_once returns more than one part of
+ * some members; the first part keeps the segment's number, the others follow those that
+ * were there. Points that are left out keep their segment.
+ * \throws pcl::BadArgumentException if sizes differ
  */
-template <typename PartsOf>
+template <typename CutOnce>
 void
-partSegments(const std::vector<std::uint8_t>& left_out,
-             unsigned threads,
-             const PartsOf& parts_of,
+partSegments(const ObjectScene& scene,
+             const std::vector<std::uint8_t>& left_out,
+             const CutOnce& cut_once,
              std::vector<std::uint32_t>& segment_of_point)
 {
+  requireConsistent(scene, segment_of_point.size());
+  requireConsistent(scene, left_out.size());
+  if (scene.points.empty())
+    return;
   const auto segments = membersOfSegments(left_out, segment_of_point);
   auto next = static_cast<std::uint32_t>(segments.size());
   std::vector<std::vector<SegmentMembers>> parts(segments.size());
   const auto count = static_cast<std::ptrdiff_t>(segments.size());
-  parallelFor(count, threadCount(static_cast<int>(threads)), 1, [&](std::ptrdiff_t s) {
-    parts[s] = parts_of(segments[s]);
+  const auto threads = threadCount(static_cast<int>(scene.threads));
+  parallelFor(count, threads, 1, [&](std::ptrdiff_t s) {
+    parts[s] = cutRepeatedly(segments[s], cut_once);
   });
   for (const auto& cut : parts)
     for (std::size_t part = 1; part < cut.size(); ++part, ++next)
