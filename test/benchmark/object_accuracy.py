@@ -16,7 +16,7 @@ import subprocess
 import tempfile
 
 LABELLED = ["-room_field", "label", "-object_field", "object_id"]
-CHAIRS = "2,3,4,28,29,30/6,7,8,31,32,33/9,10,25,34,35,42/11,12,13,26,27,36/16,44/22,23"  # with a table and a lamp, of room1
+UNITED = "2,3,4,28,29,30/6,7,8,31,32,33/9,10,25,34,35,42/11,12,13,26,27,36/16,44/22,23"  # four chairs, a table and a lamp of room1
 FURNISHED = "sample_house fzk_2011 duplex large_building house_ru niedri home_h".split()
 
 
@@ -73,7 +73,7 @@ def sources(data, tools, work):
     yield "buildings", lambda: [os.path.join(data, "buildings", name + ".pcd") for name in FURNISHED], LABELLED
     yield "room1", files("rooms/room1_gt_fine.pcd"), ["-room_field", "none", "-object_field", "label", "-turns", "8"]
     yield "room1_whole", files("rooms/room1_gt_fine.pcd"), [
-        "-room_field", "none", "-object_field", "label", "-part_field", "label", "-unite", CHAIRS, "-turns", "8"]
+        "-room_field", "none", "-object_field", "label", "-part_field", "label", "-unite", UNITED, "-turns", "8"]
     yield "osd", files("osd/learn*.pcd"), ["-room_field", "none", "-object_field", "label"]
     yield "simulated", lambda: simulate(tools, work), ["-part_field", "part"]
     yield "tables", lambda: see_tables(tools, work), ["-room_field", "none", "-object_field", "part"]

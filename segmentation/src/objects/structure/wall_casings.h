@@ -28,8 +28,10 @@ isThinAlong(const StructurePlane& plane,
  *
  * A casing is a segment that meets the extent of an upright plane, is thin along it
  * (see isThinAlong()), with at least 5 % of its points more than a voxel behind the
- * wall. A wall cabinet may be as thin, but has no points behind the wall. \param[in]
- * segment_of_point numbered from 0 \return one flag per point
+ * wall. A wall cabinet may be as thin, but has no points behind the wall.
+ *
+ * \param[in] segment_of_point numbered from 0
+ * \return one flag per point
  */
 std::vector<std::uint8_t>
 flagStructureAndCasings(const ObjectScene& scene,
