@@ -109,6 +109,7 @@ main(int argc, char** argv)
     requireWritableCloud(settings.output);
     progress.start("Loading " + settings.input);
     CloudFile file = loadCloud(settings.input, settings.columns);
+    printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 
     progress.start("Estimating normals");

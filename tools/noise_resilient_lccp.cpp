@@ -308,6 +308,7 @@ main(int argc, char** argv)
     settings.memory.require(settings.input, bytes_per_point);
     progress.start("Loading " + settings.input);
     CloudFile file = loadCloud(settings.input, settings.columns);
+    printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 
     progress.start("Segmenting objects");

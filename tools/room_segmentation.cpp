@@ -266,6 +266,7 @@ main(int argc, char** argv)
     options.memory.require(options.input, bytes_per_point);
     progress.start("Loading " + options.input);
     CloudFile file = loadCloud(options.input, options.columns);
+    printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 
     options.rooms.map.method = options.method == "slab"

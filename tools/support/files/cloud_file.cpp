@@ -4,6 +4,7 @@
  */
 #include "files/cloud_file.h"
 
+#include "command_line/printable.h"
 #include "files/cloud_check.h"
 #include "formats/file_header.h"
 #include "formats/las_file.h"
@@ -189,6 +190,13 @@ fillPoints(CloudFile& file)
 
 } // namespace
 
+void
+printNotes(const CloudFile& file)
+{
+  for (const auto& note : file.notes)
+    printWarning(file.path + ": " + note);
+}
+
 bool
 isRealField(const PCLPointCloud2& cloud, const std::string& name)
 {
@@ -276,16 +284,18 @@ loadCloud(const std::string& path,
   CloudFile file;
   file.path = path;
   readFile(file, columns);
-  return withPoints(path, std::move(file.cloud), file.frame, least_points);
+  return withPoints(path, std::move(file.cloud), file.frame, least_points, file.notes);
 }
 
 CloudFile
 withPoints(const std::string& path,
            PCLPointCloud2 cloud,
            const CloudFrame& frame,
-           std::size_t least_points)
+           std::size_t least_points,
+           std::vector<std::string> notes)
 {
   CloudFile file;
+  file.notes = std::move(notes);
   file.path = path;
   file.cloud = std::move(cloud);
   file.frame = frame;

@@ -40,7 +40,13 @@ struct CloudFile {
   std::size_t finite_count = 0;      ///< of \a points without NaN
   bool has_normals = false;          ///< the file has normal_x, normal_y, normal_z
   std::vector<std::string> stations; ///< names of the files it was joined of, if any
+  /** What was odd in the file and how it was taken, a line each without its name. */
+  std::vector<std::string> notes;
 };
+
+/** \brief Print the notes of a file on stderr, a line each. */
+void
+printNotes(const CloudFile& file);
 
 /** \brief Read a PCD (ascii, binary, binary_compressed), PLY or LAS file or a table of
  * points; which one it is, its content says, or the ending of a table's name.
@@ -57,12 +63,14 @@ loadCloud(const std::string& path,
 
 /** \brief The same of a cloud that was read.
  * \param[in] path names it in errors
+ * \param[in] notes of its reader
  */
 CloudFile
 withPoints(const std::string& path,
            PCLPointCloud2 cloud,
            const CloudFrame& frame,
-           std::size_t least_points = 2);
+           std::size_t least_points = 2,
+           std::vector<std::string> notes = {});
 
 /** \brief What is subtracted from the coordinates of a cloud before they become floats:
  * whole units near the middle of those that are large. */

@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace pcl::indoor::tool {
 
@@ -40,6 +41,13 @@ public:
     return frame_;
   }
 
+  /** \brief What is odd in the file, see CloudFile::notes. */
+  const std::vector<std::string>&
+  notes() const
+  {
+    return notes_;
+  }
+
   std::uint64_t
   pointCount() const
   {
@@ -60,6 +68,7 @@ public:
 protected:
   PCLPointCloud2 layout_;
   CloudFrame frame_;
+  std::vector<std::string> notes_;
 };
 
 /** \brief A row of so many points with the fields of a layout, which have no bytes yet.

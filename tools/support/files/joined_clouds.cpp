@@ -42,9 +42,12 @@ sizeOf(const PCLPointField& field)
 
 class StreamInMemory : public CloudStream {
 public:
-  StreamInMemory(PCLPointCloud2 cloud, const CloudFrame& frame)
+  StreamInMemory(PCLPointCloud2 cloud,
+                 const CloudFrame& frame,
+                 std::vector<std::string> notes)
   : data_(std::move(cloud.data))
   {
+    notes_ = std::move(notes);
     layout_ = std::move(cloud);
     layout_.data.clear();
     frame_ = frame;
@@ -194,9 +197,11 @@ private:
 } // namespace
 
 std::unique_ptr<CloudStream>
-streamInMemory(PCLPointCloud2 cloud, const CloudFrame& frame)
+streamInMemory(PCLPointCloud2 cloud,
+               const CloudFrame& frame,
+               std::vector<std::string> notes)
 {
-  return std::make_unique<StreamInMemory>(std::move(cloud), frame);
+  return std::make_unique<StreamInMemory>(std::move(cloud), frame, std::move(notes));
 }
 
 std::unique_ptr<CloudStream>

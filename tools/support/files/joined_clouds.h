@@ -14,7 +14,9 @@ namespace pcl::indoor::tool {
 
 /** \brief A cloud in memory, read part by part. */
 std::unique_ptr<CloudStream>
-streamInMemory(PCLPointCloud2 cloud, const CloudFrame& frame);
+streamInMemory(PCLPointCloud2 cloud,
+               const CloudFrame& frame,
+               std::vector<std::string> notes = {});
 
 /** \brief Several scans of one building, from several stations, as one: their points
  * one scan after the other, in the frame of the first one's offset.

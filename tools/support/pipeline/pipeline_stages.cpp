@@ -145,9 +145,10 @@ loadScan(const PipelineOptions& options, Progress& progress)
   options.memory.require(
       name, bytes_per_point, in_parts ? options.points_at_once : count);
   progress.start((in_parts ? "Reading in parts " : "Loading ") + name);
+  std::vector<std::string> notes;
   auto stream = files.size() == 1
                     ? std::move(opened[0])
-                    : joinedScans(files, std::move(opened), options.columns);
+                    : joinedScans(files, std::move(opened), options.columns, notes);
   Scan scan;
   if (in_parts)
     scan = readInParts(options, name, std::move(stream), progress);
@@ -158,6 +159,10 @@ loadScan(const PipelineOptions& options, Progress& progress)
         withPoints(name,
                    stream->read(0, static_cast<std::size_t>(stream->pointCount())),
                    stream->frame());
+  if (scan.stream && files.size() == 1)
+    notes = scan.stream->notes();
+  scan.file.notes.insert(scan.file.notes.begin(), notes.begin(), notes.end());
+  printNotes(scan.file);
   if (files.size() > 1)
     for (const auto& file : files)
       scan.file.stations.push_back(std::filesystem::path(file).filename().string());

@@ -54,6 +54,30 @@ pointsFromAllOver(CloudStream& stream)
   return cloud;
 }
 
+/** The notes of several files, those that are the same as one. */
+std::vector<std::string>
+notesOf(const std::vector<std::string>& files,
+        const std::vector<std::unique_ptr<CloudStream>>& opened)
+{
+  std::vector<std::pair<std::string, std::vector<std::string>>> files_of_note;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (const auto& note : opened[i]->notes()) {
+      auto same = std::find_if(files_of_note.begin(),
+                               files_of_note.end(),
+                               [&](const auto& other) { return other.first == note; });
+      if (same == files_of_note.end())
+        same = files_of_note.insert(same, {note, {}});
+      same->second.push_back(fs::path(files[i]).filename().string());
+    }
+  std::vector<std::string> notes;
+  for (const auto& [note, names] : files_of_note)
+    notes.push_back(
+        names.front() +
+        (names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "") +
+        ": " + note);
+  return notes;
+}
+
 PointCloud<PointXYZ>::Ptr
 cloudOf(const std::vector<Eigen::Vector3f>& points, const CloudFile& file)
 {
@@ -107,20 +131,23 @@ nameOfScan(const std::vector<std::string>& inputs,
 std::unique_ptr<CloudStream>
 joinedScans(const std::vector<std::string>& files,
             std::vector<std::unique_ptr<CloudStream>> opened,
-            const TableColumns& columns)
+            const TableColumns& columns,
+            std::vector<std::string>& notes)
 {
   for (std::size_t i = 0; i < files.size(); ++i)
     if (!opened[i]) {
       auto file = loadCloud(files[i], columns, 0);
-      opened[i] = streamInMemory(std::move(file.cloud), file.frame);
+      opened[i] =
+          streamInMemory(std::move(file.cloud), file.frame, std::move(file.notes));
     }
+  notes = notesOf(files, opened);
   std::vector<std::string> left_out;
   auto joined = joinedStream(std::move(opened), left_out);
   std::string names;
   for (const auto& name : left_out)
     names += (names.empty() ? "" : ", ") + name;
   if (!names.empty())
-    printWarning("fields that not all of the scans have are left out: " + names);
+    notes.push_back("fields that not all of the scans have are left out: " + names);
   return joined;
 }
 

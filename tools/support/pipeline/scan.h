@@ -38,11 +38,13 @@ nameOfScan(const std::vector<std::string>& inputs,
  * be read in parts are read into memory.
  * \param[in] opened of each file, null if it cannot be read in parts
  * \param[in] columns of tables
+ * \param[out] notes of the files, see CloudFile::notes, and on fields left out
  */
 std::unique_ptr<CloudStream>
 joinedScans(const std::vector<std::string>& files,
             std::vector<std::unique_ptr<CloudStream>> opened,
-            const TableColumns& columns);
+            const TableColumns& columns,
+            std::vector<std::string>& notes);
 
 /** \brief Read a scan part by part, keeping a point per cell.
  * \param[in] cell_size in the unit of the file
