@@ -25,6 +25,7 @@ namespace {
 using Options = PipelineOptions;
 
 constexpr const char* points_option = "-points_at_once";
+constexpr const char* single_process_option = "-single_process";
 
 /** The defaults, which the option -preset changes. */
 Options
@@ -118,7 +119,11 @@ makeParser(Options& options)
               options.threads,
               "threads, 0 = automatic",
               "",
-              Range::between(0, 1024));
+              Range::between(0, 1024))
+      .flag(single_process_option,
+            options.single_process,
+            "share the rooms with no other process: for runs that a program starts "
+            "which was itself started by mpirun");
   options.colors.addOption(parser, {"class", "object", "room"});
   options.coordinates.addOption(parser);
   options.columns.addOption(parser);
@@ -132,6 +137,7 @@ makeParser(Options& options)
                  "-normals",
                  "-double",
                  points_option,
+                 single_process_option,
                  "-memory_limit"});
   return parser;
 }
@@ -200,7 +206,7 @@ help(Ranks& ranks, int argc, char** argv)
 int
 main(int argc, char** argv)
 {
-  Ranks ranks;
+  Ranks ranks(isGiven(argc, argv, single_process_option));
   if (!ranks.isFirst())
     return help(ranks, argc, argv);
   auto options = optionsOfPreset(argc, argv);
@@ -212,6 +218,7 @@ main(int argc, char** argv)
 
     auto work = roomWork(options);
     WorkFolder folder(workFolder(options), keyOfRun(options, parser.settings()));
+    folder.lock();
     folder.removeOutdated();
     auto scene = findRooms(options, scan.file, folder, progress);
     work.pose = scene.building_pose;

@@ -220,8 +220,8 @@ describe(const Options& options,
     save("_field.png", pngBytes(drawPotentialField(building)));
     const auto svg = planSvg(plan);
     save("_rooms.svg", svg);
-    if (canDrawPlans())
-      save("_plan.png", drawnAsPng(svg));
+    if (const auto picture = planPicture(svg))
+      save("_plan.png", *picture);
   }
   return files;
 }

@@ -4,6 +4,7 @@
  */
 #include <pcl/ml/network_inference.h>
 
+#include <c10/core/GradMode.h>
 #include <gtest/gtest.h>
 
 #include "adam.h"
@@ -125,7 +126,7 @@ TEST(NetworkModule, GradientsEqualFiniteDifferences)
       return (module.scores(inputs, &dropout) * direction_of_loss).sum();
     };
     loss().backward();
-    const at::NoGradGuard no_gradients;
+    const c10::NoGradGuard no_gradients;
     std::uint64_t seed = 20;
     for (const auto& parameter : module.parameters()) {
       auto values = parameter.detach();
@@ -176,7 +177,7 @@ TEST(NetworkModule, ScoresEqualThoseOfInference)
     for (const auto& draws : set.inputs)
       inputs.push_back(draws.front());
     const auto expected = networkScores(network, inputs);
-    const at::NoGradGuard no_gradients;
+    const c10::NoGradGuard no_gradients;
     const auto scores = NetworkModule(network, at::kCPU).scores(rows(set), nullptr);
     double largest = 1.0;
     for (const auto& of_object : expected)

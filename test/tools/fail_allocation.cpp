@@ -3,12 +3,14 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 // To be preloaded (LD_PRELOAD): lets the n-th allocation of a program's main() fail, n
-// being the environment's FAIL_AT. With 0, says at the end how many there were.
+// being the environment's FAIL_AT. With 0, says at the end how many there were. With
+// FAIL_FORK in the environment no process can be started.
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <dlfcn.h>
+#include <unistd.h>
 
 namespace {
 
@@ -87,6 +89,16 @@ posix_memalign(void** result, std::size_t alignment, std::size_t size)
     return ENOMEM;
   *result = __libc_memalign(alignment, size);
   return *result == nullptr ? ENOMEM : 0;
+}
+
+pid_t
+fork()
+{
+  static auto* const real = next("fork", &fork);
+  if (std::getenv("FAIL_FORK") == nullptr)
+    return real();
+  errno = ENOMEM;
+  return -1;
 }
 
 int

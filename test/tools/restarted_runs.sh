@@ -83,6 +83,29 @@ mv now changed
 (scan=other.pcd; run) || fail "the other scan fails"
 diff -rq -x '*.part*' now changed || fail "the other scan uses what was found in the first"
 
+# how results are shown does not matter for what was found
+rm -rf now
+killed_at 13
+before=$(numbers)
+killed_at 4 -colour room -report none
+[ -n "$before" ] && [ -z "$(comm -23 <(sort <<< "$before") <(numbers | sort))" ] || fail "other colours make rooms again"
+
+# what another command has left is removed, which a line says
+(run -voxel_resolution 0.05) 2> said
+grep -q 'unfinished is removed' said || fail "it is not said that finished rooms are removed"
+
+# two runs do not share a folder
+rm -rf now
+run &
+first=$!
+while [ ! -e now/.unfinished/lock ] && kill -0 $first 2> /dev/null; do sleep 0.01; done
+kill -STOP $first
+(run) 2> said && fail "a second run uses the folder of the first"
+grep -q 'another run is at work' said || fail "not said: $(cat said)"
+kill -CONT $first
+wait $first || fail "the first of two runs fails"
+as_new "beside a second run"
+
 # damaged and missing files are done again
 for damage in 'truncate -s -1 FILE' 'printf x | dd of=FILE conv=notrunc bs=1 seek=60 status=none' 'truncate -s 0 FILE' 'rm FILE'; do
   for file in run scene room; do

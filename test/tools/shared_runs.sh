@@ -11,13 +11,13 @@ folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_btl_base_warn_component_unused=0
+export OMPI_MCA_btl_base_warn_component_unused=0
 
 fail() { echo "$*"; ls -lAR now; exit 1; }
 
 "$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.12 -quiet || exit 1
-pipeline() { exec "$tools"/pcl_indoor_pipeline scan.pcd now -quiet -threads 1; }
-shared() { exec "$mpirun" -n "$1" "$tools"/pcl_indoor_pipeline scan.pcd now -quiet "${@:2}"; }
+pipeline() { exec "$tools"/pcl_indoor_pipeline scan.pcd now -quiet -threads 1 "$@"; }
+shared() { exec "$mpirun" --map-by :OVERSUBSCRIBE -n "$1" "$tools"/pcl_indoor_pipeline scan.pcd now -quiet "${@:2}"; }
 
 (pipeline) || fail "the pipeline fails"
 mv now expected
@@ -31,6 +31,10 @@ mv now framed
 "$tools"/pcl_indoor_pipeline scan.pcd now -quiet -unit ft -up y -voxel_resolution 0.05 2> /dev/null
 diff -rq now framed || fail "in a frame of its own the results are others"
 rm -rf now framed
+
+(OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=1 pipeline -single_process) || fail "a process that is to work alone fails"
+diff -rq now expected || fail "a process that works alone gives other results"
+rm -rf now
 
 rooms() { find now/.unfinished -name 'room_*' ! -name '*.part*' 2> /dev/null; }
 killed=0

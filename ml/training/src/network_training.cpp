@@ -10,6 +10,7 @@
 #include "training_data.h"
 #include "training_resources.h"
 
+#include <c10/core/GradMode.h>
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -277,7 +278,7 @@ private:
   void
   validate(EpochReport& result) const
   {
-    const at::NoGradGuard no_gradients;
+    const c10::NoGradGuard no_gradients;
     const auto row_count = validation_.inputs.size(0);
     double loss_sum = 0.0;
     std::int64_t right_count = 0;

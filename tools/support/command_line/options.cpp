@@ -21,22 +21,26 @@
 namespace pcl::indoor::tool {
 namespace {
 
-std::string
-shortText(double value)
-{
-  char buffer[32];
-  std::snprintf(buffer, sizeof(buffer), "%.6g", value);
-  return buffer;
-}
-
+/** The shortest text that gives the number back, without an exponent but for those that
+ * are very small or large. */
 template <typename T>
 std::string
 numberText(T value)
 {
-  if constexpr (std::is_integral_v<T>)
+  if constexpr (std::is_integral_v<T>) {
     return std::to_string(value);
-  else
-    return shortText(value);
+  }
+  else {
+    const T size = std::abs(value);
+    const bool is_plain = size == T(0) || (size >= T(1e-4) && size < T(1e15));
+    char buffer[64];
+    const auto end = std::to_chars(buffer,
+                                   buffer + sizeof(buffer),
+                                   value,
+                                   is_plain ? std::chars_format::fixed
+                                            : std::chars_format::scientific);
+    return {buffer, end.ptr};
+  }
 }
 
 bool
@@ -111,11 +115,11 @@ Range::text() const
 {
   const bool below = std::isfinite(highest);
   if (!std::isfinite(lowest))
-    return below ? "at most " + shortText(highest) : "";
+    return below ? "at most " + numberText(highest) : "";
   if (!below)
-    return (without_lowest ? "greater than " : "at least ") + shortText(lowest);
-  return (without_lowest ? "greater than " : "from ") + shortText(lowest) +
-         (without_lowest ? " and at most " : " to ") + shortText(highest);
+    return (without_lowest ? "greater than " : "at least ") + numberText(lowest);
+  return (without_lowest ? "greater than " : "from ") + numberText(lowest) +
+         (without_lowest ? " and at most " : " to ") + numberText(highest);
 }
 
 OptionParser::OptionParser(std::string program, std::string summary)

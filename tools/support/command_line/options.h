@@ -153,7 +153,7 @@ public:
   usage() const;
 
   /** \brief All options with the values that are used; but for those by which no
-   * result changes: of threads and memory, and -quiet. */
+   * result changes: of threads, processes and memory, and -quiet. */
   std::vector<Setting>
   settings() const;
 

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 namespace pcl::indoor::tool {
@@ -17,6 +18,15 @@ presetOf(int argc, const char* const* argv)
     if (std::string(argv[i]) == "-preset")
       return argv[i + 1];
   return {};
+}
+
+/** \brief Whether a flag is given: known before all other options are read. */
+inline bool
+isGiven(int argc, const char* const* argv, const std::string& flag)
+{
+  return std::any_of(argv + 1, argv + std::max(argc, 1), [&](const char* word) {
+    return flag == word;
+  });
 }
 
 } // namespace pcl::indoor::tool

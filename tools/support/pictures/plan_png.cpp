@@ -5,6 +5,7 @@
 #include "pictures/plan_png.h"
 
 #include "command_line/options.h" // for ToolError
+#include "command_line/printable.h"
 
 #ifdef PCL_INDOOR_HAS_RSVG
 
@@ -184,3 +185,20 @@ drawnAsPng(const std::string& /*svg*/, int /*most_pixels*/)
 } // namespace pcl::indoor::tool
 
 #endif
+
+namespace pcl::indoor::tool {
+
+std::optional<std::string>
+planPicture(const std::string& svg)
+{
+  if (!canDrawPlans())
+    return {};
+  try {
+    return drawnAsPng(svg);
+  } catch (const ToolError& error) {
+    printWarning(messageOf(error) + "; it is left out");
+  }
+  return {};
+}
+
+} // namespace pcl::indoor::tool

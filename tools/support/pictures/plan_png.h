@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace pcl::indoor::tool {
@@ -22,5 +23,10 @@ canDrawPlans();
  */
 std::string
 drawnAsPng(const std::string& svg, int most_pixels = 10000);
+
+/** \brief The same for results that hold without a picture: nothing unless
+ * canDrawPlans(), and where it cannot be drawn, which a warning says. */
+std::optional<std::string>
+planPicture(const std::string& svg);
 
 } // namespace pcl::indoor::tool

@@ -41,6 +41,7 @@ struct PipelineOptions {
   int threads = 0;
   std::uint64_t points_at_once = 20000000; ///< 0: all
   bool ignore_normals = false;
+  bool single_process = false;
 
   std::string
   reportFile() const

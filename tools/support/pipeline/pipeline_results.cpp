@@ -182,8 +182,8 @@ describe(const PipelineOptions& options,
   plan.origin = originOf(file, options.frame, scene.building_pose);
   const auto svg = planSvg(plan);
   add("plan.svg", svg);
-  if (canDrawPlans())
-    add("plan.png", drawnAsPng(svg));
+  if (const auto picture = planPicture(svg))
+    add("plan.png", *picture);
   add("plan.dxf", planDxf(plan));
   const auto json = sceneJson(scene, file, options.frame, settings);
   if (options.report != "none")
@@ -202,9 +202,11 @@ save(const std::string& folder, const NamedBytes& texts, OutputFile cloud)
   for (const auto& [path, bytes] : texts)
     files.push_back(writtenBeside(path, bytes));
   // where scene.json lies, the last one, the others belong to it
-  commitTogether(
-      files,
-      {in_folder("scene.json"), in_folder("classes.png"), in_folder("report.html")});
+  commitTogether(files,
+                 {in_folder("scene.json"),
+                  in_folder("classes.png"),
+                  in_folder("plan.png"),
+                  in_folder("report.html")});
   std::string names = "cloud.pcd";
   for (const auto& text : texts)
     names += ", " + std::filesystem::path(text.first).filename().string();

@@ -33,6 +33,15 @@ modelFile(const PipelineOptions& options)
                                       : options.model;
 }
 
+/** Whether rooms and their objects depend on it: what is done with them at the end is
+ * done anew by each run. */
+bool
+changesRooms(const Setting& setting)
+{
+  const auto& name = setting.name;
+  return name != "-colour" && name != "-report" && name != "-double";
+}
+
 /** The rooms that an earlier run has found; nothing if they do not fit. */
 std::optional<Scene>
 roomsBefore(const CloudFile& file, const WorkFolder& folder)
@@ -178,7 +187,8 @@ keyOfRun(const PipelineOptions& options, const std::vector<Setting>& settings)
 {
   auto text = programVersion() + "\n";
   for (const auto& setting : settings)
-    text += setting.name + " " + setting.value + "\n";
+    if (changesRooms(setting))
+      text += setting.name + " " + setting.value + "\n";
   const auto model = modelFile(options);
   if (!model.empty())
     text += std::to_string(digestOfFile(model)) + "\n";

@@ -14,8 +14,8 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief What tells runs apart whose results may differ: the content of the scan and
- * of the model, all settings, and the version of the program.
+/** \brief What tells runs apart whose rooms and objects may differ: the content of the
+ * scan and of the model, the settings of these, and the version of the program.
  *
  * The content, not the time of the last change or a sample: a scan that was written
  * again by another program may have the same time, size and header.

@@ -33,9 +33,9 @@ isLaunched()
 
 } // namespace
 
-Ranks::Ranks()
+Ranks::Ranks(bool single)
 {
-  if (isLaunched()) {
+  if (!single && isLaunched()) {
     int given = 0; // the level of threads
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &given);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
@@ -88,7 +88,7 @@ Ranks::endAll()
 
 #else // one process
 
-Ranks::Ranks()
+Ranks::Ranks(bool)
 : is_dismissed_(1, false)
 {}
 

@@ -29,7 +29,8 @@ struct RankMessage {
  */
 class Ranks {
 public:
-  Ranks();
+  /** \param[in] single whether this process works alone, whoever has started it */
+  explicit Ranks(bool single = false);
   ~Ranks();
   Ranks(const Ranks&) = delete;
   Ranks&

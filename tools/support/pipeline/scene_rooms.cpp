@@ -11,8 +11,11 @@
 #include <pcl/indoor/parallel_for.h>
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 #include <iterator>
 #include <mutex>
+#include <thread>
 #include <utility>
 
 namespace pcl::indoor::tool {
@@ -26,6 +29,19 @@ finishedRoom(const WorkFolder& folder, std::size_t room, std::size_t size)
   auto finished = bytes ? roomOf(*bytes) : std::nullopt;
   return finished && finished->objects.object_of_point.size() == size ? finished
                                                                       : std::nullopt;
+}
+
+/** Wait for the files of rooms that other machines have written: a network's file
+ * system may show them up to a minute late. */
+void
+awaitFiles(const WorkFolder& folder, const std::vector<std::size_t>& rooms)
+{
+  constexpr int longest = 60; // seconds, for all of them
+  int waited = 0;
+  for (const auto room : rooms)
+    for (; !std::filesystem::exists(folder.path(roomFile(room))) && waited < longest;
+         ++waited)
+      std::this_thread::sleep_for(std::chrono::seconds(1));
 }
 
 } // namespace
@@ -52,8 +68,10 @@ finishRooms(const RoomSource& source,
   const auto is_done = [&](std::size_t room) {
     report(done += source.sizes[room], all);
   };
-  if (ranks.count() > 1)
-    return shareRooms(left, source, work, folder, ranks, is_done);
+  if (ranks.count() > 1) {
+    shareRooms(left, source, work, folder, ranks, is_done);
+    return awaitFiles(folder, left);
+  }
   std::mutex mutex;
   parallelFor(
       static_cast<std::ptrdiff_t>(left.size()), threads, 1, [&](std::ptrdiff_t i) {

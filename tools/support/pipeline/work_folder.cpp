@@ -5,6 +5,7 @@
 #include "pipeline/work_folder.h"
 
 #include "command_line/options.h" // for ToolError
+#include "command_line/printable.h"
 #include "files/digest.h"
 #include "files/output_file.h"
 
@@ -18,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* begun = "run"; // the first file
+constexpr const char* begun = "run";   // the first file
+constexpr const char* locked = "lock"; // of the run that uses the folder
 
 /** In front of the bytes of a file. */
 struct Head {
@@ -31,8 +33,9 @@ struct Head {
 bool
 isOfRuns(const std::string& name)
 {
-  return name == begun || name == "scene" || name.compare(0, 5, "room_") == 0 ||
-         name.compare(0, 7, "points_") == 0 || name.find(".part") != name.npos;
+  return name == begun || name == locked || name == "scene" ||
+         name.compare(0, 5, "room_") == 0 || name.compare(0, 7, "points_") == 0 ||
+         name.find(".part") != name.npos;
 }
 
 } // namespace
@@ -43,11 +46,44 @@ WorkFolder::WorkFolder(std::string folder, std::uint64_t key)
 , is_begun_(read(begun).has_value())
 {}
 
+WorkFolder::~WorkFolder()
+{
+  if (!lock_ || is_begun_)
+    return;
+  remove(); // nothing was finished
+  std::error_code error;
+  if (made_parent_)
+    fs::remove(fs::path(folder_).parent_path(), error);
+}
+
+void
+WorkFolder::lock()
+{
+  made_parent_ = makeFolder(fs::path(folder_).parent_path().string());
+  makeFolder(folder_);
+  const auto file = path(locked);
+  std::ofstream(file, std::ios::app); // locks are of files that exist
+  try {
+    lock_.emplace(file.c_str());
+    if (lock_->try_lock())
+      return;
+  } catch (const boost::interprocess::interprocess_exception&) {
+    lock_.reset(); // file systems without locks take no part
+    return;
+  }
+  throw ToolError(folder_ + ": another run is at work there");
+}
+
 void
 WorkFolder::removeOutdated()
 {
-  if (!is_begun_)
-    remove();
+  if (is_begun_)
+    return;
+  if (fs::exists(path(begun)))
+    printWarning(folder_ +
+                 ": what a run of another scan or with other options has left "
+                 "unfinished is removed");
+  removeFiles();
 }
 
 std::optional<std::string>
@@ -122,15 +158,24 @@ WorkFolder::removeFile(const std::string& name)
 }
 
 void
-WorkFolder::remove()
+WorkFolder::removeFiles()
 {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder_, error))
-    if (isOfRuns(entry.path().filename().string())) {
+    if (const auto name = entry.path().filename().string();
+        isOfRuns(name) && name != locked) {
       std::error_code kept; // is harmless: its key tells that it is outdated
       fs::remove(entry.path(), kept);
     }
   fs::remove(folder_, error); // if it is empty
+}
+
+void
+WorkFolder::remove()
+{
+  std::error_code error;
+  fs::remove(path(locked), error);
+  removeFiles();
 }
 
 std::string

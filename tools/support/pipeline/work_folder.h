@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <boost/interprocess/sync/file_lock.hpp>
+
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -22,8 +24,17 @@ class WorkFolder {
 public:
   /** \brief Use a folder, which need not exist: the first file makes it. */
   WorkFolder(std::string folder, std::uint64_t key);
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder&
+  operator=(const WorkFolder&) = delete;
+  ~WorkFolder();
 
-  /** \brief Remove the files of another run, if there are. */
+  /** \brief Keep other runs from using the folder until this process ends.
+   * \throws ToolError if one uses it */
+  void
+  lock();
+
+  /** \brief Remove the files of another run, if there are; a warning says so. */
   void
   removeOutdated();
 
@@ -75,10 +86,15 @@ private:
   void
   put(const std::string& name, const std::string& bytes);
 
+  void
+  removeFiles();
+
   std::string folder_;
   std::uint64_t key_;
   bool is_begun_ = false; ///< has the file by which runs are told apart
-  std::mutex mutex_;      ///< of writing
+  bool made_parent_ = false;
+  std::optional<boost::interprocess::file_lock> lock_;
+  std::mutex mutex_; ///< of writing
 };
 
 /** \brief The name of the file of a room. */

@@ -175,12 +175,10 @@ takeMostFrequent(std::vector<SlabGroup>& groups, int layers, int reach, double l
       best = height;
   if (static_cast<double>(near(best)) < least)
     return {};
-  const auto rest =
-      std::stable_partition(groups.begin(), groups.end(), [&](const SlabGroup& group) {
-        return std::abs(group.low + group.high - best) > reach;
-      });
-  std::vector<SlabGroup> taken(rest, groups.end());
-  groups.erase(rest, groups.end());
+  std::vector<SlabGroup> taken, kept;
+  for (const auto& group : groups)
+    (std::abs(group.low + group.high - best) > reach ? kept : taken).push_back(group);
+  groups = std::move(kept);
   return taken;
 }
 
