@@ -6,14 +6,17 @@
 #include "command_line/options.h"
 #include "command_line/pcl_errors.h"
 #include "command_line/preset.h"
+#include "command_line/printable.h"
 #include "files/cloud_file.h"
 #include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
+#include "files/sampled_surface.h"
 #include "files/table_view.h"
 
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
+#include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>
 #include <sstream>
@@ -307,7 +310,7 @@ main(int argc, char** argv)
       throw ToolError("-partition graph: the thesis's presets have no pieces");
     settings.memory.require(settings.input, bytes_per_point);
     progress.start("Loading " + settings.input);
-    CloudFile file = loadCloud(settings.input, settings.columns);
+    CloudFile file = loadSurface(settings.input, settings.columns);
     printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 
@@ -327,6 +330,12 @@ main(int argc, char** argv)
     if (on_points.color_weight > 0)
       segmentation.setInputColors(readColors(file));
     std::vector<std::uint32_t> objects;
+    const auto options = chosenOptions(settings, isTableView(file.points));
+    const auto step = stepWarning(file.coordinate_step,
+                                  options.voxel_size > 0 ? options.voxel_size
+                                                         : 0.25 * options.seed_size);
+    if (!step.empty())
+      printWarning(file.path + ": " + step);
     const auto problem = problemOf([&] { segmentation.segment(objects); });
     if (objects.empty())
       throw ToolError(file.path + ": " + problem);

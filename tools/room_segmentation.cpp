@@ -9,6 +9,7 @@
 #include "files/memory_limit.h"
 #include "files/point_colors.h"
 #include "files/point_coordinates.h"
+#include "files/sampled_surface.h"
 #include "pictures/plan_dxf.h"
 #include "pictures/plan_png.h"
 #include "pictures/plan_svg.h"
@@ -265,7 +266,7 @@ main(int argc, char** argv)
     requireWritableResults(options);
     options.memory.require(options.input, bytes_per_point);
     progress.start("Loading " + options.input);
-    CloudFile file = loadCloud(options.input, options.columns);
+    CloudFile file = loadSurface(options.input, options.columns);
     printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 

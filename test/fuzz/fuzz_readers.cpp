@@ -13,6 +13,7 @@
 #include "dataset_files.h"
 #include "files/cloud_check.h"
 #include "files/cloud_file.h"
+#include "files/sampled_surface.h"
 #include "formats/mesh_file.h"
 #include "formats/ply_file.h"
 #include "mutation.h"
@@ -102,7 +103,7 @@ void
 readPlyFile(const std::string& path)
 {
   readCloud(path);
-  tool::plyMesh(tool::loadCloud(path));
+  tool::loadSurface(path);
 }
 
 /** What was taken must be the same after it was written and read again. */
@@ -143,6 +144,8 @@ allReaders()
       {"off", [](const auto& path) { tool::readMesh(path); }},
       {"plan", readPlanFile},
       {"obj", [](const auto& path) { tool::readMesh(path); }},
+      {"stl", [](const auto& path) { tool::readMesh(path); }},
+      {"glb", [](const auto& path) { tool::readMesh(path); }},
       {"names", [](const auto& path) { tool::readCategoryNames(path); }},
       {"classes", [](const auto& path) { tool::readClassMap(path); }},
       {"model", readModelFile, repairModel},

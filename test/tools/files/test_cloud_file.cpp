@@ -305,15 +305,22 @@ TEST_F(CloudFiles, OtherFormatsAreNamedWithTheCommandThatConvertsThem)
   };
   std::string las = "LASF" + std::string(300, '\0');
   las[104] = '\x86';
-  EXPECT_EQ(messageFor("a.laz", las),
-            "a LAZ file; convert it: pdal translate " + path("a.laz") + " " +
-                path("a.las"));
-  EXPECT_EQ(messageFor("a b.e57", "ASTM-E57"),
-            "an E57 file; convert it: CloudCompare -SILENT -O '" + path("a b.e57") +
-                "' -C_EXPORT_FMT PLY -SAVE_CLOUDS");
+  const auto ends = [&](const std::string& text, const std::string& end) {
+    EXPECT_EQ(text.substr(text.size() - std::min(text.size(), end.size())), end)
+        << text;
+  };
+  ends(messageFor("a.laz", las), " " + path("a.laz") + " " + path("a.las"));
+  ends(messageFor("a.las", las), " " + path("a.las") + " " + path("a.unpacked.las"));
+  ends(messageFor("a b.e57", "ASTM-E57"),
+       " '" + path("a b.e57") + "' '" + path("a b.xyz") + "'");
   EXPECT_EQ(messageFor("a.pcd.gz", "\x1f\x8b\x08"),
             "a file compressed by gzip; unpack it: gunzip -k " + path("a.pcd.gz"));
   EXPECT_EQ(messageFor("a.zip", "PK\x03\x04").substr(0, 13), "a ZIP archive");
+  EXPECT_EQ(messageFor("a.rcp", "PK\x03\x04").substr(0, 8), "a ReCap ");
+  EXPECT_EQ(messageFor("a.bag", "#ROSBAG V2.0\n\x01\x02").substr(0, 9), "a ROS bag");
+  EXPECT_EQ(messageFor("a.usdz", "PK\x03\x04").substr(0, 11), "a USD scene");
+  EXPECT_EQ(messageFor("a.dxf", "0\nSECTION\n2\nHEADER\n").substr(0, 9), "a drawing");
+  EXPECT_EQ(messageFor("a.bin", "CCB2").substr(0, 23), "a file of CloudCompare;");
   EXPECT_EQ(messageFor("a.ptx", "2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n").substr(0, 10),
             "a PTX file");
   EXPECT_EQ(messageFor("a.LAZ", "what is this").substr(0, 10), "a LAZ file");

@@ -8,6 +8,7 @@
 #include "formats/file_header.h"
 #include "formats/foreign_format.h"
 #include "formats/las_file.h"
+#include "formats/mesh_file.h"
 #include "formats/pcd_header.h"
 #include "formats/table_file.h"
 
@@ -74,7 +75,7 @@ checkPcd(const std::string& content, const std::string& path, CheckedCloud& chec
 {
   MemoryStream stream(content.data(), content.size());
   stream.exceptions(std::ios::badbit); // memory that lacks is no end of the file
-  const auto header = readFileHeader(stream, "DATA", path);
+  auto header = readFileHeader(stream, "DATA", path);
   const auto pcd = readPcdHeader(header, path);
   const std::uint64_t body =
       content.size() - std::min<std::uint64_t>(header.body_begin, content.size());
@@ -101,23 +102,20 @@ checkPcd(const std::string& content, const std::string& path, CheckedCloud& chec
   }
   checked.bytes = bytes;
   checked.header = header;
+  checked.notes = pcd.notes;
 }
 
-/** A PCD file begins with comments or with one of the words of its header. */
-bool
-isPcd(const std::string& path, const std::string& beginning)
+/** The first word that is in no comment. */
+std::string
+firstWord(const std::string& beginning)
 {
   std::istringstream stream(beginning);
-  bool is_comment = false;
-  for (std::string line; std::getline(stream, line); is_comment = true) {
+  for (std::string line; std::getline(stream, line);) {
     const auto words = wordsOf(line.substr(0, 64));
-    const std::string first = words.empty() ? "" : words[0];
-    if (first == "VERSION" || first == "FIELDS" || first == "COLUMNS")
-      return true;
-    if (first[0] != '#')
-      break;
+    if (!words.empty() && words[0][0] != '#')
+      return words[0];
   }
-  return is_comment && !isTable(path, beginning);
+  return "";
 }
 
 std::optional<CloudFormat>
@@ -129,10 +127,15 @@ formatOf(const std::string& path, const std::string& beginning)
     return CloudFormat::PLY;
   if (isLas(beginning))
     return CloudFormat::LAS;
-  if (isPcd(path, beginning))
+  const auto first = firstWord(beginning);
+  if (first == "VERSION" || first == "FIELDS" || first == "COLUMNS")
     return CloudFormat::PCD;
+  if (meshFormat(path, beginning))
+    return CloudFormat::Mesh;
   if (isTable(path, beginning))
     return CloudFormat::Table;
+  if (first.empty() && beginning[0] == '#') // a long comment
+    return CloudFormat::PCD;
   return {};
 }
 
@@ -164,17 +167,18 @@ checkCloudFile(const std::string& path)
   const auto beginning = beginningOf(stream);
   const auto format = formatOf(path, beginning);
   if (format && *format != CloudFormat::PCD)
-    return {*format, 0, {}, ""};
+    return {*format, 0, {}, "", {}};
   if (format) {
-    CheckedCloud checked{CloudFormat::PCD, 0, {}, std::string(file_size, '\0')};
+    CheckedCloud checked{CloudFormat::PCD, 0, {}, std::string(file_size, '\0'), {}};
     stream.read(checked.content.data(), static_cast<std::streamsize>(file_size));
     checked.content.resize(static_cast<std::size_t>(stream.gcount()));
     checkPcd(checked.content, path, checked);
     return checked;
   }
   const auto other = describeForeignFormat(path, beginning);
-  throw ToolError(path + ": not a PCD, PLY or LAS file" +
-                  (other.empty() ? ", nor a table of points" : " but " + other));
+  throw ToolError(
+      path + ": not a PCD, PLY or LAS file" +
+      (other.empty() ? ", nor a mesh or table of points" : " but " + other));
 }
 
 std::uint64_t
@@ -188,8 +192,10 @@ promisedPoints(const std::string& path)
   if (format == CloudFormat::Table)
     return tablePointCount(path, beginning);
   try {
-    if (format == CloudFormat::PCD)
-      return readPcdHeader(readFileHeader(stream, "DATA", path), path).points;
+    if (format == CloudFormat::PCD) {
+      auto header = readFileHeader(stream, "DATA", path);
+      return readPcdHeader(header, path).points;
+    }
     if (format == CloudFormat::PLY)
       for (const auto& words : readFileHeader(stream, "end_header", path).lines)
         if (words.size() == 3 && words[0] == "element" && words[1] == "vertex")

@@ -11,10 +11,11 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace pcl::indoor::tool {
 
-enum class CloudFormat { PCD, PLY, LAS, Table };
+enum class CloudFormat { PCD, PLY, LAS, Table, Mesh };
 
 /** \brief Reads bytes in memory. */
 using MemoryStream = boost::iostreams::stream<boost::iostreams::array_source>;
@@ -26,6 +27,7 @@ struct CheckedCloud {
   /** All of a PCD file: whatever happens to the file afterwards does not matter, as it
    * would to the pages that PCL's reader maps. */
   std::string content;
+  std::vector<std::string> notes; ///< see CloudFile::notes
 };
 
 /** \brief Find out what a cloud file is and, for a PCD, compare its header with what

@@ -6,8 +6,14 @@
 
 #include "command_line/printable.h"
 #include "files/cloud_check.h"
+#include "files/coordinate_step.h"
+#include "files/field_value.h"
+#include "files/sampled_surface.h"
+#include "files/usual_fields.h"
 #include "formats/file_header.h"
 #include "formats/las_file.h"
+#include "formats/mesh_file.h"
+#include "formats/pcd_header.h"
 #include "formats/ply_file.h"
 #include "formats/silent_pcl.h"
 #include "formats/table_file.h"
@@ -29,36 +35,6 @@ namespace pcl::indoor::tool {
 namespace {
 
 constexpr const char* axes[] = {"x", "y", "z"};
-
-/** A field's value of one point as a double; every type a PCD can have. */
-double
-valueAt(const std::uint8_t* bytes, std::uint8_t datatype)
-{
-  const auto as = [bytes](auto value) {
-    std::memcpy(&value, bytes, sizeof(value)); // fields need not be aligned
-    return static_cast<double>(value);
-  };
-  switch (datatype) {
-  case PCLPointField::INT8:
-    return as(std::int8_t());
-  case PCLPointField::UINT8:
-    return as(std::uint8_t());
-  case PCLPointField::INT16:
-    return as(std::int16_t());
-  case PCLPointField::UINT16:
-    return as(std::uint16_t());
-  case PCLPointField::INT32:
-    return as(std::int32_t());
-  case PCLPointField::UINT32:
-    return as(std::uint32_t());
-  case PCLPointField::FLOAT32:
-    return as(float());
-  case PCLPointField::FLOAT64:
-    return as(double());
-  default:
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-}
 
 std::size_t
 pointCount(const PCLPointCloud2& cloud)
@@ -86,8 +62,9 @@ readPcd(const CheckedCloud& checked, CloudFile& file)
 {
   const auto& content = checked.content;
   const auto body = std::min<std::size_t>(checked.header.body_begin, content.size());
+  const auto text = pcdHeaderText(checked.header, false);
   PCDReader reader;
-  MemoryStream header(content.data(), body);
+  MemoryStream header(text.data(), text.size());
   header.exceptions(std::ios::badbit); // PCL would wait for the end for ever
   int version = 0, encoding = 0;       // 0: ASCII, 2: compressed
   unsigned int body_begin = 0;
@@ -98,17 +75,30 @@ readPcd(const CheckedCloud& checked, CloudFile& file)
                         version,
                         encoding,
                         body_begin) != 0 ||
-      file.cloud.data.size() != checked.bytes || body_begin != body)
+      file.cloud.data.size() != checked.bytes || body_begin != text.size())
     return false;
   if (encoding != 0)
     return reader.readBodyBinary(reinterpret_cast<const unsigned char*>(content.data()),
                                  file.cloud,
                                  version,
                                  encoding == 2,
-                                 body_begin) == 0;
+                                 static_cast<unsigned int>(body)) == 0;
   MemoryStream points(content.data() + body, content.size() - body);
   points.exceptions(std::ios::badbit);
   return reader.readBodyASCII(points, file.cloud, version) == 0;
+}
+
+/** Fields of other programs with PCL's names. */
+void
+nameFields(CloudFile& file)
+{
+  auto& cloud = file.cloud;
+  if (cloud.data.size() < pointCount(cloud) * cloud.point_step)
+    throw ToolError(file.path + ": the file is damaged, points are missing");
+  const UsualFields fields(
+      cloud, [&cloud]() -> const auto& { return cloud; });
+  cloud = fields.of(std::move(cloud));
+  file.notes = fields.notes();
 }
 
 void
@@ -125,6 +115,8 @@ readFile(CloudFile& file, const TableColumns& columns)
       is_read = readPcd(checked, file);
     else if (checked.format == CloudFormat::LAS)
       file.cloud = readLas(file.path);
+    else if (checked.format == CloudFormat::Mesh)
+      drawPoints(readMesh(file.path), file);
     else if (checked.format == CloudFormat::Table)
       file.cloud = readTable(file.path, columns);
     else
@@ -139,6 +131,9 @@ readFile(CloudFile& file, const TableColumns& columns)
   }
   if (!is_read)
     throw ToolError(file.path + ": the file is damaged, its points cannot be read");
+  if (checked.format == CloudFormat::PCD || checked.format == CloudFormat::PLY)
+    nameFields(file);
+  file.notes.insert(file.notes.begin(), checked.notes.begin(), checked.notes.end());
   if (checked.format == CloudFormat::PCD) {
     file.frame.offset = checked.header.offset;
     readPose(checked.header, file.frame);
@@ -242,7 +237,9 @@ coordinateOrigin(const PCLPointCloud2& cloud)
 {
   CoordinateOrigin origin;
   for (int axis = 0; axis < 3; ++axis) {
-    origin.middle[axis] = offsetOf(readReals(cloud, axes[axis]));
+    const auto values = readReals(cloud, axes[axis]);
+    origin.middle[axis] = offsetOf(values);
+    origin.step = std::max(origin.step, commonStep(values));
     if (origin.middle[axis] != 0.0)
       origin.step =
           std::max(origin.step, stepAt(cloud, axes[axis], origin.middle[axis]));

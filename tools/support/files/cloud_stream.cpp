@@ -7,6 +7,8 @@
 #include "command_line/options.h" // for ToolError
 #include "files/cloud_check.h"    // for MemoryStream
 #include "files/cloud_file.h"
+#include "files/cloud_sample.h"
+#include "files/usual_fields.h"
 #include "formats/file_header.h"
 #include "formats/las_file.h"
 #include "formats/pcd_header.h"
@@ -18,28 +20,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <utility>
 
 namespace pcl::indoor::tool {
 namespace {
 
 constexpr std::size_t points_of_part = 1 << 18;
-
-/** The header of a PCD with a single point: for more, PCL's reader takes memory. */
-std::string
-headerOfOnePoint(const FileHeader& header)
-{
-  std::string text;
-  for (const auto& words : header.lines) {
-    const bool is_count =
-        words[0] == "WIDTH" || words[0] == "HEIGHT" || words[0] == "POINTS";
-    text += words[0];
-    for (std::size_t i = 1; i < words.size(); ++i)
-      text += " " + (is_count ? "1" : words[i]);
-    text += "\n";
-  }
-  return text;
-}
 
 /** A file whose points are records of one size. */
 class FileStream : public CloudStream {
@@ -66,10 +53,14 @@ private:
   bool
   openLas();
 
+  void
+  nameFields();
+
   std::string path_;
   std::ifstream stream_;
   std::size_t body_begin_ = 0, record_size_ = 0;
   std::function<PCLPointCloud2(std::string records, std::size_t count)> points_;
+  std::optional<UsualFields> fields_;
 };
 
 bool
@@ -85,20 +76,34 @@ FileStream::open()
                                                              : openPcd();
   std::error_code error;
   const auto size = std::filesystem::file_size(path_, error);
-  return is_open && !error && pointCount() > 0 && record_size_ > 0 &&
-         size >= body_begin_ && (size - body_begin_) / record_size_ >= pointCount() &&
-         isRealField(layout_, "x") && isRealField(layout_, "y") &&
+  if (!is_open || error || pointCount() == 0 || record_size_ == 0 ||
+      size < body_begin_ || (size - body_begin_) / record_size_ < pointCount())
+    return false;
+  if (!isLas(beginning))
+    nameFields();
+  return isRealField(layout_, "x") && isRealField(layout_, "y") &&
          isRealField(layout_, "z");
+}
+
+void
+FileStream::nameFields()
+{
+  PCLPointCloud2 some;
+  UsualFields fields(
+      layout_, [&]() -> const auto& { return some = pointsFromAllOver(*this); });
+  layout_ = fields.of(std::move(layout_));
+  notes_.insert(notes_.end(), fields.notes().begin(), fields.notes().end());
+  fields_ = std::move(fields);
 }
 
 bool
 FileStream::openPcd()
 {
-  const auto header = readFileHeader(stream_, "DATA", path_);
+  auto header = readFileHeader(stream_, "DATA", path_);
   const auto pcd = readPcdHeader(header, path_);
   if (pcd.data != "binary")
     return false;
-  const auto text = headerOfOnePoint(header);
+  const auto text = pcdHeaderText(header, true);
   MemoryStream stream(text.data(), text.size());
   int version = 0, encoding = 0;
   unsigned int body_begin = 0;
@@ -120,8 +125,9 @@ FileStream::openPcd()
   layout_.row_step = layout_.point_step * layout_.width;
   body_begin_ = header.body_begin;
   record_size_ = layout_.point_step;
-  points_ = [this](const std::string& records, std::size_t count) {
-    auto part = emptyPart(layout_, count);
+  notes_ = pcd.notes;
+  points_ = [layout = layout_](const std::string& records, std::size_t count) {
+    auto part = emptyPart(layout, count);
     part.data.assign(records.begin(), records.end());
     return part;
   };
@@ -168,7 +174,8 @@ FileStream::read(std::uint64_t first, std::size_t count)
   stream_.seekg(static_cast<std::streamoff>(body_begin_ + first * record_size_));
   if (!stream_.read(records.data(), static_cast<std::streamsize>(records.size())))
     throw ToolError(path_ + ": the file can no longer be read");
-  return points_(std::move(records), count);
+  auto part = points_(std::move(records), count);
+  return fields_ ? fields_->of(std::move(part)) : part;
 }
 
 } // namespace

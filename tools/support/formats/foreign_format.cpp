@@ -4,6 +4,8 @@
  */
 #include "formats/foreign_format.h"
 
+#include "formats/file_ending.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -12,53 +14,151 @@
 namespace pcl::indoor::tool {
 namespace {
 
-enum class Converter { Pdal, CloudCompare, Gunzip, Unzip };
-
+/** A format that is not read. */
 struct Format {
   const char* name;
-  std::vector<std::string> endings; ///< of file names, small letters
-  Converter converter;
+  std::vector<std::string> beginnings; ///< first bytes
+  std::vector<std::string> endings;    ///< of file names, small letters
+  const char*
+      advice; ///< IN stands for the file, OUT for it with the ending that follows
 };
 
+constexpr const char* laspy =
+    "unpack it (needs python3-venv): python3 -m venv las && las/bin/pip install "
+    "'laspy[lazrs]' && las/bin/python -c 'import sys, laspy; "
+    "laspy.read(sys.argv[1]).write(sys.argv[2])' IN OUT.las";
+constexpr const char* pye57 =
+    "convert it (needs python3-venv): python3 -m venv e57 && e57/bin/pip install pye57 "
+    "&& e57/bin/python -c 'import sys, numpy, pye57; f = pye57.E57(sys.argv[1]); "
+    "numpy.savetxt(sys.argv[2], numpy.vstack([numpy.transpose([s[\"cartesian\" + a] "
+    "for "
+    "a in \"XYZ\"]) for s in (f.read_scan(i, ignore_missing_fields=True) for i in "
+    "range(f.scan_count))]), \"%.4f\")' IN OUT.xyz";
+constexpr const char* cloud_compare =
+    "convert it (needs cloudcompare): CloudCompare -SILENT -AUTO_SAVE OFF -O "
+    "-GLOBAL_SHIFT AUTO IN -C_EXPORT_FMT PLY -MERGE_CLOUDS -SAVE_CLOUDS";
+constexpr const char* assimp =
+    "convert it (needs assimp-utils): assimp export IN OUT.obj";
+constexpr const char* from_its_program =
+    "only its maker's programs read it: export it from there as LAS, PLY, PTS or PCD";
+
+/** Of two that fit, the earlier one is meant. */
 const std::vector<Format> formats = {
-    {"a LAZ file", {".laz"}, Converter::Pdal},
-    {"an E57 file", {".e57"}, Converter::CloudCompare},
-    {"a PTX file", {".ptx"}, Converter::CloudCompare},
-    {"a file compressed by gzip", {".gz"}, Converter::Gunzip},
-    {"a ZIP archive", {".zip"}, Converter::Unzip}};
-const Format& laz = formats[0];
-const Format& e57 = formats[1];
-const Format& gzip = formats[3];
-const Format& zip = formats[4];
+    {"a LAZ file", {"LASF"}, {".laz"}, laspy}, // LAS is none of these
+    {"an E57 file", {"ASTM-E57"}, {".e57"}, pye57},
+    {"a PTX file", {}, {".ptx"}, cloud_compare},
+    {"a file of CloudCompare", {"CCB"}, {}, cloud_compare},
+    {"a ReCap project or scan", {}, {".rcp", ".rcs"}, from_its_program},
+    {"a scan of FARO", {}, {".fls", ".fws", ".lsproj"}, from_its_program},
+    {"a scan of Leica", {}, {".lgs", ".lgsx", ".imp"}, from_its_program},
+    {"a scan of Z+F", {}, {".zfs", ".zfprj"}, from_its_program},
+    {"a scan of Riegl", {}, {".rdbx", ".rxp"}, from_its_program},
+    {"a scan of Trimble", {}, {".tzf", ".rwp", ".tdx"}, from_its_program},
+    {"a scan of Topcon", {}, {".cl3", ".clr"}, from_its_program},
+    {"a USD scene",
+     {"PXR-USDC", "#usda"},
+     {".usdz", ".usdc", ".usda", ".usd"},
+     "export the scan as GLB, OBJ or PLY from the program that made it"},
+    {"a glTF file in parts", {}, {".gltf"}, assimp},
+    {"an FBX scene", {"Kaydara FBX"}, {".fbx"}, assimp},
+    {"a COLLADA scene", {}, {".dae"}, assimp},
+    {"a 3DS scene", {}, {".3ds"}, assimp},
+    {"an X3D scene", {}, {".x3d", ".wrl"}, assimp},
+    {"a Blender scene",
+     {"BLENDER"},
+     {".blend"},
+     "export it: blender -b IN --python-expr 'import bpy; "
+     "bpy.ops.export_mesh.ply(filepath=\"scan.ply\")'"},
+    {"a drawing (DXF)",
+     {"AutoCAD Binary DXF"},
+     {".dxf"},
+     "it has lines and no scan: give the scan that it was drawn from"},
+    {"a drawing (DWG)",
+     {"AC10"},
+     {".dwg"},
+     "it has lines and no scan: give the scan that it was drawn from"},
+    {"a building model (IFC)",
+     {"ISO-10303-21"},
+     {".ifc", ".stp", ".step"},
+     "export its surfaces as OBJ, GLB or STL from the program that made it"},
+    {"a ROS bag",
+     {"#ROSBAG"},
+     {".bag"},
+     "it holds single messages: save the map that was made of them as PCD or PLY"},
+    {"a ROS 2 bag",
+     {"\x89MCAP", "SQLite format 3"},
+     {".mcap", ".db3"},
+     "it holds single messages: save the map that was made of them as PCD or PLY"},
+    {"a capture of packets",
+     {"\xd4\xc3\xb2\xa1", "\xa1\xb2\xc3\xd4", "\x0a\x0d\x0d\x0a"},
+     {".pcap", ".pcapng"},
+     "it holds single packets: save the map that was made of them as PCD or PLY"},
+    {"an array of NumPy",
+     {"\x93NUMPY"},
+     {".npy"},
+     "write its columns x, y, z (needs python3-numpy): python3 -c 'import sys, numpy; "
+     "numpy.savetxt(sys.argv[2], numpy.load(sys.argv[1])[:, :3], \"%.4f\")' IN "
+     "OUT.xyz"},
+    {"numbers without names",
+     {},
+     {".bin", ".dat", ".raw"},
+     "if they are floats x, y, z, intensity, as KITTI has them (needs python3-numpy): "
+     "python3 -c 'import sys, numpy; numpy.savetxt(sys.argv[2], numpy.fromfile("
+     "sys.argv[1], numpy.float32).reshape(-1, 4)[:, :3], \"%.4f\")' IN OUT.xyz"},
+    {"arrays of NumPy",
+     {},
+     {".npz"},
+     "write the columns x, y, z of its points as text by numpy.savetxt()"},
+    {"an HDF5 file",
+     {"\x89HDF"},
+     {".h5", ".hdf5"},
+     "write the columns x, y, z of its points as text"},
+    {"data of Python", {}, {".pkl", ".pth", ".pt"}, "write its points as text or PLY"},
+    {"a picture or film",
+     {"\x89PNG", "\xff\xd8\xff", "GIF8", "II*", "%PDF"},
+     {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".mp4", ".mov", ".pdf"},
+     "it has no points: give the scan"},
+    {"a file compressed by gzip",
+     {"\x1f\x8b"},
+     {".gz", ".tgz"},
+     "unpack it: gunzip -k IN"},
+    {"a file compressed by bzip2", {"BZh"}, {".bz2"}, "unpack it: bunzip2 -k IN"},
+    {"a file compressed by xz",
+     {"\xfd"
+      "7zXZ"},
+     {".xz"},
+     "unpack it: unxz -k IN"},
+    {"a file compressed by zstd",
+     {"\x28\xb5\x2f\xfd"},
+     {".zst"},
+     "unpack it: unzstd IN"},
+    {"a 7z archive", {"7z\xbc\xaf"}, {".7z"}, "unpack it (needs 7zip): 7z x IN"},
+    {"a RAR archive", {"Rar!"}, {".rar"}, "unpack it (needs unar): unar IN"},
+    {"a ZIP archive", {"PK\x03\x04"}, {".zip"}, "unpack it: unzip IN"}};
 
-std::string
-endingOf(const std::string& path)
-{
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& letter : ending)
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return ending;
-}
-
+/** By its first bytes, else by the ending of its name; the ending goes before, where
+ * many formats begin alike, as archives. */
 const Format*
 formatOf(const std::string& path, const std::string& beginning)
 {
-  const auto begins_with = [&](const std::string& magic) {
-    return beginning.compare(0, magic.size(), magic) == 0;
+  const auto begins = [&](const Format& format) {
+    return std::any_of(
+        format.beginnings.begin(), format.beginnings.end(), [&](const auto& magic) {
+          return beginning.compare(0, magic.size(), magic) == 0;
+        });
   };
-  const std::string ending = endingOf(path);
-  if (begins_with("LASF")) // and is compressed: LAS is none of these
-    return &laz;
-  if (begins_with("ASTM-E57"))
-    return &e57;
-  if (begins_with("\x1f\x8b"))
-    return &gzip;
-  if (begins_with("PK\x03\x04"))
-    return &zip;
-  for (const auto& format : formats)
-    if (std::count(format.endings.begin(), format.endings.end(), ending) > 0)
-      return &format;
-  return nullptr;
+  const auto ends = [ending = fileEnding(path)](const Format& format) {
+    return std::count(format.endings.begin(), format.endings.end(), ending) > 0;
+  };
+  const auto first = [](const auto& is_it) {
+    const auto found = std::find_if(formats.begin(), formats.end(), is_it);
+    return found == formats.end() ? nullptr : &*found;
+  };
+  const auto* by_bytes = first(begins);
+  const auto* by_name = first(ends);
+  const bool is_archive = beginning.compare(0, 4, "PK\x03\x04") == 0;
+  return by_bytes != nullptr && !(is_archive && by_name != nullptr) ? by_bytes
+                                                                    : by_name;
 }
 
 /** A file name as a shell wants it. */
@@ -77,6 +177,16 @@ quoted(const std::string& name)
   return text + "'";
 }
 
+/** The file with another ending; never the file itself. */
+std::string
+outputOf(const std::string& path, const std::string& ending)
+{
+  auto output = std::filesystem::path(path).replace_extension(ending);
+  if (output == path)
+    output.replace_extension(".unpacked" + ending);
+  return quoted(output.string());
+}
+
 } // namespace
 
 std::string
@@ -85,26 +195,12 @@ describeForeignFormat(const std::string& path, const std::string& beginning)
   const auto* const format = formatOf(path, beginning);
   if (format == nullptr)
     return "";
-  const std::string input = quoted(path);
-  std::filesystem::path las = path;
-  las.replace_extension(".las");
-  std::string command;
-  switch (format->converter) {
-  case Converter::Pdal:
-    command = "convert it: pdal translate " + input + " " + quoted(las.string());
-    break;
-  case Converter::CloudCompare:
-    command = "convert it: CloudCompare -SILENT -O " + input +
-              " -C_EXPORT_FMT PLY -SAVE_CLOUDS";
-    break;
-  case Converter::Gunzip:
-    command = "unpack it: gunzip -k " + input;
-    break;
-  case Converter::Unzip:
-    command = "unpack it: unzip " + input;
-    break;
-  }
-  return std::string(format->name) + "; " + command;
+  std::string advice = format->advice;
+  if (const auto out = advice.rfind(" OUT."); out != advice.npos)
+    advice.replace(out + 1, advice.npos, outputOf(path, advice.substr(out + 4)));
+  if (const auto in = advice.rfind(" IN"); in != advice.npos)
+    advice.replace(in + 1, 2, quoted(path));
+  return std::string(format->name) + "; " + advice;
 }
 
 } // namespace pcl::indoor::tool

@@ -8,11 +8,13 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief Say what a cloud file of another format is, and the command that makes it
- * readable: by its first bytes, else by the ending of its name.
+/** \brief Say what a file of another format is and what makes it readable, a command
+ * where there is one: by its first bytes, else by the ending of its name.
+ *
+ * Commands need what Debian has, or Python's packages.
  * \param[in] beginning a few hundred bytes, or fewer if the file is shorter
- * \return for example "a LAS file; convert it: pdal translate a.las a.ply"; empty if
- * the format is not known
+ * \return for example "a ZIP archive; unpack it: unzip a.zip"; empty if the format is
+ * not known
  */
 std::string
 describeForeignFormat(const std::string& path, const std::string& beginning);

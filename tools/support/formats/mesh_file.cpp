@@ -4,7 +4,9 @@
  */
 #include "formats/mesh_file.h"
 
+#include "formats/file_ending.h"
 #include "formats/ply_file.h"
+#include "formats/polygons.h"
 
 #include <charconv>
 #include <cmath>
@@ -94,20 +96,6 @@ private:
   std::vector<std::string_view> words_;
 };
 
-/** \brief A mesh while it is read. */
-struct Polygons {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
-
-void
-addFan(const std::vector<std::uint32_t>& corners,
-       std::vector<std::array<std::uint32_t, 3>>& triangles)
-{
-  for (std::size_t k = 2; k < corners.size(); ++k)
-    triangles.push_back({corners[0], corners[k - 1], corners[k]});
-}
-
 std::string
 textOf(const std::string& path)
 {
@@ -154,9 +142,9 @@ offCounts(LineReader& line, const std::string& path)
 }
 
 Polygons
-readOff(const std::string& path)
+readOff(std::string text, const std::string& path)
 {
-  LineReader line(textOf(path), path);
+  LineReader line(std::move(text), path);
   const auto [vertex_count, face_count] = offCounts(line, path);
   const auto next = [&](std::uint64_t read, std::uint64_t all, const char* what) {
     if (!line.next())
@@ -202,9 +190,9 @@ objCorner(const LineReader& line, std::string_view word, std::size_t vertex_coun
 }
 
 Polygons
-readObj(const std::string& path)
+readObj(std::string text, const std::string& path)
 {
-  LineReader line(textOf(path), path);
+  LineReader line(std::move(text), path);
   Polygons polygons;
   std::vector<std::uint32_t> corners;
   while (line.next()) {
@@ -236,6 +224,7 @@ nearOrigin(const Polygons& polygons)
       break;
     }
   Mesh mesh;
+  mesh.offset = offset;
   mesh.triangles = polygons.triangles;
   mesh.vertices.reserve(polygons.vertices.size());
   for (const auto& vertex : polygons.vertices)
@@ -245,11 +234,38 @@ nearOrigin(const Polygons& polygons)
 
 } // namespace
 
+std::optional<MeshFormat>
+meshFormat(const std::string& path, const std::string& beginning)
+{
+  if (beginning.compare(0, 4, "glTF") == 0)
+    return MeshFormat::GLB;
+  if (beginning.compare(0, 5, "solid") == 0)
+    return MeshFormat::STL;
+  LineReader line(beginning, path);
+  const std::string word(line.next() ? line.words()[0] : "");
+  if (word == "OFF" || word == "COFF" || word == "NOFF" || word == "STOFF")
+    return MeshFormat::OFF;
+  for (const char* first : {"v", "vn", "vt", "mtllib", "usemtl", "o", "g"})
+    if (word == first)
+      return MeshFormat::OBJ;
+  const auto ending = fileEnding(path);
+  return ending == ".off"   ? std::optional(MeshFormat::OFF)
+         : ending == ".obj" ? std::optional(MeshFormat::OBJ)
+         : ending == ".stl" ? std::optional(MeshFormat::STL)
+                            : std::nullopt;
+}
+
 Mesh
 readMesh(const std::string& path)
 {
-  const bool is_off = std::filesystem::path(path).extension() == ".off";
-  auto mesh = nearOrigin(is_off ? readOff(path) : readObj(path));
+  auto text = textOf(path);
+  const auto format = meshFormat(path, text.substr(0, 512)).value_or(MeshFormat::OBJ);
+  const auto polygons = format == MeshFormat::OFF   ? readOff(std::move(text), path)
+                        : format == MeshFormat::STL ? readStl(text, path)
+                        : format == MeshFormat::GLB ? readGlb(text, path)
+                                                    : readObj(std::move(text), path);
+  auto mesh = nearOrigin(polygons);
+  mesh.y_is_up = format == MeshFormat::GLB;
   if (mesh.triangles.empty())
     throw ToolError(path + ": the mesh has no faces");
   return mesh;

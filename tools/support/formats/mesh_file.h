@@ -7,11 +7,22 @@
 #include "files/cloud_file.h"
 #include "objects/mesh_sampling.h"
 
+#include <optional>
 #include <string>
 
 namespace pcl::indoor::tool {
 
-/** \brief Read an OFF or OBJ file; which one it is, its name says.
+enum class MeshFormat { OFF, OBJ, STL, GLB };
+
+/** \brief What kind of mesh a file is, by its first bytes, else by the ending of its
+ * name; nothing if it is none of these.
+ * \param[in] beginning a few hundred bytes, or fewer if the file is shorter
+ */
+std::optional<MeshFormat>
+meshFormat(const std::string& path, const std::string& beginning);
+
+/** \brief Read an OFF, OBJ, STL or GLB file, see meshFormat(); one that is none of them
+ * is taken for OBJ.
  *
  * Faces of more than three corners become fans. Large coordinates, for example of UTM,
  * are moved near the origin by whole units. Of OFF the counts may stand on the line of

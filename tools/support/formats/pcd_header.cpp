@@ -6,6 +6,8 @@
 
 #include "command_line/options.h" // for ToolError
 
+#include <algorithm>
+
 namespace pcl::indoor::tool {
 namespace {
 
@@ -23,7 +25,7 @@ parse(const FileHeader& header, const std::string& path)
     if (words.size() < 2)
       throw ToolError(path + ": the header's line " + words[0] + " has no value");
     if (words[0] == "FIELDS" || words[0] == "COLUMNS")
-      pcd.fields = words.size() - 1;
+      pcd.fields.assign(words.begin() + 1, words.end());
     else if (words[0] == "SIZE")
       pcd.sizes = numbers(words);
     else if (words[0] == "TYPE")
@@ -45,7 +47,7 @@ parse(const FileHeader& header, const std::string& path)
                       "' in the header is no line of a PCD"); // PCL would end it there
   }
   if (pcd.counts.empty())
-    pcd.counts.assign(pcd.fields, 1);
+    pcd.counts.assign(pcd.fields.size(), 1);
   if (!pcd.has_points)
     pcd.points = pcd.width * pcd.height;
   return pcd;
@@ -64,18 +66,32 @@ isUsable(const std::string& type, std::uint64_t size, std::uint64_t count)
 void
 requireUsable(const PcdHeader& pcd, const std::string& path)
 {
-  if (pcd.fields == 0 || pcd.sizes.size() != pcd.fields ||
-      pcd.types.size() != pcd.fields || pcd.counts.size() != pcd.fields)
+  const std::size_t count = pcd.fields.size();
+  if (count == 0 || pcd.sizes.size() != count || pcd.types.size() != count ||
+      pcd.counts.size() != count)
     throw ToolError(path +
                     ": FIELDS, SIZE, TYPE and COUNT of the header differ in number");
-  for (std::size_t i = 0; i < pcd.fields; ++i)
+  for (std::size_t i = 0; i < count; ++i)
     if (!isUsable(pcd.types[i], pcd.sizes[i], pcd.counts[i]))
-      throw ToolError(path + ": SIZE, TYPE or COUNT of field " + std::to_string(i + 1) +
-                      " in the header is not usable");
+      throw ToolError(path + ": SIZE, TYPE or COUNT of the field '" +
+                      pcd.fields[i].substr(0, 20) + "' in the header is not usable");
   if (pcd.width != 0 && pcd.width * pcd.height != pcd.points)
     throw ToolError(path + ": WIDTH times HEIGHT in the header is not POINTS");
   if (pcd.points == 0)
     throw ToolError(path + ": the cloud is empty (0 points)");
+}
+
+void
+dropEmptyFields(const std::vector<std::uint64_t>& counts, FileHeader& header)
+{
+  for (auto& words : header.lines) {
+    if (words[0] != "FIELDS" && words[0] != "COLUMNS" && words[0] != "SIZE" &&
+        words[0] != "TYPE" && words[0] != "COUNT")
+      continue;
+    for (std::size_t i = std::min(counts.size(), words.size() - 1); i-- > 0;)
+      if (counts[i] == 0)
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(i + 1));
+  }
 }
 
 } // namespace
@@ -99,11 +115,35 @@ PcdHeader::bytesPerPoint() const
 }
 
 PcdHeader
-readPcdHeader(const FileHeader& header, const std::string& path)
+readPcdHeader(FileHeader& header, const std::string& path)
 {
-  const auto pcd = parse(header, path);
+  auto pcd = parse(header, path);
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < std::min(pcd.counts.size(), pcd.fields.size()); ++i)
+    if (pcd.counts[i] == 0)
+      notes.push_back("its field '" + pcd.fields[i] + "' has COUNT 0 and is left out");
+  if (!notes.empty()) {
+    dropEmptyFields(pcd.counts, header);
+    pcd = parse(header, path);
+    pcd.notes = notes;
+  }
   requireUsable(pcd, path);
   return pcd;
+}
+
+std::string
+pcdHeaderText(const FileHeader& header, bool one_point)
+{
+  std::string text;
+  for (const auto& words : header.lines) {
+    const bool is_count =
+        words[0] == "WIDTH" || words[0] == "HEIGHT" || words[0] == "POINTS";
+    text += words[0];
+    for (std::size_t i = 1; i < words.size(); ++i)
+      text += " " + (one_point && is_count ? "1" : words[i]);
+    text += "\n";
+  }
+  return text;
 }
 
 } // namespace pcl::indoor::tool

@@ -14,12 +14,13 @@ namespace pcl::indoor::tool {
 
 /** \brief What the header of a PCD says of its points. */
 struct PcdHeader {
+  std::vector<std::string> fields;          ///< their names
   std::vector<std::uint64_t> sizes, counts; ///< of each field: bytes, values
   std::vector<std::string> types;           ///< of each field: F, I or U
-  std::size_t fields = 0;
   std::uint64_t width = 0, height = 1, points = 0;
-  bool has_points = false; ///< it has the line POINTS
-  std::string data;        ///< ascii, binary or binary_compressed
+  bool has_points = false;        ///< it has the line POINTS
+  std::string data;               ///< ascii, binary or binary_compressed
+  std::vector<std::string> notes; ///< see CloudFile::notes
 
   std::uint64_t
   valuesPerPoint() const;
@@ -29,9 +30,17 @@ struct PcdHeader {
 };
 
 /** \brief Read a header that agrees with itself: PCL's reader would trust any.
+ * \param[in,out] header loses the fields of COUNT 0, which have no bytes and which
+ * PCL's reader refuses
  * \throws ToolError if it does not, or promises no points
  */
 PcdHeader
-readPcdHeader(const FileHeader& header, const std::string& path);
+readPcdHeader(FileHeader& header, const std::string& path);
+
+/** \brief The header as PCL's reader wants it.
+ * \param[in] one_point as of a file of a single point: for more, it takes memory
+ */
+std::string
+pcdHeaderText(const FileHeader& header, bool one_point);
 
 } // namespace pcl::indoor::tool

@@ -5,6 +5,7 @@
 #include "formats/ply_file.h"
 
 #include "command_line/options.h" // for ToolError
+#include "files/field_value.h"
 #include "formats/file_header.h"
 #include "formats/ply_body.h"
 #include "formats/ply_header.h"
@@ -24,17 +25,18 @@ std::uint64_t
 listLength(PlyBody& body, const PlyProperty& property, const std::string& path)
 {
   const auto type = property.list_type;
-  std::uint8_t bytes[8] = {};
-  body.read(type, bytes);
-  std::uint32_t length = 0;
   if (type == PCLPointField::FLOAT32 || type == PCLPointField::FLOAT64)
     throw ToolError(path +
                     ": the length of a list in the header is not a whole number");
-  std::memcpy(
-      &length, bytes, plyTypeSize(type)); // a negative one is longer than any file
-  if (length > body.left())
+  std::uint8_t bytes[8] = {};
+  body.read(type, bytes);
+  const double length = valueAt(bytes, type);
+  if (length < 0.0)
+    throw ToolError(path + ": the file is damaged, a list has " +
+                    std::to_string(static_cast<int>(length)) + " values");
+  if (length > static_cast<double>(body.left()))
     body.throwEnd();
-  return length;
+  return static_cast<std::uint64_t>(length);
 }
 
 /** Reads a property's value, of a list the last one. */
@@ -50,61 +52,24 @@ readProperty(PlyBody& body,
     body.read(property.type, out);
 }
 
-/** Where a property's value goes in a point; several share the four bytes of a colour.
- */
-struct Target {
-  bool kept = false;
-  std::size_t offset = 0;
-};
-
-bool
-isColor(const std::string& name)
-{
-  return name == "red" || name == "green" || name == "blue" || name == "alpha";
-}
-
-/** Adds the fields to the cloud. */
-std::vector<Target>
+/** Adds a field for each property that is no list.
+ * \return where the value of each property goes in a point; of a list, nowhere */
+std::vector<std::optional<std::size_t>>
 layOut(const PlyElement& vertex, PCLPointCloud2& cloud)
 {
-  static const std::map<std::string, std::string> pcl_names = {
-      {"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}};
-  static const std::map<std::string, std::size_t> color_bytes = {
-      {"blue", 0}, {"green", 1}, {"red", 2}, {"alpha", 3}};
-  const bool has_alpha = std::any_of(
-      vertex.properties.begin(), vertex.properties.end(), [](const PlyProperty& p) {
-        return p.name == "alpha" && p.type == PCLPointField::UINT8;
-      });
-  std::size_t color_offset = 0;
-  bool has_color = false;
-  std::vector<Target> targets;
-  const auto add = [&cloud](const std::string& name, std::uint8_t type) {
+  std::vector<std::optional<std::size_t>> targets;
+  for (const auto& property : vertex.properties) {
+    targets.emplace_back();
+    if (property.list_type != 0)
+      continue;
     PCLPointField field;
-    field.name = name;
+    field.name = property.name;
     field.offset = cloud.point_step;
-    field.datatype = type;
+    field.datatype = property.type;
     field.count = 1;
     cloud.fields.push_back(field);
-    cloud.point_step += static_cast<std::uint32_t>(plyTypeSize(type));
-    return static_cast<std::size_t>(field.offset);
-  };
-  for (const auto& property : vertex.properties) {
-    Target target;
-    target.kept = property.list_type == 0;
-    if (target.kept && isColor(property.name) &&
-        property.type == PCLPointField::UINT8) {
-      if (!has_color)
-        color_offset = has_alpha ? add("rgba", PCLPointField::UINT32)
-                                 : add("rgb", PCLPointField::FLOAT32);
-      has_color = true;
-      target.offset = color_offset + color_bytes.at(property.name);
-    }
-    else if (target.kept) {
-      const auto renamed = pcl_names.find(property.name);
-      target.offset = add(renamed == pcl_names.end() ? property.name : renamed->second,
-                          property.type);
-    }
-    targets.push_back(target);
+    cloud.point_step += static_cast<std::uint32_t>(plyTypeSize(property.type));
+    targets.back() = field.offset;
   }
   return targets;
 }
@@ -137,8 +102,8 @@ readVertices(PlyBody& body,
   for (std::size_t i = 0; i < cloud.width; ++i)
     for (std::size_t p = 0; p < targets.size(); ++p) {
       readProperty(body, vertex.properties[p], path, value);
-      if (targets[p].kept)
-        std::memcpy(&cloud.data[i * cloud.point_step + targets[p].offset],
+      if (targets[p])
+        std::memcpy(&cloud.data[i * cloud.point_step + *targets[p]],
                     value,
                     plyTypeSize(vertex.properties[p].type));
     }
@@ -234,6 +199,13 @@ isFaceList(const PlyProperty& property)
          (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
+bool
+hasFaces(const PlyElement& element)
+{
+  return element.name == "face" && element.count > 0 &&
+         std::any_of(element.properties.begin(), element.properties.end(), isFaceList);
+}
+
 /** The vertices of the next face; its other properties are left out. */
 std::vector<std::uint32_t>
 readFace(PlyBody& body, const PlyElement& element, const std::string& path)
@@ -322,21 +294,28 @@ plyRecords(const std::string& path)
   return records;
 }
 
-std::vector<std::vector<std::uint32_t>>
-readPlyFaces(const std::string& path)
+bool
+hasPlyFaces(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
   std::string first(3, ' ');
   stream.read(first.data(), 3);
   if (first != "ply")
+    return false;
+  stream.seekg(0);
+  const auto elements = elementsOf(readFileHeader(stream, "end_header", path), path);
+  return std::any_of(elements.begin(), elements.end(), hasFaces);
+}
+
+std::vector<std::vector<std::uint32_t>>
+readPlyFaces(const std::string& path)
+{
+  if (!hasPlyFaces(path))
     return {};
   auto [elements, body, offset] = openPly(path);
   std::vector<std::vector<std::uint32_t>> faces;
   for (const auto& element : elements) {
-    const bool has_faces =
-        element.name == "face" &&
-        std::any_of(element.properties.begin(), element.properties.end(), isFaceList);
-    if (!has_faces) {
+    if (!hasFaces(element)) {
       skip(body, element, path);
       continue;
     }

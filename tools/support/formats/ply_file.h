@@ -21,14 +21,12 @@ namespace pcl::indoor::tool {
 /** \brief Read the points of a PLY file (ascii, little or big endian) with all their
  * properties.
  *
- * Properties get the names that PCL gives them: nx, ny, nz become normal_x, ...; red,
- * green, blue of 8 bits become rgb. Lists are left out. PCL's own reader is not used
- * because it stops the program at a damaged file.
- * \param[out] origin, orientation the pose of the element "camera", if there is one;
- * its viewport gives rows and columns if these fit the points
- * \return the offset of the header's comment, see offsetText()
- * \throws ToolError if the file is no PLY, has no points, or fewer than its header
- * promises
+ * They keep their names, see UsualFields for PCL's. Lists are left out. PCL's own
+ * reader is not used because it stops the program at a damaged file. \param[out]
+ * origin, orientation the pose of the element "camera", if there is one; its viewport
+ * gives rows and columns if these fit the points \return the offset of the header's
+ * comment, see offsetText() \throws ToolError if the file is no PLY, has no points, or
+ * fewer than its header promises
  */
 Eigen::Vector3d
 readPly(const std::string& path,
@@ -55,6 +53,12 @@ struct PlyRecords {
  */
 std::optional<PlyRecords>
 plyRecords(const std::string& path);
+
+/** \brief Does the header of a file say that it is a PLY with faces?
+ * \throws ToolError as readPly()
+ */
+bool
+hasPlyFaces(const std::string& path);
 
 /** \brief Read the faces of a PLY file: per face the numbers of its vertices, from 0.
  * \return none if the file is no PLY or has no faces

@@ -17,6 +17,8 @@ namespace pcl::indoor::tool {
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of vertices
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();    ///< was subtracted from them
+  bool y_is_up = false;                                ///< its format says so
 };
 
 /** \brief Draw points on a mesh, evenly over its area.

@@ -8,6 +8,7 @@
 #include "files/cloud_check.h" // for promisedPoints
 #include "files/cloud_file.h"
 #include "files/digest.h"
+#include "files/sampled_surface.h"
 #include "pipeline/scene_record.h"
 #include "scene/scan_frame.h"
 
@@ -162,7 +163,7 @@ loadScan(const PipelineOptions& options, Progress& progress)
   if (in_parts)
     scan = readInParts(options, name, std::move(stream), progress);
   else if (files.size() == 1)
-    scan.file = loadCloud(files[0], options.columns);
+    scan.file = loadSurface(files[0], options.columns);
   else
     scan.file =
         withPoints(name,

@@ -5,7 +5,9 @@
 #include "pipeline/scan.h"
 
 #include "command_line/printable.h"
+#include "files/cloud_sample.h"
 #include "files/joined_clouds.h"
+#include "files/sampled_surface.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 
@@ -31,27 +33,6 @@ hasCloudEnding(const fs::path& path)
     if (ending == known)
       return true;
   return false;
-}
-
-/** Points from all over the file, to see where its middle is. */
-PCLPointCloud2
-pointsFromAllOver(CloudStream& stream)
-{
-  constexpr std::uint64_t blocks = 256, block_size = 4096;
-  PCLPointCloud2 cloud;
-  for (std::uint64_t block = 0; block < blocks; ++block) {
-    const auto first = stream.pointCount() * block / blocks;
-    const auto part = stream.read(
-        first,
-        static_cast<std::size_t>(std::min(block_size, stream.pointCount() - first)));
-    if (block == 0)
-      cloud = part;
-    else {
-      cloud.data.insert(cloud.data.end(), part.data.begin(), part.data.end());
-      cloud.width += part.width;
-    }
-  }
-  return cloud;
 }
 
 /** The notes of several files, those that are the same as one. */
@@ -136,7 +117,7 @@ joinedScans(const std::vector<std::string>& files,
 {
   for (std::size_t i = 0; i < files.size(); ++i)
     if (!opened[i]) {
-      auto file = loadCloud(files[i], columns, 0);
+      auto file = loadSurface(files[i], columns, 0);
       opened[i] =
           streamInMemory(std::move(file.cloud), file.frame, std::move(file.notes));
     }

@@ -1,0 +1,49 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/PCLPointField.h>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace pcl::indoor::tool {
+
+/** \brief A field's value of one point as a double; every type a PCD can have. */
+inline double
+valueAt(const std::uint8_t* bytes, std::uint8_t datatype)
+{
+  const auto as = [bytes](auto value) {
+    std::memcpy(&value, bytes, sizeof(value)); // fields need not be aligned
+    return static_cast<double>(value);
+  };
+  switch (datatype) {
+  case PCLPointField::INT8:
+    return as(std::int8_t());
+  case PCLPointField::UINT8:
+    return as(std::uint8_t());
+  case PCLPointField::INT16:
+    return as(std::int16_t());
+  case PCLPointField::UINT16:
+    return as(std::uint16_t());
+  case PCLPointField::INT32:
+    return as(std::int32_t());
+  case PCLPointField::UINT32:
+    return as(std::uint32_t());
+  case PCLPointField::INT64:
+    return as(std::int64_t());
+  case PCLPointField::UINT64:
+    return as(std::uint64_t());
+  case PCLPointField::FLOAT32:
+    return as(float());
+  case PCLPointField::FLOAT64:
+    return as(double());
+  default:
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+} // namespace pcl::indoor::tool

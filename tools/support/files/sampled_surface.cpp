@@ -1,0 +1,135 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "files/sampled_surface.h"
+
+#include "formats/mesh_file.h"
+#include "formats/ply_file.h"
+
+#include <pcl/conversions.h>
+#include <pcl/exceptions.h>
+
+#include <Eigen/Geometry> // for cross
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pcl::indoor::tool {
+namespace {
+
+constexpr double spacing = 0.02;            // metres: five per voxel of the rooms
+constexpr double covered_spacing = 0.1;     // metres: a voxel of the rooms
+constexpr std::size_t least_drawn = 100000; // also of a chair
+constexpr std::size_t most_drawn = 2000000; // also in millimetres; 0.8 GB of memory
+
+/** The area of each triangle, 0 where it is not finite. */
+std::vector<double>
+areasOf(const Mesh& mesh)
+{
+  std::vector<double> areas;
+  areas.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Eigen::Vector3d origin = mesh.vertices[a].cast<double>();
+    const Eigen::Vector3d first = mesh.vertices[b].cast<double>() - origin;
+    const Eigen::Vector3d second = mesh.vertices[c].cast<double>() - origin;
+    const double area = 0.5 * first.cross(second).norm();
+    areas.push_back(std::isfinite(area) ? area : 0.0);
+  }
+  return areas;
+}
+
+double
+sumOf(const std::vector<double>& values)
+{
+  double sum = 0.0;
+  for (const double value : values)
+    sum += value;
+  return sum;
+}
+
+/** As many triangles as would have the area if all were as large as where a point of
+ * the surface typically lies: a few large ones count, many small ones do not. */
+double
+effectiveCount(const std::vector<double>& areas)
+{
+  double squares = 0.0;
+  for (const double area : areas)
+    squares += area * area;
+  const double sum = sumOf(areas);
+  return squares > 0.0 ? sum * sum / squares : 0.0;
+}
+
+bool
+areCovered(const Mesh& mesh)
+{
+  constexpr double triangles_per_vertex = 2.0; // of any large closed mesh
+  const double sparser = std::pow(spacing / covered_spacing, 2);
+  const auto vertices = effectiveCount(areasOf(mesh)) / triangles_per_vertex;
+  return vertices > sparser * static_cast<double>(surfacePointCount(mesh));
+}
+
+std::string
+noteOf(const Mesh& mesh, std::size_t count)
+{
+  char apart[32];
+  std::snprintf(apart,
+                sizeof(apart),
+                "%.2g",
+                std::sqrt(sumOf(areasOf(mesh)) / static_cast<double>(count)));
+  return "is a mesh of " + std::to_string(mesh.triangles.size()) +
+         " triangles: " + std::to_string(count) + " points are drawn on them, about " +
+         apart + " units apart; colours and all else of its vertices are left out";
+}
+
+} // namespace
+
+std::size_t
+surfacePointCount(const Mesh& mesh)
+{
+  const double wanted = sumOf(areasOf(mesh)) / (spacing * spacing);
+  return static_cast<std::size_t>(std::clamp(
+      wanted, static_cast<double>(least_drawn), static_cast<double>(most_drawn)));
+}
+
+void
+drawPoints(const Mesh& mesh, CloudFile& file)
+{
+  constexpr std::uint32_t seed = 1; // the same file gives the same points
+  PointCloud<PointXYZ> points;
+  const auto count = surfacePointCount(mesh);
+  try {
+    for (const auto& drawn : sampleMesh(mesh, count, seed))
+      points.emplace_back(drawn.position.x(), drawn.position.y(), drawn.position.z());
+  } catch (const BadArgumentException&) { // its triangles are within its vertices
+    throw ToolError(file.path + ": no face of the mesh has an area");
+  }
+  toPCLPointCloud2(points, file.cloud);
+  file.frame.offset = mesh.offset;
+  file.notes.push_back(noteOf(mesh, count));
+  if (mesh.y_is_up)
+    file.notes.emplace_back("its y axis points up, as its format has it");
+}
+
+CloudFile
+loadSurface(const std::string& path,
+            const TableColumns& columns,
+            std::size_t least_points)
+{
+  auto file = loadCloud(path, columns, least_points);
+  if (file.points->size() >= most_drawn || !hasPlyFaces(path))
+    return file;
+  auto mesh = plyMesh(file);
+  if (mesh.triangles.empty() || areCovered(mesh))
+    return file;
+  mesh.offset = file.offset;
+  CloudFile drawn;
+  drawn.path = path;
+  drawn.notes = file.notes;
+  drawPoints(mesh, drawn);
+  return withPoints(
+      path, std::move(drawn.cloud), drawn.frame, least_points, drawn.notes);
+}
+
+} // namespace pcl::indoor::tool
