@@ -331,9 +331,9 @@ main(int argc, char** argv)
       segmentation.setInputColors(readColors(file));
     std::vector<std::uint32_t> objects;
     const auto options = chosenOptions(settings, isTableView(file.points));
-    const auto step = stepWarning(file.coordinate_step,
-                                  options.voxel_size > 0 ? options.voxel_size
-                                                         : 0.25 * options.seed_size);
+    const auto step = pcl::indoor::stepWarning(
+        file.coordinate_step,
+        options.voxel_size > 0 ? options.voxel_size : 0.25 * options.seed_size);
     if (!step.empty())
       printWarning(file.path + ": " + step);
     const auto problem = problemOf([&] { segmentation.segment(objects); });

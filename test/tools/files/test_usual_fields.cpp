@@ -118,7 +118,7 @@ TEST_F(UsualFieldsTest, WholeCoordinatesAreReadAsDoubles)
   auto file =
       load("whole.pcd", pcd("x y z", "4 4 4", "I I I", "1 1 1", points + points, 2));
   EXPECT_EQ(readNumbers(file, "z")[1], 2000000001.0);
-  EXPECT_EQ((*file.points)[0].x, -1500.0f);
+  EXPECT_EQ(static_cast<double>((*file.points)[0].x) + file.offset.x(), -1500.0);
   ASSERT_EQ(file.notes.size(), 1u);
   EXPECT_NE(file.notes[0].find("whole numbers"), std::string::npos);
   const std::string longs =

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -18,17 +19,19 @@ constexpr std::size_t most_groups = 64;
 constexpr std::size_t least_groups = 8; // that count, for a median to mean something
 constexpr std::size_t least_different = 4;
 
-/** The greatest common divisor of real numbers; \a least if it is not above that. A
- * rest of up to 1 % is taken for rounding: decimal steps are no doubles. */
+/** The greatest common divisor of two positive numbers; \a least if it is not above
+ * that. A rest of up to 1 % is taken for rounding: decimal steps are no doubles. */
 double
 commonDivisor(double a, double b, double least)
 {
-  while (b > 0.01 * a && a > least) {
+  const double whole = a;
+  do {
     const double rest = std::fmod(a, b);
     a = b;
     b = std::min(rest, a - rest);
-  }
-  return std::max(a, least);
+  } while (b > 0.01 * a && a > least);
+  // the rests have added up what was rounded, so it is taken from the whole
+  return a > least ? whole / std::round(whole / a) : least;
 }
 
 /** Values from all over, in groups of which each is from all over, too. */
@@ -54,10 +57,13 @@ stepOf(std::vector<double> group, double least)
   group.erase(std::unique(group.begin(), group.end()), group.end());
   if (group.size() < least_different)
     return 0.0;
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
+                          std::max(std::abs(group.front()), std::abs(group.back()));
   double step = 0.0;
   for (std::size_t k = 1; k < group.size(); ++k) {
     const double gap = group[k] - group[k - 1];
-    step = commonDivisor(std::max(step, gap), std::min(step, gap), least);
+    if (gap > rounding) // else both are the same step
+      step = step > 0.0 ? commonDivisor(gap, step, least) : gap;
   }
   return step;
 }
@@ -74,7 +80,7 @@ commonStep(const std::vector<double>& values)
   if (all.empty())
     return 0.0;
   const double extent = quantile(all, 0.75) - quantile(all, 0.25);
-  const double least = 1e-6 * extent;
+  const double least = 1e-5 * extent; // below, what doubles round could be taken for it
   std::vector<double> steps;
   for (const auto& group : groups)
     if (const double step = stepOf(group, least); step > 0.0)

@@ -16,7 +16,7 @@ namespace pcl::indoor::tool {
  * the greatest common divisor of its differences, and the median of the groups is told,
  * so that few values between the steps do not matter. A group of fewer than four
  * different values does not count: planes show no step.
- * \return 0 if there is none above a millionth of the extent, that of the middle half
+ * \return 0 if there is none above 1e-5 of the extent, that of the middle half
  * of the values, or if there are too few values to tell
  */
 double

@@ -61,13 +61,15 @@ effectiveCount(const std::vector<double>& areas)
   return squares > 0.0 ? sum * sum / squares : 0.0;
 }
 
+/** Do the faces have an area that the vertices do not cover? */
 bool
-areCovered(const Mesh& mesh)
+isSparse(const Mesh& mesh)
 {
   constexpr double triangles_per_vertex = 2.0; // of any large closed mesh
   const double sparser = std::pow(spacing / covered_spacing, 2);
-  const auto vertices = effectiveCount(areasOf(mesh)) / triangles_per_vertex;
-  return vertices > sparser * static_cast<double>(surfacePointCount(mesh));
+  const double vertices = effectiveCount(areasOf(mesh)) / triangles_per_vertex;
+  return vertices > 0.0 &&
+         vertices <= sparser * static_cast<double>(surfacePointCount(mesh));
 }
 
 std::string
@@ -121,7 +123,7 @@ loadSurface(const std::string& path,
   if (file.points->size() >= most_drawn || !hasPlyFaces(path))
     return file;
   auto mesh = plyMesh(file);
-  if (mesh.triangles.empty() || areCovered(mesh))
+  if (!isSparse(mesh))
     return file;
   mesh.offset = file.offset;
   CloudFile drawn;

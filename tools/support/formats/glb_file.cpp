@@ -181,6 +181,8 @@ private:
         continue;
       const auto first = static_cast<std::uint32_t>(polygons_.vertices.size());
       const auto numbers = accessor(primitive.at("attributes").at("POSITION"), 3);
+      if (numbers.size() > most_numbers - 3 * polygons_.vertices.size())
+        complain("has too many vertices");
       for (std::size_t k = 0; k + 2 < numbers.size(); k += 3)
         polygons_.vertices.emplace_back(pose * Eigen::Vector3d(&numbers[k]));
       std::vector<double> corners;
@@ -199,7 +201,7 @@ private:
   {
     const auto count = static_cast<double>(polygons_.vertices.size() - first);
     const auto corner = [&](std::size_t k) {
-      if (!(corners[k] < count))
+      if (!(corners[k] >= 0.0 && corners[k] < count))
         complain("a face names a vertex that is not there");
       return first + static_cast<std::uint32_t>(corners[k]);
     };
@@ -249,6 +251,8 @@ private:
       }
     return numbers;
   }
+
+  static constexpr std::size_t most_numbers = 3u << 30; // of vertices: 24 GB
 
   std::string path_;
   Json json_;
