@@ -311,6 +311,8 @@ TEST_F(CloudFiles, OtherFormatsAreNamedWithTheCommandThatConvertsThem)
   };
   ends(messageFor("a.laz", las), " " + path("a.laz") + " " + path("a.las"));
   ends(messageFor("a.las", las), " " + path("a.las") + " " + path("a.unpacked.las"));
+  ends(messageFor("a IN OUT.x.laz", las),
+       " '" + path("a IN OUT.x.laz") + "' '" + path("a IN OUT.x.las") + "'");
   ends(messageFor("a b.e57", "ASTM-E57"),
        " '" + path("a b.e57") + "' '" + path("a b.xyz") + "'");
   EXPECT_EQ(messageFor("a.pcd.gz", "\x1f\x8b\x08"),

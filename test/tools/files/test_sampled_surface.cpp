@@ -275,6 +275,10 @@ TEST_F(SampledSurface, ObjIsKnownBehindCommentsAndByAnyName)
             {4, 3, 0});
   expectBox(loadCloud(write("mesh", "mtllib a.mtl\n" + body)), {0, 0, 0}, {4, 3, 0});
   EXPECT_FALSE(CloudStream::open(path("mesh")));
-  EXPECT_THROW(loadCloud(write("points.obj", "v 0 0 0\nv 4 0 0\n")), ToolError);
+  const auto points = loadCloud(write("points.obj", "v 1 2 3 0.5 0.5 0.5\nv 4 0 0\n"));
+  EXPECT_EQ(points.points->size(), 2u);
+  EXPECT_EQ((*points.points)[0].z, 3.0f);
+  ASSERT_EQ(points.notes.size(), 1u);
+  EXPECT_THROW(loadCloud(write("none.obj", "o a\n")), ToolError);
   EXPECT_THROW(loadCloud(write("flat.obj", "v 0 0 0\nv 4 0 0\nf 1 2 2\n")), ToolError);
 }

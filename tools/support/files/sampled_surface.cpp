@@ -81,8 +81,9 @@ noteOf(const Mesh& mesh, std::size_t count)
                 "%.2g",
                 std::sqrt(sumOf(areasOf(mesh)) / static_cast<double>(count)));
   return "is a mesh of " + std::to_string(mesh.triangles.size()) +
-         " triangles: " + std::to_string(count) + " points are drawn on them, about " +
-         apart + " units apart; colours and all else of its vertices are left out";
+         (mesh.triangles.size() == 1 ? " triangle: " : " triangles: ") +
+         std::to_string(count) + " points are drawn on them, about " + apart +
+         " units apart; colours and all else of its vertices are left out";
 }
 
 } // namespace
@@ -100,16 +101,25 @@ drawPoints(const Mesh& mesh, CloudFile& file)
 {
   constexpr std::uint32_t seed = 1; // the same file gives the same points
   PointCloud<PointXYZ> points;
-  const auto count = surfacePointCount(mesh);
-  try {
-    for (const auto& drawn : sampleMesh(mesh, count, seed))
-      points.emplace_back(drawn.position.x(), drawn.position.y(), drawn.position.z());
-  } catch (const BadArgumentException&) { // its triangles are within its vertices
-    throw ToolError(file.path + ": no face of the mesh has an area");
+  const auto add = [&points](const Eigen::Vector3f& p) {
+    points.emplace_back(p.x(), p.y(), p.z());
+  };
+  if (mesh.triangles.empty()) {
+    std::for_each(mesh.vertices.begin(), mesh.vertices.end(), add);
+    file.notes.emplace_back("has no faces: its vertices are the points");
+  }
+  else {
+    const auto count = surfacePointCount(mesh);
+    try {
+      for (const auto& drawn : sampleMesh(mesh, count, seed))
+        add(drawn.position);
+    } catch (const BadArgumentException&) { // its triangles are within its vertices
+      throw ToolError(file.path + ": no face of the mesh has an area");
+    }
+    file.notes.push_back(noteOf(mesh, count));
   }
   toPCLPointCloud2(points, file.cloud);
   file.frame.offset = mesh.offset;
-  file.notes.push_back(noteOf(mesh, count));
   if (mesh.y_is_up)
     file.notes.emplace_back("its y axis points up, as its format has it");
 }

@@ -17,7 +17,8 @@ std::size_t
 surfacePointCount(const Mesh& mesh);
 
 /** \brief Draw points evenly on a mesh, the same each time. They have no normals: which
- * side of a face is the front, many meshes do not tell.
+ * side of a face is the front, many meshes do not tell. Without faces, the vertices are
+ * the points.
  * \param[in,out] file gets the points as its cloud, the offset and a note; its path is
  * for errors
  * \throws ToolError if no face has an area

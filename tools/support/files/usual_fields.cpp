@@ -179,8 +179,10 @@ void
 UsualFields::nameColors(const std::function<const PCLPointCloud2&()>& points)
 {
   for (const char* name : {"rgb", "rgba"})
-    if (!fieldsNamed(parts_, {name}).empty())
+    if (const auto packed = fieldsNamed(parts_, {name}); !packed.empty()) {
+      parts_[packed[0]].field.name = name;
       return;
+    }
   for (const std::array<std::string, 4>& wanted :
        {std::array<std::string, 4>{"blue", "green", "red", "alpha"},
         {"diffuse_blue", "diffuse_green", "diffuse_red", "diffuse_alpha"},

@@ -16,11 +16,11 @@ namespace pcl::indoor::tool {
 /** \brief Gives the fields of other programs' files PCL's names and types, so that all
  * tools find them: x, y, z as real numbers, normal_x, normal_y, normal_z, and rgb.
  *
- * Taken are, in letters of any size, x y z; nx ny nz and normalx normaly normalz; red
- * green blue, diffuse_red ... and r g b, each only if all three are there and none has
- * PCL's name. Whole numbers of coordinates become doubles. Colours of one byte become
- * rgb, with alpha rgba; of others, rgb is added and they stay. All other fields stay as
- * they are.
+ * Taken are, in letters of any size, x y z; nx ny nz and normalx normaly normalz; rgb;
+ * red green blue, diffuse_red ... and r g b, each only if all three are there and none
+ * has PCL's name. Whole numbers of coordinates become doubles. Colours of one byte
+ * become rgb, with alpha rgba; of others, rgb is added and they stay. All other fields
+ * stay as they are.
  */
 class UsualFields {
 public:

@@ -55,6 +55,11 @@ const std::vector<Format> formats = {
     {"a scan of Riegl", {}, {".rdbx", ".rxp"}, from_its_program},
     {"a scan of Trimble", {}, {".tzf", ".rwp", ".tdx"}, from_its_program},
     {"a scan of Topcon", {}, {".cl3", ".clr"}, from_its_program},
+    {"a cloud of Pointools or ReCap", {}, {".pod", ".pcg"}, from_its_program},
+    {"a cloud compressed by Draco",
+     {"DRACO"},
+     {".drc"},
+     "unpack it (needs draco): draco_decoder -i IN -o OUT.ply"},
     {"a USD scene",
      {"PXR-USDC", "#usda"},
      {".usdz", ".usdc", ".usda", ".usd"},
@@ -68,7 +73,7 @@ const std::vector<Format> formats = {
      {"BLENDER"},
      {".blend"},
      "export it: blender -b IN --python-expr 'import bpy; "
-     "bpy.ops.export_mesh.ply(filepath=\"scan.ply\")'"},
+     "bpy.ops.wm.obj_export(filepath=\"scan.obj\")'"},
     {"a drawing (DXF)",
      {"AutoCAD Binary DXF"},
      {".dxf"},
@@ -77,9 +82,9 @@ const std::vector<Format> formats = {
      {"AC10"},
      {".dwg"},
      "it has lines and no scan: give the scan that it was drawn from"},
-    {"a building model (IFC)",
+    {"a model of a drawing program",
      {"ISO-10303-21"},
-     {".ifc", ".stp", ".step"},
+     {".ifc", ".stp", ".step", ".rvt", ".skp", ".3dm", ".nwd"},
      "export its surfaces as OBJ, GLB or STL from the program that made it"},
     {"a ROS bag",
      {"#ROSBAG"},
@@ -118,6 +123,7 @@ const std::vector<Format> formats = {
      {"\x89PNG", "\xff\xd8\xff", "GIF8", "II*", "%PDF"},
      {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".mp4", ".mov", ".pdf"},
      "it has no points: give the scan"},
+    {"a packed folder (tar)", {}, {".tar"}, "unpack it: tar xf IN"},
     {"a file compressed by gzip",
      {"\x1f\x8b"},
      {".gz", ".tgz"},
@@ -198,7 +204,7 @@ describeForeignFormat(const std::string& path, const std::string& beginning)
   std::string advice = format->advice;
   if (const auto out = advice.rfind(" OUT."); out != advice.npos)
     advice.replace(out + 1, advice.npos, outputOf(path, advice.substr(out + 4)));
-  if (const auto in = advice.rfind(" IN"); in != advice.npos)
+  if (const auto in = advice.find(" IN"); in != advice.npos)
     advice.replace(in + 1, 2, quoted(path));
   return std::string(format->name) + "; " + advice;
 }

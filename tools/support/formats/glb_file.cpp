@@ -177,7 +177,7 @@ private:
   {
     for (const auto& primitive : mesh.at("primitives")) {
       const int mode = primitive.value("mode", 4);
-      if (mode < 4 || mode > 6) // points and lines
+      if (mode != 0 && (mode < 4 || mode > 6)) // lines
         continue;
       const auto first = static_cast<std::uint32_t>(polygons_.vertices.size());
       const auto numbers = accessor(primitive.at("attributes").at("POSITION"), 3);
@@ -195,10 +195,12 @@ private:
     }
   }
 
-  /** \param[in] mode 4: three corners each, 5: a strip, 6: a fan */
+  /** \param[in] mode 0: points, 4: three corners each, 5: a strip, 6: a fan */
   void
   addTriangles(const std::vector<double>& corners, int mode, std::uint32_t first)
   {
+    if (mode == 0)
+      return;
     const auto count = static_cast<double>(polygons_.vertices.size() - first);
     const auto corner = [&](std::size_t k) {
       if (!(corners[k] >= 0.0 && corners[k] < count))

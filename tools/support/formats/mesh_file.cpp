@@ -266,8 +266,6 @@ readMesh(const std::string& path)
                                                     : readObj(std::move(text), path);
   auto mesh = nearOrigin(polygons);
   mesh.y_is_up = format == MeshFormat::GLB;
-  if (mesh.triangles.empty())
-    throw ToolError(path + ": the mesh has no faces");
   return mesh;
 }
 

@@ -28,8 +28,8 @@ meshFormat(const std::string& path, const std::string& beginning);
  * are moved near the origin by whole units. Of OFF the counts may stand on the line of
  * the header, even without a space, as in files of ModelNet. PCL's own reader of OBJ is
  * not used because it takes damaged files for meshes.
- * \throws ToolError if the file is missing, damaged, truncated or without faces, or
- * names vertices that are not there
+ * \throws ToolError if the file is missing, damaged or truncated, or names vertices
+ * that are not there
  */
 Mesh
 readMesh(const std::string& path);

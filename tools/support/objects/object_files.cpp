@@ -47,6 +47,8 @@ sampledObject(const Mesh& mesh, const std::string& path)
 {
   constexpr std::uint32_t seed = 1; // the same file gives the same object
   auto object = pcl::make_shared<PointCloud<PointNormal>>();
+  if (mesh.triangles.empty())
+    throw ToolError(path + ": the mesh has no faces");
   try {
     for (const auto& drawn : sampleMesh(mesh, mesh_point_count, seed)) {
       PointNormal point;
