@@ -52,6 +52,37 @@ sizeOf(const PCLPointField& field)
          std::max(field.count, 1u);
 }
 
+/** Bytes of a point that stay as they are, those that follow each other together. */
+class Spans {
+public:
+  void
+  add(std::size_t from, std::size_t to, std::size_t size)
+  {
+    if (!spans_.empty() && spans_.back().from + spans_.back().size == from &&
+        spans_.back().to + spans_.back().size == to)
+      spans_.back().size += size;
+    else
+      spans_.push_back({from, to, size});
+  }
+
+  void
+  copy(const PCLPointCloud2& from, PCLPointCloud2& to) const
+  {
+    const auto count = static_cast<std::size_t>(from.width) * from.height;
+    for (std::size_t i = 0; i < count; ++i)
+      for (const auto& span : spans_)
+        std::memcpy(&to.data[i * to.point_step + span.to],
+                    &from.data[i * from.point_step + span.from],
+                    span.size);
+  }
+
+private:
+  struct Span {
+    std::size_t from, to, size;
+  };
+  std::vector<Span> spans_;
+};
+
 /** What a value of a colour is to be multiplied by to fit a byte; 0: it is no colour.
  * Real numbers mostly are from 0 to 1; whole ones of 16 bits may hold only 8. */
 double
@@ -271,8 +302,17 @@ UsualFields::of(PCLPointCloud2 cloud) const
   else if (!cloud.data.empty()) {
     named.data.resize(static_cast<std::size_t>(named.width) * named.height *
                       named.point_step);
+    Spans spans;
     for (const auto& part : parts_)
-      write(part, cloud, named);
+      if (const auto& first = part.from.front();
+          part.scale == 0.0 && first.datatype == part.field.datatype)
+        spans.add(first.offset, part.field.offset, sizeOf(first));
+      else if (first.datatype == PCLPointField::UINT8 && part.scale == 1.0)
+        for (std::size_t k = 0; k < part.from.size(); ++k)
+          spans.add(part.from[k].offset, part.field.offset + k, 1);
+      else
+        write(part, cloud, named);
+    spans.copy(cloud, named);
   }
   return named;
 }
@@ -284,16 +324,11 @@ UsualFields::write(const Part& part,
 {
   const auto count = static_cast<std::size_t>(from.width) * from.height;
   const auto& first = part.from.front();
-  const bool is_copy = part.scale == 0.0 && first.datatype == part.field.datatype;
   const std::uint8_t* source = from.data.data();
   std::uint8_t* target = to.data.data() + part.field.offset;
   for (std::size_t i = 0; i < count;
        ++i, source += from.point_step, target += to.point_step) {
-    if (is_copy) {
-      std::memcpy(target, source + first.offset, sizeOf(first));
-      continue;
-    }
-    if (part.scale == 0.0) {
+    if (part.scale == 0.0) { // a whole number
       const double value = valueAt(source + first.offset, first.datatype);
       std::memcpy(target, &value, sizeof(value));
       continue;

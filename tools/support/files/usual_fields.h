@@ -68,6 +68,7 @@ private:
             const std::string& names,
             const PCLPointCloud2& points);
 
+  /** Converts values. */
   void
   write(const Part& part, const PCLPointCloud2& from, PCLPointCloud2& to) const;
 
