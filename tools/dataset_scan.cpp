@@ -149,6 +149,7 @@ convert(Options& options, Progress& progress)
     requireWritable(options.json);
   progress.start("Loading " + options.input);
   auto scan = readScan(options);
+  printNotes(scan.file);
   if (!options.structure.empty())
     clearObjects(scan, listedNames(options.structure));
   appendTruth(scan);

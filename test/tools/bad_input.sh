@@ -56,8 +56,8 @@ case $case in
     expected='input.ply: .*truncated.* 3600 .* 2000' ;;
   table_bad_word) input=${input%.pcd}.csv; { echo x,y,z; echo 1,2,3; echo 4,abc,6; } > "$input"; expected="input.csv: line 3: 'abc' is not a number" ;;
   table_short_row) input=${input%.pcd}.xyz; { rows 30; echo 1 2; } > "$input"; expected='input.xyz: line 31 has 2 values, the rows before have 3' ;;
-  table_decimal_comma) input=${input%.pcd}.txt; printf '1,5;2,25;3,5\n' > "$input"; expected="input.txt: line 1: '1,5' is no number; decimals need a point" ;;
-  table_without_z) input=${input%.pcd}.csv; printf 'x,y,height\n1,2,3\n' > "$input"; expected="input.csv: line 1 names no column 'z'" ;;
+  table_decimal_comma) input=${input%.pcd}.txt; printf '1,50,2,25,3,05\n' > "$input"; expected='input.txt: line 1: commas part the values and the decimals' ;;
+  table_without_z) input=${input%.pcd}.csv; printf 'x,y,when\n1,2,3\n' > "$input"; expected="input.csv: line 1 names no column 'z'; .* -columns x,y,z" ;;
   table_too_few_points) input=${input%.pcd}.pts; { echo 400; rows 300; } > "$input"; expected='input.pts: .*truncated.* 400 .* 300' ;;
   table_of_names) input=${input%.pcd}.csv; echo x,y,z > "$input"; expected='input.csv: .*empty' ;;
   word_for_number) { pcd_header 300 ascii; rows 299; echo '1 2 abc'; } > "$input"; expected="input.pcd: .*'abc'" ;;

@@ -39,8 +39,12 @@ rooms() { grep -c '"footprint"' "$1"/scene.json; }
 pipeline whole.pcd alone || exit 1
 [ "$(rooms named)" = "$(rooms alone)" ] || fail "$(rooms named) rooms, of one scan alone $(rooms alone)"
 
-# in parts, without the table, which cannot be read so
-rm stations/c.csv
+# the table does not keep the others from being read in parts
+pipeline stations mixed -points_at_once 20000 > said 2>&1 || fail "in parts, a table among them, stations fail: $(cat said)"
+grep -q '"points_at_once"' mixed/scene.json || fail "a table turns reading in parts off"
+[ "$(count mixed/cloud.pcd)" = $all ] || fail "not all points came back in parts"
+grep -q "left out: notes.md: not read" said || fail "a file that is no scan is not named: $(cat said)"
+rm stations/c.csv stations/notes.md
 pipeline stations whole -points_at_once 0 || fail "two stations fail"
 pipeline stations parts -points_at_once 20000 || fail "two stations in parts fail"
 [ "$(rooms whole)" = "$(rooms parts)" ] || fail "in parts there are $(rooms parts) rooms, not $(rooms whole)"
@@ -51,6 +55,14 @@ for field in station part; do
   awk -v score="$score" 'BEGIN { exit !(score == 1) }' || fail "in parts the points have another $field: $score"
 done
 
+# results among the scans are no scan
+cp -r stations own
+pipeline own own || fail "results among the scans fail"
+cp own/cloud.pcd first.pcd
+pipeline own own > said 2>&1 || fail "a second time they fail"
+cmp own/cloud.pcd first.pcd || fail "the result of the first run is read as a scan"
+grep -q "cloud.pcd beside scene.json is the result" said || fail "the result is not named: $(cat said)"
+
 refused() { # <pattern> <arguments>
   local pattern=$1
   shift
@@ -58,11 +70,17 @@ refused() { # <pattern> <arguments>
   [ "$(wc -l < said)" = 1 ] && grep -q "$pattern" said || fail "$*: $(cat said)"
   [ ! -e out/scene.json ] || fail "$*: something is written"
 }
-mkdir empty
+mkdir empty only named_so
+touch only/a.laz only/b.laz
+cp stations/b.ply named_so/
+cp stations/a.pcd named_so/cloud.pcd
+refused "only: the folder holds no .*, but a.laz and 1 more: a LAZ file" only
 refused "empty: the folder holds no" empty
 refused "missing.pcd" stations/a.pcd missing.pcd
 head -c 3000 stations/a.pcd > cut.pcd
 refused "cut.pcd" stations/b.ply cut.pcd
+pipeline named_so named_so > said 2>&1 && fail "a scan is replaced by the results"
+grep -q "cloud.pcd: the results would replace this scan" said || fail "the scan in danger is not named: $(cat said)"
 pipeline stations/a.pcd > said 2>&1 && fail "no output folder is taken"
 grep -q "'output_dir'" said || fail "the missing folder is not named: $(cat said)"
 exit 0

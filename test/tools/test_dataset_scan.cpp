@@ -155,6 +155,32 @@ TEST_F(S3dis, ObjectsOfStructureAreNone)
                 "-structure: the scan has no category 'walls'");
 }
 
+TEST_F(S3dis, WhatIsNoTextIsLeftOut)
+{
+  save("area/.DS_Store", std::string("\0\0Bud1", 6));
+  save("area/office_1/Annotations/.DS_Store", std::string("\0\0Bud1", 6));
+  save("area/office_1/Annotations/wall_2.txt",
+       "4 5 6 103.0\x10"
+       "000 100.0 90.0\n4 5 6 185\x10"
+       "187 7\n");
+  const auto file = convert("area/office_1");
+  EXPECT_EQ(pointsOf(file),
+            (Text{"1 2 3 ff0010", "1.5 2 3 010203", "4 5 6 67645a", "4 5 6 b9bb07"}));
+  EXPECT_NE(bytesOf(path("said"))
+                .find("Annotations/wall_2.txt: control characters are "
+                      "left out in line 1 and 1 more"),
+            std::string::npos);
+}
+
+TEST_F(S3dis, OfTheWholeSetAnAreaIsAskedFor)
+{
+  save("set/Area_1/office_1/Annotations/chair_1.txt", "1 2 3 255 0 16\n");
+  save("set/Area_2/office_1/Annotations/chair_1.txt", "1 2 3 255 0 16\n");
+  expectRefused("set", "set: several areas of S3DIS; give one of them, for example ");
+  expectRefused("set", "set/Area_1");
+  expectRefused("set/Area_1/office_1/Annotations", "give the folder of the room");
+}
+
 TEST_F(S3dis, LargeCoordinatesKeepTheirMillimetres)
 {
   save("utm/Annotations/chair_1.txt",

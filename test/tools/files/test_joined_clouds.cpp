@@ -6,6 +6,7 @@
 #include "files/cloud_file.h"
 #include "files/joined_clouds.h"
 #include "pipeline/scan.h"
+#include "pipeline/scan_files.h"
 #include "support/added_field.h"
 #include "support/folder_test.h"
 
@@ -184,12 +185,71 @@ TEST_F(ScanFilesTest, OfAFolderAllCloudsByName)
     write(std::string("stations/") + name, "x");
   fs::create_directory(path("stations/e.pcd"));
   const auto folder = path("stations");
-  EXPECT_EQ(scanFiles({folder, "other.ply"}),
+  const auto found = scanFiles({folder, "other.ply"});
+  EXPECT_EQ(found.paths,
             (std::vector<std::string>{
                 folder + "/a.PCD", folder + "/b.las", folder + "/c.csv", "other.ply"}));
-  EXPECT_EQ(nameOfScan({folder + "/"}, scanFiles({folder})), folder);
+  EXPECT_EQ(found.notes,
+            (std::vector<std::string>{"left out: d.json: not read by this ending",
+                                      "left out: notes.md: not read by this ending"}));
+  EXPECT_EQ(nameOfScan({folder + "/"}, found.paths), folder);
   EXPECT_EQ(nameOfScan({"a.pcd", "b.pcd", "c.pcd"}, {"a.pcd", "b.pcd", "c.pcd"}),
             "a.pcd and 2 more");
   fs::create_directory(path("empty"));
   EXPECT_THROW(scanFiles({path("empty")}), ToolError);
+}
+
+namespace {
+
+std::string
+refusalOf(const std::string& folder)
+{
+  try {
+    scanFiles({folder});
+  } catch (const ToolError& error) {
+    return error.what();
+  }
+  return "it was taken";
+}
+
+} // namespace
+
+TEST_F(ScanFilesTest, FilesThatAreLeftOutAreNamed)
+{
+  const auto folder = path("stations");
+  fs::create_directory(folder);
+  for (const char* name : {"1.laz", "2.laz", "3.LAZ", ".DS_Store"})
+    write(std::string("stations/") + name, "x");
+  const auto refusal = refusalOf(folder);
+  EXPECT_NE(refusal.find("stations: the folder holds no PCD, PLY or LAS file or table, "
+                         "but 1.laz and 2 more: a LAZ file"),
+            std::string::npos)
+      << refusal;
+  write("stations/a.las", "x");
+  const auto found = scanFiles({folder});
+  EXPECT_EQ(found.paths, std::vector<std::string>{folder + "/a.las"});
+  ASSERT_EQ(found.notes.size(), 1u);
+  EXPECT_EQ(found.notes[0].rfind("left out: 1.laz and 2 more: a LAZ file", 0), 0u);
+  fs::create_directories(path("days/monday"));
+  EXPECT_NE(refusalOf(path("days"))
+                .find("but folders: give one of them, for example " + path("days") +
+                      "/monday"),
+            std::string::npos);
+}
+
+TEST_F(ScanFilesTest, ResultsAreNoScans)
+{
+  const auto folder = path("stations");
+  fs::create_directory(folder);
+  for (const char* name : {"a.las", "cloud.pcd", "rooms.png"})
+    write(std::string("stations/") + name, "x");
+  EXPECT_EQ(scanFiles({folder}).paths.size(), 2u); // a scan may have this name
+  write("stations/scene.json", "{}");
+  const auto found = scanFiles({folder});
+  EXPECT_EQ(found.paths, std::vector<std::string>{folder + "/a.las"});
+  EXPECT_EQ(found.notes,
+            std::vector<std::string>{"cloud.pcd beside scene.json is the result of an "
+                                     "earlier run and left out"});
+  fs::remove(folder + "/a.las");
+  EXPECT_EQ(scanFiles({folder}).paths, std::vector<std::string>{folder + "/cloud.pcd"});
 }

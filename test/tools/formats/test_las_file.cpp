@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct LasMaker {
   std::size_t step = 34;
   std::string extra; ///< descriptions of extra bytes
   std::uint64_t count = 3;
+  std::uint16_t color = 0x1100; ///< of red; twice and three times for green and blue
 
   std::string
   file() const
@@ -80,12 +82,18 @@ private:
     put<std::int32_t>(bytes, at + 4, 567000 - 2000 * i);
     put<std::int32_t>(bytes, at + 8, i);
     put<std::uint16_t>(bytes, at + 12, static_cast<std::uint16_t>(100 * i));
+    bytes[at + 14] = static_cast<char>(format < 6 ? 0xd1 : 0x21); // first of two
+    bytes[at + 17] = static_cast<char>(30 + i);
     if (format < 6) {
-      bytes[at + 15] = static_cast<char>(0xe0 | (i + 1)); // flags above 5 bits of class
+      bytes[at + 16] = -5;
+      bytes[at + 15] = static_cast<char>(0x60 | (i + 1)); // flags above 5 bits of class
       put<std::uint16_t>(bytes, at + 18, 7);
     }
     else {
+      bytes[at + 15] =
+          static_cast<char>(0xe9); // edge, left, channel 2, overlap, synthetic
       bytes[at + 16] = static_cast<char>(200 + i);
+      put<std::int16_t>(bytes, at + 18, -5000);
       put<std::uint16_t>(bytes, at + 20, 7);
     }
     if (format == 3) {
@@ -93,7 +101,7 @@ private:
       for (std::size_t channel = 0; channel < 3; ++channel)
         put<std::uint16_t>(bytes,
                            at + 28 + 2 * channel,
-                           static_cast<std::uint16_t>(0x1100 * (channel + 1)));
+                           static_cast<std::uint16_t>(color * (channel + 1)));
     }
     if (!extra.empty())
       put<std::int16_t>(bytes, at + step - 2, static_cast<std::int16_t>(-i));
@@ -126,6 +134,11 @@ valuesOf(const CloudFile& file, const std::string& name)
       double value;
       std::memcpy(&value, bytes, sizeof(value));
       values.push_back(value);
+    }
+    else if (field.datatype == pcl::PCLPointField::FLOAT32) {
+      float value;
+      std::memcpy(&value, bytes, sizeof(value));
+      values.push_back(static_cast<double>(value));
     }
     else if (field.datatype == pcl::PCLPointField::UINT8)
       values.push_back(*bytes);
@@ -180,6 +193,145 @@ TEST_F(LasFiles, OtherFieldsAreKept)
   EXPECT_EQ(color, 0x112233u);
 }
 
+namespace {
+
+std::uint32_t
+colorOf(const CloudFile& file)
+{
+  std::uint32_t color = 0;
+  const int rgb = pcl::getFieldIndex(file.cloud, "rgb");
+  std::memcpy(
+      &color,
+      &file.cloud.data[file.cloud.fields.at(static_cast<std::size_t>(rgb)).offset],
+      4);
+  return color;
+}
+
+} // namespace
+
+TEST_F(LasFiles, ColoursOfEightBitsAreTakenAsTheyAre)
+{
+  LasMaker maker;
+  maker.color = 85;
+  auto file = loadCloud(write("scan.las", maker.file()));
+  EXPECT_EQ(colorOf(file), 0x55aaffu);
+  EXPECT_EQ(file.notes,
+            std::vector<std::string>{"its colours have 8 bits in fields of 16, none "
+                                     "exceeds 255: they are taken as they are"});
+  EXPECT_EQ(CloudStream::open(path("scan.las"))->notes(), file.notes);
+  maker.color = 86; // of which three times are more than 255
+  file = loadCloud(write("scan.las", maker.file()));
+  EXPECT_EQ(colorOf(file), 0x000001u);
+  EXPECT_TRUE(file.notes.empty());
+  maker.color = 0;
+  file = loadCloud(write("scan.las", maker.file()));
+  EXPECT_EQ(colorOf(file), 0u);
+  EXPECT_TRUE(file.notes.empty());
+  // one point alone tells it, also in parts
+  maker.color = 85;
+  auto bytes = maker.file();
+  put<std::uint16_t>(bytes, bytes.size() - 2, 256);
+  file = loadCloud(write("scan.las", bytes));
+  EXPECT_EQ(colorOf(file), 0u);
+  const auto first = CloudStream::open(path("scan.las"))->read(0, 1);
+  EXPECT_TRUE(
+      std::equal(first.data.begin(), first.data.end(), file.cloud.data.begin()));
+}
+
+TEST_F(LasFiles, ReturnsFlagsAndAnglesAreKept)
+{
+  using Values = std::vector<double>;
+  auto file = loadCloud(write("scan.las", LasMaker().file()));
+  const auto expectField = [&file](const char* name, const Values& values) {
+    EXPECT_EQ(valuesOf(file, name), values) << name;
+  };
+  expectField("return_number", {1, 1, 1});
+  expectField("number_of_returns", {2, 2, 2});
+  expectField("scan_direction_flag", {1, 1, 1});
+  expectField("edge_of_flight_line", {1, 1, 1});
+  expectField("classification_flags", {3, 3, 3});
+  expectField("user_data", {30, 31, 32});
+  expectField("scan_angle", {-5, -5, -5});
+  LasMaker maker;
+  maker.minor = 4;
+  maker.format = 8;
+  maker.step = 38;
+  auto bytes = maker.file();
+  put<std::uint16_t>(bytes, 375 + 36, 777);
+  file = loadCloud(write("scan.las", bytes));
+  expectField("return_number", {1, 1, 1});
+  expectField("number_of_returns", {2, 2, 2});
+  expectField("scan_direction_flag", {1, 1, 1});
+  expectField("edge_of_flight_line", {1, 1, 1});
+  expectField("classification_flags", {9, 9, 9});
+  expectField("scanner_channel", {2, 2, 2});
+  expectField("user_data", {30, 31, 32});
+  EXPECT_NEAR(valuesOf(file, "scan_angle")[1], -30, 1e-4);
+  expectField("nir", {777, 0, 0});
+}
+
+TEST_F(LasFiles, PointsThatAreWithheldHaveNoPlace)
+{
+  auto bytes = LasMaker().file();
+  bytes[227 + 34 + 15] = static_cast<char>(0x80 | 2); // of the second point
+  const auto file = loadCloud(write("scan.las", bytes));
+  EXPECT_EQ(file.cloud.width, 3u);
+  EXPECT_EQ(file.finite_count, 2u);
+  EXPECT_TRUE(std::isnan((*file.points)[1].x));
+  EXPECT_EQ(
+      file.notes,
+      std::vector<std::string>{"points that are flagged as withheld are left out: 1"});
+  const auto stream = CloudStream::open(path("scan.las"));
+  EXPECT_EQ(stream->notes(), file.notes);
+  EXPECT_EQ(stream->read(0, 3).data, file.cloud.data);
+  LasMaker maker;
+  maker.minor = 4;
+  maker.format = 6;
+  maker.step = 30;
+  bytes = maker.file();
+  bytes[375 + 15] = 4;
+  EXPECT_EQ(loadCloud(write("scan.las", bytes)).finite_count, 2u);
+}
+
+TEST_F(LasFiles, PointsThatTheHeaderDoesNotPromiseAreNamed)
+{
+  auto bytes = LasMaker().file();
+  put<std::uint32_t>(bytes, 107, 0);
+  auto file = loadCloud(write("scan.las", bytes));
+  EXPECT_EQ(file.cloud.width, 3u);
+  EXPECT_EQ(file.notes,
+            std::vector<std::string>{
+                "its header promises no points; the 3 that it holds are read"});
+  put<std::uint32_t>(bytes, 107, 2);
+  file = loadCloud(write("scan.las", bytes));
+  EXPECT_EQ(file.cloud.width, 2u);
+  EXPECT_EQ(file.notes,
+            std::vector<std::string>{
+                "points beyond the number that its header promises are left out: 1"});
+  // records behind the points are none
+  LasMaker maker;
+  maker.minor = 4;
+  maker.format = 6;
+  maker.step = 30;
+  bytes = maker.file();
+  put<std::uint64_t>(bytes, 235, bytes.size());
+  bytes += std::string(100, 'x');
+  EXPECT_TRUE(loadCloud(write("scan.las", bytes)).notes.empty());
+}
+
+TEST_F(LasFiles, MoreExtraBytesThanPointsHaveAreLeftOut)
+{
+  LasMaker maker;
+  maker.step = 36;
+  maker.extra =
+      extraDescription("tilt", 4, false) + extraDescription("depth", 9, false);
+  const auto file = loadCloud(write("scan.las", maker.file()));
+  EXPECT_EQ(valuesOf(file, "tilt"), (std::vector<double>{0, -1, -2}));
+  EXPECT_EQ(file.notes,
+            std::vector<std::string>{"it describes more extra bytes than its points "
+                                     "have: from 'depth' on they are left out"});
+}
+
 TEST_F(LasFiles, LongFormatsHaveClassesOfEightBits)
 {
   LasMaker maker;
@@ -203,6 +355,17 @@ TEST_F(LasFiles, ExtraDimensionsHaveTheirOwnNames)
               scaled ? (std::vector<double>{10, 9.5, 9})
                      : (std::vector<double>{0, -1, -2}));
   }
+}
+
+TEST_F(LasFiles, DimensionsBehindOnesOfSeveralValuesAreKept)
+{
+  LasMaker maker;
+  maker.step = 34 + 6 + 2;
+  maker.extra = extraDescription("direction", 24, false) + // three of 16 bits
+                extraDescription("tilt", 4, false);
+  const auto file = loadCloud(write("scan.las", maker.file()));
+  EXPECT_EQ(valuesOf(file, "tilt"), (std::vector<double>{0, -1, -2}));
+  EXPECT_TRUE(file.notes.empty());
 }
 
 TEST_F(LasFiles, DamagedFilesAreRefusedInOneLine)
@@ -232,6 +395,9 @@ TEST_F(LasFiles, DamagedFilesAreRefusedInOneLine)
   bytes = LasMaker().file();
   bytes[24] = 2;
   refused(bytes, "header of this LAS file");
+  bytes = LasMaker().file();
+  put<double>(bytes, 139, 0); // all y are the same
+  refused(bytes, "has the scale 0");
   LasMaker none;
   none.count = 0;
   refused(none.file(), "empty");

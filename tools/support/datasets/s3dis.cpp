@@ -127,8 +127,18 @@ isS3dis(const std::string& folder)
 {
   if (isRoom(folder))
     return true;
+  if (fs::path(folder).filename() == annotations)
+    throw ToolError(folder + ": give the folder of the room, in which this one is");
   const auto folders = foldersIn(folder);
-  return std::any_of(folders.begin(), folders.end(), isRoom);
+  if (std::any_of(folders.begin(), folders.end(), isRoom))
+    return true;
+  for (const auto& area : folders)
+    if (const auto rooms = foldersIn(area);
+        std::any_of(rooms.begin(), rooms.end(), isRoom))
+      throw ToolError(folder +
+                      ": several areas of S3DIS; give one of them, for example " +
+                      area.string());
+  return false;
 }
 
 LabelledScan
@@ -147,6 +157,9 @@ readS3dis(const std::string& folder)
       scan.room_names.push_back(rooms[r].filename().string());
     for (const auto& file : files[r]) {
       const auto part = loadCloud(file.string(), {"x,y,z,r,g,b"}, 1);
+      for (const auto& note : part.notes)
+        scan.file.notes.push_back(file.lexically_relative(folder).string() + ": " +
+                                  note);
       append(part.cloud, cloud);
       const auto category = std::find(names.begin(), names.end(), classOf(file));
       scan.objects.resize(cloud.width, ++object);

@@ -114,11 +114,11 @@ readFile(CloudFile& file, const TableColumns& columns)
     if (checked.format == CloudFormat::PCD)
       is_read = readPcd(checked, file);
     else if (checked.format == CloudFormat::LAS)
-      file.cloud = readLas(file.path);
+      file.cloud = readLas(file.path, file.notes);
     else if (checked.format == CloudFormat::Mesh)
       drawPoints(readMesh(file.path), file);
     else if (checked.format == CloudFormat::Table)
-      file.cloud = readTable(file.path, columns);
+      file.cloud = readTable(file.path, columns, file.notes);
     else
       file.frame.offset =
           readPly(file.path, file.cloud, file.frame.origin, file.frame.orientation);

@@ -152,6 +152,7 @@ bool
 FileStream::openLas()
 {
   auto records = lasRecords(path_);
+  notes_ = records.notes;
   layout_ = records.layout;
   body_begin_ = records.body_begin;
   record_size_ = records.record_size;

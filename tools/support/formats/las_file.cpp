@@ -7,255 +7,128 @@
 
 #include "command_line/options.h" // for ToolError
 #include "formats/file_header.h"  // for throwTruncated
+#include "formats/las_fields.h"
+#include "formats/las_header.h"
 
 #include <pcl/PCLPointField.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <optional>
+#include <limits>
 #include <vector>
 
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr std::size_t smallest_header = 227; // of LAS 1.0 to 1.2
-constexpr std::size_t record_header = 54;    // of variable length records
-constexpr std::size_t extra_description = 192;
-
-/** A number at a place of the file, which is little-endian as this machine is. */
-template <typename T>
-T
-numberAt(const char* bytes)
-{
-  T value;
-  std::memcpy(&value, bytes, sizeof(T));
-  return value;
-}
-
-/** Where a point format has what; 0 = nowhere. */
-struct PointFormat {
-  std::size_t size, classification, source, gps_time, colors;
+/** What a look at all points of a file tells. */
+struct LasLook {
+  std::uint64_t withheld = 0;
+  std::uint16_t largest_color = 0;
 };
 
-constexpr std::array<PointFormat, 11> point_formats = {{{20, 15, 18, 0, 0},
-                                                        {28, 15, 18, 20, 0},
-                                                        {26, 15, 18, 0, 20},
-                                                        {34, 15, 18, 20, 28},
-                                                        {57, 15, 18, 20, 0},
-                                                        {63, 15, 18, 20, 28},
-                                                        {30, 16, 20, 22, 0},
-                                                        {36, 16, 20, 22, 30},
-                                                        {38, 16, 20, 22, 30},
-                                                        {59, 16, 20, 22, 0},
-                                                        {67, 16, 20, 22, 30}}};
-constexpr std::size_t first_long_format = 6; // whose classes have 8 bits, not 5
-
-struct LasHeader {
-  std::size_t header_size = 0, body_begin = 0, records = 0, format = 0, step = 0;
-  std::uint64_t points = 0;
-  std::array<double, 3> scales{}, offsets{};
-};
-
-/** Nothing if it contradicts itself. */
-std::optional<LasHeader>
-parseHeader(const std::string& bytes)
+LasLook
+lookAt(std::ifstream& stream, const LasHeader& header)
 {
-  if (bytes.size() < smallest_header || bytes.compare(0, 4, "LASF") != 0)
-    return {};
-  LasHeader header;
-  header.header_size = numberAt<std::uint16_t>(&bytes[94]);
-  header.body_begin = numberAt<std::uint32_t>(&bytes[96]);
-  header.records = numberAt<std::uint32_t>(&bytes[100]);
-  header.format = numberAt<std::uint8_t>(&bytes[104]);
-  header.step = numberAt<std::uint16_t>(&bytes[105]);
-  header.points = numberAt<std::uint32_t>(&bytes[107]);
-  constexpr std::size_t long_count = 247; // of version 1.4
-  if (header.header_size >= long_count + 8 && bytes.size() >= long_count + 8 &&
-      header.points == 0)
-    header.points = numberAt<std::uint64_t>(&bytes[long_count]);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    header.scales[axis] = numberAt<double>(&bytes[131 + 8 * axis]);
-    header.offsets[axis] = numberAt<double>(&bytes[155 + 8 * axis]);
+  constexpr std::size_t points_at_once = 1 << 16;
+  const auto colors = header.places().colors;
+  LasLook look;
+  std::string bytes;
+  stream.seekg(static_cast<std::streamoff>(header.body_begin));
+  for (std::uint64_t done = 0; done < header.points; done += points_at_once) {
+    const auto count = std::min<std::uint64_t>(points_at_once, header.points - done);
+    bytes.resize(count * header.step);
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(stream.gcount()) / header.step * header.step);
+    for (std::size_t at = 0; at < bytes.size(); at += header.step) {
+      look.withheld += header.isWithheld(&bytes[at]);
+      for (std::size_t channel = 0; channel < 3 && colors > 0; ++channel)
+        look.largest_color =
+            std::max(look.largest_color,
+                     numberAt<std::uint16_t>(&bytes[at + colors + 2 * channel]));
+    }
   }
-  if (bytes[24] != 1 || header.header_size < smallest_header ||
-      header.body_begin < header.header_size || header.format >= point_formats.size() ||
-      header.step < point_formats[header.format].size)
-    return {};
-  return header;
+  return look;
 }
 
-/** A field of the cloud: where its bytes are in a point of the file, and how they are
- * copied. */
-struct LasField {
-  std::string name;
-  std::uint8_t type; ///< of PCLPointField, of what is written
-  std::size_t size;  ///< bytes that are written
-  std::function<void(const char* point, char* target)> copy;
-};
-
-template <typename T>
-LasField
-plainField(const std::string& name, std::uint8_t type, std::size_t at)
+/** Copies the fields of a point; of one that is withheld without its place. */
+std::function<void(const char*, char*)>
+copierOf(const std::vector<LasField>& fields,
+         const LasLook& look,
+         const LasHeader& header)
 {
-  return {name, type, sizeof(T), [at](const char* point, char* target) {
-            std::memcpy(target, point + at, sizeof(T));
-          }};
-}
-
-template <typename T>
-LasField
-scaledField(const std::string& name, std::size_t at, double scale, double offset)
-{
-  return {name,
-          PCLPointField::FLOAT64,
-          sizeof(double),
-          [=](const char* point, char* target) {
-            const double value =
-                static_cast<double>(numberAt<T>(point + at)) * scale + offset;
-            std::memcpy(target, &value, sizeof(value));
-          }};
-}
-
-LasField
-colorField(std::size_t at)
-{
-  return {"rgb", PCLPointField::FLOAT32, 4, [at](const char* point, char* target) {
-            std::uint32_t rgb = 0;
-            for (std::size_t channel = 0; channel < 3; ++channel)
-              rgb = rgb << 8 | numberAt<std::uint16_t>(point + at + 2 * channel) >> 8;
-            std::memcpy(target, &rgb, sizeof(rgb));
-          }};
-}
-
-/** One dimension of extra bytes; the type is a number of the specification. */
-std::optional<LasField>
-extraField(const std::string& name,
-           int type,
-           std::size_t at,
-           bool is_scaled,
-           double scale,
-           double offset)
-{
-  const auto field = [&](auto value, std::uint8_t own) {
-    using T = decltype(value);
-    return is_scaled ? scaledField<T>(name, at, scale, offset)
-                     : plainField<T>(name, own, at);
+  return [fields, has_withheld = look.withheld > 0, header](const char* record,
+                                                            char* point) {
+    char* const begin = point;
+    for (const auto& field : fields) {
+      field.copy(record, point);
+      point += field.size;
+    }
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    if (has_withheld && header.isWithheld(record))
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        std::memcpy(begin + axis * sizeof(double), &nowhere, sizeof(double));
   };
-  switch (type) {
-  case 1:
-    return field(std::uint8_t(), PCLPointField::UINT8);
-  case 2:
-    return field(std::int8_t(), PCLPointField::INT8);
-  case 3:
-    return field(std::uint16_t(), PCLPointField::UINT16);
-  case 4:
-    return field(std::int16_t(), PCLPointField::INT16);
-  case 5:
-    return field(std::uint32_t(), PCLPointField::UINT32);
-  case 6:
-    return field(std::int32_t(), PCLPointField::INT32);
-  case 7:
-    return scaledField<std::uint64_t>(name, at, is_scaled ? scale : 1, offset);
-  case 8:
-    return scaledField<std::int64_t>(name, at, is_scaled ? scale : 1, offset);
-  case 9:
-    return field(float(), PCLPointField::FLOAT32);
-  case 10:
-    return field(double(), PCLPointField::FLOAT64);
-  default:
-    return {};
-  }
 }
 
-/** A name that a PCD header can hold. */
-std::string
-fieldName(const char* text)
-{
-  std::string name(text, strnlen(text, 32));
-  for (char& letter : name)
-    if (std::isalnum(static_cast<unsigned char>(letter)) == 0)
-      letter = '_';
-  return name;
-}
-
-/** The dimensions that the record of extra bytes describes, as far as points are long
- * enough. */
+/** Fields and width of the cloud. */
 void
-addExtraFields(const std::string& bytes,
-               const LasHeader& header,
-               std::vector<LasField>& fields)
+layOut(const std::vector<LasField>& fields,
+       const LasHeader& header,
+       PCLPointCloud2& layout)
 {
-  constexpr std::size_t type_sizes[] = {0, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  std::size_t place = header.header_size;
-  for (std::size_t r = 0; r < header.records; ++r) {
-    if (place + record_header > header.body_begin)
-      return;
-    const std::string user(&bytes[place + 2], strnlen(&bytes[place + 2], 16));
-    const auto id = numberAt<std::uint16_t>(&bytes[place + 18]);
-    const std::size_t length = numberAt<std::uint16_t>(&bytes[place + 20]);
-    place += record_header;
-    if (place + length > header.body_begin)
-      return;
-    std::size_t at = point_formats[header.format].size;
-    if (user == "LASF_Spec" && id == 4)
-      for (std::size_t d = 0; d + extra_description <= length; d += extra_description) {
-        const char* about = &bytes[place + d];
-        const int type = static_cast<unsigned char>(about[2]);
-        const int flags = static_cast<unsigned char>(about[3]);
-        // without a type the flags are a number of bytes
-        const std::size_t size = type == 0    ? static_cast<std::size_t>(flags)
-                                 : type <= 10 ? type_sizes[type]
-                                              : 0;
-        if (at + size > header.step || (type != 0 && size == 0))
-          return;
-        const double scale = (flags & 8) != 0 ? numberAt<double>(about + 112) : 1;
-        const double offset = (flags & 16) != 0 ? numberAt<double>(about + 136) : 0;
-        const auto name = fieldName(about + 4);
-        const bool is_taken =
-            name.empty() || std::any_of(fields.begin(),
-                                        fields.end(),
-                                        [&](const auto& f) { return f.name == name; });
-        const auto field = extraField(name, type, at, (flags & 24) != 0, scale, offset);
-        if (field && !is_taken)
-          fields.push_back(*field);
-        at += size;
-      }
-    place += length;
+  layout.width = static_cast<std::uint32_t>(header.points);
+  layout.height = 1;
+  for (const auto& field : fields) {
+    PCLPointField about;
+    about.name = field.name;
+    about.offset = layout.point_step;
+    about.datatype = field.type;
+    about.count = 1;
+    layout.fields.push_back(about);
+    layout.point_step += static_cast<std::uint32_t>(field.size);
   }
+  layout.row_step = layout.point_step * layout.width;
 }
 
-std::vector<LasField>
-fieldsOf(const std::string& bytes, const LasHeader& header)
+void
+addLookNotes(const LasLook& look, std::vector<std::string>& notes)
 {
-  const auto& format = point_formats[header.format];
-  std::vector<LasField> fields;
-  const char* axes[] = {"x", "y", "z"};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    fields.push_back(scaledField<std::int32_t>(
-        axes[axis], 4 * axis, header.scales[axis], header.offsets[axis]));
-  fields.push_back(plainField<std::uint16_t>("intensity", PCLPointField::UINT16, 12));
-  const std::uint8_t mask = header.format < first_long_format ? 0x1f : 0xff;
-  const auto at = format.classification;
-  fields.push_back({"classification",
-                    PCLPointField::UINT8,
-                    1,
-                    [at, mask](const char* point, char* target) {
-                      *target = static_cast<char>(point[at] & mask);
-                    }});
-  fields.push_back(plainField<std::uint16_t>(
-      "point_source_id", PCLPointField::UINT16, format.source));
-  if (format.gps_time > 0)
-    fields.push_back(
-        plainField<double>("gps_time", PCLPointField::FLOAT64, format.gps_time));
-  if (format.colors > 0)
-    fields.push_back(colorField(format.colors));
-  addExtraFields(bytes, header, fields);
-  return fields;
+  if (look.largest_color > 0 && look.largest_color <= 255)
+    notes.emplace_back(
+        "its colours have 8 bits in fields of 16, none exceeds 255: they "
+        "are taken as they are");
+  if (look.withheld > 0)
+    notes.push_back("points that are flagged as withheld are left out: " +
+                    std::to_string(look.withheld));
+}
+
+/** Make the number of points fit to the file, as far as it can. */
+void
+chooseCount(const std::string& path,
+            std::uint64_t file_size,
+            LasHeader& header,
+            std::vector<std::string>& notes)
+{
+  const auto end =
+      header.body_end > 0 ? std::min(header.body_end, file_size) : file_size;
+  const std::uint64_t held = (file_size - header.body_begin) / header.step;
+  const std::uint64_t whole = (end - header.body_begin) / header.step;
+  if (held < header.points)
+    throwTruncated(path, header.points, held, "points");
+  if (header.points == 0 && whole > 0) {
+    header.points = whole;
+    notes.push_back("its header promises no points; the " + std::to_string(whole) +
+                    " that it holds are read");
+  }
+  else if (header.points < whole)
+    notes.push_back("points beyond the number that its header promises are left out: " +
+                    std::to_string(whole - header.points));
+  if (header.points > 0x7fffffff)
+    throw ToolError(path + ": more than 2^31 - 1 points");
 }
 
 } // namespace
@@ -271,7 +144,7 @@ isLas(const std::string& beginning)
 std::uint64_t
 lasPointCount(const std::string& beginning)
 {
-  const auto header = parseHeader(beginning);
+  const auto header = parseLasHeader(beginning);
   return header ? header->points : 0;
 }
 
@@ -282,7 +155,7 @@ lasRecords(const std::string& path)
   std::string bytes(512, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  const auto header = parseHeader(bytes);
+  auto header = parseLasHeader(bytes);
   if (!header)
     throw ToolError(path + ": the header of this LAS file is damaged, or of a version "
                            "other than 1.0 to 1.4");
@@ -291,44 +164,32 @@ lasRecords(const std::string& path)
   const auto size = static_cast<std::uint64_t>(stream.tellg());
   if (header->body_begin > size)
     throwTruncated(path, header->body_begin, size, "bytes before its points");
-  const std::uint64_t held = (size - header->body_begin) / header->step;
-  if (held < header->points)
-    throwTruncated(path, header->points, held, "points");
-  if (header->points > 0x7fffffff)
-    throw ToolError(path + ": more than 2^31 - 1 points");
+  for (const double scale : header->scales)
+    if (!(std::abs(scale) > 0))
+      throw ToolError(path + ": the header of this LAS file has the scale 0, by which "
+                             "all points are one");
+  LasRecords records;
+  chooseCount(path, size, *header, records.notes);
+  const auto look = lookAt(stream, *header);
+  stream.clear();
   bytes.resize(header->body_begin);
   stream.seekg(0);
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  const auto fields = fieldsOf(bytes, *header);
-  LasRecords records;
+  const auto fields =
+      lasFields(bytes, *header, look.largest_color > 255 ? 8 : 0, records.notes);
   records.body_begin = header->body_begin;
   records.record_size = header->step;
-  records.copy = [fields](const char* record, char* point) {
-    for (const auto& field : fields) {
-      field.copy(record, point);
-      point += field.size;
-    }
-  };
-  auto& layout = records.layout;
-  layout.width = static_cast<std::uint32_t>(header->points);
-  layout.height = 1;
-  for (const auto& field : fields) {
-    PCLPointField about;
-    about.name = field.name;
-    about.offset = layout.point_step;
-    about.datatype = field.type;
-    about.count = 1;
-    layout.fields.push_back(about);
-    layout.point_step += static_cast<std::uint32_t>(field.size);
-  }
-  layout.row_step = layout.point_step * layout.width;
+  records.copy = copierOf(fields, look, *header);
+  addLookNotes(look, records.notes);
+  layOut(fields, *header, records.layout);
   return records;
 }
 
 PCLPointCloud2
-readLas(const std::string& path)
+readLas(const std::string& path, std::vector<std::string>& notes)
 {
   const auto records = lasRecords(path);
+  notes = records.notes;
   std::ifstream stream(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   auto cloud = records.layout;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace pcl::indoor::tool {
 
@@ -25,13 +26,18 @@ lasPointCount(const std::string& beginning);
 /** \brief Read the points of a LAS file, versions 1.0 to 1.4, point formats 0 to 10.
  *
  * The fields are x, y, z as doubles, with scale and offset applied; intensity,
- * classification, point_source_id; gps_time and rgb (8 bits a channel) where the format
- * has them; and the dimensions of extra bytes by their own names, with their scales and
- * offsets, those of 64-bit integers as doubles. Waveforms are left out.
+ * classification, point_source_id, return_number, number_of_returns,
+ * scan_direction_flag, edge_of_flight_line, classification_flags, user_data, scan_angle
+ * in degrees; scanner_channel, gps_time, rgb and nir where the format has them; and the
+ * dimensions of extra bytes by their own names, with their scales and offsets, those of
+ * 64-bit integers as doubles. Of colours of 16 bits the upper 8 are kept; where none
+ * exceeds 255, they are taken as they are. Points that are withheld are NaN. Waveforms
+ * are left out.
+ * \param[out] notes what is odd, see CloudFile::notes
  * \throws ToolError if the file is damaged or has fewer points than its header promises
  */
 PCLPointCloud2
-readLas(const std::string& path);
+readLas(const std::string& path, std::vector<std::string>& notes);
 
 /** \brief How the points of a LAS file lie in it, and how they become those of
  * readLas().
@@ -41,9 +47,10 @@ struct LasRecords {
   std::size_t body_begin = 0; ///< bytes from the beginning of the file
   std::size_t record_size = 0;
   std::function<void(const char* record, char* point)> copy;
+  std::vector<std::string> notes; ///< see readLas()
 };
 
-/** \brief Read the header of a LAS file.
+/** \brief Read the header of a LAS file, and look at its points once.
  * \throws ToolError as readLas() */
 LasRecords
 lasRecords(const std::string& path);

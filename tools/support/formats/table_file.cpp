@@ -5,13 +5,13 @@
 #include "formats/table_file.h"
 
 #include "command_line/options.h" // for ToolError
+#include "formats/cloud_endings.h"
 #include "formats/table_rows.h"
+#include "formats/table_words.h"
 
 #include <pcl/PCLPointField.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -20,15 +20,6 @@ namespace pcl::indoor::tool {
 namespace {
 
 using Kind = TableColumn::Kind;
-
-std::string
-endingOf(const std::string& path)
-{
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& letter : ending)
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return ending;
-}
 
 template <typename Visit>
 void
@@ -41,17 +32,26 @@ visitLines(std::string_view text, const Visit& visit)
   }
 }
 
-/** Does a line begin with three numbers? */
-bool
-isRow(std::string_view line)
+std::vector<std::string_view>
+wordsOf(std::string_view line)
 {
   std::vector<std::string_view> words;
   splitLine(line, separatorOf(line), words);
-  double value = 0;
-  return words.size() >= 3 &&
-         std::all_of(words.begin(), words.begin() + 3, [&](auto word) {
-           return readNumber(word, value);
-         });
+  return words;
+}
+
+bool
+beginsWithThreeNumbers(std::string_view line)
+{
+  const auto words = wordsOf(line);
+  return words.size() >= 3 && std::all_of(words.begin(), words.begin() + 3, isNumber);
+}
+
+bool
+holdsThreeNumbers(std::string_view line)
+{
+  const auto words = wordsOf(line);
+  return std::count_if(words.begin(), words.end(), isNumber) >= 3;
 }
 
 /** Without blank lines and comments, of which the last may be cut. */
@@ -139,14 +139,12 @@ isTable(const std::string& path, const std::string& beginning)
   const auto lines = firstLines(beginning);
   if (!lines.empty() && lines[0].find('\0') != std::string_view::npos)
     return false;
-  constexpr std::array<const char*, 5> endings = {
-      ".xyz", ".txt", ".csv", ".asc", ".pts"};
-  const auto ending = endingOf(path);
-  if (std::find(endings.begin(), endings.end(), ending) != endings.end())
+  if (hasTableEnding(path))
     return true;
   // the first line may hold names or a count
-  return std::any_of(
-      lines.begin(), lines.begin() + std::min<std::size_t>(2, lines.size()), isRow);
+  return std::any_of(lines.begin(),
+                     lines.begin() + std::min<std::size_t>(2, lines.size()),
+                     beginsWithThreeNumbers);
 }
 
 std::uint64_t
@@ -155,19 +153,20 @@ tablePointCount(const std::string& path, const std::string& beginning)
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   for (const auto& line : firstLines(beginning)) {
-    std::vector<std::string_view> words;
-    splitLine(line, separatorOf(line), words);
+    const auto words = wordsOf(line);
     double count = 0;
     if (words.size() == 1 && readNumber(words[0], count) && count >= 1 && count < 1e15)
       return static_cast<std::uint64_t>(count);
-    if (isRow(line) && !error)
+    if (holdsThreeNumbers(line) && !error)
       return size / (line.size() + 1);
   }
   return 0;
 }
 
 PCLPointCloud2
-readTable(const std::string& path, const TableColumns& columns)
+readTable(const std::string& path,
+          const TableColumns& columns,
+          std::vector<std::string>& notes)
 {
   std::error_code error;
   std::string content(std::filesystem::file_size(path, error), '\0');
@@ -177,6 +176,7 @@ readTable(const std::string& path, const TableColumns& columns)
   TableRows rows(path, columns);
   visitLines(content, [&rows](std::string_view line) { rows.add(line); });
   rows.finish();
+  notes = rows.notes();
   if (rows.count() > 0x7fffffff)
     throw ToolError(path + ": more than 2^31 - 1 points");
   PCLPointCloud2 cloud;

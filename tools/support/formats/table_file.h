@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace pcl::indoor::tool {
 
@@ -27,13 +28,17 @@ tablePointCount(const std::string& path, const std::string& beginning);
 
 /** \brief Read a table of points.
  *
- * Numbers are separated by blanks and tabs, by commas or by semicolons; lines that
- * begin with # or // are left out, unless they name the columns; a line may name the
- * columns, one may hold the number of points. Coordinates are doubles, rgb packed as in
- * PCD files, labels unsigned integers, all else floats, see columnsOf().
+ * Numbers are separated by blanks and tabs, by commas or by semicolons; decimals may
+ * have commas where these separate nothing. Lines that begin with # or // are left out,
+ * unless they name the columns; a line may name the columns, one may hold the number of
+ * points. Coordinates are doubles, rgb packed as in PCD files, labels unsigned
+ * integers, all else floats, see columnsOf() and columnsByValues().
+ * \param[out] notes how the table was taken, see CloudFile::notes
  * \throws ToolError naming the line that cannot be read
  */
 PCLPointCloud2
-readTable(const std::string& path, const TableColumns& columns);
+readTable(const std::string& path,
+          const TableColumns& columns,
+          std::vector<std::string>& notes);
 
 } // namespace pcl::indoor::tool

@@ -6,27 +6,33 @@
 
 #include "command_line/options.h" // for ToolError
 #include "formats/file_header.h"  // for throwTruncated
+#include "formats/table_layout.h"
+#include "formats/table_words.h"
 
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
-constexpr std::size_t most_columns = 1000;
+using Kind = TableColumn::Kind;
 
-std::string_view
-trimmed(std::string_view text)
+constexpr std::size_t most_columns = 1000;
+constexpr const char* two_roles =
+    ": commas part the values and the decimals, too; export it with points as "
+    "decimals, or with semicolons between the values";
+
+std::vector<bool>
+areNumbers(const std::vector<std::string_view>& words)
 {
-  const auto begin = text.find_first_not_of(blanks);
-  if (begin == text.npos)
-    return {};
-  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+  std::vector<bool> are;
+  for (const auto word : words)
+    are.push_back(isNumber(word));
+  return are;
 }
 
 bool
@@ -36,82 +42,28 @@ isCount(const std::vector<std::string_view>& words)
          words[0].find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/** Digits, a comma and digits. */
-bool
-hasDecimalComma(std::string_view word)
-{
-  const auto comma = word.find(',');
-  double value = 0;
-  return comma != word.npos && comma > 0 && comma + 1 < word.size() &&
-         readNumber(word.substr(0, comma), value) &&
-         std::isdigit(static_cast<unsigned char>(word[comma + 1])) != 0;
-}
-
-bool
-areNumbers(const std::vector<std::string_view>& words)
-{
-  double value = 0;
-  return std::all_of(
-      words.begin(), words.end(), [&](auto word) { return readNumber(word, value); });
-}
-
-bool
-isWhole(double value, double largest)
-{
-  return value >= 0 && value <= largest && value == std::floor(value);
-}
-
 bool
 nameThePlace(const std::vector<std::string>& names)
 {
-  const auto has = [&names](char axis) {
-    return std::any_of(names.begin(), names.end(), [axis](const auto& name) {
-      return name.size() == 1 && (name[0] | 0x20) == axis;
-    });
-  };
-  return has('x') && has('y') && has('z');
-}
-
-} // namespace
-
-char
-separatorOf(std::string_view line)
-{
-  if (line.find(';') != line.npos)
-    return ';';
-  return line.find(',') != line.npos ? ',' : ' ';
-}
-
-void
-splitLine(std::string_view line, char separator, std::vector<std::string_view>& words)
-{
-  words.clear();
-  line = trimmed(line);
-  while (!line.empty()) {
-    const auto end =
-        std::min(separator == ' ' ? line.find_first_of(blanks) : line.find(separator),
-                 line.size());
-    auto word = trimmed(line.substr(0, end));
-    if (word.size() > 1 && word.front() == '"' && word.back() == '"')
-      word = word.substr(1, word.size() - 2);
-    words.push_back(word);
-    line = trimmed(line.substr(std::min(end + 1, line.size())));
-  }
+  return placeProblem(columnsOf(names).columns).empty();
 }
 
 bool
-readNumber(std::string_view word, double& value)
+areUnits(const std::vector<std::string_view>& words)
 {
-  if (!word.empty() && word.front() == '+')
-    word.remove_prefix(1);
-  const char* const end = word.data() + word.size();
-  const auto read = std::from_chars(word.data(), end, value);
-  if (read.ptr != end || read.ec == std::errc::invalid_argument || word.empty())
-    return false;
-  if (read.ec == std::errc::result_out_of_range) // too small or too large for a double
-    value = std::strtod(std::string(word).c_str(), nullptr);
-  return true;
+  return std::all_of(
+      words.begin(), words.end(), [](auto word) { return isUnit(std::string(word)); });
 }
+
+/** May a column hold anything, since no result depends on it? */
+bool
+isFree(const TableColumn& column)
+{
+  return column.kind == Kind::Real && column.field != "intensity" &&
+         column.field.rfind("normal_", 0) != 0;
+}
+
+} // namespace
 
 TableRows::TableRows(std::string path, const TableColumns& columns)
 : path_(std::move(path))
@@ -121,15 +73,15 @@ TableRows::TableRows(std::string path, const TableColumns& columns)
 }
 
 std::string
-TableRows::place() const
+TableRows::place(std::uint64_t line) const
 {
-  return path_ + ": line " + std::to_string(line_);
+  return path_ + ": line " + std::to_string(line);
 }
 
 void
 TableRows::refuse(const std::string& problem) const
 {
-  throw ToolError(place() + problem);
+  throw ToolError(place(line_) + problem);
 }
 
 void
@@ -137,22 +89,41 @@ TableRows::refuseWord(std::string_view word) const
 {
   if (word.empty())
     refuse(": a value is missing");
-  const std::string text(word.substr(0, 20));
-  if (hasDecimalComma(word) || word.find_first_of(blanks) != word.npos)
-    refuse(": '" + text + "' is no number; decimals need a point, not a comma");
-  refuse(": '" + text + "' is not a number");
+  const auto text = "'" + std::string(word.substr(0, 20)) + "'";
+  if (word.find_first_of(" \t") != word.npos)
+    refuse(": " + text +
+           " is no number; where commas part values, decimals need a point");
+  refuse(": " + text + " is not a number");
 }
 
-/** A comment may name the columns: "//X Y Z R G B". */
+/** Of a header that does not name x, y and z, say what would. */
 void
-TableRows::readNames(std::string_view comment)
+TableRows::refusePlace(const Header& header, const std::vector<bool>& are_numbers) const
 {
-  splitLine(comment, separatorOf(comment), words_);
-  const std::vector<std::string> names(words_.begin(), words_.end());
-  if (!nameThePlace(names))
-    return;
-  comment_names_ = names;
-  comment_line_ = line_;
+  const auto columns = columnsOf(header.names).columns;
+  const auto problem = placeProblem(columns);
+  const bool is_angle = problem.find("angles") != problem.npos;
+  throw ToolError(place(header.line) + problem +
+                  (is_angle ? ""
+                            : "; name them, for example -columns " +
+                                  columnsProposal(columns, are_numbers)));
+}
+
+/** Bytes that are no text stand in a number or in place of a separator. */
+std::string
+TableRows::withoutControls(std::string_view line)
+{
+  if (damaged_lines_++ == 0)
+    first_damaged_line_ = line_;
+  std::string joined, parted;
+  for (const char letter : line) {
+    const bool is_control = hasControlCharacter({&letter, 1});
+    parted += is_control ? separator_ : letter;
+    if (!is_control)
+      joined += letter;
+  }
+  splitLine(joined, separator_, words_);
+  return columns_.empty() || words_.size() == columns_.size() ? joined : parted;
 }
 
 /** The number of points that follow; there may be several parts. */
@@ -175,70 +146,173 @@ TableRows::add(std::string_view line)
     line.remove_prefix(3);
   line = trimmed(line);
   const bool is_comment = line.substr(0, 1) == "#" || line.substr(0, 2) == "//";
-  if (is_comment && columns_.empty())
-    readNames(line.substr(std::min(line.find_first_not_of("#/"), line.size())));
+  if (is_comment && columns_.empty()) { // it may name the columns: "//X Y Z R G B"
+    line.remove_prefix(std::min(line.find_first_not_of("#/"), line.size()));
+    splitLine(line, separatorOf(line), words_);
+    if (const auto names = namesOf(words_); nameThePlace(names))
+      comment_ = {names, line_};
+  }
   if (is_comment || line.empty())
     return;
+  std::string cleaned;
+  if (hasControlCharacter(line)) {
+    cleaned = withoutControls(line);
+    line = trimmed(cleaned);
+  }
   if (columns_.empty())
-    return addFirstRow(line);
+    return addBeforeRows(line);
   splitLine(line, separator_, words_);
-  if (words_.size() + 1 == columns_.size() && line.back() == separator_)
+  if (words_.size() + 1 == columns_.size() && !line.empty() &&
+      line.back() == separator_)
     words_.emplace_back(); // an empty value at the end of the line
   if (!has_count_ || !readCount())
     addRow();
 }
 
-/** A line before the first row: names, a count, or that row itself. */
+/** Names, their units, a count, or the first row. */
 void
-TableRows::addFirstRow(std::string_view line)
+TableRows::addBeforeRows(std::string_view line)
 {
   separator_ = separatorOf(line);
   splitLine(line, separator_, words_);
   if (readCount())
     return;
-  if (!areNumbers(words_) && !has_names_ &&
-      (!has_count_ || nameThePlace({words_.begin(), words_.end()}))) {
-    double value = 0;
-    for (const auto word : words_) { // "5 2" of "1,5 2,5" is no name
-      const auto blank = word.find_first_of(blanks);
-      const bool has_both =
-          blank != word.npos && readNumber(word.substr(0, blank), value);
-      if (hasDecimalComma(word) || has_both)
-        refuseWord(word);
-    }
-    header_names_.assign(words_.begin(), words_.end());
-    header_line_ = line_;
-    has_names_ = true;
-    if (option_names_.empty())
-      columnsOf(header_names_, place());
-    return;
-  }
-  const std::size_t count = words_.size();
-  const auto values = " has " + std::to_string(count) + " values, ";
-  if (count > most_columns)
-    refuse(values + "at most " + std::to_string(most_columns) + " are read");
-  const auto requireAsMany = [&](const auto& names, const std::string& where) {
-    if (names.size() != count)
-      refuse(values + where + " names " + std::to_string(names.size()));
-  };
-  if (!option_names_.empty()) {
-    requireAsMany(option_names_,
-                  "'" + boost::algorithm::join(option_names_, ",") + "'");
-    columns_ = columnsOf(option_names_, "-columns: it");
-  }
-  else if (has_names_) {
-    requireAsMany(header_names_, "line " + std::to_string(header_line_));
-    columns_ =
-        columnsOf(header_names_, path_ + ": line " + std::to_string(header_line_));
-  }
-  else if (comment_names_.size() == count)
-    columns_ =
-        columnsOf(comment_names_, path_ + ": line " + std::to_string(comment_line_));
-  else if (count < 3)
-    refuse(values + "a point has at least 3");
-  else
-    columns_.assign(count, {"", TableColumn::Kind::Real}); // until all rows are known
+  const auto are_numbers = areNumbers(words_);
+  const auto count = static_cast<std::size_t>(
+      std::count(are_numbers.begin(), are_numbers.end(), true));
+  const bool is_named = !header_.names.empty() && nameThePlace(header_.names);
+  if (count < 3 && count < words_.size() && (!is_named || areUnits(words_)))
+    return addText();
+  chooseColumns();
   addRow();
+}
+
+/** A line of words before the rows. */
+void
+TableRows::addText()
+{
+  for (const auto word : words_) // "5 2" of "1,5 2,5" is no name
+    if (const auto blank = word.find_first_of(" \t");
+        blank != word.npos && isNumber(word.substr(0, blank)))
+      refuseWord(word);
+  const auto names = namesOf(words_);
+  auto& known = header_.names;
+  if (!known.empty() && areUnits(words_) && names.size() == known.size())
+    for (std::size_t c = 0; c < names.size(); ++c)
+      known[c] += " [" + names[c] + "]";
+  else if (known.empty() || nameThePlace(names))
+    header_ = {names, line_};
+}
+
+void
+TableRows::requireAsMany(std::size_t count, const std::string& what) const
+{
+  if (words_.size() != count)
+    refuse(" has " + std::to_string(words_.size()) + " values, " + what + " " +
+           std::to_string(count));
+}
+
+/** Of the first row. */
+void
+TableRows::chooseColumns()
+{
+  const auto count = words_.size();
+  if (count > most_columns)
+    refuse(" has " + std::to_string(count) + " values, at most " +
+           std::to_string(most_columns) + " are read");
+  if (!option_names_.empty())
+    takeOption();
+  else if (!header_.names.empty())
+    takeHeader(header_);
+  else if (comment_.names.size() == count)
+    takeHeader(comment_);
+  else if (count < 3)
+    refuse(" has " + std::to_string(count) + " values, a point has at least 3");
+  else
+    for (const bool is_number : areNumbers(words_)) // the rest is told by all rows
+      columns_.push_back({"", is_number ? Kind::Real : Kind::Skipped});
+}
+
+void
+TableRows::takeOption()
+{
+  requireAsMany(option_names_.size(),
+                "'" + boost::algorithm::join(option_names_, ",") + "' names");
+  has_names_ = true;
+  columns_ = columnsOf(option_names_).columns;
+  if (const auto problem = placeProblem(columns_); !problem.empty())
+    throw ToolError(path_ + ": line " + std::to_string(line_) + ": -columns" + problem);
+}
+
+void
+TableRows::takeHeader(Header header)
+{
+  const auto count = header.names.size();
+  if (words_.size() > count && separator_ == ',' &&
+      std::all_of(words_.begin(), words_.end(), isWhole))
+    refuse(two_roles);
+  if (words_.size() == count + 1 && !isNumber(words_[0])) // names of rows have no name
+    header.names.insert(header.names.begin(), "_");
+  requireAsMany(header.names.size(), "line " + std::to_string(header.line) + " names");
+  const auto named = columnsOf(header.names);
+  if (!placeProblem(named.columns).empty())
+    refusePlace(header, areNumbers(words_));
+  has_names_ = true;
+  are_names_plain_ = named.are_plain;
+  units_ = named.units;
+  columns_ = named.columns;
+}
+
+/** Is a word a number, with the decimals of the others? */
+bool
+TableRows::readWord(std::string_view word, double& value)
+{
+  const bool has_point = readNumber(word, value);
+  if (has_point && decimal_ == '.')
+    return true;
+  if (!has_point && !readNumber(word, value, ','))
+    return false;
+  const char decimal = !has_point ? ',' : word.find('.') != word.npos ? '.' : decimal_;
+  if (decimal_ != '\0' && decimal != decimal_)
+    refuse(
+        ": '" + std::string(word.substr(0, 20)) +
+        "' has another decimal sign than numbers before; points and commas are mixed");
+  decimal_ = decimal;
+  return true;
+}
+
+/** A value of the row; of a column without numbers, which is left out from now on, it
+ * does not matter. */
+double
+TableRows::numberOf(std::size_t column)
+{
+  auto& about = columns_[column];
+  const auto word = words_[column];
+  double value = 0;
+  if (about.kind == Kind::Skipped || readWord(word, value))
+    return value;
+  if (!has_names_ || !option_names_.empty() || !isFree(about))
+    refuseWord(word);
+  if (word.empty())
+    return std::numeric_limits<double>::quiet_NaN();
+  left_out_.push_back("'" + about.field + "'");
+  about.kind = Kind::Skipped;
+  return value;
+}
+
+void
+TableRows::requireFitting(const TableColumn& column,
+                          std::string_view word,
+                          double value) const
+{
+  if (column.kind == Kind::Color && !(value >= 0 && value <= 65535))
+    refuse(": the colour '" + std::string(word.substr(0, 20)) +
+           "' is not a number of 0 to 65535");
+  constexpr double largest = std::numeric_limits<std::uint32_t>::max();
+  if (column.kind == Kind::Label &&
+      !(value >= 0 && value <= largest && value == std::floor(value)))
+    refuse(": the label '" + std::string(word.substr(0, 20)) +
+           "' is not a whole number of 0 to 4294967295");
 }
 
 void
@@ -246,25 +320,21 @@ TableRows::addRow()
 {
   if (words_.size() != columns_.size())
     refuse(" has " + std::to_string(words_.size()) + " values, the rows before have " +
-           std::to_string(columns_.size()));
+           std::to_string(columns_.size()) +
+           (separator_ == ',' && decimal_ == '\0' &&
+                    std::all_of(words_.begin(), words_.end(), isWhole)
+                ? "; commas must not part decimals, too"
+                : ""));
   if (has_count_ && rows_ == promised_)
     refuse(": a point more than the " + std::to_string(promised_) +
            " that the file promises");
   for (std::size_t c = 0; c < words_.size(); ++c) {
-    const auto kind = columns_[c].kind;
-    double value = 0;
-    if (kind != TableColumn::Kind::Skipped && !readNumber(words_[c], value))
-      refuseWord(words_[c]);
-    const bool is_color = isWhole(value, 255);
-    if (kind == TableColumn::Kind::Color && !is_color)
-      refuse(": the colour '" + std::string(words_[c].substr(0, 20)) +
-             "' is not a whole number of 0 to 255");
-    if (kind == TableColumn::Kind::Label && !isWhole(value, 4294967295.0))
-      refuse(": the label '" + std::string(words_[c].substr(0, 20)) +
-             "' is not a whole number of 0 to 4294967295");
-    if (c >= 3 && c + 3 >= words_.size())
-      could_be_colors_ = could_be_colors_ && is_color;
+    const double value = numberOf(c);
+    requireFitting(columns_[c], words_[c], value);
     values_.push_back(value);
+    if (!has_names_ && c > 0 && fraction_line_ == 0 && words_[c].size() > 1 &&
+        words_[c][0] == '0' && isWhole(words_[c]))
+      fraction_line_ = line_;
   }
   ++rows_;
 }
@@ -274,11 +344,50 @@ TableRows::finish()
 {
   if (has_count_ && rows_ < promised_)
     throwTruncated(path_, promised_, rows_, "points");
+  if (rows_ == 0 && !header_.names.empty() && !nameThePlace(header_.names))
+    refusePlace(header_, {});
   if (rows_ == 0)
     throw ToolError(path_ + ": the cloud is empty (0 points)");
-  if (columns_[0].field.empty() && columns_[1].field.empty() &&
-      columns_[2].field.empty())
-    columns_ = columnsByNumber(columns_.size(), could_be_colors_);
+  if (separator_ == ',' && decimal_ == '\0' && fraction_line_ > 0)
+    throw ToolError(place(fraction_line_) + two_roles);
+  if (!has_names_)
+    columns_ = columnsByValues(columns_, values_);
+  makeNotes(scaleColors(columns_, values_));
+}
+
+/** \param[in] scaled what was done to colours */
+void
+TableRows::makeNotes(const std::string& scaled)
+{
+  const bool are_known = !option_names_.empty() || (has_names_ && are_names_plain_) ||
+                         (!has_names_ && columns_.size() == 3);
+  auto mirrored = columns_;
+  for (auto& column : mirrored)
+    if (column.kind == Kind::Coordinate && column.field != "z")
+      column.field = column.field == "x" ? "y" : "x";
+  // lists of surveyors have northing first
+  const bool is_list = !has_names_ && columns_[0].kind == Kind::Skipped;
+  if (!are_known)
+    notes_.push_back(
+        "its columns are taken as " + listOf(columns_) +
+        (scaled.empty() ? "" : ", with " + scaled) + "; -columns says otherwise" +
+        (is_list ? ", for example " + listOf(mirrored) + " where northing comes first"
+                 : ""));
+  else if (!scaled.empty())
+    notes_.push_back("it has " + scaled);
+  if (!left_out_.empty())
+    notes_.push_back("columns without numbers are left out: " +
+                     boost::algorithm::join(left_out_, ", "));
+  if (decimal_ == ',')
+    notes_.emplace_back("its decimals have commas");
+  if (damaged_lines_ > 0)
+    notes_.push_back("control characters are left out in line " +
+                     std::to_string(first_damaged_line_) +
+                     (damaged_lines_ > 1
+                          ? " and " + std::to_string(damaged_lines_ - 1) + " more"
+                          : ""));
+  if (const auto note = unitNote(units_); !note.empty())
+    notes_.push_back(note);
 }
 
 } // namespace pcl::indoor::tool

@@ -13,22 +13,6 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief What separates the words of a line: ';' or ',' if it holds one, else ' ' for
- * blanks and tabs. */
-char
-separatorOf(std::string_view line);
-
-/** \brief The words of a line, without quotes; a separator at its end separates
- * nothing. */
-void
-splitLine(std::string_view line, char separator, std::vector<std::string_view>& words);
-
-/** \brief The value of a word; nan and inf are values, too.
- * \return whether all of it is a number
- */
-bool
-readNumber(std::string_view word, double& value);
-
 /** \brief The rows of a table, line by line. */
 class TableRows {
 public:
@@ -64,9 +48,21 @@ public:
     return rows_;
   }
 
+  /** \brief How the table was taken, see CloudFile::notes. */
+  const std::vector<std::string>&
+  notes() const
+  {
+    return notes_;
+  }
+
 private:
+  struct Header {
+    std::vector<std::string> names;
+    std::uint64_t line = 0;
+  };
+
   std::string
-  place() const;
+  place(std::uint64_t line) const;
 
   [[noreturn]] void
   refuse(const std::string& problem) const;
@@ -74,24 +70,57 @@ private:
   [[noreturn]] void
   refuseWord(std::string_view word) const;
 
-  void
-  readNames(std::string_view comment);
+  [[noreturn]] void
+  refusePlace(const Header& header, const std::vector<bool>& are_numbers) const;
+
+  std::string
+  withoutControls(std::string_view line);
 
   bool
   readCount();
 
   void
-  addFirstRow(std::string_view line);
+  addBeforeRows(std::string_view line);
+
+  void
+  addText();
+
+  void
+  chooseColumns();
+
+  void
+  takeOption();
+
+  void
+  takeHeader(Header header);
+
+  void
+  requireAsMany(std::size_t count, const std::string& what) const;
+
+  double
+  numberOf(std::size_t column);
+
+  bool
+  readWord(std::string_view word, double& value);
+
+  void
+  requireFitting(const TableColumn& column, std::string_view word, double value) const;
 
   void
   addRow();
 
+  void
+  makeNotes(const std::string& scaled);
+
   std::string path_;
-  std::vector<std::string> option_names_, header_names_, comment_names_;
-  std::uint64_t line_ = 0, header_line_ = 0, comment_line_ = 0, rows_ = 0;
-  std::uint64_t promised_ = 0;
-  bool has_count_ = false, has_names_ = false, could_be_colors_ = true;
+  std::vector<std::string> option_names_, left_out_, units_, notes_;
+  Header header_, comment_;
+  std::uint64_t line_ = 0, rows_ = 0, promised_ = 0;
+  std::uint64_t damaged_lines_ = 0, first_damaged_line_ = 0;
+  std::uint64_t fraction_line_ = 0; ///< first with a whole number such as 05
+  bool has_count_ = false, has_names_ = false, are_names_plain_ = true;
   char separator_ = ' ';
+  char decimal_ = '\0'; ///< until a decimal was seen
   std::vector<std::string_view> words_;
   std::vector<TableColumn> columns_; ///< empty before the first row
   std::vector<double> values_;

@@ -4,6 +4,7 @@
  */
 #include "objects/object_files.h"
 
+#include "formats/cloud_endings.h"
 #include "formats/mesh_file.h"
 
 #include <pcl/common/centroid.h>
@@ -17,7 +18,6 @@
 #include <pcl/search/kdtree.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -27,19 +27,17 @@ namespace pcl::indoor::tool {
 namespace {
 
 bool
-isMesh(const std::filesystem::path& path)
+isMesh(const std::string& path)
 {
-  return path.extension() == ".off" || path.extension() == ".obj";
+  const auto ending = endingOf(path);
+  return ending == ".off" || ending == ".obj";
 }
 
+/** Text files beside objects are lists of them. */
 bool
-isObject(const std::filesystem::path& path)
+isObject(const std::string& path)
 {
-  constexpr std::array<const char*, 6> endings = {
-      ".pcd", ".ply", ".las", ".xyz", ".csv", ".pts"};
-  const auto ending = path.extension();
-  return std::find(endings.begin(), endings.end(), ending) != endings.end() ||
-         isMesh(path);
+  return isMesh(path) || (hasCloudEnding(path) && endingOf(path) != ".txt");
 }
 
 PointCloud<PointNormal>::Ptr
@@ -123,13 +121,14 @@ findObjects(const std::string& folder)
        entry.increment(error)) {
     if (error)
       break;
-    if (entry->is_regular_file() && isObject(entry->path()))
+    if (entry->is_regular_file() && isObject(entry->path().string()))
       paths.push_back(entry->path().lexically_relative(folder).string()); // links stay
   }
   if (error)
     throw ToolError(folder + ": cannot be read: " + error.message());
   if (paths.empty())
-    throw ToolError(folder + ": no .pcd, .ply, .off or .obj file in this folder");
+    throw ToolError(folder + ": no object in this folder, by its endings: " +
+                    cloudEndings() + ", .off, .obj");
   std::sort(paths.begin(), paths.end());
   return paths;
 }

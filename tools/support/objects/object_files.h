@@ -16,8 +16,8 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief All .pcd, .ply, .off and .obj files of a folder and the folders in it, sorted
- * by path.
+/** \brief All clouds but .txt files, and all meshes (OFF, OBJ), of a folder and the
+ * folders in it, by their endings, sorted by path.
  * \return paths relative to the folder
  * \throws ToolError if it is no folder or holds none
  */

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -90,6 +91,12 @@ fewPoints(const PointCloud<PointXYZ>& sample)
 }
 
 } // namespace
+
+bool
+isResultName(const std::string& name)
+{
+  return std::find(std::begin(results), std::end(results), name) != std::end(results);
+}
 
 void
 requireUsable(const PipelineOptions& options)

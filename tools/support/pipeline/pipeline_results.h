@@ -15,6 +15,10 @@
 
 namespace pcl::indoor::tool {
 
+/** \brief Is a file of this name one of the results? */
+bool
+isResultName(const std::string& name);
+
 /** \brief Find out, before the long work, what cannot be written.
  * \throws ToolError naming it */
 void

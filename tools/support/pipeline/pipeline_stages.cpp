@@ -9,6 +9,7 @@
 #include "files/cloud_file.h"
 #include "files/digest.h"
 #include "files/sampled_surface.h"
+#include "pipeline/scan_files.h"
 #include "pipeline/scene_record.h"
 #include "scene/scan_frame.h"
 
@@ -135,30 +136,58 @@ readInParts(const PipelineOptions& options,
       [&progress](std::size_t done, std::size_t all) { progress.update(done, all); });
 }
 
+/** \throws ToolError if one of several scans would be replaced by the results */
+void
+requireOthersThanResults(const std::vector<std::string>& files,
+                         const std::string& results)
+{
+  std::error_code error;
+  for (const auto& file : files)
+    if (files.size() > 1 &&
+        std::filesystem::equivalent(file, results + "/cloud.pcd", error))
+      throw ToolError(file + ": the results would replace this scan, give another "
+                             "folder for them");
+}
+
+/** Scans that are open, null where one cannot be read in parts, and their points. */
+struct OpenScans {
+  std::vector<std::unique_ptr<CloudStream>> streams;
+  std::uint64_t count = 0, in_memory = 0; ///< of all, of those that are null
+};
+
+OpenScans
+openScans(const std::vector<std::string>& files)
+{
+  OpenScans scans;
+  for (const auto& file : files) {
+    const auto& stream = scans.streams.emplace_back(CloudStream::open(file));
+    const auto own = stream ? stream->pointCount() : promisedPoints(file);
+    scans.count += own;
+    scans.in_memory += stream ? 0 : own;
+  }
+  return scans;
+}
+
 } // namespace
 
 Scan
 loadScan(const PipelineOptions& options, Progress& progress)
 {
   constexpr double bytes_per_point = 400; // that are in use at once, measured
-  const auto files = scanFiles(options.inputs);
+  auto [files, notes] = scanFiles(options.inputs);
+  requireOthersThanResults(files, options.folder);
   const auto name = nameOfScan(options.inputs, files);
-  std::vector<std::unique_ptr<CloudStream>> opened;
-  std::uint64_t count = 0;
-  bool in_parts = options.points_at_once > 0;
-  for (const auto& file : files) {
-    opened.push_back(CloudStream::open(file));
-    in_parts = in_parts && opened.back();
-    count += opened.back() ? opened.back()->pointCount() : promisedPoints(file);
-  }
-  in_parts = in_parts && count > options.points_at_once;
-  options.memory.require(
-      name, bytes_per_point, in_parts ? options.points_at_once : count);
+  auto [opened, count, in_memory] = openScans(files);
+  const bool in_parts =
+      options.points_at_once > 0 && count > in_memory && count > options.points_at_once;
+  const auto at_once = static_cast<std::uint64_t>(options.points_at_once) + in_memory;
+  options.memory.require(name, bytes_per_point, in_parts ? at_once : count);
   progress.start((in_parts ? "Reading in parts " : "Loading ") + name);
-  std::vector<std::string> notes;
-  auto stream = files.size() == 1
-                    ? std::move(opened[0])
-                    : joinedScans(files, std::move(opened), options.columns, notes);
+  std::vector<std::string> notes_of_files;
+  auto stream =
+      files.size() == 1
+          ? std::move(opened[0])
+          : joinedScans(files, std::move(opened), options.columns, notes_of_files);
   Scan scan;
   if (in_parts)
     scan = readInParts(options, name, std::move(stream), progress);
@@ -170,7 +199,8 @@ loadScan(const PipelineOptions& options, Progress& progress)
                    stream->read(0, static_cast<std::size_t>(stream->pointCount())),
                    stream->frame());
   if (scan.stream && files.size() == 1)
-    notes = scan.stream->notes();
+    notes_of_files = scan.stream->notes();
+  notes.insert(notes.end(), notes_of_files.begin(), notes_of_files.end());
   scan.file.notes.insert(scan.file.notes.begin(), notes.begin(), notes.end());
   printNotes(scan.file);
   if (files.size() > 1)
@@ -194,7 +224,7 @@ keyOfRun(const PipelineOptions& options, const std::vector<Setting>& settings)
   if (!model.empty())
     text += std::to_string(digestOfFile(model)) + "\n";
   std::uint64_t key = 0;
-  for (const auto& file : scanFiles(options.inputs)) {
+  for (const auto& file : scanFiles(options.inputs).paths) {
     text += std::filesystem::path(file).filename().string() + "\n";
     key = digestOf(std::to_string(digestOfFile(file)), key);
   }

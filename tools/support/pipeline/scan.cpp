@@ -12,7 +12,6 @@
 #include <pcl/common/point_tests.h> // for isFinite
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <utility>
 
@@ -20,20 +19,6 @@ namespace pcl::indoor::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool
-hasCloudEnding(const fs::path& path)
-{
-  auto ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  for (const char* known :
-       {".pcd", ".ply", ".las", ".xyz", ".txt", ".csv", ".asc", ".pts"})
-    if (ending == known)
-      return true;
-  return false;
-}
 
 /** The notes of several files, those that are the same as one. */
 std::vector<std::string>
@@ -73,41 +58,6 @@ cloudOf(const std::vector<Eigen::Vector3f>& points, const CloudFile& file)
 }
 
 } // namespace
-
-std::vector<std::string>
-scanFiles(const std::vector<std::string>& inputs)
-{
-  std::vector<std::string> files;
-  for (const auto& input : inputs) {
-    std::error_code error;
-    if (!fs::is_directory(input, error)) {
-      files.push_back(input);
-      continue;
-    }
-    std::vector<std::string> inside;
-    for (const auto& entry : fs::directory_iterator(input, error))
-      if (entry.is_regular_file() && hasCloudEnding(entry.path()))
-        inside.push_back(entry.path().string());
-    if (error)
-      throw ToolError(input + ": the folder cannot be read");
-    if (inside.empty())
-      throw ToolError(input + ": the folder holds no PCD, PLY or LAS file or table");
-    std::sort(inside.begin(), inside.end());
-    files.insert(files.end(), inside.begin(), inside.end());
-  }
-  return files;
-}
-
-std::string
-nameOfScan(const std::vector<std::string>& inputs,
-           const std::vector<std::string>& files)
-{
-  if (inputs.size() == 1) { // of a folder without the slash that may end it
-    const fs::path path(inputs[0]);
-    return (path.has_filename() ? path : path.parent_path()).string();
-  }
-  return files.front() + " and " + std::to_string(files.size() - 1) + " more";
-}
 
 std::unique_ptr<CloudStream>
 joinedScans(const std::vector<std::string>& files,

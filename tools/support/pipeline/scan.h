@@ -22,18 +22,6 @@ struct Scan {
   std::optional<CellSample> sample;    ///< of a large scan
 };
 
-/** \brief The files of the scans that were asked for: each that is named, and of each
- * folder all PCD, PLY and LAS files and tables, by their names.
- * \throws ToolError if a folder holds none
- */
-std::vector<std::string>
-scanFiles(const std::vector<std::string>& inputs);
-
-/** \brief What a scan of such files is called. */
-std::string
-nameOfScan(const std::vector<std::string>& inputs,
-           const std::vector<std::string>& files);
-
 /** \brief Open the scans of one building as one, see joinedStream(). Those that cannot
  * be read in parts are read into memory.
  * \param[in] opened of each file, null if it cannot be read in parts
