@@ -5,6 +5,7 @@
 #include <pcl/indoor/neighbor_distance.h>
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/quantile.h>
 #include <pcl/indoor/threads.h>
@@ -166,6 +167,9 @@ nearestNeighbors(const std::vector<Eigen::Vector3f>& points,
 double
 neighborhoodRadius(const std::vector<Eigen::Vector3f>& points, unsigned threads)
 {
+  const auto places = distinctPoints(points);
+  if (places.hasCopies())
+    return neighborhoodRadius(places.once(points), threads);
   if (points.size() < 2)
     return 0;
   auto distances = meanNeighborDistances(points, closest_neighbors, threads);

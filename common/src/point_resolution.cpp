@@ -7,13 +7,16 @@
 #include <pcl/indoor/quantile.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace {
 
 constexpr std::size_t sample_count = 2000;
+constexpr std::size_t closest_count = 8; // k of Eq. (2.1)
 
 /** The same point whatever the order of the input. */
 std::uint32_t
@@ -29,6 +32,88 @@ firstPoint(const std::vector<Eigen::Vector3f>& points,
       inside.begin(), inside.end(), [&](auto a, auto b) { return key(a) < key(b); });
 }
 
+/** The distances of a point to its closest others in its cell and those around,
+ * ascending; infinite where there are fewer. */
+using Closest = std::array<float, closest_count>;
+
+Closest
+closestOthers(const std::vector<Eigen::Vector3f>& points,
+              const pcl::indoor::PointCells& cells,
+              const pcl::indoor::Adjacency& around,
+              std::uint32_t cell)
+{
+  const auto query = firstPoint(points, cells, cell);
+  Closest closest;
+  closest.fill(std::numeric_limits<float>::infinity());
+  const auto visit = [&](std::uint32_t other_cell) {
+    for (const auto point : cells.pointsOf(other_cell)) {
+      float squared = (points[point] - points[query]).squaredNorm();
+      if (point == query || !(squared < closest.back()))
+        continue;
+      for (auto& other : closest)
+        if (squared < other)
+          std::swap(squared, other);
+    }
+  };
+  visit(cell);
+  for (const auto other : around.of(cell))
+    visit(other);
+  for (auto& distance : closest)
+    distance = std::sqrt(distance);
+  return closest;
+}
+
+/** To the nearest point that is no copy: those before the largest step, if there is
+ * one, are copies. */
+float
+beyondCopies(const Closest& closest)
+{
+  constexpr float least_step = 2; // times as far, as a second ring of points is
+  auto result = closest.front();
+  float largest = least_step;
+  for (std::size_t k = 1; k < closest.size(); ++k)
+    if (std::isfinite(closest[k]) && closest[k] > largest * closest[k - 1]) {
+      result = closest[k];
+      largest = closest[k] / closest[k - 1];
+    }
+  return result;
+}
+
+struct Spacing {
+  double nearest = std::numeric_limits<double>::infinity();  ///< medians, metres
+  double farthest = std::numeric_limits<double>::infinity(); ///< of the closest
+  double beyond_copies = std::numeric_limits<double>::infinity();
+
+  /** Are points closer to one another than points of one scan ever are? In scans with
+   * lasers and cameras, simulated or real, random or in rows, the nearest of eight is
+   * at more than a third of the distance of the eighth. */
+  bool
+  hasCopies() const
+  {
+    return nearest < 0.2 * farthest;
+  }
+};
+
+Spacing
+spacingOf(const std::vector<Eigen::Vector3f>& points,
+          const pcl::indoor::PointCells& cells)
+{
+  const auto around = pcl::indoor::cellAdjacency(cells.keys);
+  const auto stride = std::max<std::size_t>(1, cells.size() / sample_count);
+  std::vector<double> nearest, farthest, beyond_copies;
+  for (std::size_t c = 0; c < cells.size(); c += stride) {
+    const auto closest =
+        closestOthers(points, cells, around, static_cast<std::uint32_t>(c));
+    nearest.push_back(closest.front());
+    farthest.push_back(closest.back());
+    beyond_copies.push_back(beyondCopies(closest));
+  }
+  if (nearest.empty())
+    return {};
+  using pcl::indoor::median;
+  return {median(nearest), median(farthest), median(beyond_copies)};
+}
+
 } // namespace
 
 namespace pcl {
@@ -37,26 +122,7 @@ namespace indoor {
 double
 medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& cells)
 {
-  const auto around = cellAdjacency(cells.keys);
-  const auto stride = std::max<std::size_t>(1, cells.size() / sample_count);
-  std::vector<double> distances;
-  for (std::size_t c = 0; c < cells.size(); c += stride) {
-    const auto cell = static_cast<std::uint32_t>(c);
-    const auto query = firstPoint(points, cells, cell);
-    float nearest = std::numeric_limits<float>::infinity();
-    const auto visit = [&](std::uint32_t other_cell) {
-      for (const auto point : cells.pointsOf(other_cell))
-        if (point != query)
-          nearest = std::min(nearest, (points[point] - points[query]).squaredNorm());
-    };
-    visit(cell);
-    for (const auto other : around.of(cell))
-      visit(other);
-    distances.push_back(std::sqrt(nearest));
-  }
-  if (distances.empty())
-    return std::numeric_limits<double>::infinity();
-  return median(distances);
+  return spacingOf(points, cells).nearest;
 }
 
 double
@@ -64,13 +130,18 @@ raisedToResolution(const std::vector<Eigen::Vector3f>& points, double voxel_size
 {
   constexpr double factor = 2.5; // Eq. (2.9)
   constexpr int most_doublings = 12;
-  double cell_size = voxel_size;
+  double cell_size = voxel_size, resolution = 0;
   for (int i = 0; i < most_doublings && points.size() > 1; ++i, cell_size *= 2) {
-    const auto resolution = medianResolution(points, groupByCell(points, cell_size));
-    if (std::isfinite(resolution))
-      return std::max(voxel_size, factor * resolution);
+    const auto spacing = spacingOf(points, groupByCell(points, cell_size));
+    if (resolution == 0 && std::isfinite(spacing.nearest))
+      resolution = spacing.nearest;
+    if (!std::isfinite(spacing.farthest))
+      continue; // copies cannot be told yet
+    if (spacing.hasCopies())
+      resolution = spacing.beyond_copies;
+    break;
   }
-  return voxel_size;
+  return std::max(voxel_size, factor * resolution);
 }
 
 } // namespace indoor

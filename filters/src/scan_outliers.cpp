@@ -5,6 +5,7 @@
 #include <pcl/filters/scan_outliers.h>
 
 #include <pcl/filters/radius_outlier_removal.h>
+#include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/neighbor_distance.h>
 #include <pcl/indoor/require_valid.h>
 #include <pcl/point_types.h>
@@ -90,6 +91,9 @@ scanOutliers(const std::vector<Eigen::Vector3f>& points,
              const ScanOutlierOptions& options)
 {
   requireValid(options);
+  const auto places = distinctPoints(points);
+  if (places.hasCopies())
+    return places.forAll(scanOutliers(places.once(points), options));
   std::vector<std::uint8_t> outliers(points.size(), 0);
   const auto cloud = pcl::make_shared<Cloud>();
   cloud->reserve(points.size());

@@ -14,6 +14,8 @@
 #include "objects/structure/enclosed_structure.h"
 
 #include <pcl/exceptions.h>
+#include <pcl/features/unit_normals.h>
+#include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/point_resolution.h>
 #include <pcl/indoor/require_valid.h>
 
@@ -25,15 +27,15 @@
 namespace {
 
 using pcl::indoor::Capture;
+using pcl::indoor::DistinctPoints;
 using pcl::indoor::ObjectSegmentation;
 using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::Partition;
 using pcl::indoor::Supervoxels;
 
-/** The options to work with, once they and the input have been checked. */
-ObjectSegmentationOptions
-checkedOptions(const ObjectSegmentationInput& input,
+void
+requireFitting(const ObjectSegmentationInput& input,
                const ObjectSegmentationOptions& given)
 {
   requireValid(given);
@@ -55,6 +57,13 @@ checkedOptions(const ObjectSegmentationInput& input,
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "The direction up must have the length 1, not "
                             << input.up.norm() << '.');
+}
+
+/** The options to work with. */
+ObjectSegmentationOptions
+sizedOptions(const ObjectSegmentationInput& input,
+             const ObjectSegmentationOptions& given)
+{
   auto options = withSizes(given);
   options.threads = std::min(given.threads, 1024u); // each needs memory for its stack
   if (given.voxel_size == 0 && given.seed_size == 0) {
@@ -127,17 +136,32 @@ partitionVoxels(const ObjectSegmentationOptions& options, ObjectSegmentation& re
   return segments;
 }
 
-} // namespace
-
-namespace pcl {
-namespace indoor {
-
-ObjectSegmentation
-segmentObjects(ObjectSegmentationInput input,
-               const ObjectSegmentationOptions& given_options,
-               const ProgressCallback& progress)
+void
+keepDistinct(const DistinctPoints& places, ObjectSegmentationInput& input)
 {
-  const auto options = checkedOptions(input, given_options);
+  input.points = places.once(input.points);
+  input.normals = places.least(input.normals);
+  input.colors = places.least(input.colors);
+}
+
+/** Give the copies of points what their places have. */
+void
+spreadToCopies(const DistinctPoints& places, ObjectSegmentation& result)
+{
+  auto& scene = result.scene;
+  scene.points = places.forAll(scene.points);
+  scene.voxels.cells.cell_of_point = places.forAll(scene.voxels.cells.cell_of_point);
+  pcl::indoor::listPoints(scene.voxels.cells);
+  result.piece_of_point = places.forAll(result.piece_of_point);
+  result.segment_of_point = places.forAll(result.segment_of_point);
+}
+
+/** The segmentation of points that have no copies. */
+ObjectSegmentation
+segmentDistinct(ObjectSegmentationInput input,
+                const ObjectSegmentationOptions& options,
+                const pcl::indoor::ProgressCallback& progress)
+{
   if (options.on_points)
     return segmentOnPoints(std::move(input), options, progress);
   const auto stops = [&progress](double share, const char* stage) {
@@ -170,6 +194,29 @@ segmentObjects(ObjectSegmentationInput input,
   if (stops(1, "done"))
     return {};
   return result; // moved: a conditional would copy all of it
+}
+
+} // namespace
+
+namespace pcl {
+namespace indoor {
+
+ObjectSegmentation
+segmentObjects(ObjectSegmentationInput input,
+               const ObjectSegmentationOptions& given_options,
+               const ProgressCallback& progress)
+{
+  requireFitting(input, given_options);
+  if (!areUnitNormals(input.normals))
+    input.normals.clear(); // they are estimated
+  const auto places = distinctPoints(input.points);
+  if (places.hasCopies())
+    keepDistinct(places, input);
+  const auto options = sizedOptions(input, given_options);
+  auto result = segmentDistinct(std::move(input), options, progress);
+  if (places.hasCopies() && !result.segment_of_point.empty())
+    spreadToCopies(places, result);
+  return result;
 }
 
 } // namespace indoor

@@ -10,6 +10,7 @@
 #include "rooms/outline/room_layout.h"
 #include "rooms/space/closed_surfaces.h"
 #include "rooms/storeys/storey_labels.h"
+#include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/threads.h>
 
 #include <pcl/indoor/require_valid.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -174,14 +176,12 @@ gridOf(const std::vector<Eigen::Vector3f>& points,
   return grid;
 }
 
-} // namespace
-
+/** The rooms of points that have no copies. */
 BuildingRooms
-segmentBuilding(const std::vector<Eigen::Vector3f>& points,
+segmentDistinct(const std::vector<Eigen::Vector3f>& points,
                 BuildingRoomsOptions options,
                 const ProgressCallback& progress)
 {
-  requireValid(options);
   options.interior.threads = options.threads;
   options.storeys.threads = options.threads;
   options.map.threads = options.map.field_rooms.threads = options.threads;
@@ -245,6 +245,39 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
   addFootprints(points, building);
   if (stopped(1.0, "done"))
     return {};
+  return building;
+}
+
+/** Give the copies of points what their places have. */
+void
+spreadToCopies(const DistinctPoints& places, BuildingRooms& building)
+{
+  auto& cells = building.occupancy.cells;
+  cells = places.forAll(cells);
+  building.occupancy.outside =
+      static_cast<std::size_t>(std::count(cells.begin(), cells.end(), -1));
+  building.point_labels = places.forAll(building.point_labels);
+  for (auto& room : building.rooms)
+    room.point_count = 0;
+  for (const auto label : building.point_labels)
+    if (label > 0)
+      ++building.rooms[label - 1].point_count;
+}
+
+} // namespace
+
+BuildingRooms
+segmentBuilding(const std::vector<Eigen::Vector3f>& points,
+                BuildingRoomsOptions options,
+                const ProgressCallback& progress)
+{
+  requireValid(options);
+  const auto places = distinctPoints(points);
+  if (!places.hasCopies())
+    return segmentDistinct(points, std::move(options), progress);
+  auto building = segmentDistinct(places.once(points), std::move(options), progress);
+  if (!building.point_labels.empty())
+    spreadToCopies(places, building);
   return building;
 }
 

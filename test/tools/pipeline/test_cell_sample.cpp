@@ -60,9 +60,10 @@ expectFirstPoints(const std::vector<Eigen::Vector3f>& points,
   ASSERT_EQ(sample.points().size(), indices.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto found = sample.find(points[i]);
-    ASSERT_LT(found, indices.size());
-    EXPECT_EQ(indices[found], 10 * first.at(cellOf(points[i], expected_size)));
-    EXPECT_EQ(sample.points()[found], points[indices[found] / 10]);
+    ASSERT_TRUE(found);
+    ASSERT_LT(*found, indices.size());
+    EXPECT_EQ(indices[*found], 10 * first.at(cellOf(points[i], expected_size)));
+    EXPECT_EQ(sample.points()[*found], points[indices[*found] / 10]);
   }
 }
 
@@ -91,4 +92,5 @@ TEST(CellSample, PointsFarAwayShareCells)
   sample.add({0, 0, 0}, 3);
   EXPECT_EQ(sample.indices(), (std::vector<std::uint64_t>{0, 2, 3}));
   EXPECT_EQ(sample.find({9e8f, 0, 0}), 0u);
+  EXPECT_FALSE(sample.find({1, 0, 0}));
 }

@@ -8,6 +8,7 @@
 #include "files/cloud_check.h"
 #include "files/coordinate_step.h"
 #include "files/field_value.h"
+#include "files/placed_points.h"
 #include "files/sampled_surface.h"
 #include "files/usual_fields.h"
 #include "formats/file_header.h"
@@ -172,10 +173,20 @@ stepAt(const PCLPointCloud2& cloud, const std::string& name, double value)
 void
 fillPoints(CloudFile& file)
 {
-  const auto origin = coordinateOrigin(file.cloud);
+  const auto placed = placedPoints(file.cloud, file.cloud.height > 1);
+  const auto& origin = placed.origin;
   file.coordinate_step = origin.step;
   file.offset = file.frame.offset + origin.middle;
-  auto points = pointsAround(file.cloud, origin.middle, file.finite_count);
+  file.finite_count = placed.finite_count;
+  file.copy_count = placed.copy_count;
+  file.left_out = placed.left_out;
+  for (const auto& place : file.left_out)
+    file.notes.push_back(
+        leftOutNote(place, countAt(file.cloud, place), pointCount(file.cloud)));
+  const auto note = copiesNote(file.copy_count, file.finite_count);
+  if (!note.empty())
+    file.notes.push_back(note);
+  const auto& points = placed.points;
   points->sensor_origin_ = file.frame.origin;
   points->sensor_origin_.head<3>() =
       (file.frame.origin.head<3>().cast<double>() - origin.middle).cast<float>();
@@ -247,10 +258,42 @@ coordinateOrigin(const PCLPointCloud2& cloud)
   return origin;
 }
 
+bool
+isOneOf(const Eigen::Vector3d& point, const std::vector<Eigen::Vector3d>& places)
+{
+  return std::find(places.begin(), places.end(), point) != places.end();
+}
+
+CloudPlaces::CloudPlaces(const PCLPointCloud2& cloud)
+: cloud_(&cloud)
+{
+  for (int axis = 0; axis < 3; ++axis)
+    fields_[axis] = getFieldIndex(cloud, axes[axis]);
+}
+
+std::size_t
+CloudPlaces::size() const
+{
+  return pointCount(*cloud_);
+}
+
+Eigen::Vector3d
+CloudPlaces::at(std::size_t point) const
+{
+  Eigen::Vector3d place;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& field = cloud_->fields[fields_[axis]];
+    place[axis] = valueAt(&cloud_->data[point * cloud_->point_step + field.offset],
+                          field.datatype);
+  }
+  return place;
+}
+
 PointCloud<PointXYZ>::Ptr
 pointsAround(const PCLPointCloud2& cloud,
              const Eigen::Vector3d& middle,
-             std::size_t& finite_count)
+             std::size_t& finite_count,
+             const std::vector<Eigen::Vector3d>& left_out)
 {
   const std::vector<double> coordinates[3] = {
       readReals(cloud, axes[0]), readReals(cloud, axes[1]), readReals(cloud, axes[2])};
@@ -264,7 +307,7 @@ pointsAround(const PCLPointCloud2& cloud,
     const Eigen::Vector3d point(
         coordinates[0][i], coordinates[1][i], coordinates[2][i]);
     const Eigen::Vector3f local = (point - middle).cast<float>();
-    if (!isUsable(local))
+    if (!isUsable(local) || isOneOf(point, left_out))
       continue;
     (*points)[i].getVector3fMap() = local;
     ++finite_count;
@@ -311,7 +354,12 @@ withPoints(const std::string& path,
     throw ToolError(path + ": " + std::to_string(file.finite_count) +
                     " finite points are too few, " + std::to_string(least_points) +
                     " are needed");
-  file.has_normals = hasNormals(file.cloud);
+  if (hasNormals(file.cloud)) {
+    const auto note = normalsNote(file.cloud, *file.points);
+    file.has_normals = note.empty();
+    if (!note.empty())
+      file.notes.push_back(note);
+  }
   return file;
 }
 

@@ -37,8 +37,13 @@ struct CloudFile {
   /** The greatest distance between neighbouring numbers in which large coordinates are
    * stored: floats are coarse. 0 without large coordinates. */
   double coordinate_step = 0.0;
-  std::size_t finite_count = 0;      ///< of \a points without NaN
-  bool has_normals = false;          ///< the file has normal_x, normal_y, normal_z
+  std::size_t finite_count = 0; ///< of \a points without NaN
+  std::size_t copy_count = 0;   ///< of \a points in exactly the place of another
+  /** Places of thousands of points that are none, in the coordinates of the file; NaN
+   * in \a points. */
+  std::vector<Eigen::Vector3d> left_out;
+  /** The file has normal_x, normal_y, normal_z, and they are normals. */
+  bool has_normals = false;
   std::vector<std::string> stations; ///< names of the files it was joined of, if any
   /** What was odd in the file and how it was taken, a line each without its name. */
   std::vector<std::string> notes;
@@ -82,14 +87,37 @@ struct CoordinateOrigin {
 CoordinateOrigin
 coordinateOrigin(const PCLPointCloud2& cloud);
 
+/** \brief Is it exactly one of some places? */
+bool
+isOneOf(const Eigen::Vector3d& point, const std::vector<Eigen::Vector3d>& places);
+
 /** \brief The points of a cloud, each coordinate minus \a middle; NaN where one is not
  * finite, or too large to compute with.
  * \param[out] finite_count of points without NaN
+ * \param[in] left_out places that are no points, NaN as well
  */
 PointCloud<PointXYZ>::Ptr
 pointsAround(const PCLPointCloud2& cloud,
              const Eigen::Vector3d& middle,
-             std::size_t& finite_count);
+             std::size_t& finite_count,
+             const std::vector<Eigen::Vector3d>& left_out = {});
+
+/** \brief The coordinates of a cloud as its file gives them. */
+class CloudPlaces {
+public:
+  /** \param[in] cloud must outlive this */
+  explicit CloudPlaces(const PCLPointCloud2& cloud);
+
+  std::size_t
+  size() const;
+
+  Eigen::Vector3d
+  at(std::size_t point) const;
+
+private:
+  const PCLPointCloud2* cloud_;
+  int fields_[3];
+};
 
 /** \brief The sensor's pose that the header of a PCD tells; the frame's own where it
  * tells none by seven finite numbers. */

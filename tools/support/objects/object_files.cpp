@@ -197,8 +197,11 @@ loadPlacedObject(const std::string& path, int neighbor_count)
     for (std::size_t k = 0; k < object->size(); ++k)
       (*object)[k].getNormalVector3fMap() = (*normals)[k].getNormalVector3fMap();
   }
-  else
+  else {
+    if (hasNormals(file.cloud))
+      printNotes(file);
     estimateNormals(*object, neighbor_count);
+  }
   return {object, readPlace(file)};
 }
 

@@ -48,10 +48,11 @@ CellSample::placeOf(std::uint64_t cell) const
       return place;
 }
 
-std::uint32_t
+std::optional<std::uint32_t>
 CellSample::find(const Eigen::Vector3f& point) const
 {
-  return numbers_[placeOf(cellOf(point))];
+  const auto number = numbers_[placeOf(cellOf(point))];
+  return number == free_place ? std::nullopt : std::optional(number);
 }
 
 bool

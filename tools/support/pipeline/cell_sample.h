@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl::indoor::tool {
@@ -26,8 +27,9 @@ public:
   void
   add(const Eigen::Vector3f& point, std::uint64_t index);
 
-  /** \brief The number of the point that stands for this one, which was added. */
-  std::uint32_t
+  /** \brief The number of the point that stands for this one; none if no point of its
+   * cell was added. */
+  std::optional<std::uint32_t>
   find(const Eigen::Vector3f& point) const;
 
   const std::vector<Eigen::Vector3f>&

@@ -142,7 +142,10 @@ filePoints(Scan& scan,
       const auto& point = (*part.points)[i];
       std::uint32_t file = in_no_file;
       if (isFinite(point)) {
-        file = file_of_sample[scan.sample->find(point.getVector3fMap())];
+        const auto number = scan.sample->find(point.getVector3fMap());
+        if (!number)
+          throw ToolError(scan.file.path + ": the file has changed, start again");
+        file = file_of_sample[*number];
         filed.outside += file == in_no_file;
       }
       files.add(file_count, &file, sizeof(file));

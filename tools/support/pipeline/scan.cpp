@@ -7,6 +7,7 @@
 #include "command_line/printable.h"
 #include "files/cloud_sample.h"
 #include "files/joined_clouds.h"
+#include "files/placed_points.h"
 #include "files/sampled_surface.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
@@ -57,6 +58,25 @@ cloudOf(const std::vector<Eigen::Vector3f>& points, const CloudFile& file)
   return cloud;
 }
 
+/** What a sample of the points tells of all: where they are, and if their normals are
+ * any. */
+void
+setPlaces(const PCLPointCloud2& sample, Scan& scan)
+{
+  auto& file = scan.file;
+  const auto placed = placedPoints(sample, file.cloud.height > 1);
+  scan.middle = placed.origin.middle;
+  file.offset = file.frame.offset + scan.middle;
+  file.coordinate_step = placed.origin.step;
+  file.left_out = placed.left_out;
+  if (!hasNormals(sample))
+    return;
+  const auto note = normalsNote(sample, *placed.points);
+  file.has_normals = note.empty();
+  if (!note.empty())
+    file.notes.push_back(note);
+}
+
 } // namespace
 
 std::unique_ptr<CloudStream>
@@ -94,20 +114,23 @@ readScan(const std::string& path,
   file.path = path;
   file.cloud = stream->layout();
   file.frame = stream->frame();
-  const auto origin = coordinateOrigin(pointsFromAllOver(*stream));
-  file.offset = file.frame.offset + origin.middle;
-  file.coordinate_step = origin.step;
-  file.has_normals = hasNormals(file.cloud);
+  setPlaces(pointsFromAllOver(*stream), scan);
+  std::vector<std::uint64_t> left_out(file.left_out.size(), 0);
   auto& sample = scan.sample.emplace(cell_size, most_points);
   stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& part) {
     std::size_t finite = 0;
-    const auto points = pointsAround(part, origin.middle, finite);
+    const auto points = pointsAround(part, scan.middle, finite, file.left_out);
     file.finite_count += finite;
+    for (std::size_t k = 0; k < left_out.size(); ++k)
+      left_out[k] += countAt(part, file.left_out[k]);
     for (std::size_t i = 0; i < points->size(); ++i)
       if (isFinite((*points)[i]))
         sample.add((*points)[i].getVector3fMap(), first + i);
     report(first + points->size(), stream->pointCount());
   });
+  for (std::size_t k = 0; k < left_out.size(); ++k)
+    file.notes.push_back(
+        leftOutNote(file.left_out[k], left_out[k], stream->pointCount()));
   if (file.finite_count < 2)
     throw ToolError(path + ": " + std::to_string(file.finite_count) +
                     " finite points are too few, 2 are needed");
@@ -124,7 +147,7 @@ partOf(const Scan& scan, PCLPointCloud2 part)
   file.frame = scan.stream->frame();
   file.offset = scan.file.offset;
   file.has_normals = scan.file.has_normals;
-  file.points = pointsAround(part, file.offset - file.frame.offset, file.finite_count);
+  file.points = pointsAround(part, scan.middle, file.finite_count, scan.file.left_out);
   file.cloud = std::move(part);
   return file;
 }

@@ -20,6 +20,8 @@ struct Scan {
   CloudFile file; ///< with all points, or with those of the sample and no fields
   std::unique_ptr<CloudStream> stream; ///< of a large scan: all of its points
   std::optional<CellSample> sample;    ///< of a large scan
+  Eigen::Vector3d middle =
+      Eigen::Vector3d::Zero(); ///< of a large scan, taken from its points
 };
 
 /** \brief Open the scans of one building as one, see joinedStream(). Those that cannot

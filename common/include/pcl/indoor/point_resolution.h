@@ -23,7 +23,9 @@ double
 medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& cells);
 
 /** \brief Raise a voxel size to 2.5 times the resolution of the points, the factor of
- * Eq. (2.9), so that the voxels of a sparse surface touch.
+ * Eq. (2.9), so that the voxels of a sparse surface touch. Where scans lie on one
+ * another, each point with its copies at a fifth of the distance of others or less, the
+ * copies do not count.
  * \return metres, at least the voxel size
  */
 double

@@ -37,7 +37,7 @@ findProblem(const ScanOutlierOptions& options);
 /** \brief Find the points of reflections and sensor noise that lie alone (Sec.
  * 2.1.5.1), with pcl::RadiusOutlierRemoval and then, on what is left, by the rule of
  * pcl::StatisticalOutlierRemoval: in this order far outliers cannot raise the standard
- * deviation.
+ * deviation. Several points in exactly one place are as one.
  * \param[in] points finite points, metres, local frame
  * \return one flag per point, 1 for outliers
  * \throws pcl::BadArgumentException if an option is out of range

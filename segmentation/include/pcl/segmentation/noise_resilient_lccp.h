@@ -44,7 +44,8 @@ public:
   /** \brief Set normals, one per point of the input, that point to the side the surface
    * was seen from. Without them (default, or null) normals are estimated, and turned to
    * the viewpoint, if one is set, to the camera of a single view, or else to the free
-   * space between the surfaces.
+   * space between the surfaces. So they are, with a warning, if these cannot be the
+   * normals of the points, see indoor::findNormalsProblem().
    */
   void
   setInputNormals(const PointCloudN::ConstPtr& normals);

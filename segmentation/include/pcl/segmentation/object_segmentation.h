@@ -115,7 +115,7 @@ thesisKinectOptions();
 /** \brief What the segmentation works on, points in a local frame. */
 struct ObjectSegmentationInput {
   std::vector<Eigen::Vector3f> points; ///< finite, metres
-  /** one per point, oriented; empty to estimate and orient them */
+  /** one per point, oriented; else empty, or no areUnitNormals(): they are estimated */
   std::vector<Eigen::Vector3f> normals;
   /** one per point: red, green and blue, 0 to 255; empty if there are none */
   std::vector<Eigen::Vector3f> colors;
@@ -160,7 +160,7 @@ struct ObjectSegmentation {
  * Floor, ceiling and walls are kept out of the graph, see findRoomStructure(): nothing
  * is joined through them. With JoiningScale::View, for a Capture::TableView and on
  * points there is no such structure.
- * Every point gets a segment.
+ * Every point gets a segment, its copies in exactly its place the same.
  * \param[in] progress called before each stage and at the end with 1; may be empty
  * \return without segments and labels if \a progress returned false
  * \throws pcl::BadArgumentException if an option is out of range, sizes differ, or the

@@ -9,6 +9,7 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_orientation.h>
+#include <pcl/features/unit_normals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,28 @@ using pcl::indoor::SurfaceVoxels;
 
 constexpr unsigned normal_rings = 1; // reach of normals and curvature, voxels
 
+/** Voxels whose points have no normals have those that were estimated, turned as their
+ * neighbours. */
+void
+fillGaps(const std::vector<Eigen::Vector3f>& point_normals,
+         const std::vector<Eigen::Vector3f>& estimated,
+         SurfaceVoxels& voxels)
+{
+  std::vector<std::uint8_t> is_given(voxels.size(), 0);
+  for (std::size_t i = 0; i < point_normals.size(); ++i)
+    is_given[voxels.cells.cell_of_point[i]] |=
+        pcl::indoor::isUnitNormal(point_normals[i]);
+  const auto given = voxels.normals;
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    if (is_given[v])
+      continue;
+    Eigen::Vector3f around = Eigen::Vector3f::Zero();
+    for (const auto other : voxels.neighbors.of(v))
+      around += given[other];
+    voxels.normals[v] = around.dot(estimated[v]) < 0 ? -estimated[v] : estimated[v];
+  }
+}
+
 void
 findNormals(const ObjectSegmentationInput& input,
             const ObjectSegmentationOptions& options,
@@ -30,7 +53,9 @@ findNormals(const ObjectSegmentationInput& input,
 {
   pcl::indoor::estimateNormals(input.points, voxels, normal_rings, options.threads);
   if (!input.normals.empty()) {
+    const auto estimated = std::move(voxels.normals);
     pcl::indoor::averageNormals(input.normals, voxels);
+    fillGaps(input.normals, estimated, voxels);
     return;
   }
   pcl::indoor::FreeSpaceOptions free_space;

@@ -5,6 +5,7 @@
 #include <pcl/segmentation/objects/surface_voxels.h>
 
 #include <pcl/exceptions.h>
+#include <pcl/features/unit_normals.h>
 #include <pcl/indoor/threads.h>
 
 #include <Eigen/Eigenvalues>
@@ -126,7 +127,7 @@ averageNormals(const std::vector<Eigen::Vector3f>& point_normals, SurfaceVoxels&
 {
   voxels.normals.assign(voxels.size(), Eigen::Vector3f::Zero());
   for (std::size_t i = 0; i < point_normals.size(); ++i)
-    if (point_normals[i].allFinite())
+    if (isUnitNormal(point_normals[i]))
       voxels.normals[voxels.cells.cell_of_point[i]] += point_normals[i];
   for (auto& normal : voxels.normals)
     normal = normal.norm() > 1e-6f ? normal.normalized() : Eigen::Vector3f::Zero();

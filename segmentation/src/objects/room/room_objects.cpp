@@ -5,6 +5,7 @@
 #include <pcl/segmentation/room_objects.h>
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/middle_point.h>
 
 #include <algorithm>
@@ -53,12 +54,10 @@ localInput(RoomPoints& room)
   return input;
 }
 
-} // namespace
-
+/** The objects of a room whose points have no copies, or are in given objects. */
 RoomObjects
-segmentRoomObjects(RoomPoints room, const ObjectSegmentationOptions& options)
+objectsOf(RoomPoints room, const ObjectSegmentationOptions& options)
 {
-  requireSizes(room);
   RoomObjects objects;
   if (room.positions.empty())
     return objects;
@@ -79,6 +78,23 @@ segmentRoomObjects(RoomPoints room, const ObjectSegmentationOptions& options)
     --number; // 0, no object, becomes a number beyond all objects
   objects.surfaces = objectSurfaces(result, numbers, count);
   separateRemainder(objects, options.fewest_points);
+  return objects;
+}
+
+} // namespace
+
+RoomObjects
+segmentRoomObjects(RoomPoints room, const ObjectSegmentationOptions& options)
+{
+  requireSizes(room);
+  const auto places = distinctPoints(room.positions);
+  if (!places.hasCopies() || !room.given.empty())
+    return objectsOf(std::move(room), options);
+  room.positions = places.once(room.positions);
+  room.normals = places.least(room.normals);
+  auto objects = objectsOf(std::move(room), options);
+  objects.object_of_point = places.forAll(objects.object_of_point);
+  objects.structure_of_point = places.forAll(objects.structure_of_point);
   return objects;
 }
 

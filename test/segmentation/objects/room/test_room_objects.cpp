@@ -75,6 +75,43 @@ TEST(RoomObjects, AreTheSegmentsOfTheRoomAlone)
   EXPECT_EQ(objects.surfaces.size(), *std::max_element(labels.begin(), labels.end()));
 }
 
+TEST(RoomObjects, AScanThatWasMergedWithItselfHasThoseOfTheScan)
+{
+  const Building building;
+  const auto once = room(building, 1);
+  const auto expected = segmentRoomObjects(once);
+  const auto count = once.positions.size();
+  for (const int copies : {2, 3, 5}) {
+    RoomPoints points;
+    for (int copy = 0; copy < copies; ++copy)
+      points.positions.insert(
+          points.positions.end(), once.positions.begin(), once.positions.end());
+    const auto objects = segmentRoomObjects(points);
+    ASSERT_EQ(objects.object_of_point.size(), copies * count);
+    EXPECT_EQ(objects.voxel_size, expected.voxel_size);
+    EXPECT_EQ(objects.surfaces.size(), expected.surfaces.size());
+    for (std::size_t i = 0; i < objects.object_of_point.size(); ++i) {
+      ASSERT_EQ(objects.object_of_point[i], expected.object_of_point[i % count]);
+      ASSERT_EQ(objects.structure_of_point[i], expected.structure_of_point[i % count]);
+    }
+  }
+}
+
+TEST(RoomObjects, NormalsThatAreNoneAreEstimated)
+{
+  const Building building;
+  auto points = room(building, 1);
+  const auto expected = segmentRoomObjects(points).object_of_point;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const Eigen::Vector3f& none : {Eigen::Vector3f(0, 0, 0),
+                                      Eigen::Vector3f(nan, nan, nan),
+                                      Eigen::Vector3f(0.6f, 0.7f, 0.5f),
+                                      Eigen::Vector3f(0, 0, 255)}) {
+    points.normals.assign(points.positions.size(), none);
+    EXPECT_EQ(segmentRoomObjects(points).object_of_point, expected) << none.transpose();
+  }
+}
+
 TEST(RoomObjects, OfABuildingAreThoseOfItsRoomsOneAfterTheOther)
 {
   const Building building;

@@ -8,6 +8,7 @@
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
 #include <pcl/exceptions.h>
+#include <pcl/features/unit_normals.h>
 #include <pcl/indoor/labelled_outputs.h>
 #include <pcl/indoor/middle_point.h>
 #include <pcl/indoor/plain_message.h>
@@ -154,6 +155,14 @@ NoiseResilientLCCP<PointT>::localInput()
       local.normals.push_back((*normals_)[index].getNormalVector3fMap());
     if (has_colors && options_.on_points && options_.on_points->color_weight > 0)
       local.colors.push_back(colorOf(index));
+  }
+  const auto problem = indoor::findNormalsProblem(local.points, local.normals);
+  if (!problem.empty()) {
+    PCL_WARN(
+        "[pcl::NoiseResilientLCCP::segment] The normals are not used but estimated: "
+        "%s.\n",
+        problem.c_str());
+    local.normals.clear();
   }
   const Eigen::Vector3d origin = indoor::moveToMiddle(local.points);
   const Eigen::Vector3f sensor = (sensorOrigin() - origin).template cast<float>();

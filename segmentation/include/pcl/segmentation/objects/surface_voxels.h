@@ -63,7 +63,7 @@ estimateNormals(const std::vector<Eigen::Vector3f>& points,
                 unsigned threads);
 
 /** \brief Average the points' normals in each voxel instead, and keep their sign.
- * \param[in] point_normals one per point; non-finite ones are left out
+ * \param[in] point_normals one per point; what has not length 1 is left out
  */
 void
 averageNormals(const std::vector<Eigen::Vector3f>& point_normals,

@@ -1,0 +1,78 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Points without their copies: scans that were merged twice, or tiles that
+ * overlap, have several points in exactly one place. */
+struct DistinctPoints {
+  std::vector<std::uint32_t> first; ///< the first point of each place, ascending
+  std::vector<std::uint32_t> place; ///< of each point, a position in first
+
+  /** \brief Get the number of points that lie in the place of an earlier one. */
+  std::size_t
+  copies() const
+  {
+    return place.size() - first.size();
+  }
+
+  /** \brief Do copies matter? Rounded coordinates give some in most scans; below one of
+   * a hundred points they change nothing. */
+  bool
+  hasCopies() const
+  {
+    return 100 * copies() >= place.size() && copies() > 0;
+  }
+
+  /** \brief Take the values of the first point of each place; no values stay none. */
+  template <typename T>
+  std::vector<T>
+  once(const std::vector<T>& values) const
+  {
+    std::vector<T> result;
+    if (values.empty())
+      return result;
+    result.reserve(first.size());
+    for (const auto i : first)
+      result.push_back(values[i]);
+    return result;
+  }
+
+  /** \brief Take of the values of each place the least: the same for any order of the
+   * points. What is not finite is taken where there is nothing else. */
+  std::vector<Eigen::Vector3f>
+  least(const std::vector<Eigen::Vector3f>& values) const;
+
+  /** \brief Give each point the value of its place; no values stay none. */
+  template <typename T>
+  std::vector<T>
+  forAll(const std::vector<T>& values) const
+  {
+    std::vector<T> result;
+    if (values.empty())
+      return result;
+    result.reserve(place.size());
+    for (const auto i : place)
+      result.push_back(values[i]);
+    return result;
+  }
+};
+
+/** \brief Find the points that lie in exactly one place. Linear in the points.
+ * \param[in] points finite
+ */
+DistinctPoints
+distinctPoints(const std::vector<Eigen::Vector3f>& points);
+
+} // namespace indoor
+} // namespace pcl

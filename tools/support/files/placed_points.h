@@ -1,0 +1,51 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/cloud_file.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief The points of a cloud for computing, and which of its places are none. */
+struct PlacedPoints {
+  CoordinateOrigin origin;          ///< of those that are points
+  PointCloud<PointXYZ>::Ptr points; ///< as pointsAround() gives them
+  std::size_t finite_count = 0;
+  std::size_t copy_count = 0; ///< see CloudFile::copy_count
+  /** Places of thousands of points that are none, as scanners write what has sent no
+   * light back; in the coordinates of the file. */
+  std::vector<Eigen::Vector3d> left_out;
+};
+
+/** \brief Find the points of a cloud.
+ * \param[in] in_rows 0 0 0 is no point of a camera's picture
+ */
+PlacedPoints
+placedPoints(const PCLPointCloud2& cloud, bool in_rows);
+
+/** \brief How many points of a cloud lie at exactly one place? */
+std::size_t
+countAt(const PCLPointCloud2& cloud, const Eigen::Vector3d& place);
+
+/** \brief One line on a place that was left out. */
+std::string
+leftOutNote(const Eigen::Vector3d& place, std::uint64_t count, std::uint64_t all);
+
+/** \brief One line on the copies of points; empty if there are few. */
+std::string
+copiesNote(std::uint64_t copies, std::uint64_t all);
+
+/** \brief One line on why the normals of a cloud are none, see findNormalsProblem();
+ * empty if they are normals. */
+std::string
+normalsNote(const PCLPointCloud2& cloud, const PointCloud<PointXYZ>& points);
+
+} // namespace pcl::indoor::tool
