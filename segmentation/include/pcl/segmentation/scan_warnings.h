@@ -7,6 +7,7 @@
 
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/rooms/scan_signs.h>
+#include <pcl/segmentation/rooms/vertical.h>
 #include <pcl/types.h> // for Indices
 
 #include <Eigen/Core>
@@ -22,6 +23,9 @@ namespace indoor {
 struct ScanReport {
   std::vector<std::string> warnings; ///< a line each: what is wrong, and what mends it
   double voxel_size = 0.0;           ///< that was used, metres
+  Vertical vertical; ///< as the points tell it; not looked for where it was set
+  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ(); ///< that was used, unit length
+  double metres_per_unit = 1.0;                       ///< that was used
   Indices outside; ///< points beyond the extent of the building, in no room; ascending
 };
 
