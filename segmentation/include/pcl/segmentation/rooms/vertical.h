@@ -18,13 +18,23 @@ struct Vertical {
   Eigen::Vector3f direction = Eigen::Vector3f::UnitZ();
   /** Floors, ceilings and walls agree on it; else the scan is taken as it is. */
   bool is_found = false;
+  /** Furniture tells the floors from the ceilings, or +z does. */
+  bool is_end_known = false;
+  bool is_furnished = false; ///< clearly
+  bool has_rooms = false;    ///< most columns have floor and ceiling
+  /** Where it was not found: the scan seems to lie on its side, along this direction;
+   * zero if not. */
+  Eigen::Vector3f doubtful = Eigen::Vector3f::Zero();
+  /** Half of the free space along the direction lies between surfaces that are at least
+   * so far apart, in the unit of the points; 0 = not known. */
+  double room_height = 0.0;
 
   /** \brief Angle between the direction and +z, radians. */
   double
   tilt() const;
 
-  /** \brief The up axis to segment with: exactly +z if the scan is level, as it is if
-   * the direction was not found; else the direction. */
+  /** \brief The up axis to segment with: the direction, but exactly an axis of the points
+   * where that is less than 3 degrees away; +z if the direction was not found. */
   Eigen::Vector3f
   upAxis() const;
 };
@@ -36,6 +46,13 @@ struct Vertical {
  */
 Vertical
 findVertical(const std::vector<Eigen::Vector3f>& points);
+
+/** \brief The vertical of a scan whose up axis is known, with the height of its rooms.
+ * \param[in] up_axis of any length but 0
+ */
+Vertical
+verticalAlong(const Eigen::Vector3f& up_axis,
+              const std::vector<Eigen::Vector3f>& points);
 
 } // namespace indoor
 } // namespace pcl
