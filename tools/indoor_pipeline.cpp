@@ -221,7 +221,8 @@ main(int argc, char** argv)
     folder.lock();
     folder.removeOutdated();
     auto scene = findRooms(options, scan.file, folder, progress);
-    work.pose = scene.building_pose;
+    work.setFrame(scene.building_pose, scene.report.metres_per_unit);
+    options.frame.settle(scene.report);
     const auto standing = standingPoints(scan.file, work, scene);
     auto cloud =
         findObjects(options, scan, *standing, work, folder, ranks, scene, progress);

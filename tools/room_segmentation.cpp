@@ -229,8 +229,8 @@ describe(const Options& options,
 
 /** Adds the room of each point to the cloud; returns what describes the rooms. */
 std::vector<OutputFile>
-segment(const Options& options,
-        const std::string& parameters,
+segment(Options& options,
+        const OptionParser& parser,
         CloudFile& file,
         Progress& progress,
         std::string& summary)
@@ -243,12 +243,13 @@ segment(const Options& options,
     return true;
   });
   const auto rooms = segmentRooms(file, options.frame, segmentation);
+  options.frame.settle(segmentation.getReport());
   summary = summaryOf(segmentation);
   progress.done(summary);
   appendField(file.cloud, "room", rooms);
   options.colors.apply(file, "room", options.frame.upAxis());
   options.coordinates.apply(file, options.output);
-  return describe(options, parameters, segmentation, rooms, file);
+  return describe(options, parser.values(), segmentation, rooms, file);
 }
 
 } // namespace
@@ -274,7 +275,7 @@ main(int argc, char** argv)
                                    ? pcl::indoor::RoomMethod::CeilingSlab
                                    : pcl::indoor::RoomMethod::PotentialField;
     std::string summary;
-    auto files = segment(options, parser.values(), file, progress, summary);
+    auto files = segment(options, parser, file, progress, summary);
     file.points.reset(); // saving a large cloud needs the memory
 
     progress.start("Saving " + options.output);

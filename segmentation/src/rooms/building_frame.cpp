@@ -14,21 +14,6 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-/** The turn from the cloud's frame into one with z up; of zeros and ones, and thus
- * exact, where an axis of the cloud points up. */
-Eigen::Matrix3d
-turnUpright(const Eigen::Vector3f& up_axis)
-{
-  const Eigen::Vector3d up = up_axis.cast<double>().normalized();
-  int level = 0; // the cloud's axis that is the most level
-  up.cwiseAbs().minCoeff(&level);
-  const Eigen::Vector3d x =
-      (Eigen::Vector3d::Unit(level) - up[level] * up).normalized();
-  Eigen::Matrix3d turn;
-  turn << x.transpose(), up.cross(x).transpose(), up.transpose();
-  return turn;
-}
-
 /** What is farther than this from the middle of a scan, along an axis, is no part of
  * a building; nearer, a float holds half a millimetre. */
 constexpr double near = 4096.0; // metres
@@ -85,6 +70,19 @@ originNear(const std::vector<Eigen::Vector3f>& points,
 }
 
 } // namespace
+
+Eigen::Matrix3d
+turnUpright(const Eigen::Vector3f& up_axis)
+{
+  const Eigen::Vector3d up = up_axis.cast<double>().normalized();
+  int level = 0; // the cloud's axis that is the most level
+  up.cwiseAbs().minCoeff(&level);
+  const Eigen::Vector3d x =
+      (Eigen::Vector3d::Unit(level) - up[level] * up).normalized();
+  Eigen::Matrix3d turn;
+  turn << x.transpose(), up.cross(x).transpose(), up.transpose();
+  return turn;
+}
 
 Eigen::Isometry3d
 moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,

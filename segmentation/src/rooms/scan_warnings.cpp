@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/segmentation/rooms/scan_unit.h>
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace indoor {
 namespace {
 
 constexpr double foot = 0.3048;
+constexpr double highest_room = 50.0; // metres, the lowest one in inches
+constexpr double lowest_room = 1.5;   // metres, a person cannot stand
 
 struct Unit {
   double metres;
@@ -29,17 +32,49 @@ constexpr Unit units[] = {{1.0, "1", "metres", "m"},
                           {0.01, "0.01", "centimetres", "cm"},
                           {0.001, "0.001", "millimetres", "mm"}};
 
+/** The one of these that has so many metres. */
+const Unit&
+unitOf(double metres)
+{
+  for (const Unit& unit : units)
+    if (unit.metres == metres)
+      return unit;
+  return units[0];
+}
+
+/** A height in metres, rounded. */
+std::string
+heightText(double height)
+{
+  std::ostringstream text;
+  text << (height < 10.0 ? 0.1 * std::round(10.0 * height) : std::round(height))
+       << " m";
+  return text.str();
+}
+
 std::string
 unitLine(double metres, double height)
 {
-  std::ostringstream line;
-  for (const Unit& unit : units)
-    if (unit.metres == metres)
-      line << "The scan is probably in " << unit.name << ": its rooms seem to be "
-           << (height < 10.0 ? 0.1 * std::round(10.0 * height) : std::round(height))
-           << " m high; set " << unit.text << " metres per unit (-unit " << unit.option
-           << ").";
-  return line.str();
+  const Unit& unit = unitOf(metres);
+  return std::string("The scan is probably in ") + unit.name +
+         ": its rooms seem to be " + heightText(height) + " high; set " + unit.text +
+         " metres per unit (-unit " + unit.option + ").";
+}
+
+/** A direction as the option -up has it. */
+std::string
+directionText(const Eigen::Vector3f& direction)
+{
+  int axis = 0;
+  const float most = direction.cwiseAbs().maxCoeff(&axis);
+  std::ostringstream text;
+  if (most > 0.9999f) // within a degree of an axis
+    text << (direction[axis] < 0.0f ? "-" : "") << static_cast<char>('x' + axis);
+  else
+    for (int i = 0; i < 3; ++i)
+      text << (i > 0 ? "," : "")
+           << 0.001 * std::round(1000.0 * static_cast<double>(direction[i]));
+  return text.str();
 }
 
 /** Both ends belong to it. */
@@ -51,16 +86,41 @@ isBetween(double low, double value, double high)
 
 } // namespace
 
-std::string
-unitWarning(const ScanSigns& signs, double metres_per_unit)
+double
+metresPerUnit(double room_height)
 {
-  // No room is higher than the lowest is in inches; nor lower than a table's legs.
-  constexpr double highest = 50.0, lowest = 0.1; // metres
-  const double height = signs.free_length[signs.uprightAxis()];
-  if (!(height > 0.0) || isBetween(lowest, height, highest))
+  return room_height > highest_room ? likelyMetresPerUnit(room_height) : 1.0;
+}
+
+std::string
+unitNote(double room_height, double metres_per_unit)
+{
+  if (metres_per_unit == 1.0)
     return {};
-  const double likely = likelyMetresPerUnit(height / metres_per_unit);
-  return likely == metres_per_unit ? std::string() : unitLine(likely, height);
+  return std::string("The scan is taken to be in ") + unitOf(metres_per_unit).name +
+         ": in metres its rooms would be " + heightText(room_height) +
+         " high; if it is not, set the unit (-unit).";
+}
+
+std::string
+unitWarning(const Vertical& vertical, double metres_per_unit)
+{
+  constexpr double lowest = 0.1; // metres; a table's legs
+  const double height = vertical.room_height * metres_per_unit;
+  if (!(height > 0.0))
+    return {};
+  if (!isBetween(lowest, height, highest_room)) {
+    const double likely = likelyMetresPerUnit(vertical.room_height);
+    return likely == metres_per_unit ? std::string() : unitLine(likely, height);
+  }
+  // things that stand in rooms of a hall's height are as high as in homes
+  if (metres_per_unit == 1.0 && vertical.is_furnished &&
+      isBetween(2.0, foot * height, 3.5))
+    return unitLine(foot, height);
+  if (vertical.has_rooms && height < lowest_room)
+    return "The scale of the scan is probably wrong: its rooms seem to be " +
+           heightText(height) + " high; scale the points, or set the unit (-unit).";
+  return {};
 }
 
 std::string
@@ -94,18 +154,31 @@ feetWarning(const std::vector<Room>& rooms,
 }
 
 std::string
-axisWarning(const ScanSigns& signs, const Eigen::Matrix3d& turn)
+verticalNote(const Vertical& vertical)
 {
-  const int upright = signs.uprightAxis();
-  if (upright == 2)
+  if (!vertical.doubtful.isZero()) {
+    const auto name = directionText(vertical.doubtful);
+    return "The scan may lie on its side: floors and ceilings seem to lie across " +
+           name + "; if so, set that as up axis (-up " + name + " or -up " +
+           directionText(-vertical.doubtful) + ").";
+  }
+  const Eigen::Vector3f up = vertical.upAxis();
+  if (up == Eigen::Vector3f::UnitZ())
     return {};
-  int axis = 0; // of the cloud
-  turn.col(upright).cwiseAbs().maxCoeff(&axis);
-  const std::string name(1, static_cast<char>('x' + axis));
-  return "The scan probably lies on its side: floors and ceilings seem to lie across "
-         "its " +
-         name + " axis; set that as up axis (-up " + name + ", or -up -" + name +
-         " if the floors come out on top).";
+  const double degrees = vertical.tilt() * 180.0 / M_PI;
+  std::ostringstream line;
+  if (degrees > 135.0)
+    line << "The scan is upside down";
+  else if (degrees > 46.0)
+    line << "The scan lies on its side";
+  else
+    line << "The scan is tilted by " << 0.1 * std::round(10.0 * degrees) << " degrees";
+  line << ": taken as upright along " << directionText(up) << " (-up "
+       << directionText(up) << ").";
+  if (!vertical.is_end_known)
+    line << " Which end is up is not clear: if floors come out on top, set -up "
+         << directionText(-up) << ".";
+  return line.str();
 }
 
 double

@@ -179,7 +179,8 @@ OptionParser&
 OptionParser::text(const std::string& name,
                    std::string& variable,
                    const std::string& meaning,
-                   const std::vector<std::string>& choices)
+                   const std::vector<std::string>& choices,
+                   const std::function<void(const std::string&)>& others)
 {
   std::string listed;
   for (const auto& choice : choices)
@@ -190,12 +191,15 @@ OptionParser::text(const std::string& name,
   option.choices = choices;
   option.meaning = meaning;
   option.default_value = variable.empty() ? "none" : variable;
-  option.read = [name, choices, listed, &variable](const std::string& text) {
+  option.read = [name, choices, listed, others, &variable](const std::string& text) {
     if (text.empty())
       throw ToolError(name + ": the value is empty");
     if (!choices.empty() &&
-        std::find(choices.begin(), choices.end(), text) == choices.end())
-      throw ToolError(name + ": '" + text + "' is not one of " + listed);
+        std::find(choices.begin(), choices.end(), text) == choices.end()) {
+      if (!others)
+        throw ToolError(name + ": '" + text + "' is not one of " + listed);
+      others(text);
+    }
     variable = text;
   };
   option.value = [&variable] { return variable.empty() ? "none" : variable; };

@@ -116,12 +116,13 @@ public:
          const Range& range = {});
 
   /** \brief A text, for example a file name; \a choices, where given, are the only
-   * legal ones. */
+   * legal ones, or those and what \a others takes without throwing. */
   OptionParser&
   text(const std::string& name,
        std::string& variable,
        const std::string& meaning,
-       const std::vector<std::string>& choices = {});
+       const std::vector<std::string>& choices = {},
+       const std::function<void(const std::string&)>& others = {});
 
   /** \brief An option without a value that sets the variable to true. */
   OptionParser&

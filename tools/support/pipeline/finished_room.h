@@ -27,6 +27,15 @@ struct RoomWork {
   double metres_per_unit = 1.0;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< of the building
 
+  /** \brief Set how the building stands in the frame of the scan. */
+  void
+  setFrame(const Eigen::Isometry3d& building_pose, double unit)
+  {
+    pose = building_pose;
+    metres_per_unit = unit;
+    is_standing = unit == 1.0 && pose.linear() == Eigen::Matrix3d::Identity();
+  }
+
   /** \brief A point with z up, in metres. */
   Eigen::Vector3f
   standing(const Eigen::Vector3f& point) const

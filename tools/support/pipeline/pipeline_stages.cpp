@@ -128,10 +128,12 @@ readInParts(const PipelineOptions& options,
   constexpr double fineness = 0.25; // voxels of the rooms
   const double voxel = options.rooms.voxel_size > 0.0 ? options.rooms.voxel_size
                                                       : smallest_automatic_voxel;
+  const double metres = options.frame.unit == "auto" ? metresPerUnitOf(*stream)
+                                                     : options.frame.metresPerUnit();
   return readScan(
       name,
       std::move(stream),
-      fineness * voxel / options.frame.metresPerUnit(),
+      fineness * voxel / metres,
       static_cast<std::size_t>(options.points_at_once),
       [&progress](std::size_t done, std::size_t all) { progress.update(done, all); });
 }
@@ -243,8 +245,6 @@ roomWork(const PipelineOptions& options)
   const auto model = modelFile(options);
   if (!model.empty())
     work.model = loadModel(model);
-  work.is_standing = options.frame.unit == "m" && options.frame.up == "z";
-  work.metres_per_unit = options.frame.metresPerUnit();
   return work;
 }
 

@@ -20,6 +20,7 @@ struct RankMessage {
   std::uint64_t has_normals = 0; ///< 1 if its points have
   std::uint64_t key = 0;         ///< of the run, see WorkFolder
   double pose[16] = {};          ///< of the building
+  double metres_per_unit = 1.0;  ///< of the scan
 };
 
 /** \brief The processes that mpirun, or srun, has started for one run, with MPI between

@@ -11,6 +11,7 @@
 #include "files/sampled_surface.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -100,6 +101,19 @@ joinedScans(const std::vector<std::string>& files,
   if (!names.empty())
     notes.push_back("fields that not all of the scans have are left out: " + names);
   return joined;
+}
+
+double
+metresPerUnitOf(CloudStream& stream)
+{
+  const auto cloud = pointsFromAllOver(stream);
+  std::size_t finite = 0;
+  const auto points = pointsAround(cloud, coordinateOrigin(cloud).middle, finite);
+  std::vector<Eigen::Vector3f> positions;
+  for (const auto& point : *points)
+    if (isFinite(point))
+      positions.push_back(point.getVector3fMap());
+  return metresPerUnit(findVertical(positions).room_height);
 }
 
 Scan

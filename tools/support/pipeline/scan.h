@@ -36,6 +36,10 @@ joinedScans(const std::vector<std::string>& files,
             const TableColumns& columns,
             std::vector<std::string>& notes);
 
+/** \brief The unit that the points seem to be in, metres: see RoomSegmentation. */
+double
+metresPerUnitOf(CloudStream& stream);
+
 /** \brief Read a scan part by part, keeping a point per cell.
  * \param[in] cell_size in the unit of the file
  * \param[in] most_points from which on cells become larger

@@ -83,7 +83,13 @@ exchange(Record& record, Scene& scene)
          scene.openings,
          scene.building,
          scene.building_pose.matrix());
-  record(scene.report.warnings, scene.report.voxel_size, scene.report.outside);
+  auto& report = scene.report;
+  record(report.warnings, report.voxel_size, report.outside);
+  record(report.up_axis, report.metres_per_unit);
+  record(report.vertical.direction,
+         report.vertical.is_found,
+         report.vertical.is_end_known,
+         report.vertical.room_height);
 }
 
 template <typename Record>

@@ -128,6 +128,7 @@ shareRooms(const std::vector<std::size_t>& order,
     message.has_normals = source.has_normals ? 1 : 0;
     message.key = folder.key();
     Eigen::Map<Eigen::Matrix4d>(message.pose) = work.pose.matrix();
+    message.metres_per_unit = work.metres_per_unit;
     ranks.send(rank, message);
   }
   own.join();
@@ -146,7 +147,9 @@ finishSharedRooms(Ranks& ranks,
       return;
     if (!work)
       work = make_work();
-    work->pose.matrix() = Eigen::Map<const Eigen::Matrix4d>(message.pose);
+    Eigen::Isometry3d pose;
+    pose.matrix() = Eigen::Map<const Eigen::Matrix4d>(message.pose);
+    work->setFrame(pose, message.metres_per_unit);
     WorkFolder files(folder, message.key);
     const auto room = static_cast<std::size_t>(message.room);
     auto points = readRoomPoints(files.path(pointsFile(room)),

@@ -6,38 +6,100 @@
 
 #include "command_line/options.h"
 #include "command_line/pcl_errors.h"
+#include "command_line/place_text.h"
 #include "command_line/printable.h"
 
+#include <iomanip>
+#include <locale>
 #include <sstream>
+#include <utility>
 
 namespace pcl::indoor::tool {
+
+namespace {
+
+constexpr std::pair<const char*, double> units[] = {
+    {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"ft", 0.3048}, {"in", 0.0254}};
+
+Eigen::Vector3f
+directionOf(const std::string& text)
+{
+  const Eigen::Vector3f direction = readPlace("-up", text).cast<float>();
+  if (!direction.allFinite() || !(direction.squaredNorm() > 0.0f))
+    throw ToolError("-up: '" + text + "' has no direction");
+  return direction;
+}
+
+bool
+isAxis(const std::string& text)
+{
+  return text.size() <= 2 && text.back() >= 'x' && text.back() <= 'z';
+}
+
+/** As the option -up takes it. */
+std::string
+textOf(const Eigen::Vector3f& direction)
+{
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float sign : {1.0f, -1.0f})
+      if (direction == Eigen::Vector3f(sign * Eigen::Vector3f::Unit(axis)))
+        return std::string(sign < 0.0f ? "-" : "") + static_cast<char>('x' + axis);
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(9) << direction.x() << ',' << direction.y() << ','
+       << direction.z();
+  return text.str();
+}
+
+} // namespace
 
 void
 ScanFrame::addOptions(OptionParser& parser)
 {
   parser
-      .text("-unit",
-            unit,
-            "unit of the coordinates; lengths of options and areas are in metres",
-            {"m", "cm", "mm", "ft", "in"})
-      .text("-up", up, "axis that points up", {"x", "y", "z", "-x", "-y", "-z"});
+      .text(
+          "-unit",
+          unit,
+          "unit of the coordinates; lengths of options and areas are in metres; auto: "
+          "metres, but where rooms would be higher than 50 m",
+          {"auto", "m", "cm", "mm", "ft", "in"})
+      .text("-up",
+            up,
+            "axis that points up, or a direction such as 0.1,0,0.99; auto: as floors, "
+            "ceilings and walls tell it",
+            {"auto", "x", "y", "z", "-x", "-y", "-z"},
+            directionOf);
 }
 
 double
 ScanFrame::metresPerUnit() const
 {
-  return unit == "cm"   ? 0.01
-         : unit == "mm" ? 0.001
-         : unit == "ft" ? 0.3048
-         : unit == "in" ? 0.0254
-                        : 1.0;
+  for (const auto& [name, metres] : units)
+    if (unit == name)
+      return metres;
+  return 1.0;
 }
 
 Eigen::Vector3f
 ScanFrame::upAxis() const
 {
+  if (up == "auto")
+    return Eigen::Vector3f::UnitZ();
+  if (!isAxis(up))
+    return directionOf(up);
   const Eigen::Vector3f axis = Eigen::Vector3f::Unit(up.back() - 'x');
   return up.front() == '-' ? Eigen::Vector3f(-axis) : axis;
+}
+
+void
+ScanFrame::settle(const ScanReport& report)
+{
+  if (up == "auto")
+    up = textOf(report.up_axis);
+  if (unit == "auto")
+    for (const auto& [name, metres] : units)
+      if (metres == report.metres_per_unit)
+        unit = name;
 }
 
 std::vector<std::uint32_t>
@@ -45,14 +107,17 @@ segmentRooms(const CloudFile& file,
              const ScanFrame& frame,
              RoomSegmentation<PointXYZ>& segmentation)
 {
-  segmentation.setUpAxis(frame.upAxis());
-  segmentation.setMetresPerUnit(frame.metresPerUnit());
+  if (frame.up != "auto")
+    segmentation.setUpAxis(frame.upAxis());
+  if (frame.unit != "auto")
+    segmentation.setMetresPerUnit(frame.metresPerUnit());
   segmentation.setInputCloud(file.points);
   std::vector<std::uint32_t> rooms;
   const auto problem = problemOf([&] { segmentation.segment(rooms); });
   auto lines = segmentation.getReport().warnings;
-  const auto step = stepWarning(file.coordinate_step * frame.metresPerUnit(),
-                                segmentation.getVoxelSize());
+  const auto step =
+      stepWarning(file.coordinate_step * segmentation.getReport().metres_per_unit,
+                  segmentation.getVoxelSize());
   if (!step.empty())
     lines.push_back(step);
   for (const auto& line : lines)

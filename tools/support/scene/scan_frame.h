@@ -17,18 +17,23 @@ namespace pcl::indoor::tool {
 
 /** \brief How a scan's coordinates are meant: the options -unit and -up. */
 struct ScanFrame {
-  std::string unit = "m";
-  std::string up = "z";
+  std::string unit = "auto"; ///< or m, cm, mm, ft, in
+  std::string up = "auto";   ///< or an axis such as -y, or three numbers
 
   void
   addOptions(OptionParser& parser);
 
+  /** \brief 1 if it is to be found. */
   double
   metresPerUnit() const;
 
-  /** \brief The direction of a text such as "-y". */
+  /** \brief Of any length; +z if it is to be found. */
   Eigen::Vector3f
   upAxis() const;
+
+  /** \brief What was to be found becomes what was used. */
+  void
+  settle(const ScanReport& report);
 };
 
 /** \brief Find the rooms; what is implausible is said on stderr, a line each.

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -214,22 +215,29 @@ public:
     return static_cast<unsigned>(options_.threads);
   }
 
-  /** \brief Set which direction of the cloud points up, of any length (default +z). */
+  /** \brief Set which direction of the cloud points up, of any length. If it is not
+   * set, floors, ceilings and walls tell it (indoor::findVertical()): +z where the
+   * cloud is level within 3 degrees or where they do not tell it; getReport() has what
+   * was used.
+   */
   void
   setUpAxis(const Eigen::Vector3f& axis)
   {
     up_axis_ = axis;
   }
 
-  const Eigen::Vector3f&
+  /** \brief The axis that was set; +z if none was. */
+  Eigen::Vector3f
   getUpAxis() const
   {
-    return up_axis_;
+    return up_axis_.value_or(Eigen::Vector3f::UnitZ());
   }
 
   /** \brief Set the unit of the cloud. Positions of the results are in it; lengths,
-   * areas and volumes of the results and of all parameters are in metres.
-   * \param[in] metres greater than 0, for example 0.001 for millimetres (default 1)
+   * areas and volumes of the results and of all parameters are in metres. If it is not
+   * set it is the metre, but for clouds whose rooms would be higher than 50 m; see
+   * getReport().
+   * \param[in] metres greater than 0, for example 0.001 for millimetres
    */
   void
   setMetresPerUnit(double metres)
@@ -237,10 +245,11 @@ public:
     metres_per_unit_ = metres;
   }
 
+  /** \brief The unit that was set; 1 if none was. */
   double
   getMetresPerUnit() const
   {
-    return metres_per_unit_;
+    return metres_per_unit_.value_or(1.0);
   }
 
   /** \brief Set whom segment() tells how far it is.
@@ -288,9 +297,9 @@ public:
   void
   segment(pcl::PointCloud<PointXYZL>& output);
 
-  /** \brief The voxel size that the last run used, which points it left out, and its
-   * warnings, which were printed, too: an unlikely unit or up axis, coordinates too
-   * coarse for the voxels, many points left out. */
+  /** \brief The voxel size, up axis and unit that the last run used, which points it
+   * left out, and its warnings, which were printed, too: a tilted cloud, an unlikely
+   * unit, coordinates too coarse for the voxels, many points left out. */
   const indoor::ScanReport&
   getReport() const
   {
@@ -339,6 +348,10 @@ private:
   void
   warn(const std::string& line);
 
+  /** \brief Find up axis and unit, if they are not set. */
+  void
+  findFrame(const std::vector<Eigen::Vector3f>& points);
+
   /** \brief The usable points in the building's frame; what is amiss is said.
    * \param[out] indices of these points in the cloud
    */
@@ -350,8 +363,8 @@ private:
   describeInput(const Indices& indices);
 
   indoor::BuildingRoomsOptions options_;
-  Eigen::Vector3f up_axis_ = Eigen::Vector3f::UnitZ();
-  double metres_per_unit_ = 1.0;
+  std::optional<Eigen::Vector3f> up_axis_;
+  std::optional<double> metres_per_unit_;
   indoor::ProgressCallback progress_;
   indoor::ScanReport report_;
   indoor::BuildingRooms building_;

@@ -6,7 +6,7 @@
 #pragma once
 
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/rooms/scan_signs.h>
+#include <pcl/segmentation/rooms/vertical.h>
 #include <pcl/types.h> // for Indices
 
 #include <Eigen/Core>
@@ -22,16 +22,33 @@ namespace indoor {
 struct ScanReport {
   std::vector<std::string> warnings; ///< a line each: what is wrong, and what mends it
   double voxel_size = 0.0;           ///< that was used, metres
+  Vertical vertical; ///< as the points tell it; not looked for where it was set
+  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ(); ///< that was used, unit length
+  double metres_per_unit = 1.0;                       ///< that was used
   Indices outside; ///< points beyond the extent of the building, in no room; ascending
 };
 
-/** \brief Warn if the height of the rooms suggests another unit than the one set.
- * \param[in] signs of the points in metres, as they were given
- * \param[in] metres_per_unit that the user has set (> 0)
+/** \brief The unit of a scan that no one has told.
+ * \param[in] room_height in the unit of the points; 0 = not known
+ * \return metres per unit: 1, but for millimetres, centimetres or inches where no room
+ * would be so high in metres
+ */
+double
+metresPerUnit(double room_height);
+
+/** \brief Say that another unit than metres was taken without being told.
+ * \return one line; empty if metres were taken
+ */
+std::string
+unitNote(double room_height, double metres_per_unit);
+
+/** \brief Warn if the height of the rooms suggests another unit, or another scale.
+ * \param[in] vertical of the points in their unit
+ * \param[in] metres_per_unit that is used (> 0)
  * \return one line; empty if the height is plausible, or not known
  */
 std::string
-unitWarning(const ScanSigns& signs, double metres_per_unit);
+unitWarning(const Vertical& vertical, double metres_per_unit);
 
 /** \brief Warn if the unit seems to be feet: most rooms and doors are too high for
  * metres and right for feet. At least five rooms are needed, as halls and churches have
@@ -43,13 +60,11 @@ feetWarning(const std::vector<Room>& rooms,
             const std::vector<RoomOpening>& openings,
             double metres_per_unit);
 
-/** \brief Warn if the scan lies on its side.
- * \param[in] signs of the points with z as up axis
- * \param[in] turn from that frame to the frame of the cloud
- * \return one line; empty if not
+/** \brief Say how a scan stands that was stood upright, or that it might lie on its
+ * side. \return one line; empty if it is level
  */
 std::string
-axisWarning(const ScanSigns& signs, const Eigen::Matrix3d& turn);
+verticalNote(const Vertical& vertical);
 
 /** \brief The distance between a float of this size and the next one. */
 double

@@ -53,10 +53,10 @@ RoomSegmentation<PointT>::initCompute()
     PCL_ERROR("[pcl::RoomSegmentation::initCompute] %s\n", problem.c_str());
     return false;
   }
-  if (!(up_axis_.allFinite() && up_axis_.squaredNorm() > 0.0f))
-    return refuse("The length of the up axis must be positive", up_axis_.norm(), "");
-  if (!(metres_per_unit_ > 0 && std::isfinite(metres_per_unit_)))
-    return refuse("The metres per unit must be positive", metres_per_unit_, " m");
+  if (const auto up = getUpAxis(); !(up.allFinite() && up.squaredNorm() > 0.0f))
+    return refuse("The length of the up axis must be positive", up.norm(), "");
+  if (const double unit = getMetresPerUnit(); !(unit > 0 && std::isfinite(unit)))
+    return refuse("The metres per unit must be positive", unit, " m");
   return true;
 }
 
@@ -71,6 +71,22 @@ RoomSegmentation<PointT>::warn(const std::string& line)
 }
 
 template <typename PointT>
+void
+RoomSegmentation<PointT>::findFrame(const std::vector<Eigen::Vector3f>& points)
+{
+  report_.vertical = up_axis_ ? indoor::verticalAlong(*up_axis_, points)
+                              : indoor::findVertical(points);
+  report_.up_axis = up_axis_ ? report_.vertical.direction : report_.vertical.upAxis();
+  const double height = report_.vertical.room_height;
+  report_.metres_per_unit = metres_per_unit_.value_or(indoor::metresPerUnit(height));
+  if (!metres_per_unit_)
+    warn(indoor::unitNote(height, report_.metres_per_unit));
+  warn(indoor::unitWarning(report_.vertical, report_.metres_per_unit));
+  if (!up_axis_)
+    warn(indoor::verticalNote(report_.vertical));
+}
+
+template <typename PointT>
 std::vector<Eigen::Vector3f>
 RoomSegmentation<PointT>::pointsOfBuilding(IndicesConstPtr& indices)
 {
@@ -82,14 +98,11 @@ RoomSegmentation<PointT>::pointsOfBuilding(IndicesConstPtr& indices)
       points.push_back((*input_)[index].getVector3fMap());
   if (points.empty())
     return points;
-  pose_ = indoor::moveIntoBuildingFrame(points, up_axis_, metres_per_unit_);
-  const auto signs = indoor::scanSigns(points);
-  warn(indoor::unitWarning(signs, metres_per_unit_));
-  warn(indoor::axisWarning(signs, pose_.linear()));
-  const double farthest =
-      pose_.translation().template lpNorm<Eigen::Infinity>() / metres_per_unit_;
-  warn(indoor::stepWarning(indoor::floatStep(farthest) * metres_per_unit_,
-                           options_.voxel_size));
+  findFrame(points);
+  const double unit = report_.metres_per_unit;
+  pose_ = indoor::moveIntoBuildingFrame(points, report_.up_axis, unit);
+  const double farthest = pose_.translation().template lpNorm<Eigen::Infinity>() / unit;
+  warn(indoor::stepWarning(indoor::floatStep(farthest) * unit, options_.voxel_size));
   const auto far = indoor::takeOutFarPoints(points);
   if (points.size() == indices_->size())
     return points;
@@ -118,9 +131,10 @@ RoomSegmentation<PointT>::describeInput(const Indices& indices)
     if (building_.occupancy.cells[i] < 0)
       report_.outside.push_back(indices[i]);
   std::sort(report_.outside.begin(), report_.outside.end());
-  if (!report_.warnings.empty())
-    return; // it would be no wonder then
-  warn(indoor::feetWarning(building_.rooms, building_.openings, metres_per_unit_));
+  const auto& vertical = report_.vertical;
+  if (indoor::unitWarning(vertical, report_.metres_per_unit).empty())
+    warn(indoor::feetWarning(
+        building_.rooms, building_.openings, report_.metres_per_unit));
   warn(indoor::outsideWarning(report_.outside.size(), all));
 }
 
@@ -168,7 +182,7 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
       if (labels[index] > 0)
         boxes[labels[index] - 1].extend((*input_)[index].getVector3fMap());
     }
-    indoor::placeInCloud(pose_, metres_per_unit_, boxes, rooms_, openings_);
+    indoor::placeInCloud(pose_, report_.metres_per_unit, boxes, rooms_, openings_);
   }
   this->deinitCompute();
 }

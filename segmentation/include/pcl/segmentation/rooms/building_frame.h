@@ -16,6 +16,13 @@
 namespace pcl {
 namespace indoor {
 
+/** \brief The turn from a cloud's frame into one with z up; of zeros and ones, and thus
+ * exact, where an axis of the cloud points up.
+ * \param[in] up_axis of any length but 0
+ */
+Eigen::Matrix3d
+turnUpright(const Eigen::Vector3f& up_axis);
+
 /** \brief Turn, scale and move the points of a cloud so that z points up, their unit is
  * the metre and they lie near the origin, as segmentBuilding() needs them.
  * No bit of a coordinate is lost where an axis of the cloud points up and its unit is
