@@ -330,10 +330,9 @@ main(int argc, char** argv)
     if (on_points.color_weight > 0)
       segmentation.setInputColors(readColors(file));
     std::vector<std::uint32_t> objects;
-    const auto options = chosenOptions(settings, isTableView(file.points));
-    const auto step = pcl::indoor::stepWarning(
-        file.coordinate_step,
-        options.voxel_size > 0 ? options.voxel_size : 0.25 * options.seed_size);
+    const auto sizes =
+        pcl::indoor::withSizes(chosenOptions(settings, isTableView(file.points)));
+    const auto step = pcl::indoor::stepWarning(file.coordinate_step, sizes.voxel_size);
     if (!step.empty())
       printWarning(file.path + ": " + step);
     const auto problem = problemOf([&] { segmentation.segment(objects); });

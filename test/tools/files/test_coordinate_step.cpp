@@ -77,6 +77,16 @@ TEST(CoordinateStep, PlanesShowNone)
   EXPECT_EQ(commonStep(std::vector<double>(1000, 3.0)), 0.0);
 }
 
+TEST(CoordinateStep, IsThatOfAPatternInItsOrder)
+{
+  for (int row = 3; row < 40; ++row) {
+    std::vector<double> values;
+    for (int i = 0; i < 400; ++i)
+      values.push_back(i % (row + 1));
+    EXPECT_DOUBLE_EQ(commonStep(values), 1.0) << row;
+  }
+}
+
 TEST(CoordinateStep, FewOtherValuesDoNotMatter)
 {
   auto values = inSteps(anyValues(20000, 12.0, 3), 0.5, 5334567.0);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -34,19 +35,20 @@ commonDivisor(double a, double b, double least)
   return a > least ? whole / std::round(whole / a) : least;
 }
 
-/** Values from all over, in groups of which each is from all over, too. */
+/** Groups of values, drawn: those at equal distances could miss steps of a pattern. */
 std::vector<std::vector<double>>
 groupsOf(const std::vector<double>& values)
 {
-  const std::size_t wanted = std::min(values.size(), most_groups * group_size);
-  const std::size_t groups = wanted / group_size;
-  std::vector<std::vector<double>> result(groups);
-  for (std::size_t k = 0; k < groups * group_size; ++k) {
-    const double value = values[k * values.size() / wanted];
-    if (std::isfinite(value))
-      result[k % groups].push_back(value);
-  }
-  return result;
+  std::mt19937 rng(1);
+  std::vector<std::vector<double>> groups(
+      std::min(values.size() / group_size, most_groups));
+  for (auto& group : groups)
+    for (std::size_t k = 0; k < group_size; ++k) {
+      const double value = values[rng() % values.size()];
+      if (std::isfinite(value))
+        group.push_back(value);
+    }
+  return groups;
 }
 
 /** The step of a group; 0 if it has too few different values. */

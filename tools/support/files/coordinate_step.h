@@ -12,7 +12,7 @@ namespace pcl::indoor::tool {
  * type: doubles that were floats have that of floats, rounded ones that of their last
  * digit.
  *
- * Some thousand values from all over are looked at, in groups: the step of a group is
+ * Some thousand values are drawn, always the same, in groups: the step of a group is
  * the greatest common divisor of its differences, and the median of the groups is told,
  * so that few values between the steps do not matter. A group of fewer than four
  * different values does not count: planes show no step.
