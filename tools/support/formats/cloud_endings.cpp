@@ -4,12 +4,12 @@
  */
 #include "formats/cloud_endings.h"
 
+#include "formats/file_ending.h"
+
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <filesystem>
 #include <vector>
 
 namespace pcl::indoor::tool {
@@ -30,26 +30,16 @@ constexpr std::array<const char*, 11> endings = {".pcd",
 
 } // namespace
 
-std::string
-endingOf(const std::string& path)
-{
-  auto ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  return ending;
-}
-
 bool
 hasCloudEnding(const std::string& path)
 {
-  return std::find(endings.begin(), endings.end(), endingOf(path)) != endings.end();
+  return std::find(endings.begin(), endings.end(), fileEnding(path)) != endings.end();
 }
 
 bool
 hasTableEnding(const std::string& path)
 {
-  return std::find(endings.begin() + first_table, endings.end(), endingOf(path)) !=
+  return std::find(endings.begin() + first_table, endings.end(), fileEnding(path)) !=
          endings.end();
 }
 

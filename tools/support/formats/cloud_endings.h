@@ -8,11 +8,7 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief The ending of a file's name in small letters: ".pcd". */
-std::string
-endingOf(const std::string& path);
-
-/** \brief Is that of a cloud that is read: PCD, PLY, LAS or a table? */
+/** \brief Is the ending of a file's name that of a cloud: PCD, PLY, LAS or a table? */
 bool
 hasCloudEnding(const std::string& path);
 

@@ -5,6 +5,7 @@
 #include "objects/object_files.h"
 
 #include "formats/cloud_endings.h"
+#include "formats/file_ending.h"
 #include "formats/mesh_file.h"
 
 #include <pcl/common/centroid.h>
@@ -29,7 +30,7 @@ namespace {
 bool
 isMesh(const std::string& path)
 {
-  const auto ending = endingOf(path);
+  const auto ending = fileEnding(path);
   return ending == ".off" || ending == ".obj";
 }
 
@@ -37,7 +38,7 @@ isMesh(const std::string& path)
 bool
 isObject(const std::string& path)
 {
-  return isMesh(path) || (hasCloudEnding(path) && endingOf(path) != ".txt");
+  return isMesh(path) || (hasCloudEnding(path) && fileEnding(path) != ".txt");
 }
 
 PointCloud<PointNormal>::Ptr

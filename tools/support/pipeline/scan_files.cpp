@@ -6,7 +6,9 @@
 
 #include "command_line/options.h" // for ToolError
 #include "formats/cloud_endings.h"
+#include "formats/file_ending.h"
 #include "formats/foreign_format.h"
+#include "formats/mesh_file.h"
 #include "pipeline/pipeline_results.h"
 
 #include <algorithm>
@@ -47,7 +49,7 @@ contentOf(const std::string& folder)
     else if (entry.is_regular_file(unknown) && hasCloudEnding(path))
       content.scans.push_back(path);
     else if (entry.is_regular_file(unknown))
-      content.others[endingOf(path)].push_back(path);
+      content.others[fileEnding(path)].push_back(path);
   }
   return content;
 }
@@ -93,7 +95,9 @@ whyLeftOut(const std::vector<std::string>& paths)
   const auto format = describeForeignFormat(paths[0], beginning);
   const auto more = paths.size() - 1;
   return nameOf(paths[0]) + (more > 0 ? " and " + std::to_string(more) + " more" : "") +
-         (format.empty() ? ": not read by this ending" : ": " + format);
+         (!format.empty()                   ? ": " + format
+          : meshFormat(paths[0], beginning) ? ": a mesh, read where it is named itself"
+                                            : ": not read by this ending");
 }
 
 [[noreturn]] void
