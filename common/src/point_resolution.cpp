@@ -90,7 +90,13 @@ struct Spacing {
   bool
   hasCopies() const
   {
-    return nearest < 0.2 * farthest;
+    return mayHaveCopies(farthest);
+  }
+
+  bool
+  mayHaveCopies(double eighth) const
+  {
+    return nearest < 0.2 * eighth;
   }
 };
 
@@ -135,8 +141,10 @@ raisedToResolution(const std::vector<Eigen::Vector3f>& points, double voxel_size
     const auto spacing = spacingOf(points, groupByCell(points, cell_size));
     if (resolution == 0 && std::isfinite(spacing.nearest))
       resolution = spacing.nearest;
+    if (std::isfinite(spacing.nearest) && !spacing.mayHaveCopies(4 * cell_size))
+      break; // whatever the next cells show, twice as large
     if (!std::isfinite(spacing.farthest))
-      continue; // copies cannot be told yet
+      continue;
     if (spacing.hasCopies())
       resolution = spacing.beyond_copies;
     break;

@@ -314,3 +314,42 @@ TEST(NoiseResilientLCCP, OrganisedCloudsAreSeenFromTheirSensor)
   segmentation.segment(output);
   EXPECT_DOUBLE_EQ(segmentation.getResult().scene.voxel_size, 0.02);
 }
+
+TEST(NoiseResilientLCCP, NormalsThatAreNoneAreEstimated)
+{
+  const auto scene = roomWithTwoBoxes();
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  Labels expected;
+  segmentation.segment(expected);
+  const auto normals = normalsOf(scene);
+  for (const Eigen::Vector3f& none : {Eigen::Vector3f(0, 0, 0),
+                                      Eigen::Vector3f(0.4f, 0.6f, 0.5f),
+                                      Eigen::Vector3f(0, 0, 1)}) {
+    const auto changed = pcl::make_shared<pcl::PointCloud<pcl::Normal>>(*normals);
+    for (auto& normal : *changed)
+      normal.getNormalVector3fMap() = none;
+    segmentation.setInputNormals(changed);
+    Labels labels;
+    segmentation.segment(labels);
+    EXPECT_EQ(labels, expected) << none.transpose();
+  }
+}
+
+TEST(NoiseResilientLCCP, AFewBadNormalsDoNoHarm)
+{
+  const auto scene = roomWithTwoBoxes();
+  const auto normals = normalsOf(scene);
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  for (const float length : {0.0f, 1e6f, std::numeric_limits<float>::quiet_NaN()}) {
+    const auto changed = pcl::make_shared<pcl::PointCloud<pcl::Normal>>(*normals);
+    for (std::size_t i = 0; i < changed->size(); i += 40)
+      (*changed)[i].getNormalVector3fMap().setConstant(length);
+    segmentation.setInputNormals(changed);
+    Labels labels;
+    segmentation.segment(labels);
+    EXPECT_EQ(scoreDetections(countOverlaps(scene.objects, labels)).right_count, 8u)
+        << length;
+  }
+}

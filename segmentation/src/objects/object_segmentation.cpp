@@ -4,6 +4,7 @@
  */
 #include <pcl/segmentation/object_segmentation.h>
 
+#include "objects/distinct_segmentation.h"
 #include "objects/graph/non_convex_voxels.h"
 #include "objects/graph/point_recovery.h"
 #include "objects/graph/scene_making.h"
@@ -156,11 +157,10 @@ spreadToCopies(const DistinctPoints& places, ObjectSegmentation& result)
   result.segment_of_point = places.forAll(result.segment_of_point);
 }
 
-/** The segmentation of points that have no copies. */
 ObjectSegmentation
-segmentDistinct(ObjectSegmentationInput input,
-                const ObjectSegmentationOptions& options,
-                const pcl::indoor::ProgressCallback& progress)
+segmentBySteps(ObjectSegmentationInput input,
+               const ObjectSegmentationOptions& options,
+               const pcl::indoor::ProgressCallback& progress)
 {
   if (options.on_points)
     return segmentOnPoints(std::move(input), options, progress);
@@ -202,19 +202,29 @@ namespace pcl {
 namespace indoor {
 
 ObjectSegmentation
-segmentObjects(ObjectSegmentationInput input,
-               const ObjectSegmentationOptions& given_options,
-               const ProgressCallback& progress)
+segmentDistinct(ObjectSegmentationInput input,
+                const ObjectSegmentationOptions& given_options,
+                const ProgressCallback& progress)
 {
   requireFitting(input, given_options);
   if (!areUnitNormals(input.normals))
     input.normals.clear(); // they are estimated
-  const auto places = distinctPoints(input.points);
-  if (places.hasCopies())
-    keepDistinct(places, input);
   const auto options = sizedOptions(input, given_options);
+  return segmentBySteps(std::move(input), options, progress);
+}
+
+ObjectSegmentation
+segmentObjects(ObjectSegmentationInput input,
+               const ObjectSegmentationOptions& options,
+               const ProgressCallback& progress)
+{
+  requireFitting(input, options);
+  const auto places = distinctPoints(input.points);
+  if (!places.hasCopies())
+    return segmentDistinct(std::move(input), options, progress);
+  keepDistinct(places, input);
   auto result = segmentDistinct(std::move(input), options, progress);
-  if (places.hasCopies() && !result.segment_of_point.empty())
+  if (!result.segment_of_point.empty())
     spreadToCopies(places, result);
   return result;
 }

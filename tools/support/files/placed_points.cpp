@@ -128,8 +128,7 @@ copiesNote(std::uint64_t copies, std::uint64_t all)
   if (100 * copies < all) // as DistinctPoints::hasCopies()
     return {};
   return std::to_string(copies) + " of " + std::to_string(all) +
-         " points lie exactly at the place of another: for objects each place counts "
-         "once";
+         " points lie exactly at the place of another: each place counts once";
 }
 
 std::string

@@ -4,6 +4,8 @@
  */
 #include <pcl/segmentation/room_objects.h>
 
+#include "objects/distinct_segmentation.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/middle_point.h>
@@ -61,7 +63,8 @@ objectsOf(RoomPoints room, const ObjectSegmentationOptions& options)
   RoomObjects objects;
   if (room.positions.empty())
     return objects;
-  const auto result = segmentObjects(localInput(room), options);
+  const auto result = room.given.empty() ? segmentDistinct(localInput(room), options)
+                                         : segmentObjects(localInput(room), options);
   objects.voxel_size = result.scene.voxel_size;
   constexpr auto none = Supervoxels::none;
   const auto& segments = result.segment_of_point;
