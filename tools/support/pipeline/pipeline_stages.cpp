@@ -184,8 +184,7 @@ loadScan(const PipelineOptions& options, Progress& progress)
   const auto name = nameOfScan(options.inputs, files);
   auto [opened, count, in_memory] = openScans(files);
   const auto part = options.check ? enough_to_check : options.points_at_once;
-  const bool in_parts =
-      options.points_at_once > 0 && count > in_memory && count > part;
+  const bool in_parts = options.points_at_once > 0 && count > in_memory && count > part;
   const auto at_once = part + in_memory;
   options.memory.require(name, bytes_per_point, in_parts ? at_once : count);
   progress.start((!in_parts       ? "Loading "

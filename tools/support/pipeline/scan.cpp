@@ -175,8 +175,8 @@ Scan
 readSample(const std::string& path, std::unique_ptr<CloudStream> stream)
 {
   Scan scan;
-  scan.file = withPoints(
-      path, scatteredPoints(*stream), stream->frame(), 2, stream->notes());
+  scan.file =
+      withPoints(path, scatteredPoints(*stream), stream->frame(), 2, stream->notes());
   const auto finite = static_cast<double>(scan.file.finite_count) /
                       static_cast<double>(scan.file.points->size());
   scan.file.finite_count = static_cast<std::size_t>(

@@ -116,9 +116,8 @@ segmentRooms(const CloudFile& file,
   const auto problem = problemOf([&] { segmentation.segment(rooms.room_of_point); });
   rooms.report = segmentation.getReport();
   auto& lines = rooms.report.warnings;
-  const auto step =
-      stepWarning(file.coordinate_step * rooms.report.metres_per_unit,
-                  segmentation.getVoxelSize());
+  const auto step = stepWarning(file.coordinate_step * rooms.report.metres_per_unit,
+                                segmentation.getVoxelSize());
   if (!step.empty())
     lines.push_back(step);
   for (const auto& line : lines)

@@ -106,8 +106,8 @@ findFrame(const std::vector<Eigen::Vector3f>& points,
           UnderstoodScan& scan)
 {
   scan.up_is_set = frame.up != "auto";
-  scan.vertical = scan.up_is_set ? verticalAlong(frame.upAxis(), points)
-                                 : findVertical(points);
+  scan.vertical =
+      scan.up_is_set ? verticalAlong(frame.upAxis(), points) : findVertical(points);
   scan.up_axis = scan.up_is_set ? Eigen::Vector3f(frame.upAxis().normalized())
                                 : scan.vertical.upAxis();
   const double height = scan.vertical.room_height;
@@ -179,8 +179,8 @@ frameText(const UnderstoodScan& scan)
     return text + ", as set.";
   if (!scan.vertical.is_found)
     return text + ", for want of floors and walls that tell it.";
-  const double off = std::acos(std::min(
-      1.0, static_cast<double>(scan.vertical.direction.dot(scan.up_axis))));
+  const double off = std::acos(
+      std::min(1.0, static_cast<double>(scan.vertical.direction.dot(scan.up_axis))));
   text += ", by floors and walls";
   if (off >= 0.1 * degree)
     text += ", which lean by " + fixed(off / degree, 1) + " degrees";

@@ -27,9 +27,10 @@ struct UnderstoodScan {
   ScanOverview overview; ///< in the unit and with the up axis that are used
   std::uint64_t points = 0, finite_points = 0; ///< of the whole scan
   bool is_sample = false;                      ///< only some of them were looked at
-  std::string unit;                            ///< that is set
+  std::string unit;                            ///< that is used
   std::string likely_unit; ///< that the height of the rooms suggests; empty if no other
   Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ(); ///< of unit length
+  bool up_is_set = false;                             ///< by the user
   Vertical vertical;                                  ///< as the points tell it
   NormalsFrom normals = NormalsFrom::NoneInFile;
   bool has_colors = false;
