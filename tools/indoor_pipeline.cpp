@@ -10,10 +10,12 @@
 #include "pipeline/pipeline_stages.h"
 #include "pipeline/shared_rooms.h"
 #include "scene/scene_summary.h"
+#include "scene/understood_scan.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -123,7 +125,12 @@ makeParser(Options& options)
       .flag(single_process_option,
             options.single_process,
             "share the rooms with no other process: for runs that a program starts "
-            "which was itself started by mpirun");
+            "which was itself started by mpirun")
+      .flag("-check",
+            options.check,
+            "say what is understood of the scan and stop, in a second or two and "
+            "without output_dir: will it work?")
+      .lastMayBeMissing(options.check);
   options.colors.addOption(parser, {"class", "object", "room"});
   options.coordinates.addOption(parser);
   options.columns.addOption(parser);
@@ -178,6 +185,43 @@ workFolder(const Options& options)
   return options.folder + "/.unfinished";
 }
 
+UnderstoodScan
+understand(const Options& options, const Scan& scan, Progress& progress)
+{
+  auto understood =
+      understand(scan.file, options.frame, scan.pointCount(), options.ignore_normals);
+  progress.say(paragraphOf(scan.file.path, understood));
+  return understood;
+}
+
+/** Says whether there is what rooms are found from. */
+void
+check(Options options, Progress& progress)
+{
+  namespace fs = std::filesystem;
+  // what would be the folder of the results may be a scan, where there are to be none
+  const bool is_result = fs::exists(fs::path(options.folder) / "scene.json");
+  if (fs::exists(options.folder) && !is_result)
+    options.inputs.push_back(options.folder);
+  const auto scan = loadScan(options, progress);
+  const auto lacks = consequencesOf(understand(options, scan, progress));
+  progress.summary(
+      scan.file.path + ": " +
+      (lacks.empty() ? "all is there that rooms are found from" : lacks[0]));
+}
+
+/** A result without rooms is no error, but not what was wanted. */
+void
+sayIfEmpty(const std::string& path, Scene& scene)
+{
+  const auto line =
+      emptinessOf(scene.understood, scene.rooms.size(), scene.counts.in_rooms);
+  if (line.empty())
+    return;
+  printComplaint("pcl_indoor_pipeline", path + ": " + line);
+  scene.report.warnings.push_back(line);
+}
+
 /** What a process does that mpirun has started beside the first one. Of the same
  * command the first one says what is wrong; here it is enough to wait for the end. */
 int
@@ -212,9 +256,12 @@ main(int argc, char** argv)
   auto options = optionsOfPreset(argc, argv);
   auto parser = makeParser(options);
   const int status = parser.run(argc, argv, [&](Progress& progress) {
+    if (options.check)
+      return check(options, progress);
     requireUsable(options);
     auto scan = loadScan(options, progress);
     chooseResolution(options);
+    const auto understood = understand(options, scan, progress);
 
     auto work = roomWork(options);
     WorkFolder folder(workFolder(options), keyOfRun(options, parser.settings()));
@@ -223,9 +270,11 @@ main(int argc, char** argv)
     auto scene = findRooms(options, scan.file, folder, progress);
     work.setFrame(scene.building_pose, scene.report.metres_per_unit);
     options.frame.settle(scene.report);
+    scene.understood = understood;
     const auto standing = standingPoints(scan.file, work, scene);
     auto cloud =
         findObjects(options, scan, *standing, work, folder, ranks, scene, progress);
+    sayIfEmpty(scan.file.path, scene);
     progress.start("Saving to " + options.folder);
     const auto texts =
         describe(options, settingsOf(parser, scan), scene, *standing, scan.file);

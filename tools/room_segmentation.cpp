@@ -5,6 +5,7 @@
 
 #include "command_line/options.h"
 #include "command_line/preset.h"
+#include "command_line/printable.h"
 #include "files/cloud_file.h"
 #include "files/memory_limit.h"
 #include "files/point_colors.h"
@@ -16,8 +17,12 @@
 #include "pictures/room_picture.h"
 #include "scene/room_json.h"
 #include "scene/scan_frame.h"
+#include "scene/understood_scan.h"
 
 #include <pcl/segmentation/room_segmentation.h>
+
+#include <algorithm>
+#include <utility>
 
 using namespace pcl::indoor::tool;
 using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
@@ -35,6 +40,7 @@ struct Options {
   PointCoordinates coordinates;
   TableColumns columns;
   MemoryLimit memory;
+  bool check = false;
 };
 
 /** Options of the thesis's method, Sec. 3.2.3. */
@@ -161,6 +167,11 @@ makeParser(Options& options)
               "",
               Range::atLeast(0));
   options.frame.addOptions(parser);
+  parser.flag("-check",
+              options.check,
+              "say what is understood of the scan and stop, without output: will it "
+              "work?");
+  parser.lastMayBeMissing(options.check);
   options.colors.addOption(parser, {"room"});
   options.coordinates.addOption(parser);
   options.columns.addOption(parser);
@@ -190,20 +201,25 @@ requireWritableResults(const Options& options)
       requireWritable(options.map + name);
 }
 
+struct FoundRooms : SegmentedRooms {
+  UnderstoodScan understood;
+};
+
 /** What is known of the rooms; not yet in place. */
 std::vector<OutputFile>
 describe(const Options& options,
          const std::string& parameters,
          const Segmentation& segmentation,
-         const std::vector<std::uint32_t>& rooms,
+         const FoundRooms& found,
          const CloudFile& file)
 {
   std::vector<OutputFile> files;
   const auto& building = segmentation.getBuilding();
   if (!options.json.empty()) {
-    auto json = inputJson(file, rooms);
+    auto json = inputJson(file, found.room_of_point);
     json["parameters"] = parameters;
-    addReportJson(json, options.frame, segmentation.getReport());
+    addReportJson(json, options.frame, found.report);
+    json["overview"] = overviewJson(found.understood);
     json["storeys"] = building.maps.size();
     json["rooms"] =
         roomsJson(segmentation.getRooms(), segmentation.getOpenings(), file.offset);
@@ -227,13 +243,29 @@ describe(const Options& options,
   return files;
 }
 
-/** Adds the room of each point to the cloud; returns what describes the rooms. */
-std::vector<OutputFile>
+/** A result without rooms is no error, but not what was wanted. */
+void
+sayIfEmpty(const std::string& path, const Segmentation& segmentation, FoundRooms& found)
+{
+  const auto& rooms = found.room_of_point;
+  const auto in_none = std::count(rooms.begin(), rooms.end(), 0u);
+  const auto line = emptinessOf(found.understood,
+                                segmentation.getRooms().size(),
+                                rooms.size() - static_cast<std::size_t>(in_none));
+  if (line.empty())
+    return;
+  printComplaint("pcl_room_segmentation", path + ": " + line);
+  found.report.warnings.push_back(line);
+}
+
+/** Adds the room of each point to the cloud.
+ * \return a summary, and what describes the rooms */
+std::pair<std::string, std::vector<OutputFile>>
 segment(Options& options,
         const OptionParser& parser,
+        const UnderstoodScan& understood,
         CloudFile& file,
-        Progress& progress,
-        std::string& summary)
+        Progress& progress)
 {
   progress.start("Segmenting rooms");
   Segmentation segmentation;
@@ -242,14 +274,15 @@ segment(Options& options,
     progress.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;
   });
-  const auto rooms = segmentRooms(file, options.frame, segmentation);
-  options.frame.settle(segmentation.getReport());
-  summary = summaryOf(segmentation);
-  progress.done(summary);
-  appendField(file.cloud, "room", rooms);
+  FoundRooms found{segmentRooms(file, options.frame, segmentation), understood};
+  options.frame.settle(found.report);
+  progress.done(summaryOf(segmentation));
+  sayIfEmpty(file.path, segmentation, found);
+  appendField(file.cloud, "room", found.room_of_point);
   options.colors.apply(file, "room", options.frame.upAxis());
   options.coordinates.apply(file, options.output);
-  return describe(options, parser.values(), segmentation, rooms, file);
+  return {summaryOf(segmentation),
+          describe(options, parser.values(), segmentation, found, file)};
 }
 
 } // namespace
@@ -264,7 +297,8 @@ main(int argc, char** argv)
   }
   auto parser = makeParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {
-    requireWritableResults(options);
+    if (!options.check)
+      requireWritableResults(options);
     options.memory.require(options.input, bytes_per_point);
     progress.start("Loading " + options.input);
     CloudFile file = loadSurface(options.input, options.columns);
@@ -274,8 +308,18 @@ main(int argc, char** argv)
     options.rooms.map.method = options.method == "slab"
                                    ? pcl::indoor::RoomMethod::CeilingSlab
                                    : pcl::indoor::RoomMethod::PotentialField;
-    std::string summary;
-    auto files = segment(options, parser, file, progress, summary);
+    const auto problem = findProblem(options.rooms);
+    if (!problem.empty())
+      throw ToolError(options.input + ": " + problem);
+    const auto understood = understand(file, options.frame, file.points->size());
+    progress.say(paragraphOf(file.path, understood));
+    if (options.check) {
+      const auto lacks = consequencesOf(understood);
+      return progress.summary(
+          file.path + ": " +
+          (lacks.empty() ? "all is there that rooms are found from" : lacks[0]));
+    }
+    auto [summary, files] = segment(options, parser, understood, file, progress);
     file.points.reset(); // saving a large cloud needs the memory
 
     progress.start("Saving " + options.output);

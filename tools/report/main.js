@@ -268,12 +268,15 @@ function start() {
   const fact = (value, name) => `<b>${value.toLocaleString("en")}</b> ${name}`;
   $("facts").innerHTML = [fact(scene.storeys.length, scene.storeys.length === 1 ? "storey" : "storeys"), fact(scene.rooms.length, "rooms"),
     fact(Math.round(area), "m²"), fact(things.length, "objects"), fact(scene.points, "points")].join(" · ");
+  $("lacks").hidden = !scene.overview.consequences.length;
+  $("lacks").textContent = scene.overview.consequences.join(" ");
   addOptions($("colour"), [...(hasClasses ? [["class", "by class"]] : []), ["object", "by object"], ["room", "by room"], ["height", "by height"]]);
   addOptions($("storey"), [...scene.storeys.map((storey) => [storey.storey, String(storey.storey)]), [scene.storeys.length, "all (3D)"]]);
   $("storey-choice").hidden = scene.storeys.length < 2;
   $("tab-openings").textContent = `Openings ${scene.openings.length}`;
   const about = document.createElement("dl");
   for (const [term, value] of [["Program", `${scene.program.name} ${scene.program.version}`], ["Points", `${scene.points.toLocaleString("en")}, of which this page shows ${cloud.count.toLocaleString("en")}`],
+    ...scene.overview.facts.map((line) => ["Scan", line]), ...scene.overview.consequences.map((line) => ["Lacks", line]),
     ["Voxels of the rooms", `${scene.voxel_size} m`], ...Object.entries(scene.settings).map(([name, setting]) => [`-${name}`, String(setting)]),
     ...scene.warnings.map((warning) => ["Warning", warning])]) {
     const name = document.createElement("dt"), what = document.createElement("dd");

@@ -60,12 +60,15 @@ const cloud = (() => {
   return { count, positions, rooms: values.subarray(3 * count, 4 * count), objects: values.subarray(4 * count, 5 * count) };
 })();
 
-/** Does a thing fit all words of a search? Each is a class, "room 3", "storey 1", or a number of an object. */
+/** Does a thing fit a search? That is the name of a class, or words: each begins a word of a class or is "room 3",
+ * "storey 1", or a number of an object. */
 const matcher = (query) => {
+  if (counts.has(query.trim())) return (object) => nameOf(object) === query.trim();
   const words = query.toLowerCase().replace(/\b(room|storey|object)\s+#?(\d+)/g, "$1:$2").split(/[\s,]+/).filter(Boolean);
   return (object) => words.every((word) => {
     const [key, value] = word.split(":");
     if (value && ["room", "storey", "object"].includes(key)) return String(object[key]) === value;
-    return nameOf(object).toLowerCase().startsWith(word) || nameOf(object).toLowerCase() + "s" === word || `${object.object}` === word;
+    return `${object.object}` === word ||
+      nameOf(object).toLowerCase().split(/\s+/).some((part) => part.startsWith(word) || `${part}s` === word);
   });
 };

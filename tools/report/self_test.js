@@ -15,6 +15,8 @@ const selfTest = () => {
   expect(drawn.length === things.filter((thing) => thing.storey === 0).length, "the plan shows the things");
   expect(cloud.count === 0 || cloud.objects.reduce((most, number) => Math.max(most, number), 0) <= objects.length, "points belong to objects");
   expect(!space || drawSpace() > 0, "the 3D view has points");
+  expect(scene.overview.facts.every((line) => $("about").textContent.includes(line)), "what was understood is told");
+  expect($("lacks").hidden === !scene.overview.consequences.length, "what lacks is told, and only that");
   expect(document.documentElement.scrollWidth <= innerWidth, "the page is no wider than the window");
 
   // a click on the plan chooses the same in table and details
@@ -38,9 +40,15 @@ const selfTest = () => {
   const name = nameOf(things[0]);
   $("search").value = `${name} room ${things[0].room}`;
   $("search").dispatchEvent(new Event("input"));
-  const wanted = things.filter((thing) => nameOf(thing).startsWith(name) && thing.room === things[0].room).length;
+  const fits = (thing) => name.split(" ").every((word) => nameOf(thing).split(" ").some((part) => part.startsWith(word)));
+  const wanted = things.filter((thing) => fits(thing) && thing.room === things[0].room).length;
   expect(rows("objects") === wanted, `the search finds ${wanted} things, not ${rows("objects")}`);
   expect(document.querySelectorAll("#plan .thing:not(.away)").length <= wanted, "the plan fades the others");
+  for (const [name, count] of hasClasses ? counts : []) {
+    setColour("class");
+    [...document.querySelectorAll("#legend button")].find((button) => button.childNodes[1].textContent === name).click();
+    expect(rows("objects") === count, `the legend finds ${count} of ${name}, not ${rows("objects")}`);
+  }
   $("search").value = "no such thing";
   search();
   expect(rows("objects") === 0, "the search may find nothing");

@@ -212,6 +212,32 @@ TEST(OptionParser, TheRestMayStandBeforeOtherNames)
             std::string::npos);
 }
 
+TEST(OptionParser, TheLastNameMayBeMissingIfAFlagSaysSo)
+{
+  std::vector<std::string> rest;
+  std::string last;
+  bool looks_only = false;
+  const auto parse = [&](std::vector<const char*> arguments) {
+    rest.clear();
+    last.clear();
+    looks_only = false;
+    OptionParser parser("tool", "");
+    parser.positionals("scan", rest, "scans").positional("folder", last, "the last");
+    parser.flag("-check", looks_only, "no more than a look");
+    parser.lastMayBeMissing(looks_only);
+    arguments.insert(arguments.begin(), "tool");
+    return parser.parse(static_cast<int>(arguments.size()), arguments.data());
+  };
+  EXPECT_THROW(parse({"a"}), ToolError);
+  EXPECT_THROW(parse({"-check"}), ToolError);
+  EXPECT_TRUE(parse({"a", "-check"}));
+  EXPECT_EQ(rest, (std::vector<std::string>{"a"}));
+  EXPECT_EQ(last, "");
+  EXPECT_TRUE(parse({"-check", "a", "b"}));
+  EXPECT_EQ(rest, (std::vector<std::string>{"a"}));
+  EXPECT_EQ(last, "b");
+}
+
 TEST(OptionParser, HelpNamesEverythingWithItsDefault)
 {
   Values values;

@@ -99,8 +99,9 @@ OptionParser::settings() const
 {
   std::vector<Setting> settings;
   for (const auto& option : options_)
-    if (option.name != "-quiet" && option.name != "-threads" &&
-        option.name != "-memory_limit" && option.name != "-single_process")
+    if (option.name != "-quiet" && option.name != "-check" &&
+        option.name != "-threads" && option.name != "-memory_limit" &&
+        option.name != "-single_process")
       settings.push_back({option.name, option.value(), option.unit, option.kind});
   return settings;
 }

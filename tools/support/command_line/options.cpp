@@ -92,7 +92,7 @@ asksForVersion(const std::string& argument)
 int
 report(const std::string& program, const std::string& message)
 {
-  console::print_error("[%s] %s\n", program.c_str(), printable(message).c_str());
+  printComplaint(program, message);
   return EXIT_FAILURE;
 }
 
@@ -314,10 +314,20 @@ OptionParser::readOption(Option& option,
   option.read(argv[++position]);
 }
 
+OptionParser&
+OptionParser::lastMayBeMissing(const bool& flag)
+{
+  last_may_be_missing_ = &flag;
+  return *this;
+}
+
 void
-OptionParser::assignPositionals(const std::vector<std::string>& names)
+OptionParser::assignPositionals(std::vector<std::string> names)
 {
   const std::size_t required = positionals_.size() + rest_at_least_;
+  if (last_may_be_missing_ != nullptr && *last_may_be_missing_ &&
+      names.size() + 1 == required)
+    names.emplace_back();
   if (names.size() < required) {
     const std::size_t next = names.size();
     const auto& missing = next < before_rest_ ? positionals_[next]

@@ -101,6 +101,11 @@ public:
               const std::string& meaning,
               std::size_t at_least = 1);
 
+  /** \brief The last name may be missing if a flag is set.
+   * \param[in] flag of an option; must outlive the parser */
+  OptionParser&
+  lastMayBeMissing(const bool& flag);
+
   /** \brief A number: float, double, int, std::uint32_t or std::uint64_t.
    * \param[in] name with its dash, for example "-voxel_size"
    * \param[in,out] variable its default beforehand, its value afterwards; it must
@@ -154,7 +159,7 @@ public:
   usage() const;
 
   /** \brief All options with the values that are used; but for those by which no
-   * result changes: of threads, processes and memory, and -quiet. */
+   * result changes: of threads, processes and memory, -quiet and -check. */
   std::vector<Setting>
   settings() const;
 
@@ -199,7 +204,7 @@ private:
   readOption(Option& option, int argc, const char* const* argv, int& position);
 
   void
-  assignPositionals(const std::vector<std::string>& names);
+  assignPositionals(std::vector<std::string> names);
 
   std::string program_;
   std::string summary_;
@@ -208,6 +213,7 @@ private:
   std::vector<std::string>* rest_variable_ = nullptr;
   std::size_t rest_at_least_ = 0;
   std::size_t before_rest_ = 0; // positionals
+  const bool* last_may_be_missing_ = nullptr;
   std::vector<Option> options_;
   bool quiet_ = false;
 };

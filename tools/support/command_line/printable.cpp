@@ -4,6 +4,7 @@
  */
 #include "command_line/printable.h"
 
+#include <pcl/console/print.h>
 #include <pcl/indoor/plain_message.h>
 
 #include <cstdio>
@@ -105,6 +106,12 @@ messageOf(const std::exception& error)
   return text.rfind("[json.exception.", 0) == 0 && end != text.npos
              ? text.substr(end + 2)
              : text;
+}
+
+void
+printComplaint(const std::string& program, const std::string& text)
+{
+  console::print_error("[%s] %s\n", program.c_str(), printable(text).c_str());
 }
 
 void

@@ -23,6 +23,10 @@ printable(const std::string& text, std::size_t most = 1000);
 std::string
 messageOf(const std::exception& error);
 
+/** \brief Print what is wrong as one line on stderr: "[program] text". */
+void
+printComplaint(const std::string& program, const std::string& text);
+
 /** \brief Print "Warning: " and the text, printable, as one line on stderr. */
 void
 printWarning(const std::string& text);

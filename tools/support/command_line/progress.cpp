@@ -100,6 +100,13 @@ Progress::summary(const std::string& text)
 }
 
 void
+Progress::say(const std::string& text)
+{
+  if (!quiet_)
+    std::fputs(text.c_str(), stderr);
+}
+
+void
 Progress::table(const TextTable& table)
 {
   if (!quiet_)

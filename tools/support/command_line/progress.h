@@ -47,6 +47,10 @@ public:
   void
   summary(const std::string& text);
 
+  /** \brief A text on stderr, but not after -quiet. */
+  void
+  say(const std::string& text);
+
   /** \brief A table after the summary, wherever that is said. */
   void
   table(const TextTable& table);

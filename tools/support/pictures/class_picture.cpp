@@ -86,8 +86,10 @@ public:
       const int x = static_cast<int>((point.x - frame_.left) / frame_.pixel);
       const int y = static_cast<int>((frame_.upper - point.y) / frame_.pixel);
       const auto pixel = static_cast<std::size_t>(y) * view.width + x;
-      const auto category =
-          scene_.classes.objects[scene_.object_of_point[i] - 1].category;
+      const auto object = scene_.object_of_point[i] - 1;
+      const auto category = scene_.objects[object].structure != 0
+                                ? other_ // grey, too
+                                : scene_.classes.objects[object].category;
       const bool is_named = category != other_,
                  shows_named =
                      view.category[pixel] > 0 && view.category[pixel] != other_;

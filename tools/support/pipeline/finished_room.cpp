@@ -27,7 +27,7 @@ finishRoom(RoomPoints room, const RoomWork& work)
   finished.measures = measureObjects(positions, standing, finished.objects);
   const auto surfaces = std::exchange(finished.objects.surfaces, {});
   if (work.model)
-    finished.classes = classesOf(surfaces, *work.model, 1);
+    finished.classes = classesOf(surfaces, finished.measures, *work.model, 1);
   return finished;
 }
 

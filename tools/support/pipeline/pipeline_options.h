@@ -42,6 +42,7 @@ struct PipelineOptions {
   std::uint64_t points_at_once = 20000000; ///< 0: all
   bool ignore_normals = false;
   bool single_process = false;
+  bool check = false; ///< no more than look at the scan
 
   std::string
   reportFile() const

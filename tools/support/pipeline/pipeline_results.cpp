@@ -90,6 +90,18 @@ fewPoints(const PointCloud<PointXYZ>& sample)
   return few;
 }
 
+/** The report is no other of the results. */
+void
+requireOwnName(const std::string& report, const std::string& folder)
+{
+  namespace fs = std::filesystem;
+  const auto place = fs::weakly_canonical(report);
+  for (const char* name : results)
+    if (std::string(name) != "report.html" &&
+        place == fs::weakly_canonical(fs::path(folder) / name))
+      throw ToolError("-report: '" + report + "' is the place of another result");
+}
+
 } // namespace
 
 bool
@@ -105,8 +117,10 @@ requireUsable(const PipelineOptions& options)
   if (std::filesystem::exists(options.folder))
     for (const char* name : results)
       requireWritable(options.folder + "/" + name);
-  if (options.report != "none" && options.report != "folder")
+  if (options.report != "none" && options.report != "folder") {
     requireWritable(options.report);
+    requireOwnName(options.report, options.folder);
+  }
   if (options.model == "none" && options.colors.wanted == "class")
     throw ToolError("-colour class: there are no classes with -model none");
 }

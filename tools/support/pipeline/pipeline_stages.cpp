@@ -60,13 +60,14 @@ segmentScene(const PipelineOptions& options,
              RoomSegmentation<PointXYZ>& segmentation)
 {
   Scene scene;
-  scene.room_of_point = segmentRooms(file, options.frame, segmentation);
+  auto segmented = segmentRooms(file, options.frame, segmentation);
+  scene.room_of_point = std::move(segmented.room_of_point);
+  scene.report = std::move(segmented.report);
   scene.rooms = segmentation.getRooms();
   scene.openings = segmentation.getOpenings();
   scene.building = segmentation.getBuilding();
   dropGrids(scene.building);
   scene.building_pose = segmentation.getBuildingPose();
-  scene.report = segmentation.getReport();
   return scene;
 }
 
@@ -176,22 +177,29 @@ Scan
 loadScan(const PipelineOptions& options, Progress& progress)
 {
   constexpr double bytes_per_point = 400; // that are in use at once, measured
+  constexpr std::uint64_t enough_to_check = 4000000; // points: read in about a second
   auto [files, notes] = scanFiles(options.inputs);
-  requireOthersThanResults(files, options.folder);
+  if (!options.check)
+    requireOthersThanResults(files, options.folder);
   const auto name = nameOfScan(options.inputs, files);
   auto [opened, count, in_memory] = openScans(files);
-  const bool in_parts =
-      options.points_at_once > 0 && count > in_memory && count > options.points_at_once;
-  const auto at_once = static_cast<std::uint64_t>(options.points_at_once) + in_memory;
+  const auto part = options.check ? enough_to_check : options.points_at_once;
+  const bool in_parts = options.points_at_once > 0 && count > in_memory && count > part;
+  const auto at_once = part + in_memory;
   options.memory.require(name, bytes_per_point, in_parts ? at_once : count);
-  progress.start((in_parts ? "Reading in parts " : "Loading ") + name);
+  progress.start((!in_parts       ? "Loading "
+                  : options.check ? "Reading some points of "
+                                  : "Reading in parts ") +
+                 name);
   std::vector<std::string> notes_of_files;
   auto stream =
       files.size() == 1
           ? std::move(opened[0])
           : joinedScans(files, std::move(opened), options.columns, notes_of_files);
   Scan scan;
-  if (in_parts)
+  if (in_parts && options.check)
+    scan = readSample(name, std::move(stream));
+  else if (in_parts)
     scan = readInParts(options, name, std::move(stream), progress);
   else if (files.size() == 1)
     scan.file = loadSurface(files[0], options.columns);
@@ -200,7 +208,7 @@ loadScan(const PipelineOptions& options, Progress& progress)
         withPoints(name,
                    stream->read(0, static_cast<std::size_t>(stream->pointCount())),
                    stream->frame());
-  if (scan.stream && files.size() == 1)
+  if (scan.stream && files.size() == 1 && !options.check)
     notes_of_files = scan.stream->notes();
   notes.insert(notes.end(), notes_of_files.begin(), notes_of_files.end());
   scan.file.notes.insert(scan.file.notes.begin(), notes.begin(), notes.end());

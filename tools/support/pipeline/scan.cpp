@@ -14,6 +14,7 @@
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -21,6 +22,23 @@ namespace pcl::indoor::tool {
 namespace {
 
 namespace fs = std::filesystem;
+
+/** Of many small blocks: a block may be one line of a scanner. */
+PCLPointCloud2
+scatteredPoints(CloudStream& stream)
+{
+  constexpr std::uint64_t blocks = 16384, block_size = 64;
+  auto cloud = stream.read(0, block_size);
+  for (std::uint64_t block = 1; block < blocks; ++block) {
+    const auto first = stream.pointCount() / blocks * block;
+    const auto part = stream.read(
+        first,
+        static_cast<std::size_t>(std::min(block_size, stream.pointCount() - first)));
+    cloud.data.insert(cloud.data.end(), part.data.begin(), part.data.end());
+    cloud.width += part.width;
+  }
+  return cloud;
+}
 
 /** The notes of several files, those that are the same as one. */
 std::vector<std::string>
@@ -149,6 +167,20 @@ readScan(const std::string& path,
     throw ToolError(path + ": " + std::to_string(file.finite_count) +
                     " finite points are too few, 2 are needed");
   file.points = cloudOf(sample.points(), file);
+  scan.stream = std::move(stream);
+  return scan;
+}
+
+Scan
+readSample(const std::string& path, std::unique_ptr<CloudStream> stream)
+{
+  Scan scan;
+  scan.file =
+      withPoints(path, scatteredPoints(*stream), stream->frame(), 2, stream->notes());
+  const auto finite = static_cast<double>(scan.file.finite_count) /
+                      static_cast<double>(scan.file.points->size());
+  scan.file.finite_count = static_cast<std::size_t>(
+      std::llround(finite * static_cast<double>(stream->pointCount())));
   scan.stream = std::move(stream);
   return scan;
 }

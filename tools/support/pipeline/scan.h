@@ -22,6 +22,13 @@ struct Scan {
   std::optional<CellSample> sample;    ///< of a large scan
   Eigen::Vector3d middle =
       Eigen::Vector3d::Zero(); ///< of a large scan, taken from its points
+
+  /** \brief Points of the whole scan. */
+  std::uint64_t
+  pointCount() const
+  {
+    return stream ? stream->pointCount() : file.points->size();
+  }
 };
 
 /** \brief Open the scans of one building as one, see joinedStream(). Those that cannot
@@ -50,6 +57,12 @@ readScan(const std::string& path,
          double cell_size,
          std::size_t most_points,
          const std::function<void(std::size_t done, std::size_t all)>& report);
+
+/** \brief Read no more of a large scan than points from all over it.
+ * \return its file has no more points than these
+ */
+Scan
+readSample(const std::string& path, std::unique_ptr<CloudStream> stream);
 
 /** \brief A part of a scan that is read in parts, in the frame of its sample. */
 CloudFile

@@ -65,15 +65,19 @@ classNames(const ClassifierModel& model)
 
 std::vector<ObjectClass>
 classesOf(const std::vector<ObjectSurface>& surfaces,
+          const std::vector<ObjectMeasures>& measures,
           const ClassifierModel& model,
           int threads)
 {
-  std::vector<ObjectClass> classes(surfaces.size(),
-                                   withoutDescription(classNames(model)));
+  const auto undescribed = withoutDescription(classNames(model));
+  std::vector<ObjectClass> classes(surfaces.size());
   std::vector<ClassifierObject> objects;
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < surfaces.size(); ++k) {
     const auto& surface = surfaces[k];
+    if (measures[k].structure != 0)
+      continue;
+    classes[k] = undescribed;
     if (surface.points.size() < fewest_points)
       continue;
     numbers.push_back(k);

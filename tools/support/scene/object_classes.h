@@ -6,6 +6,7 @@
 
 #include <pcl/ml/classifier_model.h>
 #include <pcl/segmentation/object_surfaces.h>
+#include <pcl/segmentation/room_objects.h> // for ObjectMeasures
 
 #include <cstdint>
 #include <string>
@@ -16,7 +17,8 @@ namespace pcl::indoor::tool {
 
 /** \brief What an object was taken for. */
 struct ObjectClass {
-  std::uint32_t category = 0; ///< position in SceneClasses::names
+  std::uint32_t category = 0; ///< position in SceneClasses::names; 0, "none", of
+                              ///< floors, walls and ceilings, which are no things
   float confidence = 0.0f; ///< probability of that class; 0 of objects too small to be
                            ///< described, which are "other"
   std::vector<std::pair<std::uint32_t, float>>
@@ -38,12 +40,14 @@ bundledModel();
 std::vector<std::string>
 classNames(const ClassifierModel& model);
 
-/** \brief Name objects, each for itself.
+/** \brief Name things, each for itself; floors, walls and ceilings have no class.
  * \param[in] surfaces one per object, see objectSurfaces()
+ * \param[in] measures of the same objects
  * \param[in] threads 0 = automatic; the result does not depend on it
  */
 std::vector<ObjectClass>
 classesOf(const std::vector<ObjectSurface>& surfaces,
+          const std::vector<ObjectMeasures>& measures,
           const ClassifierModel& model,
           int threads);
 

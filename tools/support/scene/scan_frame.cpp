@@ -102,7 +102,7 @@ ScanFrame::settle(const ScanReport& report)
         unit = name;
 }
 
-std::vector<std::uint32_t>
+SegmentedRooms
 segmentRooms(const CloudFile& file,
              const ScanFrame& frame,
              RoomSegmentation<PointXYZ>& segmentation)
@@ -112,17 +112,18 @@ segmentRooms(const CloudFile& file,
   if (frame.unit != "auto")
     segmentation.setMetresPerUnit(frame.metresPerUnit());
   segmentation.setInputCloud(file.points);
-  std::vector<std::uint32_t> rooms;
-  const auto problem = problemOf([&] { segmentation.segment(rooms); });
-  auto lines = segmentation.getReport().warnings;
-  const auto step =
-      stepWarning(file.coordinate_step * segmentation.getReport().metres_per_unit,
-                  segmentation.getVoxelSize());
+  SegmentedRooms rooms;
+  const auto problem = problemOf([&] { segmentation.segment(rooms.room_of_point); });
+  rooms.report = segmentation.getReport();
+  auto& lines = rooms.report.warnings;
+  const auto step = stepWarning(file.coordinate_step * rooms.report.metres_per_unit,
+                                segmentation.getVoxelSize());
   if (!step.empty())
     lines.push_back(step);
   for (const auto& line : lines)
     printWarning(file.path + ": " + line);
-  if (rooms.empty())
+  lines.insert(lines.begin(), file.notes.begin(), file.notes.end());
+  if (rooms.room_of_point.empty())
     throw ToolError(file.path + ": " + problem);
   return rooms;
 }

@@ -36,12 +36,17 @@ struct ScanFrame {
   settle(const ScanReport& report);
 };
 
+/** \brief The rooms of a scan, and what was found out about its points. */
+struct SegmentedRooms {
+  std::vector<std::uint32_t> room_of_point;
+  ScanReport report; ///< of the segmentation; its warnings are those of the file, too
+};
+
 /** \brief Find the rooms; what is implausible is said on stderr, a line each.
  * \param[in,out] segmentation its parameters are set; frame and input are set here
- * \return the room of each point
- * \throws ToolError if there are none
+ * \throws ToolError if no point has been looked at
  */
-std::vector<std::uint32_t>
+SegmentedRooms
 segmentRooms(const CloudFile& file,
              const ScanFrame& frame,
              RoomSegmentation<PointXYZ>& segmentation);

@@ -164,6 +164,7 @@ sceneJson(const Scene& scene,
   json["settings"] = settingsJson(settings);
   json["axes"] = axesJson(scene);
   addReportJson(json, frame, scene.report);
+  json["overview"] = overviewJson(scene.understood);
   json["points_outside"] = scene.counts.outside;
   json["remainder_in_no_room"] = scene.remainders.back();
   json["storeys"] = storeysJson(

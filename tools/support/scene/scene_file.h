@@ -7,6 +7,7 @@
 #include "files/cloud_file.h"
 #include "scene/object_classes.h"
 #include "scene/scan_frame.h"
+#include "scene/understood_scan.h"
 
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/room_objects.h>
@@ -50,6 +51,7 @@ struct Scene {
   BuildingRooms building;
   Eigen::Isometry3d building_pose = Eigen::Isometry3d::Identity(); ///< both in metres
   ScanReport report;
+  UnderstoodScan understood;
 };
 
 /** \brief A scene, as tools/schema/scene.schema.json has it; positions

@@ -1,0 +1,214 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+// Runs pcl_indoor_pipeline and pcl_room_segmentation on scans that lack something and
+// looks at what is said, on stderr and in the JSON files.
+#include "support/folder_test.h"
+#include "support/synthetic_scenes.h"
+
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using pcl::indoor::test::bytesOf;
+using Json = nlohmann::json;
+
+class OverviewResults : public pcl::indoor::test::FolderTest {
+protected:
+  /** Saves those points of two furnished rooms that are not taken away. */
+  template <typename Predicate>
+  std::string
+  save(const std::string& name, const Predicate& is_gone, double shift = 0.0) const
+  {
+    auto scene = pcl::indoor::test::twoRooms();
+    scene.removeIf(is_gone);
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    for (const auto& p : scene.points)
+      cloud.emplace_back(static_cast<float>(p.x() + shift), p.y(), p.z());
+    pcl::io::savePCDFileBinary(path(name), cloud);
+    return path(name);
+  }
+
+  std::string
+  saveAll(const std::string& name) const
+  {
+    return save(name, [](const auto&) { return false; });
+  }
+
+  int
+  run(const std::string& tool, const std::string& arguments) const
+  {
+    return std::system((std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " + arguments +
+                        " > " + path("out") + " 2> " + path("said"))
+                           .c_str());
+  }
+
+  std::string
+  said() const
+  {
+    return bytesOf(path("said"));
+  }
+
+  bool
+  says(const std::string& text) const
+  {
+    return said().find(text) != std::string::npos;
+  }
+
+  Json
+  jsonOf(const std::string& name) const
+  {
+    return Json::parse(bytesOf(path(name)));
+  }
+};
+
+bool
+isCeiling(const Eigen::Vector3f& p)
+{
+  return p.z() > 2.4f;
+}
+
+bool
+isNoSlice(const Eigen::Vector3f& p)
+{
+  return p.z() < 1.0f || p.z() > 1.4f;
+}
+
+bool
+has(const Json& lines, const std::string& text)
+{
+  for (const auto& line : lines)
+    if (line.get<std::string>().find(text) != std::string::npos)
+      return true;
+  return false;
+}
+
+} // namespace
+
+TEST_F(OverviewResults, ACheckStopsBeforeTheWork)
+{
+  const auto scan = saveAll("scan.pcd");
+  for (const std::string tool : {"pcl_indoor_pipeline", "pcl_room_segmentation"})
+    for (const std::string output : {"", " " + path("result.pcd")}) {
+      ASSERT_EQ(run(tool, scan + output + " -check"), 0) << said();
+      EXPECT_TRUE(says("1 storey, ")) << said();
+      EXPECT_FALSE(says("  - ")) << said();
+      EXPECT_FALSE(says("Warning")) << said();
+      EXPECT_NE(bytesOf(path("out")).find("all is there"), std::string::npos);
+      EXPECT_FALSE(fs::exists(path("result.pcd")));
+      ASSERT_EQ(run(tool, scan + output + " -check -quiet"), 0);
+      EXPECT_EQ(said() + bytesOf(path("out")), "");
+    }
+  EXPECT_NE(run("pcl_indoor_pipeline", path("missing.pcd") + " -check"), 0);
+  EXPECT_NE(run("pcl_indoor_pipeline", scan), 0); // the folder is missing
+  EXPECT_TRUE(says("output_dir")) << said();
+}
+
+TEST_F(OverviewResults, ACheckTakesSeveralStations)
+{
+  ASSERT_EQ(
+      run("pcl_indoor_pipeline", saveAll("a.pcd") + " " + saveAll("b.pcd") + " -check"),
+      0)
+      << said();
+  EXPECT_TRUE(says("from 2 stations")) << said();
+  EXPECT_TRUE(says("50 % where another one is")) << said();
+}
+
+TEST_F(OverviewResults, AMissingCeilingIsSaid)
+{
+  const auto scan = save("scan.pcd", isCeiling);
+  ASSERT_EQ(run("pcl_indoor_pipeline", scan + " " + path("result") + " -model none"), 0)
+      << said();
+  EXPECT_TRUE(says("No ceiling was seen: heights are those of the walls.")) << said();
+  const auto overview = jsonOf("result/scene.json")["overview"];
+  EXPECT_LT(overview["ceiling_seen"].get<double>(), 0.1);
+  EXPECT_GT(overview["floor_seen"].get<double>(), 0.9);
+  EXPECT_TRUE(has(overview["consequences"], "No ceiling was seen"));
+  EXPECT_NE(bytesOf(path("result/report.html")).find("No ceiling was seen"),
+            std::string::npos);
+  ASSERT_EQ(run("pcl_room_segmentation",
+                scan + " " + path("rooms.pcd") + " -json " + path("rooms.json")),
+            0);
+  EXPECT_EQ(jsonOf("rooms.json")["overview"], overview);
+}
+
+TEST_F(OverviewResults, AResultWithoutRoomsSaysWhy)
+{
+  const auto scan = save("slice.pcd", isNoSlice);
+  const std::string line = "no room was found: The scan is a slice of 0.4";
+  ASSERT_EQ(
+      run("pcl_indoor_pipeline", scan + " " + path("result") + " -model none -quiet"),
+      0);
+  EXPECT_TRUE(says("[pcl_indoor_pipeline] " + scan + ": " + line)) << said();
+  EXPECT_TRUE(has(jsonOf("result/scene.json")["warnings"], line));
+  ASSERT_EQ(run("pcl_room_segmentation",
+                scan + " " + path("rooms.pcd") + " -quiet -json " + path("rooms.json")),
+            0);
+  EXPECT_TRUE(says("[pcl_room_segmentation] " + scan + ": " + line)) << said();
+  EXPECT_TRUE(has(jsonOf("rooms.json")["warnings"], line));
+}
+
+TEST_F(OverviewResults, WarningsOfTheFileReachTheSceneAlsoOfAnotherRun)
+{
+  const auto scan = save(
+      "far.pcd", [](const auto&) { return false; }, 4e6); // 0.25 m
+  const std::string pipeline = scan + " " + path("result") + " -model none";
+  ASSERT_EQ(run("pcl_indoor_pipeline", pipeline), 0) << said();
+  ASSERT_TRUE(says("Warning: " + scan + ": The coordinates are stored in steps"))
+      << said();
+  EXPECT_TRUE(has(jsonOf("result/scene.json")["warnings"], "stored in steps"));
+  // a run that ends after the rooms is gone on with
+  fs::create_symlink("/dev/full", path("report.html"));
+  const auto again =
+      scan + " " + path("again") + " -model none -report " + path("report.html");
+  ASSERT_NE(run("pcl_indoor_pipeline", again), 0);
+  ASSERT_TRUE(fs::exists(path("again/.unfinished/scene"))) << said();
+  fs::remove(path("report.html"));
+  ASSERT_EQ(run("pcl_indoor_pipeline", again), 0) << said();
+  EXPECT_TRUE(says("stored in steps")) << said();
+  EXPECT_TRUE(has(jsonOf("again/scene.json")["warnings"], "stored in steps"));
+}
+
+TEST_F(OverviewResults, AReportInThePlaceOfAnotherResultIsRefusedAtOnce)
+{
+  const auto scan = saveAll("scan.pcd");
+  for (const std::string name : {"scene.json", "./plan.svg"}) {
+    EXPECT_NE(run("pcl_indoor_pipeline",
+                  scan + " " + path("result") + " -report " + path("result/") + name),
+              0);
+    EXPECT_TRUE(says("-report: ")) << said();
+    EXPECT_FALSE(fs::exists(path("result")));
+  }
+}
+
+TEST_F(OverviewResults, OneObjectForAScanIsSaid)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud; // a sphere
+  for (int i = 0; i < 20000; ++i) {
+    const double z = -1.0 + 2.0 * (i + 0.5) / 20000.0, angle = 2.399963 * i;
+    const double radius = std::sqrt(1.0 - z * z);
+    cloud.emplace_back(static_cast<float>(0.3 * radius * std::cos(angle)),
+                       static_cast<float>(0.3 * radius * std::sin(angle)),
+                       static_cast<float>(0.3 * z));
+  }
+  pcl::io::savePCDFileBinary(path("ball.pcd"), cloud);
+  ASSERT_EQ(run("pcl_noise_resilient_lccp",
+                path("ball.pcd") + " " + path("objects.pcd") + " -quiet"),
+            0)
+      << said();
+  EXPECT_TRUE(says("points are one object: the scan is 0.6")) << said();
+}
