@@ -118,10 +118,12 @@ RoomSegmentation<PointT>::describeInput(const Indices& indices)
     if (building_.occupancy.cells[i] < 0)
       report_.outside.push_back(indices[i]);
   std::sort(report_.outside.begin(), report_.outside.end());
-  if (!report_.warnings.empty())
-    return; // it would be no wonder then
-  warn(indoor::feetWarning(building_.rooms, building_.openings, metres_per_unit_));
-  warn(indoor::outsideWarning(report_.outside.size(), all));
+  if (report_.warnings.empty()) { // else it would be no wonder
+    warn(indoor::feetWarning(building_.rooms, building_.openings, metres_per_unit_));
+    warn(indoor::outsideWarning(report_.outside.size(), all));
+  }
+  for (const std::string& line : indoor::unseenWarnings(building_))
+    warn(line);
 }
 
 template <typename PointT>
