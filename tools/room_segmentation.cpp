@@ -97,7 +97,7 @@ addInteriorOptions(OptionParser& parser, pcl::indoor::EnclosureWeights& weights)
 {
   const auto weight =
       [&parser](const char* name, double& variable, const char* meaning) {
-        parser.number(name, variable, meaning, "", Range::between(0, 100));
+        parser.number(name, variable, meaning, "", Range::between(0, 80));
       };
   weight("-floor_weight",
          weights.below,

@@ -7,8 +7,10 @@
 #include <pcl/segmentation/rooms/storey_space.h>
 
 #include "rooms/field/map_labels.h"
+#include "rooms/map/region_evidence.h"
 #include "rooms/outline/room_layout.h"
 #include "rooms/space/closed_surfaces.h"
+#include "rooms/space/unseen_sides.h"
 #include "rooms/storeys/storey_labels.h"
 #include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/threads.h>
@@ -44,6 +46,21 @@ storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
         pixel / grid.shape.ny, pixel % grid.shape.ny, points[i].z()));
   }
   return storey_of;
+}
+
+/** How many points of a storey each column holds. */
+PixelMap<std::uint32_t>
+pointsOfColumns(const std::vector<std::uint8_t>& storey_of,
+                std::size_t storey,
+                const OccupancyGrid& occupancy)
+{
+  const GridShape& shape = occupancy.grid.shape;
+  PixelMap<std::uint32_t> count{shape.nx, shape.ny, {}};
+  count.values.assign(count.size(), 0);
+  for (std::size_t i = 0; i < storey_of.size(); ++i)
+    if (occupancy.cells[i] >= 0 && storey_of[i] == storey)
+      ++count.values[occupancy.cells[i] / shape.nz];
+  return count;
 }
 
 /** The room of each coarse voxel of a storey, 0 = none, by the vote of Sec. 3.2.3. */
@@ -209,10 +226,18 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     return {};
   building.interior =
       interiorSpaceAlong(building.occupancy, directions, options.interior);
+  if (const UnseenSides unseen = building.interior.unseen;
+      !unseen.floorIsSeen() || !unseen.ceilingIsSeen()) {
+    closeUnseenSides(building.interior, building.occupancy.grid);
+    building.interior =
+        interiorSpaceAlong(building.occupancy, directions, options.interior);
+    building.interior.unseen = unseen;
+  }
   if (stopped(0.4, "storeys"))
     return {};
   building.storeys = findStoreys(grid, options.storeys);
   refineBorders(points, building.occupancy, building.storeys);
+  const auto storey_of = storeysOfPoints(points, building, options.threads);
   std::uint32_t room_count = 0;
   const bool by_vote = options.point_rooms == PointRooms::Vote;
   std::vector<VoxelMap<int>> votes; // per storey
@@ -223,6 +248,9 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
       return {};
     const auto space = storeySpace(grid, building.interior, building.storeys, s);
     building.maps.push_back(segmentRoomMap(space, options.map));
+    dropOutdoors(space, building.maps.back());
+    building.hardly_seen += dropHardlySeen(
+        space, pointsOfColumns(storey_of, s, building.occupancy), building.maps.back());
     auto& room_of = building.room_of.emplace_back();
     for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
@@ -232,7 +260,6 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   }
   if (stopped(0.8, "rooms of the points"))
     return {};
-  const auto storey_of = storeysOfPoints(points, building, options.threads);
   for (std::size_t s = 0; s < votes.size(); ++s)
     labelByVote(votes[s], s, storey_of, building);
   for (std::size_t s = 0; s < building.maps.size() && !by_vote; ++s)

@@ -99,7 +99,8 @@ private:
 void
 checkInterior(const InteriorSpaceOptions& interior, Check& check)
 {
-  constexpr double heaviest = 100.0; // the sum of all must fit the cut's integers
+  constexpr double heaviest = 80.0;       // the sum of four must fit the cut's integers
+  constexpr double most_directions = 5.0; // that enclosure has bits for
   const EnclosureWeights& weights = interior.weights;
   check.positiveLength("voxel size of the interior space", interior.voxel_size);
   check.between(0, heaviest, "weight of a floor", weights.below, "");
@@ -108,8 +109,11 @@ checkInterior(const InteriorSpaceOptions& interior, Check& check)
   check.between(0, heaviest, "weight of walls", weights.horizontal, "");
   check.between(0, heaviest, "evidence of the exterior", weights.exterior, "");
   check.between(0, heaviest, "smoothness", interior.smoothness, "");
-  check.between(
-      0, 6, "number of directions", static_cast<double>(interior.max_directions), "");
+  check.between(0,
+                most_directions,
+                "number of directions",
+                static_cast<double>(interior.max_directions),
+                "");
   check.share("least support of a direction", interior.min_direction_support);
 }
 
@@ -201,6 +205,11 @@ findProblem(const BuildingRoomsOptions& options)
   check.positiveLength("window of a wall", options.walls.window);
   check.length("thickness of a wall", options.walls.max_thickness);
   check.length("reach of a wall", options.walls.reach);
+  check.between(2, // or there is no line
+                1e9,
+                "number of points of a wall",
+                static_cast<double>(options.walls.min_points),
+                "");
   check.between(0, infinity, "number of threads", options.threads, "");
   return check.problem();
 }

@@ -6,6 +6,8 @@
 #include <pcl/segmentation/rooms/scan_unit.h>
 #include <pcl/segmentation/scan_warnings.h>
 
+#include "rooms/map/region_evidence.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -209,6 +211,39 @@ outsideWarning(std::size_t outside, std::size_t all)
     return {};
   return std::to_string(outside) + " of " + std::to_string(all) +
          " points lie beyond the extent of the building and get no room.";
+}
+
+std::vector<std::string>
+unseenWarnings(const BuildingRooms& building)
+{
+  std::vector<std::string> lines;
+  const double height = occupiedHeight(building.occupancy.grid);
+  if (!building.maps.empty() && height < least_storey_height) {
+    std::ostringstream line;
+    line << "All points lie within " << 0.01 * std::round(100.0 * height)
+         << " m of height, as in a slice or a flat map: there are no rooms. Rooms need "
+            "walls of at least "
+         << least_storey_height << " m.";
+    return {line.str()};
+  }
+  const UnseenSides& unseen = building.interior.unseen;
+  const bool floor = unseen.floorIsSeen(), ceiling = unseen.ceilingIsSeen();
+  if (!floor && !ceiling)
+    lines.emplace_back("Neither floors nor ceilings were seen: rooms are told by their "
+                       "walls alone, storeys are not told apart, and heights are those "
+                       "of the walls.");
+  else if (!floor)
+    lines.emplace_back("No floors were seen: rooms are told by their walls and "
+                       "ceilings, and they begin where the walls do.");
+  else if (!ceiling)
+    lines.emplace_back("No ceilings were seen: rooms are told by their walls and "
+                       "floors, and they end where the walls do.");
+  if (building.hardly_seen > 0)
+    lines.push_back(std::to_string(building.hardly_seen) +
+                    (building.hardly_seen == 1 ? " space is" : " spaces are") +
+                    " no room: hardly any points show what is there, as with mirror "
+                    "images behind glass.");
+  return lines;
 }
 
 } // namespace indoor

@@ -68,7 +68,10 @@ struct Room {
   std::size_t point_count = 0; ///< points with this label
   double area = 0.0;           ///< floor area inside the walls, m^2
   double volume = 0.0;         ///< from the storey's floor to the ceiling, m^3
-  double height = 0.0;         ///< volume over area, metres
+  double height = 0.0;         ///< volume over area, metres; where floor or ceiling was
+                               ///< not seen, its walls' lower or upper end stands in
+  double floor_seen = 0.0;     ///< share of the area in which the floor was seen
+  double ceiling_seen = 0.0;   ///< share of the area in which the ceiling was seen
   Eigen::Vector3d lower;       ///< lower corner of the box around the points, metres
   Eigen::Vector3d upper;       ///< upper corner of it, metres
   Eigen::Vector3d centroid;    ///< of the points, metres
@@ -97,6 +100,8 @@ struct BuildingRooms {
   std::vector<std::uint32_t> point_labels;         ///< room per point, 0 = none
   std::vector<Room> rooms;                         ///< in the order of their labels
   std::vector<RoomOpening> openings; ///< storey by storey, in the order of the rooms
+  std::size_t hardly_seen = 0; ///< spaces that are no rooms since far fewer points show
+                               ///< them than others: mirror images behind glass
 };
 
 /** \brief Find the rooms of a building.

@@ -155,7 +155,7 @@ public:
 
   /** \brief Set the weights of the evidence for interior space, Eq. (3.1): w1 (below),
    * w2 (above), w3 (vertical), w4 + w5 (horizontal), and what speaks for the exterior.
-   * \param[in] weights 0 to 100 each (defaults: see indoor::EnclosureWeights)
+   * \param[in] weights 0 to 80 each (defaults: see indoor::EnclosureWeights)
    */
   void
   setEnclosureWeights(const indoor::EnclosureWeights& weights)

@@ -84,5 +84,12 @@ stepWarning(double step, double voxel_size);
 std::string
 outsideWarning(std::size_t outside, std::size_t all);
 
+/** \brief Say what the scan does not show, and what that means for its rooms: floors,
+ * ceilings, walls (a slice, a flat map); spaces that were hardly seen.
+ * \return a line each; none if the scan shows all
+ */
+std::vector<std::string>
+unseenWarnings(const BuildingRooms& building);
+
 } // namespace indoor
 } // namespace pcl

@@ -119,7 +119,7 @@ private:
         std::max({u * block_edge - x, x - (u * block_edge + block_edge - 1), 0});
     const int dy =
         std::max({v * block_edge - y, y - (v * block_edge + block_edge - 1), 0});
-    return std::sqrt(static_cast<double>(dx * dx + dy * dy));
+    return std::sqrt(static_cast<double>(dx) * dx + static_cast<double>(dy) * dy);
   }
 
   const MapDistance& distance_;

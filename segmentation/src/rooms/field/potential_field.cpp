@@ -57,9 +57,12 @@ public:
     for (int k = 0, u = 0; k <= last; ++k) {
       const int end = k < last ? start_[k + 1] : length;
       const int v = vertex_[k];
-      const std::uint32_t height = heights_[v];
-      for (; u < end; ++u)
-        line[u] = height + static_cast<std::uint32_t>((u - v) * (u - v));
+      const std::uint64_t height = heights_[v];
+      for (; u < end; ++u) {
+        const std::int64_t along = u - v;
+        line[u] = static_cast<std::uint32_t>(std::min<std::uint64_t>(
+            height + static_cast<std::uint64_t>(along * along), kNoObstacle - 1));
+      }
     }
   }
 

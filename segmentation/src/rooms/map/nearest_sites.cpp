@@ -5,6 +5,7 @@
 
 #include "rooms/map/nearest_sites.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t none = std::numeric_limits<std::int32_t>::max();
 
 /** Nearest site within each line along y, by a forward and a backward sweep. */
 void
@@ -45,7 +46,7 @@ public:
   {}
 
   void
-  build(const std::vector<std::int32_t>& height)
+  build(const std::vector<std::int64_t>& height)
   {
     count_ = 0;
     for (int x = 0; x < static_cast<int>(height.size()); ++x) {
@@ -94,15 +95,16 @@ nearestSites(const PixelMap<std::uint8_t>& sites)
 {
   NearestSites nearest{{sites.nx, sites.ny, {}}, {sites.nx, sites.ny, {}}};
   nearest.site.values.assign(sites.size(), -1);
-  nearest.squared_distance.values.assign(sites.size(), none);
+  nearest.squared_distance.values.assign(sites.size(), static_cast<std::int32_t>(none));
   nearestInLines(sites, nearest);
 
   Envelope envelope(sites.nx);
-  std::vector<std::int32_t> height(sites.nx), column(sites.nx);
+  std::vector<std::int64_t> height(sites.nx);
+  std::vector<std::int32_t> column(sites.nx);
   for (int y = 0; y < sites.ny; ++y) {
     for (int x = 0; x < sites.nx; ++x) {
       column[x] = nearest.site.at(x, y);
-      const std::int32_t d = column[x] - y;
+      const std::int64_t d = column[x] - y;
       height[x] = column[x] < 0 ? none : d * d;
     }
     envelope.build(height);
@@ -112,7 +114,9 @@ nearestSites(const PixelMap<std::uint8_t>& sites)
         continue;
       nearest.site.at(x, y) =
           static_cast<std::int32_t>(sites.index(from, column[from]));
-      nearest.squared_distance.at(x, y) = height[from] + (x - from) * (x - from);
+      const std::int64_t across = x - from;
+      nearest.squared_distance.at(x, y) = static_cast<std::int32_t>(
+          std::min<std::int64_t>(height[from] + across * across, none - 1));
     }
   }
   return nearest;

@@ -8,6 +8,7 @@
 #include "rooms/field/potential_field.h"
 #include "rooms/map/nearest_sites.h"
 #include "rooms/map/persistent_basins.h"
+#include "rooms/map/region_evidence.h"
 #include "rooms/map/wall_lean.h"
 #include <pcl/segmentation/rooms/open_plan.h>
 
@@ -31,17 +32,6 @@ holdsSomething(const VoxelMap<std::uint8_t>& grid, std::size_t pixel)
   const auto column = grid.values.begin() + pixel * grid.shape.nz;
   return std::any_of(
       column, column + grid.shape.nz, [](auto value) { return value != 0; });
-}
-
-/** Columns with something in them. */
-PixelMap<std::uint8_t>
-heldColumns(const VoxelMap<std::uint8_t>& occupancy)
-{
-  PixelMap<std::uint8_t> held{occupancy.shape.nx, occupancy.shape.ny, {}};
-  held.values.resize(held.size());
-  for (std::size_t i = 0; i < held.size(); ++i)
-    held.values[i] = holdsSomething(occupancy, i);
-  return held;
 }
 
 /** Columns with something in them, and the gaps between those (closing by a disc; there
@@ -74,31 +64,18 @@ closed(const PixelMap<std::uint8_t>& held,
   return result;
 }
 
-/** Whether enough of the columns with something in them are inside, 40 %: a basement
- * with as much ground outside had 46 %, a room without floor and ceiling 39 %. */
-bool
-coversEnough(const PixelMap<std::uint8_t>& inside, const VoxelMap<std::uint8_t>& grid)
-{
-  std::size_t covered = 0, both = 0;
-  for (std::size_t i = 0; i < inside.size(); ++i)
-    if (holdsSomething(grid, i)) {
-      ++covered;
-      both += inside.values[i] != 0;
-    }
-  return 5 * both >= 2 * covered;
-}
-
 /** The columns that hold no more exterior free voxels than interior ones between the
- * floor and the ceiling. A scan in which these are few (such as one room whose floor
- * and ceiling were cut away) gives no evidence of enclosure: then all its columns. */
+ * floor and the ceiling; none where the storey is too low for rooms. */
 PixelMap<std::uint8_t>
-insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling, int threads)
+insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
 {
   const InteriorSpace& interior = space.interior;
   const int factor = interior.factor;
   const int offset = space.first_layer % factor; // the coarse layers may begin below
   PixelMap<std::uint8_t> inside{ceiling.nx, ceiling.ny, {}};
   inside.values.assign(inside.size(), 0);
+  if (occupiedHeight(space.occupancy) < least_storey_height)
+    return inside;
   for (int x = 0; x < inside.nx; ++x)
     for (int y = 0; y < inside.ny; ++y) {
       const int end =
@@ -111,9 +88,6 @@ insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling, int thread
           --surplus;
       inside.at(x, y) = ceiling.at(x, y) >= 0 && surplus >= 0;
     }
-  if (!coversEnough(inside, space.occupancy))
-    return closed(
-        heldColumns(space.occupancy), 0.5, space.occupancy.voxel_size, threads);
   return inside;
 }
 
@@ -324,7 +298,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   map.blocked = blockedColumns(occupancy, map.range, map.ceiling, map.slab);
   removeSpecks(map.blocked,
                static_cast<int>(std::lround(options.slab.min_wall / size)));
-  auto inside = insideColumns(space, map.ceiling, options.threads);
+  auto inside = insideColumns(space, map.ceiling);
   WallLeanOptions leaning;
   leaning.threads = options.threads;
   map.lean = leanMap(

@@ -43,8 +43,9 @@ private:
   double layer_; ///< middle of the floor's voxels
 };
 
-/** Columns of which at least half is occupied between the floor and the slab, in
- * themselves or beside them: walls, also behind low furniture, but nothing that hangs.
+/** Columns of which at least three quarters are occupied between the floor and the
+ * slab, in themselves or beside them: walls, also behind low furniture, but nothing
+ * that hangs.
  */
 PixelMap<std::uint8_t>
 uprightColumns(const OccupancyGrid& occupancy, const RoomMap& map)
@@ -212,6 +213,8 @@ addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& buildin
         }
         room.footprint.push_back(line);
       }
+      room.floor_seen = levels[room.label].floor_seen;
+      room.ceiling_seen = levels[room.label].ceiling_seen;
       room.height = levels[room.label].ceiling - levels[room.label].floor;
       room.volume = room.area * room.height;
     }

@@ -7,6 +7,8 @@
 
 #include "rooms/outline/place_profile.h"
 
+#include <pcl/indoor/quantile.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -99,6 +101,10 @@ public:
         ++seen[room];
       }
     for (std::size_t k = 1; k < levels.size(); ++k)
+      levels[k].ceiling_seen =
+          static_cast<double>(seen[k]) /
+          static_cast<double>(std::max<std::size_t>(columns[k], 1));
+    for (std::size_t k = 1; k < levels.size(); ++k)
       levels[k].ceiling = layers[k] / std::max<std::size_t>(columns[k], 1) +
                           offset[k] / std::max<std::size_t>(seen[k], 1);
   }
@@ -127,6 +133,63 @@ private:
   std::vector<std::size_t> seen_;            ///< points that were taken
 };
 
+/** Set how much of the floors was seen. */
+void
+measureFloors(const std::vector<Eigen::Vector3f>& points,
+              const BuildingRooms& building,
+              std::vector<RoomLevels>& levels)
+{
+  const double size = building.occupancy.grid.voxel_size;
+  std::vector<std::vector<std::uint8_t>> seen; // per storey and pixel
+  for (const RoomMap& map : building.maps)
+    seen.emplace_back(map.labels.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const std::uint32_t label = building.point_labels[i]; label > 0)
+      seen[building.rooms[label - 1].storey]
+          [building.occupancy.cells[i] / building.occupancy.grid.shape.nz] |=
+          std::abs(points[i].z() - levels[label].floor) <= size;
+  std::vector<std::size_t> columns(levels.size(), 0), with_floor = columns;
+  for (std::size_t s = 0; s < building.maps.size(); ++s)
+    for (std::size_t i = 0; i < seen[s].size(); ++i) {
+      const std::uint32_t room =
+          building.room_of[s][building.maps[s].free_labels.values[i]];
+      ++columns[room];
+      with_floor[room] += seen[s][i];
+    }
+  for (std::size_t k = 1; k < levels.size(); ++k)
+    levels[k].floor_seen = static_cast<double>(with_floor[k]) /
+                           static_cast<double>(std::max<std::size_t>(columns[k], 1));
+}
+
+/** Where floors or ceilings are missing, rooms go as far as their points do, without
+ * the outermost hundredths. */
+void
+takeEndsOfWalls(const std::vector<Eigen::Vector3f>& points,
+                const BuildingRooms& building,
+                std::vector<RoomLevels>& levels)
+{
+  const UnseenSides& unseen = building.interior.unseen;
+  if (unseen.floorIsSeen() && unseen.ceilingIsSeen())
+    return;
+  std::vector<std::vector<float>> heights(levels.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    heights[building.point_labels[i]].push_back(points[i].z());
+  constexpr double seen = 0.5; // share of the area, as for the whole building
+  for (std::size_t k = 1; k < levels.size(); ++k) {
+    if (heights[k].empty())
+      continue;
+    const std::size_t last = heights[k].size() - 1, few = heights[k].size() / 100;
+    if (!unseen.floorIsSeen() && levels[k].floor_seen < seen) {
+      levels[k].floor = valueAtRank(heights[k], few);
+      levels[k].floor_seen = 0.0;
+    }
+    if (!unseen.ceilingIsSeen() && levels[k].ceiling_seen < seen) {
+      levels[k].ceiling = valueAtRank(heights[k], last - few);
+      levels[k].ceiling_seen = 0.0;
+    }
+  }
+}
+
 } // namespace
 
 std::vector<RoomLevels>
@@ -154,6 +217,8 @@ roomLevels(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& buil
   ceilings.measure(points, levels);
   for (std::size_t k = 1; k < levels.size(); ++k)
     levels[k].floor = floors[k].firstFace(1).value_or(levels[k].floor);
+  measureFloors(points, building, levels);
+  takeEndsOfWalls(points, building, levels);
   return levels;
 }
 

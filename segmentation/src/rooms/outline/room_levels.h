@@ -16,8 +16,10 @@ namespace indoor {
 
 /** \brief Heights of a room's floor and ceiling, metres. */
 struct RoomLevels {
-  double floor = 0.0;   ///< the lowest of its large level surfaces
-  double ceiling = 0.0; ///< mean over its area: of a sloped one, that of its middle
+  double floor = 0.0;      ///< the lowest of its large level surfaces
+  double ceiling = 0.0;    ///< mean over its area: of a sloped one, that of its middle
+  double floor_seen = 0.0; ///< share of its area in which the floor was seen
+  double ceiling_seen = 0.0; ///< share of its area in which the ceiling was seen
 };
 
 /** \brief Measure floors and ceilings by the points, finer than voxels are.

@@ -5,9 +5,12 @@
 
 #include "rooms/space/closed_surfaces.h"
 
+#include "rooms/field/potential_field.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace pcl {
 namespace indoor {
@@ -37,16 +40,58 @@ occupiedCount(const VoxelMap<std::uint8_t>& grid)
   return static_cast<double>(std::count(grid.values.begin(), grid.values.end(), 1));
 }
 
+/** The voxels around what stands upright: the grounds of a building say nothing of how
+ * densely it was scanned. */
+VoxelMap<std::uint8_t>
+aroundWalls(VoxelMap<std::uint8_t> grid)
+{
+  constexpr double high = 1.5;     // metres, as the clearance of storeys
+  constexpr double nearby = 1.0;   // metres
+  constexpr double grounds = 0.25; // of the columns; else they hardly matter
+  const int person = static_cast<int>(std::lround(high / grid.voxel_size));
+  const int nz = grid.shape.nz;
+  PixelMap<std::uint8_t> walls{grid.shape.nx, grid.shape.ny, {}};
+  walls.values.assign(walls.size(), 0);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const auto* column = &grid.values[i * nz];
+    const auto first = std::find(column, column + nz, 1) - column;
+    const auto last = nz - 1 -
+                      (std::find(std::make_reverse_iterator(column + nz),
+                                 std::make_reverse_iterator(column),
+                                 1) -
+                       std::make_reverse_iterator(column + nz));
+    walls.values[i] = last - first >= person;
+  }
+  if (std::count(walls.values.begin(), walls.values.end(), 1) == 0)
+    return grid;
+  const auto squared = squaredDistanceMap(walls, 1);
+  const double reach = std::pow(nearby / grid.voxel_size, 2);
+  VoxelMap<std::uint8_t> near = grid;
+  std::size_t held = 0, far = 0; // columns
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const auto column = near.values.begin() + i * nz;
+    if (std::find(column, column + nz, 1) == column + nz)
+      continue;
+    ++held;
+    if (!(squared.values[i] > reach))
+      continue;
+    ++far;
+    std::fill_n(column, nz, std::uint8_t{0});
+  }
+  return far > grounds * held ? near : grid;
+}
+
 } // namespace
 
 double
-closedVoxelSize(const VoxelMap<std::uint8_t>& grid, double largest)
+closedVoxelSize(const VoxelMap<std::uint8_t>& all, double largest)
 {
   constexpr double closed = 4.0; // voxels per voxel twice as large, or more with noise
   constexpr double enough = 3.0;
   constexpr double centimetre = 0.01;
-  if (grid.values.empty() || grid.voxel_size >= largest)
-    return grid.voxel_size;
+  if (all.values.empty() || all.voxel_size >= largest)
+    return all.voxel_size;
+  const VoxelMap<std::uint8_t> grid = aroundWalls(all);
   const auto share = [closed](double finer, double coarser) {
     return std::min(closed, finer / std::max(1.0, coarser));
   };

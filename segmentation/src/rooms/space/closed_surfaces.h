@@ -17,12 +17,14 @@ namespace indoor {
  * Where voxels twice as large hold a closed surface, four voxels of half the edge are
  * occupied in each; with sparse points fewer are. At the size returned it is at least
  * three on average.
- * \param[in] grid 1 = occupied
+ * What lies far from anything upright, such as the ground around a building, does not
+ * count.
+ * \param[in] all 1 = occupied
  * \return a multiple of 1 cm, or the grid's own size where that is enough; at most
  * \a largest
  */
 double
-closedVoxelSize(const VoxelMap<std::uint8_t>& grid, double largest);
+closedVoxelSize(const VoxelMap<std::uint8_t>& all, double largest);
 
 } // namespace indoor
 } // namespace pcl

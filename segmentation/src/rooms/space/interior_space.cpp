@@ -7,6 +7,7 @@
 
 #include "rooms/space/dominant_directions.h"
 #include "rooms/space/grid_cut.h"
+#include "rooms/space/unseen_sides.h"
 #include "rooms/space/vertical_cleanup.h"
 #include "rooms/space/voxel_normals.h"
 
@@ -173,6 +174,7 @@ interiorSpaceAlong(const OccupancyGrid& building,
 
   const int count = static_cast<int>(turned.size());
   const auto bits = enclosureInSpace(space.occupancy, turned, options.threads);
+  space.unseen = findUnseenSides(space.occupancy, bits, count);
   const auto gain =
       interiorGain(space.occupancy, bits, count, options.weights, gain_unit);
   space.inside = space.occupancy;

@@ -88,6 +88,8 @@ storeySpace(const VoxelMap<std::uint8_t>& occupancy,
       layers};
   space.interior.factor = interior.factor;
   space.interior.directions = interior.directions;
+  space.interior.unseen.floor_seen = interior.unseen.floor_seen;
+  space.interior.unseen.ceiling_seen = interior.unseen.ceiling_seen;
   space.interior.occupancy = cut(interior.occupancy, ranges, interior.factor);
   space.interior.inside = cut(interior.inside, ranges, interior.factor);
   return space;

@@ -136,6 +136,8 @@ RoomSegmentation<PointT>::describeInput(const Indices& indices)
     warn(indoor::feetWarning(
         building_.rooms, building_.openings, report_.metres_per_unit));
   warn(indoor::outsideWarning(report_.outside.size(), all));
+  for (const std::string& line : indoor::unseenWarnings(building_))
+    warn(line);
 }
 
 template <typename PointT>

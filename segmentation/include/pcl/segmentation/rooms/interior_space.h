@@ -30,12 +30,36 @@ struct InteriorSpaceOptions {
   int threads = 0;           ///< 0 = automatic
 };
 
+/** \brief Floors and ceilings that a scan does not show, as those of a slice or of a
+ * camera that was never tilted. */
+struct UnseenSides {
+  double floor_seen = 1.0;   ///< share of the space between walls with a floor below
+  double ceiling_seen = 1.0; ///< share of it with a ceiling above
+  std::vector<std::size_t> floor, ceiling; ///< where they are missing: voxels of the
+                                           ///< space, at the ends of the walls
+
+  bool
+  floorIsSeen() const
+  {
+    return floor_seen >= least_seen;
+  }
+
+  bool
+  ceilingIsSeen() const
+  {
+    return ceiling_seen >= least_seen;
+  }
+
+  static constexpr double least_seen = 0.3; ///< furniture hides the rest
+};
+
 /** \brief The interior free space of a building, on coarser voxels than the map's. */
 struct InteriorSpace {
   int factor = 1;                          ///< map pixels per voxel, along each axis
   std::vector<Eigen::Vector2d> directions; ///< of the walls, in the frame of the grid
   VoxelMap<std::uint8_t> occupancy;        ///< cleaned up; 1 = occupied
   VoxelMap<std::uint8_t> inside;           ///< 1 = interior free space
+  UnseenSides unseen;                      ///< which floors and ceilings are missing
 };
 
 /** \brief Find the directions of a building's walls (Sec. 3.2.1.2), the best supported

@@ -20,7 +20,7 @@ struct WallSideOptions {
   double window = 0.5;        ///< side of the square in which a wall is fitted, metres
   double max_thickness = 0.3; ///< thicker things are not taken for one wall, metres
   double reach = 0.5; ///< how far from the wall its rooms are looked for, metres
-  std::size_t min_points = 8; ///< fewer points make no wall
+  std::size_t min_points = 8; ///< fewer points make no wall (>= 2)
   int threads = 0;            ///< 0 = automatic; the result does not depend on it
 };
 

@@ -1,0 +1,169 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/map/region_evidence.h"
+
+#include <pcl/segmentation/rooms/region_borders.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** Take regions out of a map and number the others anew. */
+std::size_t
+dropRegions(const std::vector<std::uint8_t>& is_dropped, RoomMap& map)
+{
+  const auto count =
+      static_cast<std::size_t>(std::count(is_dropped.begin(), is_dropped.end(), 1));
+  if (count == 0)
+    return 0;
+  std::vector<std::int32_t> number(is_dropped.size(), 0);
+  map.room_count = 0;
+  for (std::size_t label = 1; label < number.size(); ++label)
+    if (!is_dropped[label])
+      number[label] = ++map.room_count;
+  for (auto* labels : {&map.free_labels, &map.labels})
+    for (auto& label : labels->values)
+      label = number[label];
+  return count;
+}
+
+/** Whether something lies above the heads of people in a column. */
+bool
+isCovered(const VoxelMap<std::uint8_t>& occupancy, std::size_t pixel, int headroom)
+{
+  const auto column = occupancy.values.begin() + pixel * occupancy.shape.nz;
+  return std::any_of(column + std::min(headroom, occupancy.shape.nz),
+                     column + occupancy.shape.nz,
+                     [](auto value) { return value != 0; });
+}
+
+/** Sides of a region's pixels. */
+struct RegionSides {
+  std::size_t open = 0; ///< to what is neither wall nor room
+  std::size_t all = 0;  ///< to other than itself
+};
+
+std::vector<RegionSides>
+sidesOf(const RoomMap& map)
+{
+  std::vector<RegionSides> sides(map.room_count + 1);
+  const PixelMap<std::int32_t>& labels = map.free_labels;
+  for (int x = 0; x < labels.nx; ++x)
+    for (int y = 0; y < labels.ny; ++y) {
+      const std::int32_t own = labels.at(x, y);
+      if (own == 0)
+        continue;
+      for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        const bool is_in = labels.contains(x + dx, y + dy);
+        if (is_in && labels.at(x + dx, y + dy) == own)
+          continue;
+        ++sides[own].all;
+        sides[own].open += !is_in || (labels.at(x + dx, y + dy) == 0 &&
+                                      !map.blocked.at(x + dx, y + dy));
+      }
+    }
+  return sides;
+}
+
+} // namespace
+
+double
+occupiedHeight(const VoxelMap<std::uint8_t>& occupancy)
+{
+  std::vector<std::size_t> counts(occupancy.shape.nz, 0); // per layer
+  for (std::size_t i = 0; i < occupancy.values.size(); ++i)
+    counts[i % occupancy.shape.nz] += occupancy.values[i] != 0;
+  const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  if (all == 0)
+    return 0.0;
+  const std::size_t few = all / 1000;
+  std::size_t low = 0, high = counts.size() - 1;
+  for (std::size_t below = counts[low]; below <= few; below += counts[low])
+    ++low;
+  for (std::size_t above = counts[high]; above <= few; above += counts[high])
+    --high;
+  return occupancy.voxel_size * static_cast<double>(high - low + 1);
+}
+
+void
+dropOutdoors(const StoreySpace& space, RoomMap& map)
+{
+  constexpr double person = 1.8;      // metres, as the least height of a ceiling
+  constexpr double least_cover = 0.1; // share of the area
+  constexpr double most_open = 0.1;   // share of the border: more than a gate
+  constexpr double large = 50.0;      // m^2: ceilings of rooms may be hidden, too
+  if (!space.interior.unseen.ceilingIsSeen())
+    return;
+  const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
+  const int headroom =
+      map.range.begin +
+      static_cast<int>(std::lround(person / space.occupancy.voxel_size));
+  std::vector<std::size_t> area(map.room_count + 1, 0), covered = area;
+  for (std::size_t i = 0; i < map.free_labels.size(); ++i)
+    if (const std::int32_t label = map.free_labels.values[i]; label > 0) {
+      ++area[label];
+      covered[label] += isCovered(space.occupancy, i, headroom);
+    }
+  const std::vector<RegionSides> sides = sidesOf(map);
+  std::vector<std::uint8_t> is_outdoors(area.size(), 0);
+  for (std::size_t label = 1; label < area.size(); ++label)
+    is_outdoors[label] =
+        static_cast<double>(area[label]) * pixel_area >= large &&
+        static_cast<double>(covered[label]) < least_cover * area[label] &&
+        static_cast<double>(sides[label].open) > most_open * sides[label].all;
+  dropRegions(is_outdoors, map);
+}
+
+std::size_t
+dropHardlySeen(const StoreySpace& space,
+               const PixelMap<std::uint32_t>& points,
+               RoomMap& map)
+{
+  constexpr double hardly = 0.15; // of the points per area of half of the storey
+  constexpr double little = 0.25; // the same, where one cannot go
+  const auto count = static_cast<std::size_t>(map.room_count) + 1;
+  std::vector<double> area(count, 0.0), density(count, 0.0);
+  for (std::size_t i = 0; i < map.labels.size(); ++i) {
+    area[map.free_labels.values[i]] += 1.0;
+    density[map.labels.values[i]] += points.values[i];
+  }
+  area[0] = 0.0;
+  std::vector<std::size_t> order;
+  for (std::size_t label = 1; label < count; ++label)
+    if (area[label] > 0.0) {
+      density[label] /= area[label];
+      order.push_back(label);
+    }
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return density[a] < density[b];
+  });
+  double half = 0.5 * std::accumulate(area.begin(), area.end(), 0.0), usual = 0.0;
+  for (std::size_t k = 0; k < order.size() && half > 0.0; ++k) {
+    half -= area[order[k]];
+    usual = density[order[k]];
+  }
+  if (order.empty() || density[order.front()] >= little * usual)
+    return 0;
+  std::vector<std::uint8_t> is_reached(count, 0);
+  for (const RegionOpening& opening : regionOpenings(
+           space.occupancy, map.range, map.ceiling, map.labels, map.free_labels)) {
+    is_reached[opening.a] |= density[opening.b] >= little * usual;
+    is_reached[opening.b] |= density[opening.a] >= little * usual;
+  }
+  std::vector<std::uint8_t> is_dropped(count, 0);
+  for (const std::size_t label : order)
+    is_dropped[label] = density[label] < (is_reached[label] ? hardly : little) * usual;
+  return dropRegions(is_dropped, map);
+}
+
+} // namespace indoor
+} // namespace pcl

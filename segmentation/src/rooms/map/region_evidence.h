@@ -1,0 +1,45 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/indoor/voxel_map.h>
+#include <pcl/segmentation/rooms/room_map.h>
+#include <pcl/segmentation/rooms/storey_space.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pcl {
+namespace indoor {
+
+constexpr double least_storey_height = 1.5; ///< metres, as the clearance of storeys
+
+/** \brief How high the occupied voxels of a grid reach, without the outermost
+ * thousandths, metres; 0 if there are none. */
+double
+occupiedHeight(const VoxelMap<std::uint8_t>& occupancy);
+
+/** \brief Drop the regions without a ceiling whose border is open to the outside, such
+ * as streets and gardens, where a scan shows ceilings elsewhere.
+ * \param[in,out] map its labels are 1 ... n again
+ */
+void
+dropOutdoors(const StoreySpace& space, RoomMap& map);
+
+/** \brief Drop the regions into which hardly anyone looked: mirror images behind glass,
+ * what was seen through windows. They have far fewer points per area than the others of
+ * the storey.
+ * \param[in] points number of points per column
+ * \param[in,out] map its labels are 1 ... n again
+ * \return how many were dropped
+ */
+std::size_t
+dropHardlySeen(const StoreySpace& space,
+               const PixelMap<std::uint32_t>& points,
+               RoomMap& map);
+
+} // namespace indoor
+} // namespace pcl
