@@ -28,7 +28,7 @@ organisedCloud()
 {
   pcl::PointCloud<pcl::PointXYZINormal> cloud(6, 4);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    cloud[i].getVector3fMap() = Eigen::Vector3f(0.1f * i, 0.2f * i, -0.3f * i);
+    cloud[i].getVector3fMap() = Eigen::Vector3f(0.1f * i, 0.2f * i, -0.3f * i - 1.0f);
     cloud[i].getNormalVector3fMap() = Eigen::Vector3f::UnitY();
     cloud[i].intensity = 100.0f + i;
     cloud[i].curvature = 0.01f;
