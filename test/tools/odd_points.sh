@@ -21,7 +21,8 @@ points=$(wc -l < once.xyz)
 value() { sed -n "s/^ *\"$2\": \([0-9.]*\).*/\1/p" "$1"/scene.json | head -n 1; }
 things() { grep -c '"upright_box"' "$1"/scene.json; }
 run() { # <input> <result> <options>: what is said goes to a file
-  "$tools"/pcl_indoor_pipeline "$@" -quiet 2> said || fail "$1 fails"
+  "$tools"/pcl_indoor_pipeline "$@" -quiet 2> all_said || fail "$1 fails"
+  grep -v '^Note' all_said > said
 }
 same() { # <result>: as many rooms and objects as those of the scan alone
   [ "$(grep -c '"footprint"' "$1"/scene.json)" = "$(grep -c '"footprint"' once/scene.json)" ] || fail "$1: other rooms"

@@ -28,7 +28,7 @@ organisedCloud()
 {
   pcl::PointCloud<pcl::PointXYZINormal> cloud(6, 4);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    cloud[i].getVector3fMap() = Eigen::Vector3f(0.1f * i, 0.2f * i, -0.3f * i);
+    cloud[i].getVector3fMap() = Eigen::Vector3f(0.1f * i, 0.2f * i, -0.3f * i - 1.0f);
     cloud[i].getNormalVector3fMap() = Eigen::Vector3f::UnitY();
     cloud[i].intensity = 100.0f + i;
     cloud[i].curvature = 0.01f;
@@ -66,7 +66,7 @@ TEST_F(CloudFiles, EveryEncodingGivesTheSameCloud)
     EXPECT_EQ(file.finite_count, 23u);
     EXPECT_FALSE(file.points->is_dense);
     EXPECT_TRUE(std::isnan((*file.points)[5].x) && std::isnan((*file.points)[5].z));
-    EXPECT_FLOAT_EQ((*file.points)[7].z, -2.1f);
+    EXPECT_FLOAT_EQ((*file.points)[7].z, -3.1f);
     EXPECT_EQ(file.frame.origin.head<3>(), Eigen::Vector3f(1, 2, 3));
     EXPECT_TRUE(hasField(file.cloud, "intensity"));
     ASSERT_TRUE(file.has_normals);
@@ -123,7 +123,7 @@ TEST_F(CloudFiles, PlyOfPclsWriterIsReadInEveryEncoding)
     const auto file = loadCloud(path(name));
     ASSERT_EQ(file.points->size(), 24u);
     EXPECT_EQ(file.finite_count, 23u);
-    EXPECT_FLOAT_EQ((*file.points)[7].z, -2.1f);
+    EXPECT_FLOAT_EQ((*file.points)[7].z, -3.1f);
     ASSERT_TRUE(file.has_normals);
     EXPECT_EQ((*readNormals(file))[3].normal_y, 1.0f);
     EXPECT_EQ(file.frame.origin.head<3>(), Eigen::Vector3f(1, 2, 3));

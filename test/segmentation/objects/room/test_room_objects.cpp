@@ -105,7 +105,7 @@ TEST(RoomObjects, NormalsThatAreNoneAreEstimated)
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const Eigen::Vector3f& none : {Eigen::Vector3f(0, 0, 0),
                                       Eigen::Vector3f(nan, nan, nan),
-                                      Eigen::Vector3f(0.6f, 0.7f, 0.5f),
+                                      Eigen::Vector3f(0.6f, 0.3f, 0.2f),
                                       Eigen::Vector3f(0, 0, 255)}) {
     points.normals.assign(points.positions.size(), none);
     EXPECT_EQ(segmentRoomObjects(points).object_of_point, expected) << none.transpose();
