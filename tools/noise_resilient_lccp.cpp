@@ -16,6 +16,8 @@
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/filters/scan_outlier_removal.h>
+#include <pcl/indoor/stray_points.h>
+#include <pcl/indoor/usable_point.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/scan_warnings.h>
 
@@ -308,6 +310,22 @@ sayIfOne(const CloudFile& file, const std::vector<std::uint32_t>& objects)
   printWarning(line.str());
 }
 
+/** Say what the segmentation leaves out. */
+void
+noteStrays(CloudFile& file)
+{
+  std::vector<Eigen::Vector3f> points;
+  for (const auto& point : *file.points)
+    if (pcl::indoor::isUsablePoint(point))
+      points.emplace_back(point.getVector3fMap());
+  const auto count = pcl::indoor::strayPoints(points).size();
+  if (count > 0)
+    file.notes.push_back(std::to_string(count) + " of " +
+                         std::to_string(points.size()) +
+                         " points lie kilometres away from the others: they are in no "
+                         "object");
+}
+
 } // namespace
 
 int
@@ -346,6 +364,7 @@ main(int argc, char** argv)
     settings.memory.require(settings.input, bytes_per_point);
     progress.start("Loading " + settings.input);
     CloudFile file = loadSurface(settings.input, settings.columns);
+    noteStrays(file);
     printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 
