@@ -125,23 +125,23 @@ addPartition(OptionParser& parser, Settings& settings)
               options.spatial_weight,
               "weight of distance, over the distance of supervoxels",
               "",
-              Range::atLeast(0))
+              Range::between(0, 1e6))
       .number("-normal_weight",
               options.normal_weight,
               "weight of the difference of normals, 0 to 1",
               "",
-              Range::atLeast(0))
+              Range::between(0, 1e6))
       .number("-colour_weight",
               settings.on_points.color_weight,
               "for the thesis's presets: weight of the difference of colours (CIELab), "
               "1 for black and white; needs points with colours",
               "",
-              Range::atLeast(0))
+              Range::between(0, 1e6))
       .number("-fpfh_weight",
               settings.on_points.fpfh_weight,
               "for the thesis's presets: weight of the difference of FPFH, 0 to 1",
               "",
-              Range::atLeast(0))
+              Range::between(0, 1e6))
       .number("-min_segment",
               settings.min_segment,
               withPresets("smallest segment",
