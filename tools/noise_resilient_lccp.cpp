@@ -16,6 +16,8 @@
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/filters/scan_outlier_removal.h>
+#include <pcl/indoor/stray_points.h>
+#include <pcl/indoor/usable_point.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/scan_warnings.h>
 
@@ -123,23 +125,23 @@ addPartition(OptionParser& parser, Settings& settings)
               options.spatial_weight,
               "weight of distance, over the distance of supervoxels",
               "",
-              Range::atLeast(0))
+              Range::between(0, 1e6))
       .number("-normal_weight",
               options.normal_weight,
               "weight of the difference of normals, 0 to 1",
               "",
-              Range::atLeast(0))
+              Range::between(0, 1e6))
       .number("-colour_weight",
               settings.on_points.color_weight,
               "for the thesis's presets: weight of the difference of colours (CIELab), "
               "1 for black and white; needs points with colours",
               "",
-              Range::atLeast(0))
+              Range::between(0, 1e6))
       .number("-fpfh_weight",
               settings.on_points.fpfh_weight,
               "for the thesis's presets: weight of the difference of FPFH, 0 to 1",
               "",
-              Range::atLeast(0))
+              Range::between(0, 1e6))
       .number("-min_segment",
               settings.min_segment,
               withPresets("smallest segment",
@@ -308,6 +310,22 @@ sayIfOne(const CloudFile& file, const std::vector<std::uint32_t>& objects)
   printWarning(line.str());
 }
 
+/** Say what the segmentation leaves out. */
+void
+noteStrays(CloudFile& file)
+{
+  std::vector<Eigen::Vector3f> points;
+  for (const auto& point : *file.points)
+    if (pcl::indoor::isUsablePoint(point))
+      points.emplace_back(point.getVector3fMap());
+  const auto count = pcl::indoor::strayPoints(points).size();
+  if (count > 0)
+    file.notes.push_back(std::to_string(count) + " of " +
+                         std::to_string(points.size()) +
+                         " points lie kilometres away from the others: they are in no "
+                         "object");
+}
+
 } // namespace
 
 int
@@ -346,6 +364,7 @@ main(int argc, char** argv)
     settings.memory.require(settings.input, bytes_per_point);
     progress.start("Loading " + settings.input);
     CloudFile file = loadSurface(settings.input, settings.columns);
+    noteStrays(file);
     printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 

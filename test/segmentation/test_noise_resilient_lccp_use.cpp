@@ -48,6 +48,33 @@ TEST(NoiseResilientLCCPUse, SmallInputs)
   EXPECT_TRUE(segmented(Cloud::Ptr(new Cloud)).empty());
 }
 
+TEST(NoiseResilientLCCPUse, PointsKilometresAwayGetNoSegmentAndChangeNothing)
+{
+  const auto points = floorWithTwoBoxes().points;
+  const auto expected = segmented(cloudOf(points));
+  for (const float far : {1e4f, 1e6f, 9e8f}) {
+    auto with = points;
+    for (int i = 0; i < 3; ++i)
+      with.insert(with.begin() + 7 * i, far * Eigen::Vector3f::Unit(i));
+    auto labels = segmented(cloudOf(with));
+    ASSERT_EQ(labels.size(), with.size()) << far;
+    for (int i = 2; i >= 0; --i) {
+      EXPECT_EQ(labels[7 * i], 0u) << far;
+      labels.erase(labels.begin() + 7 * i);
+    }
+    EXPECT_EQ(labels, expected) << far;
+  }
+}
+
+TEST(NoiseResilientLCCPUse, ARoomInMillimetresHasNoPointsKilometresAway)
+{
+  auto points = floorWithTwoBoxes().points;
+  for (auto& point : points)
+    point *= 5000; // as if it were 20 km long
+  const auto labels = segmented(cloudOf(points));
+  EXPECT_EQ(std::count(labels.begin(), labels.end(), 0u), 0);
+}
+
 TEST(NoiseResilientLCCPUse, IntermediateResultsFitTogether)
 {
   const auto scene = floorWithTwoBoxes();

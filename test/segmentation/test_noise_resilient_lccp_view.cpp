@@ -131,12 +131,19 @@ TEST(NoiseResilientLCCPView, PointsBesideAndBehindTheCameraAreNoHarm)
         cloud->at(u, v) = pcl::PointXYZ(static_cast<float>(u) * 0.01f,
                                         static_cast<float>(v) * 0.01f,
                                         depth + static_cast<float>(u % 7) * 1e-3f);
-    pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
-    segmentation.setInputCloud(cloud);
-    Labels labels;
-    segmentation.segment(labels);
-    EXPECT_EQ(labels.size(), cloud->size());
-    EXPECT_GT(segmentation.getResult().pieces.voxel_size, 0);
+    for (const bool is_single : {false, true}) {
+      pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
+      segmentation.setInputCloud(cloud);
+      if (is_single)
+        segmentation.setUseSingleCameraTransform(true);
+      Labels labels;
+      segmentation.segment(labels);
+      ASSERT_EQ(labels.size(), cloud->size()) << depth;
+      EXPECT_EQ(std::count(labels.begin(), labels.end(), 0u), 0) << depth;
+      EXPECT_EQ(*std::max_element(labels.begin(), labels.end()),
+                segmentation.getResult().segment_count)
+          << depth;
+    }
   }
 }
 

@@ -22,6 +22,9 @@ findProblem(const ObjectSegmentationOptions& options)
   const auto not_negative = [](double value) {
     return value >= 0 && std::isfinite(value);
   };
+  const auto is_weight = [](float value) { // the square of a distance is finite
+    return value >= 0 && value <= 1e6f;
+  };
   require(not_negative(options.voxel_size),
           "voxel resolution must not be negative",
           options.voxel_size,
@@ -37,11 +40,11 @@ findProblem(const ObjectSegmentationOptions& options)
   require(options.ratio_threshold >= 0 && options.ratio_threshold <= 1,
           "ratio threshold must be in [0, 1]",
           options.ratio_threshold);
-  require(not_negative(options.spatial_weight),
-          "spatial importance must not be negative",
+  require(is_weight(options.spatial_weight),
+          "spatial importance must be in [0, 1e6]",
           options.spatial_weight);
-  require(not_negative(options.normal_weight),
-          "normal importance must not be negative",
+  require(is_weight(options.normal_weight),
+          "normal importance must be in [0, 1e6]",
           options.normal_weight);
   require(options.edges.concavity_weight >= 0 && options.edges.concavity_weight <= 1,
           "concavity weight must be in [0, 1]",
@@ -65,11 +68,11 @@ findProblem(const ObjectSegmentationOptions& options)
   require(options.on_points->ransac_share >= 0 && options.on_points->ransac_share <= 1,
           "share of a plane must be in [0, 1]",
           options.on_points->ransac_share);
-  require(not_negative(options.on_points->color_weight),
-          "color importance must not be negative",
+  require(is_weight(options.on_points->color_weight),
+          "color importance must be in [0, 1e6]",
           options.on_points->color_weight);
-  require(not_negative(options.on_points->fpfh_weight),
-          "importance of FPFH must not be negative",
+  require(is_weight(options.on_points->fpfh_weight),
+          "importance of FPFH must be in [0, 1e6]",
           options.on_points->fpfh_weight);
   if (options.partition == Partition::Pieces && problem.str().empty())
     problem << "On points there are no pieces to join.";

@@ -6,10 +6,10 @@
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/quantile.h>
-#include <pcl/indoor/voxel_map.h> // for PixelMap
 
 #include <algorithm>
 #include <limits>
+#include <unordered_map>
 
 namespace pcl {
 namespace indoor {
@@ -20,17 +20,56 @@ constexpr float column_size = 0.1f; // metres
 constexpr int column_reach = 3;     // columns around an object that show the floor
 constexpr std::uint32_t nothing = 0xFFFFFFFFu;
 
-/** \brief The lowest height in each upright column of a room. */
-struct FloorMap {
-  Eigen::Vector2f corner = Eigen::Vector2f::Zero();
-  PixelMap<float> heights;
-
-  float&
-  at(const Eigen::Vector3f& point)
+/** \brief The lowest voxel around each upright column of a room that has any. */
+class FloorMap {
+public:
+  explicit FloorMap(const std::vector<Eigen::Vector3f>& centroids)
   {
-    const Eigen::Vector2f place = (point.head<2>() - corner) / column_size;
-    return heights.at(static_cast<int>(place.x()), static_cast<int>(place.y()));
+    if (!centroids.empty())
+      corner_ = centroids.front().head<2>();
+    for (const auto& centroid : centroids)
+      corner_ = corner_.cwiseMin(centroid.head<2>());
+    std::unordered_map<std::int64_t, float> lowest;
+    for (const auto& centroid : centroids) {
+      auto& height = lowest.emplace(columnOf(centroid), centroid.z()).first->second;
+      height = std::min(height, centroid.z());
+    }
+    for (const auto& column : lowest)
+      around_[column.first] = lowestAround(column.first, lowest);
   }
+
+  /** \brief REQUIRES: a place in a column that has voxels. */
+  float
+  at(const Eigen::Vector3f& place) const
+  {
+    return around_.at(columnOf(place));
+  }
+
+private:
+  static constexpr std::int64_t row = std::int64_t{1} << 32;
+
+  std::int64_t
+  columnOf(const Eigen::Vector3f& point) const
+  {
+    const Eigen::Vector2f place = (point.head<2>() - corner_) / column_size;
+    return static_cast<std::int64_t>(place.x()) * row +
+           static_cast<std::int64_t>(place.y());
+  }
+
+  static float
+  lowestAround(std::int64_t column,
+               const std::unordered_map<std::int64_t, float>& lowest)
+  {
+    float height = lowest.at(column);
+    for (int x = -column_reach; x <= column_reach; ++x)
+      for (int y = -column_reach; y <= column_reach; ++y)
+        if (const auto other = lowest.find(column + x * row + y); other != lowest.end())
+          height = std::min(height, other->second);
+    return height;
+  }
+
+  Eigen::Vector2f corner_ = Eigen::Vector2f::Zero();
+  std::unordered_map<std::int64_t, float> around_;
 };
 
 /** \brief The object that most points of a voxel belong to. */
@@ -53,52 +92,9 @@ objectOfVoxel(const PointCells& cells,
   return object;
 }
 
-/** \brief Replace each value of a line by the lowest one within column_reach columns.
- */
-template <typename At>
-void
-spreadLowest(int length, const At& at)
-{
-  std::vector<float> line(static_cast<std::size_t>(length));
-  for (int k = 0; k < length; ++k)
-    line[static_cast<std::size_t>(k)] = at(k);
-  for (int k = 0; k < length; ++k) {
-    const auto first = line.begin() + std::max(k - column_reach, 0);
-    const auto last = line.begin() + std::min(k + column_reach + 1, length);
-    at(k) = *std::min_element(first, last);
-  }
-}
-
-/** \brief The lowest voxel around each column. */
-FloorMap
-floorBelow(const std::vector<Eigen::Vector3f>& centroids)
-{
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  FloorMap floor;
-  if (centroids.empty())
-    return floor;
-  Eigen::Vector2f upper = centroids.front().head<2>();
-  floor.corner = upper;
-  for (const auto& centroid : centroids) {
-    floor.corner = floor.corner.cwiseMin(centroid.head<2>());
-    upper = upper.cwiseMax(centroid.head<2>());
-  }
-  auto& heights = floor.heights;
-  heights.nx = static_cast<int>((upper.x() - floor.corner.x()) / column_size) + 1;
-  heights.ny = static_cast<int>((upper.y() - floor.corner.y()) / column_size) + 1;
-  heights.values.assign(heights.size(), infinity);
-  for (const auto& centroid : centroids)
-    floor.at(centroid) = std::min(floor.at(centroid), centroid.z());
-  for (int y = 0; y < heights.ny; ++y)
-    spreadLowest(heights.nx, [&](int x) -> float& { return heights.at(x, y); });
-  for (int x = 0; x < heights.nx; ++x)
-    spreadLowest(heights.ny, [&](int y) -> float& { return heights.at(x, y); });
-  return floor;
-}
-
 /** \brief From the lowest point to the median floor below the points. */
 float
-floorDistance(FloorMap& floor, const std::vector<OrientedPoint>& points)
+floorDistance(const FloorMap& floor, const std::vector<OrientedPoint>& points)
 {
   std::vector<float> heights;
   float lowest = std::numeric_limits<float>::infinity();
@@ -130,7 +126,7 @@ objectSurfaces(const ObjectSegmentation& room,
       surfaces[object].points.push_back(
           {voxels.centroids[voxel], voxels.normals[voxel]});
   }
-  auto floor = floorBelow(voxels.centroids);
+  const FloorMap floor(voxels.centroids);
   for (auto& surface : surfaces)
     if (!surface.points.empty())
       surface.floor_distance = floorDistance(floor, surface.points);

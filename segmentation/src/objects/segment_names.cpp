@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace {
 
@@ -21,22 +22,20 @@ smallSegments(const ObjectSegmentation& result,
               double fewest_voxels,
               std::uint32_t fewest_points)
 {
-  std::vector<std::vector<std::uint32_t>> voxels(
-      segment_count); // as many as are enough
-  std::vector<std::uint32_t> points(segment_count, 0);
-  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i) {
-    const auto segment = result.segment_of_point[i];
-    ++points[segment];
-    auto& own = voxels[segment];
-    const auto voxel = result.scene.voxels.cells.cell_of_point[i];
-    if (static_cast<double>(own.size()) < fewest_voxels &&
-        std::find(own.begin(), own.end(), voxel) == own.end())
-      own.push_back(voxel);
-  }
+  const auto& cells = result.scene.voxels.cells;
+  constexpr auto none = pcl::indoor::Supervoxels::none;
+  std::vector<std::uint32_t> voxels(segment_count, 0), points(segment_count, 0);
+  std::vector<std::uint32_t> last_voxel(segment_count, none);
+  for (std::uint32_t v = 0; v < cells.size(); ++v)
+    for (const auto point : cells.pointsOf(v)) {
+      const auto segment = result.segment_of_point[point];
+      ++points[segment];
+      voxels[segment] += std::exchange(last_voxel[segment], v) != v;
+    }
   std::vector<std::uint8_t> small(segment_count);
   for (std::size_t s = 0; s < segment_count; ++s)
-    small[s] = static_cast<double>(voxels[s].size()) < fewest_voxels ||
-               points[s] < fewest_points;
+    small[s] =
+        static_cast<double>(voxels[s]) < fewest_voxels || points[s] < fewest_points;
   return small;
 }
 

@@ -14,7 +14,8 @@ void
 numberSegments(ObjectSegmentation& result);
 
 /** Number the segments, and say which are floor, wall or ceiling. Those of pieces that
- * are too small to be told become one segment, the remainder, see PieceOptions. */
+ * are too small to be told become one segment, the remainder, see
+ * ObjectSegmentationOptions::fewest_points. */
 void
 nameSegments(const ObjectSegmentationOptions& options, ObjectSegmentation& result);
 

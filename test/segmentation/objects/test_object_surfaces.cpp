@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 namespace pcl {
 namespace indoor {
@@ -108,6 +109,53 @@ TEST(ObjectSurfaces, PointsOfNoObjectAreFloorAllTheSame)
   const auto surfaces = objectSurfaces(scene.segmentation(), scene.objects, 2);
   EXPECT_NEAR(surfaces[0].floor_distance, 1.0f, 0.01f);
   EXPECT_TRUE(surfaces[1].points.empty());
+}
+
+TEST(ObjectSurfaces, TheFloorIsTheLowestVoxelAroundAColumn)
+{
+  std::mt19937 rng(6);
+  const auto random = [&rng](unsigned range) {
+    return static_cast<float>(rng() % range) / 1000;
+  };
+  for (int trial = 0; trial < 10; ++trial) {
+    Scene scene;
+    for (std::uint32_t object = 0; object < 300; ++object)
+      scene.add(object,
+                {random(3000), random(4000), random(2500)},
+                {0.01f, 0, 0},
+                {0, 0.01f, 0},
+                {0, 0, 1});
+    const auto room = scene.segmentation();
+    const auto surfaces = objectSurfaces(room, scene.objects, 300);
+    const auto& places = room.scene.voxels.centroids;
+    Eigen::Vector3f corner = places.front();
+    for (const auto& place : places)
+      corner = corner.cwiseMin(place);
+    const auto columnOf = [&](const Eigen::Vector3f& place) {
+      return Eigen::Vector2i(((place - corner).head<2>() / 0.1f).cast<int>());
+    };
+    for (const auto& surface : surfaces) {
+      if (surface.points.size() != 1)
+        continue; // two share a voxel
+      const auto& place = surface.points.front().position;
+      float floor = place.z();
+      for (const auto& other : places)
+        if ((columnOf(other) - columnOf(place)).cwiseAbs().maxCoeff() <= 3)
+          floor = std::min(floor, other.z());
+      EXPECT_EQ(surface.floor_distance, place.z() - floor);
+    }
+  }
+}
+
+TEST(ObjectSurfaces, GroundBetweenFarPlacesCostsNothing)
+{
+  auto scene = room();
+  scene.add(4, {0.7f, 1, 1}, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  // as many columns between as would be 400 GB
+  scene.add(5, {3e4f, 3e4f, 7}, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  const auto surfaces = objectSurfaces(scene.segmentation(), scene.objects, 6);
+  EXPECT_NEAR(surfaces[4].floor_distance, 1.0f, 0.01f);
+  EXPECT_NEAR(surfaces[5].floor_distance, 0.0f, 1e-6f);
 }
 
 TEST(ObjectSurfaces, NothingAndWrongSizes)

@@ -15,6 +15,8 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -316,6 +318,41 @@ TEST(ThesisObjects, ProposedAndLccpAsDefined)
   options.partition = Partition::Lccp;
   for (unsigned seed = 1; seed <= 4; ++seed)
     expectAsDefined(options, seed);
+}
+
+TEST(ThesisObjects, LccpOfAWideFloorNeedsNoDeepStack)
+{
+  std::mt19937 rng(5);
+  test::LabelledPoints floor;
+  floor.addRectangle(
+      {0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 1}, 1, 0.025f, 0.001f, rng);
+  auto options = thesisOptions();
+  options.partition = Partition::Lccp;
+  options.on_points->ransac_share = 0; // the floor is to stay
+  options.threads = 1;
+  struct Work {
+    ObjectSegmentationInput input;
+    ObjectSegmentationOptions options;
+    ObjectSegmentation result;
+  } work{inputOf(floor.points), options, {}};
+  const auto segment = [](void* data) -> void* {
+    auto& own = *static_cast<Work*>(data);
+    own.result = segmentObjects(own.input, own.options);
+    return nullptr;
+  };
+  pthread_attr_t attributes;
+  pthread_t thread;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, 1 << 18), 0); // 256 kB
+  ASSERT_EQ(pthread_create(&thread, &attributes, segment, &work), 0);
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+  EXPECT_GT(work.result.supervoxels.size(), 2000u);
+  std::map<std::uint32_t, std::size_t> sizes;
+  std::size_t largest = 0;
+  for (const auto one : work.result.segment_of_point)
+    largest = std::max(largest, ++sizes[one]);
+  EXPECT_GT(largest, 0.9 * floor.points.size());
 }
 
 TEST(ThesisObjects, KinectAsDefined)

@@ -41,9 +41,7 @@ parallelFor(std::ptrdiff_t count,
   std::atomic<std::ptrdiff_t> next(0);
   std::exception_ptr problem;
   std::mutex mutex; // of the problem, and of what finish() writes
-  [[maybe_unused]] const int team = threadCount(std::max(threads, 0));
-#pragma omp parallel num_threads(team) if (team > 1)
-  {
+  runInThreads(threadCount(std::max(threads, 0)), [&] {
     try {
       auto state = make_state();
       for (auto i = next.fetch_add(chunk); i < count; i = next.fetch_add(chunk))
@@ -57,7 +55,7 @@ parallelFor(std::ptrdiff_t count,
       if (!problem)
         problem = std::current_exception();
     }
-  }
+  });
   if (problem)
     std::rethrow_exception(problem);
 }

@@ -5,35 +5,19 @@
 
 #pragma once
 
-#include <pcl/exceptions.h>
-
 #include <algorithm>
 #include <cstddef>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include <functional>
 
 namespace pcl {
 namespace indoor {
 
 /** \brief Get the number of threads to use for a request, where 0 means automatic; at
- * most 1024: each needs memory for its stack.
+ * most 1024: each needs memory for its stack. Always 1 if the library has no OpenMP.
  * \throws pcl::BadArgumentException if the request is negative
  */
-inline int
-threadCount(int requested)
-{
-  if (requested < 0)
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The number of threads must not be negative, not " << requested
-                                                                           << ".");
-#ifdef _OPENMP
-  return requested > 0 ? std::min(requested, 1024) : omp_get_max_threads();
-#else
-  return 1;
-#endif
-}
+int
+threadCount(int requested);
 
 /** \brief The same for a request that cannot be negative. */
 inline int
@@ -46,7 +30,7 @@ threadCount(unsigned requested)
  * \param[in] requested 0 or less = as many as the machine offers
  * \param[in] work number of items
  * \param[in] share items that are worth a thread of their own (at least 1)
- * \return at least 1; always 1 without OpenMP
+ * \return at least 1
  */
 inline int
 usefulThreads(int requested, std::size_t work, std::size_t share)
@@ -54,6 +38,13 @@ usefulThreads(int requested, std::size_t work, std::size_t share)
   return std::min(threadCount(std::max(requested, 0)),
                   static_cast<int>(std::min<std::size_t>(work / share + 1, 1024)));
 }
+
+/** \brief Call a function once in each of so many threads at the same time; in one if
+ * the library has no OpenMP. How the caller was compiled does not matter.
+ * \param[in] work must not throw
+ */
+void
+runInThreads(int threads, const std::function<void()>& work);
 
 } // namespace indoor
 } // namespace pcl

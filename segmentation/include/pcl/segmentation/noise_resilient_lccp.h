@@ -25,9 +25,10 @@ namespace pcl {
  * were taken out are given to the pieces they continue. Pieces that are probably one
  * thing are then joined, by a criterion learned from simulated scans.
  *
- * Every finite point of the indices gets a segment. Coordinates may be large (UTM).
- * Cost is linear in the number of points. Results depend neither on the number of
- * threads nor, but for rounding and the names of labels, on the order of the points.
+ * Every finite point of the indices gets a segment, but for those that lie kilometres
+ * away from the others. Coordinates may be large (UTM).
+ * Cost is nearly linear in the number of points. Results depend neither on the number
+ * of threads nor, but for rounding and the names of labels, on the order of the points.
  * \note The method: D. Bobkov et al., "Noise-resistant Unsupervised Object Segmentation
  * in Multi-view Indoor Point Clouds", VISAPP 2017; here Sec. 4.2. Deviations are listed
  * in docs/method/objects.md.

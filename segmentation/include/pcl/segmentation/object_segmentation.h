@@ -57,11 +57,11 @@ struct PointOptions {
   /** least share of all points that a plane holds that RANSAC takes off before all else
    * (0 to 1); 0 = none is */
   double ransac_share = 0;
-  /** w_c of Eq. (2.19), in supervoxels and in the graph (>= 0); 0 = no colours, as in
-   * Eq. (4.4). Needs colours */
+  /** w_c of Eq. (2.19), in supervoxels and in the graph (0 to 10^6); 0 = no colours, as
+   * in Eq. (4.4). Needs colours */
   float color_weight = 0;
-  /** of FPFH, Eq. (2.18), in supervoxels and in the graph (>= 0); 0 = none. Else the
-   * supervoxels and Partition::Lccp are our own, as PCL's have no such term */
+  /** of FPFH, Eq. (2.18), in supervoxels and in the graph (0 to 10^6); 0 = none. Else
+   * the supervoxels and Partition::Lccp are our own, as PCL's have no such term */
   float fpfh_weight = 0;
 };
 
@@ -75,8 +75,8 @@ struct ObjectSegmentationOptions {
   NormalOrientation orientation = NormalOrientation::Automatic;
   float curvature_threshold = 0.03f; ///< theta_t (0 to 1/3)
   float ratio_threshold = 0.2f;      ///< alpha_t (0 to 1)
-  float spatial_weight = 0.2f;       ///< w_s of Eq. (4.4) (>= 0)
-  float normal_weight = 0.5f;        ///< w_n of Eq. (4.4) (>= 0)
+  float spatial_weight = 0.2f;       ///< w_s of Eq. (4.4) (0 to 10^6)
+  float normal_weight = 0.5f;        ///< w_n of Eq. (4.4) (0 to 10^6)
   Partition partition = Partition::Pieces;
   PieceOptions pieces; ///< for Partition::Pieces
   EdgeOptions edges;   ///< for the others
@@ -155,8 +155,8 @@ struct ObjectSegmentation {
 /** \brief Segment a scanned scene into objects or their parts (Sec. 4.2).
  * Takes out the voxels of concave and noisy regions, joins supervoxels of the others to
  * pieces, gives the voxels that were taken out to the pieces they continue, and joins
- * pieces that are probably one thing. Works on voxels throughout, so its cost is linear
- * in the number of points and small.
+ * pieces that are probably one thing. Works on voxels throughout, so its cost is
+ * nearly linear in the number of points, and small.
  * Floor, ceiling and walls are kept out of the graph, see findRoomStructure(): nothing
  * is joined through them. With JoiningScale::View, for a Capture::TableView and on
  * points there is no such structure.

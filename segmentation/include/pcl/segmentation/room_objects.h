@@ -30,7 +30,8 @@ struct RoomPoints {
 
 /** \brief The objects of one room. */
 struct RoomObjects {
-  /** one per point: 1 ... n in the order of their first points; 0 = none */
+  /** one per point: 1 ... n in the order of their first points; 0 = none, also of what
+   * lies kilometres away from the others */
   std::vector<std::uint32_t> object_of_point;
   std::vector<std::uint32_t> structure_of_point; ///< one per point: a StructureKind
   std::vector<ObjectSurface> surfaces;           ///< object i + 1 is the i-th
@@ -92,7 +93,8 @@ struct BuildingObjects {
   std::vector<double> voxel_sizes;
 };
 
-/** \brief The finite points of room 1, room 2 and so on; last, of those in no room.
+/** \brief The finite points of room 1, room 2 and so on; last, of those in no room. What
+ * lies kilometres away from the others is in none of these, see strayPoints().
  * \param[in] room_of_point one per point; 0 = none
  * \param[in] room_count no room has a greater number
  * \return room_count + 1 lists

@@ -198,7 +198,8 @@ addNear(const LooseVoxels& loose, double voxel_size, ContactMap& contacts)
     }
 }
 
-/** How the supervoxels of two pieces bend where they touch. */
+/** How the supervoxels of two pieces bend where they touch. One that is in two pieces
+ * counts to that of its last voxel, by place: so the criterion has learned. */
 void
 addBends(const PieceSurface& surface, ContactMap& contacts)
 {

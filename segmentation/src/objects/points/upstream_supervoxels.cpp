@@ -6,6 +6,7 @@
 
 #include "objects/graph/supervoxel_joining.h"
 
+#include <pcl/indoor/flood_fill.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/segmentation/lccp_segmentation.h>
@@ -48,13 +49,57 @@ colorOf(const PointT& point)
           static_cast<float>(point.b) - zero_hue};
 }
 
+/** Upstream's, but for the search of connected supervoxels: upstream's calls itself
+ * once for each of them, and the stack of a thread is small. */
+class FlatLccp : public pcl::LCCPSegmentation<PointT> {
+public:
+  void
+  segment()
+  {
+    calculateConvexConnections(sv_adjacency_list_);
+    groupOverValidEdges();
+    grouping_data_valid_ = true;
+    mergeSmallSegments();
+  }
+
+private:
+  void
+  groupOverValidEdges()
+  {
+    const auto& graph = sv_adjacency_list_;
+    const auto visit_joined = [&graph](VertexID vertex, const auto& visit) {
+      const auto [begin, end] = boost::out_edges(vertex, graph);
+      for (auto edge = begin; edge != end; ++edge)
+        if (graph[*edge].is_valid)
+          visit(boost::target(*edge, graph));
+    };
+    std::uint32_t last = 0; // 0 is none
+    std::vector<VertexID> members;
+    sv_label_to_seg_label_map_.clear();
+    seg_label_to_sv_list_map_.clear();
+    const auto enter = [&](VertexID vertex, VertexID /*from*/) {
+      return sv_label_to_seg_label_map_.emplace(graph[vertex], last).second;
+    };
+    const auto [first, end] = boost::vertices(graph);
+    for (auto vertex = first; vertex != end; ++vertex) {
+      if (sv_label_to_seg_label_map_.count(graph[*vertex]) > 0)
+        continue;
+      sv_label_to_seg_label_map_[graph[*vertex]] = ++last;
+      members.assign(1, *vertex);
+      pcl::indoor::floodFill(members, visit_joined, enter);
+      for (const auto member : members)
+        seg_label_to_sv_list_map_[last].insert(graph[member]);
+    }
+  }
+};
+
 /** The segment of each supervoxel by LCCP; its sanity criterion has 60 degrees. */
 std::vector<std::uint32_t>
 lccpSegments(const Clusters& clusters,
              const Adjacencies& adjacency,
              const ObjectSegmentationOptions& options)
 {
-  pcl::LCCPSegmentation<PointT> lccp;
+  FlatLccp lccp;
   lccp.setConcavityToleranceThreshold(options.edges.concavity_tolerance_degrees);
   lccp.setSanityCheck(true);
   lccp.setSmoothnessCheck(false,

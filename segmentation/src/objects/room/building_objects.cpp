@@ -7,6 +7,7 @@
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/exceptions.h>
 #include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/stray_points.h>
 
 #include <algorithm>
 #include <iterator>
@@ -76,11 +77,17 @@ pointsOfRooms(const PointCloud<PointXYZ>& points,
               std::size_t room_count)
 {
   requireOnePerPoint(room_of_point.size(), points.size(), "rooms");
+  Indices used;
+  std::vector<Eigen::Vector3f> positions;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (isFinite(points[i])) {
+      used.push_back(static_cast<index_t>(i));
+      positions.emplace_back(points[i].getVector3fMap());
+    }
+  takeOut(strayPoints(positions), used);
   std::vector<Indices> rooms(room_count + 1);
-  for (std::size_t i = 0; i < room_of_point.size(); ++i)
-    if (isFinite(points[i]))
-      rooms[(room_of_point[i] + room_count) % (room_count + 1)].push_back(
-          static_cast<index_t>(i));
+  for (const auto index : used)
+    rooms[(room_of_point[index] + room_count) % (room_count + 1)].push_back(index);
   return rooms;
 }
 

@@ -9,6 +9,7 @@
 #include <pcl/exceptions.h>
 #include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/middle_point.h>
+#include <pcl/indoor/stray_points.h>
 
 #include <algorithm>
 #include <unordered_map>
@@ -63,6 +64,10 @@ objectsOf(RoomPoints room, const ObjectSegmentationOptions& options)
   RoomObjects objects;
   if (room.positions.empty())
     return objects;
+  const auto strays = strayPoints(room.positions);
+  takeOut(strays, room.positions);
+  takeOut(strays, room.normals);
+  takeOut(strays, room.given);
   const auto result = room.given.empty() ? segmentDistinct(localInput(room), options)
                                          : segmentObjects(localInput(room), options);
   objects.voxel_size = result.scene.voxel_size;
@@ -81,6 +86,8 @@ objectsOf(RoomPoints room, const ObjectSegmentationOptions& options)
     --number; // 0, no object, becomes a number beyond all objects
   objects.surfaces = objectSurfaces(result, numbers, count);
   separateRemainder(objects, options.fewest_points);
+  putBack(strays, 0, objects.object_of_point);
+  putBack(strays, 0, objects.structure_of_point);
   return objects;
 }
 

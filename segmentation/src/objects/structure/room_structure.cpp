@@ -31,6 +31,7 @@ constexpr double slab = 0.3; // metres behind floors and ceilings: a roof, anoth
 constexpr double min_free = 0.7; // share of a plane with nothing behind it
 constexpr double behind = 2; // from so many voxels on: the double of a wall is nearer
 constexpr double most_beyond = 0.1;     // share of what a view shows behind a wall
+constexpr double longest_row = 2e6;     // voxels beside each other, see groupByCell()
 constexpr double deviations = 3;        // within so many a point counts to its plane
 constexpr double least_tolerance = 0.2; // or within so many voxels
 
@@ -100,7 +101,19 @@ withSurroundings(const SurfaceVoxels& voxels, const StructurePlane& plane)
   return found;
 }
 
-/** Places in the grid: along x, the points of each plane beside those of the others. */
+struct Interval {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void
+  add(double value)
+  {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+/** Places in the grid: along x, the points of each plane beside those of the others; in
+ * a new row where these are as many cells as a grid may have. */
 std::vector<Eigen::Vector3f>
 besideEachOther(const std::vector<Eigen::Vector3f>& points,
                 const std::vector<std::uint32_t>& plane_of_point,
@@ -108,29 +121,36 @@ besideEachOther(const std::vector<Eigen::Vector3f>& points,
 {
   if (points.empty())
     return {};
-  struct Interval {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-  };
   const auto last = *std::max_element(plane_of_point.begin(), plane_of_point.end());
   std::vector<Interval> intervals(last + 1);
+  Interval across;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    auto& interval = intervals[plane_of_point[i]];
-    interval.low = std::min<double>(interval.low, points[i].x());
-    interval.high = std::max<double>(interval.high, points[i].x());
+    intervals[plane_of_point[i]].add(points[i].x());
+    across.add(points[i].y());
   }
-  std::vector<double> shift(last + 1, 0.0);
-  double end = intervals[0].high;
-  for (std::uint32_t plane = 1; plane <= last; ++plane) {
+  const auto voxels_over = [voxel_size](double length) {
+    return (std::ceil(length / voxel_size) + 3) * voxel_size;
+  };
+  std::vector<Eigen::Vector2d> shift(last + 1, Eigen::Vector2d::Zero());
+  Interval row;
+  double row_place = 0;
+  for (std::uint32_t plane = 0; plane <= last; ++plane) {
     const auto& [low, high] = intervals[plane];
     if (low > high) // it has no points
       continue;
-    if (std::isfinite(end))
-      shift[plane] = (std::ceil((end - low) / voxel_size) + 3) * voxel_size;
-    end = high + shift[plane];
+    double place = row.low > row.high ? 0 : voxels_over(row.high - low);
+    if (high + place - row.low > longest_row * voxel_size) {
+      row_place += voxels_over(across.high - across.low);
+      place = voxels_over(row.low - low);
+    }
+    shift[plane] = {place, row_place};
+    row.low = std::min(row.low, low + place);
+    row.high = high + place;
   }
   auto places = points;
   for (std::size_t i = 0; i < points.size(); ++i)
-    places[i].x() = static_cast<float>(points[i].x() + shift[plane_of_point[i]]);
+    places[i].head<2>() =
+        (points[i].head<2>().cast<double>() + shift[plane_of_point[i]]).cast<float>();
   return places;
 }
 
@@ -139,6 +159,16 @@ struct Reach {
   bool one_way;   ///< in one direction, as walls do from floor to ceiling
   bool both_ways; ///< in both, as floors and ceilings do, also those of small rooms
 };
+
+/** Whether a plane lies along none of the room's directions. */
+bool
+isOblique(const StructurePlane& plane, const Eigen::Matrix3d& axes)
+{
+  for (int a = 0; a < 3; ++a)
+    if (pcl::indoor::areAcross(axes.col(a), plane.normal))
+      return false;
+  return true;
+}
 
 /** Whether nearly all that is seen lies before a plane. */
 bool
@@ -201,10 +231,12 @@ findRoomStructure(const SurfaceVoxels& voxels, double voxel_size, Capture captur
   const bool is_room = *std::max_element(room.begin(), room.end()) >= min_length;
   const auto reachOf = [&](const StructurePlane& plane) {
     Reach reach{false, is_room};
+    const bool is_oblique = isOblique(plane, axes);
     for (int a = 0; a < 3; ++a)
-      if (areAcross(axes.col(a), plane.normal)) {
+      if (is_oblique || areAcross(axes.col(a), plane.normal)) {
         const double extent = extentOf(voxels, &plane.voxels, axes.col(a));
-        reach.one_way |= extent >= std::max(min_span * room[a], min_length);
+        reach.one_way |=
+            !is_oblique && extent >= std::max(min_span * room[a], min_length);
         reach.both_ways &= extent + 2 * near >= min_span * room[a]; // without edges
       }
     return reach;

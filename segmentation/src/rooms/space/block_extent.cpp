@@ -280,22 +280,23 @@ mergeWorthwhile(std::vector<Part> parts, double max_growth)
   });
   Part kept = parts.front();
   parts.erase(parts.begin());
-  bool changed = true;
-  while (changed) { // a part that was too far may be near now
-    changed = false;
-    for (auto part = parts.begin(); part != parts.end();) {
-      const Eigen::Array3d low = kept.low.min(part->low);
-      const Eigen::Array3d high = kept.high.max(part->high);
-      const double growth = (high - low).prod() - (kept.high - kept.low).prod();
-      if (growth > max_growth * part->blocks) {
-        ++part;
-        continue;
-      }
-      kept.low = low;
-      kept.high = high;
-      part = parts.erase(part);
-      changed = true;
-    }
+  const auto takes = [&](const Part& part) {
+    const Eigen::Array3d low = kept.low.min(part.low);
+    const Eigen::Array3d high = kept.high.max(part.high);
+    const double growth = (high - low).prod() - (kept.high - kept.low).prod();
+    if (growth > max_growth * part.blocks)
+      return false;
+    kept.low = low;
+    kept.high = high;
+    return true;
+  };
+  for (std::size_t before = 0; before != parts.size();) {
+    before = parts.size(); // a part that was too far may be near now
+    std::vector<Part> left;
+    for (const auto& part : parts)
+      if (!takes(part))
+        left.push_back(part);
+    parts.swap(left);
   }
   return kept;
 }

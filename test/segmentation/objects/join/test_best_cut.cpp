@@ -222,10 +222,13 @@ TEST(BestCut, ThingsAreDescribedAsTheyAreJoined)
     const auto fits = expectedFits(tree, JoiningScale::Objects);
     ASSERT_EQ(fits.size(), tree.things.size());
     EXPECT_NE(fits, expectedFits(tree, JoiningScale::Parts));
-    for (const auto fit : fits) {
-      EXPECT_GE(fit, 0);
-      EXPECT_LE(fit, 1);
-    }
+    const auto [worst, best] = std::minmax_element(fits.begin(), fits.end());
+    EXPECT_GT(*best, *worst + 0.05f) << "they tell one from another";
+    auto reversed = tree;
+    std::reverse(reversed.things.begin(), reversed.things.end());
+    const auto fits_of_reversed = expectedFits(reversed, JoiningScale::Objects);
+    EXPECT_TRUE(std::equal(fits.rbegin(), fits.rend(), fits_of_reversed.begin()))
+        << "each is of its thing alone";
   }
   EXPECT_THROW(expectedFits({}, JoiningScale::View), pcl::BadArgumentException);
 }

@@ -3,16 +3,18 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "segmentation/objects/join/piece_pair.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/segmentation/objects/object_joining.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <sstream>
 
 using namespace pcl::indoor;
+using namespace pcl::indoor::test;
 
 namespace {
 
@@ -44,20 +46,50 @@ TEST(LearnedCriterion, AsksItsTrees)
                pcl::BadArgumentException);
 }
 
-TEST(LearnedCriterion, BundledTreesGiveProbabilities)
+TEST(LearnedCriterion, BundledTreesTellHalvesOfATableTopFromTwoThings)
 {
+  const float voxel = static_cast<float>(voxel_size);
+  const auto plate = [voxel](float x, float y, float z) { // 60 x 80 cm
+    Places places;
+    for (float u = x; u < x + 0.6f - voxel / 2; u += voxel)
+      for (float v = y; v < y + 0.8f; v += voxel)
+        places.emplace_back(u, v, z);
+    return places;
+  };
+  const Places up{{0, 0, 1}};
+  Places seen = plate(0, 0, 0);
+  for (const float x : {-0.6f, 0.6f, 1.2f})
+    for (const auto& place : plate(x, 0, 0))
+      seen.push_back(place);
+  const auto pairOf = [&](const Places& a, const Places& b) {
+    Pair pair;
+    pair.a = pieceOf(a, up, 1, voxel / 2);
+    pair.b = pieceOf(b, up, 1, voxel / 2);
+    auto all = seen; // floor all around
+    all.insert(all.end(), a.begin(), a.end());
+    all.insert(all.end(), b.begin(), b.end());
+    pair.columns = {all, 0, voxel_size};
+    pair.contact.near_cells = 20;
+    return pair;
+  };
+  auto halves = pairOf(plate(0, 0, 0.72f), plate(0.6f, 0, 0.72f));
+  auto& contact = halves.contact;
+  contact.first_voxels = contact.second_voxels = 27;
+  halves.touching_a = halves.touching_b = 27;
+  for (float v = 0; v < 0.8f; v += voxel)
+    contact.places.add({0.6, v, 0.72}, 3);
+  contact.bends = 20;
+  contact.bend_sum = -20;
+  contact.bend_squares = 40;
+  contact.gap = contact.near_cells > 0 ? 3 * voxel_size : 0;
+  contact.near_in_line = 20;
+  auto apart = pairOf(plate(0, 0, 0.72f), plate(0.72f, 0.3f, 0.4f));
+  apart.contact.gap = 0.17;
   for (const auto scale :
        {JoiningScale::Parts, JoiningScale::Objects, JoiningScale::View}) {
-    LearnedCriterion criterion(scale), same(scale);
-    std::mt19937 rng(10);
-    for (int trial = 0; trial < 100; ++trial) {
-      JoiningFeatures features;
-      for (auto& feature : features)
-        feature = static_cast<float>(rng() % 4001) / 1000 - 2;
-      const float probability = criterion.probability(features, 0, 1);
-      EXPECT_GE(probability, 0);
-      EXPECT_LE(probability, 1);
-      EXPECT_EQ(probability, same.probability(features, 1, 2));
-    }
+    LearnedCriterion criterion(scale);
+    EXPECT_GT(criterion.probability(halves.features(), 0, 1),
+              criterion.probability(apart.features(), 0, 1) + 0.3f)
+        << static_cast<int>(scale);
   }
 }

@@ -307,6 +307,47 @@ TEST(ObjectJoining, ALevelDoesNotRiseAgain)
   EXPECT_EQ(segmentsAtLevel(3, joins, 0.4f), (Labels{0, 0, 0}));
 }
 
+TEST(ObjectJoining, AStarOfManyPiecesIsJoinedInBoundedWork)
+{
+  constexpr std::uint32_t count = 1500;
+  for (const std::uint32_t hub : {count / 2}) {
+    std::mt19937 rng(9);
+    auto graph = randomGraph(count + 1, 0, rng);
+    for (std::uint32_t p = 0; p <= count; ++p)
+      if (p != hub)
+        graph.contacts.push_back(
+            randomContact(std::min(p, hub), std::max(p, hub), rng));
+    std::size_t judged = 0;
+    NumberCriterion sure([&](auto, auto) {
+      ++judged;
+      return 0.5f;
+    });
+    const auto joins = joinPieces(graph, sure).joins;
+    ASSERT_EQ(joins.size(), count);
+    EXPECT_EQ(segmentsAtLevel(count + 1, joins, 0.5f), Labels(count + 1, 0));
+    EXPECT_LT(judged, count * count / 8) << "not each time that the hub has grown";
+  }
+}
+
+TEST(ObjectJoining, PiecesAtAHubAreJoinedAboutAsByTheLetter)
+{
+  // Pairs of pieces on a large one: what belongs together is found, and no more.
+  constexpr std::uint32_t pairs = 600;
+  std::mt19937 rng(10);
+  auto graph = randomGraph(2 * pairs + 1, 0, rng);
+  for (std::uint32_t p = 1; p <= 2 * pairs; ++p)
+    graph.contacts.push_back(randomContact(0, p, rng));
+  for (std::uint32_t p = 1; p < 2 * pairs; p += 2)
+    graph.contacts.push_back(randomContact(p, p + 1, rng));
+  NumberCriterion criterion([](auto a, auto b) {
+    return a == 0 ? (b < 20 ? 0.8f : 0.1f) : a % 2 == 1 && b == a + 1 ? 0.9f : 0.1f;
+  });
+  const auto segments =
+      segmentsAtLevel(2 * pairs + 1, joinPieces(graph, criterion).joins, 0.5f);
+  for (std::uint32_t p = 1; p <= 2 * pairs; ++p)
+    EXPECT_EQ(segments[p], p <= 20 ? 0 : p - (p + 1) % 2) << p;
+}
+
 TEST(ObjectJoining, WithoutContactsNothingIsJoined)
 {
   NumberCriterion never([](auto, auto) -> float {

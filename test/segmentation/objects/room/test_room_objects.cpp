@@ -138,6 +138,41 @@ TEST(RoomObjects, OfABuildingAreThoseOfItsRoomsOneAfterTheOther)
   EXPECT_EQ(all.object_of_point[7], 0u); // is not finite
 }
 
+TEST(RoomObjects, PointsKilometresAwayAreInNoneAndChangeNone)
+{
+  const Building building;
+  auto room_of_point = building.room_of_point;
+  auto cloud = *building.cloud;
+  const auto expected = segmentBuildingObjects(cloud, nullptr, room_of_point);
+  for (const auto& [far, room] : {std::make_pair(5e6f, 0u), {-3e5f, 0u}, {2e8f, 1u}}) {
+    cloud.push_back(PointXYZ(far, -far, 0.5f));
+    room_of_point.push_back(room);
+  }
+  auto found = segmentBuildingObjects(cloud, nullptr, room_of_point);
+  for (auto* values : {&found.object_of_point, &found.structure_of_point}) {
+    ASSERT_EQ(values->size(), cloud.size());
+    for (int i = 0; i < 3; ++i, values->pop_back())
+      EXPECT_EQ(values->back(), 0u);
+  }
+  EXPECT_EQ(found.object_of_point, expected.object_of_point);
+  EXPECT_EQ(found.structure_of_point, expected.structure_of_point);
+  EXPECT_EQ(found.surfaces.size(), expected.surfaces.size());
+
+  auto one = room(building, 1);
+  const auto alone = segmentRoomObjects(one);
+  one.positions.emplace_back(0.0f, 1e6f, 0.0f);
+  one.given.assign(one.positions.size(), 1);
+  one.given.back() = 2;
+  const auto given = segmentRoomObjects(one);
+  EXPECT_EQ(given.object_of_point.front(), 1u);
+  EXPECT_EQ(given.object_of_point.back(), 0u);
+  one.given.clear();
+  auto objects = segmentRoomObjects(one).object_of_point;
+  EXPECT_EQ(objects.back(), 0u);
+  objects.pop_back();
+  EXPECT_EQ(objects, alone.object_of_point);
+}
+
 TEST(RoomObjects, DoNotDependOnThreads)
 {
   const Building building;

@@ -174,6 +174,48 @@ TEST(RoomStructure, KeepsPlinthsInFrontOfAPlaneApart)
   EXPECT_LT(shareInPlanes(scene, planesOf(scene), 9), 0.02);
 }
 
+TEST(RoomStructure, AFreeBoardIsNoneHoweverItStands)
+{
+  const Eigen::Vector3f centre(0.85f, 0.85f, 0.95f);
+  for (const auto& towards : {Eigen::Vector3f(1, 0, 0), // like a wall
+                              Eigen::Vector3f(1, 1, 0),
+                              Eigen::Vector3f(1, 0, 0.5f),
+                              Eigen::Vector3f(0.66f, 0.66f, 0.34f)}) { // like nothing
+    const Eigen::Vector3f normal = towards.normalized();
+    const Eigen::Vector3f u = normal.cross(Eigen::Vector3f::UnitZ()).normalized();
+    const Eigen::Vector3f v = u.cross(normal);
+    auto scene = closedRoom();
+    scene.removeIf([&](const Eigen::Vector3f& p) { // what the board hides
+      const Eigen::Vector3f from = p - centre;
+      return from.dot(normal) < 0 && std::abs(from.dot(u)) < 0.6f &&
+             std::abs(from.dot(v)) < 0.6f;
+    });
+    std::mt19937 rng(11);
+    scene.addRectangle(
+        centre - 0.55f * (u + v), 1.1f * u, 1.1f * v, normal, 9, 0.015f, 0.003f, rng);
+    EXPECT_EQ(findRoomStructure(voxelsOf(scene), voxel_size).size(), 6u)
+        << towards.transpose();
+    EXPECT_LT(shareInPlanes(scene, planesOf(scene), 9), 0.05) << towards.transpose();
+  }
+}
+
+TEST(RoomStructure, AnObliquePlaneFromSideToSideIsOne)
+{
+  auto scene = closedRoom();
+  const auto isBehind = [](const Eigen::Vector3f& p, float margin) {
+    return p.x() / 3.9f + p.y() / 2.45f + p.z() / 2.35f < 1 + margin;
+  };
+  scene.removeIf([&](const Eigen::Vector3f& p) { return isBehind(p, -0.02f); });
+  const Eigen::Vector3f x(3.9f, 0, 0), y(0, 2.45f, 0), z(0, 0, 2.35f);
+  std::mt19937 rng(12);
+  scene.addRectangle(
+      x, y - x, z - x, (y - x).cross(z - x).normalized(), 9, 0.015f, 0.003f, rng);
+  scene.removeIf([&](const Eigen::Vector3f& p) { // half of the parallelogram
+    return (p.array() < -0.01f).any();
+  });
+  EXPECT_GT(shareInPlanes(scene, planesOf(scene), 9), 0.9);
+}
+
 TEST(RoomStructure, PlanesOfOneSideOnly)
 {
   const auto scene = closedRoom();
@@ -238,6 +280,28 @@ TEST(RoomStructure, PointsAstrayDoNotForbidSeparateVoxels)
     const auto v = voxels.cells.cell_of_point[i];
     ASSERT_EQ(plane_of_voxel[v], plane_of_point[i]);
     ASSERT_LT((voxels.centroids[v] - scene.points[i]).norm(), 2 * voxel_size);
+  }
+}
+
+TEST(RoomStructure, ManyPlanesWithPartsFarApartFitIntoOneGrid)
+{
+  std::mt19937 rng(13);
+  std::vector<Eigen::Vector3f> points;
+  std::vector<std::uint32_t> plane_of_point;
+  for (std::uint32_t plane = 0; plane < 50; ++plane) // together 400 km
+    for (int i = 0; i < 20; ++i) {
+      points.emplace_back((i % 2) * 8e3f - 4e3f + static_cast<float>(rng() % 100) / 100,
+                          static_cast<float>(rng() % 8000) - 4e3f,
+                          static_cast<float>(plane));
+      plane_of_point.push_back(plane);
+    }
+  std::vector<std::uint32_t> plane_of_voxel;
+  const auto voxels =
+      separateVoxels(points, plane_of_point, voxel_size, plane_of_voxel);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto v = voxels.cells.cell_of_point[i];
+    ASSERT_EQ(plane_of_voxel[v], plane_of_point[i]);
+    ASSERT_LT((voxels.centroids[v] - points[i]).norm(), 2 * voxel_size);
   }
 }
 

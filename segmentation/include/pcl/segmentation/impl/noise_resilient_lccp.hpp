@@ -12,6 +12,7 @@
 #include <pcl/indoor/labelled_outputs.h>
 #include <pcl/indoor/middle_point.h>
 #include <pcl/indoor/plain_message.h>
+#include <pcl/indoor/stray_points.h>
 #include <pcl/indoor/usable_point.h>
 
 #include <algorithm>
@@ -149,8 +150,13 @@ NoiseResilientLCCP<PointT>::localInput()
   for (const auto index : *indices_)
     if (indoor::isUsablePoint((*input_)[index]))
       finite_.push_back(index);
-  for (const auto index : finite_) {
+  for (const auto index : finite_)
     local.points.push_back((*input_)[index].getVector3fMap());
+  const auto strays = indoor::strayPoints(local.points);
+  indoor::takeOut(strays, local.points);
+  indoor::takeOut(strays, finite_);
+  const Eigen::Vector3d origin = indoor::moveToMiddle(local.points);
+  for (const auto index : finite_) {
     if (normals_)
       local.normals.push_back((*normals_)[index].getNormalVector3fMap());
     if (has_colors && options_.on_points && options_.on_points->color_weight > 0)
@@ -164,7 +170,6 @@ NoiseResilientLCCP<PointT>::localInput()
         problem.c_str());
     local.normals.clear();
   }
-  const Eigen::Vector3d origin = indoor::moveToMiddle(local.points);
   const Eigen::Vector3f sensor = (sensorOrigin() - origin).template cast<float>();
   local.up = up_;
   local.capture = captureOf(local.points, sensor);

@@ -59,10 +59,12 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
  *
  * A plane that reaches so in both directions, as floors and ceilings do, may be shorter
  * than 1.5 m, and what lies up to 0.3 m behind it does not count: another layer, or the
- * roof. What a camera sees of a room ends anywhere: there, a plane also belongs to the
- * structure if at least 90 % of all that is seen lies before it.
+ * roof. One that lies along none of the room's three directions must reach so along all
+ * of them. What a camera sees of a room ends anywhere: there, a plane also belongs to
+ * the structure if at least 90 % of all that is seen lies before it.
  *
- * Which way is up need not be known. The cost is linear in the number of voxels.
+ * Which way is up need not be known. The cost is linear in the number of voxels,
+ * but for comparing flat regions with each other.
  * \param[in] voxels with normals, most of them into the room, and curvatures
  * \param[in] voxel_size of the voxels, metres
  * \param[in] capture whether it is a camera's view
