@@ -75,7 +75,7 @@ directionText(const Eigen::Vector3f& direction)
   else
     for (int i = 0; i < 3; ++i)
       text << (i > 0 ? "," : "")
-           << 0.001 * std::round(1000.0 * static_cast<double>(direction[i]));
+           << 0.001 * std::round(1000.0 * static_cast<double>(direction[i])) + 0.0;
   return text.str();
 }
 
