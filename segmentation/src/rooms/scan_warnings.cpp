@@ -101,7 +101,7 @@ unitNote(double room_height, double metres_per_unit)
     return {};
   return std::string("The scan is taken to be in ") + unitOf(metres_per_unit).name +
          ": in metres its rooms would be " + heightText(room_height) +
-         " high; if it is not, set the unit (-unit).";
+         " high; if they are, set the unit (-unit m).";
 }
 
 std::string
