@@ -114,29 +114,50 @@ TEST_F(QuietInput, NoUnitMakesPointsThatAreNotFinite)
   }
 }
 
-TEST_F(QuietInput, AWrongUnitIsWarnedOfOnce)
+TEST_F(QuietInput, AUnitThatIsNotSetIsFoundAndSaidOnce)
 {
   const auto points = bentCorridorWithThreeRooms().points;
-  const std::pair<double, const char*> units[] = {{0.001, "-unit mm"},
-                                                  {0.0254, "-unit in"}};
-  for (const auto& [unit, option] : units) {
+  Labels expected;
+  segmentation(points, expected);
+  const std::pair<double, const char*> units[] = {{0.001, "millimetres"},
+                                                  {0.0254, "inches"}};
+  for (const auto& [unit, name] : units) {
     Labels labels;
-    const auto report = segmentation(scaled(points, 1.0 / unit), labels).getReport();
-    ASSERT_EQ(report.warnings.size(), 1u) << option;
-    EXPECT_NE(report.warnings[0].find(option), std::string::npos) << report.warnings[0];
+    RoomSegmentation result;
+    result.setInputCloud(cloudOf(scaled(points, 1.0 / unit)));
+    result.segment(labels);
+    const auto& report = result.getReport();
+    EXPECT_EQ(report.metres_per_unit, unit);
+    ASSERT_EQ(report.warnings.size(), 1u) << name;
+    EXPECT_NE(report.warnings[0].find(name), std::string::npos) << report.warnings[0];
+    EXPECT_LT(differing(labels, expected), points.size() / 1000);
   }
 }
 
-TEST_F(QuietInput, AScanOnItsSideIsWarnedOfOnce)
+TEST_F(QuietInput, AUnitThatIsSetHoldsAndIsWarnedOfOnce)
+{
+  Labels labels;
+  const auto points = scaled(bentCorridorWithThreeRooms().points, 1000.0);
+  const auto report = segmentation(points, labels, 1.0).getReport();
+  EXPECT_EQ(report.metres_per_unit, 1.0);
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_NE(report.warnings[0].find("-unit mm"), std::string::npos);
+}
+
+TEST_F(QuietInput, AScanOnItsSideIsStoodUprightAndSaidOnce)
 {
   const auto points = bentCorridorWithThreeRooms().points;
+  Labels expected;
+  segmentation(points, expected);
   Points lying;
   for (const auto& point : points)
     lying.emplace_back(point.x(), point.z(), -point.y());
   Labels labels;
   const auto report = segmentation(lying, labels).getReport();
+  EXPECT_EQ(report.up_axis, Eigen::Vector3f::UnitY());
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_NE(report.warnings[0].find("-up y"), std::string::npos);
+  EXPECT_LT(differing(labels, expected), points.size() / 100);
 }
 
 TEST_F(QuietInput, FarPointsChangeNothingAndGetNoRoom)

@@ -185,11 +185,16 @@ TEST_F(RoomResults, UnitsAreNamedAndTaken)
   pcl::toPCLPointCloud2(cloud, bytes);
   saveCloud(path("mm.pcd"), bytes);
   const auto out = " " + path("out.pcd") + " -json " + path("r.json");
-  ASSERT_EQ(run("pcl_room_segmentation", path("mm.pcd") + out), 0);
+  ASSERT_EQ(run("pcl_room_segmentation", path("mm.pcd") + out + " -unit m"), 0);
   EXPECT_EQ(count(bytesOf(path("said")), "\n"), 1u) << bytesOf(path("said"));
   EXPECT_EQ(count(bytesOf(path("said")), "-unit mm"), 1u);
   const auto wrong = nlohmann::json::parse(bytesOf(path("r.json")));
   EXPECT_EQ(wrong["warnings"].size(), 1u);
+  ASSERT_EQ(run("pcl_room_segmentation", path("mm.pcd") + out), 0);
+  EXPECT_EQ(count(bytesOf(path("said")), "millimetres"), 1u) << bytesOf(path("said"));
+  const auto found = nlohmann::json::parse(bytesOf(path("r.json")));
+  EXPECT_EQ(found["coordinate_unit"], "mm");
+  EXPECT_EQ(found["rooms"].size(), 3u);
 
   ASSERT_EQ(run("pcl_room_segmentation", path("flat.pcd") + out), 0);
   const auto metres = nlohmann::json::parse(bytesOf(path("r.json")));

@@ -75,7 +75,7 @@ directionText(const Eigen::Vector3f& direction)
   else
     for (int i = 0; i < 3; ++i)
       text << (i > 0 ? "," : "")
-           << 0.001 * std::round(1000.0 * static_cast<double>(direction[i]));
+           << 0.001 * std::round(1000.0 * static_cast<double>(direction[i])) + 0.0;
   return text.str();
 }
 
@@ -101,7 +101,7 @@ unitNote(double room_height, double metres_per_unit)
     return {};
   return std::string("The scan is taken to be in ") + unitOf(metres_per_unit).name +
          ": in metres its rooms would be " + heightText(room_height) +
-         " high; if it is not, set the unit (-unit).";
+         " high; if they are, set the unit (-unit m).";
 }
 
 std::string

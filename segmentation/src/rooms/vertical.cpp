@@ -240,6 +240,13 @@ measure(const Pieces& pieces,
   }
 }
 
+/** A map may be tilted by 45 degrees; more needs stronger evidence. */
+bool
+isNearZ(const Candidate& candidate)
+{
+  return candidate.tilt() < std::sin(46.0 * degree);
+}
+
 /** The candidate that is nearest to z, but for one that is clearly more upright.
  * \param[out] doubtful another one that might be the vertical */
 Candidate
@@ -262,16 +269,10 @@ mostUpright(std::vector<Candidate> candidates,
   const bool is_clear = first.uprightness > 0.0 &&
                         best.uprightness > clearly * first.uprightness &&
                         best.room_height < first.room_height; // rooms are flat
-  if (is_clear && !best.has_rooms)
+  const bool is_far = first.tilt() > 0.5 && isNearZ(best); // both by 30 to 46 degrees
+  if (is_clear && !best.has_rooms && !is_far)
     doubtful = best.direction.cast<float>();
-  return is_clear && best.has_rooms ? best : first;
-}
-
-/** A map may be tilted by 45 degrees; more needs stronger evidence. */
-bool
-isNearZ(const Candidate& candidate)
-{
-  return candidate.tilt() < std::sin(46.0 * degree);
+  return is_clear && (best.has_rooms || is_far) ? best : first;
 }
 
 /** Point upwards as far as furniture tells. */

@@ -13,13 +13,21 @@ using namespace pcl::indoor;
 
 namespace {
 
-ScanSigns
+Vertical
 upright(double height)
 {
-  ScanSigns signs;
-  signs.free_length = {4.0 * height, 3.0 * height, height};
-  signs.uprightness = {0.1, 0.1, 1.0};
-  return signs;
+  Vertical vertical;
+  vertical.is_found = vertical.is_end_known = vertical.has_rooms = true;
+  vertical.room_height = height;
+  return vertical;
+}
+
+Vertical
+along(const Eigen::Vector3f& direction)
+{
+  Vertical vertical = upright(2.5);
+  vertical.direction = direction.normalized();
+  return vertical;
 }
 
 bool
@@ -57,10 +65,42 @@ TEST(ScanWarnings, TheUnitIsNamed)
   EXPECT_TRUE(holds(unitWarning(upright(2500), 1.0), "(-unit mm)"));
   EXPECT_TRUE(holds(unitWarning(upright(250), 1.0), "(-unit cm)"));
   EXPECT_TRUE(holds(unitWarning(upright(98), 1.0), "(-unit in)"));
-  EXPECT_TRUE(holds(unitWarning(upright(0.0025), 0.001), "(-unit m)"));
-  for (const double height : {0.0, 0.4, 2.5, 8.2, 40.0})
+  EXPECT_TRUE(holds(unitWarning(upright(2.5), 0.001), "(-unit m)"));
+  for (const double height : {0.0, 1.9, 2.5, 8.2, 40.0})
     EXPECT_EQ(unitWarning(upright(height), 1.0), "") << height;
-  EXPECT_EQ(unitWarning(upright(2.5), 0.001), "");
+  EXPECT_EQ(unitWarning(upright(2500), 0.001), "");
+}
+
+TEST(ScanWarnings, AUnitThatNobodyToldIsTakenWhereMetresCannotBe)
+{
+  EXPECT_EQ(metresPerUnit(2500), 0.001);
+  EXPECT_EQ(metresPerUnit(250), 0.01);
+  EXPECT_EQ(metresPerUnit(98), 0.0254);
+  for (const double height : {0.0, 0.25, 2.5, 8.2, 40.0})
+    EXPECT_EQ(metresPerUnit(height), 1.0) << height;
+  EXPECT_TRUE(holds(unitNote(2500, 0.001), "millimetres"));
+  EXPECT_TRUE(holds(unitNote(2500, 0.001), "2500 m high"));
+  EXPECT_EQ(unitNote(2.5, 1.0), "");
+}
+
+TEST(ScanWarnings, FeetShowInFurnishedRooms)
+{
+  auto hall = upright(8.2);
+  EXPECT_EQ(unitWarning(hall, 1.0), "");
+  hall.is_furnished = true; // with things of two metres
+  EXPECT_TRUE(holds(unitWarning(hall, 1.0), "(-unit ft)"));
+  EXPECT_EQ(unitWarning(hall, 0.3048), "");
+  hall.room_height = 5.6;
+  EXPECT_EQ(unitWarning(hall, 1.0), "");
+}
+
+TEST(ScanWarnings, AScaleThatIsNoUnit)
+{
+  EXPECT_TRUE(holds(unitWarning(upright(1.25), 1.0), "scale"));
+  EXPECT_TRUE(holds(unitWarning(upright(0.25), 1.0), "0.3 m high"));
+  auto parts = upright(1.25); // such as gaps below tables
+  parts.has_rooms = false;
+  EXPECT_EQ(unitWarning(parts, 1.0), "");
 }
 
 TEST(ScanWarnings, FeetShowInRoomsAndDoors)
@@ -77,18 +117,24 @@ TEST(ScanWarnings, FeetShowInRoomsAndDoors)
   EXPECT_EQ(feetWarning(mixed, doorsOf(5, 6.6), 1.0), "");
 }
 
-TEST(ScanWarnings, TheAxisIsThatOfTheCloud)
+TEST(ScanWarnings, HowAScanWasStoodUpright)
 {
-  ScanSigns signs = upright(2.5);
-  EXPECT_EQ(axisWarning(signs, Eigen::Matrix3d::Identity()), "");
-  signs.uprightness = {0.1, 1.0, 0.1};
-  EXPECT_TRUE(holds(axisWarning(signs, Eigen::Matrix3d::Identity()), "-up y,"));
-  Eigen::Matrix3d turn; // y of the building is x of the cloud
-  turn << 0, 1, 0, -1, 0, 0, 0, 0, 1;
-  EXPECT_TRUE(holds(axisWarning(signs, turn), "-up x,"));
-  signs.uprightness = {0.1, 0.13, 0.1}; // not clearly
-  EXPECT_EQ(axisWarning(signs, turn), "");
-  EXPECT_EQ(axisWarning({}, turn), "");
+  EXPECT_EQ(verticalNote(Vertical()), "");
+  EXPECT_EQ(verticalNote(along({0.04f, 0.0f, 1.0f})), ""); // 2 degrees
+  const auto tilted = verticalNote(along({0.0f, 0.342f, 0.94f}));
+  EXPECT_TRUE(holds(tilted, "tilted by 20 degrees"));
+  EXPECT_TRUE(holds(tilted, "(-up 0,0.342,0.94)"));
+  const auto lying = verticalNote(along({0.0f, 1.0f, 0.02f}));
+  EXPECT_TRUE(holds(lying, "lies on its side"));
+  EXPECT_TRUE(holds(lying, "(-up y)"));
+  EXPECT_TRUE(holds(verticalNote(along({0.0f, 0.0f, -1.0f})), "upside down"));
+  auto unclear = along({1.0f, 0.0f, 0.0f});
+  unclear.is_end_known = false;
+  EXPECT_TRUE(holds(verticalNote(unclear), "set -up -x"));
+  Vertical doubtful;
+  doubtful.doubtful = Eigen::Vector3f::UnitY();
+  EXPECT_TRUE(holds(verticalNote(doubtful), "may lie on its side"));
+  EXPECT_TRUE(holds(verticalNote(doubtful), "(-up y or -up -y)"));
 }
 
 TEST(ScanWarnings, StepsOfFloats)

@@ -5,11 +5,14 @@
 
 #include "support/synthetic_scenes.h"
 
-#include <pcl/segmentation/rooms/scan_signs.h>
+#include <pcl/segmentation/rooms/scan_unit.h>
+#include <pcl/segmentation/rooms/vertical.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace pcl::indoor;
@@ -19,81 +22,177 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
-/** Two storeys of 2.5 m, each with four rooms of 4 x 5 m. */
+constexpr double degree = M_PI / 180.0;
+
+/** Two storeys of 2.5 m, each with four rooms of 4 x 5 m; on the floor of each stand
+ * two boxes of 2 x 0.8 x 0.7 m, or none. */
 Points
-house()
+house(bool is_furnished = true)
 {
   std::vector<RoomBox> boxes;
+  Points furniture;
+  std::vector<Eigen::AlignedBox3f> below; // where it hides the floor
   for (int storey = 0; storey < 2; ++storey)
     for (int x = 0; x < 2; ++x)
       for (int y = 0; y < 2; ++y) {
         const Eigen::Vector3f low(4.2f * x, 5.2f * y, 2.8f * storey);
         boxes.push_back({low, low + Eigen::Vector3f(4, 5, 2.5f), 1});
+        for (const float at : {0.8f, 3.2f}) {
+          const Eigen::Vector3f corner = low + Eigen::Vector3f(1, at, -0.05f);
+          below.emplace_back(corner, corner + Eigen::Vector3f(2, 0.8f, 0.1f));
+          for (float u = 0.0f; u < 2.0f; u += 0.05f)
+            for (float v = 0.0f; v < 0.8f; v += 0.05f)
+              furniture.push_back(corner + Eigen::Vector3f(u, v, 0.75f));
+        }
       }
-  return rooms(boxes, {}, 0.05f).points;
+  auto points = rooms(boxes, {}, 0.05f).points;
+  if (!is_furnished)
+    return points;
+  const auto is_hidden = [&](const Eigen::Vector3f& point) {
+    return std::any_of(below.begin(), below.end(), [&](const auto& box) {
+      return box.contains(point);
+    });
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), is_hidden), points.end());
+  points.insert(points.end(), furniture.begin(), furniture.end());
+  return points;
+}
+
+Points
+turned(const Points& points, const Eigen::Matrix3d& turn)
+{
+  Points result;
+  for (const auto& point : points)
+    result.push_back((turn * point.cast<double>()).cast<float>());
+  return result;
+}
+
+Eigen::Matrix3d
+turnAbout(const Eigen::Vector3d& axis, double degrees)
+{
+  return Eigen::AngleAxisd(degrees * degree, axis.normalized()).toRotationMatrix();
+}
+
+/** Between two directions, degrees. */
+double
+angleBetween(const Eigen::Vector3f& a, const Eigen::Vector3d& b)
+{
+  return std::acos(std::clamp(a.cast<double>().dot(b), -1.0, 1.0)) / degree;
 }
 
 } // namespace
 
-TEST(ScanSigns, FreeLengthsAreThoseOfTheRooms)
-{
-  const auto signs = scanSigns(house());
-  // a column reaches from wall to wall of one of two rooms; noise of 5 mm on both sides
-  EXPECT_NEAR(signs.free_length.x(), 4.0, 0.1);
-  EXPECT_NEAR(signs.free_length.y(), 5.0, 0.1);
-  EXPECT_NEAR(signs.free_length.z(), 2.5, 0.1);
-  EXPECT_EQ(signs.uprightAxis(), 2);
-}
-
-TEST(ScanSigns, FollowAxesThatChangePlaces)
+TEST(Vertical, ALevelScanIsTakenAsItIs)
 {
   const auto points = house();
-  for (int axis = 0; axis < 3; ++axis) {
-    Points turned;
-    for (const auto& p : points)
-      turned.emplace_back(p[(5 - axis) % 3], p[(6 - axis) % 3], p[(7 - axis) % 3]);
-    const auto signs = scanSigns(turned);
-    EXPECT_EQ(signs.uprightAxis(), axis);
-    EXPECT_NEAR(signs.free_length[axis], 2.5, 0.1);
+  for (const double tilt : {0.0, 1.0, 2.5}) {
+    const auto vertical =
+        findVertical(turned(points, turnAbout(Eigen::Vector3d(1, 2, 0), tilt)));
+    EXPECT_TRUE(vertical.is_found);
+    EXPECT_NEAR(vertical.tilt() / degree, tilt, 0.3); // a sample's planes of 0.3 m
+    EXPECT_EQ(vertical.upAxis(), Eigen::Vector3f::UnitZ());
+    EXPECT_NEAR(vertical.room_height, 2.5, 0.15); // along z
   }
 }
 
-TEST(ScanSigns, FollowTheUnit)
+TEST(Vertical, FollowsATilt)
 {
   const auto points = house();
-  const double height = scanSigns(points).free_length.z();
-  for (const double unit : {0.001, 0.01, 0.0254, 0.3048}) {
+  for (const double tilt : {5.0, 11.0, 20.0, 30.0, 44.0})
+    for (const double azimuth : {0.0, 33.0, 90.0}) {
+      const auto turn = turnAbout(turnAbout(Eigen::Vector3d::UnitZ(), azimuth) *
+                                      Eigen::Vector3d::UnitX(),
+                                  tilt);
+      const auto vertical = findVertical(turned(points, turn));
+      EXPECT_TRUE(vertical.is_found);
+      EXPECT_TRUE(vertical.is_end_known);
+      EXPECT_LT(angleBetween(vertical.upAxis(), turn.col(2)), 0.4) << tilt;
+      EXPECT_NEAR(vertical.room_height, 2.5, 0.15);
+    }
+}
+
+TEST(Vertical, FurnitureTellsFloorsFromCeilings)
+{
+  const auto points = house();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float sign : {1.0f, -1.0f}) {
+      const Eigen::Vector3f up = sign * Eigen::Vector3f::Unit(axis);
+      const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
+                                                           up.cast<double>())
+                            .toRotationMatrix();
+      const auto vertical = findVertical(turned(points, turn));
+      EXPECT_TRUE(vertical.is_end_known);
+      EXPECT_EQ(vertical.upAxis(), up); // exactly
+    }
+}
+
+TEST(Vertical, WithoutFurnitureTheEndNearerToZIsUp)
+{
+  const auto points = house(false);
+  const auto down = turned(points, turnAbout(Eigen::Vector3d::UnitX(), 180.0));
+  EXPECT_EQ(findVertical(down).upAxis(), Eigen::Vector3f::UnitZ());
+  const auto lying =
+      findVertical(turned(points, turnAbout(Eigen::Vector3d::UnitX(), 90.0)));
+  EXPECT_FALSE(lying.is_end_known);
+  EXPECT_EQ(lying.upAxis(), Eigen::Vector3f::UnitY());
+}
+
+TEST(Vertical, FollowsTheUnit)
+{
+  const auto points = house();
+  for (const double unit : {0.001, 0.01, 0.0254, 0.3048, 1.0}) {
     Points scaled;
-    for (const auto& p : points)
-      scaled.push_back(p / static_cast<float>(unit));
-    const auto signs = scanSigns(scaled);
-    EXPECT_NEAR(signs.free_length.z() * unit, height, 0.05); // another sample
-    EXPECT_EQ(signs.uprightAxis(), 2);
-    EXPECT_EQ(likelyMetresPerUnit(signs.free_length.z()), unit);
+    for (const auto& point : points)
+      scaled.push_back(point / static_cast<float>(unit));
+    const auto vertical = findVertical(scaled);
+    EXPECT_NEAR(vertical.room_height * unit, 2.5, 0.1); // another sample
+    EXPECT_EQ(vertical.upAxis(), Eigen::Vector3f::UnitZ());
+    EXPECT_EQ(likelyMetresPerUnit(vertical.room_height), unit);
   }
-  EXPECT_EQ(likelyMetresPerUnit(height), 1.0);
 }
 
-TEST(ScanSigns, DependNeitherOnTheOrderNorOnFarPoints)
+TEST(Vertical, DependsNeitherOnTheOrderNorOnFarPoints)
 {
-  auto points = house();
-  const auto signs = scanSigns(points);
+  auto points = turned(house(), turnAbout(Eigen::Vector3d(1, 1, 0), 17.0));
+  const auto vertical = findVertical(points);
   std::mt19937 rng(3);
   for (std::size_t i = points.size(); i > 1; --i)
     std::swap(points[i - 1], points[rng() % i]);
-  EXPECT_EQ(scanSigns(points).free_length, signs.free_length);
-  EXPECT_EQ(scanSigns(points).uprightness, signs.uprightness);
+  EXPECT_EQ(findVertical(points).direction, vertical.direction);
   for (int i = 0; i < 10; ++i)
     points.emplace_back(1e9f, -1e9f, 1e9f);
-  EXPECT_EQ(scanSigns(points).free_length, signs.free_length);
+  EXPECT_EQ(findVertical(points).direction, vertical.direction);
 }
 
-TEST(ScanSigns, TooFewPointsTellNothing)
+TEST(Vertical, AnAxisThatIsSetHolds)
+{
+  const auto vertical = verticalAlong(Eigen::Vector3f(0, 3, 0), house());
+  EXPECT_EQ(vertical.direction, Eigen::Vector3f::UnitY());
+  EXPECT_NEAR(vertical.room_height, 5.0, 0.2);
+}
+
+TEST(Vertical, WithoutEvidenceTheScanIsTakenAsItIs)
 {
   for (const std::size_t count : {0, 1, 999, 2000}) { // the last: all in one place
-    const auto signs = scanSigns(Points(count, Eigen::Vector3f(1, 2, 3)));
-    EXPECT_EQ(signs.free_length, Eigen::Vector3d::Zero());
-    EXPECT_EQ(signs.uprightness, Eigen::Vector3d::Zero());
-    EXPECT_EQ(signs.uprightAxis(), 2);
+    const auto vertical = findVertical(Points(count, Eigen::Vector3f(1, 2, 3)));
+    EXPECT_FALSE(vertical.is_found);
+    EXPECT_EQ(vertical.upAxis(), Eigen::Vector3f::UnitZ());
+    EXPECT_EQ(vertical.room_height, 0.0);
+  }
+  std::mt19937 rng(1);
+  const auto random = [&rng] {
+    return static_cast<float>(rng() % 20001) / 1e4f - 1.0f;
+  };
+  Points ball, plane, tunnel;
+  for (int i = 0; i < 30000; ++i) {
+    const Eigen::Vector3f p(random(), random(), random());
+    ball.push_back(3.0f * p.normalized());
+    plane.emplace_back(10.0f * p.x(), 0.9f * 10.0f * p.y(), 0.4f * 10.0f * p.y());
+    const Eigen::Vector2f ring = 3.0f * p.tail<2>().normalized();
+    tunnel.emplace_back(40.0f * p.x(), ring.x(), ring.y());
+  }
+  for (const auto& points : {ball, plane, tunnel}) {
+    EXPECT_FALSE(findVertical(points).is_found);
+    EXPECT_EQ(findVertical(points).upAxis(), Eigen::Vector3f::UnitZ());
   }
 }
