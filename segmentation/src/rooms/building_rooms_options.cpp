@@ -108,7 +108,7 @@ checkInterior(const InteriorSpaceOptions& interior, Check& check)
   check.between(0, heaviest, "weight of floor and ceiling", weights.vertical, "");
   check.between(0, heaviest, "weight of walls", weights.horizontal, "");
   check.between(0, heaviest, "evidence of the exterior", weights.exterior, "");
-  check.between(0, heaviest, "smoothness", interior.smoothness, "");
+  check.between(0, 100.0, "smoothness", interior.smoothness, "");
   check.between(0,
                 most_directions,
                 "number of directions",

@@ -5,11 +5,14 @@
 
 #include <pcl/segmentation/building_rooms.h>
 
+#include "support/synthetic_scenes.h"
+
 #include <pcl/exceptions.h>
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 
 using namespace pcl::indoor;
 
@@ -26,7 +29,21 @@ expectRefused(const BuildingRoomsOptions& options, const char* what, double valu
       << what << ' ' << value;
 }
 
-/** A field takes its legal values and refuses NaN and the others. */
+/** Two rooms of coarse points are segmented somehow, by either method. */
+void
+expectRuns(BuildingRoomsOptions options, const char* what, double value)
+{
+  static const auto scene = test::twoRooms(0.005f, 0.08f);
+  if (std::string(what).find("field_rooms") != std::string::npos)
+    options.map.method = RoomMethod::PotentialField;
+  BuildingRooms building;
+  EXPECT_NO_THROW(building = segmentBuilding(scene.points, options))
+      << what << ' ' << value;
+  EXPECT_EQ(building.point_labels.size(), scene.points.size()) << what << ' ' << value;
+}
+
+/** A field takes its legal values, with which rooms are found, and refuses NaN and the
+ * others. */
 template <typename Field>
 void
 check(const char* what,
@@ -42,6 +59,7 @@ check(const char* what,
     BuildingRoomsOptions options;
     field(options) = static_cast<Value>(value);
     EXPECT_EQ(findProblem(options), "") << what << ' ' << value;
+    expectRuns(options, what, value);
   }
   for (const double value : illegal) {
     BuildingRoomsOptions options;
@@ -55,6 +73,7 @@ const std::vector<double> bad_positive = {0, -0.1, 1001, infinity};
 const std::vector<double> bad_share = {-0.1, 1.1};
 const std::vector<double> bad_area = {-0.1};
 const std::vector<double> bad_weight = {-0.1, infinity};
+const std::vector<double> bad_evidence = {-0.1, 80.1, infinity};
 
 } // namespace
 
@@ -84,50 +103,50 @@ TEST(BuildingRoomsOptions, TheComplaintNamesValueAndRange)
 TEST(BuildingRoomsOptions, FieldsOfBuildingAndInterior)
 {
   using V = std::vector<double>;
-  CHECK_FIELD(voxel_size, (V{0, 0.1}), bad_length);
+  CHECK_FIELD(voxel_size, (V{0, 0.02, 1000}), bad_length);
   CHECK_FIELD(threads, (V{0, 8}), V{-1});
-  CHECK_FIELD(interior.voxel_size, V{0.2}, bad_positive);
-  CHECK_FIELD(interior.weights.below, (V{0, 3}), bad_weight);
-  CHECK_FIELD(interior.weights.above, (V{0, 3}), bad_weight);
-  CHECK_FIELD(interior.weights.vertical, (V{0, 3}), bad_weight);
-  CHECK_FIELD(interior.weights.horizontal, (V{0, 3}), bad_weight);
-  CHECK_FIELD(interior.weights.exterior, (V{0, 3}), bad_weight);
-  CHECK_FIELD(interior.smoothness, (V{0, 3}), bad_weight);
-  CHECK_FIELD(interior.max_directions, (V{0, 6}), V{7});
+  CHECK_FIELD(interior.voxel_size, (V{1e-4, 1000}), bad_positive);
+  CHECK_FIELD(interior.weights.below, (V{0, 80}), bad_evidence);
+  CHECK_FIELD(interior.weights.above, (V{0, 80}), bad_evidence);
+  CHECK_FIELD(interior.weights.vertical, (V{0, 80}), bad_evidence);
+  CHECK_FIELD(interior.weights.horizontal, (V{0, 80}), bad_evidence);
+  CHECK_FIELD(interior.weights.exterior, (V{0, 80}), bad_evidence);
+  CHECK_FIELD(interior.smoothness, (V{0, 100}), bad_weight);
+  CHECK_FIELD(interior.max_directions, (V{0, 5}), V{6});
   CHECK_FIELD(interior.min_direction_support, (V{0, 1}), bad_share);
 }
 
 TEST(BuildingRoomsOptions, FieldsOfStoreysAndWalls)
 {
   using V = std::vector<double>;
-  CHECK_FIELD(storeys.min_clearance, V{1}, bad_positive);
-  CHECK_FIELD(storeys.max_slab, (V{0, 1}), bad_length);
+  CHECK_FIELD(storeys.min_clearance, (V{1e-4, 1000}), bad_positive);
+  CHECK_FIELD(storeys.max_slab, (V{0, 1000}), bad_length);
   CHECK_FIELD(storeys.min_slab_area, (V{1, infinity}), (V{0, -1}));
-  CHECK_FIELD(storeys.bridge, (V{0, 1}), bad_length);
+  CHECK_FIELD(storeys.bridge, (V{0, 1000}), bad_length);
   CHECK_FIELD(storeys.min_opening_area, (V{0, infinity}), bad_area);
   CHECK_FIELD(storeys.threads, V{3}, V{}); // that of the building is taken
-  CHECK_FIELD(walls.window, V{1}, bad_positive);
-  CHECK_FIELD(walls.max_thickness, (V{0, 1}), bad_length);
-  CHECK_FIELD(walls.reach, (V{0, 1}), bad_length);
-  CHECK_FIELD(walls.min_points, (V{0, 100}), V{}); // any number
-  CHECK_FIELD(walls.threads, V{3}, V{});           // that of the building is taken
+  CHECK_FIELD(walls.window, (V{1e-4, 1000}), bad_positive);
+  CHECK_FIELD(walls.max_thickness, (V{0, 1000}), bad_length);
+  CHECK_FIELD(walls.reach, (V{0, 1000}), bad_length);
+  CHECK_FIELD(walls.min_points, (V{2, 1e9}), (V{0, 1}));
+  CHECK_FIELD(walls.threads, V{3}, V{}); // that of the building is taken
 }
 
 TEST(BuildingRoomsOptions, FieldsOfTheMap)
 {
   using V = std::vector<double>;
-  CHECK_FIELD(map.slab.window, (V{0, 1}), bad_length);
-  CHECK_FIELD(map.slab.step, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.slab.window, (V{0, 1000}), bad_length);
+  CHECK_FIELD(map.slab.step, (V{0, 1000}), bad_length);
   CHECK_FIELD(map.slab.level_share, (V{0, 1}), bad_share);
-  CHECK_FIELD(map.slab.min_height, (V{0, 1}), bad_length);
-  CHECK_FIELD(map.slab.gap, (V{0, 1}), bad_length);
-  CHECK_FIELD(map.slab.max_gap, (V{0, 1}), bad_length);
-  CHECK_FIELD(map.slab.min_wall, (V{0, 1}), bad_length);
-  CHECK_FIELD(map.slab.depth, V{1}, bad_positive);
+  CHECK_FIELD(map.slab.min_height, (V{0, 1000}), bad_length);
+  CHECK_FIELD(map.slab.gap, (V{0, 1000}), bad_length);
+  CHECK_FIELD(map.slab.max_gap, (V{0, 1000}), bad_length);
+  CHECK_FIELD(map.slab.min_wall, (V{0, 1000}), bad_length);
+  CHECK_FIELD(map.slab.depth, (V{1e-4, 1000}), bad_positive);
   CHECK_FIELD(map.persistence, (V{0, 1}), bad_share);
   CHECK_FIELD(map.merging.open_share, (V{0, 1}), bad_share);
-  CHECK_FIELD(map.door_width, (V{0, 1}), bad_length);
-  CHECK_FIELD(map.merging.door_width, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.door_width, (V{0, 1000}), bad_length);
+  CHECK_FIELD(map.merging.door_width, (V{0, 1000}), bad_length);
   CHECK_FIELD(map.merging.door_share, (V{0, 1}), bad_share);
   CHECK_FIELD(map.open_plan.min_wall_share, (V{0, 1}), bad_share);
   CHECK_FIELD(map.threads, V{3}, V{}); // that of the building is taken
@@ -136,9 +155,9 @@ TEST(BuildingRoomsOptions, FieldsOfTheMap)
   CHECK_FIELD(map.open_plan.max_elongation, (V{0, infinity}), bad_area);
   CHECK_FIELD(map.open_plan.persistence, (V{0, 1}), bad_share);
   CHECK_FIELD(map.open_plan.max_shared_view, (V{0, 1}), bad_share);
-  CHECK_FIELD(map.min_width, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.min_width, (V{0, 1000}), bad_length);
   CHECK_FIELD(map.min_area, (V{0, infinity}), bad_area);
-  CHECK_FIELD(map.reach, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.reach, (V{0, 1000}), bad_length);
 }
 
 TEST(BuildingRoomsOptions, FieldsOfThePotentialField)
@@ -154,6 +173,27 @@ TEST(BuildingRoomsOptions, FieldsOfThePotentialField)
   CHECK_FIELD(map.field_rooms.dbscan_distance, (V{0, 25}), bad_weight);
   CHECK_FIELD(map.field_rooms.min_cluster_area, V{2}, (V{0, -1, infinity}));
   CHECK_FIELD(map.field_rooms.sample_area, V{2}, (V{0, -1, infinity}));
-  CHECK_FIELD(map.field_rooms.landmark_spacing, (V{0, 1}), bad_length);
+  CHECK_FIELD(map.field_rooms.landmark_spacing, (V{0, 1000}), bad_length);
   CHECK_FIELD(map.field_rooms.beta, (V{0, 100}), bad_weight);
+}
+
+TEST(BuildingRoomsOptions, TheHeaviestWeightsFitTogether)
+{
+  BuildingRoomsOptions options;
+  options.interior.weights = {80, 80, 80, 80, 0};
+  expectRuns(options, "all weights", 80);
+  options.interior.weights = {0, 0, 0, 0, 80};
+  expectRuns(options, "exterior alone", 80);
+}
+
+TEST(BuildingRoomsOptions, MoreWallDirectionsThanAreLookedFor)
+{
+  auto points = test::twoRooms(0.005f, 0.08f).points;
+  for (const double yaw : {0.5, 1.0}) // three frames of walls, six directions
+    for (const auto& point : test::turned(test::twoRooms(0.005f, 0.08f).points, yaw))
+      points.push_back(point + Eigen::Vector3f(static_cast<float>(20 * yaw), 12, 0));
+  BuildingRoomsOptions options;
+  options.interior.max_directions = 5;
+  options.interior.min_direction_support = 0.0;
+  EXPECT_NO_THROW(segmentBuilding(points, options));
 }

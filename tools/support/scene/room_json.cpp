@@ -70,6 +70,8 @@ roomsJson(const std::vector<Room>& rooms,
       json["points"] = 0;
     json["area"] = rounded(room.area);
     json["height"] = rounded(room.height);
+    json["floor_seen"] = rounded(room.floor_seen);
+    json["ceiling_seen"] = rounded(room.ceiling_seen);
     json["volume"] = rounded(room.volume);
     json["footprint"] = footprintJson(room, offset);
     json["neighbours"] = neighboursJson(room, openings, offset);

@@ -140,3 +140,14 @@ TEST(GrowLabels, ReachesNearPixelsOnlyAndKeepsLabels)
   pcl::indoor::growLabels(empty, 1.0);
   EXPECT_TRUE(empty.values.empty());
 }
+
+TEST(NearestSites, DistancesBeyondTheRangeAreTheLargestOnes)
+{
+  PixelMap<std::uint8_t> sites{50000, 1, {}};
+  sites.values.assign(sites.size(), 0);
+  sites.values.back() = 1;
+  const auto nearest = nearestSites(sites);
+  EXPECT_EQ(nearest.site.values.front(), 49999);
+  EXPECT_EQ(nearest.squared_distance.values.front(), none - 1);
+  EXPECT_EQ(nearest.squared_distance.values[49999 - 46000], 46000 * 46000);
+}

@@ -1,0 +1,158 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/scan_warnings.h>
+
+#include "support/synthetic_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace pcl::indoor;
+using test::LabelledPoints;
+using Points = std::vector<Eigen::Vector3f>;
+
+namespace {
+
+/** Two rooms of 2.5 m, of which only the points that a test takes were seen. */
+template <typename Seen>
+Points
+partOfTwoRooms(const Seen& seen)
+{
+  Points points = test::twoRooms().points;
+  points.erase(std::remove_if(points.begin(),
+                              points.end(),
+                              [&](const auto& p) { return !seen(p.z()); }),
+               points.end());
+  return points;
+}
+
+bool
+isFloor(float z)
+{
+  return z < 0.03f;
+}
+
+bool
+isCeiling(float z)
+{
+  return z > 2.47f;
+}
+
+/** Two rooms of the right size and height, and one line that names what is missing. */
+void
+expectTwoRooms(const Points& points, const std::string& missing)
+{
+  const auto building = segmentBuilding(points);
+  ASSERT_EQ(building.rooms.size(), 2u) << missing;
+  EXPECT_NEAR(building.rooms[0].area, 12.0, 0.6) << missing;
+  EXPECT_NEAR(building.rooms[1].area, 9.0, 1.0) << missing; // behind the cabinet, too
+  for (const Room& room : building.rooms)
+    EXPECT_NEAR(room.height, 2.5, 0.1) << missing;
+  EXPECT_EQ(building.openings.size(), 1u) << missing;
+  const auto warnings = unseenWarnings(building);
+  if (missing.empty()) {
+    EXPECT_TRUE(warnings.empty());
+    return;
+  }
+  ASSERT_EQ(warnings.size(), 1u) << missing;
+  EXPECT_NE(warnings[0].find(missing), std::string::npos) << warnings[0];
+}
+
+void
+addGround(float reach, float spacing, Points& points)
+{
+  std::mt19937 rng(3);
+  LabelledPoints ground;
+  ground.addRectangle({-reach, -reach, -0.1f},
+                      {7.1f + 2 * reach, 0, 0},
+                      {0, 3 + 2 * reach, 0},
+                      {0, 0, 1},
+                      0,
+                      spacing,
+                      0.01f,
+                      rng);
+  for (const auto& point : ground.points) // none below the house
+    if (point.x() < -0.2f || point.x() > 7.3f || point.y() < -0.2f || point.y() > 3.2f)
+      points.push_back(point);
+}
+
+} // namespace
+
+TEST(PartialScans, WholeScansAreSaidToBeWhole)
+{
+  expectTwoRooms(test::twoRooms().points, "");
+}
+
+TEST(PartialScans, WithoutFloors)
+{
+  expectTwoRooms(partOfTwoRooms([](float z) { return !isFloor(z); }), "No floors");
+}
+
+TEST(PartialScans, WithoutCeilings)
+{
+  expectTwoRooms(partOfTwoRooms([](float z) { return !isCeiling(z); }), "No ceilings");
+}
+
+TEST(PartialScans, WallsAlone)
+{
+  expectTwoRooms(partOfTwoRooms([](float z) { return !isFloor(z) && !isCeiling(z); }),
+                 "Neither floors nor ceilings");
+}
+
+TEST(PartialScans, FlagsTellWhichRoomsLackWhat)
+{
+  const auto building =
+      segmentBuilding(partOfTwoRooms([](float z) { return !isFloor(z); }));
+  for (const Room& room : building.rooms) {
+    EXPECT_EQ(room.floor_seen, 0.0);
+    EXPECT_GT(room.ceiling_seen, 0.9);
+  }
+}
+
+TEST(PartialScans, SlicesAndFlatMapsHaveNoRooms)
+{
+  const auto slice =
+      segmentBuilding(partOfTwoRooms([](float z) { return z > 0.9f && z < 1.3f; }));
+  Points flat = partOfTwoRooms([](float z) { return z > 0.9f && z < 1.0f; });
+  for (auto& point : flat)
+    point.z() = 0.0f;
+  for (const auto& building : {slice, segmentBuilding(flat)}) {
+    EXPECT_TRUE(building.rooms.empty());
+    const auto warnings = unseenWarnings(building);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("there are no rooms"), std::string::npos);
+  }
+}
+
+TEST(PartialScans, GroundAroundAHouseIsNoRoom)
+{
+  Points points = test::twoRooms().points;
+  addGround(12.0f, 0.3f, points);
+  const auto building = segmentBuilding(points);
+  EXPECT_EQ(building.occupancy.grid.voxel_size, 0.1); // not that of the ground
+  ASSERT_EQ(building.rooms.size(), 2u);
+  EXPECT_NEAR(building.rooms[0].area, 12.0, 0.6);
+  EXPECT_TRUE(unseenWarnings(building).empty());
+}
+
+TEST(PartialScans, SpacesThatWereHardlySeenAreNoRooms)
+{
+  Points points = test::twoRooms().points;
+  std::mt19937 rng(4);
+  const auto image = // behind the wall at x = 0, with a twelfth of the points
+      test::rooms({{{-4.2f, 0, 0}, {-0.2f, 3, 2.5f}, 1}}, {}, 0.04f, 0.01f).points;
+  for (const auto& point : image)
+    if (rng() % 12 == 0)
+      points.push_back(point);
+  const auto building = segmentBuilding(points);
+  EXPECT_EQ(building.rooms.size(), 2u);
+  EXPECT_EQ(building.hardly_seen, 1u);
+  ASSERT_EQ(unseenWarnings(building).size(), 1u);
+  EXPECT_NE(unseenWarnings(building)[0].find("no room"), std::string::npos);
+}
