@@ -199,7 +199,7 @@ TEST_F(CloudFiles, AnAppendedFieldReplacesItsNamesakeOfAnyType)
   EXPECT_TRUE(again.frame.orientation.isApprox(organisedCloud().sensor_orientation_));
   pcl::PointCloud<pcl::PointNormal> points;
   pcl::fromPCLPointCloud2(again.cloud, points);
-  EXPECT_FLOAT_EQ(points[7].z, -2.1f);
+  EXPECT_FLOAT_EQ(points[7].z, -3.1f);
   EXPECT_FLOAT_EQ(points[7].normal_y, 1.0f);
   EXPECT_THROW(appendField(file.cloud, "object", {1, 2}), ToolError);
 }
