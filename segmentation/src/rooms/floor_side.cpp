@@ -124,7 +124,7 @@ ThingsAtEnds::operator+=(const ThingsAtEnds& other)
 }
 
 int
-ThingsAtEnds::clearEnd() const
+ThingsAtEnds::clearEnd(double times) const
 {
   // Furnished homes and offices have 0.04 to 0.14 per column, and 1.5 to 50 times as
   // many at the floor; empty buildings less than 0.04, at either end.
@@ -133,7 +133,7 @@ ThingsAtEnds::clearEnd() const
   const int more = std::max(low, high), less = std::min(low, high);
   const bool is_clear = more >= enough &&
                         more >= per_column * static_cast<double>(columns) &&
-                        2 * more > 3 * less;
+                        more > times * less;
   return !is_clear ? 0 : high > low ? 1 : -1;
 }
 

@@ -166,7 +166,10 @@ verticalNote(const Vertical& vertical)
   }
   const Eigen::Vector3f up = vertical.upAxis();
   if (up == Eigen::Vector3f::UnitZ())
-    return {};
+    return vertical.is_found && !vertical.is_end_known
+               ? "The scan may be upside down: more things stand out from the ceilings "
+                 "than from the floors; if it is, set -up -z."
+               : "";
   const double degrees = vertical.tilt() * 180.0 / M_PI;
   std::ostringstream line;
   if (degrees > 135.0)

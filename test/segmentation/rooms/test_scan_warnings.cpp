@@ -131,6 +131,9 @@ TEST(ScanWarnings, HowAScanWasStoodUpright)
   auto unclear = along({1.0f, 0.0f, 0.0f});
   unclear.is_end_known = false;
   EXPECT_TRUE(holds(verticalNote(unclear), "set -up -x"));
+  unclear = along({0.0f, 0.0f, 1.0f});
+  unclear.is_end_known = false;
+  EXPECT_TRUE(holds(verticalNote(unclear), "may be upside down"));
   Vertical doubtful;
   doubtful.doubtful = Eigen::Vector3f::UnitY();
   EXPECT_TRUE(holds(verticalNote(doubtful), "may lie on its side"));

@@ -5,6 +5,7 @@
 
 #include "support/synthetic_scenes.h"
 
+#include <pcl/segmentation/rooms/floor_side.h>
 #include <pcl/segmentation/rooms/scan_unit.h>
 #include <pcl/segmentation/rooms/vertical.h>
 
@@ -124,6 +125,15 @@ TEST(Vertical, FurnitureTellsFloorsFromCeilings)
       EXPECT_TRUE(vertical.is_end_known);
       EXPECT_EQ(vertical.upAxis(), up); // exactly
     }
+}
+
+TEST(Vertical, MoreThingsAtACeilingAreNoProof)
+{
+  EXPECT_EQ((ThingsAtEnds{110, 210, 1800}.clearEnd()), 1); // a real map that is upright
+  EXPECT_EQ((ThingsAtEnds{110, 210, 1800}.clearEnd(3.0)), 0);
+  EXPECT_EQ((ThingsAtEnds{60, 210, 1800}.clearEnd(3.0)), 1);
+  EXPECT_EQ((ThingsAtEnds{60, 210, 9000}.clearEnd(3.0)), 0); // hardly furnished
+  EXPECT_EQ((ThingsAtEnds{210, 60, 1800}.clearEnd()), -1);
 }
 
 TEST(Vertical, WithoutFurnitureTheEndNearerToZIsUp)

@@ -26,10 +26,11 @@ struct ThingsAtEnds {
   ThingsAtEnds&
   operator+=(const ThingsAtEnds& other);
 
-  /** \brief There is furniture, and nearly all of it at one end: -1 = low, 1 = high;
-   * else 0. */
+  /** \brief There is furniture, and most of it at one end: -1 = low, 1 = high; else 0.
+   * \param[in] times as much as at the other end, at least
+   */
   int
-  clearEnd() const;
+  clearEnd(double times = 1.5) const;
 };
 
 /** \param[in] space along a direction that is the vertical or points down */
