@@ -77,10 +77,9 @@ addLengths(OptionParser& parser, Settings& settings)
             "what is wanted; objects: whole things in a room; parts: seats, backs and "
             "arms apart; single_view: a table seen by one camera; thesis, "
             "thesis_kinect: the method of the thesis with its parameters for laser "
-            "scans or the Kinect, and no more; auto: single_view if "
-            "one camera saw a table, at most 1.4 m away, up to 2 m if most of it is "
-            "small; "
-            "else objects",
+            "scans or the Kinect, and no more; auto: single_view if one camera saw a "
+            "table, "
+            "at most 1.4 m away, up to 2 m if most of it is small; else objects",
             {"auto", "objects", "parts", "single_view", "thesis", "thesis_kinect"})
       .number("-voxel_resolution",
               settings.voxel_resolution,
@@ -191,8 +190,7 @@ addOthers(OptionParser& parser, Settings& settings)
       .text("-camera",
             settings.camera,
             "voxels grow with the distance from one camera along z or -z; auto: if the "
-            "input "
-            "is the view of a table",
+            "input is the view of a table",
             {"auto", "single", "none"})
       .text("-orientation",
             settings.orientation,
