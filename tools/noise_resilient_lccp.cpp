@@ -13,6 +13,7 @@
 #include "files/point_coordinates.h"
 #include "files/sampled_surface.h"
 #include "files/table_view.h"
+#include "scene/scan_frame.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/filters/scan_outlier_removal.h>
@@ -32,6 +33,8 @@ using pcl::indoor::Partition;
 
 namespace {
 
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
 constexpr double bytes_per_point = 350; // that are in use at once, measured
 
 /** What the command line sets; 0 in lengths, angles and sizes stands for the preset's
@@ -50,6 +53,7 @@ struct Settings {
   PointCoordinates coordinates;
   TableColumns columns;
   MemoryLimit memory;
+  ScanFrame frame; // of which the unit counts
 };
 
 /** For example "edge of a voxel; 0 = 0.03 for rooms, 0.005 for a single view". */
@@ -73,8 +77,9 @@ addLengths(OptionParser& parser, Settings& settings)
             "what is wanted; objects: whole things in a room; parts: seats, backs and "
             "arms apart; single_view: a table seen by one camera; thesis, "
             "thesis_kinect: the method of the thesis with its parameters for laser "
-            "scans or the Kinect, and no more; auto: single_view if the input is "
-            "organised and seen by one camera, at most 1.4 m away, else objects",
+            "scans or the Kinect, and no more; auto: single_view if one camera saw a "
+            "table, "
+            "at most 1.4 m away, up to 2 m if most of it is small; else objects",
             {"auto", "objects", "parts", "single_view", "thesis", "thesis_kinect"})
       .number("-voxel_resolution",
               settings.voxel_resolution,
@@ -184,8 +189,8 @@ addOthers(OptionParser& parser, Settings& settings)
               Range::between(0, 1))
       .text("-camera",
             settings.camera,
-            "voxels grow with the distance from one camera along z; auto: if the input "
-            "is the view of a table",
+            "voxels grow with the distance from one camera along z or -z; auto: if the "
+            "input is the view of a table",
             {"auto", "single", "none"})
       .text("-orientation",
             settings.orientation,
@@ -215,6 +220,11 @@ addOthers(OptionParser& parser, Settings& settings)
                "-ratio_threshold",
                "-camera",
                "-orientation"});
+  settings.frame.unit = "m";
+  parser.text("-unit",
+              settings.frame.unit,
+              "unit of the coordinates; lengths of options are in metres",
+              {"m", "cm", "mm", "ft", "in"});
   settings.colors.addOption(parser, {"object"});
   settings.coordinates.addOption(parser);
   settings.columns.addOption(parser);
@@ -265,11 +275,27 @@ chosenOptions(const Settings& settings, bool is_table_view)
   return options;
 }
 
+/** The points of a file in metres. */
+Cloud::ConstPtr
+pointsInMetres(const CloudFile& file, double metres_per_unit)
+{
+  if (metres_per_unit == 1)
+    return file.points;
+  const auto scale = static_cast<float>(metres_per_unit);
+  auto points = pcl::make_shared<Cloud>(*file.points);
+  for (auto& point : *points)
+    point.getVector3fMap() *= scale;
+  points->sensor_origin_.head<3>() *= scale;
+  return points;
+}
+
 pcl::IndicesPtr
-indicesWithoutOutliers(const CloudFile& file, unsigned threads)
+indicesWithoutOutliers(const CloudFile& file,
+                       const Cloud::ConstPtr& points,
+                       unsigned threads)
 {
   pcl::ScanOutlierRemoval<pcl::PointXYZ> removal;
-  removal.setInputCloud(file.points);
+  removal.setInputCloud(points);
   removal.setNumberOfThreads(threads);
   const auto kept = pcl::make_shared<pcl::Indices>();
   removal.filter(*kept);
@@ -337,7 +363,7 @@ main(int argc, char** argv)
   OptionParser parser("pcl_noise_resilient_lccp",
                       "Segment the scan of a room into objects with "
                       "pcl::NoiseResilientLCCP; adds the fields object and structure.");
-  parser.positional("input", settings.input, "PCD, PLY or LAS file or table, metres")
+  parser.positional("input", settings.input, "PCD, PLY or LAS file or table")
       .positional("output.pcd|ply",
                   settings.output,
                   "the input with the fields object, 0 = not finite or an outlier, and "
@@ -369,16 +395,18 @@ main(int argc, char** argv)
     progress.done(std::to_string(file.points->size()) + " points");
 
     progress.start("Segmenting objects");
+    const auto points = pointsInMetres(file, settings.frame.metresPerUnit());
     pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
-    segmentation.setOptions(chosenOptions(settings, isTableView(file.points)));
+    segmentation.setOptions(chosenOptions(settings, isTableView(points)));
     if (settings.camera != "auto")
       segmentation.setUseSingleCameraTransform(settings.camera == "single");
-    const auto& origin = file.points->sensor_origin_;
+    const auto& origin = points->sensor_origin_;
     if (settings.orientation == "viewpoint")
       segmentation.setViewPoint(origin.x(), origin.y(), origin.z());
-    segmentation.setInputCloud(file.points);
+    segmentation.setInputCloud(points);
     if (settings.remove_outliers)
-      segmentation.setIndices(indicesWithoutOutliers(file, settings.others.threads));
+      segmentation.setIndices(
+          indicesWithoutOutliers(file, points, settings.others.threads));
     if (file.has_normals && !settings.ignore_normals)
       segmentation.setInputNormals(readNormals(file));
     if (on_points.color_weight > 0)
@@ -392,6 +420,8 @@ main(int argc, char** argv)
     const auto problem = problemOf([&] { segmentation.segment(objects); });
     if (objects.empty())
       throw ToolError(file.path + ": " + problem);
+    for (const auto& line : segmentation.getReport().warnings)
+      printWarning(file.path + ": " + line);
     const auto count = *std::max_element(objects.begin(), objects.end());
     progress.done(std::to_string(count) + " objects");
     if (count > 0)

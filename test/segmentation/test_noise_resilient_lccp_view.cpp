@@ -39,10 +39,36 @@ viewOf(const Building& building, const CameraPose& pose, std::uint32_t seed)
 }
 
 View
-viewOfTable(std::uint32_t seed)
+viewOfTable(std::uint32_t seed, const Eigen::Vector3d& position = {0.6, 0.5, 1.5})
 {
   const auto building = buildBuilding(randomPlan(seed, PlanKind::Table));
-  return viewOf(building, {{0.6, 0.5, 1.5}, {0, 0, 0.7}}, seed);
+  return viewOf(building, {position, {0, 0, 0.7}}, seed);
+}
+
+using Segmentation = pcl::NoiseResilientLCCP<pcl::PointXYZ>;
+
+Labels
+segmented(Segmentation& segmentation,
+          const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
+{
+  Labels labels;
+  segmentation.setInputCloud(cloud);
+  segmentation.segment(labels);
+  return labels;
+}
+
+/** The points with depth in a row, and their labels. */
+View
+withoutRows(const pcl::PointCloud<pcl::PointXYZ>& cloud, const Labels& labels)
+{
+  View view;
+  view.cloud->clear();
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (std::isfinite(cloud[i].z)) {
+      view.cloud->push_back(cloud[i]);
+      view.objects.push_back(labels[i]);
+    }
+  return view;
 }
 
 /** Up in the frame of a camera that is not rolled. */
@@ -160,4 +186,89 @@ TEST(NoiseResilientLCCPView, TheOrderOfJoiningIsATreeAsInRooms)
     EXPECT_LE(result.joins[i].level, result.joins[i - 1].level);
   EXPECT_GT(result.pieces.pieces.size(), result.segment_count);
   EXPECT_TRUE(result.scene.planes.empty()) << "nothing is taken for a wall";
+}
+
+TEST(NoiseResilientLCCPView, ItsFrameAndItsRowsDoNotMatter)
+{
+  const auto view = viewOfTable(90001);
+  Segmentation segmentation;
+  const auto expected = segmented(segmentation, view.cloud);
+  EXPECT_TRUE(segmentation.getReport().warnings.empty());
+  auto turned = view;
+  for (auto& point : *turned.cloud)
+    point = pcl::PointXYZ(point.x, -point.y, -point.z);
+  EXPECT_EQ(segmented(segmentation, turned.cloud), expected);
+  EXPECT_TRUE(segmentation.getReport().view.is_turned);
+  ASSERT_EQ(segmentation.getReport().warnings.size(), 1u) << "it is said";
+  for (const auto& cloud : {view.cloud, turned.cloud}) {
+    const auto points = withoutRows(*cloud, expected);
+    EXPECT_EQ(segmented(segmentation, points.cloud), points.objects);
+    EXPECT_EQ(segmentation.getReport().warnings.size(), 1u);
+  }
+}
+
+TEST(NoiseResilientLCCPView, ARoomMayBeSeenAlongMinusZ)
+{
+  const auto building = buildBuilding(randomPlan(90001, PlanKind::Home));
+  auto view = viewOf(building, drawCameraPose(building, {}, 1), 1);
+  Segmentation segmentation;
+  const auto expected = segmented(segmentation, view.cloud);
+  for (auto& point : *view.cloud)
+    point = pcl::PointXYZ(point.x, -point.y, -point.z);
+  EXPECT_EQ(segmented(segmentation, view.cloud), expected);
+}
+
+TEST(NoiseResilientLCCPView, ATableIsATableFromFartherOff)
+{
+  double quality = 0;
+  int tables = 0;
+  for (std::uint32_t seed = 90001; seed <= 90004; ++seed) {
+    const auto building = buildBuilding(randomPlan(seed, PlanKind::Table, true));
+    const auto view = viewOf(building, {{0.9, 0.8, 1.9}, {0, 0, 0.75}}, seed);
+    Segmentation segmentation;
+    quality += scoreThings(view.objects, segmented(segmentation, view.cloud))
+                   .panopticQuality();
+    tables += segmentation.getReport().view.capture == Capture::TableView;
+  }
+  EXPECT_GE(tables, 3) << "what is looked at may be large";
+  EXPECT_GT(quality, 4 * 0.3);
+}
+
+TEST(NoiseResilientLCCPView, OnlyWhatWasSetIsChanged)
+{
+  const auto view = viewOfTable(90001);
+  Segmentation segmentation, changed;
+  const auto expected = segmented(segmentation, view.cloud);
+  changed.setVoxelResolution(0);
+  changed.setFewestPoints(100);
+  changed.setPartition(Partition::Pieces);
+  EXPECT_EQ(segmented(changed, view.cloud), expected) << "all are defaults";
+  EXPECT_EQ(changed.getReport().options.min_segment_size, 6u);
+  EXPECT_EQ(changed.getReport().options.pieces.scale, JoiningScale::View);
+  EXPECT_EQ(changed.getReport().options.voxel_size, 0.005);
+  changed.setVoxelResolution(0.01);
+  EXPECT_NE(segmented(changed, view.cloud), expected);
+  EXPECT_EQ(changed.getReport().options.voxel_size, 0.01);
+  EXPECT_EQ(changed.getReport().options.seed_size, 0.04);
+  EXPECT_EQ(changed.getReport().options.min_segment_size, 6u) << "it was not set";
+  changed.setOptions({});
+  segmented(changed, view.cloud);
+  EXPECT_EQ(changed.getReport().options.voxel_size, 0.03) << "all were set";
+}
+
+TEST(NoiseResilientLCCPView, OneSegmentAndMillimetresAreSaid)
+{
+  auto view = viewOfTable(90001);
+  Segmentation segmentation;
+  segmentation.setVoxelResolution(0.3);
+  segmented(segmentation, view.cloud);
+  ASSERT_EQ(segmentation.getReport().warnings.size(), 1u);
+  EXPECT_NE(segmentation.getReport().warnings[0].find("one segment"),
+            std::string::npos);
+  for (auto& point : *view.cloud)
+    point.getVector3fMap() *= 1000;
+  segmented(segmentation, view.cloud);
+  ASSERT_FALSE(segmentation.getReport().warnings.empty());
+  EXPECT_NE(segmentation.getReport().warnings[0].find("millimetres"),
+            std::string::npos);
 }

@@ -14,6 +14,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
@@ -128,4 +131,30 @@ TEST_F(Preprocessing, OrientationIsAnOption)
   for (const std::string way : {"auto", "viewpoint", "graph", "free_space"})
     EXPECT_EQ(run("pcl_noise_resilient_lccp", "-orientation " + way), 0) << way;
   EXPECT_NE(run("pcl_noise_resilient_lccp", "-orientation up"), 0);
+}
+
+TEST_F(Preprocessing, TheUnitOfAViewIsSaidAndTaken)
+{
+  pcl::PointCloud<pcl::PointXYZ> view(160, 120);
+  for (int v = 0; v < 120; ++v)
+    for (int u = 0; u < 160; ++u) {
+      const float depth = u > 60 && u < 100 && v > 40 ? 900 : 1000; // millimetres
+      view.at(u, v) = pcl::PointXYZ(depth * (static_cast<float>(u) - 79.5f) / 131,
+                                    -depth * (static_cast<float>(v) - 59.5f) / 131,
+                                    -depth);
+    }
+  pcl::io::savePCDFileBinary(path("scene.pcd"), view);
+  const auto said = [&] {
+    std::ifstream file(path("said"));
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  ASSERT_EQ(run("pcl_noise_resilient_lccp", ""), 0);
+  EXPECT_NE(said().find("scale it to metres (-unit mm)"), std::string::npos) << said();
+  ASSERT_EQ(run("pcl_noise_resilient_lccp", "-unit mm"), 0);
+  EXPECT_EQ(said().find("millimetres"), std::string::npos) << said();
+  EXPECT_NE(said().find("looking along -z"), std::string::npos) << said();
+  const auto file = loadCloud(path("out.pcd"));
+  EXPECT_EQ(file.points->at(80, 60).z, -900) << "as it came";
+  const auto objects = readLabels(file, "object");
+  EXPECT_NE(objects[60 * 160 + 80], objects[60 * 160 + 10]) << "two things";
 }

@@ -5,18 +5,74 @@
 #include <pcl/segmentation/objects/camera_view.h>
 
 #include <pcl/indoor/quantile.h>
+#include <pcl/segmentation/objects/surface_voxels.h>
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
 
 constexpr double least_in_front = 0.99; // share of a camera's points
 constexpr double widest_view = 75;      // degrees from the camera's axis
 constexpr double middle = 10;           // degrees: what the camera looks at
-constexpr float farthest_table = 1.4f;  // metres, half of the points in the middle
+constexpr float always_table = 1.4f;    // metres, half of the points in the middle
+constexpr float never_table = 2.0f;     // metres: noise hides small things
+constexpr double around_middle = 15;    // degrees: where small things are looked for
+constexpr double room_voxel = 0.03;     // metres
+constexpr float bent = 0.03f;           // surface variation: smaller than such voxels
+constexpr double share_of_small = 0.55; // of the voxels around the middle
 constexpr int rounds = 5;               // with each tolerance
+
+bool
+isWithin(const Eigen::Vector3f& ray, double degrees)
+{
+  return ray.z() > 0 &&
+         ray.head<2>().norm() <= std::tan(degrees * M_PI / 180) * ray.z();
+}
+
+/** Whether most of what a camera looks at is too small for the voxels of a room: its
+ * surface bends within them. */
+bool
+seesSmallThings(const Points& points, const Eigen::Vector3f& camera)
+{
+  Points around;
+  for (const auto& point : points)
+    if (isWithin(point - camera, around_middle))
+      around.push_back(point);
+  auto voxels = pcl::indoor::surfaceVoxels(around, {}, room_voxel);
+  pcl::indoor::estimateNormals(around, voxels, 1, 1);
+  const auto small = std::count_if(voxels.curvatures.begin(),
+                                   voxels.curvatures.end(),
+                                   [](float curvature) { return curvature > bent; });
+  return static_cast<double>(small) >
+         share_of_small * static_cast<double>(voxels.curvatures.size());
+}
+
+/** The length of the mean of exp(2 pi i f s) for the best f: 1 if all places s are
+ * multiples of one step 1 / f, and next to nothing if they are anywhere. */
+double
+periodicity(const std::vector<double>& places)
+{
+  constexpr double lowest = 50, highest = 3000, step = 0.25; // pixels: focal lengths
+  std::vector<std::complex<double>> phases, turns;
+  for (const double place : places) {
+    phases.push_back(std::polar(1.0, 2 * M_PI * lowest * place));
+    turns.push_back(std::polar(1.0, 2 * M_PI * step * place));
+  }
+  double best = 0;
+  for (double f = lowest; f < highest; f += step) {
+    std::complex<double> sum = 0;
+    for (std::size_t i = 0; i < phases.size(); ++i)
+      sum += phases[i] *= turns[i];
+    best = std::max(best, std::norm(sum));
+  }
+  return places.empty() ? 0 : std::sqrt(best) / static_cast<double>(places.size());
+}
 
 /** The direction to which normals near it are most parallel, and those across it most
  * across. */
@@ -48,23 +104,78 @@ namespace indoor {
 Capture
 captureOf(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& camera)
 {
-  std::vector<float> depths;
-  std::size_t in_front = 0;
-  const auto is_within = [](const Eigen::Vector3f& ray, double degrees) {
-    return ray.z() > 0 &&
-           ray.head<2>().norm() <= std::tan(degrees * M_PI / 180) * ray.z();
-  };
-  for (const auto& point : points) {
-    const Eigen::Vector3f ray = point - camera;
-    in_front += is_within(ray, widest_view);
-    if (is_within(ray, middle))
-      depths.push_back(ray.z());
-  }
+  const auto in_front =
+      std::count_if(points.begin(), points.end(), [&camera](const auto& point) {
+        return isWithin(point - camera, widest_view);
+      });
   if (points.empty() || static_cast<double>(in_front) <
                             least_in_front * static_cast<double>(points.size()))
     return Capture::Scan;
-  const bool is_room = !depths.empty() && median(depths) > farthest_table;
-  return is_room ? Capture::RoomView : Capture::TableView;
+  const float distance = distanceInMiddle(points, camera);
+  const bool is_table = distance <= always_table ||
+                        (distance <= never_table && seesSmallThings(points, camera));
+  return is_table ? Capture::TableView : Capture::RoomView;
+}
+
+bool
+arePixels(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& camera)
+{
+  constexpr std::size_t enough = 1000; // chance gives a periodicity of 0.1 then
+  constexpr double least_periodicity = 0.3;
+  if (points.size() < enough)
+    return false;
+  std::vector<double> columns, rows;
+  for (std::size_t i = 0; i < enough; ++i) {
+    const Eigen::Vector3d ray =
+        (points[i * points.size() / enough] - camera).cast<double>();
+    if (!(std::abs(ray.z()) > 0))
+      continue;
+    columns.push_back(ray.x() / std::abs(ray.z()));
+    rows.push_back(ray.y() / std::abs(ray.z()));
+  }
+  return periodicity(columns) > least_periodicity &&
+         periodicity(rows) > least_periodicity;
+}
+
+CameraView
+cameraView(const std::vector<Eigen::Vector3f>& points,
+           const Eigen::Vector3f& camera,
+           bool is_organized)
+{
+  CameraView view;
+  view.capture = captureOf(points, camera);
+  if (view.capture == Capture::Scan && areBehind(points, camera)) {
+    view.is_turned = true;
+    Points turned_points;
+    turned_points.reserve(points.size());
+    for (const auto& point : points)
+      turned_points.push_back(halfTurned(point));
+    view.capture = captureOf(turned_points, halfTurned(camera));
+  }
+  if (view.capture == Capture::Scan || (!is_organized && !arePixels(points, camera)))
+    return {};
+  return view;
+}
+
+bool
+areBehind(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& camera)
+{
+  const auto behind =
+      std::count_if(points.begin(), points.end(), [&camera](const auto& point) {
+        return point.z() < camera.z();
+      });
+  return 2 * static_cast<std::size_t>(behind) > points.size();
+}
+
+float
+distanceInMiddle(const std::vector<Eigen::Vector3f>& points,
+                 const Eigen::Vector3f& camera)
+{
+  std::vector<float> depths;
+  for (const auto& point : points)
+    if (isWithin(point - camera, middle))
+      depths.push_back(point.z() - camera.z());
+  return depths.empty() ? 0 : median(depths);
 }
 
 Eigen::Vector3f

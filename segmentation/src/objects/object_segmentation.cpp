@@ -210,7 +210,9 @@ segmentDistinct(ObjectSegmentationInput input,
   if (!areUnitNormals(input.normals))
     input.normals.clear(); // they are estimated
   const auto options = sizedOptions(input, given_options);
-  return segmentBySteps(std::move(input), options, progress);
+  auto result = segmentBySteps(std::move(input), options, progress);
+  result.options = options;
+  return result;
 }
 
 ObjectSegmentation

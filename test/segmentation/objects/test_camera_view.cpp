@@ -8,9 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 
 using namespace pcl::indoor;
 
@@ -29,6 +31,20 @@ wallAt(float depth)
     for (int j = -15; j <= 15; ++j)
       points.emplace_back(depth * std::tan(static_cast<float>(i) * 1.25f * degree),
                           depth * std::tan(static_cast<float>(j) * 1.25f * degree),
+                          depth);
+  return points;
+}
+
+/** What a camera at the origin with 160 x 120 pixels sees of a wall. */
+Points
+pixelsOf(float depth)
+{
+  constexpr float focal_length = 131;
+  Points points;
+  for (int v = 0; v < 120; ++v)
+    for (int u = 0; u < 160; ++u)
+      points.emplace_back(depth * (static_cast<float>(u) - 79.5f) / focal_length,
+                          depth * (static_cast<float>(v) - 59.5f) / focal_length,
                           depth);
   return points;
 }
@@ -104,6 +120,79 @@ TEST(CameraView, WhatIsAllAroundIsNoView)
   points.insert(points.end(), 2, Eigen::Vector3f(0, 0, -1));
   EXPECT_EQ(captureOf(points, camera), Capture::Scan);
   EXPECT_EQ(captureOf({}, camera), Capture::Scan);
+}
+
+TEST(CameraView, SmallThingsAreATableUpToTwoMetres)
+{
+  const Eigen::Vector3f camera = Eigen::Vector3f::Zero();
+  for (const auto& [depth, rough, capture] :
+       {std::make_tuple(1.8f, true, Capture::TableView),
+        std::make_tuple(1.8f, false, Capture::RoomView),
+        std::make_tuple(2.1f, true, Capture::RoomView)}) {
+    Points points; // balls of 5 cm side by side, or a wall
+    for (const auto& point : pixelsOf(depth)) {
+      const float x = std::remainder(point.x(), 0.1f),
+                  y = std::remainder(point.y(), 0.1f);
+      const float height =
+          rough ? std::sqrt(std::max(0.0025f - x * x - y * y, 0.0f)) : 0;
+      points.push_back(point * (1 - height / depth));
+    }
+    EXPECT_EQ(captureOf(points, camera), capture) << depth << ' ' << rough;
+  }
+}
+
+TEST(CameraView, PixelsLieOnALatticeOfDirections)
+{
+  const Eigen::Vector3f camera(1, 2, 3);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> depth(0.5f, 3);
+  auto points = pixelsOf(1);
+  for (auto& point : points)
+    point = camera + depth(random) * point;
+  std::shuffle(points.begin(), points.end(), random);
+  EXPECT_TRUE(arePixels(points, camera));
+  auto some = points;
+  some.resize(points.size() / 10);
+  EXPECT_TRUE(arePixels(some, camera));
+  for (auto& point : some) // as texts have it
+    point = (point * 1000).array().round() / 1000;
+  EXPECT_TRUE(arePixels(some, camera));
+  EXPECT_FALSE(arePixels(points, camera + Eigen::Vector3f(0.5f, 0, 0)));
+  some.resize(900);
+  EXPECT_FALSE(arePixels(some, camera)) << "too few";
+  for (auto& point : points)
+    point += 0.05f * Eigen::Vector3f(depth(random), depth(random), depth(random));
+  EXPECT_FALSE(arePixels(points, camera));
+}
+
+TEST(CameraView, ACameraMayLookAlongMinusZ)
+{
+  const Eigen::Vector3f camera(0, 0, 1);
+  auto points = pixelsOf(1);
+  for (auto& point : points)
+    point = camera + halfTurned(point);
+  for (const bool is_organized : {true, false}) {
+    const auto view = cameraView(points, camera, is_organized);
+    EXPECT_EQ(view.capture, Capture::TableView);
+    EXPECT_TRUE(view.is_turned);
+  }
+  for (auto& point : points)
+    point = halfTurned(point);
+  const auto view = cameraView(points, halfTurned(camera), false);
+  EXPECT_EQ(view.capture, Capture::TableView);
+  EXPECT_FALSE(view.is_turned);
+}
+
+TEST(CameraView, PointsInFrontThatAreNoPixelsNeedRows)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> any(-0.5f, 0.5f);
+  Points points;
+  for (int i = 0; i < 5000; ++i)
+    points.emplace_back(any(random), any(random), 2 + any(random));
+  const Eigen::Vector3f camera = Eigen::Vector3f::Zero();
+  EXPECT_NE(cameraView(points, camera, true).capture, Capture::Scan);
+  EXPECT_EQ(cameraView(points, camera, false).capture, Capture::Scan);
 }
 
 TEST(CameraView, UpIsAcrossWallsAndAlongTheFloorsNormal)

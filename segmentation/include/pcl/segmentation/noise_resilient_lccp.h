@@ -9,10 +9,12 @@
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 #include <pcl/segmentation/object_segmentation.h>
+#include <pcl/segmentation/objects/object_report.h>
 
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pcl {
@@ -181,14 +183,20 @@ public:
   getConcavityToleranceThreshold() const;
 
   /** \brief Set all parameters at once, also those without a setter of their own.
-   * Where no parameter was ever set, the single view of a table is segmented with
-   * indoor::singleViewOptions(), all else with the defaults. */
+   * Each parameter that was never set is that of indoor::singleViewOptions() for the
+   * view of a table, and the default for all else; getReport() tells which were used.
+   */
   void
   setOptions(const indoor::ObjectSegmentationOptions& options);
 
-  /** \brief Get all parameters. */
+  /** \brief Get all parameters, as they are for anything but the view of a table. */
   const indoor::ObjectSegmentationOptions&
   getOptions() const;
+
+  /** \brief Get what the last segment() found out about the points, and the options
+   * that it used; the warnings were printed, too. */
+  const indoor::ObjectReport&
+  getReport() const;
 
   /** \brief Set where the sensor stood, in the frame of the cloud. */
   void
@@ -220,9 +228,9 @@ public:
   getNormalOrientation() const;
 
   /** \brief Use voxels that grow with the distance from a single camera looking along
-   * z, as for a table.
-   * \param[in] use default: for organised clouds of which indoor::captureOf() tells
-   * that they are views of a table
+   * z or -z, as for a table.
+   * \param[in] use default: for clouds of which indoor::cameraView() tells that they
+   * are views of a table
    */
   void
   setUseSingleCameraTransform(bool use);
@@ -343,7 +351,8 @@ public:
   std::multimap<std::uint32_t, std::uint32_t>
   getSupervoxelAdjacency() const;
 
-  /** \brief Get all intermediate results of the last segment(), in a local frame. */
+  /** \brief Get all intermediate results of the last segment(), in a local frame; of a
+   * view in the frame of its camera, with y down. */
   const indoor::ObjectSegmentation&
   getResult() const;
 
@@ -355,26 +364,22 @@ private:
   bool
   initCompute();
 
-  /** \brief The options, of which one is about to be chosen. */
-  indoor::ObjectSegmentationOptions&
-  chosen();
+  /** \brief Change the options for all captures. */
+  template <typename Change>
+  void
+  set(const Change& change);
 
-  /** \brief Those that were chosen, or those for the capture. */
-  indoor::ObjectSegmentationOptions
-  optionsFor(indoor::Capture capture) const;
+  /** \brief Print a line and keep it in the report, unless it is empty. */
+  void
+  warn(const std::string& line);
 
   /** \brief Where the sensor was set to be, or the input says that it was. */
   Eigen::Vector3d
   sensorOrigin() const;
 
-  /** \brief Whether how the input was taken follows from its points. */
-  bool
-  mayBeView() const;
-
   /** \brief How the input was taken: as was set, or as its points show. */
-  indoor::Capture
-  captureOf(const std::vector<Eigen::Vector3f>& points,
-            const Eigen::Vector3f& sensor) const;
+  indoor::CameraView
+  viewOf(const std::vector<Eigen::Vector3f>& points) const;
 
   indoor::ObjectSegmentationInput
   localInput();
@@ -386,7 +391,8 @@ private:
   PointCloudN::ConstPtr normals_;
   PointCloud<RGB>::ConstPtr colors_;
   indoor::ObjectSegmentationOptions options_;
-  bool chosen_ = false; // whether any parameter of the method was set
+  /** for the view of a table: what was set is set in both */
+  indoor::ObjectSegmentationOptions table_options_ = indoor::singleViewOptions();
   Eigen::Vector3f up_ = Eigen::Vector3f::UnitZ();
   bool up_chosen_ = false;
   indoor::ProgressCallback progress_;
@@ -397,6 +403,7 @@ private:
   Indices finite_; // the points that were segmented
   std::size_t input_size_ = 0;
   indoor::ObjectSegmentation result_;
+  indoor::ObjectReport report_;
 };
 
 } // namespace pcl

@@ -135,6 +135,7 @@ singleViewOptions();
 
 /** \brief Segments and what led to them. */
 struct ObjectSegmentation {
+  ObjectSegmentationOptions options; ///< that were used, with their sizes
   ObjectScene scene; ///< with the points of the input and the voxel size that was used
   std::vector<std::uint8_t> removed; ///< per voxel: non-convex, taken out and recovered
   Supervoxels supervoxels; ///< of the voxels that are in no plane and not removed

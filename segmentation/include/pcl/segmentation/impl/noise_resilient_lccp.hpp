@@ -23,26 +23,6 @@
 namespace pcl {
 
 template <typename PointT>
-indoor::ObjectSegmentationOptions&
-NoiseResilientLCCP<PointT>::chosen()
-{
-  chosen_ = true;
-  return options_;
-}
-
-template <typename PointT>
-indoor::ObjectSegmentationOptions
-NoiseResilientLCCP<PointT>::optionsFor(indoor::Capture capture) const
-{
-  if (chosen_ || capture != indoor::Capture::TableView)
-    return options_;
-  auto options = indoor::singleViewOptions();
-  options.orientation = options_.orientation;
-  options.threads = options_.threads;
-  return options;
-}
-
-template <typename PointT>
 bool
 NoiseResilientLCCP<PointT>::initCompute()
 {
@@ -106,24 +86,22 @@ NoiseResilientLCCP<PointT>::sensorOrigin() const
 }
 
 template <typename PointT>
-bool
-NoiseResilientLCCP<PointT>::mayBeView() const
-{
-  return camera_ == Camera::Automatic && input_ && input_->height > 1;
-}
-
-template <typename PointT>
-indoor::Capture
-NoiseResilientLCCP<PointT>::captureOf(const std::vector<Eigen::Vector3f>& points,
-                                      const Eigen::Vector3f& sensor) const
+indoor::CameraView
+NoiseResilientLCCP<PointT>::viewOf(const std::vector<Eigen::Vector3f>& points) const
 {
   using indoor::Capture;
-  using indoor::JoiningScale;
-  if (!mayBeView())
-    return camera_ == Camera::Single ? Capture::TableView : Capture::Scan;
-  const auto capture = indoor::captureOf(points, sensor);
-  const bool for_tables = chosen_ && options_.pieces.scale == JoiningScale::View;
-  return capture == Capture::RoomView && for_tables ? Capture::TableView : capture;
+  if (!input_)
+    return {camera_ == Camera::Single ? Capture::TableView : Capture::Scan, false};
+  const Eigen::Vector3f sensor = sensorOrigin().template cast<float>();
+  if (camera_ == Camera::Single)
+    return {Capture::TableView, indoor::areBehind(points, sensor)};
+  if (camera_ == Camera::Any || !indoor::isUsable(sensor))
+    return {};
+  auto view = indoor::cameraView(points, sensor, input_->height > 1);
+  const bool for_tables = options_.pieces.scale == indoor::JoiningScale::View;
+  if (view.capture == Capture::RoomView && for_tables)
+    view.capture = Capture::TableView;
+  return view;
 }
 
 template <typename PointT>
@@ -155,10 +133,15 @@ NoiseResilientLCCP<PointT>::localInput()
   const auto strays = indoor::strayPoints(local.points);
   indoor::takeOut(strays, local.points);
   indoor::takeOut(strays, finite_);
-  const Eigen::Vector3d origin = indoor::moveToMiddle(local.points);
-  for (const auto index : finite_) {
+  report_.view = viewOf(local.points);
+  const auto in_frame = [turned = report_.view.is_turned](const Eigen::Vector3f& v) {
+    return turned ? indoor::halfTurned(v) : v;
+  };
+  for (std::size_t i = 0; i < finite_.size(); ++i) {
+    const auto index = finite_[i];
+    local.points[i] = in_frame(local.points[i]);
     if (normals_)
-      local.normals.push_back((*normals_)[index].getNormalVector3fMap());
+      local.normals.push_back(in_frame((*normals_)[index].getNormalVector3fMap()));
     if (has_colors && options_.on_points && options_.on_points->color_weight > 0)
       local.colors.push_back(colorOf(index));
   }
@@ -170,14 +153,27 @@ NoiseResilientLCCP<PointT>::localInput()
         problem.c_str());
     local.normals.clear();
   }
-  const Eigen::Vector3f sensor = (sensorOrigin() - origin).template cast<float>();
-  local.up = up_;
-  local.capture = captureOf(local.points, sensor);
+  const Eigen::Vector3d origin = indoor::moveToMiddle(local.points);
+  Eigen::Vector3d sensor = sensorOrigin();
+  if (report_.view.is_turned)
+    sensor.tail<2>() *= -1;
+  local.up = in_frame(up_);
+  local.capture = report_.view.capture;
   if (local.capture != indoor::Capture::Scan || !viewpoint_.empty())
-    local.viewpoint.assign(1, sensor);
+    local.viewpoint.assign(1, (sensor - origin).template cast<float>());
   if (local.capture == indoor::Capture::RoomView && up_chosen_)
     local.capture = indoor::Capture::Scan; // but for the viewpoint
   return local;
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::warn(const std::string& line)
+{
+  if (line.empty())
+    return;
+  report_.warnings.push_back(line);
+  PCL_WARN("[pcl::NoiseResilientLCCP::segment] %s\n", line.c_str());
 }
 
 template <typename PointT>
@@ -187,11 +183,16 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   labels.clear();
   finite_.clear();
   result_ = indoor::ObjectSegmentation();
+  report_ = indoor::ObjectReport();
   input_size_ = 0;
   if (!initCompute())
     return;
   auto input = localInput();
-  const auto options = optionsFor(input.capture);
+  const bool is_table = input.capture == indoor::Capture::TableView;
+  const auto& options = is_table ? table_options_ : options_;
+  if (camera_ == Camera::Automatic)
+    warn(indoor::cameraNote(report_.view, input_->height > 1));
+  warn(indoor::farViewWarning(input));
   bool goes_on = true;
   const auto progress = [&](double share, const char* stage) {
     goes_on = !progress_ || progress_(share, stage);
@@ -211,6 +212,8 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
     this->deinitCompute();
     return;
   }
+  report_.options = result_.options;
+  warn(indoor::oneSegmentWarning(result_));
   input_size_ = input_->size();
   labels.assign(input_size_, 0);
   std::vector<std::uint32_t> name_of_segment(result_.segment_count, 0);

@@ -13,6 +13,15 @@
 namespace pcl {
 
 template <typename PointT>
+template <typename Change>
+void
+NoiseResilientLCCP<PointT>::set(const Change& change)
+{
+  change(options_);
+  change(table_options_);
+}
+
+template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setInputNormals(const PointCloudN::ConstPtr& normals)
 {
@@ -44,7 +53,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setVoxelResolution(double value)
 {
-  chosen().voxel_size = value;
+  set([value](auto& options) { options.voxel_size = value; });
 }
 
 template <typename PointT>
@@ -58,7 +67,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setSeedResolution(double value)
 {
-  chosen().seed_size = value;
+  set([value](auto& options) { options.seed_size = value; });
 }
 
 template <typename PointT>
@@ -72,7 +81,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setCurvatureThreshold(float value)
 {
-  chosen().curvature_threshold = value;
+  set([value](auto& options) { options.curvature_threshold = value; });
 }
 
 template <typename PointT>
@@ -86,7 +95,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setRatioThreshold(float value)
 {
-  chosen().ratio_threshold = value;
+  set([value](auto& options) { options.ratio_threshold = value; });
 }
 
 template <typename PointT>
@@ -100,7 +109,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setPartition(Partition partition)
 {
-  chosen().partition = partition;
+  set([partition](auto& options) { options.partition = partition; });
 }
 
 template <typename PointT>
@@ -114,7 +123,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setJoiningScale(indoor::JoiningScale value)
 {
-  chosen().pieces.scale = value;
+  set([value](auto& options) { options.pieces.scale = value; });
 }
 
 template <typename PointT>
@@ -128,7 +137,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setJoiningLevel(float value)
 {
-  chosen().pieces.joining_level = value;
+  set([value](auto& options) { options.pieces.joining_level = value; });
 }
 
 template <typename PointT>
@@ -142,7 +151,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setFewestPoints(std::uint32_t value)
 {
-  chosen().fewest_points = value;
+  set([value](auto& options) { options.fewest_points = value; });
 }
 
 template <typename PointT>
@@ -156,7 +165,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setGraphScale(float value)
 {
-  chosen().edges.graph_scale = value;
+  set([value](auto& options) { options.edges.graph_scale = value; });
 }
 
 template <typename PointT>
@@ -170,7 +179,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setMinSegmentSize(std::uint32_t value)
 {
-  chosen().min_segment_size = value;
+  set([value](auto& options) { options.min_segment_size = value; });
 }
 
 template <typename PointT>
@@ -184,7 +193,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setConcavityToleranceThreshold(float value)
 {
-  chosen().edges.concavity_tolerance_degrees = value;
+  set([value](auto& options) { options.edges.concavity_tolerance_degrees = value; });
 }
 
 template <typename PointT>
@@ -198,7 +207,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setOptions(const indoor::ObjectSegmentationOptions& options)
 {
-  chosen() = options;
+  set([&options](auto& all) { all = options; });
 }
 
 template <typename PointT>
@@ -206,6 +215,13 @@ const indoor::ObjectSegmentationOptions&
 NoiseResilientLCCP<PointT>::getOptions() const
 {
   return options_;
+}
+
+template <typename PointT>
+const indoor::ObjectReport&
+NoiseResilientLCCP<PointT>::getReport() const
+{
+  return report_;
 }
 
 template <typename PointT>
@@ -241,7 +257,7 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setNormalOrientation(indoor::NormalOrientation orientation)
 {
-  options_.orientation = orientation;
+  set([orientation](auto& options) { options.orientation = orientation; });
 }
 
 template <typename PointT>
@@ -262,21 +278,19 @@ template <typename PointT>
 bool
 NoiseResilientLCCP<PointT>::getUseSingleCameraTransform() const
 {
-  if (!mayBeView())
-    return camera_ == Camera::Single;
   std::vector<Eigen::Vector3f> points;
-  for (const auto& point : *input_)
-    if (indoor::isUsablePoint(point))
-      points.push_back(point.getVector3fMap());
-  return captureOf(points, sensorOrigin().template cast<float>()) ==
-         indoor::Capture::TableView;
+  if (input_ && camera_ == Camera::Automatic)
+    for (const auto& point : *input_)
+      if (indoor::isUsablePoint(point))
+        points.push_back(point.getVector3fMap());
+  return viewOf(points).capture == indoor::Capture::TableView;
 }
 
 template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setNumberOfThreads(unsigned threads)
 {
-  options_.threads = threads;
+  set([threads](auto& options) { options.threads = threads; });
 }
 
 template <typename PointT>

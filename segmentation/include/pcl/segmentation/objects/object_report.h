@@ -1,0 +1,43 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/segmentation/object_segmentation.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief What was found out about the points of an object segmentation. */
+struct ObjectReport {
+  std::vector<std::string> warnings; ///< a line each: what is odd, and what mends it
+  ObjectSegmentationOptions options; ///< that were used, with their sizes
+  CameraView view;                   ///< how the points were taken
+};
+
+/** \brief Warn if nearly all points, of many, are one segment: right for one thing.
+ * \return one line; empty if not
+ */
+std::string
+oneSegmentWarning(const ObjectSegmentation& result);
+
+/** \brief Say that a camera was found where rows of points do not show one that looks
+ * along z.
+ * \return one line; empty if nothing was assumed
+ */
+std::string
+cameraNote(const CameraView& view, bool is_organized);
+
+/** \brief Warn if what a camera looks at is farther off than a depth camera sees.
+ * \param[in] input a view; of others nothing is known
+ * \return one line; empty if not
+ */
+std::string
+farViewWarning(const ObjectSegmentationInput& input);
+
+} // namespace indoor
+} // namespace pcl
