@@ -200,8 +200,9 @@ check(Options options, Progress& progress)
 {
   namespace fs = std::filesystem;
   // what would be the folder of the results may be a scan, where there are to be none
-  const bool is_result = fs::exists(fs::path(options.folder) / "scene.json");
-  if (fs::exists(options.folder) && !is_result)
+  const bool is_result = !fs::exists(options.folder) || fs::is_empty(options.folder) ||
+                         fs::exists(fs::path(options.folder) / "scene.json");
+  if (!is_result)
     options.inputs.push_back(options.folder);
   const auto scan = loadScan(options, progress);
   const auto lacks = consequencesOf(understand(options, scan, progress));

@@ -103,7 +103,7 @@ TEST_F(OverviewResults, ACheckStopsBeforeTheWork)
 {
   const auto scan = saveAll("scan.pcd");
   for (const std::string tool : {"pcl_indoor_pipeline", "pcl_room_segmentation"})
-    for (const std::string output : {"", " " + path("result.pcd")}) {
+    for (const auto& output : {std::string(), " " + path("result.pcd")}) {
       ASSERT_EQ(run(tool, scan + output + " -check"), 0) << said();
       EXPECT_TRUE(says("1 storey, ")) << said();
       EXPECT_FALSE(says("  - ")) << said();

@@ -211,7 +211,7 @@ std::string
 partText(const char* surface, double share)
 {
   return std::string("Only ") + percent(share) + " of the " + surface +
-         " were seen: elsewhere heights are those of the walls.";
+         " was seen: elsewhere heights are those of the walls.";
 }
 
 /** What lacks of floor, ceiling and walls. */
