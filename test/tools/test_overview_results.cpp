@@ -149,7 +149,7 @@ TEST_F(OverviewResults, AMissingCeilingIsSaid)
 TEST_F(OverviewResults, AResultWithoutRoomsSaysWhy)
 {
   const auto scan = save("slice.pcd", isNoSlice);
-  const std::string line = "no room was found: The scan is a slice of 0.4";
+  const std::string line = "no room was found: The scan is a slice or a flat map, 0.4";
   ASSERT_EQ(
       run("pcl_indoor_pipeline", scan + " " + path("result") + " -model none -quiet"),
       0);

@@ -449,7 +449,9 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
     return overview;
   const auto grid = gridOf(sample);
   overview.extent = extentOf(pointsInside(sample, grid));
-  overview.spacing = spacingOf(grid, points.size());
+  const double places =
+      (1.0 - overview.duplicates) * static_cast<double>(points.size());
+  overview.spacing = spacingOf(grid, static_cast<std::size_t>(places));
   if (overview.extent.z() < least_height)
     return overview;
   StoreyOptions options;

@@ -148,7 +148,9 @@ TEST(ScanOverview, DuplicatesAreCounted)
   const auto size = points.size();
   for (std::size_t i = 0; i < size; i += 2)
     points.push_back(points[i]);
-  EXPECT_NEAR(scanOverview(points).duplicates, 1.0 / 3.0, 0.02);
+  const auto overview = scanOverview(points);
+  EXPECT_NEAR(overview.duplicates, 1.0 / 3.0, 0.02);
+  EXPECT_NEAR(overview.spacing, 0.05, 0.01);
 }
 
 TEST(ScanOverview, FollowsUnitAndUpAxis)

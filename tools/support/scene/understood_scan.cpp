@@ -20,6 +20,7 @@ namespace {
 
 constexpr double hardly = 0.3, mostly = 0.7; // shares that were seen
 constexpr double slice = 1.0;                // metres of height
+constexpr double few_duplicates = 0.005;     // share that is chance
 constexpr double degree = M_PI / 180.0;
 
 std::string
@@ -156,7 +157,7 @@ pointsText(const UnderstoodScan& scan)
     text += ", one per " + lengthText(scan.overview.spacing) + " of surface";
   if (scan.stations > 1)
     text += ", from " + std::to_string(scan.stations) + " stations";
-  if (scan.overview.duplicates > 0.0)
+  if (scan.overview.duplicates >= few_duplicates)
     text += ", " + percent(scan.overview.duplicates) + " where another one is";
   return text + ". " + normalsText(scan.normals) +
          " Colours: " + (scan.has_colors ? "yes." : "none.");
@@ -182,7 +183,7 @@ frameText(const UnderstoodScan& scan)
   const double off = std::acos(
       std::min(1.0, static_cast<double>(scan.vertical.direction.dot(scan.up_axis))));
   text += ", by floors and walls";
-  if (off >= 0.1 * degree)
+  if (off >= 0.5 * degree)
     text += ", which lean by " + fixed(off / degree, 1) + " degrees";
   else if (scan.up_axis.cwiseAbs().maxCoeff() < 1.0f)
     text += ", " + fixed(scan.vertical.tilt() / degree, 1) + " degrees from z";
@@ -288,8 +289,9 @@ consequencesOf(const UnderstoodScan& scan)
     lines.push_back("The scan is " + lengthText(longest) +
                     " large: a thing or a table, or its unit is another one (-unit).");
   else if (overview.extent.z() < slice)
-    lines.push_back("The scan is a slice of " + lengthText(overview.extent.z()) +
-                    " of height: rooms need walls from floor to ceiling.");
+    lines.push_back("The scan is a slice or a flat map, " +
+                    fixed(overview.extent.z(), 2) +
+                    " m high: rooms need walls from floor to ceiling.");
   else
     addSurfaces(overview, lines);
   if (overview.spacing > sparse)
