@@ -15,14 +15,11 @@
 #include "files/table_view.h"
 #include "scene/scan_frame.h"
 
-#include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/indoor/stray_points.h>
 #include <pcl/indoor/usable_point.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/scan_warnings.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <sstream>
@@ -304,38 +301,6 @@ indicesWithoutOutliers(const CloudFile& file,
   return kept;
 }
 
-/** A scan that comes out as one thing is no error, but seldom what was wanted. */
-void
-sayIfOne(const CloudFile& file, const std::vector<std::uint32_t>& objects)
-{
-  constexpr std::size_t many = 10000; // points, as no thing of a room has
-  constexpr double nearly_all = 0.95;
-  constexpr double thing = 1.0; // metres: a scan of this size may be one thing
-  if (file.finite_count < many)
-    return;
-  std::vector<std::size_t> sizes(*std::max_element(objects.begin(), objects.end()) + 1);
-  for (const auto object : objects)
-    ++sizes[object];
-  const auto largest = *std::max_element(sizes.begin() + 1, sizes.end());
-  if (static_cast<double>(largest) < nearly_all * static_cast<double>(objects.size()))
-    return;
-  Eigen::AlignedBox3f box;
-  for (const auto& point : *file.points)
-    if (pcl::isFinite(point))
-      box.extend(point.getVector3fMap());
-  const double size = box.sizes().maxCoeff();
-  std::ostringstream line;
-  line << file.path << ": " << largest << " of its " << objects.size()
-       << " points are one object";
-  if (size < thing)
-    line << ": the scan is " << size
-         << " m large; is that its unit, and is it more than "
-         << "one thing? Then set a finer -voxel_resolution.";
-  else
-    line << ", nothing parts them; -preset parts or a finer -voxel_resolution may.";
-  printWarning(line.str());
-}
-
 /** Say what the segmentation leaves out. */
 void
 noteStrays(CloudFile& file)
@@ -424,8 +389,6 @@ main(int argc, char** argv)
       printWarning(file.path + ": " + line);
     const auto count = *std::max_element(objects.begin(), objects.end());
     progress.done(std::to_string(count) + " objects");
-    if (count > 0)
-      sayIfOne(file, objects);
 
     appendField(file.cloud, "object", objects);
     appendField(file.cloud, "structure", segmentation.getStructure());

@@ -14,7 +14,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -193,22 +192,4 @@ TEST_F(OverviewResults, AReportInThePlaceOfAnotherResultIsRefusedAtOnce)
     EXPECT_TRUE(says("-report: ")) << said();
     EXPECT_FALSE(fs::exists(path("result")));
   }
-}
-
-TEST_F(OverviewResults, OneObjectForAScanIsSaid)
-{
-  pcl::PointCloud<pcl::PointXYZ> cloud; // a sphere
-  for (int i = 0; i < 20000; ++i) {
-    const double z = -1.0 + 2.0 * (i + 0.5) / 20000.0, angle = 2.399963 * i;
-    const double radius = std::sqrt(1.0 - z * z);
-    cloud.emplace_back(static_cast<float>(0.3 * radius * std::cos(angle)),
-                       static_cast<float>(0.3 * radius * std::sin(angle)),
-                       static_cast<float>(0.3 * z));
-  }
-  pcl::io::savePCDFileBinary(path("ball.pcd"), cloud);
-  ASSERT_EQ(run("pcl_noise_resilient_lccp",
-                path("ball.pcd") + " " + path("objects.pcd") + " -quiet"),
-            0)
-      << said();
-  EXPECT_TRUE(says("points are one object: the scan is 0.6")) << said();
 }

@@ -118,8 +118,8 @@ requireUsable(const PipelineOptions& options)
     for (const char* name : results)
       requireWritable(options.folder + "/" + name);
   if (options.report != "none" && options.report != "folder") {
-    requireWritable(options.report);
     requireOwnName(options.report, options.folder);
+    requireWritable(options.report);
   }
   if (options.model == "none" && options.colors.wanted == "class")
     throw ToolError("-colour class: there are no classes with -model none");
