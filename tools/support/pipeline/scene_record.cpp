@@ -27,6 +27,8 @@ exchange(Record& record, Room& room)
          room.area,
          room.volume,
          room.height,
+         room.floor_seen,
+         room.ceiling_seen,
          room.lower,
          room.upper,
          room.centroid,
