@@ -80,8 +80,9 @@ double
 occupiedHeight(const VoxelMap<std::uint8_t>& occupancy)
 {
   std::vector<std::size_t> counts(occupancy.shape.nz, 0); // per layer
-  for (std::size_t i = 0; i < occupancy.values.size(); ++i)
-    counts[i % occupancy.shape.nz] += occupancy.values[i] != 0;
+  for (std::size_t begin = 0; begin < occupancy.values.size(); begin += counts.size())
+    for (std::size_t z = 0; z < counts.size(); ++z)
+      counts[z] += occupancy.values[begin + z] != 0;
   const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
   if (all == 0)
     return 0.0;

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
+#include <optional>
 
 namespace pcl {
 namespace indoor {
@@ -41,44 +41,41 @@ occupiedCount(const VoxelMap<std::uint8_t>& grid)
 }
 
 /** The voxels around what stands upright: the grounds of a building say nothing of how
- * densely it was scanned. */
-VoxelMap<std::uint8_t>
-aroundWalls(VoxelMap<std::uint8_t> grid)
+ * densely it was scanned. Nothing where they hardly matter. */
+std::optional<VoxelMap<std::uint8_t>>
+withoutGrounds(const VoxelMap<std::uint8_t>& grid)
 {
   constexpr double high = 1.5;     // metres, as the clearance of storeys
   constexpr double nearby = 1.0;   // metres
   constexpr double grounds = 0.25; // of the columns; else they hardly matter
-  const int person = static_cast<int>(std::lround(high / grid.voxel_size));
+  const auto person = static_cast<std::ptrdiff_t>(std::lround(high / grid.voxel_size));
   const int nz = grid.shape.nz;
-  PixelMap<std::uint8_t> walls{grid.shape.nx, grid.shape.ny, {}};
-  walls.values.assign(walls.size(), 0);
+  PixelMap<std::uint8_t> held{grid.shape.nx, grid.shape.ny, {}};
+  held.values.assign(held.size(), 0);
+  PixelMap<std::uint8_t> walls = held;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const auto* column = &grid.values[i * nz];
-    const auto first = std::find(column, column + nz, 1) - column;
-    const auto last = nz - 1 -
-                      (std::find(std::make_reverse_iterator(column + nz),
-                                 std::make_reverse_iterator(column),
-                                 1) -
-                       std::make_reverse_iterator(column + nz));
+    const auto* first = std::find(column, column + nz, 1);
+    const auto* last = column + nz - 1;
+    while (last > first && *last == 0)
+      --last;
+    held.values[i] = first != column + nz;
     walls.values[i] = last - first >= person;
   }
-  if (std::count(walls.values.begin(), walls.values.end(), 1) == 0)
-    return grid;
   const auto squared = squaredDistanceMap(walls, 1);
   const double reach = std::pow(nearby / grid.voxel_size, 2);
-  VoxelMap<std::uint8_t> near = grid;
-  std::size_t held = 0, far = 0; // columns
+  std::size_t all = 0, far = 0;
   for (std::size_t i = 0; i < walls.size(); ++i) {
-    const auto column = near.values.begin() + i * nz;
-    if (std::find(column, column + nz, 1) == column + nz)
-      continue;
-    ++held;
-    if (!(squared.values[i] > reach))
-      continue;
-    ++far;
-    std::fill_n(column, nz, std::uint8_t{0});
+    all += held.values[i];
+    far += held.values[i] && squared.values[i] > reach;
   }
-  return far > grounds * held ? near : grid;
+  if (far == all || static_cast<double>(far) <= grounds * static_cast<double>(all))
+    return std::nullopt;
+  VoxelMap<std::uint8_t> near = grid;
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    if (squared.values[i] > reach)
+      std::fill_n(near.values.begin() + i * nz, nz, std::uint8_t{0});
+  return near;
 }
 
 } // namespace
@@ -91,7 +88,8 @@ closedVoxelSize(const VoxelMap<std::uint8_t>& all, double largest)
   constexpr double centimetre = 0.01;
   if (all.values.empty() || all.voxel_size >= largest)
     return all.voxel_size;
-  const VoxelMap<std::uint8_t> grid = aroundWalls(all);
+  const auto building = withoutGrounds(all);
+  const VoxelMap<std::uint8_t>& grid = building ? *building : all;
   const auto share = [closed](double finer, double coarser) {
     return std::min(closed, finer / std::max(1.0, coarser));
   };
