@@ -123,7 +123,7 @@ TEST_F(QuietInput, AUnitThatIsNotSetIsFoundAndSaidOnce)
                                                   {0.0254, "inches"}};
   for (const auto& [unit, name] : units) {
     Labels labels;
-    RoomSegmentation result;
+    Segmentation result;
     result.setInputCloud(cloudOf(scaled(points, 1.0 / unit)));
     result.segment(labels);
     const auto& report = result.getReport();
