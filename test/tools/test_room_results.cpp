@@ -186,10 +186,11 @@ TEST_F(RoomResults, UnitsAreNamedAndTaken)
   saveCloud(path("mm.pcd"), bytes);
   const auto out = " " + path("out.pcd") + " -json " + path("r.json");
   ASSERT_EQ(run("pcl_room_segmentation", path("mm.pcd") + out + " -unit m"), 0);
-  EXPECT_EQ(count(bytesOf(path("said")), "\n"), 1u) << bytesOf(path("said"));
-  EXPECT_EQ(count(bytesOf(path("said")), "-unit mm"), 1u);
+  EXPECT_EQ(count(bytesOf(path("said")), "\n"), 2u) << bytesOf(path("said"));
+  EXPECT_EQ(count(bytesOf(path("said")), "probably in millimetres"), 1u);
+  EXPECT_EQ(count(bytesOf(path("said")), "no room was found"), 1u);
   const auto wrong = nlohmann::json::parse(bytesOf(path("r.json")));
-  EXPECT_EQ(wrong["warnings"].size(), 1u);
+  EXPECT_EQ(wrong["warnings"].size(), 2u);
   ASSERT_EQ(run("pcl_room_segmentation", path("mm.pcd") + out), 0);
   EXPECT_EQ(count(bytesOf(path("said")), "millimetres"), 1u) << bytesOf(path("said"));
   const auto found = nlohmann::json::parse(bytesOf(path("r.json")));
@@ -280,6 +281,7 @@ TEST_F(RoomResults, CoarseFloatsAreWarnedOf)
   pcl::toPCLPointCloud2(cloud, bytes);
   saveCloud(path("utm.pcd"), bytes);
   ASSERT_EQ(run("pcl_room_segmentation", path("utm.pcd") + " " + path("out.pcd")), 0);
-  EXPECT_EQ(count(bytesOf(path("said")), "\n"), 1u) << bytesOf(path("said"));
+  EXPECT_EQ(count(bytesOf(path("said")), "\n"), 2u) << bytesOf(path("said"));
   EXPECT_EQ(count(bytesOf(path("said")), "steps of 0.5 m"), 1u);
+  EXPECT_EQ(count(bytesOf(path("said")), "no room was found"), 1u);
 }

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
+#include <utility>
 
 namespace {
 
@@ -53,25 +55,62 @@ seesSmallThings(const Points& points, const Eigen::Vector3f& camera)
          share_of_small * static_cast<double>(voxels.curvatures.size());
 }
 
-/** The length of the mean of exp(2 pi i f s) for the best f: 1 if all places s are
- * multiples of one step 1 / f, and next to nothing if they are anywhere. */
-double
-periodicity(const std::vector<double>& places)
+/** The columns, or rows, of an image as they are found in the slopes of its rays. */
+struct PixelLines {
+  double frequency = 0; ///< lines per unit of slope: the focal length, pixels
+  double phase = 0;     ///< of a line, in lines
+  /** The length of the mean of exp(2 pi i f s): 1 if all slopes s are multiples of one
+   * step 1 / f, and next to nothing if they are anywhere. */
+  double strength = 0;
+
+  std::int64_t
+  lineOf(double slope) const
+  {
+    return std::llround(frequency * slope - phase);
+  }
+};
+
+PixelLines
+pixelLines(const std::vector<double>& places)
 {
+  PixelLines lines;
   constexpr double lowest = 50, highest = 3000, step = 0.25; // pixels: focal lengths
   std::vector<std::complex<double>> phases, turns;
   for (const double place : places) {
     phases.push_back(std::polar(1.0, 2 * M_PI * lowest * place));
     turns.push_back(std::polar(1.0, 2 * M_PI * step * place));
   }
-  double best = 0;
-  for (double f = lowest; f < highest; f += step) {
+  for (double f = lowest; f < highest && !places.empty(); f += step) {
     std::complex<double> sum = 0;
     for (std::size_t i = 0; i < phases.size(); ++i)
       sum += phases[i] *= turns[i];
-    best = std::max(best, std::norm(sum));
+    const double strength = std::abs(sum) / static_cast<double>(places.size());
+    if (strength > lines.strength)
+      lines = {f + step, std::arg(sum) / (2 * M_PI), strength};
   }
-  return places.empty() ? 0 : std::sqrt(best) / static_cast<double>(places.size());
+  return lines;
+}
+
+/** The share of the points whose pixel another one has, too: in a scan from all sides
+ * things stand behind each other. */
+double
+shareInSamePixels(const Points& points,
+                  const Eigen::Vector3f& camera,
+                  const PixelLines& columns,
+                  const PixelLines& rows)
+{
+  std::vector<std::pair<std::int64_t, std::int64_t>> pixels;
+  for (const auto& point : points) {
+    const Eigen::Vector3d ray = (point - camera).cast<double>();
+    if (std::abs(ray.z()) > 0)
+      pixels.emplace_back(columns.lineOf(ray.x() / std::abs(ray.z())),
+                          rows.lineOf(ray.y() / std::abs(ray.z())));
+  }
+  std::sort(pixels.begin(), pixels.end());
+  const auto distinct = std::unique(pixels.begin(), pixels.end()) - pixels.begin();
+  return pixels.empty()
+             ? 1
+             : 1 - static_cast<double>(distinct) / static_cast<double>(pixels.size());
 }
 
 /** The direction to which normals near it are most parallel, and those across it most
@@ -121,7 +160,8 @@ bool
 arePixels(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& camera)
 {
   constexpr std::size_t enough = 1000; // chance gives a periodicity of 0.1 then
-  constexpr double least_periodicity = 0.3;
+  constexpr double least_strength = 0.3;
+  constexpr double most_in_same = 0.05; // a view has one point a pixel
   if (points.size() < enough)
     return false;
   std::vector<double> columns, rows;
@@ -133,8 +173,10 @@ arePixels(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& cam
     columns.push_back(ray.x() / std::abs(ray.z()));
     rows.push_back(ray.y() / std::abs(ray.z()));
   }
-  return periodicity(columns) > least_periodicity &&
-         periodicity(rows) > least_periodicity;
+  const auto column_lines = pixelLines(columns), row_lines = pixelLines(rows);
+  return column_lines.strength > least_strength &&
+         row_lines.strength > least_strength &&
+         shareInSamePixels(points, camera, column_lines, row_lines) < most_in_same;
 }
 
 CameraView

@@ -164,7 +164,8 @@ TEST_F(SampledSurface, VerticesOfAMeshThatWasMadeOfAScanStay)
   const auto file = loadSurface(name);
   EXPECT_EQ(file.points->size(), 6u * 81u * 81u);
   EXPECT_TRUE(hasField(file.cloud, "label"));
-  EXPECT_TRUE(file.notes.empty());
+  for (const auto& note : file.notes) // vertices of two sides lie at one place
+    EXPECT_NE(note.find("at the place of another"), std::string::npos) << note;
   EXPECT_EQ(loadCloud(name).points->size(), file.points->size());
 }
 

@@ -125,7 +125,8 @@ leftOutNote(const Eigen::Vector3d& place, std::uint64_t count, std::uint64_t all
 std::string
 copiesNote(std::uint64_t copies, std::uint64_t all)
 {
-  if (100 * copies < all) // as DistinctPoints::hasCopies()
+  constexpr std::uint64_t many = 100;      // below, nobody would miss them
+  if (copies < many || 100 * copies < all) // as DistinctPoints::hasCopies()
     return {};
   return std::to_string(copies) + " of " + std::to_string(all) +
          " points lie exactly at the place of another: each place counts once";

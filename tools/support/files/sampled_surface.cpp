@@ -4,6 +4,7 @@
  */
 #include "files/sampled_surface.h"
 
+#include "files/placed_points.h"
 #include "formats/mesh_file.h"
 #include "formats/ply_file.h"
 
@@ -139,6 +140,9 @@ loadSurface(const std::string& path,
   CloudFile drawn;
   drawn.path = path;
   drawn.notes = file.notes;
+  const auto of_vertices = copiesNote(file.copy_count, file.finite_count);
+  drawn.notes.erase(std::remove(drawn.notes.begin(), drawn.notes.end(), of_vertices),
+                    drawn.notes.end());
   drawPoints(mesh, drawn);
   return withPoints(
       path, std::move(drawn.cloud), drawn.frame, least_points, drawn.notes);

@@ -93,8 +93,8 @@ struct BuildingObjects {
   std::vector<double> voxel_sizes;
 };
 
-/** \brief The finite points of room 1, room 2 and so on; last, of those in no room. What
- * lies kilometres away from the others is in none of these, see strayPoints().
+/** \brief The finite points of room 1, room 2 and so on; last, of those in no room.
+ * What lies kilometres away from the others is in none of these, see strayPoints().
  * \param[in] room_of_point one per point; 0 = none
  * \param[in] room_count no room has a greater number
  * \return room_count + 1 lists

@@ -131,10 +131,10 @@ RoomSegmentation<PointT>::describeInput(const Indices& indices)
     if (building_.occupancy.cells[i] < 0)
       report_.outside.push_back(indices[i]);
   std::sort(report_.outside.begin(), report_.outside.end());
-  const auto& vertical = report_.vertical;
-  if (indoor::unitWarning(vertical, report_.metres_per_unit).empty())
-    warn(indoor::feetWarning(
-        building_.rooms, building_.openings, report_.metres_per_unit));
+  if (!indoor::unitWarning(report_.vertical, report_.metres_per_unit).empty())
+    return; // what follows would be no wonder
+  warn(indoor::feetWarning(
+      building_.rooms, building_.openings, report_.metres_per_unit));
   warn(indoor::outsideWarning(report_.outside.size(), all));
   for (const std::string& line : indoor::unseenWarnings(building_))
     warn(line);
