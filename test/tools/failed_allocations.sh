@@ -13,8 +13,8 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 RANDOM=1
 
-pipeline() { "$tools"/pcl_indoor_pipeline scan.pcd out/scene -threads 2; }
-rooms() { "$tools"/pcl_room_segmentation scan.pcd out/rooms.pcd -map out/map -json out/rooms.json -threads 2; }
+pipeline() { "$tools"/pcl_indoor_pipeline scan.pcd out/scene -quiet -threads 2; }
+rooms() { "$tools"/pcl_room_segmentation scan.pcd out/rooms.pcd -map out/map -json out/rooms.json -quiet -threads 2; }
 objects() { "$tools"/pcl_noise_resilient_lccp scan.pcd out/objects.ply -threads 2; }
 
 fail() { echo "$*"; head -c 2000 said; ls -lR out; exit 1; }

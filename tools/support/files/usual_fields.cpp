@@ -204,6 +204,10 @@ UsualFields::nameNormals()
       parts_[found[axis]].field.name = usual[axis];
     return;
   }
+  for (auto& part : parts_) // not all three
+    for (const char axis : {'x', 'y', 'z'})
+      if (part.field.name == std::string("n") + axis)
+        part.field.name = std::string("normal_") + axis;
 }
 
 void
