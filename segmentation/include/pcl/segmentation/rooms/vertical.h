@@ -33,8 +33,9 @@ struct Vertical {
   double
   tilt() const;
 
-  /** \brief The up axis to segment with: the direction, but exactly an axis of the points
-   * where that is less than 3 degrees away; +z if the direction was not found. */
+  /** \brief The up axis to segment with: the direction, but exactly an axis of the
+   * points where that is less than 3 degrees away; +z if the direction was not found.
+   */
   Eigen::Vector3f
   upAxis() const;
 };
