@@ -377,9 +377,9 @@ main(int argc, char** argv)
     if (on_points.color_weight > 0)
       segmentation.setInputColors(readColors(file));
     std::vector<std::uint32_t> objects;
-    const auto sizes =
-        pcl::indoor::withSizes(chosenOptions(settings, isTableView(file.points)));
-    const auto step = pcl::indoor::stepWarning(file.coordinate_step, sizes.voxel_size);
+    const auto step =
+        pcl::indoor::stepWarning(file.coordinate_step * settings.frame.metresPerUnit(),
+                                 withSizes(segmentation.getOptions()).voxel_size);
     if (!step.empty())
       printWarning(file.path + ": " + step);
     const auto problem = problemOf([&] { segmentation.segment(objects); });

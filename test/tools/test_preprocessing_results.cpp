@@ -139,9 +139,10 @@ TEST_F(Preprocessing, TheUnitOfAViewIsSaidAndTaken)
   for (int v = 0; v < 120; ++v)
     for (int u = 0; u < 160; ++u) {
       const float depth = u > 60 && u < 100 && v > 40 ? 900 : 1000; // millimetres
-      view.at(u, v) = pcl::PointXYZ(depth * (static_cast<float>(u) - 79.5f) / 131,
-                                    -depth * (static_cast<float>(v) - 59.5f) / 131,
-                                    -depth);
+      view.at(u, v) =
+          pcl::PointXYZ(std::round(depth * (static_cast<float>(u) - 79.5f) / 131),
+                        std::round(-depth * (static_cast<float>(v) - 59.5f) / 131),
+                        -depth);
     }
   pcl::io::savePCDFileBinary(path("scene.pcd"), view);
   const auto said = [&] {
@@ -152,6 +153,7 @@ TEST_F(Preprocessing, TheUnitOfAViewIsSaidAndTaken)
   EXPECT_NE(said().find("scale it to metres (-unit mm)"), std::string::npos) << said();
   ASSERT_EQ(run("pcl_noise_resilient_lccp", "-unit mm"), 0);
   EXPECT_EQ(said().find("millimetres"), std::string::npos) << said();
+  EXPECT_EQ(said().find("steps of"), std::string::npos) << "1 mm is no coarse step";
   EXPECT_NE(said().find("looking along -z"), std::string::npos) << said();
   const auto file = loadCloud(path("out.pcd"));
   EXPECT_EQ(file.points->at(80, 60).z, -900) << "as it came";
