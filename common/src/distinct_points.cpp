@@ -3,9 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/indoor/distinct_points.h>
+#include <pcl/indoor/point_hash.h>
 
 #include <array>
-#include <cstring>
 #include <tuple>
 
 namespace {
@@ -17,20 +17,6 @@ struct Slot {
   std::uint32_t hash = 0;
   std::uint32_t place = none;
 };
-
-std::uint64_t
-hashOf(const Eigen::Vector3f& point)
-{
-  std::uint64_t hash = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float value = point[axis] + 0.0f; // -0 is 0
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &value, sizeof(bits));
-    hash = (hash ^ bits) * 0x9e3779b97f4a7c15ull;
-    hash ^= hash >> 32;
-  }
-  return hash;
-}
 
 } // namespace
 
@@ -66,7 +52,7 @@ distinctPoints(const std::vector<Eigen::Vector3f>& points)
   const auto look = [&](std::size_t i) {
     if (i >= points.size())
       return;
-    hashes[i % ahead] = hashOf(points[i]);
+    hashes[i % ahead] = pointHash(points[i].array() + 0.0f); // -0 is 0
     __builtin_prefetch(&slots[hashes[i % ahead] & (size - 1)]);
   };
   for (std::size_t i = 0; i < ahead; ++i)

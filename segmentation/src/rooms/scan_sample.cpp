@@ -5,6 +5,7 @@
 
 #include <pcl/segmentation/rooms/scan_sample.h>
 
+#include <pcl/indoor/point_hash.h>
 #include <pcl/indoor/quantile.h>
 
 #include <Eigen/Eigenvalues>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -125,16 +125,9 @@ samplePoints(const Points& points)
   constexpr std::size_t sample_size = 15000;
   const std::uint64_t one_in = std::max<std::size_t>(1, points.size() / sample_size);
   Points sample;
-  for (const auto& point : points) {
-    std::uint32_t bits[3];
-    std::memcpy(bits, point.data(), sizeof(bits));
-    std::uint64_t hash = 0;
-    for (const std::uint32_t part : bits)
-      hash = (hash + part + 1) * 0x9e3779b97f4a7c15u;
-    hash = (hash ^ hash >> 29) * 0xbf58476d1ce4e5b9u;
-    if ((hash >> 32) % one_in == 0)
+  for (const auto& point : points)
+    if ((pointHash(point) >> 32) % one_in == 0)
       sample.push_back(point);
-  }
   std::sort(sample.begin(), sample.end(), [](const auto& a, const auto& b) {
     return std::make_tuple(a.x(), a.y(), a.z()) < std::make_tuple(b.x(), b.y(), b.z());
   });

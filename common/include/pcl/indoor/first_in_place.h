@@ -5,13 +5,13 @@
 #pragma once
 
 #include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/indoor/distinct_points.h>
 #include <pcl/point_cloud.h>
 #include <pcl/types.h> // for Indices
 
-#include <algorithm>
+#include <Eigen/Core>
+
 #include <cstddef>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -28,22 +28,18 @@ template <typename PointT>
 std::vector<std::ptrdiff_t>
 firstInPlace(const PointCloud<PointT>& cloud, const Indices& indices)
 {
-  std::vector<std::ptrdiff_t> order, first(indices.size());
+  std::vector<std::ptrdiff_t> finite, first(indices.size());
+  std::vector<Eigen::Vector3f> points;
   for (std::size_t i = 0; i < indices.size(); ++i) {
     first[i] = static_cast<std::ptrdiff_t>(i);
-    if (isFinite(cloud[indices[i]])) // the others have no order
-      order.push_back(first[i]);
+    if (isFinite(cloud[indices[i]])) {
+      finite.push_back(first[i]);
+      points.emplace_back(cloud[indices[i]].getVector3fMap());
+    }
   }
-  const auto place = [&](std::ptrdiff_t i) {
-    const PointT& point = cloud[indices[i]];
-    return std::make_tuple(point.x, point.y, point.z);
-  };
-  std::sort(order.begin(), order.end(), [&](std::ptrdiff_t a, std::ptrdiff_t b) {
-    return std::make_pair(place(a), a) < std::make_pair(place(b), b);
-  });
-  for (std::size_t k = 1; k < order.size(); ++k)
-    if (place(order[k]) == place(order[k - 1]))
-      first[order[k]] = first[order[k - 1]];
+  const auto distinct = distinctPoints(points);
+  for (std::size_t k = 0; k < finite.size(); ++k)
+    first[finite[k]] = finite[distinct.first[distinct.place[k]]];
   return first;
 }
 
