@@ -16,8 +16,6 @@
 #include "scene/scan_frame.h"
 
 #include <pcl/filters/scan_outlier_removal.h>
-#include <pcl/indoor/stray_points.h>
-#include <pcl/indoor/usable_point.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/scan_warnings.h>
 
@@ -301,22 +299,6 @@ indicesWithoutOutliers(const CloudFile& file,
   return kept;
 }
 
-/** Say what the segmentation leaves out. */
-void
-noteStrays(CloudFile& file)
-{
-  std::vector<Eigen::Vector3f> points;
-  for (const auto& point : *file.points)
-    if (pcl::indoor::isUsablePoint(point))
-      points.emplace_back(point.getVector3fMap());
-  const auto count = pcl::indoor::strayPoints(points).size();
-  if (count > 0)
-    file.notes.push_back(std::to_string(count) + " of " +
-                         std::to_string(points.size()) +
-                         " points lie kilometres away from the others: they are in no "
-                         "object");
-}
-
 } // namespace
 
 int
@@ -355,7 +337,6 @@ main(int argc, char** argv)
     settings.memory.require(settings.input, bytes_per_point);
     progress.start("Loading " + settings.input);
     CloudFile file = loadSurface(settings.input, settings.columns);
-    noteStrays(file);
     printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 
@@ -383,10 +364,10 @@ main(int argc, char** argv)
     if (!step.empty())
       printWarning(file.path + ": " + step);
     const auto problem = problemOf([&] { segmentation.segment(objects); });
-    if (objects.empty())
-      throw ToolError(file.path + ": " + problem);
     for (const auto& line : segmentation.getReport().warnings)
       printWarning(file.path + ": " + line);
+    if (objects.empty())
+      throw ToolError(file.path + ": " + problem);
     const auto count = *std::max_element(objects.begin(), objects.end());
     progress.done(std::to_string(count) + " objects");
 

@@ -42,6 +42,15 @@ oneSegmentWarning(const ObjectSegmentation& result)
 }
 
 std::string
+straysWarning(std::size_t strays, std::size_t all)
+{
+  if (strays == 0)
+    return {};
+  return std::to_string(strays) + " of " + std::to_string(all) +
+         " points lie kilometres away from the others: they are in no object";
+}
+
+std::string
 cameraNote(const CameraView& view, bool is_organized)
 {
   if (view.capture == Capture::Scan || (is_organized && !view.is_turned))

@@ -131,6 +131,7 @@ NoiseResilientLCCP<PointT>::localInput()
   for (const auto index : finite_)
     local.points.push_back((*input_)[index].getVector3fMap());
   const auto strays = indoor::strayPoints(local.points);
+  warn(indoor::straysWarning(strays.size(), local.points.size()));
   indoor::takeOut(strays, local.points);
   indoor::takeOut(strays, finite_);
   report_.view = viewOf(local.points);

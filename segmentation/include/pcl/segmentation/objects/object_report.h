@@ -25,6 +25,12 @@ struct ObjectReport {
 std::string
 oneSegmentWarning(const ObjectSegmentation& result);
 
+/** \brief Warn that some points are so far from the others that they get no segment.
+ * \return one line; empty if there are none
+ */
+std::string
+straysWarning(std::size_t strays, std::size_t all);
+
 /** \brief Say that a camera was found where rows of points do not show one that looks
  * along z.
  * \return one line; empty if nothing was assumed
