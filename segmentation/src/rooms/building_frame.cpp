@@ -4,6 +4,7 @@
  */
 
 #include <pcl/segmentation/rooms/building_frame.h>
+#include <pcl/segmentation/scan_warnings.h> // for metresPerUnit
 
 #include <pcl/indoor/quantile.h>
 
@@ -82,6 +83,19 @@ turnUpright(const Eigen::Vector3f& up_axis)
   Eigen::Matrix3d turn;
   turn << x.transpose(), up.cross(x).transpose(), up.transpose();
   return turn;
+}
+
+UprightFrame
+uprightFrame(const std::vector<Eigen::Vector3f>& points,
+             const std::optional<Eigen::Vector3f>& up_axis,
+             std::optional<double> metres_per_unit)
+{
+  UprightFrame frame;
+  frame.vertical = up_axis ? verticalAlong(*up_axis, points) : findVertical(points);
+  frame.up_axis = up_axis ? frame.vertical.direction : frame.vertical.upAxis();
+  frame.metres_per_unit =
+      metres_per_unit.value_or(metresPerUnit(frame.vertical.room_height));
+  return frame;
 }
 
 Eigen::Isometry3d

@@ -74,13 +74,12 @@ template <typename PointT>
 void
 RoomSegmentation<PointT>::findFrame(const std::vector<Eigen::Vector3f>& points)
 {
-  report_.vertical = up_axis_ ? indoor::verticalAlong(*up_axis_, points)
-                              : indoor::findVertical(points);
-  report_.up_axis = up_axis_ ? report_.vertical.direction : report_.vertical.upAxis();
-  const double height = report_.vertical.room_height;
-  report_.metres_per_unit = metres_per_unit_.value_or(indoor::metresPerUnit(height));
+  const auto frame = indoor::uprightFrame(points, up_axis_, metres_per_unit_);
+  report_.vertical = frame.vertical;
+  report_.up_axis = frame.up_axis;
+  report_.metres_per_unit = frame.metres_per_unit;
   if (!metres_per_unit_)
-    warn(indoor::unitNote(height, report_.metres_per_unit));
+    warn(indoor::unitNote(frame.vertical.room_height, frame.metres_per_unit));
   warn(indoor::unitWarning(report_.vertical, report_.metres_per_unit));
   if (!up_axis_)
     warn(indoor::verticalNote(report_.vertical));

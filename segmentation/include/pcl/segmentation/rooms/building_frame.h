@@ -6,11 +6,13 @@
 #pragma once
 
 #include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/rooms/vertical.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -22,6 +24,23 @@ namespace indoor {
  */
 Eigen::Matrix3d
 turnUpright(const Eigen::Vector3f& up_axis);
+
+/** \brief Which way is up in a cloud, and in which unit it is. */
+struct UprightFrame {
+  Vertical vertical; ///< as the points tell it; not looked for where the axis is given
+  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ(); ///< of unit length
+  double metres_per_unit = 1.0;
+};
+
+/** \brief Find the vertical and the unit of a cloud, but for what is given.
+ * \param[in] points finite
+ * \param[in] up_axis of any length but 0
+ * \param[in] metres_per_unit above 0
+ */
+UprightFrame
+uprightFrame(const std::vector<Eigen::Vector3f>& points,
+             const std::optional<Eigen::Vector3f>& up_axis,
+             std::optional<double> metres_per_unit);
 
 /** \brief Turn, scale and move the points of a cloud so that z points up, their unit is
  * the metre and they lie near the origin, as segmentBuilding() needs them.

@@ -1,0 +1,42 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/indoor/voxel_map.h>
+#include <pcl/segmentation/rooms/storeys.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pcl {
+namespace indoor {
+
+constexpr double least_height = 1.0; // metres, of free space and of a scan with rooms
+constexpr double least_room = 4.0;   // m^2
+
+/** Pixels of the storeys' plans. */
+struct PlaceCounts {
+  std::size_t area = 0;   ///< of places, but for walls
+  std::size_t places = 0; ///< those not beside walls either, where voxels hold both
+  std::size_t seen = 0;   ///< with anything in their column
+  std::size_t floors = 0, no_floors = 0; ///< under things it is not known
+  std::size_t ceilings = 0;
+  std::size_t sides = 0; ///< of the places that were seen, those towards a wall
+};
+
+/** \brief Look at a storey from above, and count what is seen.
+ * \param[in] storey of the storeys
+ * \param[in,out] enclosed places with walls around them, as rooms have
+ * \param[in,out] open other places where something was seen
+ */
+void
+countPlaces(const VoxelMap<std::uint8_t>& grid,
+            const Storeys& storeys,
+            std::size_t storey,
+            PlaceCounts& enclosed,
+            PlaceCounts& open);
+
+} // namespace indoor
+} // namespace pcl
