@@ -9,8 +9,6 @@
 #include "formats/json_text.h"
 #include "scene/scene_query.h"
 
-#include <cstdio>
-
 using namespace pcl::indoor::tool;
 using Json = nlohmann::ordered_json;
 
@@ -90,19 +88,11 @@ chooseQuery(Options& options)
 }
 
 std::string
-fixed(const Json& number, int digits)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", digits, number.get<double>());
-  return text;
-}
-
-std::string
 joined(const Json& numbers, const char* between)
 {
   std::string text;
   for (const auto& number : numbers)
-    text += (text.empty() ? "" : between) + fixed(number, 2);
+    text += (text.empty() ? "" : between) + fixedText(number.get<double>(), 2);
   return text;
 }
 
@@ -122,14 +112,14 @@ tableOf(const std::vector<Json>& objects, const SceneQuery& query)
         object.at("object").dump(),
         is_thing ? name : object["structure"].get<std::string>(),
         is_thing && object.contains("confidence")
-            ? fixed(100.0 * object["confidence"].get<double>(), 0) + " %"
+            ? fixedText(100.0 * object["confidence"].get<double>(), 0) + " %"
             : "-",
         object.at("room") == 0 ? "-" : object["room"].dump(),
         object.contains("storey") ? object["storey"].dump() : "-",
         joined(box.at("size"), " x "),
         joined(box.at("center"), ", ")};
     if (query.nearest)
-      row.push_back(fixed(object.at("distance"), 2));
+      row.push_back(fixedText(object.at("distance").get<double>(), 2));
     table.add(row);
   }
   return table.text();

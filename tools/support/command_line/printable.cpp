@@ -93,6 +93,14 @@ printable(const std::string& text, std::size_t most)
 }
 
 std::string
+fixedText(double value, int digits)
+{
+  char text[400]; // the largest double has 309 digits
+  std::snprintf(text, sizeof(text), "%.*f", digits, value);
+  return text;
+}
+
+std::string
 messageOf(const std::exception& error)
 {
   if (const auto* of_pcl = dynamic_cast<const PCLException*>(&error))

@@ -18,6 +18,10 @@ namespace pcl::indoor::tool {
 std::string
 printable(const std::string& text, std::size_t most = 1000);
 
+/** \brief A number with so many digits behind the point. */
+std::string
+fixedText(double value, int digits);
+
 /** \brief What an exception says to a user: without the names of functions, source
  * files and exceptions that libraries put in front. */
 std::string

@@ -4,8 +4,8 @@
  */
 #include "files/joined_clouds.h"
 
-#include "command_line/options.h"    // for ToolError
-#include "files/point_coordinates.h" // for realAt
+#include "command_line/options.h" // for ToolError
+#include "files/field_value.h"
 
 #include <pcl/common/io.h> // for getFieldIndex, getFieldSize
 
@@ -185,7 +185,7 @@ private:
           std::memcpy(to, from, sizeOf(field));
           continue;
         }
-        const double value = realAt(from, own->datatype) + shift[field.name[0] - 'x'];
+        const double value = valueAt(from, own->datatype) + shift[field.name[0] - 'x'];
         std::memcpy(to, &value, sizeof(value));
       }
     }

@@ -5,6 +5,7 @@
 #include "files/point_coordinates.h"
 
 #include "command_line/printable.h"
+#include "files/field_value.h"
 #include "formats/file_header.h" // for offsetText
 
 #include <pcl/common/io.h> // for getFieldSize
@@ -77,28 +78,15 @@ withCoordinates(const PCLPointCloud2& cloud,
       if (axis < 0)
         std::memcpy(to, from, sizeOf(field));
       else if (datatype == PCLPointField::FLOAT64)
-        store<double>(realAt(from, field.datatype) - shift[axis], to);
+        store<double>(valueAt(from, field.datatype) - shift[axis], to);
       else
-        store<float>(realAt(from, field.datatype) - shift[axis], to);
+        store<float>(valueAt(from, field.datatype) - shift[axis], to);
     }
   }
   return other;
 }
 
 } // namespace
-
-double
-realAt(const std::uint8_t* bytes, std::uint8_t datatype)
-{
-  if (datatype == PCLPointField::FLOAT64) {
-    double value = 0.0;
-    std::memcpy(&value, bytes, sizeof(value));
-    return value;
-  }
-  float value = 0.0f;
-  std::memcpy(&value, bytes, sizeof(value));
-  return static_cast<double>(value);
-}
 
 void
 PointCoordinates::addOption(OptionParser& parser)

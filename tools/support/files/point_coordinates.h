@@ -11,11 +11,6 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief The value of a field of a point.
- * \param[in] datatype PCLPointField::FLOAT64 or FLOAT32 */
-double
-realAt(const std::uint8_t* bytes, std::uint8_t datatype);
-
 /** \brief How the tools write x, y and z: the option -double.
  *
  * PCL's own readers and viewers take floats only: they show doubles as zeros.

@@ -53,6 +53,15 @@ textOf(const Eigen::Vector3f& direction)
 
 } // namespace
 
+std::string
+unitName(double metres_per_unit)
+{
+  for (const auto& [name, metres] : units)
+    if (metres == metres_per_unit)
+      return name;
+  return {};
+}
+
 void
 ScanFrame::addOptions(OptionParser& parser)
 {
@@ -97,9 +106,7 @@ ScanFrame::settle(const ScanReport& report)
   if (up == "auto")
     up = textOf(report.up_axis);
   if (unit == "auto")
-    for (const auto& [name, metres] : units)
-      if (metres == report.metres_per_unit)
-        unit = name;
+    unit = unitName(report.metres_per_unit);
 }
 
 SegmentedRooms

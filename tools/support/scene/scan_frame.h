@@ -15,6 +15,11 @@
 
 namespace pcl::indoor::tool {
 
+/** \brief The unit that has so many metres, as the option -unit names it; empty if none
+ * has. */
+std::string
+unitName(double metres_per_unit);
+
 /** \brief How a scan's coordinates are meant: the options -unit and -up. */
 struct ScanFrame {
   std::string unit = "auto"; ///< or m, cm, mm, ft, in

@@ -4,20 +4,13 @@
  */
 #include "scene/scene_summary.h"
 
+#include "command_line/printable.h"
+
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 namespace pcl::indoor::tool {
 namespace {
-
-std::string
-fixed(double value, int digits)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
-}
 
 std::string
 counted(std::size_t count, const std::string& thing)
@@ -50,7 +43,7 @@ storeyTable(const Scene& scene)
         });
     table.add({std::to_string(s),
                std::to_string(rooms),
-               fixed(area, 1),
+               fixedText(area, 1),
                std::to_string(objects)});
   }
   return table;
@@ -93,10 +86,10 @@ tablesOf(const Scene& scene, const std::vector<Progress::Stage>& stages)
   TextTable times({"stage", "seconds>"});
   double all = 0.0;
   for (const auto& stage : stages) {
-    times.add({stage.name, fixed(stage.seconds, 1)});
+    times.add({stage.name, fixedText(stage.seconds, 1)});
     all += stage.seconds;
   }
-  times.add({"all", fixed(all, 1)});
+  times.add({"all", fixedText(all, 1)});
   tables.push_back(std::move(times));
   return tables;
 }

@@ -7,13 +7,14 @@
 #include "command_line/printable.h"
 #include "scene/room_json.h" // for positionJson
 
-#include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/common/point_tests.h>                // for isFinite
+#include <pcl/segmentation/rooms/building_frame.h> // for uprightFrame
 #include <pcl/segmentation/rooms/scan_unit.h>
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <optional>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -22,14 +23,6 @@ constexpr double hardly = 0.3, mostly = 0.7; // shares that were seen
 constexpr double slice = 1.0;                // metres of height
 constexpr double few_duplicates = 0.005;     // share that is chance
 constexpr double degree = M_PI / 180.0;
-
-std::string
-fixed(double value, int digits)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
-}
 
 /** For example "1,204,331". */
 std::string
@@ -46,23 +39,24 @@ std::string
 percent(double share)
 {
   const double rounded = std::round(100.0 * share);
-  return fixed(share > 0.0 && share < 1.0 ? std::clamp(rounded, 1.0, 99.0) : rounded,
-               0) +
+  return fixedText(
+             share > 0.0 && share < 1.0 ? std::clamp(rounded, 1.0, 99.0) : rounded, 0) +
          " %";
 }
 
 std::string
 lengthText(double metres)
 {
-  return metres < 0.1 ? fixed(100.0 * metres, 1) + " cm" : fixed(metres, 2) + " m";
+  return metres < 0.1 ? fixedText(100.0 * metres, 1) + " cm"
+                      : fixedText(metres, 2) + " m";
 }
 
 std::string
 sizeText(const Eigen::Vector3d& size)
 {
   const int digits = size.maxCoeff() < 1.0 ? 2 : 1;
-  return fixed(size.x(), digits) + " x " + fixed(size.y(), digits) + " x " +
-         fixed(size.z(), digits) + " m";
+  return fixedText(size.x(), digits) + " x " + fixedText(size.y(), digits) + " x " +
+         fixedText(size.z(), digits) + " m";
 }
 
 /** For example "-y", or the three numbers of a direction that is no axis. */
@@ -72,8 +66,8 @@ axisText(const Eigen::Vector3f& axis)
   for (int k = 0; k < 3; ++k)
     if (std::abs(axis[k]) == 1.0f)
       return (axis[k] < 0.0f ? "-" : "") + std::string(1, "xyz"[k]);
-  return "(" + fixed(axis.x(), 2) + ", " + fixed(axis.y(), 2) + ", " +
-         fixed(axis.z(), 2) + ")";
+  return "(" + fixedText(axis.x(), 2) + ", " + fixedText(axis.y(), 2) + ", " +
+         fixedText(axis.z(), 2) + ")";
 }
 
 std::vector<Eigen::Vector3f>
@@ -87,19 +81,6 @@ finitePointsOf(const CloudFile& file)
   return points;
 }
 
-/** The option -unit that says so. */
-std::string
-unitOf(double metres)
-{
-  ScanFrame frame;
-  for (const char* unit : {"m", "cm", "mm", "ft", "in"}) {
-    frame.unit = unit;
-    if (frame.metresPerUnit() == metres)
-      return unit;
-  }
-  return {};
-}
-
 /** Up axis and unit, as RoomSegmentation takes them. */
 void
 findFrame(const std::vector<Eigen::Vector3f>& points,
@@ -107,17 +88,16 @@ findFrame(const std::vector<Eigen::Vector3f>& points,
           UnderstoodScan& scan)
 {
   scan.up_is_set = frame.up != "auto";
-  scan.vertical =
-      scan.up_is_set ? verticalAlong(frame.upAxis(), points) : findVertical(points);
-  scan.up_axis = scan.up_is_set ? Eigen::Vector3f(frame.upAxis().normalized())
-                                : scan.vertical.upAxis();
-  const double height = scan.vertical.room_height;
-  const double metres =
-      frame.unit == "auto" ? metresPerUnit(height) : frame.metresPerUnit();
-  scan.unit = unitOf(metres);
-  if (unitWarning(scan.vertical, metres).empty())
+  const auto found = uprightFrame(
+      points,
+      scan.up_is_set ? std::optional(frame.upAxis()) : std::nullopt,
+      frame.unit != "auto" ? std::optional(frame.metresPerUnit()) : std::nullopt);
+  scan.vertical = found.vertical;
+  scan.up_axis = found.up_axis;
+  scan.unit = unitName(found.metres_per_unit);
+  if (unitWarning(found.vertical, found.metres_per_unit).empty())
     return;
-  const auto likely = unitOf(likelyMetresPerUnit(height));
+  const auto likely = unitName(likelyMetresPerUnit(found.vertical.room_height));
   scan.likely_unit = likely == scan.unit ? "" : likely;
 }
 
@@ -173,7 +153,7 @@ frameText(const UnderstoodScan& scan)
   else
     text += overview.room_height > 0.0 ? ", the" : "; no";
   text += overview.room_height > 0.0
-              ? " rooms are " + fixed(overview.room_height, 1) + " m high. "
+              ? " rooms are " + fixedText(overview.room_height, 1) + " m high. "
               : " height of rooms was seen. ";
   text += "Up: " + axisText(scan.up_axis);
   if (scan.up_is_set)
@@ -184,9 +164,9 @@ frameText(const UnderstoodScan& scan)
       std::min(1.0, static_cast<double>(scan.vertical.direction.dot(scan.up_axis))));
   text += ", by floors and walls";
   if (off >= 0.5 * degree)
-    text += ", which lean by " + fixed(off / degree, 1) + " degrees";
+    text += ", which lean by " + fixedText(off / degree, 1) + " degrees";
   else if (scan.up_axis.cwiseAbs().maxCoeff() < 1.0f)
-    text += ", " + fixed(scan.vertical.tilt() / degree, 1) + " degrees from z";
+    text += ", " + fixedText(scan.vertical.tilt() / degree, 1) + " degrees from z";
   return text + ".";
 }
 
@@ -198,12 +178,12 @@ seenText(const ScanOverview& overview)
     return "Size: " + text + ".";
   text = std::to_string(overview.storeys) +
          (overview.storeys == 1 ? " storey, " : " storeys, ") + text + ". Of " +
-         fixed(overview.area, 0) + " m^2 between the walls, " +
+         fixedText(overview.area, 0) + " m^2 between the walls, " +
          percent(overview.floor_seen) + " of the floor and " +
          percent(overview.ceiling_seen) + " of the ceiling were seen, with walls on " +
-         fixed(overview.wall_sides, 1) + " of 4 sides.";
+         fixedText(overview.wall_sides, 1) + " of 4 sides.";
   if (overview.open_area > overview.area)
-    text += " Open ground around them: " + fixed(overview.open_area, 0) + " m^2.";
+    text += " Open ground around them: " + fixedText(overview.open_area, 0) + " m^2.";
   return text;
 }
 
@@ -290,7 +270,7 @@ consequencesOf(const UnderstoodScan& scan)
                     " large: a thing or a table, or its unit is another one (-unit).");
   else if (overview.extent.z() < slice)
     lines.push_back("The scan is a slice or a flat map, " +
-                    fixed(overview.extent.z(), 2) +
+                    fixedText(overview.extent.z(), 2) +
                     " m high: rooms need walls from floor to ceiling.");
   else
     addSurfaces(overview, lines);
