@@ -139,7 +139,9 @@ main(int argc, char** argv)
     settings.coordinates.apply(file, settings.output);
     progress.start("Saving " + settings.output);
     saveCloud(settings.output, file.cloud, file.frame);
-    progress.done();
-    progress.summary(settings.output + ": " + std::to_string(found) + " normals");
+    Progress::conclude([&] {
+      progress.done();
+      progress.summary(settings.output + ": " + std::to_string(found) + " normals");
+    });
   });
 }

@@ -279,11 +279,14 @@ main(int argc, char** argv)
     progress.start("Saving to " + options.folder);
     const auto texts =
         describe(options, settingsOf(parser, scan), scene, *standing, scan.file);
-    progress.done(save(options.folder, texts, std::move(cloud)));
+    save(options.folder, texts, std::move(cloud));
     folder.remove();
-    progress.summary(options.folder + ": " + summaryOf(scene));
-    for (const auto& table : tablesOf(scene, progress.stages()))
-      progress.table(table);
+    Progress::conclude([&] {
+      progress.done(namesOf(texts));
+      progress.summary(options.folder + ": " + summaryOf(scene));
+      for (const auto& table : tablesOf(scene, progress.stages()))
+        progress.table(table);
+    });
   });
   ranks.dismissAll();
   return status;

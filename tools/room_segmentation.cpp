@@ -325,7 +325,9 @@ main(int argc, char** argv)
     progress.start("Saving " + options.output);
     files.push_back(cloudBeside(options.output, file.cloud, file.frame));
     commitTogether(files);
-    progress.done();
-    progress.summary(options.output + ": " + summary);
+    Progress::conclude([&] {
+      progress.done();
+      progress.summary(options.output + ": " + summary);
+    });
   });
 }

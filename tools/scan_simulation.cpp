@@ -282,8 +282,10 @@ simulate(Options& options, Progress& progress)
         options.json_file, pcl::indoor::describeScene(building, scan.positions)));
   files.push_back(cloudBeside(options.output_file, scan.cloud, {}));
   commitTogether(files);
-  progress.done(points);
-  progress.summary(options.output_file + ": " + points);
+  Progress::conclude([&] {
+    progress.done(points);
+    progress.summary(options.output_file + ": " + points);
+  });
 }
 
 } // namespace

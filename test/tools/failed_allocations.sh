@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the pcl_indoor contributors
 #
-# failed_allocations.sh <folder of the tools> <plan> <library fail_allocation> <first n> <random n> [pipeline|rooms|objects]
-# Lets tools run out of memory at their first n allocations, one in each run, and at random later ones. A tool then
+# failed_allocations.sh <folder of the tools> <plan> <library fail_allocation> <first n> <random n> <last n> [pipeline|rooms|objects]
+# Lets tools run out of memory at their first n allocations, one in each run, at random later ones, and at the last n. A tool then
 # either says so in one line with exit status 1 and leaves nothing but finished rooms, or does without the memory and writes what it
 # writes otherwise; the picture of the plan, which a process of its own draws, may be missing, if a line says so.
 set -u
-tools=$1 plan=$2 library=$3 first=$4 random=$5
+tools=$1 plan=$2 library=$3 first=$4 random=$5 last=$6
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
@@ -25,9 +25,9 @@ try() { # <tool> <n>
   (LD_PRELOAD=$library FAIL_AT=$2 "$1" > /dev/null 2> said)
   local status=$?
   if [ $status -eq 0 ]; then
-    local picture=()
-    ! grep -q 'plan cannot be drawn' said || picture=(-x '*plan.png')
-    diff -rq "${picture[@]}" out "expected_$1" > /dev/null || fail "$1, allocation $2: other results"
+    local unlike=(-x .unfinished) # which needs memory to be removed
+    ! grep -q 'plan cannot be drawn' said || unlike+=(-x '*plan.png')
+    diff -rq "${unlike[@]}" out "expected_$1" > /dev/null || fail "$1, allocation $2: other results"
     survived=$((survived + 1))
     return
   fi
@@ -49,7 +49,7 @@ for tool in pipeline rooms; do
   [ -z "$(find with -name '*plan.png')" ] || grep -q 'plan cannot be drawn' said || fail "$tool does not say that its plan is missing"
 done
 
-for tool in ${6:-pipeline rooms objects}; do
+for tool in ${7:-pipeline rooms objects}; do
   rm -rf out
   mkdir out
   (LD_PRELOAD=$library FAIL_AT=0 $tool > /dev/null 2> said) || fail "$tool fails"
@@ -62,5 +62,8 @@ for tool in ${6:-pipeline rooms objects}; do
   for ((n = 0; n < random; ++n)); do
     try $tool $((1 + (RANDOM * 32768 + RANDOM) % count))
   done
-  echo "$tool: $((first + random)) of $count allocations failed, $survived of them without harm"
+  for ((n = count - last + 1; n <= count; ++n)); do
+    try $tool $n
+  done
+  echo "$tool: $((first + random + last)) of $count allocations failed, $survived of them without harm"
 done

@@ -8,6 +8,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdio>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,22 @@ public:
   /** \brief A line of its own, for example where the results lie. */
   void
   note(const std::string& text);
+
+  /** \brief What is done once the results are in place: end the step of saving, say
+   * what came out. It does not undo the results: where the memory does not suffice for
+   * it, one warning says so.
+   * \param[in] tell called once
+   */
+  template <typename Function>
+  static void
+  conclude(const Function& tell)
+  {
+    try {
+      tell();
+    } catch (const std::bad_alloc&) {
+      std::fputs("Warning: There is not enough memory to say what came out\n", stderr);
+    }
+  }
 
   /** \brief What came out of all, on one line: also where stdout is no terminal, but
    * not after -quiet. */

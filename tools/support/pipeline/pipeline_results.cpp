@@ -214,7 +214,7 @@ describe(const PipelineOptions& options,
   return files;
 }
 
-std::string
+void
 save(const std::string& folder, const NamedBytes& texts, OutputFile cloud)
 {
   const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
@@ -228,6 +228,11 @@ save(const std::string& folder, const NamedBytes& texts, OutputFile cloud)
                   in_folder("classes.png"),
                   in_folder("plan.png"),
                   in_folder("report.html")});
+}
+
+std::string
+namesOf(const NamedBytes& texts)
+{
   std::string names = "cloud.pcd";
   for (const auto& text : texts)
     names += ", " + std::filesystem::path(text.first).filename().string();

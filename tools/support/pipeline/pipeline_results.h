@@ -54,8 +54,12 @@ describe(const PipelineOptions& options,
          const PointCloud<PointXYZ>& points,
          const CloudFile& file);
 
-/** \brief Put all results into the folder. Returns their names. */
-std::string
+/** \brief Put all results into the folder. */
+void
 save(const std::string& folder, const NamedBytes& texts, OutputFile cloud);
+
+/** \brief The names of all results, for a person. */
+std::string
+namesOf(const NamedBytes& texts);
 
 } // namespace pcl::indoor::tool

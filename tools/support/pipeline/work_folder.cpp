@@ -10,8 +10,11 @@
 #include "files/output_file.h"
 
 #include <cstring>
+#include <dirent.h>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
+#include <unistd.h> // for rmdir, unlinkat
 #include <utility>
 
 namespace pcl::indoor::tool {
@@ -31,7 +34,7 @@ struct Head {
 
 /** Does a file of this name belong to runs? Whatever else is there is left alone. */
 bool
-isOfRuns(const std::string& name)
+isOfRuns(std::string_view name)
 {
   return name == begun || name == locked || name == "scene" ||
          name.compare(0, 5, "room_") == 0 || name.compare(0, 7, "points_") == 0 ||
@@ -83,7 +86,7 @@ WorkFolder::removeOutdated()
     printWarning(folder_ +
                  ": what a run of another scan or with other options has left "
                  "unfinished is removed");
-  removeFiles();
+  removeFiles(true);
 }
 
 std::optional<std::string>
@@ -158,24 +161,26 @@ WorkFolder::removeFile(const std::string& name)
 }
 
 void
-WorkFolder::removeFiles()
+WorkFolder::removeFiles(bool keep_lock)
 {
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder_, error))
-    if (const auto name = entry.path().filename().string();
-        isOfRuns(name) && name != locked) {
-      std::error_code kept; // is harmless: its key tells that it is outdated
-      fs::remove(entry.path(), kept);
-    }
-  fs::remove(folder_, error); // if it is empty
+  // Not by std::filesystem, which needs memory: the results are in place already.
+  DIR* const folder = opendir(folder_.c_str());
+  if (folder == nullptr)
+    return;
+  while (const auto* const entry = readdir(folder)) {
+    const std::string_view name = entry->d_name;
+    // one that cannot be removed is harmless: its key tells that it is outdated
+    if (isOfRuns(name) && !(keep_lock && name == locked))
+      unlinkat(dirfd(folder), entry->d_name, 0);
+  }
+  closedir(folder);
+  rmdir(folder_.c_str()); // if it is empty
 }
 
 void
 WorkFolder::remove()
 {
-  std::error_code error;
-  fs::remove(path(locked), error);
-  removeFiles();
+  removeFiles(false);
 }
 
 std::string

@@ -87,7 +87,7 @@ private:
   put(const std::string& name, const std::string& bytes);
 
   void
-  removeFiles();
+  removeFiles(bool keep_lock);
 
   std::string folder_;
   std::uint64_t key_;
