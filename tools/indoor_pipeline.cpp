@@ -268,7 +268,7 @@ main(int argc, char** argv)
     WorkFolder folder(workFolder(options), keyOfRun(options, parser.settings()));
     folder.lock();
     folder.removeOutdated();
-    auto scene = findRooms(options, scan.file, folder, progress);
+    auto scene = findRooms(options, scan.file, understood, folder, progress);
     work.setFrame(scene.building_pose, scene.report.metres_per_unit);
     options.frame.settle(scene.report);
     scene.understood = understood;

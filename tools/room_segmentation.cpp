@@ -270,6 +270,7 @@ segment(Options& options,
   progress.start("Segmenting rooms");
   Segmentation segmentation;
   segmentation.setOptions(options.rooms);
+  segmentation.setUprightFrame(understood.frame);
   segmentation.setProgressCallback([&progress](double share, const char*) {
     progress.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;

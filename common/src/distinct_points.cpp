@@ -5,12 +5,27 @@
 #include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/point_hash.h>
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 #include <tuple>
 
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
+
+/** Of a place: rougher than pointHash(), and sooner; 0 and -0 are the same. */
+std::uint64_t
+quickHash(const Eigen::Vector3f& point)
+{
+  const Eigen::Array3f place = point.array() + 0.0f;
+  std::uint32_t bits[3];
+  std::memcpy(bits, place.data(), sizeof(bits));
+  const std::uint64_t hash = bits[0] * 0x9e3779b97f4a7c15u +
+                             bits[1] * 0xbf58476d1ce4e5b9u +
+                             bits[2] * 0x94d049bb133111ebu;
+  return hash ^ hash >> 32;
+}
 
 /** An entry of the table: most others in its way are told by the hash alone. */
 struct Slot {
@@ -73,6 +88,34 @@ distinctPoints(const std::vector<Eigen::Vector3f>& points)
     result.place.push_back(slots[at].place);
   }
   return result;
+}
+
+bool
+mayHaveCopies(const std::vector<Eigen::Vector3f>& points)
+{
+  constexpr std::size_t sample_size = 20000;
+  constexpr std::size_t points_per_counter = 16; // on average
+  constexpr std::uint32_t crowd = 50; // of points of any places; chance gives up to 40
+  if (points.size() <= sample_size)
+    return true; // distinctPoints() is as fast
+  // Points of one place share their hash, and thus a counter, and are in a sample or
+  // not.
+  const std::uint64_t most = (std::uint64_t{1} << 32) * sample_size / points.size();
+  int size_bits = 4;
+  while (points_per_counter << size_bits < points.size())
+    ++size_bits;
+  std::vector<std::uint32_t> counters(std::size_t{1} << size_bits, 0);
+  std::vector<Eigen::Vector3f> sample;
+  sample.reserve(2 * sample_size);
+  for (const auto& point : points) {
+    const auto hash = quickHash(point);
+    ++counters[hash >> (64 - size_bits)];
+    if ((hash & 0xffffffffu) < most)
+      sample.push_back(point);
+  }
+  constexpr std::size_t fewest = 200; // one of so many: half of DistinctPoints's
+  return *std::max_element(counters.begin(), counters.end()) >= crowd ||
+         fewest * distinctPoints(sample).copies() > sample.size();
 }
 
 } // namespace indoor

@@ -167,9 +167,8 @@ nearestNeighbors(const std::vector<Eigen::Vector3f>& points,
 double
 neighborhoodRadius(const std::vector<Eigen::Vector3f>& points, unsigned threads)
 {
-  const auto places = distinctPoints(points);
-  if (places.hasCopies())
-    return neighborhoodRadius(places.once(points), threads);
+  if (const auto places = placesOfCopies(points))
+    return neighborhoodRadius(places->once(points), threads);
   if (points.size() < 2)
     return 0;
   auto distances = meanNeighborDistances(points, closest_neighbors, threads);

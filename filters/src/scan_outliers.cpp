@@ -91,9 +91,8 @@ scanOutliers(const std::vector<Eigen::Vector3f>& points,
              const ScanOutlierOptions& options)
 {
   requireValid(options);
-  const auto places = distinctPoints(points);
-  if (places.hasCopies())
-    return places.forAll(scanOutliers(places.once(points), options));
+  if (const auto places = placesOfCopies(points))
+    return places->forAll(scanOutliers(places->once(points), options));
   std::vector<std::uint8_t> outliers(points.size(), 0);
   const auto cloud = pcl::make_shared<Cloud>();
   cloud->reserve(points.size());

@@ -66,3 +66,41 @@ TEST(DistinctPoints, TheLeastValueOfAPlaceIsFinite)
             (std::vector<Eigen::Vector3f>{down, up}));
   EXPECT_TRUE(distinct.least({}).empty());
 }
+
+namespace {
+
+/** Points of a room that was scanned, all different. */
+std::vector<Eigen::Vector3f>
+differentPoints(std::size_t count)
+{
+  std::mt19937 rng(7);
+  std::uniform_real_distribution<float> place(-20.0f, 20.0f);
+  std::vector<Eigen::Vector3f> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = place(rng), y = place(rng), z = place(rng);
+    points.emplace_back(x, y, z);
+  }
+  return points;
+}
+
+} // namespace
+
+TEST(DistinctPoints, AQuickLookTellsScansWithoutCopies)
+{
+  for (const std::size_t count : {50000, 300000, 2000000})
+    EXPECT_FALSE(mayHaveCopies(differentPoints(count))) << count;
+}
+
+TEST(DistinctPoints, AQuickLookMissesNeitherCopiesNorCrowds)
+{
+  for (const std::size_t count : {300u, 50000u, 300000u}) {
+    auto copies = differentPoints(count);
+    copies.insert(copies.end(), copies.begin(), copies.begin() + count / 50);
+    EXPECT_TRUE(mayHaveCopies(copies)) << count;
+    EXPECT_TRUE(placesOfCopies(copies)) << count;
+    auto crowd = differentPoints(count);
+    crowd.insert(crowd.end(), 100, {1.0f, 2.0f, 3.0f});
+    EXPECT_TRUE(mayHaveCopies(crowd)) << count;
+  }
+  EXPECT_FALSE(placesOfCopies(differentPoints(300)));
+}

@@ -221,13 +221,13 @@ segmentObjects(ObjectSegmentationInput input,
                const ProgressCallback& progress)
 {
   requireFitting(input, options);
-  const auto places = distinctPoints(input.points);
-  if (!places.hasCopies())
+  const auto places = placesOfCopies(input.points);
+  if (!places)
     return segmentDistinct(std::move(input), options, progress);
-  keepDistinct(places, input);
+  keepDistinct(*places, input);
   auto result = segmentDistinct(std::move(input), options, progress);
   if (!result.segment_of_point.empty())
-    spreadToCopies(places, result);
+    spreadToCopies(*places, result);
   return result;
 }
 

@@ -48,19 +48,20 @@ storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
   return storey_of;
 }
 
-/** How many points of a storey each column holds. */
-PixelMap<std::uint32_t>
+/** How many points each column holds, per storey. */
+std::vector<PixelMap<std::uint32_t>>
 pointsOfColumns(const std::vector<std::uint8_t>& storey_of,
-                std::size_t storey,
+                std::size_t storeys,
                 const OccupancyGrid& occupancy)
 {
   const GridShape& shape = occupancy.grid.shape;
-  PixelMap<std::uint32_t> count{shape.nx, shape.ny, {}};
-  count.values.assign(count.size(), 0);
+  PixelMap<std::uint32_t> none{shape.nx, shape.ny, {}};
+  none.values.assign(none.size(), 0);
+  std::vector<PixelMap<std::uint32_t>> counts(storeys, none);
   for (std::size_t i = 0; i < storey_of.size(); ++i)
-    if (occupancy.cells[i] >= 0 && storey_of[i] == storey)
-      ++count.values[occupancy.cells[i] / shape.nz];
-  return count;
+    if (occupancy.cells[i] >= 0)
+      ++counts[storey_of[i]].values[occupancy.cells[i] / shape.nz];
+  return counts;
 }
 
 /** The room of each coarse voxel of a storey, 0 = none, by the vote of Sec. 3.2.3. */
@@ -242,6 +243,8 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   const bool by_vote = options.point_rooms == PointRooms::Vote;
   std::vector<VoxelMap<int>> votes; // per storey
   const std::size_t storeys = building.storeys.heights.size();
+  const auto points_of_columns =
+      pointsOfColumns(storey_of, storeys, building.occupancy);
   for (std::size_t s = 0; s < storeys; ++s) {
     const double part = static_cast<double>(s) / static_cast<double>(storeys);
     if (stopped(0.5 + 0.3 * part, "rooms of a storey"))
@@ -249,8 +252,8 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     const auto space = storeySpace(grid, building.interior, building.storeys, s);
     building.maps.push_back(segmentRoomMap(space, options.map));
     dropOutdoors(space, building.maps.back());
-    building.hardly_seen += dropHardlySeen(
-        space, pointsOfColumns(storey_of, s, building.occupancy), building.maps.back());
+    building.hardly_seen +=
+        dropHardlySeen(space, points_of_columns[s], building.maps.back());
     auto& room_of = building.room_of.emplace_back();
     for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
@@ -299,12 +302,12 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 const ProgressCallback& progress)
 {
   requireValid(options);
-  const auto places = distinctPoints(points);
-  if (!places.hasCopies())
+  const auto places = placesOfCopies(points);
+  if (!places)
     return segmentDistinct(points, std::move(options), progress);
-  auto building = segmentDistinct(places.once(points), std::move(options), progress);
+  auto building = segmentDistinct(places->once(points), std::move(options), progress);
   if (!building.point_labels.empty())
-    spreadToCopies(places, building);
+    spreadToCopies(*places, building);
   return building;
 }
 

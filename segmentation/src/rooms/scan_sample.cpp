@@ -123,10 +123,11 @@ Points
 samplePoints(const Points& points)
 {
   constexpr std::size_t sample_size = 15000;
-  const std::uint64_t one_in = std::max<std::size_t>(1, points.size() / sample_size);
+  const auto one_in =
+      static_cast<std::uint32_t>(std::max<std::size_t>(1, points.size() / sample_size));
   Points sample;
   for (const auto& point : points)
-    if ((pointHash(point) >> 32) % one_in == 0)
+    if (static_cast<std::uint32_t>(pointHash(point) >> 32) % one_in == 0)
       sample.push_back(point);
   std::sort(sample.begin(), sample.end(), [](const auto& a, const auto& b) {
     return std::make_tuple(a.x(), a.y(), a.z()) < std::make_tuple(b.x(), b.y(), b.z());

@@ -260,6 +260,9 @@ TEST_F(SampledSurface, GlbThatCannotBeReadIsRefused)
             std::string::npos);
   EXPECT_NE(complaint(changed("\"count\":6", "\"count\":9")).find("missing"),
             std::string::npos);
+  for (const auto* other : {"1e20", "-123", "\"51\""})
+    EXPECT_NE(complaint(changed("5123", other)).find("no whole number"),
+              std::string::npos);
   EXPECT_NE(complaint(changed("\"byteLength\":60", "\"uri\":\"a.bin\"  ")), "");
   EXPECT_NE(complaint(changed("\"asset\"", "\"asset ")), "");
   EXPECT_NE(complaint("glTF" + std::string(200, '\0')), "");

@@ -92,6 +92,8 @@ placedPoints(const PCLPointCloud2& cloud, bool in_rows)
     placed.points =
         pointsAround(cloud, placed.origin.middle, placed.finite_count, placed.left_out);
     const auto finite = finiteOf(*placed.points);
+    if (!mayHaveCopies(finite.positions))
+      return placed;
     const auto places = distinctPoints(finite.positions);
     placed.copy_count = places.copies();
     const auto more = crowded(places);

@@ -22,7 +22,7 @@ using Json = nlohmann::json;
 
 /** A number type of an accessor, as its componentType names it; nothing for others. */
 std::uint8_t
-fieldType(int component_type)
+fieldType(std::uint64_t component_type)
 {
   switch (component_type) {
   case 5120:
@@ -44,7 +44,7 @@ fieldType(int component_type)
 
 /** What is divided by to get numbers from -1 to 1; 0: they are no fractions. */
 double
-greatestOf(int component_type)
+greatestOf(std::uint64_t component_type)
 {
   switch (component_type) {
   case 5120:
@@ -120,6 +120,21 @@ private:
     }
   }
 
+  /** A number, count or offset: the library would turn 1e20 into anything. */
+  std::uint64_t
+  whole(const Json& value) const
+  {
+    if (!value.is_number_unsigned())
+      complain("the file is damaged, " + value.dump() + " is no whole number");
+    return value.get<std::uint64_t>();
+  }
+
+  std::uint64_t
+  whole(const Json& parent, const char* name, std::uint64_t otherwise) const
+  {
+    return parent.contains(name) ? whole(parent.at(name)) : otherwise;
+  }
+
   static Eigen::Affine3d
   poseOf(const Json& node)
   {
@@ -146,10 +161,12 @@ private:
   {
     const auto& nodes = json_.at("nodes");
     std::vector<bool> is_child(nodes.size(), false);
-    const auto children = [&nodes](std::size_t node) {
-      return nodes[node].contains("children")
-                 ? nodes[node].at("children").get<std::vector<std::size_t>>()
-                 : std::vector<std::size_t>();
+    const auto children = [&](std::size_t node) {
+      std::vector<std::size_t> numbers;
+      if (nodes[node].contains("children"))
+        for (const auto& child : nodes[node].at("children"))
+          numbers.push_back(whole(child));
+      return numbers;
     };
     for (std::size_t node = 0; node < nodes.size(); ++node)
       for (const auto child : children(node)) {
@@ -166,7 +183,7 @@ private:
       left.pop_back();
       const Eigen::Affine3d pose = parent * poseOf(nodes[node]);
       if (nodes[node].contains("mesh"))
-        addMesh(json_.at("meshes").at(nodes[node].at("mesh").get<std::size_t>()), pose);
+        addMesh(json_.at("meshes").at(whole(nodes[node].at("mesh"))), pose);
       for (const auto child : children(node))
         left.emplace_back(child, pose);
     }
@@ -176,7 +193,7 @@ private:
   addMesh(const Json& mesh, const Eigen::Affine3d& pose)
   {
     for (const auto& primitive : mesh.at("primitives")) {
-      const int mode = primitive.value("mode", 4);
+      const auto mode = whole(primitive, "mode", 4);
       if (mode != 0 && (mode < 4 || mode > 6)) // lines
         continue;
       const auto first = static_cast<std::uint32_t>(polygons_.vertices.size());
@@ -197,7 +214,9 @@ private:
 
   /** \param[in] mode 0: points, 4: three corners each, 5: a strip, 6: a fan */
   void
-  addTriangles(const std::vector<double>& corners, int mode, std::uint32_t first)
+  addTriangles(const std::vector<double>& corners,
+               std::uint64_t mode,
+               std::uint32_t first)
   {
     if (mode == 0)
       return;
@@ -216,11 +235,11 @@ private:
   std::vector<double>
   accessor(const Json& index, std::size_t width) const
   {
-    const auto& accessor = json_.at("accessors").at(index.get<std::size_t>());
+    const auto& accessor = json_.at("accessors").at(whole(index));
     if (accessor.contains("sparse") || !accessor.contains("bufferView"))
       complain(
           "has sparse numbers, which are not read: save it again, or as OBJ or PLY");
-    const int component = accessor.at("componentType").get<int>();
+    const auto component = whole(accessor.at("componentType"));
     const auto type = fieldType(component);
     const char* const kind = width == 3 ? "VEC3" : "SCALAR";
     if (type == 0 || accessor.at("type") != kind)
@@ -229,14 +248,12 @@ private:
         type == PCLPointField::INT8 || type == PCLPointField::UINT8     ? 1
         : type == PCLPointField::INT16 || type == PCLPointField::UINT16 ? 2
                                                                         : 4;
-    const auto& view =
-        json_.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+    const auto& view = json_.at("bufferViews").at(whole(accessor.at("bufferView")));
     if (view.at("buffer") != 0 || json_.at("buffers").at(0).contains("uri"))
       complain("refers to other files: save it as one GLB, or as OBJ or PLY");
-    const auto count = accessor.at("count").get<std::uint64_t>();
-    const auto stride = view.value("byteStride", std::uint64_t{size * width});
-    const auto begin = view.value("byteOffset", std::uint64_t{0}) +
-                       accessor.value("byteOffset", std::uint64_t{0});
+    const auto count = whole(accessor.at("count"));
+    const auto stride = whole(view, "byteStride", size * width);
+    const auto begin = whole(view, "byteOffset", 0) + whole(accessor, "byteOffset", 0);
     if (count > binary_.size() || stride > binary_.size() || begin > binary_.size() ||
         (count > 0 && begin + (count - 1) * stride + size * width > binary_.size()))
       complain("the file is truncated, numbers of its triangles are missing");

@@ -259,6 +259,7 @@ roomWork(const PipelineOptions& options)
 Scene
 findRooms(const PipelineOptions& options,
           const CloudFile& file,
+          const UnderstoodScan& understood,
           WorkFolder& folder,
           Progress& progress)
 {
@@ -272,6 +273,7 @@ findRooms(const PipelineOptions& options,
   RoomSegmentation<PointXYZ> segmentation;
   segmentation.setOptions(options.rooms);
   segmentation.setNumberOfThreads(options.threads);
+  segmentation.setUprightFrame(understood.frame);
   segmentation.setProgressCallback([&progress](double share, const char*) {
     progress.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;

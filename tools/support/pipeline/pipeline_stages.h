@@ -8,6 +8,7 @@
 #include "pipeline/pipeline_options.h"
 #include "pipeline/pipeline_results.h"
 #include "pipeline/scene_rooms.h"
+#include "scene/understood_scan.h"
 
 #include <cstdint>
 #include <vector>
@@ -36,6 +37,7 @@ loadScan(const PipelineOptions& options, Progress& progress);
 Scene
 findRooms(const PipelineOptions& options,
           const CloudFile& file,
+          const UnderstoodScan& understood,
           WorkFolder& folder,
           Progress& progress);
 

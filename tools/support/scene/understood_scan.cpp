@@ -7,8 +7,7 @@
 #include "command_line/printable.h"
 #include "scene/room_json.h" // for positionJson
 
-#include <pcl/common/point_tests.h>                // for isFinite
-#include <pcl/segmentation/rooms/building_frame.h> // for uprightFrame
+#include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/segmentation/rooms/scan_unit.h>
 #include <pcl/segmentation/scan_warnings.h>
 
@@ -88,16 +87,14 @@ findFrame(const std::vector<Eigen::Vector3f>& points,
           UnderstoodScan& scan)
 {
   scan.up_is_set = frame.up != "auto";
-  const auto found = uprightFrame(
+  scan.frame = uprightFrame(
       points,
       scan.up_is_set ? std::optional(frame.upAxis()) : std::nullopt,
       frame.unit != "auto" ? std::optional(frame.metresPerUnit()) : std::nullopt);
-  scan.vertical = found.vertical;
-  scan.up_axis = found.up_axis;
-  scan.unit = unitName(found.metres_per_unit);
-  if (unitWarning(found.vertical, found.metres_per_unit).empty())
+  scan.unit = unitName(scan.frame.metres_per_unit);
+  if (unitWarning(scan.frame.vertical, scan.frame.metres_per_unit).empty())
     return;
-  const auto likely = unitName(likelyMetresPerUnit(found.vertical.room_height));
+  const auto likely = unitName(likelyMetresPerUnit(scan.frame.vertical.room_height));
   scan.likely_unit = likely == scan.unit ? "" : likely;
 }
 
@@ -155,18 +152,19 @@ frameText(const UnderstoodScan& scan)
   text += overview.room_height > 0.0
               ? " rooms are " + fixedText(overview.room_height, 1) + " m high. "
               : " height of rooms was seen. ";
-  text += "Up: " + axisText(scan.up_axis);
+  text += "Up: " + axisText(scan.frame.up_axis);
   if (scan.up_is_set)
     return text + ", as set.";
-  if (!scan.vertical.is_found)
+  if (!scan.frame.vertical.is_found)
     return text + ", for want of floors and walls that tell it.";
-  const double off = std::acos(
-      std::min(1.0, static_cast<double>(scan.vertical.direction.dot(scan.up_axis))));
+  const double off = std::acos(std::min(
+      1.0, static_cast<double>(scan.frame.vertical.direction.dot(scan.frame.up_axis))));
   text += ", by floors and walls";
   if (off >= 0.5 * degree)
     text += ", which lean by " + fixedText(off / degree, 1) + " degrees";
-  else if (scan.up_axis.cwiseAbs().maxCoeff() < 1.0f)
-    text += ", " + fixedText(scan.vertical.tilt() / degree, 1) + " degrees from z";
+  else if (scan.frame.up_axis.cwiseAbs().maxCoeff() < 1.0f)
+    text +=
+        ", " + fixedText(scan.frame.vertical.tilt() / degree, 1) + " degrees from z";
   return text + ".";
 }
 
@@ -239,7 +237,7 @@ understand(const CloudFile& file,
   findFrame(finite, frame, scan);
   ScanFrame likely;
   likely.unit = scan.likely_unit.empty() ? scan.unit : scan.likely_unit;
-  scan.overview = scanOverview(finite, scan.up_axis, likely.metresPerUnit());
+  scan.overview = scanOverview(finite, scan.frame.up_axis, likely.metresPerUnit());
   if (scan.is_sample) { // which tells nothing of points that are in one place
     scan.overview.spacing *= std::sqrt(static_cast<double>(finite.size()) /
                                        static_cast<double>(scan.finite_points));
@@ -301,9 +299,9 @@ overviewJson(const UnderstoodScan& scan)
   if (!scan.likely_unit.empty())
     json["likely_unit"] = scan.likely_unit;
   json["room_height"] = rounded(overview.room_height);
-  json["up"] = positionJson(scan.up_axis.cast<double>());
-  if (scan.vertical.is_found)
-    json["tilt_degrees"] = rounded(scan.vertical.tilt() / degree);
+  json["up"] = positionJson(scan.frame.up_axis.cast<double>());
+  if (scan.frame.vertical.is_found)
+    json["tilt_degrees"] = rounded(scan.frame.vertical.tilt() / degree);
   json["storeys"] = overview.storeys;
   json["area"] = rounded(overview.area);
   json["open_area"] = rounded(overview.open_area);

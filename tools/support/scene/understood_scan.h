@@ -7,7 +7,7 @@
 #include "files/cloud_file.h"
 #include "scene/scan_frame.h"
 
-#include <pcl/segmentation/rooms/vertical.h>
+#include <pcl/segmentation/rooms/building_frame.h>
 #include <pcl/segmentation/scan_overview.h>
 
 #include <nlohmann/json.hpp>
@@ -29,9 +29,8 @@ struct UnderstoodScan {
   bool is_sample = false;                      ///< only some of them were looked at
   std::string unit;                            ///< that is used
   std::string likely_unit; ///< that the height of the rooms suggests; empty if no other
-  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ(); ///< of unit length
-  bool up_is_set = false;                             ///< by the user
-  Vertical vertical;                                  ///< as the points tell it
+  UprightFrame frame;
+  bool up_is_set = false; ///< by the user
   NormalsFrom normals = NormalsFrom::NoneInFile;
   bool has_colors = false;
   std::size_t stations = 1;

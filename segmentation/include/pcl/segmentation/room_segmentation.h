@@ -6,6 +6,7 @@
 #pragma once
 
 #include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/rooms/building_frame.h>
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <pcl/pcl_base.h>
@@ -252,6 +253,14 @@ public:
     return metres_per_unit_.value_or(1.0);
   }
 
+  /** \brief Give what indoor::uprightFrame() has found for the same points, so that
+   * segment() need not look for it again. */
+  void
+  setUprightFrame(const indoor::UprightFrame& frame)
+  {
+    upright_frame_ = frame;
+  }
+
   /** \brief Set whom segment() tells how far it is.
    * \param[in] callback given the share of the work, rising from 0 to 1, and the stage
    * that begins; if it returns false, segment() stops, prints nothing and leaves empty
@@ -365,6 +374,7 @@ private:
   indoor::BuildingRoomsOptions options_;
   std::optional<Eigen::Vector3f> up_axis_;
   std::optional<double> metres_per_unit_;
+  std::optional<indoor::UprightFrame> upright_frame_; ///< found before
   indoor::ProgressCallback progress_;
   indoor::ScanReport report_;
   indoor::BuildingRooms building_;

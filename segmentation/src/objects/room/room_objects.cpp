@@ -97,14 +97,15 @@ RoomObjects
 segmentRoomObjects(RoomPoints room, const ObjectSegmentationOptions& options)
 {
   requireSizes(room);
-  const auto places = distinctPoints(room.positions);
-  if (!places.hasCopies() || !room.given.empty())
+  const auto places =
+      room.given.empty() ? placesOfCopies(room.positions) : std::nullopt;
+  if (!places)
     return objectsOf(std::move(room), options);
-  room.positions = places.once(room.positions);
-  room.normals = places.least(room.normals);
+  room.positions = places->once(room.positions);
+  room.normals = places->least(room.normals);
   auto objects = objectsOf(std::move(room), options);
-  objects.object_of_point = places.forAll(objects.object_of_point);
-  objects.structure_of_point = places.forAll(objects.structure_of_point);
+  objects.object_of_point = places->forAll(objects.object_of_point);
+  objects.structure_of_point = places->forAll(objects.structure_of_point);
   return objects;
 }
 

@@ -143,11 +143,14 @@ measureFloors(const std::vector<Eigen::Vector3f>& points,
   std::vector<std::vector<std::uint8_t>> seen; // per storey and pixel
   for (const RoomMap& map : building.maps)
     seen.emplace_back(map.labels.size(), 0);
+  std::vector<double> floors;
+  for (const auto& level : levels)
+    floors.push_back(level.floor);
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (const std::uint32_t label = building.point_labels[i]; label > 0)
+    if (const std::uint32_t label = building.point_labels[i];
+        label > 0 && std::abs(points[i].z() - floors[label]) <= size)
       seen[building.rooms[label - 1].storey]
-          [building.occupancy.cells[i] / building.occupancy.grid.shape.nz] |=
-          std::abs(points[i].z() - levels[label].floor) <= size;
+          [building.occupancy.cells[i] / building.occupancy.grid.shape.nz] = 1;
   std::vector<std::size_t> columns(levels.size(), 0), with_floor = columns;
   for (std::size_t s = 0; s < building.maps.size(); ++s)
     for (std::size_t i = 0; i < seen[s].size(); ++i) {

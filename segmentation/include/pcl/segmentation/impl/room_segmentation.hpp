@@ -74,7 +74,9 @@ template <typename PointT>
 void
 RoomSegmentation<PointT>::findFrame(const std::vector<Eigen::Vector3f>& points)
 {
-  const auto frame = indoor::uprightFrame(points, up_axis_, metres_per_unit_);
+  const auto frame = upright_frame_
+                         ? *upright_frame_
+                         : indoor::uprightFrame(points, up_axis_, metres_per_unit_);
   report_.vertical = frame.vertical;
   report_.up_axis = frame.up_axis;
   report_.metres_per_unit = frame.metres_per_unit;
