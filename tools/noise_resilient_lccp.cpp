@@ -220,6 +220,7 @@ addOthers(OptionParser& parser, Settings& settings)
               settings.frame.unit,
               "unit of the coordinates; lengths of options are in metres",
               {"m", "cm", "mm", "ft", "in"});
+  settings.frame.addUpOption(parser);
   settings.colors.addOption(parser, {"object"});
   settings.coordinates.addOption(parser);
   settings.columns.addOption(parser);
@@ -344,6 +345,8 @@ main(int argc, char** argv)
     const auto points = pointsInMetres(file, settings.frame.metresPerUnit());
     pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
     segmentation.setOptions(chosenOptions(settings, isTableView(points)));
+    if (settings.frame.up != "auto")
+      segmentation.setUpAxis(settings.frame.upAxis());
     if (settings.camera != "auto")
       segmentation.setUseSingleCameraTransform(settings.camera == "single");
     const auto& origin = points->sensor_origin_;

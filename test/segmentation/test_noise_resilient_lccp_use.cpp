@@ -5,6 +5,7 @@
 
 #include "segmentation/objects/segmented_scene.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -396,6 +397,34 @@ TEST(NoiseResilientLCCPUse, TheDirectionUpMayPointAnywhere)
   segmentation.setUpAxis({0, 0, 0});
   segmentation.segment(labels);
   EXPECT_TRUE(labels.empty());
+}
+
+TEST(NoiseResilientLCCPUse, TheDirectionUpIsFound)
+{
+  const auto scene = roomWithTwoBoxes();
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(scene.points));
+  Labels upright, labels;
+  segmentation.segment(upright);
+  EXPECT_EQ(segmentation.getReport().up_axis, Eigen::Vector3f::UnitZ());
+  EXPECT_TRUE(segmentation.getReport().warnings.empty());
+  auto tilted = scene;
+  const Eigen::Matrix3f turn =
+      Eigen::AngleAxisf(0.35f, Eigen::Vector3f(1, 2, 0).normalized())
+          .toRotationMatrix();
+  tilted.turn(turn);
+  segmentation.setInputCloud(cloudOf(tilted.points));
+  segmentation.segment(labels);
+  EXPECT_GT(agreement(upright, labels), 0.99);
+  const Eigen::Vector3f up = turn * Eigen::Vector3f::UnitZ();
+  EXPECT_GT(segmentation.getReport().up_axis.dot(up), std::cos(0.02f));
+  ASSERT_EQ(segmentation.getReport().warnings.size(), 1u);
+  EXPECT_NE(segmentation.getReport().warnings[0].find("tilted by 20"),
+            std::string::npos);
+  segmentation.setUpAxis(up); // as set, without a word
+  segmentation.segment(labels);
+  EXPECT_EQ(segmentation.getReport().up_axis, up.normalized());
+  EXPECT_TRUE(segmentation.getReport().warnings.empty());
 }
 
 TEST(NoiseResilientLCCPUse, SettersHaveGetters)

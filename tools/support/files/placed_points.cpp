@@ -92,6 +92,7 @@ placedPoints(const PCLPointCloud2& cloud, bool in_rows)
     placed.points =
         pointsAround(cloud, placed.origin.middle, placed.finite_count, placed.left_out);
     const auto finite = finiteOf(*placed.points);
+    placed.copy_count = 0;
     if (!mayHaveCopies(finite.positions))
       return placed;
     const auto places = distinctPoints(finite.positions);

@@ -143,6 +143,16 @@ private:
     return static_cast<std::size_t>(number);
   }
 
+  void
+  get(bool& value)
+  {
+    std::uint8_t byte = 0;
+    take(&byte, sizeof(byte));
+    if (byte > 1)
+      throw DamagedRecord();
+    value = byte == 1;
+  }
+
   template <typename T>
   void
   get(T& value)

@@ -65,19 +65,25 @@ unitName(double metres_per_unit)
 void
 ScanFrame::addOptions(OptionParser& parser)
 {
-  parser
-      .text(
-          "-unit",
-          unit,
-          "unit of the coordinates; lengths of options and areas are in metres; auto: "
-          "metres, but where rooms would be higher than 50 m",
-          {"auto", "m", "cm", "mm", "ft", "in"})
-      .text("-up",
-            up,
-            "axis that points up, or a direction such as 0.1,0,0.99; auto: as floors, "
-            "ceilings and walls tell it",
-            {"auto", "x", "y", "z", "-x", "-y", "-z"},
-            directionOf);
+  parser.text(
+      "-unit",
+      unit,
+      "unit of the coordinates; lengths of options and areas are in metres; auto: "
+      "metres, but where rooms would be higher than 50 m",
+      {"auto", "m", "cm", "mm", "ft", "in"});
+  addUpOption(parser);
+}
+
+void
+ScanFrame::addUpOption(OptionParser& parser)
+{
+  parser.text(
+      "-up",
+      up,
+      "axis that points up, or a direction such as 0.1,0,0.99; auto: as floors, "
+      "ceilings and walls tell it",
+      {"auto", "x", "y", "z", "-x", "-y", "-z"},
+      directionOf);
 }
 
 double

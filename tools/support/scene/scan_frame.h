@@ -28,6 +28,10 @@ struct ScanFrame {
   void
   addOptions(OptionParser& parser);
 
+  /** \brief The option -up alone. */
+  void
+  addUpOption(OptionParser& parser);
+
   /** \brief 1 if it is to be found. */
   double
   metresPerUnit() const;

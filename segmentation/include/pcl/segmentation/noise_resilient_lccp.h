@@ -206,13 +206,15 @@ public:
   Eigen::Vector3d
   getViewPoint() const;
 
-  /** \brief Set which direction of the cloud points up, of any length (default +z, but
-   * in a camera's view of a room found from its surfaces, indoor::upOfView()); without
-   * meaning for the view of a table. */
+  /** \brief Set which direction of the cloud points up, of any length; without meaning
+   * for the view of a table. If it is not set, floors, ceilings and walls tell it
+   * (indoor::findVertical()): +z where the cloud is level within 3 degrees or where
+   * they do not tell it; in a camera's view of a room its surfaces
+   * (indoor::upOfView()). getReport() has what was used. */
   void
   setUpAxis(const Eigen::Vector3f& axis);
 
-  /** \brief Get the direction up, of unit length. */
+  /** \brief Get the direction up that was set, of unit length; +z if none was. */
   const Eigen::Vector3f&
   getUpAxis() const;
 

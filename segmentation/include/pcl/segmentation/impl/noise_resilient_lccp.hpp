@@ -14,6 +14,7 @@
 #include <pcl/indoor/plain_message.h>
 #include <pcl/indoor/stray_points.h>
 #include <pcl/indoor/usable_point.h>
+#include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -158,8 +159,14 @@ NoiseResilientLCCP<PointT>::localInput()
   Eigen::Vector3d sensor = sensorOrigin();
   if (report_.view.is_turned)
     sensor.tail<2>() *= -1;
-  local.up = in_frame(up_);
   local.capture = report_.view.capture;
+  report_.up_axis = up_;
+  if (!up_chosen_ && local.capture == indoor::Capture::Scan) {
+    const auto vertical = indoor::findVertical(local.points);
+    report_.up_axis = vertical.upAxis();
+    warn(indoor::verticalNote(vertical));
+  }
+  local.up = in_frame(report_.up_axis);
   if (local.capture != indoor::Capture::Scan || !viewpoint_.empty())
     local.viewpoint.assign(1, (sensor - origin).template cast<float>());
   if (local.capture == indoor::Capture::RoomView && up_chosen_)

@@ -17,6 +17,9 @@ struct ObjectReport {
   std::vector<std::string> warnings; ///< a line each: what is odd, and what mends it
   ObjectSegmentationOptions options; ///< that were used, with their sizes
   CameraView view;                   ///< how the points were taken
+  /** The direction up that was used, of unit length; of a camera's view see the scene
+   * of NoiseResilientLCCP::getResult(). */
+  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ();
 };
 
 /** \brief Warn if nearly all points, of many, are one segment: right for one thing.
