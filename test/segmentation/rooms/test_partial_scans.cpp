@@ -105,6 +105,30 @@ TEST(PartialScans, WallsAlone)
                  "Neither floors nor ceilings");
 }
 
+TEST(PartialScans, ABlockBetweenCorridorsIsNoPlaceWithoutCeiling)
+{
+  const std::vector<test::RoomBox> ring = {{{0, 0, 0}, {12, 1.6f, 2.5f}, 1},
+                                           {{0, 8.4f, 0}, {12, 10, 2.5f}, 1},
+                                           {{0, 1.7f, 0}, {1.6f, 8.3f, 2.5f}, 1},
+                                           {{10.4f, 1.7f, 0}, {12, 8.3f, 2.5f}, 1}};
+  std::vector<test::Opening> corners;
+  for (const float x : {0.05f, 10.45f})
+    for (const float y : {1.55f, 8.25f})
+      corners.push_back(test::junction(x, x + 1.5f, y, y + 0.2f));
+  auto points = test::rooms(ring, corners).points; // half of the ceiling, no floor
+  points.erase(std::remove_if(points.begin(),
+                              points.end(),
+                              [](const auto& p) {
+                                return isFloor(p.z()) ||
+                                       (isCeiling(p.z()) &&
+                                        (p.x() > 1.7f && p.y() > 1.7f));
+                              }),
+               points.end());
+  const auto unseen = segmentBuilding(points).interior.unseen;
+  EXPECT_FALSE(unseen.floorIsSeen());
+  EXPECT_TRUE(unseen.ceilingIsSeen()) << unseen.ceiling_seen;
+}
+
 TEST(PartialScans, FlagsTellWhichRoomsLackWhat)
 {
   const auto building =

@@ -108,7 +108,8 @@ isClear(const VoxelMap<std::uint8_t>& occupancy, int x, int y, int z)
 
 /** Look for a side where the walls end.
  * \param[out] missing the voxels in which it should be
- * \return the share of the columns between walls that have it
+ * \return the share of the columns between walls that have it, of those that somebody
+ * looked into
  */
 double
 lookFor(const Side& side,
@@ -119,7 +120,7 @@ lookFor(const Side& side,
 {
   const int step = static_cast<int>(std::lround(side.inside / occupancy.voxel_size));
   const PixelMap<int>& ends = side.inwards > 0 ? walls.low : walls.high;
-  std::size_t between = 0, seen = 0;
+  std::size_t between = 0, either = 0, seen = 0;
   for (int x = 0; x < ends.nx; ++x)
     for (int y = 0; y < ends.ny; ++y) {
       const int z = ends.at(x, y) + side.inwards * step;
@@ -130,12 +131,16 @@ lookFor(const Side& side,
       const bool is_seen = (bit & side.seen) != 0;
       if (is_between && walls.is_near.at(x, y) && isClear(occupancy, x, y, z)) {
         ++between;
+        either += (bit & (ENCLOSED_ABOVE | ENCLOSED_BELOW)) != 0;
         seen += is_seen;
       }
       if (!is_seen && (is_between || (bit & side.instead) != 0))
         missing.push_back(occupancy.shape.index(x, y, ends.at(x, y)));
     }
-  return between > 0 ? static_cast<double>(seen) / static_cast<double>(between) : 1.0;
+  // Up to half may be courtyards, shafts, and blocks between corridors.
+  const std::size_t looked_into = std::max(either, between / 2);
+  return looked_into > 0 ? static_cast<double>(seen) / static_cast<double>(looked_into)
+                         : 1.0;
 }
 
 } // namespace
