@@ -28,11 +28,15 @@ pointsFromAllOver(CloudStream& stream)
   PCLPointCloud2 cloud;
   sampleBlocks(stream.pointCount(), [&](std::uint64_t first, std::size_t count) {
     auto part = stream.read(first, count);
+    if (part.data.empty())
+      return;
     if (cloud.data.empty()) {
       cloud = std::move(part);
       return;
     }
-    cloud.data.insert(cloud.data.end(), part.data.begin(), part.data.end());
+    const auto size = cloud.data.size();
+    cloud.data.resize(size + part.data.size());
+    std::copy(part.data.begin(), part.data.end(), &cloud.data[size]);
     cloud.width += part.width;
   });
   return cloud;
