@@ -326,10 +326,11 @@ main(int argc, char** argv)
       throw ToolError("-level: must be -1 or from 0 to 1");
     const bool as_thesis = settings.others.on_points.has_value();
     const auto& on_points = settings.on_points;
-    for (const auto& [option, value] :
-         {std::make_pair("-ransac_share", on_points.ransac_share),
-          std::make_pair("-colour_weight", double{on_points.color_weight}),
-          std::make_pair("-fpfh_weight", double{on_points.fpfh_weight})})
+    const std::pair<const char*, double> of_thesis[] = {
+        {"-ransac_share", on_points.ransac_share},
+        {"-colour_weight", on_points.color_weight},
+        {"-fpfh_weight", on_points.fpfh_weight}};
+    for (const auto& [option, value] : of_thesis)
       if (!as_thesis && value > 0)
         throw ToolError(std::string(option) +
                         ": needs -preset thesis or thesis_kinect");

@@ -253,6 +253,8 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     building.maps.push_back(segmentRoomMap(space, options.map));
     dropOutdoors(space, building.maps.back());
     building.hardly_seen +=
+        dropSeenThroughOpenings(std::pow(grid.voxel_size, 2), building.maps.back());
+    building.hardly_seen +=
         dropHardlySeen(space, points_of_columns[s], building.maps.back());
     auto& room_of = building.room_of.emplace_back();
     for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)

@@ -244,8 +244,8 @@ unseenWarnings(const BuildingRooms& building)
   if (building.hardly_seen > 0)
     lines.push_back(std::to_string(building.hardly_seen) +
                     (building.hardly_seen == 1 ? " space is" : " spaces are") +
-                    " no room: hardly any points show what is there, as with mirror "
-                    "images behind glass.");
+                    " no room: hardly any points or walls show what is there, as with "
+                    "mirror images behind glass and what is seen through doors.");
   return lines;
 }
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace pcl::indoor;
@@ -127,6 +128,29 @@ TEST(PartialScans, ABlockBetweenCorridorsIsNoPlaceWithoutCeiling)
   const auto unseen = segmentBuilding(points).interior.unseen;
   EXPECT_FALSE(unseen.floorIsSeen());
   EXPECT_TRUE(unseen.ceilingIsSeen()) << unseen.ceiling_seen;
+}
+
+TEST(PartialScans, WhatIsSeenThroughADoorIsNoRoom)
+{
+  auto points = test::twoRooms().points;
+  const auto whole = segmentBuilding(points);
+  ASSERT_EQ(whole.rooms.size(), 2u);
+  EXPECT_EQ(whole.hardly_seen, 0u);
+  // of the second room, floor and ceiling near the door, and no wall but the door's
+  points.erase(std::remove_if(points.begin(),
+                              points.end(),
+                              [](const auto& p) {
+                                const bool is_level =
+                                    isFloor(p.z()) || isCeiling(p.z());
+                                const bool is_near =
+                                    p.x() < 6.0f && std::abs(p.y() - 1.5f) < 1.2f;
+                                return p.x() > 4.3f && !(is_level && is_near);
+                              }),
+               points.end());
+  const auto seen = segmentBuilding(points);
+  ASSERT_EQ(seen.rooms.size(), 1u);
+  EXPECT_NEAR(seen.rooms[0].area, whole.rooms[0].area, 0.6);
+  EXPECT_EQ(seen.hardly_seen, 1u);
 }
 
 TEST(PartialScans, FlagsTellWhichRoomsLackWhat)

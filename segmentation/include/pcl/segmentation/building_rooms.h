@@ -100,8 +100,9 @@ struct BuildingRooms {
   std::vector<std::uint32_t> point_labels;         ///< room per point, 0 = none
   std::vector<Room> rooms;                         ///< in the order of their labels
   std::vector<RoomOpening> openings; ///< storey by storey, in the order of the rooms
-  std::size_t hardly_seen = 0; ///< spaces that are no rooms since far fewer points show
-                               ///< them than others: mirror images behind glass
+  /** Spaces that are no rooms: far fewer points show them than others, as mirror images
+   * behind glass, or hardly a wall, as what is seen through a door. */
+  std::size_t hardly_seen = 0;
 };
 
 /** \brief Find the rooms of a building.

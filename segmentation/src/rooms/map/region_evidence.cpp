@@ -125,6 +125,26 @@ dropOutdoors(const StoreySpace& space, RoomMap& map)
 }
 
 std::size_t
+dropSeenThroughOpenings(double pixel_area, RoomMap& map)
+{
+  constexpr double mostly = 2.0 / 3.0; // of the border; of whole rooms at most 0.6
+  constexpr double small = 10.0;       // m^2: of larger ones one has seen what they are
+  constexpr double beside = 0.5; // of the largest region, in a home of small rooms
+  std::vector<double> area(map.room_count + 1, 0.0);
+  for (const std::int32_t label : map.free_labels.values)
+    area[label] += pixel_area;
+  area[0] = 0.0;
+  const double largest = *std::max_element(area.begin(), area.end());
+  const std::vector<RegionSides> sides = sidesOf(map);
+  std::vector<std::uint8_t> is_dropped(area.size(), 0);
+  for (std::size_t label = 1; label < area.size(); ++label)
+    is_dropped[label] = area[label] < std::min(small, beside * largest) &&
+                        static_cast<double>(sides[label].open) >
+                            mostly * static_cast<double>(sides[label].all);
+  return dropRegions(is_dropped, map);
+}
+
+std::size_t
 dropHardlySeen(const StoreySpace& space,
                const PixelMap<std::uint32_t>& points,
                RoomMap& map)
