@@ -95,6 +95,17 @@ draw(const std::string& svg, int most_pixels, int file)
              CAIRO_STATUS_SUCCESS;
 }
 
+/** In place of GLib's own, which may wait for itself where memory lacks. */
+void
+endAtErrors(const gchar* /*domain*/,
+            GLogLevelFlags level,
+            const gchar* /*text*/,
+            gpointer /*unused*/)
+{
+  if (level & (G_LOG_FLAG_FATAL | G_LOG_LEVEL_ERROR))
+    _exit(EXIT_FAILURE);
+}
+
 /** What the process does that draws: the libraries print and abort where memory lacks.
  */
 [[noreturn]] void
@@ -105,6 +116,9 @@ drawAndEnd(const std::string& svg, int most_pixels, int file)
   const int nowhere = open("/dev/null", O_WRONLY);
   if (nowhere >= 0)
     dup2(nowhere, STDERR_FILENO);
+  constexpr unsigned longest = 60; // seconds
+  alarm(longest);
+  g_log_set_default_handler(endAtErrors, nullptr);
   bool is_drawn = false;
   try {
     is_drawn = draw(svg, most_pixels, file);
