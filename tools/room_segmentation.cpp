@@ -270,12 +270,12 @@ segment(Options& options,
   progress.start("Segmenting rooms");
   Segmentation segmentation;
   segmentation.setOptions(options.rooms);
-  segmentation.setUprightFrame(understood.frame);
   segmentation.setProgressCallback([&progress](double share, const char*) {
     progress.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;
   });
-  FoundRooms found{segmentRooms(file, options.frame, segmentation), understood};
+  FoundRooms found{segmentRooms(file, options.frame, understood.frame, segmentation),
+                   understood};
   options.frame.settle(found.report);
   progress.done(summaryOf(segmentation));
   sayIfEmpty(file.path, segmentation, found);

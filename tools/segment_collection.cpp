@@ -148,7 +148,7 @@ findObjects(const Options& options, const CloudFile& file, Progress& progress)
   progress.start("Segmenting rooms");
   pcl::RoomSegmentation<pcl::PointXYZ> rooms;
   rooms.setNumberOfThreads(options.threads);
-  const auto room_of_point = segmentRooms(file, {}, rooms).room_of_point;
+  const auto room_of_point = segmentRooms(file, {}, {}, rooms).room_of_point;
   progress.done(summaryOf(rooms));
 
   progress.start("Segmenting objects");

@@ -7,24 +7,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <tuple>
 
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
 
-/** Of a place: rougher than pointHash(), and sooner; 0 and -0 are the same. */
+/** Of a place: -0 is 0. */
 std::uint64_t
-quickHash(const Eigen::Vector3f& point)
+placeHash(const Eigen::Vector3f& point)
 {
-  const Eigen::Array3f place = point.array() + 0.0f;
-  std::uint32_t bits[3];
-  std::memcpy(bits, place.data(), sizeof(bits));
-  const std::uint64_t hash = bits[0] * 0x9e3779b97f4a7c15u +
-                             bits[1] * 0xbf58476d1ce4e5b9u +
-                             bits[2] * 0x94d049bb133111ebu;
-  return hash ^ hash >> 32;
+  return pcl::indoor::pointHash(point.array() + 0.0f);
 }
 
 /** An entry of the table: most others in its way are told by the hash alone. */
@@ -67,7 +60,7 @@ distinctPoints(const std::vector<Eigen::Vector3f>& points)
   const auto look = [&](std::size_t i) {
     if (i >= points.size())
       return;
-    hashes[i % ahead] = pointHash(points[i].array() + 0.0f); // -0 is 0
+    hashes[i % ahead] = placeHash(points[i]);
     __builtin_prefetch(&slots[hashes[i % ahead] & (size - 1)]);
   };
   for (std::size_t i = 0; i < ahead; ++i)
@@ -108,7 +101,7 @@ mayHaveCopies(const std::vector<Eigen::Vector3f>& points)
   std::vector<Eigen::Vector3f> sample;
   sample.reserve(2 * sample_size);
   for (const auto& point : points) {
-    const auto hash = quickHash(point);
+    const auto hash = placeHash(point);
     ++counters[hash >> (64 - size_bits)];
     if ((hash & 0xffffffffu) < most)
       sample.push_back(point);

@@ -160,6 +160,24 @@ TEST_F(QuietInput, AScanOnItsSideIsStoodUprightAndSaidOnce)
   EXPECT_LT(differing(labels, expected), points.size() / 100);
 }
 
+TEST_F(QuietInput, AFrameThatWasFoundBeforeIsTakenUntilAnotherIsSet)
+{
+  pcl::indoor::UprightFrame frame;
+  frame.up_axis = Eigen::Vector3f::UnitX();
+  frame.metres_per_unit = 0.5;
+  Segmentation rooms;
+  rooms.setInputCloud(cloudOf(twoRooms().points));
+  rooms.setUprightFrame(frame);
+  Labels labels;
+  rooms.segment(labels);
+  EXPECT_EQ(rooms.getReport().up_axis, frame.up_axis);
+  EXPECT_EQ(rooms.getReport().metres_per_unit, 0.5);
+  rooms.setUpAxis(Eigen::Vector3f::UnitZ());
+  rooms.segment(labels);
+  EXPECT_EQ(rooms.getReport().up_axis, Eigen::Vector3f::UnitZ());
+  EXPECT_EQ(rooms.getReport().metres_per_unit, 1.0);
+}
+
 TEST_F(QuietInput, FarPointsChangeNothingAndGetNoRoom)
 {
   const auto points = twoRooms().points;

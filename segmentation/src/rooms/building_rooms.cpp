@@ -252,8 +252,7 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     const auto space = storeySpace(grid, building.interior, building.storeys, s);
     building.maps.push_back(segmentRoomMap(space, options.map));
     dropOutdoors(space, building.maps.back());
-    building.hardly_seen +=
-        dropSeenThroughOpenings(std::pow(grid.voxel_size, 2), building.maps.back());
+    building.hardly_seen += dropSeenThroughOpenings(space, building.maps.back());
     building.hardly_seen +=
         dropHardlySeen(space, points_of_columns[s], building.maps.back());
     auto& room_of = building.room_of.emplace_back();

@@ -143,6 +143,7 @@ private:
     return static_cast<std::size_t>(number);
   }
 
+  /** No other byte may become one. */
   void
   get(bool& value)
   {

@@ -57,10 +57,11 @@ roomsBefore(const CloudFile& file, const WorkFolder& folder)
 Scene
 segmentScene(const PipelineOptions& options,
              const CloudFile& file,
+             const UprightFrame& found,
              RoomSegmentation<PointXYZ>& segmentation)
 {
   Scene scene;
-  auto segmented = segmentRooms(file, options.frame, segmentation);
+  auto segmented = segmentRooms(file, options.frame, found, segmentation);
   scene.room_of_point = std::move(segmented.room_of_point);
   scene.report = std::move(segmented.report);
   scene.rooms = segmentation.getRooms();
@@ -273,12 +274,11 @@ findRooms(const PipelineOptions& options,
   RoomSegmentation<PointXYZ> segmentation;
   segmentation.setOptions(options.rooms);
   segmentation.setNumberOfThreads(options.threads);
-  segmentation.setUprightFrame(understood.frame);
   segmentation.setProgressCallback([&progress](double share, const char*) {
     progress.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;
   });
-  auto scene = segmentScene(options, file, segmentation);
+  auto scene = segmentScene(options, file, understood.frame, segmentation);
   folder.write("scene", sceneBytes(scene));
   progress.done(summaryOf(segmentation));
   return scene;

@@ -118,12 +118,15 @@ ScanFrame::settle(const ScanReport& report)
 SegmentedRooms
 segmentRooms(const CloudFile& file,
              const ScanFrame& frame,
+             const std::optional<UprightFrame>& found,
              RoomSegmentation<PointXYZ>& segmentation)
 {
   if (frame.up != "auto")
     segmentation.setUpAxis(frame.upAxis());
   if (frame.unit != "auto")
     segmentation.setMetresPerUnit(frame.metresPerUnit());
+  if (found)
+    segmentation.setUprightFrame(*found);
   segmentation.setInputCloud(file.points);
   SegmentedRooms rooms;
   const auto problem = problemOf([&] { segmentation.segment(rooms.room_of_point); });

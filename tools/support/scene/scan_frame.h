@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,12 +53,14 @@ struct SegmentedRooms {
 };
 
 /** \brief Find the rooms; what is implausible is said on stderr, a line each.
+ * \param[in] found of the file's points and this frame, if it is known
  * \param[in,out] segmentation its parameters are set; frame and input are set here
  * \throws ToolError if no point has been looked at
  */
 SegmentedRooms
 segmentRooms(const CloudFile& file,
              const ScanFrame& frame,
+             const std::optional<UprightFrame>& found,
              RoomSegmentation<PointXYZ>& segmentation);
 
 /** \brief What to add to horizontal places of the building's frame to get those of the

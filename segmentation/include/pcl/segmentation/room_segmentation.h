@@ -225,6 +225,7 @@ public:
   setUpAxis(const Eigen::Vector3f& axis)
   {
     up_axis_ = axis;
+    upright_frame_.reset();
   }
 
   /** \brief The axis that was set; +z if none was. */
@@ -244,6 +245,7 @@ public:
   setMetresPerUnit(double metres)
   {
     metres_per_unit_ = metres;
+    upright_frame_.reset();
   }
 
   /** \brief The unit that was set; 1 if none was. */
@@ -253,8 +255,9 @@ public:
     return metres_per_unit_.value_or(1.0);
   }
 
-  /** \brief Give what indoor::uprightFrame() has found for the same points, so that
-   * segment() need not look for it again. */
+  /** \brief Give what indoor::uprightFrame() has found for the same points, up axis and
+   * unit, so that segment() need not look for it again: after these were set, which
+   * makes it void, and anew for other points. */
   void
   setUprightFrame(const indoor::UprightFrame& frame)
   {

@@ -125,11 +125,12 @@ dropOutdoors(const StoreySpace& space, RoomMap& map)
 }
 
 std::size_t
-dropSeenThroughOpenings(double pixel_area, RoomMap& map)
+dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
 {
-  constexpr double mostly = 2.0 / 3.0; // of the border; of whole rooms at most 0.6
+  constexpr double mostly = 2.0 / 3.0; // of the border; small whole rooms have 0.6
   constexpr double small = 10.0;       // m^2: of larger ones one has seen what they are
   constexpr double beside = 0.5; // of the largest region, in a home of small rooms
+  const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
   std::vector<double> area(map.room_count + 1, 0.0);
   for (const std::int32_t label : map.free_labels.values)
     area[label] += pixel_area;

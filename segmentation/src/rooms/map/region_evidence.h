@@ -31,12 +31,11 @@ dropOutdoors(const StoreySpace& space, RoomMap& map);
 
 /** \brief Drop the small regions whose border is mostly open to what is neither wall
  * nor room: nobody was there, a part of it was seen through a door or a window.
- * \param[in] pixel_area m^2
  * \param[in,out] map its labels are 1 ... n again
  * \return how many were dropped
  */
 std::size_t
-dropSeenThroughOpenings(double pixel_area, RoomMap& map);
+dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map);
 
 /** \brief Drop the regions into which hardly anyone looked: mirror images behind glass,
  * what was seen through windows. They have far fewer points per area than the others of
