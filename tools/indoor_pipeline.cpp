@@ -57,12 +57,12 @@ makeParser(Options& options)
                    "the stations of one building")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
-      .number(
-          "-voxel_size",
-          options.rooms.voxel_size,
-          "side of a voxel of the rooms, 0 = automatic: 0.1, more for sparse points",
-          "m",
-          Range::atLeast(0))
+      .number("-voxel_size",
+              options.rooms.voxel_size,
+              "side of a voxel of the rooms, 0 = automatic: 0.1, more where surfaces "
+              "have holes",
+              "m",
+              Range::atLeast(0))
       .number("-min_area",
               options.rooms.map.min_area,
               "smallest room",

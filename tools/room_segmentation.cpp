@@ -136,7 +136,7 @@ makeParser(Options& options)
             "file for area, volume, footprint and neighbours of each room")
       .number("-voxel_size",
               options.rooms.voxel_size,
-              "side of a voxel, 0 = automatic: 0.1, more for sparse points",
+              "side of a voxel, 0 = automatic: 0.1, more where surfaces have holes",
               "m",
               Range::atLeast(0))
       .number("-min_area", map.min_area, "smallest room", "m^2", Range::atLeast(0))

@@ -10,6 +10,7 @@
 #include "rooms/map/region_evidence.h"
 #include "rooms/outline/room_layout.h"
 #include "rooms/space/closed_surfaces.h"
+#include "rooms/space/surface_triangles.h"
 #include "rooms/space/unseen_sides.h"
 #include "rooms/storeys/storey_labels.h"
 #include <pcl/indoor/distinct_points.h>
@@ -178,19 +179,30 @@ yawAlong(const std::vector<Eigen::Vector3d>& directions)
 /** The points' grid, not turned; an automatic voxel size is found from it.
  * \param[in] voxel_size metres, 0 = automatic
  * \param[in,out] options the voxel size is filled in
+ * \param[out] triangles what closes the surfaces of sparse points
  */
 OccupancyGrid
 gridOf(const std::vector<Eigen::Vector3f>& points,
        double voxel_size,
-       OccupancyGridOptions& options)
+       OccupancyGridOptions& options,
+       SurfaceTriangles& triangles)
 {
+  constexpr double hardly_larger = 0.12; // metres: narrow rooms and walls still fit
   options.voxel_size = voxel_size > 0.0 ? voxel_size : smallest_automatic_voxel;
   OccupancyGrid grid = occupancyGrid(points, options);
   if (voxel_size > 0.0)
     return grid;
-  options.voxel_size = closedVoxelSize(grid.grid, largest_automatic_voxel);
-  if (options.voxel_size > grid.grid.voxel_size)
+  double closed = closedVoxelSize(grid.grid, largest_automatic_voxel);
+  if (closed > hardly_larger) {
+    triangles = surfaceTriangles(points, options.voxel_size, options.threads);
+    addTriangles(triangles, options.threads, grid);
+    closed = closedVoxelSize(grid.grid, largest_automatic_voxel);
+  }
+  if (closed > options.voxel_size) {
+    options.voxel_size = closed;
     grid = occupancyGrid(points, options);
+    addTriangles(triangles, options.threads, grid);
+  }
   return grid;
 }
 
@@ -210,17 +222,21 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   if (points.empty())
     return {};
   BuildingRooms building;
+  std::vector<std::vector<double>> closed; // per storey and label
   OccupancyGridOptions grid_options;
   grid_options.threads = options.threads;
   if (stopped(0.0, "occupancy grid"))
     return {};
-  building.occupancy = gridOf(points, options.voxel_size, grid_options);
+  SurfaceTriangles triangles;
+  building.occupancy = gridOf(points, options.voxel_size, grid_options, triangles);
   building.point_labels.assign(points.size(), 0);
   const auto directions = directionsOf(points, building.occupancy, options.interior);
   if (options.align_grid)
     grid_options.yaw = yawAlong(directions);
-  if (grid_options.yaw != 0.0)
+  if (grid_options.yaw != 0.0) {
     building.occupancy = occupancyGrid(points, grid_options);
+    addTriangles(triangles, options.threads, building.occupancy);
+  }
 
   const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
   if (stopped(0.2, "interior space"))
@@ -259,6 +275,7 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
     addOpenings(points, space, building);
+    closed.push_back(closedBorders(space, building.maps.back()));
     if (by_vote)
       votes.push_back(votedVoxels(space, building.maps.back(), options.threads));
   }
@@ -273,6 +290,9 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
                 building.room_of[s],
                 building.point_labels);
   building.rooms = describeRooms(points, building);
+  for (std::size_t s = 0; s < storeys; ++s)
+    for (std::size_t label = 1; label < closed[s].size(); ++label)
+      building.rooms[building.room_of[s][label] - 1].seen = closed[s][label];
   addFootprints(points, building);
   if (stopped(1.0, "done"))
     return {};

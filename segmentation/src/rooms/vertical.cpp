@@ -25,8 +25,9 @@ using Pieces = std::vector<SurfacePiece>;
 
 constexpr double degree = M_PI / 180.0;
 
-/** Maps are seldom more level than this, and rooms come out the same. */
-constexpr double level_tilt = 3.0 * degree;
+/** Maps are seldom more level than this, and rooms come out the same: a corridor of
+ * 40 m rises by 0.7 m. */
+constexpr double level_tilt = 1.0 * degree;
 
 constexpr double coarse_limit = 10.0 * degree; // twice the step of the directions
 

@@ -120,11 +120,11 @@ TEST(ScanWarnings, FeetShowInRoomsAndDoors)
 TEST(ScanWarnings, HowAScanWasStoodUpright)
 {
   EXPECT_EQ(verticalNote(Vertical()), "");
-  EXPECT_EQ(verticalNote(along({0.04f, 0.0f, 1.0f})), ""); // 2 degrees
+  EXPECT_EQ(verticalNote(along({0.01f, 0.0f, 1.0f})), ""); // 0.6 degrees
   const auto tilted = verticalNote(along({0.0f, 0.342f, 0.94f}));
   EXPECT_TRUE(holds(tilted, "tilted by 20 degrees"));
   EXPECT_TRUE(holds(tilted, "(-up 0,0.342,0.94)"));
-  const auto lying = verticalNote(along({0.0f, 1.0f, 0.02f}));
+  const auto lying = verticalNote(along({0.0f, 1.0f, 0.01f}));
   EXPECT_TRUE(holds(lying, "lies on its side"));
   EXPECT_TRUE(holds(lying, "(-up y)"));
   EXPECT_TRUE(holds(verticalNote(along({0.0f, 0.0f, -1.0f})), "upside down"));

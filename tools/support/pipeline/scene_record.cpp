@@ -27,6 +27,7 @@ exchange(Record& record, Room& room)
          room.area,
          room.volume,
          room.height,
+         room.seen,
          room.floor_seen,
          room.ceiling_seen,
          room.lower,

@@ -70,6 +70,7 @@ roomsJson(const std::vector<Room>& rooms,
       json["points"] = 0;
     json["area"] = rounded(room.area);
     json["height"] = rounded(room.height);
+    json["seen"] = rounded(room.seen);
     json["floor_seen"] = rounded(room.floor_seen);
     json["ceiling_seen"] = rounded(room.ceiling_seen);
     json["volume"] = rounded(room.volume);

@@ -273,7 +273,8 @@ consequencesOf(const UnderstoodScan& scan)
   else
     addSurfaces(overview, lines);
   if (overview.spacing > sparse)
-    lines.push_back("The points are sparse: small things and narrow walls are lost.");
+    lines.push_back("The points are sparse: surfaces are closed between them, and "
+                    "small things are lost.");
   return lines;
 }
 

@@ -72,6 +72,8 @@ struct Room {
                                ///< not seen, its walls' lower or upper end stands in
   double floor_seen = 0.0;     ///< share of the area in which the floor was seen
   double ceiling_seen = 0.0;   ///< share of the area in which the ceiling was seen
+  double seen = 0.0;           ///< share of its border where a wall or another room was
+                               ///< seen; elsewhere it may go on where nobody looked
   Eigen::Vector3d lower;       ///< lower corner of the box around the points, metres
   Eigen::Vector3d upper;       ///< upper corner of it, metres
   Eigen::Vector3d centroid;    ///< of the points, metres

@@ -208,7 +208,7 @@ public:
 
   /** \brief Set which direction of the cloud points up, of any length; without meaning
    * for the view of a table. If it is not set, floors, ceilings and walls tell it
-   * (indoor::findVertical()): +z where the cloud is level within 3 degrees or where
+   * (indoor::findVertical()): +z where the cloud is level within 1 degree or where
    * they do not tell it; in a camera's view of a room its surfaces
    * (indoor::upOfView()). getReport() has what was used. */
   void

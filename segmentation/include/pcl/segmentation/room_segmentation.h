@@ -43,10 +43,10 @@ public:
   using PointCloud = typename PCLBase<PointT>::PointCloud;
 
   /** \brief Set the side of a voxel, which is also that of a map pixel.
-   * Smaller voxels separate rooms by thinner walls; sparse clouds need larger ones.
-   * \param[in] voxel_size metres, at least 0.0001, or 0 = automatic: 0.1, up to 0.4
-   * where the points are so sparse that their surfaces would have holes (default 0);
-   * the size that was used is in getReport()
+   * Smaller voxels separate rooms by thinner walls. With the automatic size, surfaces
+   * of sparse points are closed between neighbouring points. \param[in] voxel_size
+   * metres, at least 0.0001, or 0 = automatic: 0.1, up to 0.4 where surfaces have holes
+   * nevertheless (default 0); the size that was used is in getReport()
    */
   void
   setVoxelSize(double voxel_size)
@@ -218,7 +218,7 @@ public:
 
   /** \brief Set which direction of the cloud points up, of any length. If it is not
    * set, floors, ceilings and walls tell it (indoor::findVertical()): +z where the
-   * cloud is level within 3 degrees or where they do not tell it; getReport() has what
+   * cloud is level within 1 degree or where they do not tell it; getReport() has what
    * was used.
    */
   void

@@ -46,6 +46,26 @@ isCovered(const VoxelMap<std::uint8_t>& occupancy, std::size_t pixel, int headro
                      [](auto value) { return value != 0; });
 }
 
+/** What a share of the area exceeds, or is equal to; 0 without area. */
+double
+exceededBy(double share,
+           const std::vector<double>& values,
+           const std::vector<double>& area)
+{
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return values[a] < values[b];
+  });
+  double left = (1.0 - share) * std::accumulate(area.begin(), area.end(), 0.0);
+  double value = 0.0;
+  for (std::size_t k = 0; k < order.size() && left > 0.0; ++k) {
+    left -= area[order[k]];
+    value = values[order[k]];
+  }
+  return value;
+}
+
 /** Sides of a region's pixels. */
 struct RegionSides {
   std::size_t open = 0; ///< to what is neither wall nor room
@@ -124,11 +144,41 @@ dropOutdoors(const StoreySpace& space, RoomMap& map)
   dropRegions(is_outdoors, map);
 }
 
+std::vector<double>
+closedBorders(const StoreySpace& space, const RoomMap& map)
+{
+  constexpr double nearby = 0.3; // metres: what is beside a wall may belong to nothing
+  const int reach =
+      std::max(1, static_cast<int>(std::lround(nearby / space.occupancy.voxel_size)));
+  const PixelMap<std::int32_t>& labels = map.free_labels;
+  std::vector<double> closed(map.room_count + 1, 0.0), all = closed;
+  for (int x = 0; x < labels.nx; ++x)
+    for (int y = 0; y < labels.ny; ++y) {
+      const std::int32_t own = labels.at(x, y);
+      if (own == 0)
+        continue;
+      for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        if (labels.contains(x + dx, y + dy) && labels.at(x + dx, y + dy) == own)
+          continue;
+        all[own] += 1.0;
+        for (int k = 1; k <= reach && labels.contains(x + k * dx, y + k * dy); ++k)
+          if (map.blocked.at(x + k * dx, y + k * dy) ||
+              labels.at(x + k * dx, y + k * dy) != 0) {
+            closed[own] += 1.0;
+            break;
+          }
+      }
+    }
+  for (std::size_t label = 1; label < closed.size(); ++label)
+    closed[label] /= std::max(1.0, all[label]);
+  return closed;
+}
+
 std::size_t
 dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
 {
-  constexpr double mostly = 2.0 / 3.0; // of the border; small whole rooms have 0.6
-  constexpr double small = 10.0;       // m^2: of larger ones one has seen what they are
+  constexpr double hardly_a_wall = 1.0 / 3.0; // of the border
+  constexpr double small = 20.0; // m^2: of larger ones one has seen what they are
   constexpr double beside = 0.5; // of the largest region, in a home of small rooms
   const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
   std::vector<double> area(map.room_count + 1, 0.0);
@@ -136,12 +186,11 @@ dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
     area[label] += pixel_area;
   area[0] = 0.0;
   const double largest = *std::max_element(area.begin(), area.end());
-  const std::vector<RegionSides> sides = sidesOf(map);
+  const std::vector<double> closed = closedBorders(space, map);
   std::vector<std::uint8_t> is_dropped(area.size(), 0);
   for (std::size_t label = 1; label < area.size(); ++label)
     is_dropped[label] = area[label] < std::min(small, beside * largest) &&
-                        static_cast<double>(sides[label].open) >
-                            mostly * static_cast<double>(sides[label].all);
+                        closed[label] < hardly_a_wall;
   return dropRegions(is_dropped, map);
 }
 
@@ -152,38 +201,35 @@ dropHardlySeen(const StoreySpace& space,
 {
   constexpr double hardly = 0.15; // of the points per area of half of the storey
   constexpr double little = 0.25; // the same, where one cannot go
+  constexpr double seldom = 0.25; // of the columns with points of a quarter of it
   const auto count = static_cast<std::size_t>(map.room_count) + 1;
-  std::vector<double> area(count, 0.0), density(count, 0.0);
+  std::vector<double> area(count, 0.0), density(count, 0.0), held(count, 0.0);
   for (std::size_t i = 0; i < map.labels.size(); ++i) {
     area[map.free_labels.values[i]] += 1.0;
+    held[map.free_labels.values[i]] += points.values[i] > 0;
     density[map.labels.values[i]] += points.values[i];
   }
   area[0] = 0.0;
-  std::vector<std::size_t> order;
-  for (std::size_t label = 1; label < count; ++label)
-    if (area[label] > 0.0) {
-      density[label] /= area[label];
-      order.push_back(label);
-    }
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return density[a] < density[b];
-  });
-  double half = 0.5 * std::accumulate(area.begin(), area.end(), 0.0), usual = 0.0;
-  for (std::size_t k = 0; k < order.size() && half > 0.0; ++k) {
-    half -= area[order[k]];
-    usual = density[order[k]];
+  for (std::size_t label = 1; label < count; ++label) {
+    density[label] /= std::max(1.0, area[label]);
+    held[label] /= std::max(1.0, area[label]);
   }
-  if (order.empty() || density[order.front()] >= little * usual)
-    return 0;
+  const double usual = exceededBy(0.5, density, area);
+  const double usually_held = exceededBy(0.25, held, area);
   std::vector<std::uint8_t> is_reached(count, 0);
   for (const RegionOpening& opening : regionOpenings(
            space.occupancy, map.range, map.ceiling, map.labels, map.free_labels)) {
     is_reached[opening.a] |= density[opening.b] >= little * usual;
     is_reached[opening.b] |= density[opening.a] >= little * usual;
   }
+  const bool is_looked_into =
+      space.interior.unseen.floorIsSeen() || space.interior.unseen.ceilingIsSeen();
   std::vector<std::uint8_t> is_dropped(count, 0);
-  for (const std::size_t label : order)
-    is_dropped[label] = density[label] < (is_reached[label] ? hardly : little) * usual;
+  for (std::size_t label = 1; label < count; ++label)
+    is_dropped[label] =
+        area[label] > 0.0 &&
+        (density[label] < (is_reached[label] ? hardly : little) * usual ||
+         (is_looked_into && held[label] < seldom * usually_held));
   return dropRegions(is_dropped, map);
 }
 

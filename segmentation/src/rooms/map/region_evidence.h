@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace pcl {
 namespace indoor {
@@ -29,6 +30,13 @@ occupiedHeight(const VoxelMap<std::uint8_t>& occupancy);
 void
 dropOutdoors(const StoreySpace& space, RoomMap& map);
 
+/** \brief The share of each region's border with a wall or another region beyond it; 0
+ * for no region. Where nothing is, the region may go on: nobody looked there.
+ * \return one per label from 0 on
+ */
+std::vector<double>
+closedBorders(const StoreySpace& space, const RoomMap& map);
+
 /** \brief Drop the small regions whose border is mostly open to what is neither wall
  * nor room: nobody was there, a part of it was seen through a door or a window.
  * \param[in,out] map its labels are 1 ... n again
@@ -38,10 +46,9 @@ std::size_t
 dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map);
 
 /** \brief Drop the regions into which hardly anyone looked: mirror images behind glass,
- * what was seen through windows. They have far fewer points per area than the others of
- * the storey.
- * \param[in] points number of points per column
- * \param[in,out] map its labels are 1 ... n again
+ * what was seen through windows, blocks between corridors. They have far fewer points
+ * per area than the others of the storey, or points over far less of it. \param[in]
+ * points number of points per column \param[in,out] map its labels are 1 ... n again
  * \return how many were dropped
  */
 std::size_t

@@ -34,7 +34,7 @@ struct Vertical {
   tilt() const;
 
   /** \brief The up axis to segment with: the direction, but exactly an axis of the
-   * points where that is less than 3 degrees away; +z if the direction was not found.
+   * points where that is less than 1 degree away; +z if the direction was not found.
    */
   Eigen::Vector3f
   upAxis() const;
