@@ -135,7 +135,8 @@ makeObjectScene(ObjectSegmentationInput input, const ObjectSegmentationOptions& 
     scene.up = upOfView(scene.voxels.normals);
   scene.plane_of_voxel.assign(scene.voxels.size(), 0);
   if (separate)
-    scene.planes = findRoomStructure(scene.voxels, options.voxel_size, input.capture);
+    scene.planes =
+        findRoomStructure(scene.voxels, options.voxel_size, scene.up, input.capture);
   if (!scene.planes.empty()) {
     const auto surroundings = std::move(scene.voxels);
     const auto plane_of_point =

@@ -30,7 +30,12 @@ constexpr double min_length = 1.5; // in that direction, metres: rooms are not l
 constexpr double slab = 0.3; // metres behind floors and ceilings: a roof, another layer
 constexpr double min_free = 0.7; // share of a plane with nothing behind it
 constexpr double behind = 2; // from so many voxels on: the double of a wall is nearer
-constexpr double most_beyond = 0.1;     // share of what a view shows behind a wall
+constexpr double most_beyond = 0.1;     // share of what is seen that is behind a wall
+constexpr double min_floor = 0.5;       // m^2
+constexpr double ground_relief = 0.05;  // metres: rugs lie on the ground
+constexpr double min_wall = 1.5;        // m^2, of a wall that is shorter than the room
+constexpr double min_wall_height = 0.7; // of it, as share of the room's
+constexpr double min_wall_free = 0.9;   // of it, as min_free
 constexpr double longest_row = 2e6;     // voxels beside each other, see groupByCell()
 constexpr double deviations = 3;        // within so many a point counts to its plane
 constexpr double least_tolerance = 0.2; // or within so many voxels
@@ -182,6 +187,84 @@ bounds(const SurfaceVoxels& voxels, const StructurePlane& plane, double voxel_si
          most_beyond * static_cast<double>(voxels.size());
 }
 
+/** The share of a plane with nothing farther behind it than a margin. */
+double
+freeShareOf(const SurfaceVoxels& voxels,
+            const StructurePlane& plane,
+            double margin,
+            double voxel_size)
+{
+  PlaneRaster raster(voxels, plane, behind * voxel_size);
+  raster.look(voxels, std::max(margin, behind * voxel_size));
+  return raster.freeShare();
+}
+
+double
+areaOf(const StructurePlane& plane, double voxel_size)
+{
+  return static_cast<double>(plane.voxels.size()) * voxel_size * voxel_size;
+}
+
+double
+middleHeight(const SurfaceVoxels& voxels,
+             const StructurePlane& plane,
+             const Eigen::Vector3f& up)
+{
+  std::vector<double> heights;
+  for (const auto v : plane.voxels)
+    heights.push_back(up.dot(voxels.centroids[v]));
+  return pcl::indoor::median(heights);
+}
+
+/** Which planes are floors: the lowest level ones with nothing below them, and those
+ * with which these go on, as floors do that drift or slope. */
+std::vector<std::uint8_t>
+floorsAmong(const std::vector<StructurePlane>& planes,
+            const SurfaceVoxels& voxels,
+            double voxel_size,
+            const Eigen::Vector3f& up)
+{
+  constexpr double level = 0.95;       // cosine of 18 degrees: small regions
+  constexpr std::size_t contacts = 30; // pairs of voxels along an edge of 0.3 m
+  constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<std::uint8_t> is_floor(planes.size(), 0);
+  std::vector<std::uint32_t> plane_of_voxel(voxels.size(),
+                                            none); // of those that may be
+  std::vector<double> heights(planes.size(), std::numeric_limits<double>::infinity());
+  double ground = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (planes[p].normal.dot(up.cast<double>()) <= level ||
+        freeShareOf(voxels, planes[p], slab, voxel_size) < min_free)
+      continue;
+    heights[p] = middleHeight(voxels, planes[p], up);
+    if (areaOf(planes[p], voxel_size) < min_floor)
+      continue;
+    ground = std::min(ground, heights[p]);
+    for (const auto v : planes[p].voxels)
+      plane_of_voxel[v] = static_cast<std::uint32_t>(p);
+  }
+  std::vector<std::size_t> open;
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    if (std::isfinite(ground) && heights[p] <= ground + ground_relief) {
+      is_floor[p] = 1;
+      open.push_back(p);
+    }
+  while (!open.empty()) {
+    const auto p = open.back();
+    open.pop_back();
+    std::vector<std::size_t> shared(planes.size(), 0);
+    for (const auto v : planes[p].voxels)
+      for (const auto other : voxels.neighbors.of(v)) {
+        const auto q = plane_of_voxel[other];
+        if (q == none || is_floor[q] || ++shared[q] < contacts)
+          continue;
+        is_floor[q] = 1;
+        open.push_back(q);
+      }
+  }
+  return is_floor;
+}
+
 } // namespace
 
 namespace pcl {
@@ -214,7 +297,10 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up)
 }
 
 std::vector<StructurePlane>
-findRoomStructure(const SurfaceVoxels& voxels, double voxel_size, Capture capture)
+findRoomStructure(const SurfaceVoxels& voxels,
+                  double voxel_size,
+                  const Eigen::Vector3f& up,
+                  Capture capture)
 {
   if (!(voxel_size > 0) || !std::isfinite(voxel_size))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
@@ -242,18 +328,33 @@ findRoomStructure(const SurfaceVoxels& voxels, double voxel_size, Capture captur
     return reach;
   };
   const bool is_view = capture == Capture::RoomView;
+  const double height = extentOf(voxels, nullptr, up.cast<double>());
+  const auto isWall = [&](const StructurePlane& plane) { // though not a whole one
+    return std::abs(plane.normal.dot(up.cast<double>())) < 0.3 &&
+           areaOf(plane, voxel_size) >= min_wall &&
+           extentOf(voxels, &plane.voxels, up.cast<double>()) >=
+               min_wall_height * height &&
+           bounds(voxels, plane, voxel_size) &&
+           freeShareOf(voxels, plane, near, voxel_size) >= min_wall_free;
+  };
+  std::vector<std::uint8_t> is_structure(planes.size(), 0);
+  if (is_room)
+    is_structure = floorsAmong(planes, voxels, voxel_size, up);
   std::vector<StructurePlane> structure;
-  for (auto& plane : planes) {
-    if (static_cast<double>(plane.voxels.size()) < least)
-      continue;
-    const auto reach = reachOf(plane);
-    if (!reach.one_way && !reach.both_ways &&
-        !(is_view && bounds(voxels, plane, voxel_size)))
-      continue;
-    // Walls seen from several places appear double: what is near does not count.
-    PlaneRaster raster(voxels, plane, near);
-    raster.look(voxels, reach.both_ways ? std::max(near, slab) : near);
-    if (raster.freeShare() >= min_free)
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    auto& plane = planes[p];
+    if (!is_structure[p] && is_room && !is_view)
+      is_structure[p] = isWall(plane);
+    if (!is_structure[p] && static_cast<double>(plane.voxels.size()) >= least) {
+      const auto reach = reachOf(plane);
+      // Walls seen from several places appear double: what is near does not count.
+      is_structure[p] =
+          (reach.one_way || reach.both_ways ||
+           (is_view && bounds(voxels, plane, voxel_size))) &&
+          freeShareOf(voxels, plane, reach.both_ways ? slab : near, voxel_size) >=
+              min_free;
+    }
+    if (is_structure[p])
       structure.push_back(std::move(plane));
   }
   return structure;

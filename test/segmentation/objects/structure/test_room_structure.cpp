@@ -376,6 +376,49 @@ TEST(RoomStructure, NothingInNothing)
   EXPECT_EQ(separateVoxels({}, {}, 1, planes).size(), 0u);
 }
 
+TEST(RoomStructure, IsFoundWhereOnlyPartOfARoomWasSeen)
+{
+  // two thirds of the floor in two parts, half of two walls, neither ceiling nor the
+  // rest
+  LabelledPoints scene;
+  std::mt19937 rng(9);
+  const auto add = [&](const Eigen::Vector3f& corner,
+                       const Eigen::Vector3f& along,
+                       const Eigen::Vector3f& across,
+                       const Eigen::Vector3f& normal,
+                       std::uint32_t object) {
+    scene.addRectangle(corner, along, across, normal, object, 0.015f, 0.003f, rng);
+  };
+  add({0, 0, 0}, {1.8f, 0, 0}, {0, 1.2f, 0}, {0, 0, 1}, 1);
+  add({2.4f, 0.3f, 0}, {1.6f, 0, 0}, {0, 1.2f, 0}, {0, 0, 1}, 2); // behind a gap
+  add({0, 0, 0}, {2, 0, 0}, {0, 0, 1.7f}, {0, 1, 0}, 3);
+  add({0, 0, 0}, {0, 2.4f, 0}, {0, 0, 2.2f}, {1, 0, 0}, 4);
+  add({1.9f, 1.7f, 0.75f}, {0.8f, 0, 0}, {0, 0.8f, 0}, {0, 0, 1}, 5); // a table
+  add({2.5f, 0.4f, 0}, {1.2f, 0, 0}, {0, 0, 0.9f}, {0, 1, 0}, 6);     // a low front
+  const auto planes = planesOf(scene);
+  for (const std::uint32_t object : {1, 2, 3, 4})
+    EXPECT_GT(shareInPlanes(scene, planes, object), 0.97) << object;
+  for (const std::uint32_t object : {5, 6})
+    EXPECT_LT(shareInPlanes(scene, planes, object), 0.1) << object;
+}
+
+TEST(RoomStructure, AFloorThatDriftsIsFollowedButNotOntoAPlatform)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(10);
+  const float slope = 0.12f; // 7 degrees: 24 cm over the second part
+  scene.addRectangle(
+      {0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 1, 0.015f, 0.003f, rng);
+  scene.addRectangle(
+      {2, 0, 0}, {2, 0, 2 * slope}, {0, 2, 0}, {0, 0, 1}, 2, 0.015f, 0.003f, rng);
+  scene.addRectangle(
+      {0, 2, 0.2f}, {2, 0, 0}, {0, 0.9f, 0}, {0, 0, 1}, 3, 0.015f, 0.003f, rng);
+  const auto planes = planesOf(scene);
+  EXPECT_GT(shareInPlanes(scene, planes, 1), 0.97);
+  EXPECT_GT(shareInPlanes(scene, planes, 2), 0.97);
+  EXPECT_LT(shareInPlanes(scene, planes, 3), 0.1);
+}
+
 TEST(RoomStructure, InAViewAWallOfWhichHalfIsSeenIsOneButTheFrontOfACupboardIsNot)
 {
   LabelledPoints scene;
@@ -388,7 +431,8 @@ TEST(RoomStructure, InAViewAWallOfWhichHalfIsSeenIsOneButTheFrontOfACupboardIsNo
   estimateNormals(scene.points, voxels, 1, 1);
   orientTowards(Eigen::Vector3f(1.5f, 1, 0), voxels.centroids, voxels.normals);
   EXPECT_TRUE(findRoomStructure(voxels, voxel_size).empty());
-  const auto planes = findRoomStructure(voxels, voxel_size, Capture::RoomView);
+  const auto planes = findRoomStructure(
+      voxels, voxel_size, Eigen::Vector3f::UnitZ(), Capture::RoomView);
   ASSERT_EQ(planes.size(), 1u);
   EXPECT_NEAR(planes.front().heightOf({1, 1, 3}), 0, 0.01);
   EXPECT_NEAR(planes.front().normal.z(), -1, 0.01);

@@ -53,9 +53,16 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
 /** \brief Find the planes that enclose a room: floor, ceiling and walls.
  *
  * Flat regions are grown over touching voxels, and those in one plane put together. A
- * plane belongs to the structure if it reaches from one side of the room to the other,
- * at least 1.5 m, and nothing was seen behind it. A desk is none, as the floor lies
- * behind it; nor is a cabinet's front, which is lower than the room.
+ * plane belongs to the structure
+ * - if it reaches from one side of the room to the other, at least 1.5 m, and nothing
+ *   was seen behind it. A desk is none, as the floor lies behind it; nor is a cabinet's
+ *   front, which is lower than the room;
+ * - if it is level, nothing lies below it, and it is at most 5 cm above the lowest such
+ *   plane of 0.5 m^2, or goes on with one that is a floor. A floor that was seen in
+ * part or between furniture is found, and one that drifts;
+ * - if it stands upright, has 1.5 m^2, is at least 0.7 times as high as all that was
+ *   seen, of which at most 10 % lie behind it, and nothing right behind it: a part of a
+ *   wall.
  *
  * A plane that reaches so in both directions, as floors and ceilings do, may be shorter
  * than 1.5 m, and what lies up to 0.3 m behind it does not count: another layer, or the
@@ -63,10 +70,11 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
  * of them. What a camera sees of a room ends anywhere: there, a plane also belongs to
  * the structure if at least 90 % of all that is seen lies before it.
  *
- * Which way is up need not be known. The cost is linear in the number of voxels,
- * but for comparing flat regions with each other.
+ * The cost is linear in the number of voxels, but for comparing flat regions with each
+ * other.
  * \param[in] voxels with normals, most of them into the room, and curvatures
  * \param[in] voxel_size of the voxels, metres
+ * \param[in] up against gravity, unit length
  * \param[in] capture whether it is a camera's view
  * \return the largest plane first; may be empty
  * \throws pcl::BadArgumentException if the voxel size is not positive
@@ -74,6 +82,7 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
 std::vector<StructurePlane>
 findRoomStructure(const SurfaceVoxels& voxels,
                   double voxel_size,
+                  const Eigen::Vector3f& up = Eigen::Vector3f::UnitZ(),
                   Capture capture = Capture::Scan);
 
 /** \brief Get three orthogonal directions that fit the planes: the normals of the first
