@@ -258,6 +258,15 @@ TEST_F(QuietInput, SparsePointsHaveTheSameRooms)
   }
 }
 
+TEST_F(QuietInput, VoxelsGrowWherePointsAreTooFarApartToCloseSurfaces)
+{
+  const auto scene = twoRooms(0.005f, 0.6f);
+  Labels labels;
+  const double size = segmentation(scene.points, labels).getReport().voxel_size;
+  EXPECT_GT(size, 0.1);
+  EXPECT_LE(size, 0.4);
+}
+
 TEST_F(QuietInput, AVoxelSizeThatIsGivenHolds)
 {
   const auto sparse = twoRooms(0.005f, 0.16f);

@@ -131,6 +131,9 @@ describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& b
       room.volume += size * size * size * (map.ceiling.values[i] - map.range.begin);
       room.area += size * size;
     }
+    const auto closed = closedBorders(map, size);
+    for (std::size_t label = 1; label < closed.size(); ++label)
+      rooms[building.room_of[s][label] - 1].seen = closed[label];
   }
   for (std::size_t i = 0; i < points.size(); ++i)
     if (building.point_labels[i] > 0) {
@@ -222,7 +225,6 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   if (points.empty())
     return {};
   BuildingRooms building;
-  std::vector<std::vector<double>> closed; // per storey and label
   OccupancyGridOptions grid_options;
   grid_options.threads = options.threads;
   if (stopped(0.0, "occupancy grid"))
@@ -275,7 +277,6 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
     addOpenings(points, space, building);
-    closed.push_back(closedBorders(space, building.maps.back()));
     if (by_vote)
       votes.push_back(votedVoxels(space, building.maps.back(), options.threads));
   }
@@ -290,9 +291,6 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
                 building.room_of[s],
                 building.point_labels);
   building.rooms = describeRooms(points, building);
-  for (std::size_t s = 0; s < storeys; ++s)
-    for (std::size_t label = 1; label < closed[s].size(); ++label)
-      building.rooms[building.room_of[s][label] - 1].seen = closed[s][label];
   addFootprints(points, building);
   if (stopped(1.0, "done"))
     return {};

@@ -44,9 +44,9 @@ public:
 
   /** \brief Set the side of a voxel, which is also that of a map pixel.
    * Smaller voxels separate rooms by thinner walls. With the automatic size, surfaces
-   * of sparse points are closed between neighbouring points. \param[in] voxel_size
-   * metres, at least 0.0001, or 0 = automatic: 0.1, up to 0.4 where surfaces have holes
-   * nevertheless (default 0); the size that was used is in getReport()
+   * of sparse points are closed between neighbouring points.
+   * \param[in] voxel_size metres, at least 0.0001, or 0 = automatic: 0.1, up to 0.4
+   * where surfaces have holes nevertheless (default 0); getReport() has what was used
    */
   void
   setVoxelSize(double voxel_size)

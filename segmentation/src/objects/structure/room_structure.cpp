@@ -16,6 +16,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
+#include <utility>
 
 namespace {
 
@@ -216,54 +218,113 @@ middleHeight(const SurfaceVoxels& voxels,
   return pcl::indoor::median(heights);
 }
 
-/** Which planes are floors: the lowest level ones with nothing below them, and those
- * with which these go on, as floors do that drift or slope. */
-std::vector<std::uint8_t>
-floorsAmong(const std::vector<StructurePlane>& planes,
-            const SurfaceVoxels& voxels,
-            double voxel_size,
-            const Eigen::Vector3f& up)
+/** Whether a plane lies in a recess of a larger one, as doors and windows do in walls.
+ * \param[in] planes the largest first */
+bool
+isRecessed(const SurfaceVoxels& voxels,
+           const std::vector<StructurePlane>& planes,
+           const StructurePlane& plane)
 {
-  constexpr double level = 0.95;       // cosine of 18 degrees: small regions
-  constexpr std::size_t contacts = 30; // pairs of voxels along an edge of 0.3 m
-  constexpr std::uint32_t none = 0xffffffffu;
-  std::vector<std::uint8_t> is_floor(planes.size(), 0);
-  std::vector<std::uint32_t> plane_of_voxel(voxels.size(),
-                                            none); // of those that may be
-  std::vector<double> heights(planes.size(), std::numeric_limits<double>::infinity());
-  double ground = std::numeric_limits<double>::infinity();
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    if (planes[p].normal.dot(up.cast<double>()) <= level ||
-        freeShareOf(voxels, planes[p], slab, voxel_size) < min_free)
-      continue;
-    heights[p] = middleHeight(voxels, planes[p], up);
-    if (areaOf(planes[p], voxel_size) < min_floor)
-      continue;
-    ground = std::min(ground, heights[p]);
-    for (const auto v : planes[p].voxels)
-      plane_of_voxel[v] = static_cast<std::uint32_t>(p);
+  constexpr double parallel = 0.97;      // cosine of 14 degrees
+  constexpr double deepest_recess = 0.4; // metres: outer walls are not much thicker
+  const Eigen::Vector3d middle =
+      voxels.centroids[plane.voxels[plane.voxels.size() / 2]].cast<double>();
+  for (const auto* wall = planes.data(); wall != &plane; ++wall) {
+    const double height = wall->heightOf(middle);
+    if (wall->normal.dot(plane.normal) > parallel && height < 0 &&
+        height > -deepest_recess)
+      return true;
   }
-  std::vector<std::size_t> open;
-  for (std::size_t p = 0; p < planes.size(); ++p)
-    if (std::isfinite(ground) && heights[p] <= ground + ground_relief) {
-      is_floor[p] = 1;
-      open.push_back(p);
-    }
-  while (!open.empty()) {
-    const auto p = open.back();
-    open.pop_back();
-    std::vector<std::size_t> shared(planes.size(), 0);
-    for (const auto v : planes[p].voxels)
-      for (const auto other : voxels.neighbors.of(v)) {
-        const auto q = plane_of_voxel[other];
-        if (q == none || is_floor[q] || ++shared[q] < contacts)
-          continue;
-        is_floor[q] = 1;
-        open.push_back(q);
-      }
-  }
-  return is_floor;
+  return false;
 }
+
+/** \brief Finds the floors among planes: the lowest level ones, and those with which
+ * these go on, as floors do that drift or slope. What lies below a plane is looked for
+ * only where that decides: it costs a look at all voxels. */
+class FloorSearch {
+public:
+  FloorSearch(const std::vector<StructurePlane>& planes,
+              const SurfaceVoxels& voxels,
+              double voxel_size,
+              const Eigen::Vector3f& up)
+  : planes_(planes)
+  , voxels_(voxels)
+  , voxel_size_(voxel_size)
+  {
+    constexpr double level = 0.95; // cosine of 18 degrees: small regions
+    for (std::size_t p = 0; p < planes.size(); ++p)
+      if (planes[p].normal.dot(up.cast<double>()) > level)
+        rising_.push_back({middleHeight(voxels, planes[p], up), p});
+    std::sort(rising_.begin(), rising_.end());
+  }
+
+  /** Whether each plane is a floor. */
+  std::vector<std::uint8_t>
+  floors()
+  {
+    std::vector<std::uint8_t> is_floor(planes_.size(), 0);
+    const auto ground = std::find_if(rising_.begin(), rising_.end(), [&](auto& each) {
+      return isLarge(each.second) && isLowest(each.second);
+    });
+    std::vector<std::size_t> open;
+    for (auto each = rising_.begin();
+         each != rising_.end() && ground != rising_.end() &&
+         each->first <= ground->first + ground_relief;
+         ++each)
+      if (each >= ground || !isLarge(each->second)) {
+        is_floor[each->second] = 1;
+        open.push_back(each->second);
+      }
+    goOn(std::move(open), is_floor);
+    return is_floor;
+  }
+
+private:
+  bool
+  isLarge(std::size_t p) const
+  {
+    return areaOf(planes_[p], voxel_size_) >= min_floor;
+  }
+
+  bool
+  isLowest(std::size_t p) const
+  {
+    return freeShareOf(voxels_, planes_[p], slab, voxel_size_) >= min_free;
+  }
+
+  void
+  goOn(std::vector<std::size_t> open, std::vector<std::uint8_t>& is_floor) const
+  {
+    constexpr std::size_t contacts = 30; // pairs of voxels along an edge of 0.3 m
+    constexpr std::uint32_t none = 0xffffffffu;
+    std::vector<std::uint32_t> plane_of_voxel(voxels_.size(), none);
+    for (const auto& [height, p] : rising_)
+      if (isLarge(p))
+        for (const auto v : planes_[p].voxels)
+          plane_of_voxel[v] = static_cast<std::uint32_t>(p);
+    std::vector<std::uint8_t> is_decided = is_floor;
+    while (!open.empty()) {
+      const auto p = open.back();
+      open.pop_back();
+      std::unordered_map<std::uint32_t, std::size_t> shared;
+      for (const auto v : planes_[p].voxels)
+        for (const auto other : voxels_.neighbors.of(v)) {
+          const auto q = plane_of_voxel[other];
+          if (q == none || is_decided[q] || ++shared[q] < contacts)
+            continue;
+          is_decided[q] = 1;
+          is_floor[q] = isLowest(q);
+          if (is_floor[q])
+            open.push_back(q);
+        }
+    }
+  }
+
+  const std::vector<StructurePlane>& planes_;
+  const SurfaceVoxels& voxels_;
+  double voxel_size_;
+  std::vector<std::pair<double, std::size_t>> rising_; // heights of level planes
+};
 
 } // namespace
 
@@ -334,29 +395,28 @@ findRoomStructure(const SurfaceVoxels& voxels,
            areaOf(plane, voxel_size) >= min_wall &&
            extentOf(voxels, &plane.voxels, up.cast<double>()) >=
                min_wall_height * height &&
-           bounds(voxels, plane, voxel_size) &&
+           bounds(voxels, plane, voxel_size) && !isRecessed(voxels, planes, plane) &&
            freeShareOf(voxels, plane, near, voxel_size) >= min_wall_free;
   };
-  std::vector<std::uint8_t> is_structure(planes.size(), 0);
+  const auto encloses = [&](const StructurePlane& plane) {
+    if (static_cast<double>(plane.voxels.size()) < least)
+      return false;
+    const auto reach = reachOf(plane);
+    if (!reach.one_way && !reach.both_ways)
+      return is_view ? bounds(voxels, plane, voxel_size) &&
+                           freeShareOf(voxels, plane, near, voxel_size) >= min_free
+                     : is_room && isWall(plane);
+    // Walls seen from several places appear double: what is near does not count.
+    return freeShareOf(voxels, plane, reach.both_ways ? slab : near, voxel_size) >=
+           min_free;
+  };
+  std::vector<std::uint8_t> is_floor(planes.size(), 0);
   if (is_room)
-    is_structure = floorsAmong(planes, voxels, voxel_size, up);
+    is_floor = FloorSearch(planes, voxels, voxel_size, up).floors();
   std::vector<StructurePlane> structure;
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    auto& plane = planes[p];
-    if (!is_structure[p] && is_room && !is_view)
-      is_structure[p] = isWall(plane);
-    if (!is_structure[p] && static_cast<double>(plane.voxels.size()) >= least) {
-      const auto reach = reachOf(plane);
-      // Walls seen from several places appear double: what is near does not count.
-      is_structure[p] =
-          (reach.one_way || reach.both_ways ||
-           (is_view && bounds(voxels, plane, voxel_size))) &&
-          freeShareOf(voxels, plane, reach.both_ways ? slab : near, voxel_size) >=
-              min_free;
-    }
-    if (is_structure[p])
-      structure.push_back(std::move(plane));
-  }
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    if (is_floor[p] || encloses(planes[p]))
+      structure.push_back(std::move(planes[p]));
   return structure;
 }
 

@@ -72,23 +72,32 @@ struct RegionSides {
   std::size_t all = 0;  ///< to other than itself
 };
 
+/** \param[in] reach pixels within which a wall or another region closes a side (> 0) */
 std::vector<RegionSides>
-sidesOf(const RoomMap& map)
+sidesOf(const RoomMap& map, int reach)
 {
   std::vector<RegionSides> sides(map.room_count + 1);
   const PixelMap<std::int32_t>& labels = map.free_labels;
+  const auto isClosed = [&](int x, int y) {
+    return map.blocked.at(x, y) != 0 || labels.at(x, y) != 0;
+  };
   for (int x = 0; x < labels.nx; ++x)
     for (int y = 0; y < labels.ny; ++y) {
       const std::int32_t own = labels.at(x, y);
       if (own == 0)
         continue;
       for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-        const bool is_in = labels.contains(x + dx, y + dy);
-        if (is_in && labels.at(x + dx, y + dy) == own)
+        int u = x + dx, v = y + dy;
+        if (labels.contains(u, v) && labels.at(u, v) == own)
           continue;
+        bool is_open = true;
+        for (int k = 0; k < reach && is_open && labels.contains(u, v); ++k) {
+          is_open = !isClosed(u, v);
+          u += dx;
+          v += dy;
+        }
         ++sides[own].all;
-        sides[own].open += !is_in || (labels.at(x + dx, y + dy) == 0 &&
-                                      !map.blocked.at(x + dx, y + dy));
+        sides[own].open += is_open;
       }
     }
   return sides;
@@ -134,7 +143,7 @@ dropOutdoors(const StoreySpace& space, RoomMap& map)
       ++area[label];
       covered[label] += isCovered(space.occupancy, i, headroom);
     }
-  const std::vector<RegionSides> sides = sidesOf(map);
+  const std::vector<RegionSides> sides = sidesOf(map, 1);
   std::vector<std::uint8_t> is_outdoors(area.size(), 0);
   for (std::size_t label = 1; label < area.size(); ++label)
     is_outdoors[label] =
@@ -145,32 +154,14 @@ dropOutdoors(const StoreySpace& space, RoomMap& map)
 }
 
 std::vector<double>
-closedBorders(const StoreySpace& space, const RoomMap& map)
+closedBorders(const RoomMap& map, double pixel_size)
 {
   constexpr double nearby = 0.3; // metres: what is beside a wall may belong to nothing
-  const int reach =
-      std::max(1, static_cast<int>(std::lround(nearby / space.occupancy.voxel_size)));
-  const PixelMap<std::int32_t>& labels = map.free_labels;
-  std::vector<double> closed(map.room_count + 1, 0.0), all = closed;
-  for (int x = 0; x < labels.nx; ++x)
-    for (int y = 0; y < labels.ny; ++y) {
-      const std::int32_t own = labels.at(x, y);
-      if (own == 0)
-        continue;
-      for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-        if (labels.contains(x + dx, y + dy) && labels.at(x + dx, y + dy) == own)
-          continue;
-        all[own] += 1.0;
-        for (int k = 1; k <= reach && labels.contains(x + k * dx, y + k * dy); ++k)
-          if (map.blocked.at(x + k * dx, y + k * dy) ||
-              labels.at(x + k * dx, y + k * dy) != 0) {
-            closed[own] += 1.0;
-            break;
-          }
-      }
-    }
-  for (std::size_t label = 1; label < closed.size(); ++label)
-    closed[label] /= std::max(1.0, all[label]);
+  const int reach = std::max(1, static_cast<int>(std::lround(nearby / pixel_size)));
+  std::vector<double> closed;
+  for (const RegionSides& sides : sidesOf(map, reach))
+    closed.push_back(static_cast<double>(sides.all - sides.open) /
+                     static_cast<double>(std::max<std::size_t>(1, sides.all)));
   return closed;
 }
 
@@ -186,7 +177,7 @@ dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
     area[label] += pixel_area;
   area[0] = 0.0;
   const double largest = *std::max_element(area.begin(), area.end());
-  const std::vector<double> closed = closedBorders(space, map);
+  const std::vector<double> closed = closedBorders(map, space.occupancy.voxel_size);
   std::vector<std::uint8_t> is_dropped(area.size(), 0);
   for (std::size_t label = 1; label < area.size(); ++label)
     is_dropped[label] = area[label] < std::min(small, beside * largest) &&
@@ -216,12 +207,18 @@ dropHardlySeen(const StoreySpace& space,
   }
   const double usual = exceededBy(0.5, density, area);
   const double usually_held = exceededBy(0.25, held, area);
-  std::vector<std::uint8_t> is_reached(count, 0);
-  for (const RegionOpening& opening : regionOpenings(
-           space.occupancy, map.range, map.ceiling, map.labels, map.free_labels)) {
-    is_reached[opening.a] |= density[opening.b] >= little * usual;
-    is_reached[opening.b] |= density[opening.a] >= little * usual;
-  }
+  std::vector<std::uint8_t> is_reached(count, 1); // by someone who can go on there
+  const auto isSparse = [&](std::size_t label) {
+    return area[label] > 0.0 && density[label] < little * usual;
+  };
+  for (std::size_t label = 1; label < count; ++label)
+    is_reached[label] = !isSparse(label);
+  if (std::find(is_reached.begin(), is_reached.end(), 0) != is_reached.end())
+    for (const RegionOpening& opening : regionOpenings(
+             space.occupancy, map.range, map.ceiling, map.labels, map.free_labels)) {
+      is_reached[opening.a] |= !isSparse(opening.b);
+      is_reached[opening.b] |= !isSparse(opening.a);
+    }
   const bool is_looked_into =
       space.interior.unseen.floorIsSeen() || space.interior.unseen.ceilingIsSeen();
   std::vector<std::uint8_t> is_dropped(count, 0);

@@ -32,10 +32,11 @@ dropOutdoors(const StoreySpace& space, RoomMap& map);
 
 /** \brief The share of each region's border with a wall or another region beyond it; 0
  * for no region. Where nothing is, the region may go on: nobody looked there.
+ * \param[in] pixel_size metres
  * \return one per label from 0 on
  */
 std::vector<double>
-closedBorders(const StoreySpace& space, const RoomMap& map);
+closedBorders(const RoomMap& map, double pixel_size);
 
 /** \brief Drop the small regions whose border is mostly open to what is neither wall
  * nor room: nobody was there, a part of it was seen through a door or a window.
@@ -47,8 +48,9 @@ dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map);
 
 /** \brief Drop the regions into which hardly anyone looked: mirror images behind glass,
  * what was seen through windows, blocks between corridors. They have far fewer points
- * per area than the others of the storey, or points over far less of it. \param[in]
- * points number of points per column \param[in,out] map its labels are 1 ... n again
+ * per area than the others of the storey, or points over far less of it.
+ * \param[in] points number of points per column
+ * \param[in,out] map its labels are 1 ... n again
  * \return how many were dropped
  */
 std::size_t

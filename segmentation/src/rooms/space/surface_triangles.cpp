@@ -171,8 +171,7 @@ planesThrough(std::vector<Neighbor>& neighbors)
 {
   constexpr float least_tolerance = 0.04f; // metres: noise
   constexpr float tolerance = 0.08f;       // of the farthest neighbour's distance
-  constexpr std::size_t least_counts[] = {11,
-                                          7}; // neighbours; half and more of the rest
+  constexpr std::size_t least_counts[] = {11, 7}; // on the first plane, on a second one
   constexpr std::size_t twelfth = 11;
   constexpr float least_gap = 0.25f; // metres
   Planes planes;

@@ -43,6 +43,22 @@ closedRoom()
   return scene;
 }
 
+/** A rectangle of an object. */
+struct Patch {
+  Eigen::Vector3f corner, along, across, normal;
+  std::uint32_t object;
+};
+
+LabelledPoints
+patches(const std::vector<Patch>& all)
+{
+  LabelledPoints scene;
+  std::mt19937 rng(9);
+  for (const auto& [corner, along, across, normal, object] : all)
+    scene.addRectangle(corner, along, across, normal, object, 0.015f, 0.003f, rng);
+  return scene;
+}
+
 SurfaceVoxels
 voxelsOf(const LabelledPoints& scene)
 {
@@ -380,21 +396,14 @@ TEST(RoomStructure, IsFoundWhereOnlyPartOfARoomWasSeen)
 {
   // two thirds of the floor in two parts, half of two walls, neither ceiling nor the
   // rest
-  LabelledPoints scene;
-  std::mt19937 rng(9);
-  const auto add = [&](const Eigen::Vector3f& corner,
-                       const Eigen::Vector3f& along,
-                       const Eigen::Vector3f& across,
-                       const Eigen::Vector3f& normal,
-                       std::uint32_t object) {
-    scene.addRectangle(corner, along, across, normal, object, 0.015f, 0.003f, rng);
-  };
-  add({0, 0, 0}, {1.8f, 0, 0}, {0, 1.2f, 0}, {0, 0, 1}, 1);
-  add({2.4f, 0.3f, 0}, {1.6f, 0, 0}, {0, 1.2f, 0}, {0, 0, 1}, 2); // behind a gap
-  add({0, 0, 0}, {2, 0, 0}, {0, 0, 1.7f}, {0, 1, 0}, 3);
-  add({0, 0, 0}, {0, 2.4f, 0}, {0, 0, 2.2f}, {1, 0, 0}, 4);
-  add({1.9f, 1.7f, 0.75f}, {0.8f, 0, 0}, {0, 0.8f, 0}, {0, 0, 1}, 5); // a table
-  add({2.5f, 0.4f, 0}, {1.2f, 0, 0}, {0, 0, 0.9f}, {0, 1, 0}, 6);     // a low front
+  const auto scene = patches({
+      {{0, 0, 0}, {1.8f, 0, 0}, {0, 1.2f, 0}, {0, 0, 1}, 1},
+      {{2.4f, 0.3f, 0}, {1.6f, 0, 0}, {0, 1.2f, 0}, {0, 0, 1}, 2}, // behind a gap
+      {{0, 0, 0}, {2, 0, 0}, {0, 0, 1.7f}, {0, 1, 0}, 3},
+      {{0, 0, 0}, {0, 2.4f, 0}, {0, 0, 2.2f}, {1, 0, 0}, 4},
+      {{1.9f, 1.7f, 0.75f}, {0.8f, 0, 0}, {0, 0.8f, 0}, {0, 0, 1}, 5}, // a table
+      {{2.5f, 0.4f, 0}, {1.2f, 0, 0}, {0, 0, 0.9f}, {0, 1, 0}, 6},     // a low front
+  });
   const auto planes = planesOf(scene);
   for (const std::uint32_t object : {1, 2, 3, 4})
     EXPECT_GT(shareInPlanes(scene, planes, object), 0.97) << object;
@@ -402,17 +411,28 @@ TEST(RoomStructure, IsFoundWhereOnlyPartOfARoomWasSeen)
     EXPECT_LT(shareInPlanes(scene, planes, object), 0.1) << object;
 }
 
+TEST(RoomStructure, ADoorInARecessIsNoPartOfAWall)
+{
+  const auto scene = patches({
+      {{0, 0, 0}, {4, 0, 0}, {0, 2, 0}, {0, 0, 1}, 1},
+      {{0, 0, 0}, {1.2f, 0, 0}, {0, 0, 2.4f}, {0, 1, 0}, 2},
+      {{2.2f, 0, 0}, {1.8f, 0, 0}, {0, 0, 2.4f}, {0, 1, 0}, 2},
+      {{1.2f, -0.2f, 0}, {1, 0, 0}, {0, 0, 2}, {0, 1, 0}, 3},
+  });
+  const auto planes = planesOf(scene);
+  for (const std::uint32_t object : {1, 2})
+    EXPECT_GT(shareInPlanes(scene, planes, object), 0.97) << object;
+  EXPECT_LT(shareInPlanes(scene, planes, 3), 0.1);
+}
+
 TEST(RoomStructure, AFloorThatDriftsIsFollowedButNotOntoAPlatform)
 {
-  LabelledPoints scene;
-  std::mt19937 rng(10);
   const float slope = 0.12f; // 7 degrees: 24 cm over the second part
-  scene.addRectangle(
-      {0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 1, 0.015f, 0.003f, rng);
-  scene.addRectangle(
-      {2, 0, 0}, {2, 0, 2 * slope}, {0, 2, 0}, {0, 0, 1}, 2, 0.015f, 0.003f, rng);
-  scene.addRectangle(
-      {0, 2, 0.2f}, {2, 0, 0}, {0, 0.9f, 0}, {0, 0, 1}, 3, 0.015f, 0.003f, rng);
+  const auto scene = patches({
+      {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 1},
+      {{2, 0, 0}, {2, 0, 2 * slope}, {0, 2, 0}, {0, 0, 1}, 2},
+      {{0, 2, 0.2f}, {2, 0, 0}, {0, 0.9f, 0}, {0, 0, 1}, 3},
+  });
   const auto planes = planesOf(scene);
   EXPECT_GT(shareInPlanes(scene, planes, 1), 0.97);
   EXPECT_GT(shareInPlanes(scene, planes, 2), 0.97);

@@ -57,12 +57,14 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
  * - if it reaches from one side of the room to the other, at least 1.5 m, and nothing
  *   was seen behind it. A desk is none, as the floor lies behind it; nor is a cabinet's
  *   front, which is lower than the room;
- * - if it is level, nothing lies below it, and it is at most 5 cm above the lowest such
- *   plane of 0.5 m^2, or goes on with one that is a floor. A floor that was seen in
- * part or between furniture is found, and one that drifts;
+ * - if it is level and at most 5 cm above the lowest such plane of 0.5 m^2 with nothing
+ *   below it, or has 0.5 m^2, nothing below it, and goes on with one that is a floor. A
+ *   floor is found in parts and between furniture, and one that drifts;
  * - if it stands upright, has 1.5 m^2, is at least 0.7 times as high as all that was
  *   seen, of which at most 10 % lie behind it, and nothing right behind it: a part of a
- *   wall.
+ *   wall, unless it lies up to 0.4 m behind a larger plane, as a door in its recess.
+ *
+ * All but floors have at least 2 % of the voxels.
  *
  * A plane that reaches so in both directions, as floors and ceilings do, may be shorter
  * than 1.5 m, and what lies up to 0.3 m behind it does not count: another layer, or the
