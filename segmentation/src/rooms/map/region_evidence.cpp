@@ -103,6 +103,35 @@ sidesOf(const RoomMap& map, int reach)
   return sides;
 }
 
+/** Columns of a region. */
+struct LevelSides {
+  std::size_t floor = 0;   ///< in which one is seen
+  std::size_t ceiling = 0; ///< the same
+  std::size_t all = 0;
+};
+
+std::vector<LevelSides>
+levelSides(const VoxelMap<std::uint8_t>& occupancy, const RoomMap& map)
+{
+  std::vector<LevelSides> sides(map.room_count + 1);
+  const auto isOccupied = [&](std::size_t pixel, int begin, int end) {
+    const auto column = occupancy.values.begin() + pixel * occupancy.shape.nz;
+    return std::any_of(column + std::max(begin, 0),
+                       column + std::min(end, occupancy.shape.nz),
+                       [](auto value) { return value != 0; });
+  };
+  for (std::size_t i = 0; i < map.free_labels.size(); ++i) {
+    if (map.free_labels.values[i] == 0)
+      continue;
+    LevelSides& side = sides[map.free_labels.values[i]];
+    const int floor = map.range.begin, ceiling = map.ceiling.values[i];
+    side.floor += isOccupied(i, floor - 2, floor + 2);
+    side.ceiling += isOccupied(i, ceiling - 1, ceiling + 2);
+    ++side.all;
+  }
+  return sides;
+}
+
 } // namespace
 
 double
@@ -168,20 +197,27 @@ closedBorders(const RoomMap& map, double pixel_size)
 std::size_t
 dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
 {
-  constexpr double hardly_a_wall = 1.0 / 3.0; // of the border
-  constexpr double small = 20.0; // m^2: of larger ones one has seen what they are
-  constexpr double beside = 0.5; // of the largest region, in a home of small rooms
+  constexpr double hardly = 0.45; // of what bounds it: walls decide
+  constexpr double small = 10.0;  // m^2: larger ones are rooms that were seen in part
   const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
-  std::vector<double> area(map.room_count + 1, 0.0);
-  for (const std::int32_t label : map.free_labels.values)
-    area[label] += pixel_area;
-  area[0] = 0.0;
-  const double largest = *std::max_element(area.begin(), area.end());
-  const std::vector<double> closed = closedBorders(map, space.occupancy.voxel_size);
-  std::vector<std::uint8_t> is_dropped(area.size(), 0);
-  for (std::size_t label = 1; label < area.size(); ++label)
-    is_dropped[label] = area[label] < std::min(small, beside * largest) &&
-                        closed[label] < hardly_a_wall;
+  const std::vector<double> walls = closedBorders(map, space.occupancy.voxel_size);
+  const std::vector<LevelSides> levels = levelSides(space.occupancy, map);
+  std::size_t largest = 0; // stays: there is no scan without a room
+  for (const LevelSides& level : levels)
+    largest = std::max(largest, level.all);
+  const bool has_floors = space.interior.unseen.floorIsSeen();
+  const bool has_ceilings = space.interior.unseen.ceilingIsSeen();
+  std::vector<std::uint8_t> is_dropped(walls.size(), 0);
+  for (std::size_t label = 1; label < walls.size(); ++label) {
+    const LevelSides& level = levels[label];
+    const auto level_seen =
+        static_cast<double>(has_floors * level.floor + has_ceilings * level.ceiling);
+    const double seen =
+        (4.0 * walls[label] + level_seen / static_cast<double>(level.all)) /
+        (4 + has_floors + has_ceilings);
+    is_dropped[label] = seen < hardly && level.all < largest &&
+                        static_cast<double>(level.all) * pixel_area < small;
+  }
   return dropRegions(is_dropped, map);
 }
 

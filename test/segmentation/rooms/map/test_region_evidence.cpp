@@ -1,0 +1,126 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/map/region_evidence.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::indoor;
+
+namespace {
+
+/** What of a room of 3 x 3 m was seen, as shares; it is 2.5 m high. */
+struct Seen {
+  double walls, floor, ceiling;
+};
+
+/** A square room of voxels of 0.1 m and a larger one, the hall, and their map. */
+class SquareRoom {
+public:
+  explicit SquareRoom(const Seen& seen, int side = 30)
+  {
+    const int nx = side + hall + 3 * margin, ny = hall + 2 * margin;
+    space_.occupancy.shape = {nx, ny, 29};
+    space_.occupancy.voxel_size = 0.1;
+    space_.occupancy.values.assign(space_.occupancy.shape.size(), 0);
+    space_.range = {2, 26};
+    map_.range = space_.range;
+    map_.ceiling = {nx, ny, std::vector<int>(nx * ny, 26)};
+    map_.blocked = {nx, ny, std::vector<std::uint8_t>(nx * ny, 0)};
+    map_.free_labels = {nx, ny, std::vector<std::int32_t>(nx * ny, 0)};
+    map_.room_count = 2;
+    addRoom(1, margin, side, seen);
+    addRoom(2, side + 2 * margin, hall, {0.0, 0.0, 0.0});
+    map_.labels = map_.free_labels;
+  }
+
+  /** Neither floors nor ceilings were seen in the whole scan. */
+  SquareRoom&
+  withWallsOnly()
+  {
+    space_.interior.unseen.floor_seen = space_.interior.unseen.ceiling_seen = 0.0;
+    return *this;
+  }
+
+  double
+  closed() const
+  {
+    return closedBorders(map_, 0.1)[1];
+  }
+
+  /** The hall is, always. */
+  bool
+  isKept() const
+  {
+    RoomMap map = map_;
+    const std::size_t dropped = dropSeenThroughOpenings(space_, map);
+    EXPECT_EQ(dropped, static_cast<std::size_t>(2 - map.room_count));
+    EXPECT_EQ(map.free_labels.at(margin, margin), map.room_count - 1);
+    EXPECT_EQ(map.labels.at(margin, margin), map.room_count - 1);
+    EXPECT_EQ(map.labels.at(map.labels.nx - margin - 1, margin), map.room_count);
+    return map.room_count == 2;
+  }
+
+private:
+  static constexpr int margin = 5, hall = 50;
+
+  void
+  addRoom(std::int32_t label, int begin, int side, const Seen& seen)
+  {
+    const auto part = [&](double share) { return share * side; };
+    for (int x = 0; x < side; ++x) {
+      for (int y = 0; y < side; ++y) {
+        map_.free_labels.at(begin + x, margin + y) = label;
+        space_.occupancy.at(begin + x, margin + y, 1) = x < part(seen.floor);
+        space_.occupancy.at(begin + x, margin + y, 26) = x < part(seen.ceiling);
+      }
+      if (x < part(seen.walls))
+        for (const int across : {-1, side}) {
+          map_.blocked.at(begin + across, margin + x) = 1;
+          map_.blocked.at(begin + x, margin + across) = 1;
+        }
+    }
+  }
+
+  StoreySpace space_;
+  RoomMap map_;
+};
+
+} // namespace
+
+TEST(RegionEvidence, TheShareOfTheBorderWithWallsIsCounted)
+{
+  EXPECT_DOUBLE_EQ(SquareRoom({1.0, 1.0, 1.0}).closed(), 1.0);
+  EXPECT_DOUBLE_EQ(SquareRoom({0.4, 1.0, 1.0}).closed(), 0.4);
+  EXPECT_DOUBLE_EQ(SquareRoom({0.0, 1.0, 1.0}).closed(), 0.0);
+}
+
+TEST(RegionEvidence, ASmallRegionOfWhichLittleWasSeenIsNoRoom)
+{
+  EXPECT_FALSE(SquareRoom({0.4, 0.1, 0.1}).isKept()); // a part of a garden
+  EXPECT_FALSE(SquareRoom({0.1, 0.9, 0.7}).isKept()); // what was seen through a door
+  EXPECT_FALSE(SquareRoom({0.4, 0.9, 0.0}).isKept()); // a yard
+  EXPECT_FALSE(SquareRoom({0.0, 1.0, 1.0}).isKept());
+}
+
+TEST(RegionEvidence, WallsOrFloorAndCeilingMakeARoom)
+{
+  EXPECT_TRUE(SquareRoom({1.0, 0.0, 0.0}).isKept()); // full of things
+  EXPECT_TRUE(SquareRoom({0.5, 0.6, 0.6}).isKept());
+  EXPECT_TRUE(SquareRoom({0.4, 1.0, 1.0}).isKept()); // an open corner
+}
+
+TEST(RegionEvidence, WhatTheWholeScanLacksDoesNotCount)
+{
+  EXPECT_FALSE(SquareRoom({0.6, 0.0, 0.0}).isKept());
+  EXPECT_TRUE(SquareRoom({0.6, 0.0, 0.0}).withWallsOnly().isKept());
+  EXPECT_FALSE(SquareRoom({0.4, 0.0, 0.0}).withWallsOnly().isKept());
+}
+
+TEST(RegionEvidence, ALargeRegionIsARoomThatWasSeenInPart)
+{
+  EXPECT_FALSE(SquareRoom({0.1, 0.5, 0.1}, 31).isKept());
+  EXPECT_TRUE(SquareRoom({0.1, 0.5, 0.1}, 32).isKept()); // 10.24 m^2
+}
