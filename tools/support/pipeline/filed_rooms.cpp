@@ -31,7 +31,8 @@ namespace {
 constexpr const char* stage_file = "points_filed";  // written when all are
 constexpr const char* labels_file = "points_rooms"; // a number per point
 constexpr std::uint32_t in_no_file = 0xffffffffu;
-constexpr std::size_t block_size = 12 << 10; // bytes: whole vectors, whole labels
+constexpr std::uint32_t in_no_room = 0x80000000u; // added to the number of the file
+constexpr std::size_t block_size = 12 << 10;      // bytes: whole vectors, whole labels
 
 void
 appendTo(const std::string& path, const std::string& bytes)
@@ -108,16 +109,27 @@ extend(RoomExtent& room, const Eigen::Vector3f& point)
   room.sum += point.cast<double>();
 }
 
-/** The file of each point of the sample: 0 ... rooms, the last for those in none. */
+/** The file of each point of the sample: 0 ... rooms for the rooms with what surrounds
+ * them, the last for the others.
+ * \param[in] standing points of the sample, z up, metres; not finite where outside */
 std::vector<std::uint32_t>
-filesOfSample(const Scene& scene)
+filesOfSample(const Scene& scene, const PointCloud<PointXYZ>& standing)
 {
+  std::vector<std::size_t> used;
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<std::uint32_t> rooms;
+  for (std::size_t i = 0; i < standing.size(); ++i)
+    if (isFinite(standing[i])) {
+      used.push_back(i);
+      positions.emplace_back(standing[i].getVector3fMap());
+      rooms.push_back(scene.room_of_point[i]);
+    }
+  rooms = withSurroundings(positions, std::move(rooms));
   const auto count = static_cast<std::uint32_t>(scene.rooms.size());
-  auto files = scene.room_of_point;
-  for (auto& file : files)
-    file = (file + count) % (count + 1);
-  for (const auto index : scene.report.outside)
-    files[static_cast<std::size_t>(index)] = in_no_file;
+  std::vector<std::uint32_t> files(standing.size(), in_no_file);
+  for (std::size_t k = 0; k < used.size(); ++k)
+    files[used[k]] = (rooms[k] + count) % (count + 1) +
+                     (scene.room_of_point[used[k]] == 0 ? in_no_room : 0);
   return files;
 }
 
@@ -126,14 +138,16 @@ filePoints(Scan& scan,
            bool with_normals,
            WorkFolder& folder,
            const Scene& scene,
+           const PointCloud<PointXYZ>& standing,
            const PointsDone& report)
 {
   const std::size_t file_count = scene.rooms.size() + 1;
-  const auto file_of_sample = filesOfSample(scene);
+  const auto file_of_sample = filesOfSample(scene, standing);
   folder.removeFile(stage_file);
   Appender files(folder, fileNames(scene.rooms.size()));
   FiledRooms filed;
-  filed.rooms.resize(file_count);
+  filed.rooms.resize(file_count - 1);
+  filed.sizes.assign(file_count, 0);
   filed.point_count = scan.stream->pointCount();
   scan.stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& data) {
     const auto part = partOf(scan, std::move(data));
@@ -151,16 +165,19 @@ filePoints(Scan& scan,
       files.add(file_count, &file, sizeof(file));
       if (file == in_no_file)
         continue;
+      if (file < in_no_room)
+        extend(filed.rooms[file], point.getVector3fMap());
+      file &= ~in_no_room;
       files.add(file, point.data, sizeof(Eigen::Vector3f));
       if (normals)
         files.add(file, (*normals)[i].normal, sizeof(Eigen::Vector3f));
-      extend(filed.rooms[file], point.getVector3fMap());
+      ++filed.sizes[file];
     }
     report(first + part.points->size(), filed.point_count);
   });
   filed.digests = files.flushAll();
   RecordWriter record;
-  record(filed.rooms, filed.point_count, filed.outside, filed.digests);
+  record(filed.rooms, filed.sizes, filed.point_count, filed.outside, filed.digests);
   folder.write(stage_file, record.bytes());
   return filed;
 }
@@ -169,7 +186,7 @@ filePoints(Scan& scan,
 bool
 areWhole(const WorkFolder& folder, const FiledRooms& filed)
 {
-  const auto names = fileNames(filed.rooms.size() - 1);
+  const auto names = fileNames(filed.rooms.size());
   for (std::size_t file = 0; file < names.size(); ++file)
     if (digestOfFile(folder.path(names[file]), block_size) != filed.digests.at(file))
       return false;
@@ -186,7 +203,7 @@ filedBefore(const WorkFolder& folder)
   try {
     FiledRooms filed;
     RecordReader record(*bytes);
-    record(filed.rooms, filed.point_count, filed.outside, filed.digests);
+    record(filed.rooms, filed.sizes, filed.point_count, filed.outside, filed.digests);
     record.finish();
     return areWhole(folder, filed) ? std::optional(std::move(filed)) : std::nullopt;
   } catch (const DamagedRecord&) {
@@ -202,12 +219,13 @@ FiledRooms
 fileRooms(Scan& scan,
           bool with_normals,
           WorkFolder& folder,
+          const PointCloud<PointXYZ>& standing,
           Scene& scene,
           const PointsDone& report)
 {
   auto before = filedBefore(folder);
   auto filed = before ? std::move(*before)
-                      : filePoints(scan, with_normals, folder, scene, report);
+                      : filePoints(scan, with_normals, folder, scene, standing, report);
   for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
     const auto& own = filed.rooms.at(i);
     auto& room = scene.rooms[i];
@@ -226,8 +244,7 @@ filedSource(const FiledRooms& filed, bool with_normals, const WorkFolder& folder
   RoomSource source;
   source.is_filed = true;
   source.has_normals = with_normals;
-  for (const auto& room : filed.rooms)
-    source.sizes.push_back(room.point_count);
+  source.sizes = filed.sizes;
   source.points = [&folder, sizes = source.sizes, with_normals](std::size_t room) {
     return readRoomPoints(folder.path(pointsFile(room)), sizes[room], with_normals);
   };
@@ -241,7 +258,7 @@ FiledLabels::FiledLabels(const FiledRooms& filed,
 , folder_(folder)
 , first_object_(first_object)
 , rooms_(folder.path(labels_file), std::ios::binary)
-, cursors_(filed.rooms.size())
+, cursors_(filed.sizes.size())
 {}
 
 void
@@ -249,7 +266,7 @@ FiledLabels::refill(std::size_t room)
 {
   constexpr std::size_t most = 4096;
   auto& cursor = cursors_[room];
-  const auto size = filed_.rooms[room].point_count;
+  const auto size = filed_.sizes[room];
   const auto count = std::min(most, size - cursor.taken);
   const auto take = [&](std::size_t first, std::vector<std::uint32_t>& values) {
     values.resize(count);
@@ -271,11 +288,13 @@ FiledLabels::next()
     throw ToolError(folder_.path(labels_file) + ": the file is gone or too short");
   if (file == in_no_file)
     return {};
+  const bool is_in_room = file < in_no_room;
+  file &= ~in_no_room;
   auto& cursor = cursors_.at(file);
   if (cursor.at == cursor.objects.size())
     refill(file);
   Label label;
-  label.room = (file + 1) % static_cast<std::uint32_t>(cursors_.size());
+  label.room = is_in_room ? file + 1 : 0;
   const auto object = cursor.objects[cursor.at];
   label.object = object > 0 ? first_object_[file] + object : 0;
   label.structure = cursor.structures[cursor.at++];

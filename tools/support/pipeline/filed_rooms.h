@@ -26,15 +26,18 @@ struct RoomExtent {
 
 /** \brief What was put into the files of the rooms of a large scan. */
 struct FiledRooms {
-  std::vector<RoomExtent> rooms;      ///< last, what is in none
+  std::vector<RoomExtent> rooms;      ///< of the points in them
+  std::vector<std::size_t> sizes;     ///< points of each file: rooms, last the others
   std::uint64_t point_count = 0;      ///< of the scan
   std::uint64_t outside = 0;          ///< finite points beyond the building, in no file
   std::vector<std::uint64_t> digests; ///< of each room's file, and of that of labels
 };
 
-/** \brief Put each point of a large scan into the file of its room, in the order of the
- * scan, unless the folder has them undamaged; a point is in the room of the one that
- * stands for it. Another file tells the room of each point.
+/** \brief Put each point of a large scan into the file of the room with which its
+ * objects are looked for, see withSurroundings(), in the order of the scan, unless the
+ * folder has them undamaged; a point is where the one is that stands for it. Another
+ * file tells the room of each point.
+ * \param[in] standing the sample, z up, metres; not finite where outside
  * \param[in] scene with the rooms of the sample; boxes, centres and numbers of points
  * of its rooms are made those of all points
  */
@@ -42,6 +45,7 @@ FiledRooms
 fileRooms(Scan& scan,
           bool with_normals,
           WorkFolder& folder,
+          const PointCloud<PointXYZ>& standing,
           Scene& scene,
           const PointsDone& report);
 

@@ -116,8 +116,8 @@ countPoints(const CloudFile& file, const FiledRooms& filed, Scene& scene)
 {
   scene.counts.all = filed.point_count;
   scene.counts.finite = file.finite_count;
-  for (std::size_t room = 0; room + 1 < filed.rooms.size(); ++room)
-    scene.counts.in_rooms += filed.rooms[room].point_count;
+  for (const RoomExtent& room : filed.rooms)
+    scene.counts.in_rooms += room.point_count;
   scene.counts.outside = filed.outside;
 }
 
@@ -341,7 +341,7 @@ findObjects(const PipelineOptions& options,
   }
   progress.start("Dividing the scan into its rooms");
   const bool with_normals = scan.file.has_normals && !options.ignore_normals;
-  const auto filed = fileRooms(scan, with_normals, folder, scene, report);
+  const auto filed = fileRooms(scan, with_normals, folder, standing, scene, report);
   countPoints(scan.file, filed, scene);
   progress.done();
   std::vector<std::uint32_t> first_object;

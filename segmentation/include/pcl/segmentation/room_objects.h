@@ -85,15 +85,26 @@ measureObjects(const std::vector<Eigen::Vector3f>& positions,
 
 /** \brief The objects of all rooms of a building. */
 struct BuildingObjects {
-  /** 1 ... n, in the order of the rooms, then those in no room; 0 = none */
+  /** 1 ... n, in the order of the rooms, then the others; 0 = none */
   std::vector<std::uint32_t> object_of_point;
   std::vector<std::uint32_t> structure_of_point; ///< one per point: a StructureKind
   std::vector<ObjectSurface> surfaces;           ///< object i + 1 is the i-th
-  /** per room, metres; the last is that of points in no room; 0 = no points */
+  /** per room, metres; the last is that of the other points; 0 = no points */
   std::vector<double> voxel_sizes;
 };
 
-/** \brief The finite points of room 1, room 2 and so on; last, of those in no room.
+/** \brief The room with whose points the objects of each point are looked for: its own,
+ * and for a point in none that to which half a metre of surface leads, or 0. A room
+ * ends where nothing shows that it goes on: without its surroundings, things in niches
+ * and windows, and what stands where little was seen, would be cut. \param[in]
+ * positions finite, z up, metres \param[in] room_of_point one per position; 0 = none
+ */
+std::vector<std::uint32_t>
+withSurroundings(const std::vector<Eigen::Vector3f>& positions,
+                 std::vector<std::uint32_t> room_of_point);
+
+/** \brief The finite points of room 1 with its surroundings, room 2 and so on; last,
+ * the others.
  * What lies kilometres away from the others is in none of these, see strayPoints().
  * \param[in] room_of_point one per point; 0 = none
  * \param[in] room_count no room has a greater number
@@ -112,8 +123,8 @@ pointsOfRooms(const PointCloud<PointXYZ>& points,
 std::vector<std::size_t>
 largestFirst(const std::vector<std::size_t>& sizes);
 
-/** \brief Segment the points of each room, and those in no room, into objects; several
- * rooms at a time.
+/** \brief Segment the points of each room with its surroundings, and the others, into
+ * objects; several rooms at a time.
  * \param[in] points z up, metres; those that are not finite are in no object
  * \param[in] normals one per point, or null to have them estimated
  * \param[in] room_of_point one per point; 0 = none

@@ -84,10 +84,16 @@ pointsOfRooms(const PointCloud<PointXYZ>& points,
       used.push_back(static_cast<index_t>(i));
       positions.emplace_back(points[i].getVector3fMap());
     }
-  takeOut(strayPoints(positions), used);
-  std::vector<Indices> rooms(room_count + 1);
+  const auto strays = strayPoints(positions);
+  takeOut(strays, used);
+  takeOut(strays, positions);
+  std::vector<std::uint32_t> room_of_used;
   for (const auto index : used)
-    rooms[(room_of_point[index] + room_count) % (room_count + 1)].push_back(index);
+    room_of_used.push_back(room_of_point[index]);
+  room_of_used = withSurroundings(positions, std::move(room_of_used));
+  std::vector<Indices> rooms(room_count + 1);
+  for (std::size_t i = 0; i < used.size(); ++i)
+    rooms[(room_of_used[i] + room_count) % (room_count + 1)].push_back(used[i]);
   return rooms;
 }
 

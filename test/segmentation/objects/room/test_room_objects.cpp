@@ -28,21 +28,27 @@ cloudOf(const std::vector<Eigen::Vector3f>& positions)
   return cloud;
 }
 
-/** Two furnished rooms; every 50th point is in none. */
+/** Two furnished rooms and a board 10 m away; every 50th point of the rooms is in none,
+ * as are those of the board. */
 struct Building {
   Building()
   : scene(test::twoRooms())
-  , cloud(cloudOf(scene.points))
   , room_of_point(scene.objects)
   {
     for (std::size_t i = 0; i < room_of_point.size(); i += 50)
       room_of_point[i] = 0;
+    for (int i = 0; i < 40 * 40; ++i) {
+      scene.points.emplace_back(0.03f * (i / 40), -10.0f, 1.1f + 0.03f * (i % 40));
+      room_of_point.push_back(0);
+    }
+    group_of_point = withSurroundings(scene.points, room_of_point);
+    cloud = cloudOf(scene.points);
     (*cloud)[7].x = std::numeric_limits<float>::quiet_NaN();
   }
 
   test::LabelledPoints scene;
   PointCloud<PointXYZ>::Ptr cloud;
-  std::vector<std::uint32_t> room_of_point;
+  std::vector<std::uint32_t> room_of_point, group_of_point;
 };
 
 RoomPoints
@@ -50,10 +56,39 @@ room(const Building& building, std::uint32_t number)
 {
   RoomPoints points;
   for (std::size_t i = 0; i < building.cloud->size(); ++i)
-    if (building.room_of_point[i] == number && i != 7)
+    if (building.group_of_point[i] == number && i != 7)
       points.positions.push_back(building.scene.points[i]);
   return points;
 }
+
+/** Points of a floor and a wall along x from 0 on, 5 cm apart; those before an end are
+ * in room 1. */
+struct Corridor {
+  explicit Corridor(double length, double end)
+  {
+    for (double x = 0.0; x < length; x += 0.05)
+      for (double across = 0.0; across < 1.0; across += 0.05) {
+        const auto along = static_cast<float>(x), other = static_cast<float>(across);
+        positions.emplace_back(along, other, 0.0f);
+        positions.emplace_back(along, 1.0f, other);
+        rooms.insert(rooms.end(), 2, x < end ? 1u : 0u);
+      }
+  }
+
+  /** Where the points in a room end along x. */
+  double
+  endOf(const std::vector<std::uint32_t>& room_of_point) const
+  {
+    float end = 0.0f;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (room_of_point[i] > 0)
+        end = std::max(end, positions[i].x());
+    return end;
+  }
+
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<std::uint32_t> rooms;
+};
 
 } // namespace
 
@@ -124,7 +159,7 @@ TEST(RoomObjects, OfABuildingAreThoseOfItsRoomsOneAfterTheOther)
     const auto own = segmentRoomObjects(room(building, number));
     std::size_t k = 0;
     for (std::size_t i = 0; i < building.cloud->size(); ++i) {
-      if (building.room_of_point[i] != number || i == 7)
+      if (building.group_of_point[i] != number || i == 7)
         continue;
       const auto object = own.object_of_point[k];
       EXPECT_EQ(all.object_of_point[i], object == 0 ? 0 : before + object) << i;
@@ -136,6 +171,42 @@ TEST(RoomObjects, OfABuildingAreThoseOfItsRoomsOneAfterTheOther)
   EXPECT_GT(before, 10u); // two floors, ceilings, walls, a table, a cabinet
   EXPECT_EQ(all.surfaces.size(), before);
   EXPECT_EQ(all.object_of_point[7], 0u); // is not finite
+}
+
+TEST(RoomObjects, SurroundingsAreHalfAMetreOfSurface)
+{
+  const Corridor corridor(6.0, 3.0);
+  const auto found = withSurroundings(corridor.positions, corridor.rooms);
+  EXPECT_NEAR(corridor.endOf(found), 3.5, 0.26); // whole cells
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (corridor.rooms[i] > 0) {
+      ASSERT_EQ(found[i], 1u);
+    }
+  // what is nearer but does not hang together with the room is none of it
+  auto apart = corridor;
+  for (std::size_t i = 0; i < apart.positions.size(); ++i)
+    if (apart.rooms[i] == 0)
+      apart.positions[i].x() += 0.6f;
+  EXPECT_EQ(withSurroundings(apart.positions, apart.rooms), apart.rooms);
+}
+
+TEST(RoomObjects, SurroundingsOfTwoRoomsAreThoseOfTheNearer)
+{
+  Corridor corridor(6.0, 2.5);
+  for (std::size_t i = 0; i < corridor.positions.size(); ++i)
+    if (corridor.positions[i].x() > 3.3f)
+      corridor.rooms[i] = 2;
+  const auto found = withSurroundings(corridor.positions, corridor.rooms);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const float x = corridor.positions[i].x();
+    if (x < 2.6f || x > 3.2f) {
+      EXPECT_EQ(found[i], x < 3.0f ? 1u : 2u) << x;
+    }
+    EXPECT_GT(found[i], 0u);
+  }
+  const std::vector<std::uint32_t> none(corridor.positions.size(), 0);
+  EXPECT_EQ(withSurroundings(corridor.positions, none), none);
+  EXPECT_TRUE(withSurroundings({}, {}).empty());
 }
 
 TEST(RoomObjects, PointsKilometresAwayAreInNoneAndChangeNone)
@@ -198,7 +269,7 @@ TEST(RoomObjects, GivenOnesAreTakenRoomByRoom)
       *building.cloud, nullptr, building.room_of_point, options, 2, given);
   for (std::size_t i = 0; i < given.size(); ++i)
     if (i != 7) {
-      const auto number = building.room_of_point[i];
+      const auto number = building.group_of_point[i];
       const auto expected = number == 0 ? 3 : number;
       EXPECT_EQ(all.object_of_point[i], given[i] == 0 ? 0 : expected) << i;
       if (given[i] == 0) {
