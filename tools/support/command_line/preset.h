@@ -9,15 +9,22 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief What -preset names, or nothing: it is known before all other options are
- * read, so that their defaults, also in the text of -h, are those of the preset. */
+/** \brief What an option names, or nothing: it is known before all other options are
+ * read, so that their defaults, also in the text of -h, are those that it chooses. */
+inline std::string
+givenText(int argc, const char* const* argv, const std::string& option)
+{
+  for (int i = 1; i + 1 < argc; ++i)
+    if (argv[i] == option)
+      return argv[i + 1];
+  return {};
+}
+
+/** \brief What -preset names, or nothing. */
 inline std::string
 presetOf(int argc, const char* const* argv)
 {
-  for (int i = 1; i + 1 < argc; ++i)
-    if (std::string(argv[i]) == "-preset")
-      return argv[i + 1];
-  return {};
+  return givenText(argc, argv, "-preset");
 }
 
 /** \brief Whether a flag is given: known before all other options are read. */

@@ -13,16 +13,14 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Properties of a moving range sensor. */
-struct RangeSensorOptions {
-  int rays_per_pose = 30000; ///< evenly over the sphere (>= 1)
-  double min_range = 0.3;    ///< metres; nearer surfaces give no echo (>= 0)
-  double max_range = 30.0;   ///< metres; farther surfaces give no echo (> min_range)
-  double noise = 0.008;      ///< standard deviation of a range, metres (>= 0)
-  double drift = 0.01;       ///< standard deviation of a pose's error, metres (>= 0)
-  double beam = 0;       ///< standard deviation of the directions in a beam, radians
-                         ///< (0 ... 0.1); above 0 there are mixed pixels
-  double dropout = 0.02; ///< share of echoes lost at right angles (0 ... 1)
+/** \brief How surfaces answer the rays of a sensor, and what it measures. */
+struct EchoOptions {
+  double min_range = 0.3;  ///< metres; nearer surfaces give no echo (>= 0)
+  double max_range = 30.0; ///< metres; farther surfaces give no echo (> min_range)
+  double noise = 0.008;    ///< standard deviation of a range, metres (>= 0)
+  double beam = 0;         ///< standard deviation of the directions in a beam, radians
+                           ///< (0 ... 0.1); above 0 there are mixed pixels
+  double dropout = 0.02;   ///< share of echoes lost at right angles (0 ... 1)
   double grazing_exponent = 6.0; ///< larger: fewer echoes lost at grazing angles (> 0)
   double glass_echo = 0.05;      ///< share of rays that the glass itself returns
   double glass_ghost = 0.05;     ///< share of rays that glass mirrors
@@ -31,6 +29,12 @@ struct RangeSensorOptions {
   /** Called now and then with poses done and poses in all; never by two threads at
    * once. */
   std::function<void(std::size_t, std::size_t)> progress;
+};
+
+/** \brief Properties of a range sensor that is put up at some positions. */
+struct RangeSensorOptions : EchoOptions {
+  int rays_per_pose = 30000; ///< evenly over the sphere (>= 1)
+  double drift = 0.01;       ///< standard deviation of a pose's error, metres (>= 0)
 };
 
 /** \brief A scan and how many rays made it. */
@@ -45,7 +49,7 @@ struct SimulatedScan {
  * \return (1 - dropout) * (1 - (1 - |cosine|)^grazing_exponent)
  */
 double
-echoProbability(double cosine, const RangeSensorOptions& options);
+echoProbability(double cosine, const EchoOptions& options);
 
 /** \brief Scan a building from some positions.
  *
