@@ -414,7 +414,7 @@ completeLidar(Options& options)
 
 Scan
 scanWithLidar(const pcl::indoor::Plan& plan,
-              pcl::indoor::Building& building,
+              const pcl::indoor::Building& building,
               Options& options,
               Progress& progress)
 {
@@ -429,7 +429,6 @@ scanWithLidar(const pcl::indoor::Plan& plan,
   options.lidar.progress = [&](std::size_t done, std::size_t all) {
     progress.update(done, all);
   };
-  pcl::indoor::addPersonCategory(building);
   auto scan = pcl::indoor::scanAlong(building, paths, options.lidar);
   progress.done(std::to_string(scan.ray_count) + " rays, " +
                 std::to_string(scan.points.size()) + " points");
@@ -465,7 +464,7 @@ scanWithCamera(const pcl::indoor::Building& building,
 
 Scan
 scanWithScanner(const pcl::indoor::Plan& plan,
-                pcl::indoor::Building& building,
+                const pcl::indoor::Building& building,
                 Options& options,
                 Progress& progress)
 {
@@ -482,7 +481,7 @@ simulate(Options& options, Progress& progress)
   requireUsable(options);
   progress.start("Building " + options.plan_file);
   const auto plan = planOf(options);
-  auto building = pcl::indoor::buildBuilding(plan, options.plan_file);
+  const auto building = pcl::indoor::buildBuilding(plan, options.plan_file);
   progress.done(std::to_string(building.rooms.size()) + " rooms, " +
                 std::to_string(building.objects.size()) + " objects, " +
                 std::to_string(building.triangles.size()) + " triangles");

@@ -291,6 +291,7 @@ PathOptions
 pathOptions(LidarModel model)
 {
   PathOptions options;
+  options.spacing = 4.0;
   options.sensor_height = model == LidarModel::Walk ? 1.4 : 0.6;
   options.speed = model == LidarModel::Walk ? 1.1 : 0.8;
   options.look_around = model == LidarModel::SolidState;
@@ -310,15 +311,6 @@ framesOn(const std::vector<CarriedPath>& paths, const CarriedLidarOptions& optio
       frames.push_back({p, k / options.frame_rate});
   }
   return frames;
-}
-
-std::uint32_t
-addPersonCategory(Building& building)
-{
-  auto& names = building.categories;
-  if (std::find(names.begin(), names.end(), "person") == names.end())
-    names.push_back("person");
-  return building.category("person");
 }
 
 Eigen::Isometry3d

@@ -101,31 +101,48 @@ tour(const Roadmap& roadmap, const std::vector<int>& stops)
 }
 
 // Nobody walks along the corners of a grid: the mean over the way just before and
-// after, where that is not cut off by something. The ends stay.
+// after. The ends stay.
 Eigen::Vector4d
-roundedAt(const Line& line, double way, const RayTracer* tracer)
+roundedAt(const Line& line, double way)
 {
   constexpr int samples = 8;                                     // on each side
   const double half = std::min({0.4, way, line.length() - way}); // metres
-  const Eigen::Vector4d exact = line.at(way);
-  Eigen::Vector4d mean = exact;
+  Eigen::Vector4d mean = line.at(way);
   for (int k = 1; k <= samples; ++k)
     mean += line.at(way - half * k / samples) + line.at(way + half * k / samples);
-  mean /= 2 * samples + 1;
-  if (!tracer)
-    return exact;
-  const Eigen::Vector3f from = exact.head<3>().cast<float>();
-  const Eigen::Vector3f step = mean.head<3>().cast<float>() - from;
-  const float beyond = 1.0f + 0.1f / std::max(0.1f, step.norm());
-  return step.norm() > 0 && tracer->trace(from, step, 0, beyond).triangle >= 0 ? exact
-                                                                               : mean;
+  return mean / (2 * samples + 1);
+}
+
+// Points of the line, rounded where nothing is cut off by that.
+std::vector<Eigen::Vector4d>
+pointsAt(const Line& line, const std::vector<double>& ways, const RayTracer& tracer)
+{
+  std::vector<Eigen::Vector4d> points;
+  for (const double way : ways)
+    points.push_back(roundedAt(line, way));
+  std::vector<char> exact(points.size(), 0);
+  const auto makeExact = [&](std::size_t i) {
+    exact[i] = 1;
+    points[i] = line.at(ways[i]);
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      if (!(exact[i - 1] && exact[i]) &&
+          !isClear(tracer, points[i - 1].head<3>(), points[i].head<3>())) {
+        makeExact(i - 1);
+        makeExact(i);
+        changed = true;
+      }
+  }
+  return points;
 }
 
 // Adds points to a path, with a heading that follows the way as fast as one turns.
 class PathWriter {
 public:
   void
-  stand(const Eigen::Vector4d& at, double way, double towards)
+  step(const Eigen::Vector4d& at, double way, double towards)
   {
     constexpr double fastest = M_PI / 2; // radians per second
     PathPoint point;
@@ -160,25 +177,39 @@ public:
   CarriedPath path_;
 };
 
+// Ways at the times of a path's points.
+std::vector<double>
+waysOf(const Line& line, double speed)
+{
+  const double step = speed * path_step;
+  const auto steps = static_cast<std::size_t>(std::ceil(line.length() / step - 1e-9));
+  std::vector<double> ways;
+  for (std::size_t k = 0; k <= steps; ++k)
+    ways.push_back(std::min(line.length(), static_cast<double>(k) * step));
+  return ways;
+}
+
 CarriedPath
-walkAlong(const Line& line, const PathOptions& options, const RayTracer* tracer)
+walkAlong(const Line& line,
+          const std::vector<double>& ways,
+          const std::vector<Eigen::Vector4d>& points,
+          bool look_around)
 {
   constexpr double ahead = 0.3; // metres: where the carrier looks
   PathWriter writer;
   std::size_t stop = 0;
-  const auto steps =
-      static_cast<std::size_t>(std::ceil(line.length() / (options.speed * path_step)));
-  for (std::size_t k = 0; k <= steps; ++k) {
-    const double way =
-        std::min(line.length(), static_cast<double>(k) * options.speed * path_step);
-    const Eigen::Vector4d at = roundedAt(line, way, tracer);
+  for (std::size_t k = 0; k < ways.size(); ++k) {
     const Eigen::Vector2d look =
-        (line.at(way + ahead) - line.at(way - ahead)).head<2>();
+        (line.at(ways[k] + ahead) - line.at(ways[k] - ahead)).head<2>();
     const double before = writer.path_.empty() ? 0.0 : writer.path_.back().heading;
-    writer.stand(at, way, look.norm() > 1e-6 ? std::atan2(look.y(), look.x()) : before);
-    for (; stop < line.stops.size() && line.stops[stop] <= way; ++stop)
-      if (options.look_around)
-        writer.lookAround();
+    writer.step(points[k],
+                ways[k],
+                look.norm() > 1e-6 ? std::atan2(look.y(), look.x()) : before);
+    bool stops = false;
+    for (; stop < line.stops.size() && line.stops[stop] <= ways[k]; ++stop)
+      stops = true;
+    if (stops && look_around)
+      writer.lookAround();
   }
   return writer.path_;
 }
@@ -199,8 +230,12 @@ planPaths(const Building& building, const PathOptions& options)
     const auto roadmap = enteredPart(
         largestPart(all), options.entered, RandomDraw(mixSeed(options.seed, storey)));
     const auto stops = stopsOn(roadmap, options);
-    if (!stops.empty())
-      paths.push_back(walkAlong(tour(roadmap, stops), options, &tracer));
+    if (stops.empty())
+      continue;
+    const Line line = tour(roadmap, stops);
+    const auto ways = waysOf(line, options.speed);
+    paths.push_back(
+        walkAlong(line, ways, pointsAt(line, ways, tracer), options.look_around));
   }
   return paths;
 }
@@ -214,7 +249,13 @@ pathThrough(const std::vector<Eigen::Vector3d>& positions, const PathOptions& op
     line.add(position, position.z() - options.sensor_height);
     line.stops.push_back(line.length());
   }
-  return positions.empty() ? CarriedPath() : walkAlong(line, options, nullptr);
+  if (positions.empty())
+    return {};
+  const auto ways = waysOf(line, options.speed);
+  std::vector<Eigen::Vector4d> points;
+  for (const double way : ways)
+    points.push_back(line.at(way));
+  return walkAlong(line, ways, points, options.look_around);
 }
 
 PathPoint

@@ -73,9 +73,7 @@ joinNeighbours(Roadmap& roadmap, const RayTracer& tracer)
   const auto join = [&](int i, int j) {
     if (j >= i || !areNeighbours(roadmap[i], roadmap[j]))
       return;
-    const Eigen::Vector3f from = roadmap[i].at.cast<float>();
-    const Eigen::Vector3f way = roadmap[j].at.cast<float>() - from;
-    if (tracer.trace(from, way, 0.0f, 1.0f).triangle >= 0)
+    if (!isClear(tracer, roadmap[i].at, roadmap[j].at))
       return;
     roadmap[i].joined.push_back(j);
     roadmap[j].joined.push_back(i);
@@ -157,6 +155,23 @@ costOf(const RoadNode& a, const RoadNode& b)
 }
 
 } // namespace
+
+bool
+isClear(const RayTracer& tracer, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+{
+  constexpr double beside = 0.1; // metres
+  const Eigen::Vector3d way = to - from;
+  const double length = way.head<2>().norm();
+  if (length == 0)
+    return true;
+  const Eigen::Vector3d across(-way.y() / length, way.x() / length, 0);
+  for (const double offset : {0.0, beside, -beside}) {
+    const Eigen::Vector3d start = from + offset * across;
+    if (tracer.trace(start.cast<float>(), way.cast<float>(), 0.0f, 1.0f).triangle >= 0)
+      return false;
+  }
+  return true;
+}
 
 Roadmap
 buildRoadmap(const Building& building,

@@ -23,6 +23,12 @@ struct RoadNode {
   std::vector<int> joined; ///< numbers of the nodes that can be walked to straight
 };
 
+/** \brief Whether nothing is between two places, nor a little beside the way. */
+bool
+isClear(const RayTracer& tracer,
+        const Eigen::Vector3d& from,
+        const Eigen::Vector3d& to);
+
 /** \brief Places of one storey and which of them can be walked between. */
 using Roadmap = std::vector<RoadNode>;
 

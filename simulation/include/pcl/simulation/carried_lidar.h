@@ -36,7 +36,7 @@ struct CarriedLidarOptions : EchoOptions {
   double field_height = 77 * M_PI / 180; ///< radians (0 ... pi)
   int rays_per_frame = 10000;            ///< of a rosette (1 ... 10000000)
   double turn_rate = 10.0; ///< turns, or frames, that a second has time for (> 0)
-  double frame_rate = 2.0; ///< of these, frames per second that are kept (> 0)
+  double frame_rate = 1.0; ///< of these, frames per second that are kept (> 0)
   double drift = 0.02;     ///< standard deviation of the position after 10 m of way,
                            ///< metres, before loops are closed (>= 0)
   int people = 1;          ///< who walk before and behind the sensor (0 ... 10)
@@ -68,10 +68,6 @@ struct LidarFrame {
 std::vector<LidarFrame>
 framesOn(const std::vector<CarriedPath>& paths, const CarriedLidarOptions& options);
 
-/** \brief Number of the category of people; it is added to a building that has none. */
-std::uint32_t
-addPersonCategory(Building& building);
-
 /** \brief Where the sensor is and how it is turned at a time.
  *
  * Its axes are: x ahead, y to the left, z up. On a robot it is where the path is, and
@@ -87,10 +83,8 @@ sensorPose(const CarriedPath& path, double time, const CarriedLidarOptions& opti
  * scanBuilding(); the errors of registration grow along a path and are closed at its
  * end. People walk at some distance before and behind the sensor: their points have the
  * category "person", object and part 0, and the room that they are in.
- * \param[in] building with addPersonCategory()
  * \return points frame by frame; poses are numbers of framesOn()
- * \throws BadArgumentException if an option is out of its range, or the building has no
- * category of people
+ * \throws BadArgumentException if an option is out of its range, or a path has no point
  */
 SimulatedScan
 scanAlong(const Building& building,
