@@ -14,8 +14,9 @@ those below -least_area m^2 are left out), or {"NAME of scan.pcd": {"regions": {
     ceiling  the same for the height that most points higher than 2 m above the floor have
     walls    share of the boxes along the boundary (0.5 m long, 0.25 m high, 0.5 m to both
              sides, up to 2.5 m above the floor) that hold a point
-    thick    range of the middle 80 % of the distances from the boundary within 0.2 m of where
-             most are, in such boxes of full height: noise, drift and doubled walls
+    thick    of the quarter of such boxes, now of full height, where it is least (for there
+             stands nothing before the wall): range of the middle 80 % of the distances within
+             0.2 m of the line where most points are: noise, drift and doubled walls
 
 PCD files are uncompressed or compressed binary or ascii. Needs numpy, scipy and liblzf1.
 """
@@ -138,6 +139,15 @@ def boundary_boxes(polygons):
                     yield middle, (b - a) / length
 
 
+def thickness_of(along, across):
+    """Range of the middle 80 % of the distances from the line where most points are."""
+    near = abs(across - mode(across, 0.06)) < 0.1
+    if near.sum() < 20:
+        return np.nan
+    rest = across - np.polyval(np.polyfit(along[near], across[near], 1), along)
+    return np.subtract(*np.percentile(rest[abs(rest) < 0.2], [90, 10]))
+
+
 def wall_figures(points, polygons, floor):
     shares, spreads = [], []
     tree = cKDTree(points[:, :2])
@@ -147,11 +157,10 @@ def wall_figures(points, polygons, floor):
         along, across, height = offset @ way, offset @ [-way[1], way[0]], near[:, 2] - floor
         box = (abs(along) < 0.25) & (abs(across) < 0.5) & (height > 0.25) & (height < 2.5)
         shares.append(len(np.unique((height[box] / 0.25).astype(int))) / 9)
-        if box.sum() >= 20:
-            peak = mode(across[box], 0.06)
-            main = across[box][abs(across[box] - peak) < 0.2]
-            spreads.append(np.percentile(main, 90) - np.percentile(main, 10))
-    return np.mean(shares), np.median(spreads) if spreads else np.nan
+        if box.any():
+            spreads.append(thickness_of(along[box], across[box]))
+    spreads = np.array(spreads)[np.isfinite(spreads)]
+    return np.mean(shares), np.percentile(spreads, 25) if len(spreads) else np.nan
 
 
 def figures(points, polygons):

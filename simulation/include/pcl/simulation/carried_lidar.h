@@ -37,7 +37,7 @@ struct CarriedLidarOptions : EchoOptions {
   int rays_per_frame = 10000;            ///< of a rosette (1 ... 10000000)
   double turn_rate = 10.0; ///< turns, or frames, that a second has time for (> 0)
   double frame_rate = 1.0; ///< of these, frames per second that are kept (> 0)
-  double drift = 0.02;     ///< standard deviation of the position after 10 m of way,
+  double drift = 0.04;     ///< standard deviation of the position after 10 m of way,
                            ///< metres, before loops are closed (>= 0)
   int people = 1;          ///< who walk before and behind the sensor (0 ... 10)
 };
