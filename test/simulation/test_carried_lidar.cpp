@@ -334,6 +334,7 @@ TEST(CarriedLidar, RefusesOptionsOutOfRange)
   refuses([](Options& o) { o.field_height = 4.0; });
   refuses([](Options& o) { o.turn_rate = 0.0; });
   refuses([](Options& o) { o.frame_rate = std::nan(""); });
+  refuses([](Options& o) { o.frame_rate = 1e12; });
   refuses([](Options& o) { o.drift = -1.0; });
   refuses([](Options& o) { o.people = 11; });
   refuses([](Options& o) { o.noise = -1.0; });

@@ -177,6 +177,7 @@ TEST(CarriedPath, RefusesOptionsOutOfRange)
     EXPECT_THROW(pathThrough({{0, 0, 1}}, options), pcl::BadArgumentException);
   };
   refuses([](PathOptions& o) { o.speed = 0; });
+  refuses([](PathOptions& o) { o.speed = 1e9; });
   refuses([](PathOptions& o) { o.speed = std::nan(""); });
   refuses([](PathOptions& o) { o.spacing = 0; });
   refuses([](PathOptions& o) { o.sensor_height = -1; });

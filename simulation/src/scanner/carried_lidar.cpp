@@ -23,13 +23,19 @@ enum Purpose : std::uint32_t { for_sway = 0xF0000000u, for_people, for_drift };
 void
 requireLegal(const CarriedLidarOptions& o)
 {
-  const auto requireBetween = [](const char* name, double value, double most) {
-    requireOption(value >= 1 && value <= most, name, value, "at least 1, and not huge");
-  };
   requireLegal(static_cast<const EchoOptions&>(o));
-  requireBetween("rings", o.rings, 256);
-  requireBetween("steps_per_turn", o.steps_per_turn, 1e5);
-  requireBetween("rays_per_frame", o.rays_per_frame, 1e7);
+  const auto isBetween = [](double value, double least, double most) {
+    return value >= least && value <= most;
+  };
+  requireOption(isBetween(o.rings, 1, 256), "rings", o.rings, "from 1 to 256");
+  requireOption(isBetween(o.steps_per_turn, 1, 1e5),
+                "steps_per_turn",
+                o.steps_per_turn,
+                "from 1 to 100000");
+  requireOption(isBetween(o.rays_per_frame, 1, 1e7),
+                "rays_per_frame",
+                o.rays_per_frame,
+                "from 1 to 10000000");
   requireOption(o.lowest_ring > -M_PI / 2 && o.lowest_ring <= o.highest_ring,
                 "lowest_ring",
                 o.lowest_ring,
@@ -38,8 +44,11 @@ requireLegal(const CarriedLidarOptions& o)
       o.highest_ring < M_PI / 2, "highest_ring", o.highest_ring, "below pi/2");
   for (const double field : {o.field_width, o.field_height})
     requireOption(field > 0 && field < M_PI, "field", field, "between 0 and pi");
-  requireOption(o.turn_rate > 0, "turn_rate", o.turn_rate, "positive");
-  requireOption(o.frame_rate > 0, "frame_rate", o.frame_rate, "positive");
+  requireOption(o.turn_rate >= 0.1, "turn_rate", o.turn_rate, "at least 0.1 1/s");
+  requireOption(isBetween(o.frame_rate, 0.001, 1000),
+                "frame_rate",
+                o.frame_rate,
+                "from 0.001 to 1000 1/s");
   requireOption(o.drift >= 0, "drift", o.drift, "at least 0 m");
   requireOption(o.people >= 0 && o.people <= 10, "people", o.people, "from 0 to 10");
 }

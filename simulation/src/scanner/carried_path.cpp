@@ -25,7 +25,8 @@ requireLegal(const PathOptions& o)
   requireOption(o.spacing > 0, "spacing", o.spacing, "positive");
   requireOption(o.sensor_height > 0, "sensor_height", o.sensor_height, "positive");
   requireOption(o.clearance >= 0, "clearance", o.clearance, "at least 0 m");
-  requireOption(o.speed > 0, "speed", o.speed, "positive");
+  requireOption(
+      o.speed >= 0.05 && o.speed <= 20, "speed", o.speed, "from 0.05 to 20 m/s");
   requireOption(o.entered >= 0 && o.entered <= 1, "entered", o.entered, "from 0 to 1");
 }
 

@@ -172,17 +172,17 @@ addLidarOptions(OptionParser& parser, ScannerOptions& options)
               lidar.turn_rate,
               carried + "turns or frames that the sensor makes in a second",
               "1/s",
-              Range::positive())
+              Range::between(0.1, 1000.0))
       .number("-frame_rate",
               lidar.frame_rate,
               carried + "of these, how many in a second the map is made of",
               "1/s",
-              Range::positive())
+              Range::between(0.001, 1000.0))
       .number("-speed",
               options.path.speed,
               carried + "of the carrier",
               "m/s",
-              Range::positive())
+              Range::between(0.05, 20.0))
       .number("-entered",
               options.path.entered,
               carried +

@@ -35,11 +35,12 @@ struct CarriedLidarOptions : EchoOptions {
   double field_width = 70 * M_PI / 180;  ///< of a rosette, radians (0 ... pi)
   double field_height = 77 * M_PI / 180; ///< radians (0 ... pi)
   int rays_per_frame = 10000;            ///< of a rosette (1 ... 10000000)
-  double turn_rate = 10.0; ///< turns, or frames, that a second has time for (> 0)
-  double frame_rate = 1.0; ///< of these, frames per second that are kept (> 0)
-  double drift = 0.04;     ///< standard deviation of the position after 10 m of way,
-                           ///< metres, before loops are closed (>= 0)
-  int people = 1;          ///< who walk before and behind the sensor (0 ... 10)
+  double turn_rate = 10.0; ///< turns, or frames, that a second has time for (>= 0.1)
+  double frame_rate =
+      1.0;             ///< of these, frames per second that are kept (0.001 ... 1000)
+  double drift = 0.04; ///< standard deviation of the position after 10 m of way,
+                       ///< metres, before loops are closed (>= 0)
+  int people = 1;      ///< who walk before and behind the sensor (0 ... 10)
 };
 
 /** \brief The lidars that are known by name. */

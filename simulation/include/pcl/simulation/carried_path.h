@@ -13,7 +13,7 @@ namespace indoor {
 
 /** \brief How a sensor is carried through a building. */
 struct PathOptions : TrajectoryOptions { // its spacing: between neighbouring stops
-  double speed = 0.8;                    ///< metres per second (> 0)
+  double speed = 0.8;                    ///< metres per second (0.05 ... 20)
   double entered = 1.0;     ///< share of the rooms that are entered (0 ... 1)
   bool look_around = false; ///< turn about once at every stop
   std::uint32_t seed = 1;   ///< draws the rooms that are not entered
