@@ -26,28 +26,30 @@ lidarModels()
   return models;
 }
 
-/** Options of lidars that are carried, and which of them count for which. */
-struct LidarOption {
+/** An option that does not count for all scanners. */
+struct SpecialOption {
   const char* name;
   std::vector<std::string> scanners;
 };
 
-const std::vector<LidarOption>&
-lidarOptionNames()
+const std::vector<SpecialOption>&
+specialOptions()
 {
   static const std::vector<std::string> all{"spinning", "solid_state", "walk"},
       rings{"spinning", "walk"}, field{"solid_state"};
-  static const std::vector<LidarOption> names{{"-rings", rings},
-                                              {"-lowest_ring", rings},
-                                              {"-highest_ring", rings},
-                                              {"-steps_per_turn", rings},
-                                              {"-field_width", field},
-                                              {"-field_height", field},
-                                              {"-turn_rate", all},
-                                              {"-frame_rate", all},
-                                              {"-speed", all},
-                                              {"-entered", all},
-                                              {"-people", all}};
+  static const std::vector<SpecialOption> names{
+      {"-rays_per_pose", {"sphere", "solid_state"}},
+      {"-rings", rings},
+      {"-lowest_ring", rings},
+      {"-highest_ring", rings},
+      {"-steps_per_turn", rings},
+      {"-field_width", field},
+      {"-field_height", field},
+      {"-turn_rate", all},
+      {"-frame_rate", all},
+      {"-speed", all},
+      {"-entered", all},
+      {"-people", all}};
   return names;
 }
 
@@ -213,7 +215,7 @@ requireConsistent(const ScannerOptions& options)
 void
 requireOptionsOf(const std::string& scanner, int argc, const char* const* argv)
 {
-  for (const auto& [name, scanners] : lidarOptionNames())
+  for (const auto& [name, scanners] : specialOptions())
     if (isGiven(argc, argv, name) &&
         std::find(scanners.begin(), scanners.end(), scanner) == scanners.end())
       throw ToolError(std::string(name) + " does not count for -scanner " + scanner);
@@ -243,8 +245,7 @@ addScannerOptions(OptionParser& parser, ScannerOptions& options)
   addPathOptions(parser, options);
   addSensorOptions(parser, options.sensor);
   addLidarOptions(parser, options);
-  parser.expert({"-rays_per_pose",
-                 "-min_range",
+  parser.expert({"-min_range",
                  "-max_range",
                  "-noise",
                  "-drift",
@@ -253,7 +254,7 @@ addScannerOptions(OptionParser& parser, ScannerOptions& options)
                  "-glass",
                  "-glass_echo",
                  "-seed"});
-  for (const auto& option : lidarOptionNames())
+  for (const auto& option : specialOptions())
     parser.expert({option.name});
 }
 
