@@ -21,6 +21,7 @@
 #include "files/table_view.h"
 #include "labelled_rooms.h"
 
+#include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/average_precision.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/segmentation_metrics.h>
@@ -29,6 +30,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <set>
@@ -44,6 +46,8 @@ struct Settings {
   bool each_room = false, failures = false;
   unsigned threads = 2;
   double level = -1;
+  double upstream_voxel = 0; // metres, 0 = as ours
+  std::string label_folder;
 };
 
 /** What a method finds; one that joins pieces tells in which order. */
@@ -125,8 +129,10 @@ makeMethods(bool single_view, const Settings& settings)
   const auto sizes = withSizes(ours);
   const auto threads = settings.threads;
   const auto plain = exampleUpstreamOptions(single_view, threads);
-  const auto tuned =
-      tunedUpstreamOptions(single_view, threads, sizes.voxel_size, sizes.seed_size);
+  const double voxel =
+      settings.upstream_voxel > 0 ? settings.upstream_voxel : sizes.voxel_size;
+  const double seed = settings.upstream_voxel > 0 ? 4 * voxel : sizes.seed_size;
+  const auto tuned = tunedUpstreamOptions(single_view, threads, voxel, seed);
   const auto upstream = [](const UpstreamOptions& options) {
     return [options](const Cloud::Ptr& points) {
       return Found{segmentUpstream(*points, options), {}, {}};
@@ -143,6 +149,9 @@ makeMethods(bool single_view, const Settings& settings)
                     }};
   if (settings.methods == "ours")
     return {best};
+  if (settings.methods == "upstream")
+    return {{"LCCP, example's defaults", upstream(plain)},
+            {"LCCP, tuned", upstream(tuned)}};
   auto proposed = single_view ? thesisKinectOptions() : thesisOptions(), lccp = ours;
   lccp.partition = Partition::Lccp;
   if (single_view) {
@@ -226,15 +235,34 @@ printFailures(const Room& room, const SegmentLabels& labels)
   }
 }
 
+/** Write the labels of a room, field label, as FOLDER/SCAN.METHOD.pcd. */
+void
+writeLabels(const std::string& folder,
+            const Room& room,
+            const std::string& method,
+            const SegmentLabels& labels)
+{
+  pcl::PointCloud<pcl::PointXYZL> cloud;
+  pcl::copyPointCloud(*room.points, cloud);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    cloud[i].label = labels[i];
+  const auto scan = std::filesystem::path(room.name).stem().string();
+  const auto file = std::filesystem::path(folder) / (scan + "." + method + ".pcd");
+  if (pcl::io::savePCDFileBinary(file.string(), cloud) != 0)
+    throw ToolError(file.string() + ": cannot be written");
+}
+
 Score
-evaluate(const Room& room, const Method& method, bool failures)
+evaluate(const Room& room, const Method& method, const Settings& settings)
 {
   const auto begin = std::chrono::steady_clock::now();
   const auto found = method.segment(room.points);
   const auto& labels = found.labels;
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  if (failures)
+  if (settings.failures)
     printFailures(room, labels);
+  if (!settings.label_folder.empty())
+    writeLabels(settings.label_folder, room, method.name, labels);
   Score score;
   const auto errors = multiScaleErrors(room.parts, room.objects, labels);
   const auto overlaps = countOverlaps(room.objects, labels);
@@ -314,7 +342,7 @@ compare(const Settings& settings)
   for (const auto& method : makeMethods(single_view, settings)) {
     Score sum;
     for (const auto& room : rooms) {
-      const auto score = evaluate(room, method, settings.failures);
+      const auto score = evaluate(room, method, settings);
       if (settings.each_room)
         printRow(method.name + ", " + room.name, score, 1);
       sum += score;
@@ -345,7 +373,10 @@ main(int argc, char** argv)
             settings.source.united,
             "labels that are parts of one object, as 2,3/6,7,8; the parts count for "
             "the multi-scale errors")
-      .text("-methods", settings.methods, "which are compared", {"all", "ours"})
+      .text("-methods",
+            settings.methods,
+            "which are compared",
+            {"all", "ours", "upstream"})
       .flag("-each_room", settings.each_room, "print a line for each room, too")
       .flag("-failures",
             settings.failures,
@@ -360,6 +391,15 @@ main(int argc, char** argv)
               "probability from which pieces are joined, -1 = the default",
               "",
               Range::between(-1, 1))
+      .number(
+          "-upstream_voxel",
+          settings.upstream_voxel,
+          "edge of a voxel of upstream's, tuned, a quarter of its seeds; 0 = as ours",
+          "m",
+          Range::atLeast(0.0))
+      .text("-labels",
+            settings.label_folder,
+            "folder for the labels that each method gives a scan; -room_field none")
       .number("-threads", settings.threads, "threads of all methods, 0 = automatic");
   return parser.run(argc, argv, [&](Progress&) { compare(settings); });
 }
