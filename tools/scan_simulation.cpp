@@ -202,6 +202,17 @@ scanWithLidar(const pcl::indoor::Plan& plan,
 }
 
 Scan
+scanWithHandCamera(const pcl::indoor::Building& building,
+                   const Options& options,
+                   Progress& progress)
+{
+  auto scan = captureRooms(building, options.scanner.rooms, progress);
+  requireSeen(!scan.points.empty(), options);
+  pcl::indoor::thinScan(scan, options.leaf_size);
+  return {toCloud(scan), {}};
+}
+
+Scan
 scanWithCamera(const pcl::indoor::Building& building,
                const Options& options,
                Progress& progress)
@@ -231,6 +242,8 @@ scanWithScanner(const pcl::indoor::Plan& plan,
 {
   if (!options.view.empty())
     return scanWithCamera(building, options, progress);
+  if (options.scanner.name == hand_camera)
+    return scanWithHandCamera(building, options, progress);
   return options.scanner.name == "sphere"
              ? scanWithMovingSensor(plan, building, options, progress)
              : scanWithLidar(plan, building, options, progress);
@@ -268,6 +281,8 @@ main(int argc, char** argv)
 {
   Options options;
   options.scanner = scannerOptions(givenText(argc, argv, "-scanner"));
+  if (givenText(argc, argv, "-scanner") == hand_camera)
+    options.leaf_size = 0; // the vertices are thinned already
   return makeParser(options).run(argc, argv, [&](Progress& progress) {
     completeScanner(options.scanner, argc, argv);
     simulate(options, progress);

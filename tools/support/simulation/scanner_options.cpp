@@ -36,7 +36,8 @@ const std::vector<SpecialOption>&
 specialOptions()
 {
   static const std::vector<std::string> all{"spinning", "solid_state", "walk"},
-      rings{"spinning", "walk"}, field{"solid_state"};
+      rings{"spinning", "walk"}, field{"solid_state"}, camera{hand_camera},
+      lidars{"sphere", "spinning", "solid_state", "walk"};
   static const std::vector<SpecialOption> names{
       {"-rays_per_pose", {"sphere", "solid_state"}},
       {"-rings", rings},
@@ -49,7 +50,14 @@ specialOptions()
       {"-frame_rate", all},
       {"-speed", all},
       {"-entered", all},
-      {"-people", all}};
+      {"-people", all},
+      {"-beam", lidars},
+      {"-dropout", lidars},
+      {"-glass", lidars},
+      {"-glass_echo", lidars},
+      {"-room", camera},
+      {"-points", camera},
+      {"-fusion_voxel", camera}};
   return names;
 }
 
@@ -62,8 +70,9 @@ addPathOptions(OptionParser& parser, ScannerOptions& options)
             "sphere: looks all around from one position after another; carried along a "
             "path through doors: spinning: rings of a lidar on a robot; solid_state: a "
             "lidar that looks ahead, on a robot; walk: a spinning one in a person's "
-            "hand. Defaults below are those of the scanner that is named before -h",
-            {"sphere", "spinning", "solid_state", "walk"})
+            "hand; depth_camera: in somebody's hand, room by room, fused to a surface. "
+            "Defaults below are those of the scanner that is named before -h",
+            {"sphere", "spinning", "solid_state", "walk", hand_camera})
       .number(
           "-spacing",
           options.trajectory.spacing,
@@ -100,7 +109,8 @@ addSensorOptions(OptionParser& parser, RangeSensorOptions& sensor)
               Range::positive())
       .number("-noise",
               sensor.noise,
-              "standard deviation of a range",
+              "standard deviation of a range; of depth_camera at 1 m, growing with its "
+              "square",
               "m",
               Range::atLeast(0.0))
       .number(
@@ -227,6 +237,8 @@ ScannerOptions
 scannerOptions(const std::string& name)
 {
   ScannerOptions options;
+  if (name == hand_camera)
+    takeDefaults(options.rooms, options.sensor, options.trajectory);
   const auto model = lidarModels().find(name);
   if (model == lidarModels().end())
     return options;
@@ -245,6 +257,7 @@ addScannerOptions(OptionParser& parser, ScannerOptions& options)
   addPathOptions(parser, options);
   addSensorOptions(parser, options.sensor);
   addLidarOptions(parser, options);
+  addCaptureOptions(parser, options.rooms);
   parser.expert({"-min_range",
                  "-max_range",
                  "-noise",
@@ -273,6 +286,7 @@ completeScanner(ScannerOptions& options, int argc, const char* const* argv)
   options.lidar.field_height = options.field_height * degree;
   static_cast<TrajectoryOptions&>(options.path) = options.trajectory;
   options.path.seed = options.sensor.seed;
+  complete(options.rooms, options.sensor, options.trajectory);
 }
 
 } // namespace pcl::indoor::tool

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "command_line/options.h"
+#include "simulation/room_capture.h"
 
 #include <pcl/simulation/carried_lidar.h>
 
@@ -14,11 +15,12 @@ namespace pcl::indoor::tool {
 
 /** \brief The scanner that is simulated, and how it goes through the building. */
 struct ScannerOptions {
-  std::string name = "sphere"; ///< or that of a lidar that is carried
+  std::string name = "sphere"; ///< or that of a scanner that is carried
   TrajectoryOptions trajectory;
   RangeSensorOptions sensor;
   CarriedLidarOptions lidar; ///< what it has in common with sensor is read into that
   PathOptions path;          ///< and what it has in common with trajectory into that
+  RoomCapture rooms;         ///< the same of both, of the depth camera
   double lowest_ring = 0.0, highest_ring = 0.0; ///< degrees
   double field_width = 0.0, field_height = 0.0; ///< degrees
 };

@@ -28,7 +28,14 @@ struct DepthCameraOptions {
   double min_range = 0.5;        ///< nearest depth, metres (>= 0)
   double max_range = 5.0;        ///< farthest depth, metres (> min_range)
   double least_cosine = 0.1;     ///< of the angle at which surfaces are seen (0 ... 1)
-  std::uint32_t seed = 1;        ///< same seed, same view
+  int patch = 4;         ///< pixels from one independent error to the next (>= 1)
+  double distortion = 0; ///< standard deviation of an error of the disparity that all
+                         ///< views have, smooth over the image, pixels (>= 0)
+  double edge_noise = 0; ///< standard deviation of where a pixel looks, pixels (>= 0)
+  double mixed = 0; ///< share of the pixels at edges that lie between the two surfaces
+                    ///< where these are at most 0.5 m apart (0 ... 1)
+  double dark = 0;  ///< share of parts that return too little light (0 ... 1)
+  std::uint32_t seed = 1; ///< same seed, same view
 };
 
 /** \brief Where a camera is, and what is in the middle of its view; metres. */
