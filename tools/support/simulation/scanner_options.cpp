@@ -258,15 +258,7 @@ addScannerOptions(OptionParser& parser, ScannerOptions& options)
   addSensorOptions(parser, options.sensor);
   addLidarOptions(parser, options);
   addCaptureOptions(parser, options.rooms);
-  parser.expert({"-min_range",
-                 "-max_range",
-                 "-noise",
-                 "-drift",
-                 "-beam",
-                 "-dropout",
-                 "-glass",
-                 "-glass_echo",
-                 "-seed"});
+  parser.expert({"-min_range", "-max_range", "-noise", "-drift", "-seed"});
   for (const auto& option : specialOptions())
     parser.expert({option.name});
 }
