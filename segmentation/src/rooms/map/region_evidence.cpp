@@ -198,7 +198,7 @@ std::size_t
 dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
 {
   constexpr double hardly = 0.45; // of what bounds it: walls decide
-  constexpr double small = 10.0;  // m^2: larger ones are rooms that were seen in part
+  constexpr double little = 2.0;  // m^2: of more, a room was seen in part
   const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
   const std::vector<double> walls = closedBorders(map, space.occupancy.voxel_size);
   const std::vector<LevelSides> levels = levelSides(space.occupancy, map);
@@ -215,8 +215,8 @@ dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
     const double seen =
         (4.0 * walls[label] + level_seen / static_cast<double>(level.all)) /
         (4 + has_floors + has_ceilings);
-    is_dropped[label] = seen < hardly && level.all < largest &&
-                        static_cast<double>(level.all) * pixel_area < small;
+    const double area = static_cast<double>(level.all) * pixel_area;
+    is_dropped[label] = seen < hardly && seen * area < little && level.all < largest;
   }
   return dropRegions(is_dropped, map);
 }

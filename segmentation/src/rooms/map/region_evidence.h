@@ -38,8 +38,9 @@ dropOutdoors(const StoreySpace& space, RoomMap& map);
 std::vector<double>
 closedBorders(const RoomMap& map, double pixel_size);
 
-/** \brief Drop the small regions of whose walls, floor and ceiling less than a half was
- * seen: nobody was there, a part of it was seen through a door or a window. Each of the
+/** \brief Drop the regions of whose walls, floor and ceiling less than a half was seen,
+ * and of whose area no more than a few m^2: nobody was there, something was seen
+ * through a door or a window. Each of the
  * four walls of a room counts as much as its floor; a floor or a ceiling that is
  * missing in the whole scan does not count. The largest region stays. \param[in,out]
  * map its labels are 1 ... n again \return how many were dropped

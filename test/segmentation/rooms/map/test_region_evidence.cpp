@@ -11,7 +11,7 @@ using namespace pcl::indoor;
 
 namespace {
 
-/** What of a room of 3 x 3 m was seen, as shares; it is 2.5 m high. */
+/** What of a room was seen, as shares; it is 2.5 m high. */
 struct Seen {
   double walls, floor, ceiling;
 };
@@ -19,7 +19,7 @@ struct Seen {
 /** A square room of voxels of 0.1 m and a larger one, the hall, and their map. */
 class SquareRoom {
 public:
-  explicit SquareRoom(const Seen& seen, int side = 30)
+  explicit SquareRoom(const Seen& seen, int side)
   {
     const int nx = side + hall + 3 * margin, ny = hall + 2 * margin;
     space_.occupancy.shape = {nx, ny, 29};
@@ -92,35 +92,36 @@ private:
 
 TEST(RegionEvidence, TheShareOfTheBorderWithWallsIsCounted)
 {
-  EXPECT_DOUBLE_EQ(SquareRoom({1.0, 1.0, 1.0}).closed(), 1.0);
-  EXPECT_DOUBLE_EQ(SquareRoom({0.4, 1.0, 1.0}).closed(), 0.4);
-  EXPECT_DOUBLE_EQ(SquareRoom({0.0, 1.0, 1.0}).closed(), 0.0);
+  EXPECT_DOUBLE_EQ(SquareRoom({1.0, 1.0, 1.0}, 30).closed(), 1.0);
+  EXPECT_DOUBLE_EQ(SquareRoom({0.4, 1.0, 1.0}, 30).closed(), 0.4);
+  EXPECT_DOUBLE_EQ(SquareRoom({0.0, 1.0, 1.0}, 30).closed(), 0.0);
 }
 
 TEST(RegionEvidence, ASmallRegionOfWhichLittleWasSeenIsNoRoom)
 {
-  EXPECT_FALSE(SquareRoom({0.4, 0.1, 0.1}).isKept()); // a part of a garden
-  EXPECT_FALSE(SquareRoom({0.1, 0.9, 0.7}).isKept()); // what was seen through a door
-  EXPECT_FALSE(SquareRoom({0.4, 0.9, 0.0}).isKept()); // a yard
-  EXPECT_FALSE(SquareRoom({0.0, 1.0, 1.0}).isKept());
+  EXPECT_FALSE(SquareRoom({0.4, 0.1, 0.1}, 20).isKept()); // a part of a garden
+  EXPECT_FALSE(SquareRoom({0.1, 0.9, 0.7}, 20).isKept()); // seen through a door
+  EXPECT_FALSE(SquareRoom({0.4, 0.9, 0.0}, 20).isKept()); // a yard
+  EXPECT_FALSE(SquareRoom({0.0, 1.0, 1.0}, 20).isKept());
 }
 
 TEST(RegionEvidence, WallsOrFloorAndCeilingMakeARoom)
 {
-  EXPECT_TRUE(SquareRoom({1.0, 0.0, 0.0}).isKept()); // full of things
-  EXPECT_TRUE(SquareRoom({0.5, 0.6, 0.6}).isKept());
-  EXPECT_TRUE(SquareRoom({0.4, 1.0, 1.0}).isKept()); // an open corner
+  EXPECT_TRUE(SquareRoom({1.0, 0.0, 0.0}, 20).isKept()); // full of things
+  EXPECT_TRUE(SquareRoom({0.5, 0.6, 0.6}, 20).isKept());
+  EXPECT_TRUE(SquareRoom({0.4, 1.0, 1.0}, 20).isKept()); // an open corner
 }
 
 TEST(RegionEvidence, WhatTheWholeScanLacksDoesNotCount)
 {
-  EXPECT_FALSE(SquareRoom({0.6, 0.0, 0.0}).isKept());
-  EXPECT_TRUE(SquareRoom({0.6, 0.0, 0.0}).withWallsOnly().isKept());
-  EXPECT_FALSE(SquareRoom({0.4, 0.0, 0.0}).withWallsOnly().isKept());
+  EXPECT_FALSE(SquareRoom({0.6, 0.0, 0.0}, 20).isKept());
+  EXPECT_TRUE(SquareRoom({0.6, 0.0, 0.0}, 20).withWallsOnly().isKept());
+  EXPECT_FALSE(SquareRoom({0.4, 0.0, 0.0}, 20).withWallsOnly().isKept());
 }
 
 TEST(RegionEvidence, ALargeRegionIsARoomThatWasSeenInPart)
 {
-  EXPECT_FALSE(SquareRoom({0.1, 0.5, 0.1}, 31).isKept());
-  EXPECT_TRUE(SquareRoom({0.1, 0.5, 0.1}, 32).isKept()); // 10.24 m^2
+  EXPECT_TRUE(SquareRoom({0.2, 0.4, 0.4}, 30).isKept()); // 0.27 of 9 m^2
+  EXPECT_FALSE(SquareRoom({0.1, 0.5, 0.1}, 30).isKept());
+  EXPECT_TRUE(SquareRoom({0.1, 0.5, 0.1}, 40).isKept()); // 0.17 of 16 m^2
 }
