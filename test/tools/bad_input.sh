@@ -38,7 +38,7 @@ fi
 case $case in
   missing_file) expected='input.pcd: (no such (file|folder)|cannot be read)' ;;
   not_a_plan) echo '{"storeys": [{"rooms": 7}]}' > "$input"; expected='input.pcd: ' ;;
-  not_a_cloud) echo 'Dear reader,' > "$input"; expected='input.pcd: not a PCD, PLY or LAS file' ;;
+  not_a_cloud) echo 'Dear reader,' > "$input"; expected='input.pcd: not a PCD, .* file' ;;
   cut_header) pcd_header 300 ascii | head -n 4 > "$input"; expected='input.pcd: .*header' ;;
   truncated_ascii) { pcd_header 300 ascii; rows 200; } > "$input"; expected='input.pcd: .*truncated.* 300 .* 200' ;;
   truncated_binary)

@@ -297,7 +297,8 @@ TEST_F(CloudFiles, OtherFormatsAreNamedWithTheCommandThatConvertsThem)
       loadCloud(write(name, bytes));
     } catch (const ToolError& error) {
       const std::string text = error.what();
-      const std::string start = path(name) + ": not a PCD, PLY or LAS file but ";
+      const std::string start =
+          path(name) + ": not a PCD, PLY or LAS file but ";
       EXPECT_EQ(text.substr(0, start.size()), start);
       return text.substr(std::min(start.size(), text.size()));
     }

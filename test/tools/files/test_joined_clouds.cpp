@@ -104,8 +104,10 @@ TEST(JoinedClouds, PointsFollowEachOtherWithTheirStation)
       randomPoints(5, 1), randomPoints(1, 2), randomPoints(4, 3)};
   std::vector<std::string> left_out;
   const auto zero = Eigen::Vector3d::Zero();
-  const auto joined = joinedStream(
-      threeScans(points, {float32, float32, float32}, {zero, zero, zero}), left_out);
+  const auto joined =
+      joinedStream(threeScans(points, {float32, float32, float32}, {zero, zero, zero}),
+                   {"a", "b", "c"},
+                   left_out);
   EXPECT_TRUE(left_out.empty());
   ASSERT_EQ(joined->pointCount(), 10u);
   EXPECT_EQ(namesOf(joined->layout()),
@@ -142,6 +144,7 @@ TEST(JoinedClouds, OffsetsAndDoublesLoseNothing)
     const auto joined = joinedStream(
         threeScans(
             points, {float32, float64, all_doubles ? float64 : float32}, offsets),
+        {"a", "b", "c"},
         left_out);
     EXPECT_EQ(joined->frame().offset, offsets[0]);
     const auto all = joined->read(0, 10);
@@ -167,13 +170,43 @@ TEST(JoinedClouds, FieldsThatNotAllHaveAreLeftOutAndNamed)
   scans.push_back(
       streamInMemory(cloudOf(points, float32, {"return", "label"}), CloudFrame()));
   std::vector<std::string> left_out;
-  const auto joined = joinedStream(std::move(scans), left_out);
+  const auto joined = joinedStream(std::move(scans), {"a", "b"}, left_out);
   EXPECT_EQ(left_out, (std::vector<std::string>{"class", "return"}));
   EXPECT_EQ(namesOf(joined->layout()),
             (std::vector<std::string>{"x", "y", "z", "label", "station"}));
   const auto file = withPoints("both", joined->read(0, 6), joined->frame());
   EXPECT_EQ(readLabels(file, "label"),
             (std::vector<std::uint32_t>{0, 1, 2, 10, 11, 12})); // of its own place
+}
+
+TEST(JoinedClouds, StationsOfAScanKeepTheirNamesAndPlaces)
+{
+  CloudFrame seen;
+  seen.origin = {1, 2, 3, 0};
+  seen.offset = {691000, 0, 0};
+  std::vector<std::unique_ptr<CloudStream>> two;
+  two.push_back(streamInMemory(cloudOf(randomPoints(2, 8), float32, {}), seen));
+  two.push_back(streamInMemory(cloudOf(randomPoints(1, 9), float32, {}), CloudFrame()));
+  std::vector<std::string> left_out;
+  std::vector<std::unique_ptr<CloudStream>> scans;
+  scans.push_back(
+      streamInMemory(cloudOf(randomPoints(1, 7), float64, {}), CloudFrame()));
+  scans.push_back(joinedStream(std::move(two), {"hall", "yard"}, left_out));
+  const auto joined = joinedStream(std::move(scans), {"a.las", "b.e57"}, left_out);
+  const auto file = withPoints("all", joined->read(0, 4), joined->frame());
+  EXPECT_EQ(readLabels(file, "station"), (std::vector<std::uint32_t>{1, 2, 2, 3}));
+  ASSERT_EQ(joined->stations().size(), 3u);
+  EXPECT_EQ(joined->stations()[0].name, "a.las");
+  EXPECT_EQ(joined->stations()[1].name, "b.e57: hall");
+  EXPECT_EQ(joined->stations()[2].name, "b.e57: yard");
+  EXPECT_FALSE(joined->stations()[0].position);
+  EXPECT_EQ(joined->stations()[1].position, Eigen::Vector3d(691001, 2, 3));
+  EXPECT_FALSE(joined->stations()[2].position);
+  EXPECT_EQ(joined->read(2, 2).data,
+            std::vector<std::uint8_t>(
+                file.cloud.data.end() -
+                    static_cast<std::ptrdiff_t>(2 * file.cloud.point_step),
+                file.cloud.data.end()));
 }
 
 using ScanFilesTest = pcl::indoor::test::FolderTest;

@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
-#include "files/cloud_check.h"
 #include "files/cloud_file.h"
+#include "files/cloud_formats.h"
 #include "files/cloud_stream.h"
 #include "formats/las_file.h"
 #include "support/folder_test.h"

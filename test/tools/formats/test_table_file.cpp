@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
-#include "files/cloud_check.h"
 #include "files/cloud_file.h"
+#include "files/cloud_formats.h"
 #include "formats/table_file.h"
 #include "support/folder_test.h"
 
@@ -423,12 +423,12 @@ TEST_F(Tables, ControlCharactersAreLeftOut)
 TEST_F(Tables, TheyAreToldFromOtherFilesByEndingOrContent)
 {
   for (const char* name : {"a", "a.dat", "a.xyz", "a.XYZ", "a.asc", "a.csv", "a.pts"})
-    EXPECT_EQ(checkCloudFile(write(name, "x y z\n1 2 3\n")).format, CloudFormat::Table)
+    EXPECT_EQ(cloudFormatOf(write(name, "x y z\n1 2 3\n"))->name, std::string("table"))
         << name;
   const std::string pcd = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\n"
                           "TYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
                           "DATA ascii\n1 2 3\n";
-  EXPECT_EQ(checkCloudFile(write("pcd.txt", pcd)).format, CloudFormat::PCD);
+  EXPECT_EQ(cloudFormatOf(write("pcd.txt", pcd))->name, std::string("PCD"));
   for (const char* text : {"Dear reader,\n", "OFF\n3 1 0\n"})
     EXPECT_THROW(loadCloud(write("b", text)), ToolError) << text;
 }

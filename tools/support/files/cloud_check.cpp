@@ -6,19 +6,13 @@
 
 #include "command_line/options.h" // for ToolError
 #include "formats/file_header.h"
-#include "formats/foreign_format.h"
-#include "formats/las_file.h"
-#include "formats/mesh_file.h"
 #include "formats/pcd_header.h"
-#include "formats/table_file.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <optional>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -71,7 +65,7 @@ checkAsciiBody(std::istream& stream,
 }
 
 void
-checkPcd(const std::string& content, const std::string& path, CheckedCloud& checked)
+checkPcd(const std::string& content, const std::string& path, CheckedPcd& checked)
 {
   MemoryStream stream(content.data(), content.size());
   stream.exceptions(std::ios::badbit); // memory that lacks is no end of the file
@@ -105,104 +99,22 @@ checkPcd(const std::string& content, const std::string& path, CheckedCloud& chec
   checked.notes = pcd.notes;
 }
 
-/** The first word that is in no comment. */
-std::string
-firstWord(const std::string& beginning)
-{
-  std::istringstream stream(beginning);
-  for (std::string line; std::getline(stream, line);) {
-    const auto words = wordsOf(line.substr(0, 64));
-    if (!words.empty() && words[0][0] != '#')
-      return words[0];
-  }
-  return "";
-}
-
-std::optional<CloudFormat>
-formatOf(const std::string& path, const std::string& beginning)
-{
-  const auto words =
-      wordsOf(beginning.substr(0, std::min<std::size_t>(64, beginning.find('\n'))));
-  if (!words.empty() && words[0] == "ply")
-    return CloudFormat::PLY;
-  if (isLas(beginning))
-    return CloudFormat::LAS;
-  const auto first = firstWord(beginning);
-  if (first == "VERSION" || first == "FIELDS" || first == "COLUMNS")
-    return CloudFormat::PCD;
-  if (meshFormat(path, beginning))
-    return CloudFormat::Mesh;
-  if (isTable(path, beginning))
-    return CloudFormat::Table;
-  if (first.empty() && beginning[0] == '#') // a long comment
-    return CloudFormat::PCD;
-  return {};
-}
-
-std::string
-beginningOf(std::istream& stream)
-{
-  std::string beginning(512, '\0');
-  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(stream.gcount()));
-  stream.clear();
-  stream.seekg(0);
-  return beginning;
-}
-
 } // namespace
 
-CheckedCloud
-checkCloudFile(const std::string& path)
+CheckedPcd
+checkPcdFile(const std::string& path)
 {
   std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    throw ToolError(path + ": no such file");
-  if (!std::filesystem::is_regular_file(path, error))
-    throw ToolError(path + ": not a file");
-  const auto file_size = std::filesystem::file_size(path, error);
+  const auto size = std::filesystem::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
   if (!stream || error)
     throw ToolError(path + ": the file cannot be read");
-  const auto beginning = beginningOf(stream);
-  const auto format = formatOf(path, beginning);
-  if (format && *format != CloudFormat::PCD)
-    return {*format, 0, {}, "", {}};
-  if (format) {
-    CheckedCloud checked{CloudFormat::PCD, 0, {}, std::string(file_size, '\0'), {}};
-    stream.read(checked.content.data(), static_cast<std::streamsize>(file_size));
-    checked.content.resize(static_cast<std::size_t>(stream.gcount()));
-    checkPcd(checked.content, path, checked);
-    return checked;
-  }
-  const auto other = describeForeignFormat(path, beginning);
-  throw ToolError(
-      path + ": not a PCD, PLY or LAS file" +
-      (other.empty() ? ", nor a mesh or table of points" : " but " + other));
-}
-
-std::uint64_t
-promisedPoints(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  const auto beginning = beginningOf(stream);
-  const auto format = formatOf(path, beginning);
-  if (format == CloudFormat::LAS)
-    return lasPointCount(beginning);
-  if (format == CloudFormat::Table)
-    return tablePointCount(path, beginning);
-  try {
-    if (format == CloudFormat::PCD) {
-      auto header = readFileHeader(stream, "DATA", path);
-      return readPcdHeader(header, path).points;
-    }
-    if (format == CloudFormat::PLY)
-      for (const auto& words : readFileHeader(stream, "end_header", path).lines)
-        if (words.size() == 3 && words[0] == "element" && words[1] == "vertex")
-          return headerCount(words[2], words[0], path);
-  } catch (const ToolError&) { // said better by what reads the points
-  }
-  return 0;
+  CheckedPcd checked;
+  checked.content.resize(size);
+  stream.read(checked.content.data(), static_cast<std::streamsize>(size));
+  checked.content.resize(static_cast<std::size_t>(stream.gcount()));
+  checkPcd(checked.content, path, checked);
+  return checked;
 }
 
 } // namespace pcl::indoor::tool

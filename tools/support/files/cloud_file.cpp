@@ -5,24 +5,15 @@
 #include "files/cloud_file.h"
 
 #include "command_line/printable.h"
-#include "files/cloud_check.h"
+#include "files/cloud_formats.h"
 #include "files/coordinate_step.h"
 #include "files/field_value.h"
 #include "files/placed_points.h"
-#include "files/sampled_surface.h"
-#include "files/usual_fields.h"
 #include "formats/file_header.h"
-#include "formats/las_file.h"
-#include "formats/mesh_file.h"
-#include "formats/pcd_header.h"
-#include "formats/ply_file.h"
-#include "formats/silent_pcl.h"
-#include "formats/table_file.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
 #include <pcl/indoor/quantile.h>
 #include <pcl/indoor/usable_point.h>
-#include <pcl/io/pcd_io.h>
 
 #include <algorithm>
 #include <charconv>
@@ -54,91 +45,6 @@ readReals(const PCLPointCloud2& cloud, const std::string& name)
     bytes += cloud.point_step;
   }
   return values;
-}
-
-/** PCL's reader gets the header alone: it would take lines of the body for more of it,
- * and the memory that these ask for. */
-bool
-readPcd(const CheckedCloud& checked, CloudFile& file)
-{
-  const auto& content = checked.content;
-  const auto body = std::min<std::size_t>(checked.header.body_begin, content.size());
-  const auto text = pcdHeaderText(checked.header, false);
-  PCDReader reader;
-  MemoryStream header(text.data(), text.size());
-  header.exceptions(std::ios::badbit); // PCL would wait for the end for ever
-  int version = 0, encoding = 0;       // 0: ASCII, 2: compressed
-  unsigned int body_begin = 0;
-  if (reader.readHeader(header,
-                        file.cloud,
-                        file.frame.origin,
-                        file.frame.orientation,
-                        version,
-                        encoding,
-                        body_begin) != 0 ||
-      file.cloud.data.size() != checked.bytes || body_begin != text.size())
-    return false;
-  if (encoding != 0)
-    return reader.readBodyBinary(reinterpret_cast<const unsigned char*>(content.data()),
-                                 file.cloud,
-                                 version,
-                                 encoding == 2,
-                                 static_cast<unsigned int>(body)) == 0;
-  MemoryStream points(content.data() + body, content.size() - body);
-  points.exceptions(std::ios::badbit);
-  return reader.readBodyASCII(points, file.cloud, version) == 0;
-}
-
-/** Fields of other programs with PCL's names. */
-void
-nameFields(CloudFile& file)
-{
-  auto& cloud = file.cloud;
-  if (cloud.data.size() < pointCount(cloud) * cloud.point_step)
-    throw ToolError(file.path + ": the file is damaged, points are missing");
-  const UsualFields fields(
-      cloud, [&cloud]() -> const auto& { return cloud; });
-  cloud = fields.of(std::move(cloud));
-  file.notes = fields.notes();
-}
-
-void
-readFile(CloudFile& file, const TableColumns& columns)
-{
-  const auto checked = checkCloudFile(file.path);
-  if (!columns.names.empty() && checked.format != CloudFormat::Table)
-    throw ToolError(file.path + ": names its fields, '" + columns.names +
-                    "' is for tables");
-  const SilentPcl silence;
-  bool is_read = true;
-  try {
-    if (checked.format == CloudFormat::PCD)
-      is_read = readPcd(checked, file);
-    else if (checked.format == CloudFormat::LAS)
-      file.cloud = readLas(file.path, file.notes);
-    else if (checked.format == CloudFormat::Mesh)
-      drawPoints(readMesh(file.path), file);
-    else if (checked.format == CloudFormat::Table)
-      file.cloud = readTable(file.path, columns, file.notes);
-    else
-      file.frame.offset =
-          readPly(file.path, file.cloud, file.frame.origin, file.frame.orientation);
-  } catch (const ToolError&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception&) {
-    is_read = false; // the readers' own texts name neither file nor reason
-  }
-  if (!is_read)
-    throw ToolError(file.path + ": the file is damaged, its points cannot be read");
-  if (checked.format == CloudFormat::PCD || checked.format == CloudFormat::PLY)
-    nameFields(file);
-  file.notes.insert(file.notes.begin(), checked.notes.begin(), checked.notes.end());
-  if (checked.format == CloudFormat::PCD) {
-    file.frame.offset = checked.header.offset;
-    readPose(checked.header, file.frame);
-  }
 }
 
 /** Large coordinates lose their millimetres in a float: choose what to subtract, the
@@ -323,8 +229,11 @@ loadCloud(const std::string& path,
 {
   CloudFile file;
   file.path = path;
-  readFile(file, columns);
-  return withPoints(path, std::move(file.cloud), file.frame, least_points, file.notes);
+  readCloud(file, columns);
+  auto loaded =
+      withPoints(path, std::move(file.cloud), file.frame, least_points, file.notes);
+  loaded.stations = std::move(file.stations);
+  return loaded;
 }
 
 CloudFile

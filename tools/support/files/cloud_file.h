@@ -6,6 +6,7 @@
 
 #include "command_line/options.h" // for ToolError
 #include "files/cloud_writer.h"   // for CloudFrame
+#include "files/station.h"
 #include "formats/file_header.h"
 #include "formats/table_columns.h"
 
@@ -44,7 +45,7 @@ struct CloudFile {
   std::vector<Eigen::Vector3d> left_out;
   /** The file has normal_x, normal_y, normal_z, and they are normals. */
   bool has_normals = false;
-  std::vector<std::string> stations; ///< names of the files it was joined of, if any
+  std::vector<Station> stations; ///< see CloudStream::stations()
   /** What was odd in the file and how it was taken, a line each without its name. */
   std::vector<std::string> notes;
 };
@@ -53,8 +54,8 @@ struct CloudFile {
 void
 printNotes(const CloudFile& file);
 
-/** \brief Read a PCD (ascii, binary, binary_compressed), PLY or LAS file or a table of
- * points; which one it is, its content says, or the ending of a table's name.
+/** \brief Read a file of any of the formats of cloudFormatOf(): its content says which
+ * one it is, or the ending of a table's name.
  *
  * Prints nothing.
  * \param[in] columns of a table

@@ -7,6 +7,7 @@
 #include "command_line/options.h" // for ToolError
 #include "files/cloud_check.h"    // for MemoryStream
 #include "files/cloud_file.h"
+#include "files/cloud_formats.h"
 #include "files/cloud_sample.h"
 #include "files/usual_fields.h"
 #include "formats/file_header.h"
@@ -71,7 +72,7 @@ FileStream::open()
   stream_.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
   stream_.clear();
   stream_.seekg(0);
-  const bool is_open = isLas(beginning)                      ? openLas()
+  const bool is_open = isLas(path_, beginning)               ? openLas()
                        : beginning.compare(0, 3, "ply") == 0 ? openPly()
                                                              : openPcd();
   std::error_code error;
@@ -79,7 +80,7 @@ FileStream::open()
   if (!is_open || error || pointCount() == 0 || record_size_ == 0 ||
       size < body_begin_ || (size - body_begin_) / record_size_ < pointCount())
     return false;
-  if (!isLas(beginning))
+  if (!isLas(path_, beginning))
     nameFields();
   return isRealField(layout_, "x") && isRealField(layout_, "y") &&
          isRealField(layout_, "z");
@@ -192,16 +193,23 @@ emptyPart(const PCLPointCloud2& layout, std::size_t count)
 }
 
 std::unique_ptr<CloudStream>
-CloudStream::open(const std::string& path)
+openRecords(const std::string& path)
 {
   auto file = std::make_unique<FileStream>(path);
+  if (!file->open())
+    return nullptr;
+  return file;
+}
+
+std::unique_ptr<CloudStream>
+CloudStream::open(const std::string& path)
+{
   try {
-    if (!file->open())
-      return nullptr;
+    const auto* const format = cloudFormatOf(path);
+    return format != nullptr ? format->open(path) : nullptr;
   } catch (const ToolError&) {
     return nullptr;
   }
-  return file;
 }
 
 void

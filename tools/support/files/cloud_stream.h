@@ -5,6 +5,7 @@
 #pragma once
 
 #include "files/cloud_writer.h" // for CloudFrame
+#include "files/station.h"
 
 #include <pcl/PCLPointCloud2.h>
 
@@ -21,7 +22,8 @@ class CloudStream {
 public:
   virtual ~CloudStream() = default;
 
-  /** \brief Open a binary PCD, a binary PLY without faces and lists, or a LAS file.
+  /** \brief Open a file whose points can be read in parts: a binary PCD, a binary PLY
+   * without faces and lists, a LAS, E57 or PTX file.
    * \return null if it is none of these, or damaged: then loadCloud() can read it, or
    * says what is wrong
    */
@@ -48,6 +50,14 @@ public:
     return notes_;
   }
 
+  /** \brief Where the scanner stood, if the file tells; of several stations the field
+   * station tells from 1 at which one a point was measured. */
+  const std::vector<Station>&
+  stations() const
+  {
+    return stations_;
+  }
+
   std::uint64_t
   pointCount() const
   {
@@ -69,7 +79,14 @@ protected:
   PCLPointCloud2 layout_;
   CloudFrame frame_;
   std::vector<std::string> notes_;
+  std::vector<Station> stations_;
 };
+
+/** \brief Open a PCD, PLY or LAS file whose points are records of one size.
+ * \return null if they are not
+ * \throws ToolError if the file is damaged */
+std::unique_ptr<CloudStream>
+openRecords(const std::string& path);
 
 /** \brief A row of so many points with the fields of a layout, which have no bytes yet.
  */

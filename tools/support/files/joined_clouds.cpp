@@ -44,10 +44,12 @@ class StreamInMemory : public CloudStream {
 public:
   StreamInMemory(PCLPointCloud2 cloud,
                  const CloudFrame& frame,
-                 std::vector<std::string> notes)
+                 std::vector<std::string> notes,
+                 std::vector<Station> stations)
   : data_(std::move(cloud.data))
   {
     notes_ = std::move(notes);
+    stations_ = std::move(stations);
     layout_ = std::move(cloud);
     layout_.data.clear();
     frame_ = frame;
@@ -69,10 +71,13 @@ private:
 class JoinedStream : public CloudStream {
 public:
   JoinedStream(std::vector<std::unique_ptr<CloudStream>> scans,
+               const std::vector<std::string>& names,
                std::vector<std::string>& left_out)
   : scans_(std::move(scans))
   {
     frame_.offset = scans_.front()->frame().offset;
+    for (std::size_t s = 0; s < scans_.size(); ++s)
+      addStations(*scans_[s], names[s]);
     makeFields(left_out);
     std::uint64_t count = 0;
     for (const auto& scan : scans_)
@@ -108,6 +113,22 @@ public:
   }
 
 private:
+  void
+  addStations(const CloudStream& scan, const std::string& name)
+  {
+    const auto& own = scan.stations();
+    first_stations_.push_back(static_cast<std::uint32_t>(stations_.size() + 1));
+    if (own.empty()) {
+      const Eigen::Vector3d origin = scan.frame().origin.head<3>().cast<double>();
+      stations_.push_back({name, {}});
+      if (!origin.isZero())
+        stations_.back().position = origin + scan.frame().offset;
+    }
+    for (const auto& station : own)
+      stations_.push_back(
+          {own.size() > 1 ? name + ": " + station.name : name, station.position});
+  }
+
   /** The field of a scan that a field of the whole comes from; null if it cannot. */
   const PCLPointField*
   source(const PCLPointField& field, const CloudStream& scan) const
@@ -173,10 +194,18 @@ private:
       const auto* own = is_station ? nullptr : source(field, *scans_[scan]);
       const bool converts =
           isAxis(field.name) && field.datatype == PCLPointField::FLOAT64;
-      const auto station = static_cast<std::uint32_t>(scan + 1);
+      const auto* own_station = scans_[scan]->stations().size() > 1
+                                    ? fieldOf(points, station_field)
+                                    : nullptr;
       for (std::size_t i = 0; i < count; ++i) {
         auto* to = target + i * layout_.point_step + field.offset;
         if (is_station) {
+          std::uint32_t station = first_stations_[scan];
+          if (own_station != nullptr)
+            station += static_cast<std::uint32_t>(
+                valueAt(&points.data[i * points.point_step + own_station->offset],
+                        own_station->datatype) -
+                1);
           std::memcpy(to, &station, sizeof(station));
           continue;
         }
@@ -192,6 +221,7 @@ private:
   }
 
   std::vector<std::unique_ptr<CloudStream>> scans_;
+  std::vector<std::uint32_t> first_stations_; ///< of each scan, from 1
 };
 
 } // namespace
@@ -199,16 +229,19 @@ private:
 std::unique_ptr<CloudStream>
 streamInMemory(PCLPointCloud2 cloud,
                const CloudFrame& frame,
-               std::vector<std::string> notes)
+               std::vector<std::string> notes,
+               std::vector<Station> stations)
 {
-  return std::make_unique<StreamInMemory>(std::move(cloud), frame, std::move(notes));
+  return std::make_unique<StreamInMemory>(
+      std::move(cloud), frame, std::move(notes), std::move(stations));
 }
 
 std::unique_ptr<CloudStream>
 joinedStream(std::vector<std::unique_ptr<CloudStream>> scans,
+             const std::vector<std::string>& names,
              std::vector<std::string>& left_out)
 {
-  return std::make_unique<JoinedStream>(std::move(scans), left_out);
+  return std::make_unique<JoinedStream>(std::move(scans), names, left_out);
 }
 
 } // namespace pcl::indoor::tool

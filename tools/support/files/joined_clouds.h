@@ -16,20 +16,25 @@ namespace pcl::indoor::tool {
 std::unique_ptr<CloudStream>
 streamInMemory(PCLPointCloud2 cloud,
                const CloudFrame& frame,
-               std::vector<std::string> notes = {});
+               std::vector<std::string> notes = {},
+               std::vector<Station> stations = {});
 
 /** \brief Several scans of one building, from several stations, as one: their points
  * one scan after the other, in the frame of the first one's offset.
  *
  * It has the fields that all of them have with the same type, in the order of the
- * first, and the field station: from 1, of which of them a point is. Coordinates stay
+ * first, and the field station: from 1, at which station a point was measured. A scan
+ * that tells no stations has one. Coordinates stay
  * floats if they are floats in all and all tell the same offset; else they are doubles.
- * Of the sensors' poses none is kept.
+ * Of the sensors' poses only the positions are kept, see CloudStream::stations().
+ * \param[in] names of the scans; the stations of one that has several have its name and
+ * their own
  * \param[out] left_out fields that not all have
  * \throws ToolError if there are more points than a file can have, 2^32 - 1
  */
 std::unique_ptr<CloudStream>
 joinedStream(std::vector<std::unique_ptr<CloudStream>> scans,
+             const std::vector<std::string>& names,
              std::vector<std::string>& left_out);
 
 } // namespace pcl::indoor::tool

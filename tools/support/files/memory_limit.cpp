@@ -5,7 +5,7 @@
 #include "files/memory_limit.h"
 
 #include "command_line/options.h"
-#include "files/cloud_check.h"
+#include "files/cloud_formats.h"
 
 #include <algorithm>
 #include <cmath>

@@ -134,7 +134,7 @@ chooseCount(const std::string& path,
 } // namespace
 
 bool
-isLas(const std::string& beginning)
+isLas(const std::string& /*path*/, const std::string& beginning)
 {
   constexpr std::size_t format_place = 104; // whose highest bit says LAZ
   return beginning.compare(0, 4, "LASF") == 0 && beginning.size() > format_place &&
@@ -142,7 +142,7 @@ isLas(const std::string& beginning)
 }
 
 std::uint64_t
-lasPointCount(const std::string& beginning)
+lasPointCount(const std::string& /*path*/, const std::string& beginning)
 {
   const auto header = parseLasHeader(beginning);
   return header ? header->points : 0;

@@ -16,12 +16,12 @@ namespace pcl::indoor::tool {
 
 /** \brief Does a file with this beginning hold LAS points that are not compressed? */
 bool
-isLas(const std::string& beginning);
+isLas(const std::string& path, const std::string& beginning);
 
 /** \brief How many points the header of a LAS file promises; 0 if it is not understood.
  * \param[in] beginning of the file, 512 bytes if it has as many */
 std::uint64_t
-lasPointCount(const std::string& beginning);
+lasPointCount(const std::string& path, const std::string& beginning);
 
 /** \brief Read the points of a LAS file, versions 1.0 to 1.4, point formats 0 to 10.
  *

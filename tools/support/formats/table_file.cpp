@@ -5,7 +5,7 @@
 #include "formats/table_file.h"
 
 #include "command_line/options.h" // for ToolError
-#include "formats/cloud_endings.h"
+#include "formats/file_ending.h"
 #include "formats/table_rows.h"
 #include "formats/table_words.h"
 
@@ -133,13 +133,22 @@ putValue(const Target& target, double value, std::uint8_t* point)
 
 } // namespace
 
+const std::vector<std::string>&
+tableEndings()
+{
+  static const std::vector<std::string> endings = {
+      ".xyz", ".txt", ".csv", ".asc", ".pts", ".tsv", ".xyzn", ".xyzrgb"};
+  return endings;
+}
+
 bool
 isTable(const std::string& path, const std::string& beginning)
 {
   const auto lines = firstLines(beginning);
   if (!lines.empty() && lines[0].find('\0') != std::string_view::npos)
     return false;
-  if (hasTableEnding(path))
+  const auto& endings = tableEndings();
+  if (std::count(endings.begin(), endings.end(), fileEnding(path)) > 0)
     return true;
   // the first line may hold names or a count
   return std::any_of(lines.begin(),

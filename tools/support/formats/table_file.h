@@ -14,6 +14,10 @@
 
 namespace pcl::indoor::tool {
 
+/** \brief The endings of names of tables, such as ".xyz". */
+const std::vector<std::string>&
+tableEndings();
+
 /** \brief Is a file a table of points, a row of numbers each (XYZ, TXT, CSV, PTS)? By
  * the ending of its name, else by its first rows.
  * \param[in] beginning of the file, 512 bytes if it has as many

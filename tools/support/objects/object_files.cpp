@@ -4,7 +4,7 @@
  */
 #include "objects/object_files.h"
 
-#include "formats/cloud_endings.h"
+#include "files/cloud_formats.h"
 #include "formats/file_ending.h"
 #include "formats/mesh_file.h"
 

@@ -5,8 +5,8 @@
 #include "pipeline/pipeline_stages.h"
 
 #include "command_line/printable.h"
-#include "files/cloud_check.h" // for promisedPoints
 #include "files/cloud_file.h"
+#include "files/cloud_formats.h" // for promisedPoints
 #include "files/digest.h"
 #include "files/sampled_surface.h"
 #include "pipeline/scan_files.h"
@@ -197,6 +197,7 @@ loadScan(const PipelineOptions& options, Progress& progress)
       files.size() == 1
           ? std::move(opened[0])
           : joinedScans(files, std::move(opened), options.columns, notes_of_files);
+  const auto stations = stream ? stream->stations() : std::vector<Station>();
   Scan scan;
   if (in_parts && options.check)
     scan = readSample(name, std::move(stream));
@@ -214,9 +215,8 @@ loadScan(const PipelineOptions& options, Progress& progress)
   notes.insert(notes.end(), notes_of_files.begin(), notes_of_files.end());
   scan.file.notes.insert(scan.file.notes.begin(), notes.begin(), notes.end());
   printNotes(scan.file);
-  if (files.size() > 1)
-    for (const auto& file : files)
-      scan.file.stations.push_back(std::filesystem::path(file).filename().string());
+  if (!stations.empty())
+    scan.file.stations = stations;
   const auto points = std::to_string(scan.file.points->size());
   progress.done(scan.stream ? std::to_string(scan.stream->pointCount()) + " points, " +
                                   points + " for the rooms"

@@ -13,6 +13,8 @@
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/segmentation/scan_warnings.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -107,17 +109,20 @@ joinedScans(const std::vector<std::string>& files,
   for (std::size_t i = 0; i < files.size(); ++i)
     if (!opened[i]) {
       auto file = loadSurface(files[i], columns, 0);
-      opened[i] =
-          streamInMemory(std::move(file.cloud), file.frame, std::move(file.notes));
+      opened[i] = streamInMemory(std::move(file.cloud),
+                                 file.frame,
+                                 std::move(file.notes),
+                                 std::move(file.stations));
     }
   notes = notesOf(files, opened);
   std::vector<std::string> left_out;
-  auto joined = joinedStream(std::move(opened), left_out);
-  std::string names;
-  for (const auto& name : left_out)
-    names += (names.empty() ? "" : ", ") + name;
-  if (!names.empty())
-    notes.push_back("fields that not all of the scans have are left out: " + names);
+  std::vector<std::string> file_names;
+  for (const auto& file : files)
+    file_names.push_back(fs::path(file).filename().string());
+  auto joined = joinedStream(std::move(opened), file_names, left_out);
+  if (!left_out.empty())
+    notes.push_back("fields that not all of the scans have are left out: " +
+                    boost::algorithm::join(left_out, ", "));
   return joined;
 }
 

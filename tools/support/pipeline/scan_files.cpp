@@ -5,7 +5,7 @@
 #include "pipeline/scan_files.h"
 
 #include "command_line/options.h" // for ToolError
-#include "formats/cloud_endings.h"
+#include "files/cloud_formats.h"
 #include "formats/file_ending.h"
 #include "formats/foreign_format.h"
 #include "formats/mesh_file.h"
@@ -110,8 +110,8 @@ refuseEmpty(const std::string& folder, const FolderContent& content)
   if (instead.empty() && !content.folders.empty())
     instead = ", but folders: give one of them, for example " + folder + "/" +
               content.folders.front();
-  throw ToolError(folder + ": the folder holds no PCD, PLY or LAS file or table" +
-                  instead);
+  throw ToolError(folder + ": the folder holds no " + cloudFormatNames() +
+                  " file or table" + instead);
 }
 
 void

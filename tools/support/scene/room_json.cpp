@@ -81,13 +81,32 @@ roomsJson(const std::vector<Room>& rooms,
   return list;
 }
 
+/** The names of several stations, and the positions of those that are known. */
+void
+addStations(const CloudFile& file, Json& json)
+{
+  const auto& stations = file.stations;
+  Json names = Json::array(), positions = Json::array();
+  for (const auto& station : stations) {
+    const auto& at = station.position;
+    names.push_back(station.name);
+    positions.push_back(at ? Json{at->x(), at->y(), at->z()} : Json());
+  }
+  if (stations.size() > 1)
+    json["stations"] = names;
+  const auto is_known = [](const auto& station) {
+    return station.position.has_value();
+  };
+  if (std::any_of(stations.begin(), stations.end(), is_known))
+    json["station_positions"] = positions;
+}
+
 Json
 inputJson(const CloudFile& file, const std::vector<std::uint32_t>& room_of_point)
 {
   Json json;
   json["input"] = std::filesystem::path(file.path).filename().string();
-  if (!file.stations.empty())
-    json["stations"] = file.stations;
+  addStations(file, json);
   json["unit"] = "metre";
   json["offset"] = {
       file.frame.offset.x(), file.frame.offset.y(), file.frame.offset.z()};
