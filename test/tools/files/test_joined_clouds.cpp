@@ -102,13 +102,11 @@ TEST(JoinedClouds, PointsFollowEachOtherWithTheirStation)
 {
   const std::vector<Points> points = {
       randomPoints(5, 1), randomPoints(1, 2), randomPoints(4, 3)};
-  std::vector<std::string> left_out;
   const auto zero = Eigen::Vector3d::Zero();
   const auto joined =
       joinedStream(threeScans(points, {float32, float32, float32}, {zero, zero, zero}),
-                   {"a", "b", "c"},
-                   left_out);
-  EXPECT_TRUE(left_out.empty());
+                   {"a", "b", "c"});
+  EXPECT_TRUE(joined->notes().empty());
   ASSERT_EQ(joined->pointCount(), 10u);
   EXPECT_EQ(namesOf(joined->layout()),
             (std::vector<std::string>{"x", "y", "z", "label", "station"}));
@@ -140,12 +138,10 @@ TEST(JoinedClouds, OffsetsAndDoublesLoseNothing)
   const std::vector<Eigen::Vector3d> offsets = {
       {691000, 5334000, 500}, {691000, 5334000, 500}, {691010.25, 5334000, 0}};
   for (const bool all_doubles : {false, true}) {
-    std::vector<std::string> left_out;
     const auto joined = joinedStream(
         threeScans(
             points, {float32, float64, all_doubles ? float64 : float32}, offsets),
-        {"a", "b", "c"},
-        left_out);
+        {"a", "b", "c"});
     EXPECT_EQ(joined->frame().offset, offsets[0]);
     const auto all = joined->read(0, 10);
     EXPECT_EQ(all.fields[0].datatype, float64);
@@ -169,9 +165,10 @@ TEST(JoinedClouds, FieldsThatNotAllHaveAreLeftOutAndNamed)
       cloudOf(points, float32, {"label", "station", "class"}), CloudFrame()));
   scans.push_back(
       streamInMemory(cloudOf(points, float32, {"return", "label"}), CloudFrame()));
-  std::vector<std::string> left_out;
-  const auto joined = joinedStream(std::move(scans), {"a", "b"}, left_out);
-  EXPECT_EQ(left_out, (std::vector<std::string>{"class", "return"}));
+  const auto joined = joinedStream(std::move(scans), {"a", "b"});
+  EXPECT_EQ(joined->notes(),
+            (std::vector<std::string>{
+                "fields that not all of the scans have are left out: class, return"}));
   EXPECT_EQ(namesOf(joined->layout()),
             (std::vector<std::string>{"x", "y", "z", "label", "station"}));
   const auto file = withPoints("both", joined->read(0, 6), joined->frame());
@@ -187,12 +184,11 @@ TEST(JoinedClouds, StationsOfAScanKeepTheirNamesAndPlaces)
   std::vector<std::unique_ptr<CloudStream>> two;
   two.push_back(streamInMemory(cloudOf(randomPoints(2, 8), float32, {}), seen));
   two.push_back(streamInMemory(cloudOf(randomPoints(1, 9), float32, {}), CloudFrame()));
-  std::vector<std::string> left_out;
   std::vector<std::unique_ptr<CloudStream>> scans;
   scans.push_back(
       streamInMemory(cloudOf(randomPoints(1, 7), float64, {}), CloudFrame()));
-  scans.push_back(joinedStream(std::move(two), {"hall", "yard"}, left_out));
-  const auto joined = joinedStream(std::move(scans), {"a.las", "b.e57"}, left_out);
+  scans.push_back(joinedStream(std::move(two), {"hall", "yard"}));
+  const auto joined = joinedStream(std::move(scans), {"a.las", "b.e57"});
   const auto file = withPoints("all", joined->read(0, 4), joined->frame());
   EXPECT_EQ(readLabels(file, "station"), (std::vector<std::uint32_t>{1, 2, 2, 3}));
   ASSERT_EQ(joined->stations().size(), 3u);

@@ -8,6 +8,7 @@
 #include "files/cloud_check.h"
 #include "files/sampled_surface.h"
 #include "files/usual_fields.h"
+#include "formats/e57/e57_file.h"
 #include "formats/file_ending.h"
 #include "formats/file_header.h"
 #include "formats/foreign_format.h"
@@ -195,6 +196,7 @@ cloudFormats()
       {"PCD", {".pcd"}, isPcd, pcdPointCount, openRecords, loadPcd},
       {"PLY", {".ply"}, isPly, plyPointCount, openRecords, loadPly},
       {"LAS", {".las"}, isLas, lasPointCount, openRecords, loadLas},
+      {"E57", {".e57"}, isE57, e57PointCount, openE57, nullptr},
       {"mesh",
        {},
        [](const auto& path, const auto& beginning) {

@@ -50,6 +50,12 @@ public:
     return notes_;
   }
 
+  void
+  addNote(const std::string& note)
+  {
+    notes_.push_back(note);
+  }
+
   /** \brief Where the scanner stood, if the file tells; of several stations the field
    * station tells from 1 at which one a point was measured. */
   const std::vector<Station>&

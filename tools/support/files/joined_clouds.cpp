@@ -9,6 +9,8 @@
 
 #include <pcl/common/io.h> // for getFieldIndex, getFieldSize
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -38,6 +40,30 @@ sizeOf(const PCLPointField& field)
 {
   return static_cast<std::size_t>(getFieldSize(field.datatype)) *
          std::max(field.count, 1u);
+}
+
+/** The notes of several scans, those that are the same as one. */
+std::vector<std::string>
+notesOf(const std::vector<std::string>& scan_names,
+        const std::vector<std::unique_ptr<CloudStream>>& scans)
+{
+  std::vector<std::pair<std::string, std::vector<std::string>>> scans_of_note;
+  for (std::size_t i = 0; i < scans.size(); ++i)
+    for (const auto& note : scans[i]->notes()) {
+      auto same = std::find_if(scans_of_note.begin(),
+                               scans_of_note.end(),
+                               [&](const auto& other) { return other.first == note; });
+      if (same == scans_of_note.end())
+        same = scans_of_note.insert(same, {note, {}});
+      same->second.push_back(scan_names[i]);
+    }
+  std::vector<std::string> notes;
+  for (const auto& [note, names] : scans_of_note)
+    notes.push_back(
+        names.front() +
+        (names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "") +
+        ": " + note);
+  return notes;
 }
 
 class StreamInMemory : public CloudStream {
@@ -71,14 +97,14 @@ private:
 class JoinedStream : public CloudStream {
 public:
   JoinedStream(std::vector<std::unique_ptr<CloudStream>> scans,
-               const std::vector<std::string>& names,
-               std::vector<std::string>& left_out)
+               const std::vector<std::string>& names)
   : scans_(std::move(scans))
   {
     frame_.offset = scans_.front()->frame().offset;
     for (std::size_t s = 0; s < scans_.size(); ++s)
       addStations(*scans_[s], names[s]);
-    makeFields(left_out);
+    notes_ = notesOf(names, scans_);
+    makeFields();
     std::uint64_t count = 0;
     for (const auto& scan : scans_)
       count += scan->pointCount();
@@ -152,7 +178,7 @@ private:
   }
 
   void
-  makeFields(std::vector<std::string>& left_out)
+  makeFields()
   {
     const auto append = [this](PCLPointField field) {
       field.offset = layout_.point_step;
@@ -170,12 +196,16 @@ private:
       if (in_all && field.name != station_field && field.name != "_")
         append(field);
     }
+    std::vector<std::string> left_out;
     for (const auto& scan : scans_)
       for (const auto& field : scan->layout().fields)
         if (field.name != "_" && field.name != station_field &&
             fieldOf(layout_, field.name) == nullptr &&
             std::find(left_out.begin(), left_out.end(), field.name) == left_out.end())
           left_out.push_back(field.name);
+    if (!left_out.empty())
+      addNote("fields that not all of the scans have are left out: " +
+              boost::algorithm::join(left_out, ", "));
     PCLPointField station;
     station.name = station_field;
     station.datatype = PCLPointField::UINT32;
@@ -238,10 +268,9 @@ streamInMemory(PCLPointCloud2 cloud,
 
 std::unique_ptr<CloudStream>
 joinedStream(std::vector<std::unique_ptr<CloudStream>> scans,
-             const std::vector<std::string>& names,
-             std::vector<std::string>& left_out)
+             const std::vector<std::string>& names)
 {
-  return std::make_unique<JoinedStream>(std::move(scans), names, left_out);
+  return std::make_unique<JoinedStream>(std::move(scans), names);
 }
 
 } // namespace pcl::indoor::tool

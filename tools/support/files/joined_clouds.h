@@ -29,12 +29,11 @@ streamInMemory(PCLPointCloud2 cloud,
  * Of the sensors' poses only the positions are kept, see CloudStream::stations().
  * \param[in] names of the scans; the stations of one that has several have its name and
  * their own
- * \param[out] left_out fields that not all have
+ * Its notes are those of the scans, and one on fields that not all of them have.
  * \throws ToolError if there are more points than a file can have, 2^32 - 1
  */
 std::unique_ptr<CloudStream>
 joinedStream(std::vector<std::unique_ptr<CloudStream>> scans,
-             const std::vector<std::string>& names,
-             std::vector<std::string>& left_out);
+             const std::vector<std::string>& names);
 
 } // namespace pcl::indoor::tool

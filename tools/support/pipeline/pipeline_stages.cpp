@@ -192,11 +192,10 @@ loadScan(const PipelineOptions& options, Progress& progress)
                   : options.check ? "Reading some points of "
                                   : "Reading in parts ") +
                  name);
-  std::vector<std::string> notes_of_files;
-  auto stream =
-      files.size() == 1
-          ? std::move(opened[0])
-          : joinedScans(files, std::move(opened), options.columns, notes_of_files);
+  auto stream = files.size() == 1
+                    ? std::move(opened[0])
+                    : joinedScans(files, std::move(opened), options.columns);
+  const auto told = stream ? stream->notes() : std::vector<std::string>();
   const auto stations = stream ? stream->stations() : std::vector<Station>();
   Scan scan;
   if (in_parts && options.check)
@@ -210,9 +209,8 @@ loadScan(const PipelineOptions& options, Progress& progress)
         withPoints(name,
                    stream->read(0, static_cast<std::size_t>(stream->pointCount())),
                    stream->frame());
-  if (scan.stream && files.size() == 1 && !options.check)
-    notes_of_files = scan.stream->notes();
-  notes.insert(notes.end(), notes_of_files.begin(), notes_of_files.end());
+  if (in_parts ? !options.check : files.size() > 1) // else the file has them
+    notes.insert(notes.end(), told.begin(), told.end());
   scan.file.notes.insert(scan.file.notes.begin(), notes.begin(), notes.end());
   printNotes(scan.file);
   if (!stations.empty())

@@ -13,8 +13,6 @@
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/segmentation/scan_warnings.h>
 
-#include <boost/algorithm/string/join.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -40,30 +38,6 @@ scatteredPoints(CloudStream& stream)
     cloud.width += part.width;
   }
   return cloud;
-}
-
-/** The notes of several files, those that are the same as one. */
-std::vector<std::string>
-notesOf(const std::vector<std::string>& files,
-        const std::vector<std::unique_ptr<CloudStream>>& opened)
-{
-  std::vector<std::pair<std::string, std::vector<std::string>>> files_of_note;
-  for (std::size_t i = 0; i < files.size(); ++i)
-    for (const auto& note : opened[i]->notes()) {
-      auto same = std::find_if(files_of_note.begin(),
-                               files_of_note.end(),
-                               [&](const auto& other) { return other.first == note; });
-      if (same == files_of_note.end())
-        same = files_of_note.insert(same, {note, {}});
-      same->second.push_back(fs::path(files[i]).filename().string());
-    }
-  std::vector<std::string> notes;
-  for (const auto& [note, names] : files_of_note)
-    notes.push_back(
-        names.front() +
-        (names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "") +
-        ": " + note);
-  return notes;
 }
 
 PointCloud<PointXYZ>::Ptr
@@ -103,8 +77,7 @@ setPlaces(const PCLPointCloud2& sample, Scan& scan)
 std::unique_ptr<CloudStream>
 joinedScans(const std::vector<std::string>& files,
             std::vector<std::unique_ptr<CloudStream>> opened,
-            const TableColumns& columns,
-            std::vector<std::string>& notes)
+            const TableColumns& columns)
 {
   for (std::size_t i = 0; i < files.size(); ++i)
     if (!opened[i]) {
@@ -114,16 +87,10 @@ joinedScans(const std::vector<std::string>& files,
                                  std::move(file.notes),
                                  std::move(file.stations));
     }
-  notes = notesOf(files, opened);
-  std::vector<std::string> left_out;
-  std::vector<std::string> file_names;
+  std::vector<std::string> names;
   for (const auto& file : files)
-    file_names.push_back(fs::path(file).filename().string());
-  auto joined = joinedStream(std::move(opened), file_names, left_out);
-  if (!left_out.empty())
-    notes.push_back("fields that not all of the scans have are left out: " +
-                    boost::algorithm::join(left_out, ", "));
-  return joined;
+    names.push_back(fs::path(file).filename().string());
+  return joinedStream(std::move(opened), names);
 }
 
 double

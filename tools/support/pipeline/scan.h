@@ -35,13 +35,11 @@ struct Scan {
  * be read in parts are read into memory.
  * \param[in] opened of each file, null if it cannot be read in parts
  * \param[in] columns of tables
- * \param[out] notes of the files, see CloudFile::notes, and on fields left out
  */
 std::unique_ptr<CloudStream>
 joinedScans(const std::vector<std::string>& files,
             std::vector<std::unique_ptr<CloudStream>> opened,
-            const TableColumns& columns,
-            std::vector<std::string>& notes);
+            const TableColumns& columns);
 
 /** \brief The unit that the points seem to be in, metres: see RoomSegmentation. */
 double
