@@ -250,9 +250,11 @@ TEST_F(ScanFilesTest, FilesThatAreLeftOutAreNamed)
   for (const char* name : {"1.laz", "2.laz", "3.LAZ", ".DS_Store"})
     write(std::string("stations/") + name, "x");
   const auto refusal = refusalOf(folder);
-  EXPECT_NE(refusal.find("stations: the folder holds no PCD, PLY or LAS file or table, "
-                         "but 1.laz and 2 more: a LAZ file"),
-            std::string::npos)
+  EXPECT_NE(
+      refusal.find(
+          "stations: the folder holds no PCD, PLY, LAS, E57 or PTX file or table, "
+          "but 1.laz and 2 more: a LAZ file"),
+      std::string::npos)
       << refusal;
   write("stations/a.las", "x");
   const auto found = scanFiles({folder});

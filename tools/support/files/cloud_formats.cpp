@@ -16,6 +16,7 @@
 #include "formats/mesh_file.h"
 #include "formats/pcd_header.h"
 #include "formats/ply_file.h"
+#include "formats/ptx_file.h"
 #include "formats/silent_pcl.h"
 #include "formats/table_file.h"
 
@@ -197,6 +198,7 @@ cloudFormats()
       {"PLY", {".ply"}, isPly, plyPointCount, openRecords, loadPly},
       {"LAS", {".las"}, isLas, lasPointCount, openRecords, loadLas},
       {"E57", {".e57"}, isE57, e57PointCount, openE57, nullptr},
+      {"PTX", {".ptx"}, isPtx, ptxPointCount, openPtx, nullptr},
       {"mesh",
        {},
        [](const auto& path, const auto& beginning) {

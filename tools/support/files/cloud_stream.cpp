@@ -192,6 +192,20 @@ emptyPart(const PCLPointCloud2& layout, std::size_t count)
   return part;
 }
 
+void
+CloudStream::setStation(const std::string& name,
+                        const Eigen::Vector3d& position,
+                        const Eigen::Matrix3d& turn)
+{
+  constexpr double tolerance = 1e-3; // as text with three decimals has it
+  stations_ = {{name, position}};
+  const Eigen::Vector3f origin = position.cast<float>();
+  if (!origin.allFinite() || !turn.isUnitary(tolerance) || turn.determinant() < 0)
+    return;
+  frame_.origin.head<3>() = origin;
+  frame_.orientation = Eigen::Quaterniond(turn).cast<float>();
+}
+
 std::unique_ptr<CloudStream>
 openRecords(const std::string& path)
 {

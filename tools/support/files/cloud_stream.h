@@ -82,6 +82,13 @@ public:
       const std::function<void(std::uint64_t first, PCLPointCloud2& part)>& visit);
 
 protected:
+  /** \brief Tell the only station, and the sensor's pose as far as floats have it.
+   * \param[in] turn of the scan's coordinates; may be no rotation */
+  void
+  setStation(const std::string& name,
+             const Eigen::Vector3d& position,
+             const Eigen::Matrix3d& turn);
+
   PCLPointCloud2 layout_;
   CloudFrame frame_;
   std::vector<std::string> notes_;

@@ -27,26 +27,17 @@ constexpr const char* laspy =
     "unpack it (needs python3-venv): python3 -m venv las && las/bin/pip install "
     "'laspy[lazrs]' && las/bin/python -c 'import sys, laspy; "
     "laspy.read(sys.argv[1]).write(sys.argv[2])' IN OUT.las";
-constexpr const char* pye57 =
-    "convert it (needs python3-venv): python3 -m venv e57 && e57/bin/pip install pye57 "
-    "&& e57/bin/python -c 'import sys, numpy, pye57; f = pye57.E57(sys.argv[1]); "
-    "numpy.savetxt(sys.argv[2], numpy.vstack([numpy.transpose([s[\"cartesian\" + a] "
-    "for "
-    "a in \"XYZ\"]) for s in (f.read_scan(i, ignore_missing_fields=True) for i in "
-    "range(f.scan_count))]), \"%.4f\")' IN OUT.xyz";
 constexpr const char* cloud_compare =
     "convert it (needs cloudcompare): CloudCompare -SILENT -AUTO_SAVE OFF -O "
     "-GLOBAL_SHIFT AUTO IN -C_EXPORT_FMT PLY -MERGE_CLOUDS -SAVE_CLOUDS";
 constexpr const char* assimp =
     "convert it (needs assimp-utils): assimp export IN OUT.obj";
 constexpr const char* from_its_program =
-    "only its maker's programs read it: export it from there as LAS, PLY, PTS or PCD";
+    "only its maker's programs read it: export it from there as E57, LAS, PLY or PTX";
 
 /** Of two that fit, the earlier one is meant. */
 const std::vector<Format> formats = {
     {"a LAZ file", {"LASF"}, {".laz"}, laspy}, // LAS is none of these
-    {"an E57 file", {"ASTM-E57"}, {".e57"}, pye57},
-    {"a PTX file", {}, {".ptx"}, cloud_compare},
     {"a file of CloudCompare", {"CCB"}, {}, cloud_compare},
     {"a ReCap project or scan", {}, {".rcp", ".rcs"}, from_its_program},
     {"a scan of FARO", {}, {".fls", ".fws", ".lsproj"}, from_its_program},

@@ -90,9 +90,7 @@ public:
     stations_ = {{scan_.name, {}}};
     if (!points_.isAtStation() && scan_.pose.isApprox(Eigen::Isometry3d::Identity()))
       return; // joined and exported before: nobody knows
-    stations_[0].position = scan_.pose.translation();
-    frame_.origin.head<3>() = scan_.pose.translation().cast<float>();
-    frame_.orientation = Eigen::Quaternionf(scan_.pose.linear().cast<float>());
+    setStation(scan_.name, scan_.pose.translation(), scan_.pose.linear());
   }
 
   /** \brief Points that are flagged as invalid. */

@@ -202,7 +202,7 @@ E57Points::addColors()
       for (std::size_t c = 0; c < 3; ++c) {
         const double share = (values[from[c]][i] - limits[c].least) /
                              (limits[c].largest - limits[c].least);
-        rgb = rgb << 8 | nearest<std::uint8_t>(255.0 * share + 0.5);
+        rgb = rgb << 8 | nearest<std::uint8_t>(256.0 * share);
       }
       std::memcpy(to + at, &rgb, sizeof(rgb));
     }
