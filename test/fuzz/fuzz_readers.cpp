@@ -18,6 +18,7 @@
 #include "formats/ply_file.h"
 #include "mutation.h"
 #include "objects/category_names.h"
+#include "support/e57_writer.h"
 #include "support/folder_test.h" // for bytesOf
 #include "work_files.h"
 
@@ -156,6 +157,8 @@ allReaders()
       {"model", readModelFile, repairModel},
       {"joining", readJoining},
       {"las", readCloud},
+      {"e57", readCloud, test::E57Writer::sign},
+      {"ptx", readCloud},
       {"xyz", readCloud},
       {"work", readWorkFile, [](std::string&) {}, wholeWorkFiles()},
       {"record", readRecord, repairWorkFile, wholeWorkFiles()},

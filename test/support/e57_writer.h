@@ -4,7 +4,6 @@
  */
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -77,7 +76,8 @@ struct E57TestScan {
 /** \brief Makes small E57 files (ASTM E2807), bit by bit as the standard has it. */
 class E57Writer {
 public:
-  std::size_t piece = 64; ///< bytes of the first field in a packet; others have more
+  std::size_t points = 20; ///< of a packet; of some fields a little more
+  bool are_apart = false;  ///< each field in packets of its own, one after the other
   std::string codecs = {};
   std::uint64_t section_id = 1;
 
@@ -154,16 +154,21 @@ private:
     std::vector<std::string> streams;
     for (const auto& column : columns)
       streams.push_back(packed(column));
+    std::vector<std::size_t> done(streams.size(), 0);
     const auto has_more = [&] {
-      return std::any_of(
-          streams.begin(), streams.end(), [](const auto& s) { return !s.empty(); });
+      for (std::size_t f = 0; f < streams.size(); ++f)
+        if (done[f] < streams[f].size())
+          return true;
+      return false;
     };
     for (std::size_t number = 0; has_more(); ++number) {
       std::string packet("\1\0\0\0", 4), pieces;
       append(packet, static_cast<std::uint16_t>(streams.size()));
       for (std::size_t f = 0; f < streams.size(); ++f) {
-        const auto taken = streams[f].substr(0, piece + f * (piece / 4));
-        streams[f].erase(0, taken.size());
+        const bool waits = are_apart && f > 0 && done[f - 1] < streams[f - 1].size();
+        const auto size = (points * columns[f].bits + 7) / 8 + f % 3;
+        const auto taken = streams[f].substr(done[f], waits ? 0 : size);
+        done[f] += taken.size();
         append(packet, static_cast<std::uint16_t>(taken.size()));
         pieces += taken;
       }

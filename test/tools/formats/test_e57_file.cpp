@@ -216,8 +216,9 @@ TEST_F(E57Files, ScaledNumbersHaveScaleAndOffset)
 TEST_F(E57Files, PartsAreThoseOfTheWhole)
 {
   E57Writer writer;
-  for (const std::size_t piece : {7, 64, 3000}) {
-    writer.piece = piece;
+  for (const std::size_t points : {1, 20, 300, 0}) {
+    writer.points = points > 0 ? points : 50;
+    writer.are_apart = points == 0;
     const auto scan =
         scanWith({e57Wholes("intensity", 0, 1000, randomWholes(900, 0, 1000, 4)),
                   e57Wholes("rowIndex", 0, 4, randomWholes(900, 0, 4, 5))},

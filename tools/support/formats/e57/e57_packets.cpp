@@ -127,59 +127,83 @@ E57Packets::requireAllValues(const Mark& end) const
     throwTruncated(pages_.path(), scan_.count, found, "points of '" + scan_.name + "'");
 }
 
+E57Packets::Wanted
+E57Packets::wantedOf(std::size_t field, std::uint64_t first, std::size_t count) const
+{
+  const auto bits = scan_.fields[field].bits;
+  Wanted wanted;
+  wanted.field = field;
+  wanted.begin = first / 8 * bits + first % 8 * bits / 8;
+  wanted.end = bytesOf(first + count, scan_.fields[field]);
+  const auto behind =
+      std::partition_point(marks_.begin() + 1, marks_.end(), [&](const Mark& mark) {
+        return mark.bytes[field] <= wanted.begin;
+      });
+  wanted.mark = static_cast<std::size_t>(behind - marks_.begin()) - 1;
+  return wanted;
+}
+
+/** Read bytes that lie near each other, none of them before a mark. */
+void
+E57Packets::gather(const std::vector<Wanted>& wanted, Mark mark)
+{
+  const auto has_all = [&mark](const Wanted& w) {
+    return mark.bytes[w.field] >= w.end;
+  };
+  while (!std::all_of(wanted.begin(), wanted.end(), has_all)) {
+    if (mark.place >= end_)
+      throw ToolError(pages_.path() + ": the file can no longer be read");
+    const auto packet = packetAt(mark.place);
+    auto place = mark.place + 6 + 2 * packet.lengths.size();
+    auto next = wanted.begin(); // they are in the order of their fields
+    for (std::size_t f = 0; f < packet.lengths.size(); ++f) {
+      auto& begin = mark.bytes[f];
+      if (next != wanted.end() && next->field == f) {
+        const auto from = std::max(begin, next->begin);
+        const auto end = std::min(begin + packet.lengths[f], next->end);
+        if (from < end) {
+          auto& bytes = *next->bytes;
+          bytes.resize(bytes.size() + (end - from));
+          pages_.read(
+              place + (from - begin), &bytes[bytes.size() - (end - from)], end - from);
+        }
+        ++next;
+      }
+      begin += packet.lengths[f];
+      place += packet.lengths[f];
+    }
+    mark.place += packet.size;
+  }
+}
+
 std::vector<std::string>
 E57Packets::read(std::uint64_t first,
                  std::size_t count,
                  const std::vector<std::size_t>& fields)
 {
-  struct Range {
-    std::uint64_t begin, end;
-  };
-  std::vector<Range> ranges;
-  std::vector<std::string> streams;
-  for (const auto f : fields) {
-    const auto bits = scan_.fields[f].bits;
-    ranges.push_back({first / 8 * bits + first % 8 * bits / 8,
-                      bytesOf(first + count, scan_.fields[f])});
-    streams.emplace_back().reserve(ranges.back().end - ranges.back().begin + padding);
+  constexpr std::size_t near = 2; // marks: fields of a point lie in one packet or two
+  std::vector<std::string> streams(fields.size());
+  std::vector<Wanted> left;
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    left.push_back(wantedOf(fields[k], first, count));
+    left.back().bytes = &streams[k];
+    streams[k].reserve(left.back().end - left.back().begin + padding);
   }
-  const auto lies_before = [&](const Mark& mark) {
-    for (std::size_t k = 0; k < fields.size(); ++k)
-      if (mark.bytes[fields[k]] > ranges[k].begin)
-        return false;
-    return true;
+  const auto is_earlier = [](const Wanted& a, const Wanted& b) {
+    return a.mark < b.mark;
   };
-  auto mark =
-      *(std::partition_point(marks_.begin() + 1, marks_.end(), lies_before) - 1);
-  const auto wants_more = [&] {
-    for (std::size_t k = 0; k < fields.size(); ++k)
-      if (mark.bytes[fields[k]] < ranges[k].end)
-        return true;
-    return false;
-  };
-  while (wants_more()) {
-    if (mark.place >= end_)
-      throw ToolError(pages_.path() + ": the file can no longer be read");
-    const auto packet = packetAt(mark.place);
-    std::vector<std::uint64_t> places(packet.lengths.size());
-    std::uint64_t place = mark.place + 6 + 2 * packet.lengths.size();
-    for (std::size_t f = 0; f < places.size(); ++f) {
-      places[f] = place;
-      place += packet.lengths[f];
-    }
-    for (std::size_t k = 0; k < fields.size() && !places.empty(); ++k) {
-      auto& begin = mark.bytes[fields[k]];
-      const auto from = std::max(begin, ranges[k].begin);
-      const auto end = std::min(begin + packet.lengths[fields[k]], ranges[k].end);
-      if (from < end) {
-        const auto size = streams[k].size();
-        streams[k].resize(size + (end - from));
-        pages_.read(places[fields[k]] + (from - begin), &streams[k][size], end - from);
-      }
-    }
-    for (std::size_t f = 0; f < places.size(); ++f)
-      mark.bytes[f] += packet.lengths[f];
-    mark.place += packet.size;
+  std::sort(left.begin(), left.end(), is_earlier);
+  for (auto begin = left.begin(); begin != left.end();) {
+    const auto earliest = begin->mark;
+    const auto end = std::find_if(begin, left.end(), [earliest](const Wanted& wanted) {
+      return wanted.mark > earliest + near;
+    });
+    std::vector<Wanted> together(begin, end);
+    std::sort(together.begin(), together.end(), [](const auto& a, const auto& b) {
+      return a.field < b.field;
+    });
+    gather(together, marks_[earliest]);
+    begin = end;
   }
   for (auto& stream : streams)
     stream.append(padding, '\0');

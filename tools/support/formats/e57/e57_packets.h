@@ -47,6 +47,14 @@ private:
     std::vector<std::uint64_t> bytes; ///< of each stream that lie before
   };
 
+  /** Bytes of the stream of a field that are wanted. */
+  struct Wanted {
+    std::size_t field = 0;
+    std::uint64_t begin = 0, end = 0;
+    std::size_t mark = 0; ///< last one before them
+    std::string* bytes = nullptr;
+  };
+
   /** The header of a packet. */
   struct Packet {
     std::size_t size = 0;
@@ -65,6 +73,12 @@ private:
 
   void
   requireAllValues(const Mark& end) const;
+
+  Wanted
+  wantedOf(std::size_t field, std::uint64_t first, std::size_t count) const;
+
+  void
+  gather(const std::vector<Wanted>& wanted, Mark mark);
 
   [[noreturn]] void
   refuse(const std::string& problem) const;
