@@ -78,6 +78,7 @@ class E57Writer {
 public:
   std::size_t points = 20; ///< of a packet; of some fields a little more
   bool are_apart = false;  ///< each field in packets of its own, one after the other
+  bool has_others = true;  ///< packets without data among them
   std::string codecs = {};
   std::uint64_t section_id = 1;
 
@@ -85,10 +86,15 @@ public:
   file(const std::vector<E57TestScan>& scans)
   {
     logical_.assign(48, '\0');
-    std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                      "<e57Root type=\"Structure\" "
-                      "xmlns=\"http://www.astm.org/COMMIT/E57/2010-e57-v1.0\">\n"
-                      "<data3D type=\"Vector\" allowHeterogeneousChildren=\"1\">\n";
+    std::string xml =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<e57Root type=\"Structure\" "
+        "xmlns=\"http://www.astm.org/COMMIT/E57/2010-e57-v1.0\" "
+        "xmlns:las=\"http://www.astm.org/COMMIT/E57/2010-las-v1.0\" "
+        "xmlns:nor=\"http://www.libe57.org/E57_NOR_surface_normals.txt\">\n"
+        "<formatName type=\"String\">ASTM E57 3D Imaging Data File</formatName>\n"
+        "<guid type=\"String\">file</guid>\n<versionMajor type=\"Integer\">1"
+        "</versionMajor>\n<versionMinor type=\"Integer\"/>\n"
+        "<data3D type=\"Vector\" allowHeterogeneousChildren=\"1\">\n";
     for (const auto& scan : scans)
       xml += describe(scan, addPoints(scan));
     xml += "</data3D>\n<images2D type=\"Vector\"/>\n</e57Root>\n";
@@ -177,7 +183,7 @@ private:
       std::string other(number % 3 == 0 ? 16 : 8, '\0');
       other[0] = number % 3 == 0 ? '\0' : '\2';
       fill(other);
-      logical_ += packet + (number % 3 == 2 ? "" : other);
+      logical_ += packet + (number % 3 == 2 || !has_others ? "" : other);
     }
   }
 
@@ -200,12 +206,14 @@ private:
     const auto count = scan.count >= 0
                            ? scan.count
                            : static_cast<std::int64_t>(scan.columns[0].stored.size());
-    std::string text = "<vectorChild type=\"Structure\">\n<name type=\"String\">"
-                       "<![CDATA[" +
-                       scan.name + "]]></name>\n" + scan.more +
-                       "<points type=\"CompressedVector\" fileOffset=\"" +
-                       std::to_string(place) + "\" recordCount=\"" +
-                       std::to_string(count) + "\">\n<prototype type=\"Structure\">\n";
+    std::string text =
+        "<vectorChild type=\"Structure\">\n<guid type=\"String\">scan</guid>\n<name "
+        "type=\"String\">"
+        "<![CDATA[" +
+        scan.name + "]]></name>\n" + scan.more +
+        "<points type=\"CompressedVector\" fileOffset=\"" + std::to_string(place) +
+        "\" recordCount=\"" + std::to_string(count) +
+        "\">\n<prototype type=\"Structure\">\n";
     for (const auto& column : scan.columns)
       text += "<" + column.name + " " + column.attributes + "/>\n";
     return text + "</prototype>\n<codecs type=\"Vector\">" + codecs +
