@@ -320,6 +320,20 @@ TEST_F(Tables, WhatIsNotFiniteOrTooLargeIsAPointWithoutAPlace)
   EXPECT_EQ(file.finite_count, 2u);
 }
 
+TEST_F(Tables, PartsAreStations)
+{
+  const auto file = loadCloud(write("a.pts", "2\n1 2 3\n4 5 6\n1\n7 8 9\n"), {}, 1);
+  EXPECT_EQ(readLabels(file, "station"), (std::vector<std::uint32_t>{1, 1, 2}));
+  ASSERT_EQ(file.stations.size(), 2u);
+  EXPECT_EQ(file.stations[1].name, "scan 2");
+  EXPECT_FALSE(file.stations[1].position);
+  const auto one = loadCloud(write("b.pts", "2\n1 2 3\n4 5 6\n"), {}, 1);
+  EXPECT_FALSE(hasField(one.cloud, "station"));
+  const auto named = loadCloud(
+      write("c.csv", "1\nx,y,z,station\n1,2,3,9\n"), {}, 1); // a column of this name
+  EXPECT_EQ(readNumbers(named, "station"), std::vector<double>{9});
+}
+
 TEST_F(Tables, CountsOfPartsArePromises)
 {
   EXPECT_EQ(load("2\n1 2 3\n4 5 6\n1\n7 8 9\n").cloud.width, 3u);

@@ -119,7 +119,7 @@ loadMesh(CloudFile& file, const TableColumns& /*columns*/)
 void
 loadTable(CloudFile& file, const TableColumns& columns)
 {
-  file.cloud = readTable(file.path, columns, file.notes);
+  file.cloud = readTable(file.path, columns, file.notes, file.stations);
 }
 
 /** The points of a file that can be read in parts. */

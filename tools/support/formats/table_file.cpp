@@ -5,6 +5,7 @@
 #include "formats/table_file.h"
 
 #include "command_line/options.h" // for ToolError
+#include "files/cloud_file.h"     // for appendField
 #include "formats/file_ending.h"
 #include "formats/table_rows.h"
 #include "formats/table_words.h"
@@ -20,6 +21,8 @@ namespace pcl::indoor::tool {
 namespace {
 
 using Kind = TableColumn::Kind;
+
+constexpr const char* station_field = "station";
 
 template <typename Visit>
 void
@@ -131,6 +134,22 @@ putValue(const Target& target, double value, std::uint8_t* point)
   }
 }
 
+/** Tell of each point from which part it is. */
+void
+addStations(const std::vector<std::uint64_t>& parts,
+            PCLPointCloud2& cloud,
+            std::vector<Station>& stations)
+{
+  std::vector<std::uint32_t> station_of_point;
+  for (const auto count : parts) {
+    stations.push_back({"scan " + std::to_string(stations.size() + 1), {}});
+    station_of_point.insert(station_of_point.end(),
+                            static_cast<std::size_t>(count),
+                            static_cast<std::uint32_t>(stations.size()));
+  }
+  appendField(cloud, station_field, station_of_point);
+}
+
 } // namespace
 
 const std::vector<std::string>&
@@ -175,7 +194,8 @@ tablePointCount(const std::string& path, const std::string& beginning)
 PCLPointCloud2
 readTable(const std::string& path,
           const TableColumns& columns,
-          std::vector<std::string>& notes)
+          std::vector<std::string>& notes,
+          std::vector<Station>& stations)
 {
   std::error_code error;
   std::string content(std::filesystem::file_size(path, error), '\0');
@@ -198,6 +218,8 @@ readTable(const std::string& path,
   for (std::size_t i = 0; i < rows.count(); ++i)
     for (const auto& target : targets)
       putValue(target, *value++, &cloud.data[i * cloud.point_step]);
+  if (rows.parts().size() > 1 && !hasField(cloud, station_field))
+    addStations(rows.parts(), cloud, stations);
   return cloud;
 }
 

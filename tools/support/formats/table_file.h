@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "files/station.h"
 #include "formats/table_columns.h"
 
 #include <pcl/PCLPointCloud2.h>
@@ -37,12 +38,16 @@ tablePointCount(const std::string& path, const std::string& beginning);
  * unless they name the columns; a line may name the columns, one may hold the number of
  * points. Coordinates are doubles, rgb packed as in PCD files, labels unsigned
  * integers, all else floats, see columnsOf() and columnsByValues().
+ * Parts that follow each other, each behind the number of its points, are scans from
+ * several stations: they get the field station, from 1, unless a column has its name.
  * \param[out] notes how the table was taken, see CloudFile::notes
+ * \param[out] stations of several parts; they have no positions
  * \throws ToolError naming the line that cannot be read
  */
 PCLPointCloud2
 readTable(const std::string& path,
           const TableColumns& columns,
-          std::vector<std::string>& notes);
+          std::vector<std::string>& notes,
+          std::vector<Station>& stations);
 
 } // namespace pcl::indoor::tool

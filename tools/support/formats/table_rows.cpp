@@ -135,6 +135,7 @@ TableRows::readCount()
   std::uint64_t count = 0;
   std::from_chars(words_[0].data(), words_[0].data() + words_[0].size(), count);
   promised_ += count;
+  parts_.push_back(count);
   has_count_ = true;
   return true;
 }

@@ -48,6 +48,14 @@ public:
     return rows_;
   }
 
+  /** \brief The numbers of points of parts that follow each other, each behind its
+   * number; none if there are no such lines. */
+  const std::vector<std::uint64_t>&
+  parts() const
+  {
+    return parts_;
+  }
+
   /** \brief How the table was taken, see CloudFile::notes. */
   const std::vector<std::string>&
   notes() const
@@ -118,6 +126,7 @@ private:
   std::uint64_t line_ = 0, rows_ = 0, promised_ = 0;
   std::uint64_t damaged_lines_ = 0, first_damaged_line_ = 0;
   std::uint64_t fraction_line_ = 0; ///< first with a whole number such as 05
+  std::vector<std::uint64_t> parts_;
   bool has_count_ = false, has_names_ = false, are_names_plain_ = true;
   char separator_ = ' ';
   char decimal_ = '\0'; ///< until a decimal was seen
