@@ -462,6 +462,9 @@ TEST_F(E57Files, DescriptionsThatLieAreRefused)
   EXPECT_EQ(
       refusal(more),
       "the file is truncated, its header promises 101 points of 'hall', it has 100");
+  more.name = "two\nlines";
+  EXPECT_NE(refusal(more).find("101 points of 'two lines'"), std::string::npos);
+  more.name = "hall";
   more.count = 0x7fffffff;
   EXPECT_NE(refusal(more).find("promises 2147483647 points"), std::string::npos);
   more.count = 0x7fffffffffffffff;
@@ -489,6 +492,10 @@ TEST_F(E57Files, DescriptionsThatLieAreRefused)
   E57Writer writer;
   writer.codecs = "<vectorChild><zipCodec/></vectorChild>";
   EXPECT_NE(refusal(writer.file({scan})).find("bitPackCodec"), std::string::npos);
+  auto wide = scan;
+  for (int f = 0; f < 1000; ++f)
+    wide.columns.push_back(e57Wholes("f" + std::to_string(f), 0, 0, {}));
+  EXPECT_NE(refusal(wide).find("has 1004 fields of a point"), std::string::npos);
   E57TestScan one{"hall", {}};
   for (const char* name : {"cartesianX", "cartesianY", "cartesianZ"})
     one.columns.push_back(e57Wholes(name, 1, 1, {1, 1}));

@@ -6,6 +6,7 @@
 #include "formats/e57/e57_scans.h"
 
 #include "command_line/options.h" // for ToolError
+#include "command_line/printable.h"
 
 #include <boost/algorithm/string/trim.hpp>
 #include <pugixml.hpp>
@@ -18,7 +19,9 @@
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr std::uint64_t longest_description = 64 << 20; // bytes: 10,000 scans
+constexpr std::uint64_t longest_description = 16 << 20; // bytes: 3,000 scans
+constexpr std::size_t longest_name = 60;                // bytes: fits into a line
+constexpr std::size_t most_fields = 1000;               // of a point, as of a table
 
 /** The description, an XML tree. */
 class Description {
@@ -44,8 +47,8 @@ public:
     T value = 0;
     const auto read = std::from_chars(begin, end, value);
     if (read.ec != std::errc() || read.ptr != end)
-      refuse("is damaged: '" + word.substr(0, 20) + "' in " +
-             std::string(node.name()).substr(0, 40) + " is not a usable number");
+      refuse("is damaged: '" + printable(word, longest_name) + "' in " +
+             printable(node.name(), longest_name) + " is not a usable number");
     return value;
   }
 
@@ -115,7 +118,7 @@ readField(const pugi::xml_node& node, const Description& about)
   field.minimum = about.attribute(node, "minimum", Limits::min());
   field.maximum = about.attribute(node, "maximum", Limits::max());
   if (field.maximum < field.minimum)
-    about.refuse("is damaged: the maximum of " + field.name.substr(0, 40) +
+    about.refuse("is damaged: the maximum of " + printable(field.name, longest_name) +
                  " is less than its minimum");
   const auto range = static_cast<std::uint64_t>(field.maximum) -
                      static_cast<std::uint64_t>(field.minimum);
@@ -147,7 +150,7 @@ E57Scan
 readScan(const pugi::xml_node& node, std::size_t number, const Description& about)
 {
   E57Scan scan;
-  scan.name = node.child_value("name");
+  scan.name = printable(node.child_value("name"), longest_name);
   if (scan.name.empty())
     scan.name = "scan " + std::to_string(number);
   if (const auto pose = node.child("pose"))
@@ -159,6 +162,10 @@ readScan(const pugi::xml_node& node, std::size_t number, const Description& abou
   for (const auto& field : points.child("prototype").children())
     if (field.type() == pugi::node_element)
       scan.fields.push_back(readField(field, about));
+  if (scan.fields.size() > most_fields)
+    about.refuse("has " + std::to_string(scan.fields.size()) +
+                 " fields of a point, at most " + std::to_string(most_fields) +
+                 " are read");
   for (const auto& codec : points.child("codecs").children())
     if (codec.type() == pugi::node_element && !codec.child("bitPackCodec"))
       about.refuse("names a way of packing points other than bitPackCodec");
