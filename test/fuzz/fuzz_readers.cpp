@@ -157,6 +157,7 @@ allReaders()
       {"model", readModelFile, repairModel},
       {"joining", readJoining},
       {"las", readCloud},
+      {"laz", readCloud},
       {"e57", readCloud, test::E57Writer::sign},
       {"ptx", readCloud},
       {"xyz", readCloud},

@@ -71,10 +71,10 @@ refused() { # <pattern> <arguments>
   [ ! -e out/scene.json ] || fail "$*: something is written"
 }
 mkdir empty only named_so
-touch only/a.laz only/b.laz
+touch only/a.fls only/b.fls
 cp stations/b.ply named_so/
 cp stations/a.pcd named_so/cloud.pcd
-refused "only: the folder holds no .*, but a.laz and 1 more: a LAZ file" only
+refused "only: the folder holds no .*, but a.fls and 1 more: a scan of FARO" only
 refused "empty: the folder holds no" empty
 refused "missing.pcd" stations/a.pcd missing.pcd
 head -c 3000 stations/a.pcd > cut.pcd

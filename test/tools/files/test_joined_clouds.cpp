@@ -247,20 +247,20 @@ TEST_F(ScanFilesTest, FilesThatAreLeftOutAreNamed)
 {
   const auto folder = path("stations");
   fs::create_directory(folder);
-  for (const char* name : {"1.laz", "2.laz", "3.LAZ", ".DS_Store"})
+  for (const char* name : {"1.fls", "2.fls", "3.FLS", ".DS_Store"})
     write(std::string("stations/") + name, "x");
   const auto refusal = refusalOf(folder);
   EXPECT_NE(
       refusal.find(
           "stations: the folder holds no PCD, PLY, LAS, E57 or PTX file or table, "
-          "but 1.laz and 2 more: a LAZ file"),
+          "but 1.fls and 2 more: a scan of FARO"),
       std::string::npos)
       << refusal;
   write("stations/a.las", "x");
   const auto found = scanFiles({folder});
   EXPECT_EQ(found.paths, std::vector<std::string>{folder + "/a.las"});
   ASSERT_EQ(found.notes.size(), 1u);
-  EXPECT_EQ(found.notes[0].rfind("left out: 1.laz and 2 more: a LAZ file", 0), 0u);
+  EXPECT_EQ(found.notes[0].rfind("left out: 1.fls and 2 more: a scan of FARO", 0), 0u);
   fs::create_directories(path("days/monday"));
   EXPECT_NE(refusalOf(path("days"))
                 .find("but folders: give one of them, for example " + path("days") +

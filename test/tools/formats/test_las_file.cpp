@@ -238,6 +238,22 @@ TEST_F(LasFiles, ColoursOfEightBitsAreTakenAsTheyAre)
       std::equal(first.data.begin(), first.data.end(), file.cloud.data.begin()));
 }
 
+TEST_F(LasFiles, ColoursOfMoreThanEightBitsAreKept)
+{
+  LasMaker maker;
+  maker.color = 0x1234;
+  const auto file = loadCloud(write("scan.las", maker.file()));
+  EXPECT_EQ(colorOf(file), 0x122436u);
+  EXPECT_EQ(valuesOf(file, "red_16"), (std::vector<double>{0x1234, 0x1234, 0x1234}));
+  EXPECT_EQ(valuesOf(file, "green_16"), (std::vector<double>{0x2468, 0x2468, 0x2468}));
+  EXPECT_EQ(valuesOf(file, "blue_16"), (std::vector<double>{0x369c, 0x369c, 0x369c}));
+  for (const int color : {0x1100, 0x1111, 0x11}) { // 8 bits tell all of them
+    maker.color = static_cast<std::uint16_t>(color);
+    const auto coarse = loadCloud(write("scan.las", maker.file()));
+    EXPECT_EQ(pcl::getFieldIndex(coarse.cloud, "red_16"), -1) << color;
+  }
+}
+
 TEST_F(LasFiles, ReturnsFlagsAndAnglesAreKept)
 {
   using Values = std::vector<double>;

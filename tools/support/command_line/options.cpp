@@ -5,6 +5,7 @@
 #include "command_line/options.h"
 
 #include "command_line/printable.h"
+#include "formats/reader_threads.h"
 
 #include <pcl/console/print.h>
 #include <pcl/pcl_config.h> // for the version of PCL
@@ -280,6 +281,9 @@ OptionParser::parse(int argc, const char* const* argv)
     readOption(*option, argc, argv, i);
   }
   assignPositionals(names);
+  if (const auto* const threads = find("-threads")) // what is no number, its tool says
+    setReaderThreads(static_cast<int>(
+        std::clamp(std::strtol(threads->value().c_str(), nullptr, 10), 0L, 1024L)));
   return true;
 }
 

@@ -196,7 +196,7 @@ cloudFormats()
   static const std::vector<CloudFormat> formats = {
       {"PCD", {".pcd"}, isPcd, pcdPointCount, openRecords, loadPcd},
       {"PLY", {".ply"}, isPly, plyPointCount, openRecords, loadPly},
-      {"LAS", {".las"}, isLas, lasPointCount, openRecords, loadLas},
+      {"LAS", {".las", ".laz"}, isLas, lasPointCount, openRecords, loadLas},
       {"E57", {".e57"}, isE57, e57PointCount, openE57, nullptr},
       {"PTX", {".ptx"}, isPtx, ptxPointCount, openPtx, nullptr},
       {"mesh",

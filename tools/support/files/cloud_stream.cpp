@@ -62,6 +62,7 @@ private:
   std::size_t body_begin_ = 0, record_size_ = 0;
   std::function<PCLPointCloud2(std::string records, std::size_t count)> points_;
   std::optional<UsualFields> fields_;
+  std::shared_ptr<LasSource> las_; ///< gives the records of LAS and LAZ
 };
 
 bool
@@ -77,10 +78,12 @@ FileStream::open()
                                                              : openPcd();
   std::error_code error;
   const auto size = std::filesystem::file_size(path_, error);
-  if (!is_open || error || pointCount() == 0 || record_size_ == 0 ||
-      size < body_begin_ || (size - body_begin_) / record_size_ < pointCount())
+  if (!is_open || error || pointCount() == 0 || record_size_ == 0)
     return false;
-  if (!isLas(path_, beginning))
+  if (!las_ &&
+      (size < body_begin_ || (size - body_begin_) / record_size_ < pointCount()))
+    return false;
+  if (!las_)
     nameFields();
   return isRealField(layout_, "x") && isRealField(layout_, "y") &&
          isRealField(layout_, "z");
@@ -155,7 +158,7 @@ FileStream::openLas()
   auto records = lasRecords(path_);
   notes_ = records.notes;
   layout_ = records.layout;
-  body_begin_ = records.body_begin;
+  las_ = records.source;
   record_size_ = records.record_size;
   points_ = [this, copy = records.copy](const std::string& bytes, std::size_t count) {
     auto part = emptyPart(layout_, count);
@@ -174,7 +177,9 @@ FileStream::read(std::uint64_t first, std::size_t count)
   std::string records(count * record_size_, '\0');
   stream_.clear();
   stream_.seekg(static_cast<std::streamoff>(body_begin_ + first * record_size_));
-  if (!stream_.read(records.data(), static_cast<std::streamsize>(records.size())))
+  if (las_)
+    las_->read(first, count, records.data());
+  else if (!stream_.read(records.data(), static_cast<std::streamsize>(records.size())))
     throw ToolError(path_ + ": the file can no longer be read");
   auto part = points_(std::move(records), count);
   return fields_ ? fields_->of(std::move(part)) : part;

@@ -23,7 +23,7 @@ public:
   virtual ~CloudStream() = default;
 
   /** \brief Open a file whose points can be read in parts: a binary PCD, a binary PLY
-   * without faces and lists, a LAS, E57 or PTX file.
+   * without faces and lists, a LAS, LAZ, E57 or PTX file.
    * \return null if it is none of these, or damaged: then loadCloud() can read it, or
    * says what is wrong
    */

@@ -225,12 +225,23 @@ addRayFields(const LasHeader& header, std::vector<LasField>& fields)
   fields.push_back(angleField(is_long));
 }
 
+void
+addColorFields(std::size_t at, const LasColors& colors, std::vector<LasField>& fields)
+{
+  fields.push_back(colorField(at, colors.shift));
+  if (colors.are_fine)
+    for (const char* name : {"red_16", "green_16", "blue_16"}) {
+      fields.push_back(plainField<std::uint16_t>(name, PCLPointField::UINT16, at));
+      at += sizeof(std::uint16_t);
+    }
+}
+
 } // namespace
 
 std::vector<LasField>
 lasFields(const std::string& bytes,
           const LasHeader& header,
-          unsigned color_shift,
+          const LasColors& colors,
           std::vector<std::string>& notes)
 {
   const auto& format = header.places();
@@ -249,7 +260,7 @@ lasFields(const std::string& bytes,
     fields.push_back(
         plainField<double>("gps_time", PCLPointField::FLOAT64, format.gps_time));
   if (format.colors > 0)
-    fields.push_back(colorField(format.colors, color_shift));
+    addColorFields(format.colors, colors, fields);
   if (format.infrared > 0)
     fields.push_back(
         plainField<std::uint16_t>("nir", PCLPointField::UINT16, format.infrared));

@@ -22,15 +22,20 @@ struct LasField {
   std::function<void(const char* point, char* target)> copy;
 };
 
+/** \brief How a file's colours, in fields of 16 bits, become those of a cloud. */
+struct LasColors {
+  unsigned shift; ///< to 8 bits
+  bool are_fine;  ///< they have fields of their own with all their bits, too
+};
+
 /** \brief The fields of the points of a LAS file, x, y and z as doubles first.
  * \param[in] bytes of the file, up to its points
- * \param[in] color_shift of colours of 16 bits to 8
  * \param[in,out] notes what is left out is added
  */
 std::vector<LasField>
 lasFields(const std::string& bytes,
           const LasHeader& header,
-          unsigned color_shift,
+          const LasColors& colors,
           std::vector<std::string>& notes);
 
 } // namespace pcl::indoor::tool

@@ -5,53 +5,56 @@
 // Facts of the format: ASPRS, LAS Specification 1.4, R15.
 #include "formats/las_file.h"
 
-#include "command_line/options.h" // for ToolError
-#include "formats/file_header.h"  // for throwTruncated
 #include "formats/las_fields.h"
 #include "formats/las_header.h"
 
 #include <pcl/PCLPointField.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <vector>
 
 namespace pcl::indoor::tool {
 namespace {
 
+constexpr std::size_t points_at_once = 1 << 18; // a few chunks of a LAZ file
+
 /** What a look at all points of a file tells. */
 struct LasLook {
   std::uint64_t withheld = 0;
   std::uint16_t largest_color = 0;
+  bool has_fine_colors = false; ///< of which 8 bits are not all
 };
 
-LasLook
-lookAt(std::ifstream& stream, const LasHeader& header)
+/** Look at some records. */
+void
+lookAt(const std::string& records, const LasHeader& header, LasLook& look)
 {
-  constexpr std::size_t points_at_once = 1 << 16;
   const auto colors = header.places().colors;
-  LasLook look;
-  std::string bytes;
-  stream.seekg(static_cast<std::streamoff>(header.body_begin));
-  for (std::uint64_t done = 0; done < header.points; done += points_at_once) {
-    const auto count = std::min<std::uint64_t>(points_at_once, header.points - done);
-    bytes.resize(count * header.step);
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(stream.gcount()) / header.step * header.step);
-    for (std::size_t at = 0; at < bytes.size(); at += header.step) {
-      look.withheld += header.isWithheld(&bytes[at]);
-      for (std::size_t channel = 0; channel < 3 && colors > 0; ++channel)
-        look.largest_color =
-            std::max(look.largest_color,
-                     numberAt<std::uint16_t>(&bytes[at + colors + 2 * channel]));
+  for (std::size_t at = 0; at < records.size(); at += header.step) {
+    look.withheld += header.isWithheld(&records[at]);
+    for (std::size_t channel = 0; channel < 3 && colors > 0; ++channel) {
+      const auto value = numberAt<std::uint16_t>(&records[at + colors + 2 * channel]);
+      const unsigned low = value & 0xffu, high = value >> 8;
+      look.largest_color = std::max(look.largest_color, value);
+      look.has_fine_colors = look.has_fine_colors || (low != 0 && low != high);
     }
   }
-  return look;
+}
+
+/** Read all records, a part at a time. */
+void
+forEachPart(const OpenLas& file, const std::function<void(std::string records)>& visit)
+{
+  for (std::uint64_t done = 0; done < file.header.points; done += points_at_once) {
+    const auto count = static_cast<std::size_t>(
+        std::min<std::uint64_t>(points_at_once, file.header.points - done));
+    std::string records(count * file.header.step, '\0');
+    file.source->read(done, count, records.data());
+    visit(std::move(records));
+  }
 }
 
 /** Copies the fields of a point; of one that is withheld without its place. */
@@ -106,29 +109,23 @@ addLookNotes(const LasLook& look, std::vector<std::string>& notes)
                     std::to_string(look.withheld));
 }
 
-/** Make the number of points fit to the file, as far as it can. */
-void
-chooseCount(const std::string& path,
-            std::uint64_t file_size,
-            LasHeader& header,
-            std::vector<std::string>& notes)
+/** How the points become those of a cloud. */
+LasRecords
+recordsOf(OpenLas file, const LasLook& look)
 {
-  const auto end =
-      header.body_end > 0 ? std::min(header.body_end, file_size) : file_size;
-  const std::uint64_t held = (file_size - header.body_begin) / header.step;
-  const std::uint64_t whole = (end - header.body_begin) / header.step;
-  if (held < header.points)
-    throwTruncated(path, header.points, held, "points");
-  if (header.points == 0 && whole > 0) {
-    header.points = whole;
-    notes.push_back("its header promises no points; the " + std::to_string(whole) +
-                    " that it holds are read");
-  }
-  else if (header.points < whole)
-    notes.push_back("points beyond the number that its header promises are left out: " +
-                    std::to_string(whole - header.points));
-  if (header.points > 0x7fffffff)
-    throw ToolError(path + ": more than 2^31 - 1 points");
+  LasRecords records;
+  const bool are_wide = look.largest_color > 255;
+  const auto fields = lasFields(file.bytes,
+                                file.header,
+                                {are_wide ? 8u : 0u, are_wide && look.has_fine_colors},
+                                file.notes);
+  addLookNotes(look, file.notes);
+  layOut(fields, file.header, records.layout);
+  records.record_size = file.header.step;
+  records.copy = copierOf(fields, look, file.header);
+  records.notes = std::move(file.notes);
+  records.source = std::move(file.source);
+  return records;
 }
 
 } // namespace
@@ -136,9 +133,7 @@ chooseCount(const std::string& path,
 bool
 isLas(const std::string& /*path*/, const std::string& beginning)
 {
-  constexpr std::size_t format_place = 104; // whose highest bit says LAZ
-  return beginning.compare(0, 4, "LASF") == 0 && beginning.size() > format_place &&
-         (static_cast<unsigned char>(beginning[format_place]) & 0x80) == 0;
+  return beginning.compare(0, 4, "LASF") == 0;
 }
 
 std::uint64_t
@@ -151,57 +146,33 @@ lasPointCount(const std::string& /*path*/, const std::string& beginning)
 LasRecords
 lasRecords(const std::string& path)
 {
-  std::ifstream stream(path, std::ios::binary);
-  std::string bytes(512, '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  auto header = parseLasHeader(bytes);
-  if (!header)
-    throw ToolError(path + ": the header of this LAS file is damaged, or of a version "
-                           "other than 1.0 to 1.4");
-  stream.clear();
-  stream.seekg(0, std::ios::end);
-  const auto size = static_cast<std::uint64_t>(stream.tellg());
-  if (header->body_begin > size)
-    throwTruncated(path, header->body_begin, size, "bytes before its points");
-  for (const double scale : header->scales)
-    if (!(std::abs(scale) > 0))
-      throw ToolError(path + ": the header of this LAS file has the scale 0, by which "
-                             "all points are one");
-  LasRecords records;
-  chooseCount(path, size, *header, records.notes);
-  const auto look = lookAt(stream, *header);
-  stream.clear();
-  bytes.resize(header->body_begin);
-  stream.seekg(0);
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  const auto fields =
-      lasFields(bytes, *header, look.largest_color > 255 ? 8 : 0, records.notes);
-  records.body_begin = header->body_begin;
-  records.record_size = header->step;
-  records.copy = copierOf(fields, look, *header);
-  addLookNotes(look, records.notes);
-  layOut(fields, *header, records.layout);
-  return records;
+  auto file = openLas(path);
+  LasLook look;
+  forEachPart(file, [&](const std::string& part) { lookAt(part, file.header, look); });
+  return recordsOf(std::move(file), look);
 }
 
 PCLPointCloud2
 readLas(const std::string& path, std::vector<std::string>& notes)
 {
-  const auto records = lasRecords(path);
+  auto file = openLas(path);
+  LasLook look;
+  std::vector<std::string> parts; // read once: to decode a LAZ file takes longest
+  forEachPart(file, [&](std::string part) {
+    lookAt(part, file.header, look);
+    parts.push_back(std::move(part));
+  });
+  const auto records = recordsOf(std::move(file), look);
   notes = records.notes;
-  std::ifstream stream(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   auto cloud = records.layout;
-  if (bytes.size() < records.body_begin + records.record_size * cloud.width)
-    throw ToolError(path + ": the file has become shorter");
   cloud.data.resize(static_cast<std::size_t>(cloud.point_step) * cloud.width);
-  const char* record = bytes.data() + records.body_begin;
   auto* target = reinterpret_cast<char*>(cloud.data.data());
-  for (std::uint32_t i = 0; i < cloud.width; ++i) {
-    records.copy(record, target);
-    record += records.record_size;
-    target += cloud.point_step;
+  for (auto& part : parts) {
+    for (std::size_t at = 0; at < part.size(); at += records.record_size) {
+      records.copy(&part[at], target);
+      target += cloud.point_step;
+    }
+    part = {};
   }
   return cloud;
 }

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "formats/las_source.h"
+
 #include <pcl/PCLPointCloud2.h>
 
 #include <cstddef>
@@ -14,43 +16,44 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief Does a file with this beginning hold LAS points that are not compressed? */
+/** \brief Does a file with this beginning hold LAS points, compressed (LAZ) or not? */
 bool
 isLas(const std::string& path, const std::string& beginning);
 
-/** \brief How many points the header of a LAS file promises; 0 if it is not understood.
- * \param[in] beginning of the file, 512 bytes if it has as many */
+/** \brief How many points the header of a LAS or LAZ file promises; 0 if it is not
+ * understood. \param[in] beginning of the file, 512 bytes if it has as many */
 std::uint64_t
 lasPointCount(const std::string& path, const std::string& beginning);
 
-/** \brief Read the points of a LAS file, versions 1.0 to 1.4, point formats 0 to 10.
+/** \brief Read the points of a LAS or LAZ file, versions 1.0 to 1.4, point formats 0 to
+ * 10.
  *
  * The fields are x, y, z as doubles, with scale and offset applied; intensity,
  * classification, point_source_id, return_number, number_of_returns,
  * scan_direction_flag, edge_of_flight_line, classification_flags, user_data, scan_angle
  * in degrees; scanner_channel, gps_time, rgb and nir where the format has them; and the
  * dimensions of extra bytes by their own names, with their scales and offsets, those of
- * 64-bit integers as doubles. Of colours of 16 bits the upper 8 are kept; where none
- * exceeds 255, they are taken as they are. Points that are withheld are NaN. Waveforms
- * are left out.
- * \param[out] notes what is odd, see CloudFile::notes
- * \throws ToolError if the file is damaged or has fewer points than its header promises
+ * 64-bit integers as doubles. Of colours of 16 bits rgb has the upper 8, and red_16,
+ * green_16 and blue_16 are all of them if there is more to them; where none exceeds
+ * 255, they are taken as they are. Points that are withheld are NaN. Waveforms are left
+ * out. \param[out] notes what is odd, see CloudFile::notes \throws ToolError if the
+ * file is damaged or has fewer points than its header promises
  */
 PCLPointCloud2
 readLas(const std::string& path, std::vector<std::string>& notes);
 
-/** \brief How the points of a LAS file lie in it, and how they become those of
+/** \brief How the points of a LAS or LAZ file lie in it, and how they become those of
  * readLas().
  */
 struct LasRecords {
-  PCLPointCloud2 layout;      ///< fields and width, no points
-  std::size_t body_begin = 0; ///< bytes from the beginning of the file
+  PCLPointCloud2 layout; ///< fields and width, no points
   std::size_t record_size = 0;
+  std::shared_ptr<LasSource> source;
   std::function<void(const char* record, char* point)> copy;
   std::vector<std::string> notes; ///< see readLas()
 };
 
-/** \brief Read the header of a LAS file, and look at its points once.
+/** \brief Read the header of a LAS or LAZ file, and look at its points once.
  * \throws ToolError as readLas() */
 LasRecords
 lasRecords(const std::string& path);

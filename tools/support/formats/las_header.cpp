@@ -60,7 +60,9 @@ parseLasHeader(const std::string& bytes)
   header.header_size = numberAt<std::uint16_t>(&bytes[94]);
   header.body_begin = numberAt<std::uint32_t>(&bytes[96]);
   header.records = numberAt<std::uint32_t>(&bytes[100]);
-  header.format = numberAt<std::uint8_t>(&bytes[104]);
+  const auto format = numberAt<std::uint8_t>(&bytes[104]); // two bits are of LAZ
+  header.format = format & 0x3fu;
+  header.is_compressed = (format & 0x80u) != 0;
   header.step = numberAt<std::uint16_t>(&bytes[105]);
   header.points = numberAt<std::uint32_t>(&bytes[107]);
   constexpr std::size_t long_count = 247; // of version 1.4

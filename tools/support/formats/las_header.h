@@ -32,6 +32,7 @@ struct LasPointFormat {
 /** \brief What the header of a LAS file says. */
 struct LasHeader {
   std::size_t header_size = 0, body_begin = 0, records = 0, format = 0, step = 0;
+  bool is_compressed = false; ///< a LAZ file
   std::uint64_t points = 0;
   std::uint64_t body_end = 0; ///< where waveforms or more records begin; 0 = nowhere
   std::array<double, 3> scales{}, offsets{};
