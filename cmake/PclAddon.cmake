@@ -65,6 +65,17 @@ function(pcl_addon_set_defaults target)
   endif()
 endfunction()
 
+# With CMAKE_UNITY_BUILD=ON the sources of a folder are compiled as one, which takes a third of the time where nothing was
+# built before. Names without linkage are distinct within a folder, therefore.
+function(pcl_addon_group_by_folder target)
+  foreach(source ${ARGN})
+    get_filename_component(folder ${source} DIRECTORY)
+    string(MAKE_C_IDENTIFIER "${folder}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # pcl_addon_add_library(module SOURCES ... PUBLIC_LINK ... PRIVATE_LINK ...)
 function(pcl_addon_add_library module)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
@@ -72,6 +83,7 @@ function(pcl_addon_add_library module)
   add_library(${target} SHARED ${ARG_SOURCES})
   add_library(${PROJECT_NAME}::${module} ALIAS ${target})
   pcl_addon_set_defaults(${target})
+  pcl_addon_group_by_folder(${target} ${ARG_SOURCES})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${module} VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN")
   target_include_directories(${target} PUBLIC

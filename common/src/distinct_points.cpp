@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t free_slot = 0xffffffffu;
 
 /** Of a place: -0 is 0. */
 std::uint64_t
@@ -23,7 +23,7 @@ placeHash(const Eigen::Vector3f& point)
 /** An entry of the table: most others in its way are told by the hash alone. */
 struct Slot {
   std::uint32_t hash = 0;
-  std::uint32_t place = none;
+  std::uint32_t place = free_slot;
 };
 
 } // namespace
@@ -70,11 +70,11 @@ distinctPoints(const std::vector<Eigen::Vector3f>& points)
     look(i + ahead);
     const auto short_hash = static_cast<std::uint32_t>(hash >> 32);
     auto at = hash & (size - 1);
-    while (slots[at].place != none &&
+    while (slots[at].place != free_slot &&
            (slots[at].hash != short_hash ||
             points[result.first[slots[at].place]] != points[i]))
       at = (at + 1) & (size - 1);
-    if (slots[at].place == none) {
+    if (slots[at].place == free_slot) {
       slots[at] = {short_hash, static_cast<std::uint32_t>(result.first.size())};
       result.first.push_back(i);
     }

@@ -18,7 +18,7 @@ namespace indoor {
 
 namespace {
 
-constexpr std::size_t lanes =
+constexpr std::size_t lane_count =
     8; // sums of one distance that the compiler runs side by side
 
 /** \brief Histograms ready for comparison: bins padded with zeros to a multiple of
@@ -35,7 +35,7 @@ prepare(const Histograms& histograms,
         bool for_logarithm,
         float floor)
 {
-  const std::size_t padded = (bin_count + lanes - 1) / lanes * lanes;
+  const std::size_t padded = (bin_count + lane_count - 1) / lane_count * lane_count;
   Prepared prepared;
   for (const auto& histogram : histograms) {
     if (histogram.size() != bin_count)
@@ -68,9 +68,9 @@ template <typename Term>
 float
 sumOver(std::size_t padded, const Term& term)
 {
-  float sums[lanes] = {};
-  for (std::size_t first = 0; first < padded; first += lanes)
-    for (std::size_t lane = 0; lane < lanes; ++lane)
+  float sums[lane_count] = {};
+  for (std::size_t first = 0; first < padded; first += lane_count)
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
       sums[lane] += term(first + lane);
   return ((sums[0] + sums[4]) + (sums[1] + sums[5])) +
          ((sums[2] + sums[6]) + (sums[3] + sums[7]));

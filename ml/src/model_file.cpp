@@ -32,7 +32,7 @@ constexpr std::size_t checksum_size = 4;
 
 /** \brief Throw a text of one line; names in it may have line feeds. */
 [[noreturn]] void
-fail(std::string problem)
+refuse(std::string problem)
 {
   std::replace_if(
       problem.begin(),
@@ -153,18 +153,19 @@ std::size_t
 headerEnd(const std::string& bytes)
 {
   if (bytes.compare(0, format_name.size(), format_name) != 0)
-    fail("is no model of pcl_indoor");
+    refuse("is no model of pcl_indoor");
   if (bytes.compare(0, first_line.size(), first_line) != 0) {
     const auto end = bytes.find('\n');
     if (end == std::string::npos || end > format_name.size() + 9)
-      fail("is a damaged model: its first line is not complete");
-    fail("is a model of format " +
-         std::to_string(std::strtoul(bytes.c_str() + format_name.size(), nullptr, 10)) +
-         ", of which only 1 can be read");
+      refuse("is a damaged model: its first line is not complete");
+    refuse(
+        "is a model of format " +
+        std::to_string(std::strtoul(bytes.c_str() + format_name.size(), nullptr, 10)) +
+        ", of which only 1 can be read");
   }
   const auto end = bytes.find('\n', first_line.size());
   if (end == std::string::npos || end > longest_header)
-    fail("is a damaged model: its header has no end");
+    refuse("is a damaged model: its header has no end");
   return end + 1;
 }
 
@@ -197,16 +198,16 @@ modelFromBytes(const std::string& bytes)
       readHeader(bytes.substr(first_line.size(), header_size - 1 - first_line.size()));
   const std::size_t rest = bytes.size() - header_size;
   if (header.weight_bytes > rest || rest - header.weight_bytes != 2 * checksum_size)
-    fail("is a damaged model: " + std::to_string(rest) +
-         " bytes follow its header, not " + std::to_string(header.weight_bytes) +
-         " and two checksums");
+    refuse("is a damaged model: " + std::to_string(rest) +
+           " bytes follow its header, not " + std::to_string(header.weight_bytes) +
+           " and two checksums");
   const char* const weights = bytes.data() + header_size;
   const char* const checksums = weights + header.weight_bytes;
   if (checksum(bytes.data(), header_size) != numberAt<std::uint32_t>(checksums))
-    fail("is a damaged model: the checksum of its header does not fit");
+    refuse("is a damaged model: the checksum of its header does not fit");
   if (checksum(weights, header.weight_bytes) !=
       numberAt<std::uint32_t>(checksums + checksum_size))
-    fail("is a damaged model: the checksum of its weights does not fit");
+    refuse("is a damaged model: the checksum of its weights does not fit");
   auto& model = header.model;
   auto problem = findProblem(model, false);
   if (problem.empty() &&
@@ -224,7 +225,7 @@ modelFromBytes(const std::string& bytes)
     problem = findProblem(model);
   }
   if (!problem.empty())
-    fail("is a model that does not fit itself: " + problem);
+    refuse("is a model that does not fit itself: " + problem);
   return std::move(model);
 }
 
@@ -233,7 +234,7 @@ loadModel(const std::string& path)
 {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    fail(path + ": no such file");
+    refuse(path + ": no such file");
   std::ifstream stream(path, std::ios::binary);
   std::string bytes(first_line.size(), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -242,10 +243,10 @@ loadModel(const std::string& path)
     if (bytes.compare(0, format_name.size(), format_name) == 0) // a scan can be large
       bytes.append(std::istreambuf_iterator<char>(stream), {});
     if (stream.bad())
-      fail("cannot be read");
+      refuse("cannot be read");
     return modelFromBytes(bytes);
   } catch (const IOException& problem) {
-    fail(path + ": " + plainMessage(problem));
+    refuse(path + ": " + plainMessage(problem));
   }
 }
 

@@ -17,7 +17,7 @@ namespace indoor {
 
 namespace {
 
-constexpr std::ptrdiff_t batch_size = 16; // inputs that stay in the cache together
+constexpr std::ptrdiff_t inputs_at_once = 16; // inputs that stay in the cache together
 
 } // namespace
 
@@ -36,10 +36,11 @@ networkScores(const Network& network,
   if (responses != nullptr)
     responses->clear();
   std::vector<std::vector<float>> scores;
-  for (std::size_t first = 0; first < inputs.size(); first += batch_size) {
+  for (std::size_t first = 0; first < inputs.size(); first += inputs_at_once) {
     const auto begin = inputs.begin() + static_cast<std::ptrdiff_t>(first);
     const auto rest = inputs.end() - begin;
-    ObjectValues objects{network.input, {begin, begin + std::min(rest, batch_size)}};
+    ObjectValues objects{network.input,
+                         {begin, begin + std::min(rest, inputs_at_once)}};
     for (const auto& layer : network.layers) {
       applyLayer(layer, objects);
       if (responses != nullptr && first == 0)

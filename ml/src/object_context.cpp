@@ -29,16 +29,16 @@ isBefore(const Eigen::Vector2f& a, const Eigen::Vector2f& b)
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
 
-using Points = std::vector<Eigen::Vector2f>;
+using Outline = std::vector<Eigen::Vector2f>;
 
 /** \brief Add the corners of the hull between two of it, of points right of them. */
 void
-addCorners(Points::iterator first,
-           Points::iterator last,
+addCorners(Outline::iterator first,
+           Outline::iterator last,
            const Eigen::Vector2f& from,
            const Eigen::Vector2f& to,
            float tolerance,
-           Points& hull)
+           Outline& hull)
 {
   const Eigen::Vector2f side = to - from;
   float farthest = tolerance * side.norm();
@@ -65,8 +65,8 @@ addCorners(Points::iterator first,
 
 /** \brief Corners of the convex hull against the clock (Barber et al. 1996), less those
  * that stand out by no more than 1e-5 of its extent. */
-Points
-convexHull(Points points)
+Outline
+convexHull(Outline points)
 {
   if (points.empty())
     return points;
@@ -84,7 +84,7 @@ convexHull(Points points)
       std::partition(points.begin(), points.end(), [&](const Eigen::Vector2f& point) {
         return cross(side, point - left) < 0.0f;
       });
-  Points hull = {left};
+  Outline hull = {left};
   addCorners(points.begin(), middle, left, right, tolerance, hull);
   hull.push_back(right);
   addCorners(middle, points.end(), right, left, tolerance, hull);

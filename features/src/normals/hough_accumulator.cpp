@@ -9,23 +9,22 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /** Rings of bins around the pole; the last one ends at the equator. */
 class Rings {
 public:
   explicit Rings(double bin_angle)
-  : height_(0.5 * pi / std::max(1.0, std::round(0.5 * pi / bin_angle)))
+  : height_(0.5 * M_PI / std::max(1.0, std::round(0.5 * M_PI / bin_angle)))
   {
-    const auto count = static_cast<int>(std::round(0.5 * pi / height_));
+    const auto count = static_cast<int>(std::round(0.5 * M_PI / height_));
     for (int ring = 0; ring < count; ++ring) {
       first_.push_back(bins_);
       const double middle = std::sin((ring + 0.5) * height_);
-      sectors_.push_back(std::max(1, static_cast<int>(2 * pi * middle / bin_angle)));
+      sectors_.push_back(std::max(1, static_cast<int>(2 * M_PI * middle / bin_angle)));
       bins_ += sectors_.back();
     }
   }
@@ -44,7 +43,7 @@ public:
     const double polar = std::acos(std::min(1.0, direction.z()));
     const auto ring =
         std::min(first_.size() - 1, static_cast<std::size_t>(polar / height_));
-    const double turn = 0.5 + std::atan2(direction.y(), direction.x()) / (2 * pi);
+    const double turn = 0.5 + std::atan2(direction.y(), direction.x()) / (2 * M_PI);
     return first_[ring] +
            std::min(sectors_[ring] - 1, static_cast<int>(turn * sectors_[ring]));
   }
@@ -60,7 +59,7 @@ Eigen::Matrix3d
 randomRotation(std::mt19937& rng)
 {
   const auto uniform = [&] { return static_cast<double>(rng()) / 4294967296.0; };
-  const double share = uniform(), a = 2 * pi * uniform(), b = 2 * pi * uniform();
+  const double share = uniform(), a = 2 * M_PI * uniform(), b = 2 * M_PI * uniform();
   const double s = std::sqrt(1 - share), t = std::sqrt(share);
   return Eigen::Quaterniond(
              t * std::cos(b), s * std::sin(a), s * std::cos(a), t * std::sin(b))
@@ -85,7 +84,7 @@ HoughAccumulator::HoughAccumulator(double bin_angle_degrees,
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "The number of accumulators must be in [1, 16], not "
                             << rotations << ".");
-  const Rings rings(bin_angle_degrees * pi / 180);
+  const Rings rings(bin_angle_degrees * M_PI / 180);
   bin_count_ = static_cast<unsigned>(rings.bins());
   std::mt19937 rng(seed);
   std::vector<Eigen::Matrix3d> turns(rotations, Eigen::Matrix3d::Identity());

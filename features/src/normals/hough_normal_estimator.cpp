@@ -17,7 +17,6 @@
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr float thinnest_triangle = 1e-3f; // square of the sine of its angle
 constexpr unsigned votes_between_checks = 8;
 
@@ -257,7 +256,7 @@ HoughNormalEstimator::chooseDirection() const
                            : options_.choice == HoughChoice::Best
                                ? 0
                                : options_.cluster_tolerance_degrees;
-  const auto cosine = static_cast<float>(std::cos(tolerance * pi / 180));
+  const auto cosine = static_cast<float>(std::cos(tolerance * M_PI / 180));
   Eigen::Vector3f chosen = means[0];
   float most_votes = 0;
   for (unsigned middle = 0; middle < copies; ++middle) {
@@ -304,7 +303,7 @@ HoughNormalEstimator::estimate(std::vector<Eigen::Vector3f>& neighbors)
       result.normal =
           refitPlane(neighbors,
                      result.normal,
-                     static_cast<float>(1.5 * options_.bin_angle_degrees * pi / 180),
+                     static_cast<float>(1.5 * options_.bin_angle_degrees * M_PI / 180),
                      heights_);
   }
   // Only what was touched is cleared: there are more bins than votes.

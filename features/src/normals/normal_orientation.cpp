@@ -30,7 +30,7 @@ constexpr float smooth_cosine =
     0.8f; // normals of one surface differ by less than 37 deg
 
 void
-requireValid(const FreeSpaceOptions& options)
+requireLegal(const FreeSpaceOptions& options)
 {
   if (!(options.cell_size > 0) || !std::isfinite(options.cell_size))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
@@ -287,7 +287,7 @@ std::vector<Eigen::Vector3f>
 findViewpoints(const std::vector<Eigen::Vector3f>& positions,
                const FreeSpaceOptions& options)
 {
-  requireValid(options);
+  requireLegal(options);
   if (positions.empty())
     return {};
   return viewpointsIn(FreeSpaceGrid(positions, options.cell_size), options);
@@ -299,7 +299,7 @@ orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,
                        const FreeSpaceOptions& options,
                        std::vector<Eigen::Vector3f>& normals)
 {
-  requireValid(options);
+  requireLegal(options);
   if (normals.size() != positions.size() ||
       neighbors.offsets.size() != positions.size() + 1)
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,

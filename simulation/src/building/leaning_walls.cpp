@@ -13,7 +13,8 @@ namespace indoor {
 
 namespace {
 
-constexpr double tolerance = 0.02; // metres, between a wall and a leaning wall's line
+constexpr double line_tolerance =
+    0.02; // metres, between a wall and a leaning wall's line
 
 struct Edge {
   Eigen::Vector2d a, b;
@@ -44,8 +45,8 @@ covered(const Edge& edge, const LeaningWallPlan& wall)
   const double length = (wall.to - wall.from).norm();
   const Eigen::Vector2d along = (wall.to - wall.from) / length;
   const Eigen::Vector2d across(-along.y(), along.x());
-  if (std::abs((edge.a - wall.from).dot(across)) > tolerance ||
-      std::abs((edge.b - wall.from).dot(across)) > tolerance)
+  if (std::abs((edge.a - wall.from).dot(across)) > line_tolerance ||
+      std::abs((edge.b - wall.from).dot(across)) > line_tolerance)
     return 0.0;
   const double a = (edge.a - wall.from).dot(along), b = (edge.b - wall.from).dot(along);
   return std::min(std::max(a, b), length) - std::max(std::min(a, b), 0.0);
@@ -54,7 +55,7 @@ covered(const Edge& edge, const LeaningWallPlan& wall)
 bool
 covers(const LeaningWallPlan& wall, const Edge& edge)
 {
-  return covered(edge, wall) >= (edge.b - edge.a).norm() - 2 * tolerance;
+  return covered(edge, wall) >= (edge.b - edge.a).norm() - 2 * line_tolerance;
 }
 
 std::string
@@ -74,7 +75,7 @@ leanOf(const Plan& plan,
        const std::string& source)
 {
   for (const auto& wall : plan.leaning_walls) {
-    if (covered(edge, wall) <= 2 * tolerance)
+    if (covered(edge, wall) <= 2 * line_tolerance)
       continue;
     if (!covers(wall, edge))
       throw PlanError(source + ": " + nameOf(wall) +

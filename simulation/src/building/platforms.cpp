@@ -17,7 +17,7 @@ namespace {
 
 using Face = ShellPiece::Face;
 
-constexpr double tolerance = 0.02; // metres
+constexpr double boundary_tolerance = 0.02; // metres
 
 [[noreturn]] void
 fail(const std::string& source,
@@ -37,7 +37,7 @@ bool
 liesIn(const Polygon& polygon, const Polygon& room)
 {
   return std::all_of(polygon.begin(), polygon.end(), [&](const auto& p) {
-    return contains(room, p) || distanceToBoundary(room, p) <= tolerance;
+    return contains(room, p) || distanceToBoundary(room, p) <= boundary_tolerance;
   });
 }
 

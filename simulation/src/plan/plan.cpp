@@ -18,8 +18,6 @@ namespace indoor {
 
 namespace {
 
-constexpr double radians_per_degree = M_PI / 180;
-
 RoomPlan
 readRoom(const JsonReader& json, const std::vector<CeilingPlane>& storey_ceiling)
 {

@@ -12,8 +12,6 @@ namespace indoor {
 
 namespace {
 
-constexpr double radians_per_degree = M_PI / 180;
-
 // A line on the floor, as two distinct points.
 struct Line {
   Eigen::Vector2d at, across; // a point; the unit vector to its left

@@ -6,8 +6,12 @@
 
 #include "plan/json_reader.h"
 
+#include <cmath>
+
 namespace pcl {
 namespace indoor {
+
+constexpr double radians_per_degree = M_PI / 180;
 
 /** \brief Read a polygon, arcs included, and turn it counter-clockwise. */
 Polygon

@@ -28,7 +28,7 @@ constexpr double side = 4.0, ceiling = 2.8; // of the room, metres
 
 // Packets, books, vessels, bags and small devices, as a hand can hold them.
 Piece
-smallThing(RoomFurnisher& room)
+thingOnTable(RoomFurnisher& room)
 {
   static const std::array<Thing, 12> things{
       {{"box", 0, 0, {0.05, 0.03, 0.05}, {0.25, 0.2, 0.3}},
@@ -83,7 +83,7 @@ randomTable(std::uint32_t seed, bool cluttered)
   const int count = cluttered ? 8 + room.pick(9) : 2 + room.pick(7);
   int last = -1;
   for (int i = 0; i < count; ++i) {
-    const Piece thing = smallThing(room);
+    const Piece thing = thingOnTable(room);
     const double turn = room.between(-M_PI, M_PI), way = room.between(0.0, 1.0);
     int placed = -1;
     if (last >= 0 && way < 0.3)

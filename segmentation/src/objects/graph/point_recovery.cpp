@@ -15,7 +15,7 @@ namespace {
 
 constexpr double accepted_share = 0.8; // P_r of Algorithm 1
 
-constexpr std::uint32_t none = pcl::indoor::Supervoxels::none;
+constexpr std::uint32_t unlabelled = pcl::indoor::Supervoxels::none;
 
 /** An entry of W in Algorithm 1. */
 struct Proposal {
@@ -45,16 +45,16 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
                             << normals.size() << " normals.");
   std::vector<std::uint32_t> open;
   for (std::uint32_t i = 0; i < labels.size(); ++i)
-    if (labels[i] == none)
+    if (labels[i] == unlabelled)
       open.push_back(i);
   const auto propose = [&](std::uint32_t place) {
-    Proposal best{0, place, none};
+    Proposal best{0, place, unlabelled};
     for (const auto other : neighbors.of(place)) {
-      if (labels[other] == none)
+      if (labels[other] == unlabelled)
         continue;
       const float d =
           distance(positions[place], normals[place], positions[other], normals[other]);
-      if (best.label == none || d < best.distance)
+      if (best.label == unlabelled || d < best.distance)
         best = {d, place, labels[other]};
     }
     return best;
@@ -63,7 +63,7 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
     std::vector<Proposal> proposals;
     for (const auto place : open) {
       const auto proposal = propose(place);
-      if (proposal.label != none)
+      if (proposal.label != unlabelled)
         proposals.push_back(proposal);
     }
     if (proposals.empty())
@@ -81,7 +81,7 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
       labels[proposals[i].place] = proposals[i].label;
     open.erase(std::remove_if(open.begin(),
                               open.end(),
-                              [&](auto place) { return labels[place] != none; }),
+                              [&](auto place) { return labels[place] != unlabelled; }),
                open.end());
   }
 }
@@ -94,13 +94,13 @@ labelRemainder(const Adjacency& neighbors,
   std::vector<std::uint32_t> part;
   auto next = first_label;
   const auto enter = [&](std::uint32_t place, std::uint32_t) {
-    const bool is_open = labels[place] == none;
+    const bool is_open = labels[place] == unlabelled;
     if (is_open)
       labels[place] = next;
     return is_open;
   };
   for (std::uint32_t first = 0; first < labels.size(); ++first) {
-    if (labels[first] != none)
+    if (labels[first] != unlabelled)
       continue;
     labels[first] = next;
     part.assign(1, first);

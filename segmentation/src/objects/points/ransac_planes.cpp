@@ -12,7 +12,7 @@
 
 namespace {
 
-using Indices = std::vector<std::uint32_t>;
+using Members = std::vector<std::uint32_t>;
 using pcl::indoor::StructurePlane;
 
 constexpr unsigned draws = 1000;         // of three points, per plane
@@ -40,14 +40,14 @@ planeThrough(const Eigen::Vector3d& a,
 }
 
 /** The points of a plane, of some points or of every n-th of them. */
-Indices
+Members
 pointsNear(const StructurePlane& plane,
            const std::vector<Eigen::Vector3f>& points,
-           const Indices& candidates,
+           const Members& candidates,
            std::size_t stride,
            double distance)
 {
-  Indices near;
+  Members near;
   for (std::size_t i = 0; i < candidates.size(); i += stride)
     if (std::abs(plane.heightOf(points[candidates[i]].cast<double>())) <= distance)
       near.push_back(candidates[i]);
@@ -56,7 +56,7 @@ pointsNear(const StructurePlane& plane,
 
 /** The plane of least squares. */
 StructurePlane
-fitted(const std::vector<Eigen::Vector3f>& points, const Indices& members)
+fitted(const std::vector<Eigen::Vector3f>& points, const Members& members)
 {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto i : members)
@@ -77,7 +77,7 @@ fitted(const std::vector<Eigen::Vector3f>& points, const Indices& members)
 /** The plane of the draw with most points. */
 StructurePlane
 bestPlane(const std::vector<Eigen::Vector3f>& points,
-          const Indices& candidates,
+          const Members& candidates,
           double distance,
           std::mt19937& random)
 {
@@ -113,7 +113,7 @@ ransacPlanes(const std::vector<Eigen::Vector3f>& points,
 {
   plane_of_point.assign(points.size(), 0);
   std::vector<StructurePlane> planes;
-  Indices left(points.size());
+  Members left(points.size());
   for (std::uint32_t i = 0; i < left.size(); ++i)
     left[i] = i;
   std::mt19937 random(1);
@@ -136,7 +136,7 @@ ransacPlanes(const std::vector<Eigen::Vector3f>& points,
     planes.push_back(plane);
     for (const auto i : members)
       plane_of_point[i] = static_cast<std::uint32_t>(planes.size());
-    Indices others;
+    Members others;
     for (const auto i : left)
       if (plane_of_point[i] == 0)
         others.push_back(i);

@@ -19,7 +19,7 @@ constexpr double most_high_points = 0.3; // with more it is part of a higher one
 constexpr double min_area = 4;          // of a thing, cells
 constexpr double max_area_share = 0.25; // of a thing over that of the surface
 constexpr double min_surrounded = 0.5;  // share of the cells at its rim with points
-constexpr double deviations =
+constexpr double noise_deviations =
     3; // of the surface's heights that a thing rises, at least
 constexpr double min_rise = 0.1; // and at least this, cells
 
@@ -208,7 +208,7 @@ HeightMap::findThings()
   smoothHeights();
   if (!measureSurface(cell_size_, min_thing_surface))
     return thing_of_cell;
-  const double high = std::max(deviations * deviation_, min_rise * cell_size_);
+  const double high = std::max(noise_deviations * deviation_, min_rise * cell_size_);
   const double low = high / 2;
   states_.assign(counts_.size(), State::Open);
   for (std::uint32_t first = 0; first < counts_.size(); ++first) {

@@ -25,15 +25,16 @@ using pcl::indoor::SliceCounts;
 
 using Members = pcl::indoor::SegmentMembers;
 
-constexpr double farthest = 4096; // extent of a segment, voxels
+constexpr double longest = 4096;  // extent of a segment, voxels
 constexpr double min_side = 0.35; // of a segment beside a seam, metres
 constexpr double density = 1.8;   // points of a sheet over those of what is beside it
-constexpr double deviations = 3;  // of a count, that are chance
-constexpr double min_cover = 0.5; // share of the inside that a seam fills
-constexpr unsigned min_cells = 8; // of a voxel that a seam fills there
+constexpr double chance_deviations = 3; // of a count, that are chance
+constexpr double min_cover = 0.5;       // share of the inside that a seam fills
+constexpr unsigned min_cells = 8;       // of a voxel that a seam fills there
 /** share of the points on either side whose normals point away from the inside */
 constexpr double min_outward = 0.5;
-constexpr unsigned directions = 60; // of upright planes that are tried, in 180 degrees
+constexpr unsigned seam_directions =
+    60; // of upright planes that are tried, in 180 degrees
 
 /** The points of a segment along one level direction, counted in thin slices. */
 class Profile {
@@ -124,7 +125,7 @@ private:
   isPeak(std::ptrdiff_t i) const
   {
     const double here = sheet(i), more = beside(i);
-    if (here < density * more + deviations * std::sqrt(more))
+    if (here < density * more + chance_deviations * std::sqrt(more))
       return false;
     for (auto other = i - per_voxel; other <= i + per_voxel; ++other)
       if (sheet(other) > here || (sheet(other) == here && other < i))
@@ -160,9 +161,9 @@ public:
   find() const
   {
     Seam best;
-    for (unsigned d = 0; d < directions; ++d) {
+    for (unsigned d = 0; d < seam_directions; ++d) {
       const Profile profile(
-          places_, pcl::indoor::levelDirection(d, directions), voxel_size_);
+          places_, pcl::indoor::levelDirection(d, seam_directions), voxel_size_);
       for (const auto peak : profile.peaks()) {
         const auto seam = seamAt(profile, peak);
         if (seam.excess > best.excess)
@@ -261,7 +262,7 @@ cutOnce(const Members& members, const ObjectScene& scene, const Eigen::Matrix3f&
     box.extend(places.back());
   }
   if (members.size() < min_cells || box.sizes().head<2>().norm() < 2 * min_side ||
-      box.sizes().maxCoeff() > farthest * scene.voxel_size)
+      box.sizes().maxCoeff() > longest * scene.voxel_size)
     return {members};
   for (const auto i : members)
     normals.emplace_back(frame * voxels.normals[voxels.cells.cell_of_point[i]]);

@@ -17,7 +17,6 @@ namespace {
 // Posts are looked for between 0.3 m and 1.6 m above the floor, and up to 0.6 m beside
 // the border: thicker walls hold no labels.
 constexpr double lowest = 0.3, highest = 1.6, deepest = 0.6;
-constexpr double crowd = 0.04;      // metres: two standard deviations of noise
 constexpr std::uint32_t least = 6;  // fewer points are outliers
 constexpr double along_reach = 4.0; // pixels from the ends that voxels say: things
                                     // beside a post close some

@@ -12,6 +12,10 @@
 namespace pcl {
 namespace indoor {
 
+/** \brief Two standard deviations of a scanner's noise, metres: the width of a
+ * PlaceProfile whose places are metres. */
+constexpr double crowd = 0.04;
+
 /** \brief Counts points along a line and tells where on it the first face across it is:
  * a floor seen from below, a wall or the post of a door seen from the room.
  *

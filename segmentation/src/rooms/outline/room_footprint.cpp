@@ -53,7 +53,8 @@ struct Side {
 };
 
 constexpr double before = 0.7, behind_side = 2.0; // where walls are looked for, pixels
-constexpr double crowd = 0.4; // pixels: two standard deviations of a scanner's noise
+constexpr double crowd_pixels =
+    0.4; // pixels: two standard deviations of a scanner's noise
 constexpr double long_enough = 4.0; // pixels; shorter sides tell no direction
 
 /** Fits a line to the face behind a side. */
@@ -116,14 +117,14 @@ private:
   static bool
   isOn(const Line& line, const Eigen::Vector2d& point)
   {
-    return std::abs(line.distance(point)) <= 0.5 * crowd;
+    return std::abs(line.distance(point)) <= 0.5 * crowd_pixels;
   }
 
   /** How far behind a part of a line the first face is. */
   std::optional<double>
   face(const Line& line, double begin, double end) const
   {
-    PlaceProfile profile(-before, behind_side, crowd);
+    PlaceProfile profile(-before, behind_side, crowd_pixels);
     for (const auto& point : near_) {
       const double place = line.along.dot(point - line.point);
       if (place >= begin && place <= end)

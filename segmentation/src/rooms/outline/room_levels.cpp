@@ -24,8 +24,6 @@ heightOfLayer(const BuildingRooms& building, double layer)
   return grid.origin.z() + grid.voxel_size * layer;
 }
 
-constexpr double crowd = 0.04; // metres: two standard deviations of a scanner's noise
-
 /** What is seen of the ceiling in one column. */
 struct ColumnTop {
   float lowest = std::numeric_limits<float>::infinity();

@@ -154,17 +154,17 @@ crossesItself(const OutlineRing& ring)
 }
 
 /** The line that a side of a simplified ring lies on. */
-struct Side {
+struct FittedSide {
   Eigen::Vector2d point;
   Eigen::Vector2d direction;
 };
 
 /** Fit a line to a part of a ring: where most of it is one straight line, that one,
  * otherwise least squares over its length. */
-Side
+FittedSide
 fittedSide(const OutlineRing& ring, std::size_t begin, std::size_t end)
 {
-  Side longest{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  FittedSide longest{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   double length = 0.0;
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
@@ -196,8 +196,8 @@ fittedSide(const OutlineRing& ring, std::size_t begin, std::size_t end)
  * are nearly parallel meet anywhere. */
 Eigen::Vector2d
 meetingNear(const Eigen::Vector2d& corner,
-            const Side& before,
-            const Side& after,
+            const FittedSide& before,
+            const FittedSide& after,
             double distance)
 {
   const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -216,7 +216,7 @@ fittedCorners(const OutlineRing& ring,
               const std::vector<std::size_t>& places,
               double tolerance)
 {
-  std::vector<Side> sides;
+  std::vector<FittedSide> sides;
   for (std::size_t k = 0; k < places.size(); ++k)
     sides.push_back(fittedSide(
         ring, places[k], k + 1 < places.size() ? places[k + 1] : ring.size()));
