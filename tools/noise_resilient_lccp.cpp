@@ -16,7 +16,11 @@
 #include "scene/scan_frame.h"
 
 #include <pcl/filters/scan_outlier_removal.h>
+#include <pcl/indoor/middle_point.h>
+#include <pcl/indoor/usable_point.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
+#include <pcl/segmentation/objects/table_top.h>
+#include <pcl/segmentation/rooms/vertical.h>
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>
@@ -70,11 +74,11 @@ addLengths(OptionParser& parser, Settings& settings)
       .text("-preset",
             settings.preset,
             "what is wanted; objects: whole things in a room; parts: seats, backs and "
-            "arms apart; single_view: a table seen by one camera; thesis, "
+            "arms apart; single_view: a table with small things; thesis, "
             "thesis_kinect: the method of the thesis with its parameters for laser "
             "scans or the Kinect, and no more; auto: single_view if one camera saw a "
-            "table, "
-            "at most 1.4 m away, up to 2 m if most of it is small; else objects",
+            "table, at most 1.4 m away, up to 2 m if most of it is small, or if all is "
+            "within 0.7 m of height and 1.5 m across; else objects",
             {"auto", "objects", "parts", "single_view", "thesis", "thesis_kinect"})
       .number("-voxel_resolution",
               settings.voxel_resolution,
@@ -229,7 +233,7 @@ addOthers(OptionParser& parser, Settings& settings)
 }
 
 ObjectSegmentationOptions
-presetOptions(const std::string& preset, bool is_table_view)
+presetOptions(const std::string& preset, bool is_table)
 {
   if (preset == "thesis")
     return pcl::indoor::thesisOptions();
@@ -237,15 +241,15 @@ presetOptions(const std::string& preset, bool is_table_view)
     return pcl::indoor::thesisKinectOptions();
   if (preset == "parts")
     return pcl::indoor::partsOptions();
-  if (preset == "single_view" || (preset == "auto" && is_table_view))
+  if (preset == "single_view" || (preset == "auto" && is_table))
     return pcl::indoor::singleViewOptions();
   return {};
 }
 
 ObjectSegmentationOptions
-chosenOptions(const Settings& settings, bool is_table_view)
+chosenOptions(const Settings& settings, bool is_table)
 {
-  const auto preset = presetOptions(settings.preset, is_table_view);
+  const auto preset = presetOptions(settings.preset, is_table);
   auto options = settings.others;
   const bool given = settings.voxel_resolution > 0 || settings.seed_resolution > 0;
   options.voxel_size = given ? settings.voxel_resolution : preset.voxel_size;
@@ -283,6 +287,31 @@ pointsInMetres(const CloudFile& file, double metres_per_unit)
     point.getVector3fMap() *= scale;
   points->sensor_origin_.head<3>() *= scale;
   return points;
+}
+
+/** Whether a cloud is a table: one camera's view of it, or a scan from any side, which
+ * a line says. */
+bool
+isTable(const Settings& settings, const Cloud::ConstPtr& cloud)
+{
+  if (settings.preset != "auto")
+    return false;
+  if (isTableView(cloud))
+    return true;
+  std::vector<Eigen::Vector3f> points;
+  for (const auto& point : *cloud)
+    if (pcl::indoor::isUsablePoint(point))
+      points.push_back(point.getVector3fMap());
+  pcl::indoor::moveToMiddle(points);
+  const auto up = settings.frame.up == "auto"
+                      ? pcl::indoor::findVertical(points).upAxis()
+                      : settings.frame.upAxis().normalized();
+  if (!pcl::indoor::isTableTop(points, up))
+    return false;
+  printWarning(settings.input +
+               ": The scan is no larger than what stands on a table: small things are "
+               "told apart (-preset single_view); for one thing set -preset objects.");
+  return true;
 }
 
 pcl::IndicesPtr
@@ -345,7 +374,7 @@ main(int argc, char** argv)
     progress.start("Segmenting objects");
     const auto points = pointsInMetres(file, settings.frame.metresPerUnit());
     pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
-    segmentation.setOptions(chosenOptions(settings, isTableView(points)));
+    segmentation.setOptions(chosenOptions(settings, isTable(settings, points)));
     if (settings.frame.up != "auto")
       segmentation.setUpAxis(settings.frame.upAxis());
     if (settings.camera != "auto")

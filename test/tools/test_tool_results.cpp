@@ -27,6 +27,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <random>
 #include <set>
 
 using namespace pcl::indoor;
@@ -83,6 +84,45 @@ scanOfTwoRooms()
   }
   cloud.is_dense = false;
   cloud.sensor_origin_ = Eigen::Vector4f(1, 1, 1.5f, 0);
+  return cloud;
+}
+
+/** The top of a table with four times three boxes of 16 x 14 x 10 cm, 4 cm apart, as
+ * scanned from all sides; intensity 1 in the middle of the boxes' tops. */
+pcl::PointCloud<pcl::PointXYZI>
+tableWithTwelveBoxes()
+{
+  constexpr float spacing = 0.006f, height = 0.1f;
+  const Eigen::Vector2f half(0.08f, 0.07f);
+  std::mt19937 rng(1);
+  std::normal_distribution<float> noise(0, 0.001f);
+  pcl::PointCloud<pcl::PointXYZI> cloud;
+  const auto add = [&](float x, float y, float z, bool is_middle) {
+    pcl::PointXYZI point(is_middle ? 1.0f : 0.0f);
+    point.getVector3fMap() =
+        Eigen::Vector3f(x + noise(rng), y + noise(rng), z + noise(rng));
+    cloud.push_back(point);
+  };
+  for (int i = 0; i < 160; ++i)
+    for (int j = 0; j < 110; ++j) {
+      const float x = spacing * static_cast<float>(i),
+                  y = spacing * static_cast<float>(j);
+      const Eigen::Vector2f in_box = // of boxes every 20 and 18 cm, from their middles
+          Eigen::Vector2f(std::fmod(x, 0.2f) - 0.1f, std::fmod(y, 0.18f) - 0.09f)
+              .cwiseAbs();
+      const bool is_box =
+          x < 0.8f && y < 0.54f && (in_box.array() < half.array()).all();
+      add(x, y, is_box ? height : 0, is_box && in_box.maxCoeff() < 0.04f);
+    }
+  for (int box = 0; box < 12; ++box)
+    for (float z = spacing; z < height; z += spacing)
+      for (float along = -1; along <= 1; along += 0.08f)
+        for (const float side : {-1.0f, 1.0f}) {
+          const Eigen::Vector2f middle(0.1f + 0.2f * static_cast<float>(box % 4),
+                                       0.09f + 0.18f * static_cast<float>(box / 4));
+          add(middle.x() + side * half.x(), middle.y() + along * half.y(), z, false);
+          add(middle.x() + along * half.x(), middle.y() + side * half.y(), z, false);
+        }
   return cloud;
 }
 
@@ -240,6 +280,30 @@ TEST_F(ToolResults, NoiseResilientLccpTellsColoursApart)
                 path("plain.pcd") + " " + path("out.pcd") +
                     " -preset thesis -colour_weight 1");
   EXPECT_NE(bytesOf(path("said")).find("no colours"), std::string::npos);
+}
+
+TEST_F(ToolResults, NoiseResilientLccpTellsThingsOnATableApartFromAnySide)
+{
+  const auto cloud = tableWithTwelveBoxes();
+  pcl::io::savePCDFileBinary(path("in.pcd"), cloud);
+  const auto run_with = [&](const std::string& options) {
+    const std::string command =
+        std::string(PCL_INDOOR_TOOLS) + "/pcl_noise_resilient_lccp " + path("in.pcd") +
+        " " + path("out.pcd") + options + " > " + path("said") + " 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    const auto objects = readLabels(loadCloud(path("out.pcd")), "object");
+    std::set<std::uint32_t> on_boxes; // in the middle of their tops
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      if (cloud[i].intensity > 0)
+        on_boxes.insert(objects[i]);
+    return on_boxes.size();
+  };
+  const char* line = "no larger than what stands on a table";
+  EXPECT_EQ(run_with(" -quiet"), 12u);
+  EXPECT_NE(bytesOf(path("said")).find(line), std::string::npos);
+  EXPECT_EQ(run_with(" -preset single_view"), 12u);
+  EXPECT_EQ(bytesOf(path("said")).find(line), std::string::npos);
+  EXPECT_LT(run_with(" -preset objects"), 6u) << "as furniture of a room";
 }
 
 TEST_F(ToolResults, NoiseResilientLccpRefusesWrongLevels)

@@ -4,12 +4,32 @@
  */
 #include <pcl/segmentation/objects/object_report.h>
 
+#include <pcl/segmentation/objects/table_top.h>
+
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace pcl {
 namespace indoor {
+
+namespace {
+
+/** The segment with most points that is neither structure nor the remainder. */
+std::uint32_t
+largestThing(const ObjectSegmentation& result)
+{
+  std::vector<std::size_t> sizes(result.segment_count, 0);
+  for (const auto segment : result.segment_of_point)
+    if (segment != Supervoxels::none &&
+        result.structure_of_segment[segment] == StructureKind::None)
+      ++sizes[segment];
+  return static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) -
+                                    sizes.begin());
+}
+
+} // namespace
 
 std::string
 oneSegmentWarning(const ObjectSegmentation& result)
@@ -36,9 +56,31 @@ oneSegmentWarning(const ObjectSegmentation& result)
     line << ": right if the scan is of one thing. If not, the things are too small for "
             "voxels of "
          << result.options.voxel_size
-         << " m: set smaller ones (-voxel_resolution), or, for the view of a table by "
-            "one camera, the options for it (-preset single_view).";
+         << " m: set the options for small things (-preset single_view), or smaller "
+            "voxels (-voxel_resolution).";
   return line.str();
+}
+
+std::string
+tableTopWarning(const ObjectSegmentation& result)
+{
+  constexpr std::size_t many = 10; // pieces; things of that size in rooms have fewer
+  if (result.options.pieces.scale == JoiningScale::View)
+    return {};
+  const auto largest = largestThing(result);
+  std::set<std::uint32_t> pieces;
+  std::vector<Eigen::Vector3f> points;
+  for (std::size_t i = 0; i < result.piece_of_point.size(); ++i)
+    if (result.segment_of_point[i] == largest) {
+      pieces.insert(result.piece_of_point[i]);
+      points.push_back(result.scene.points[i]);
+    }
+  if (pieces.size() < many || !isTableTop(points, result.scene.up))
+    return {};
+  return "The largest segment is no larger than what stands on a table, but of " +
+         std::to_string(pieces.size()) +
+         " pieces: if it is several things, cut them out of the scan, or set the "
+         "options for small things (-preset single_view).";
 }
 
 std::string

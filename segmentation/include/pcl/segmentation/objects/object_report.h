@@ -28,6 +28,13 @@ struct ObjectReport {
 std::string
 oneSegmentWarning(const ObjectSegmentation& result);
 
+/** \brief Warn if the largest thing is no larger than what stands on a table, see
+ * isTableTop(), but of ten pieces or more: probably it is many small things.
+ * \return one line; empty if not, and with JoiningScale::View, which is for such things
+ */
+std::string
+tableTopWarning(const ObjectSegmentation& result);
+
 /** \brief Warn that some points are so far from the others that they get no segment.
  * \return one line; empty if there are none
  */
