@@ -76,6 +76,26 @@ TEST_F(CloudFiles, EveryEncodingGivesTheSameCloud)
   }
 }
 
+TEST_F(CloudFiles, PointsBehindThePromisedOnesAreSaid)
+{
+  pcl::PCDWriter().writeBinary(path("more.pcd"), organisedCloud());
+  EXPECT_TRUE(loadCloud(path("more.pcd")).notes.empty());
+  const auto add = [&](std::size_t bytes) {
+    std::ofstream(path("more.pcd"), std::ios::binary | std::ios::app)
+        << std::string(bytes, '\x3e');
+  };
+  constexpr std::size_t point = 8 * sizeof(float);
+  add(point - 1);
+  EXPECT_TRUE(loadCloud(path("more.pcd")).notes.empty()) << "less than a point";
+  add(point + 1);
+  const auto file = loadCloud(path("more.pcd"));
+  EXPECT_EQ(file.points->size(), 24u);
+  EXPECT_EQ(file.notes,
+            std::vector<std::string>({"the header promises 24 points, the file holds "
+                                      "26: those behind the promised ones are left "
+                                      "out"}));
+}
+
 TEST_F(CloudFiles, PlyIsReadWithItsDoubles)
 {
   const auto file = loadCloud(write(
@@ -322,4 +342,8 @@ TEST_F(CloudFiles, OtherFormatsAreNamedWithTheCommandThatConvertsThem)
   EXPECT_EQ(messageFor("a.dxf", "0\nSECTION\n2\nHEADER\n").substr(0, 9), "a drawing");
   EXPECT_EQ(messageFor("a.bin", "CCB2").substr(0, 23), "a file of CloudCompare;");
   EXPECT_EQ(messageFor("a.FBX", "what is this").substr(0, 12), "an FBX scene");
+  EXPECT_NE(messageFor("a b.csv", std::string("\xff\xfex\0,\0", 6))
+                .find("iconv -f UTF-16 -t UTF-8 '" + path("a b.csv") + "' -o '" +
+                      path("a b.txt") + "'"),
+            std::string::npos);
 }

@@ -376,6 +376,8 @@ TEST_F(Tables, MessagesNameTheColumnsThatWouldDo)
   EXPECT_EQ(complaint("x,y,when\n1,2,3\n"),
             "line 1 names no column 'z'; name them, for example -columns x,y,z");
   EXPECT_EQ(complaint("1 2 b\n"), none + "x,y,z");
+  EXPECT_EQ(complaint("x,y\n1,2\n"),
+            "line 1 names no column 'z', nor other numbers that could be it");
   EXPECT_EQ(
       complaint("Latitude,Longitude,Height\n48.1,11.5,3\n"),
       "line 1 names the column 'latitude': angles are no coordinates, project them "

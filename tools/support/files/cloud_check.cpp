@@ -70,7 +70,7 @@ checkPcd(const std::string& content, const std::string& path, CheckedPcd& checke
   MemoryStream stream(content.data(), content.size());
   stream.exceptions(std::ios::badbit); // memory that lacks is no end of the file
   auto header = readFileHeader(stream, "DATA", path);
-  const auto pcd = readPcdHeader(header, path);
+  auto pcd = readPcdHeader(header, path);
   const std::uint64_t body =
       content.size() - std::min<std::uint64_t>(header.body_begin, content.size());
   const std::uint64_t bytes = pcd.points * pcd.bytesPerPoint();
@@ -80,6 +80,7 @@ checkPcd(const std::string& content, const std::string& path, CheckedPcd& checke
   else if (pcd.data == "binary") {
     if (body < bytes)
       throwTruncated(path, bytes, body, "bytes of points");
+    pcd.noteBytes(body);
   }
   else if (pcd.data == "binary_compressed") {
     std::uint32_t sizes[2] = {0, 0}; // compressed, uncompressed

@@ -104,9 +104,13 @@ bool
 FileStream::openPcd()
 {
   auto header = readFileHeader(stream_, "DATA", path_);
-  const auto pcd = readPcdHeader(header, path_);
+  auto pcd = readPcdHeader(header, path_);
   if (pcd.data != "binary")
     return false;
+  std::error_code error; // of what is no plain file the size is not known
+  if (const auto size = std::filesystem::file_size(path_, error);
+      !error && size > header.body_begin)
+    pcd.noteBytes(size - header.body_begin);
   const auto text = pcdHeaderText(header, true);
   MemoryStream stream(text.data(), text.size());
   int version = 0, encoding = 0;

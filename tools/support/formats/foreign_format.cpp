@@ -28,8 +28,9 @@ constexpr const char* laspy =
     "'laspy[lazrs]' && las/bin/python -c 'import sys, laspy; "
     "laspy.read(sys.argv[1]).write(sys.argv[2])' IN OUT.las";
 constexpr const char* cloud_compare =
-    "convert it (needs cloudcompare): CloudCompare -SILENT -AUTO_SAVE OFF -O "
-    "-GLOBAL_SHIFT AUTO IN -C_EXPORT_FMT PLY -MERGE_CLOUDS -SAVE_CLOUDS";
+    "convert it (needs cloudcompare): QT_QPA_PLATFORM=offscreen "
+    "CloudCompare -SILENT -AUTO_SAVE OFF -O -GLOBAL_SHIFT AUTO IN -C_EXPORT_FMT PLY "
+    "-MERGE_CLOUDS -SAVE_CLOUDS";
 constexpr const char* assimp =
     "convert it (needs assimp-utils): assimp export IN OUT.obj";
 constexpr const char* from_its_program =
@@ -114,6 +115,10 @@ const std::vector<Format> formats = {
      {"\x89PNG", "\xff\xd8\xff", "GIF8", "II*", "%PDF"},
      {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".mp4", ".mov", ".pdf"},
      "it has no points: give the scan"},
+    {"a text in UTF-16",
+     {"\xff\xfe", "\xfe\xff"},
+     {},
+     "convert it: iconv -f UTF-16 -t UTF-8 IN -o OUT.txt"},
     {"a packed folder (tar)", {}, {".tar"}, "unpack it: tar xf IN"},
     {"a file compressed by gzip",
      {"\x1f\x8b"},
@@ -128,10 +133,10 @@ const std::vector<Format> formats = {
     {"a file compressed by zstd",
      {"\x28\xb5\x2f\xfd"},
      {".zst"},
-     "unpack it: unzstd IN"},
-    {"a 7z archive", {"7z\xbc\xaf"}, {".7z"}, "unpack it (needs 7zip): 7z x IN"},
+     "unpack it (needs zstd): unzstd IN"},
+    {"a 7z archive", {"7z\xbc\xaf"}, {".7z"}, "unpack it (needs p7zip-full): 7z x IN"},
     {"a RAR archive", {"Rar!"}, {".rar"}, "unpack it (needs unar): unar IN"},
-    {"a ZIP archive", {"PK\x03\x04"}, {".zip"}, "unpack it: unzip IN"}};
+    {"a ZIP archive", {"PK\x03\x04"}, {".zip"}, "unpack it (needs unzip): unzip IN"}};
 
 /** By its first bytes, else by the ending of its name; the ending goes before, where
  * many formats begin alike, as archives. */

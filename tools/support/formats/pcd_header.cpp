@@ -114,6 +114,16 @@ PcdHeader::bytesPerPoint() const
   return sum;
 }
 
+void
+PcdHeader::noteBytes(std::uint64_t body)
+{
+  const auto found = body / std::max<std::uint64_t>(bytesPerPoint(), 1);
+  if (found > points)
+    notes.push_back("the header promises " + std::to_string(points) +
+                    " points, the file holds " + std::to_string(found) +
+                    ": those behind the promised ones are left out");
+}
+
 PcdHeader
 readPcdHeader(FileHeader& header, const std::string& path)
 {

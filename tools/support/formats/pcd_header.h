@@ -27,6 +27,11 @@ struct PcdHeader {
 
   std::uint64_t
   bytesPerPoint() const;
+
+  /** \brief Note that binary points are left out, if there are more than promised.
+   * \param[in] body bytes behind the header */
+  void
+  noteBytes(std::uint64_t body);
 };
 
 /** \brief Read a header that agrees with itself: PCL's reader would trust any.

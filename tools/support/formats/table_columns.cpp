@@ -307,7 +307,7 @@ columnsProposal(const std::vector<TableColumn>& columns,
     else if (proposed[c].kind == Kind::Real && next != missing.end())
       proposed[c] = {*next++, Kind::Coordinate};
   }
-  return listOf(proposed);
+  return next == missing.end() ? listOf(proposed) : "";
 }
 
 std::string

@@ -56,6 +56,7 @@ placeProblem(const std::vector<TableColumn>& columns);
 
 /** \brief What -columns could say of a table of which \a columns says too little.
  * \param[in] are_numbers which columns hold numbers
+ * \return empty if these are too few for x, y and z
  */
 std::string
 columnsProposal(const std::vector<TableColumn>& columns,

@@ -103,10 +103,12 @@ TableRows::refusePlace(const Header& header, const std::vector<bool>& are_number
   const auto columns = columnsOf(header.names).columns;
   const auto problem = placeProblem(columns);
   const bool is_angle = problem.find("angles") != problem.npos;
+  const auto proposal = columnsProposal(columns, are_numbers);
   throw ToolError(place(header.line) + problem +
                   (is_angle ? ""
-                            : "; name them, for example -columns " +
-                                  columnsProposal(columns, are_numbers)));
+                   : proposal.empty()
+                       ? ", nor other numbers that could be it"
+                       : "; name them, for example -columns " + proposal));
 }
 
 /** Bytes that are no text stand in a number or in place of a separator. */
