@@ -87,12 +87,13 @@ scanOfTwoRooms()
   return cloud;
 }
 
-/** The top of a table with four times three boxes of 16 x 14 x 10 cm, 4 cm apart, as
- * scanned from all sides; intensity 1 in the middle of the boxes' tops. */
+/** The top of a table with four times three boxes of 16 x 14 cm, 7 to 18 cm high and 4
+ * cm apart, as scanned from all sides; intensity 1 in the middle of the boxes' tops. */
 pcl::PointCloud<pcl::PointXYZI>
 tableWithTwelveBoxes()
 {
-  constexpr float spacing = 0.006f, height = 0.1f;
+  constexpr float spacing = 0.006f;
+  const auto height = [](int box) { return 0.07f + 0.01f * static_cast<float>(box); };
   const Eigen::Vector2f half(0.08f, 0.07f);
   std::mt19937 rng(1);
   std::normal_distribution<float> noise(0, 0.001f);
@@ -112,10 +113,11 @@ tableWithTwelveBoxes()
               .cwiseAbs();
       const bool is_box =
           x < 0.8f && y < 0.54f && (in_box.array() < half.array()).all();
-      add(x, y, is_box ? height : 0, is_box && in_box.maxCoeff() < 0.04f);
+      const int box = static_cast<int>(x / 0.2f) + 4 * static_cast<int>(y / 0.18f);
+      add(x, y, is_box ? height(box) : 0, is_box && in_box.maxCoeff() < 0.04f);
     }
   for (int box = 0; box < 12; ++box)
-    for (float z = spacing; z < height; z += spacing)
+    for (float z = spacing; z < height(box); z += spacing)
       for (float along = -1; along <= 1; along += 0.08f)
         for (const float side : {-1.0f, 1.0f}) {
           const Eigen::Vector2f middle(0.1f + 0.2f * static_cast<float>(box % 4),
@@ -299,11 +301,11 @@ TEST_F(ToolResults, NoiseResilientLccpTellsThingsOnATableApartFromAnySide)
     return on_boxes.size();
   };
   const char* line = "no larger than what stands on a table";
-  EXPECT_EQ(run_with(" -quiet"), 12u);
+  EXPECT_GE(run_with(" -quiet"), 10u);
   EXPECT_NE(bytesOf(path("said")).find(line), std::string::npos);
-  EXPECT_EQ(run_with(" -preset single_view"), 12u);
+  EXPECT_GE(run_with(" -preset single_view"), 10u);
   EXPECT_EQ(bytesOf(path("said")).find(line), std::string::npos);
-  EXPECT_LT(run_with(" -preset objects"), 6u) << "as furniture of a room";
+  EXPECT_LE(run_with(" -preset objects"), 2u) << "as furniture of a room";
 }
 
 TEST_F(ToolResults, NoiseResilientLccpRefusesWrongLevels)
