@@ -34,7 +34,7 @@ storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
                 const BuildingRooms& building,
                 int threads)
 {
-  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
+  const VoxelBits& grid = building.occupancy.grid;
   std::vector<std::uint8_t> storey_of(points.size(), 0);
   if (building.storeys.borders.empty())
     return storey_of;
@@ -91,7 +91,7 @@ labelByVote(const VoxelMap<int>& votes,
             const std::vector<std::uint8_t>& storey_of,
             BuildingRooms& building)
 {
-  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
+  const VoxelBits& grid = building.occupancy.grid;
   const int factor = building.interior.factor;
   const int first = building.maps[storey].first_layer / factor;
   for (std::size_t i = 0; i < storey_of.size(); ++i) {
@@ -240,7 +240,7 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     addTriangles(triangles, options.threads, building.occupancy);
   }
 
-  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
+  const VoxelBits& grid = building.occupancy.grid;
   if (stopped(0.2, "interior space"))
     return {};
   building.interior =

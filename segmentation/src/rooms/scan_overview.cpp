@@ -91,7 +91,7 @@ gridOf(const Points& points)
 double
 spacingOf(const OccupancyGrid& grid, std::size_t all)
 {
-  std::vector<std::uint32_t> counts(grid.grid.values.size(), 0);
+  std::vector<std::uint32_t> counts(grid.grid.shape.size(), 0);
   for (const auto cell : grid.cells)
     if (cell >= 0)
       ++counts[cell];
@@ -143,7 +143,7 @@ roomHeight(const Points& points, const OccupancyGrid& grid)
   };
   std::vector<Gap> gaps(static_cast<std::size_t>(shape.nx) * shape.ny);
   for (std::size_t column = 0; column < gaps.size(); ++column) {
-    const auto* const voxels = &grid.grid.values[column * shape.nz];
+    const auto voxels = grid.grid.column(column);
     for (int z = 0, last = -1; z < shape.nz; ++z) {
       if (!voxels[z])
         continue;

@@ -16,14 +16,14 @@ namespace indoor {
 namespace {
 
 PixelMap<int>
-highestOccupied(const VoxelMap<std::uint8_t>& occupancy, const VerticalRange& storey)
+highestOccupied(const VoxelBits& occupancy, const VerticalRange& storey)
 {
   const GridShape& shape = occupancy.shape;
   PixelMap<int> top{shape.nx, shape.ny, {}};
   top.values.assign(top.size(), -1);
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y) {
-      const std::uint8_t* column = &occupancy.values[shape.index(x, y, 0)];
+      const auto column = occupancy.column(x, y);
       int z = storey.end - 1;
       while (z >= storey.begin && !column[z])
         --z;
@@ -71,7 +71,7 @@ shareOfLevel(const PixelMap<int>& top, int x, int y, int radius)
 /** Whether something occupied goes on up to the ceiling, in its column or one beside
  * it: a wall or a lintel does, the tread of a stair or a cabinet does not. */
 bool
-reachesUpTo(int ceiling, const VoxelMap<std::uint8_t>& occupancy, int x, int y, int z)
+reachesUpTo(int ceiling, const VoxelBits& occupancy, int x, int y, int z)
 {
   const GridShape& shape = occupancy.shape;
   const auto isOccupiedAround = [&](int layer) {
@@ -102,7 +102,7 @@ isSteep(const PixelMap<int>& ceiling, int x, int y)
 } // namespace
 
 PixelMap<int>
-ceilingLayers(const VoxelMap<std::uint8_t>& occupancy,
+ceilingLayers(const VoxelBits& occupancy,
               const VerticalRange& storey,
               const CeilingSlabOptions& options)
 {
@@ -138,7 +138,7 @@ ceilingLayers(const VoxelMap<std::uint8_t>& occupancy,
 }
 
 SlabLayers
-slabLayers(const VoxelMap<std::uint8_t>& occupancy,
+slabLayers(const VoxelBits& occupancy,
            const VerticalRange& storey,
            const PixelMap<int>& ceiling,
            const CeilingSlabOptions& options)
@@ -157,11 +157,11 @@ slabLayers(const VoxelMap<std::uint8_t>& occupancy,
                 static_cast<int>(i) / ceiling.ny,
                 static_cast<int>(i) % ceiling.ny))
       continue;
-    const auto* column = &occupancy.values[i * occupancy.shape.nz];
+    const auto column = occupancy.column(i);
     const int top = ceiling.values[i];
     for (int below = 0; below <= greatest + depth && top - below >= storey.begin;
          ++below)
-      occupied[below] += column[top - below] != 0;
+      occupied[below] += column[top - below];
   }
   const std::size_t walls = *std::min_element(occupied.begin() + least, occupied.end());
   int first = least;
@@ -171,7 +171,7 @@ slabLayers(const VoxelMap<std::uint8_t>& occupancy,
 }
 
 PixelMap<std::uint8_t>
-blockedColumns(const VoxelMap<std::uint8_t>& occupancy,
+blockedColumns(const VoxelBits& occupancy,
                const VerticalRange& storey,
                const PixelMap<int>& ceiling,
                const SlabLayers& slab)

@@ -182,7 +182,7 @@ straightened(const PixelMap<Eigen::Vector2f>& lean,
 }
 
 PixelMap<std::uint8_t>
-straightenedColumns(const VoxelMap<std::uint8_t>& occupancy,
+straightenedColumns(const VoxelBits& occupancy,
                     const PixelMap<Eigen::Vector2f>& lean,
                     const PixelMap<float>& slab)
 {

@@ -37,7 +37,7 @@ using RegionPair = std::pair<std::int32_t, std::int32_t>;
 /** Looks across the border between two pixels. */
 class BorderSection {
 public:
-  BorderSection(const VoxelMap<std::uint8_t>& occupancy,
+  BorderSection(const VoxelBits& occupancy,
                 const VerticalRange& storey,
                 const PixelMap<int>& ceiling,
                 BorderTop top)
@@ -60,7 +60,7 @@ public:
     for (int k = 0; k <= steps; ++k) {
       const int x = x0 + static_cast<int>(std::lround((x1 - x0) * k / double(steps)));
       const int y = y0 + static_cast<int>(std::lround((y1 - y0) * k / double(steps)));
-      const std::uint8_t* column = &occupancy_.values[occupancy_.shape.index(x, y, 0)];
+      const auto column = occupancy_.column(x, y);
       for (int z = storey_.begin; z < top; ++z)
         closed_[z] |= column[z];
     }
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  const VoxelMap<std::uint8_t>& occupancy_;
+  const VoxelBits& occupancy_;
   const VerticalRange& storey_;
   const PixelMap<int>& ceiling_;
   BorderTop top_;
@@ -84,7 +84,7 @@ private:
  * one, q, along x or y if they are of different regions. */
 template <typename Piece>
 void
-walkBorders(const VoxelMap<std::uint8_t>& occupancy,
+walkBorders(const VoxelBits& occupancy,
             const VerticalRange& storey,
             const PixelMap<int>& ceiling,
             const PixelMap<std::int32_t>& labels,
@@ -297,7 +297,7 @@ private:
 } // namespace
 
 std::vector<RegionBorder>
-regionBorders(const VoxelMap<std::uint8_t>& occupancy,
+regionBorders(const VoxelBits& occupancy,
               const VerticalRange& storey,
               const PixelMap<int>& ceiling,
               const PixelMap<std::int32_t>& labels,
@@ -327,7 +327,7 @@ regionBorders(const VoxelMap<std::uint8_t>& occupancy,
 }
 
 std::vector<RegionOpening>
-regionOpenings(const VoxelMap<std::uint8_t>& occupancy,
+regionOpenings(const VoxelBits& occupancy,
                const VerticalRange& storey,
                const PixelMap<int>& ceiling,
                const PixelMap<std::int32_t>& labels,

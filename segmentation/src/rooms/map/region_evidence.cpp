@@ -38,12 +38,9 @@ dropRegions(const std::vector<std::uint8_t>& is_dropped, RoomMap& map)
 
 /** Whether something lies above the heads of people in a column. */
 bool
-isCovered(const VoxelMap<std::uint8_t>& occupancy, std::size_t pixel, int headroom)
+isCovered(const VoxelBits& occupancy, std::size_t pixel, int headroom)
 {
-  const auto column = occupancy.values.begin() + pixel * occupancy.shape.nz;
-  return std::any_of(column + std::min(headroom, occupancy.shape.nz),
-                     column + occupancy.shape.nz,
-                     [](auto value) { return value != 0; });
+  return occupancy.column(pixel).any(headroom, occupancy.shape.nz);
 }
 
 /** What a share of the area exceeds, or is equal to; 0 without area. */
@@ -135,12 +132,14 @@ levelSides(const VoxelMap<std::uint8_t>& occupancy, const RoomMap& map)
 } // namespace
 
 double
-occupiedHeight(const VoxelMap<std::uint8_t>& occupancy)
+occupiedHeight(const VoxelBits& occupancy)
 {
   std::vector<std::size_t> counts(occupancy.shape.nz, 0); // per layer
-  for (std::size_t begin = 0; begin < occupancy.values.size(); begin += counts.size())
+  for (std::size_t pixel = 0; pixel < occupancy.columns(); ++pixel) {
+    const auto column = occupancy.column(pixel);
     for (std::size_t z = 0; z < counts.size(); ++z)
-      counts[z] += occupancy.values[begin + z] != 0;
+      counts[z] += column[static_cast<int>(z)];
+  }
   const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
   if (all == 0)
     return 0.0;

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/room_map.h>
 #include <pcl/segmentation/rooms/storey_space.h>
@@ -21,7 +22,7 @@ constexpr double least_storey_height = 1.5; ///< metres, as the clearance of sto
 /** \brief How high the occupied voxels of a grid reach, without the outermost
  * thousandths, metres; 0 if there are none. */
 double
-occupiedHeight(const VoxelMap<std::uint8_t>& occupancy);
+occupiedHeight(const VoxelBits& occupancy);
 
 /** \brief Drop the regions without a ceiling whose border is open to the outside, such
  * as streets and gardens, where a scan shows ceilings elsewhere.

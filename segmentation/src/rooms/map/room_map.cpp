@@ -27,11 +27,9 @@ namespace {
 
 /** Whether a column holds an occupied voxel. */
 bool
-holdsSomething(const VoxelMap<std::uint8_t>& grid, std::size_t pixel)
+holdsSomething(const VoxelBits& grid, std::size_t pixel)
 {
-  const auto column = grid.values.begin() + pixel * grid.shape.nz;
-  return std::any_of(
-      column, column + grid.shape.nz, [](auto value) { return value != 0; });
+  return grid.column(pixel).any(0, grid.shape.nz);
 }
 
 /** Columns with something in them, and the gaps between those (closing by a disc; there
@@ -141,7 +139,7 @@ basinsOfWidth(const PixelMap<float>& field,
 /** Remove labels of regions that are no rooms: too small, or of whose columns most hold
  * nothing, such as the hollow of a thick wall, which no scanner looks into. */
 void
-dropNoRooms(const VoxelMap<std::uint8_t>& occupancy,
+dropNoRooms(const VoxelBits& occupancy,
             const RoomMapOptions& options,
             PixelMap<std::int32_t>& labels)
 {
@@ -288,7 +286,7 @@ fieldRoomsOnMap(const FieldRooms& rooms, int factor, const PixelMap<float>& fiel
 RoomMap
 segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
 {
-  const VoxelMap<std::uint8_t>& occupancy = space.occupancy;
+  const VoxelBits& occupancy = space.occupancy;
   const double size = occupancy.voxel_size;
   RoomMap map;
   map.first_layer = space.first_layer;

@@ -70,7 +70,7 @@ wallAround(const PixelMap<std::uint8_t>& blocked,
 
 /** The occupied voxels between the slab and the floor that may belong to a wall. */
 void
-sectionAt(const VoxelMap<std::uint8_t>& occupancy,
+sectionAt(const VoxelBits& occupancy,
           int floor,
           double slab,
           int top,
@@ -98,7 +98,7 @@ sectionAt(const VoxelMap<std::uint8_t>& occupancy,
       const double least = (std::abs(across) - thickness) / slope; // depth in reach
       const int end =
           std::min(top, static_cast<int>(std::floor(slab - std::max(0.0, least))));
-      const std::uint8_t* column = &occupancy.values[shape.index(x, y, 0)];
+      const auto column = occupancy.column(x, y);
       for (int z = floor; z <= end; ++z)
         if (column[z])
           section.push_back({static_cast<float>(across), static_cast<float>(slab - z)});
@@ -244,7 +244,7 @@ spreadOver(const PixelMap<std::uint8_t>& blocked, int tile)
 } // namespace
 
 std::vector<WallStretch>
-wallStretches(const VoxelMap<std::uint8_t>& occupancy,
+wallStretches(const VoxelBits& occupancy,
               const VerticalRange& storey,
               const PixelMap<int>& ceiling,
               const SlabLayers& slab,

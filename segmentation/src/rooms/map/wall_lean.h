@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/ceiling_slab.h>
 
@@ -38,7 +39,7 @@ struct WallStretch {
  * vertical section across the wall, and a line is fitted to those near it. So furniture
  * and the curve of a vault do not matter as long as most of the wall is straight; below
  * lintels there is no stretch. Linear in the length of walls.
- * \param[in] occupancy of a storey; non-zero = occupied
+ * \param[in] occupancy of a storey; set = occupied
  * \param[in] storey the layers that count
  * \param[in] ceiling as ceilingLayers() gives it
  * \param[in] slab as slabLayers() gives it
@@ -46,7 +47,7 @@ struct WallStretch {
  * \throws pcl::BadArgumentException if an option is out of range
  */
 std::vector<WallStretch>
-wallStretches(const VoxelMap<std::uint8_t>& occupancy,
+wallStretches(const VoxelBits& occupancy,
               const VerticalRange& storey,
               const PixelMap<int>& ceiling,
               const SlabLayers& slab,
@@ -81,10 +82,10 @@ straightened(const PixelMap<Eigen::Vector2f>& lean,
              const Eigen::Vector3d& place);
 
 /** \brief The columns that would hold something if all stood upright: 1, others 0.
- * \param[in] occupancy of a storey; non-zero = occupied
+ * \param[in] occupancy of a storey; set = occupied
  */
 PixelMap<std::uint8_t>
-straightenedColumns(const VoxelMap<std::uint8_t>& occupancy,
+straightenedColumns(const VoxelBits& occupancy,
                     const PixelMap<Eigen::Vector2f>& lean,
                     const PixelMap<float>& slab);
 

@@ -33,7 +33,7 @@ OpeningPosts::OpeningPosts(const std::vector<RegionOpening>& openings,
 , is_near_(map.labels.size(), 0)
 , seen_(openings.size())
 {
-  const VoxelMap<std::uint8_t>& grid = occupancy.grid;
+  const VoxelBits& grid = occupancy.grid;
   floor_ = grid.origin.z() + grid.voxel_size * (map.first_layer + map.range.begin);
   for (std::size_t k = 0; k < openings.size(); ++k) {
     const auto& [x, y] = std::make_pair(openings[k].x, openings[k].y);
@@ -54,7 +54,7 @@ OpeningPosts::OpeningPosts(const std::vector<RegionOpening>& openings,
 void
 OpeningPosts::add(const Eigen::Vector3f& point, std::int32_t cell)
 {
-  const VoxelMap<std::uint8_t>& grid = occupancy_.grid;
+  const VoxelBits& grid = occupancy_.grid;
   const std::size_t pixel = cell / grid.shape.nz;
   if (cell < 0 || !is_near_[pixel])
     return;

@@ -33,7 +33,7 @@ public:
   Eigen::Vector3d
   operator()(double x, double y) const
   {
-    const VoxelMap<std::uint8_t>& grid = occupancy_.grid;
+    const VoxelBits& grid = occupancy_.grid;
     return occupancy_.toCloud(grid.origin +
                               grid.voxel_size * Eigen::Vector3d(x, y, layer_));
   }
@@ -64,7 +64,7 @@ uprightColumns(const OccupancyGrid& occupancy, const RoomMap& map)
         bool is_occupied = false;
         for (int u = x - 1; u <= x + 1; ++u)
           for (int v = y - 1; v <= y + 1; ++v)
-            is_occupied |= occupancy.grid.at(u, v, z) != 0;
+            is_occupied |= occupancy.grid.at(u, v, z);
         occupied += is_occupied;
       }
       upright.at(x, y) = 4 * occupied >= 3 * (end - begin);
@@ -82,7 +82,7 @@ struct SlabPoints {
 SlabPoints
 slabPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
 {
-  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
+  const VoxelBits& grid = building.occupancy.grid;
   const Eigen::Matrix2d turn = building.occupancy.turn();
   std::vector<PixelMap<std::uint8_t>> upright;
   for (const RoomMap& map : building.maps)

@@ -20,7 +20,7 @@ namespace {
 double
 heightOfLayer(const BuildingRooms& building, double layer)
 {
-  const VoxelMap<std::uint8_t>& grid = building.occupancy.grid;
+  const VoxelBits& grid = building.occupancy.grid;
   return grid.origin.z() + grid.voxel_size * layer;
 }
 

@@ -16,50 +16,54 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-VoxelMap<std::uint8_t>
-halved(const VoxelMap<std::uint8_t>& fine)
+VoxelBits
+halved(const VoxelBits& fine)
 {
-  VoxelMap<std::uint8_t> coarse;
+  VoxelBits coarse;
   coarse.voxel_size = 2.0 * fine.voxel_size;
-  coarse.shape = {
-      (fine.shape.nx + 1) / 2, (fine.shape.ny + 1) / 2, (fine.shape.nz + 1) / 2};
-  coarse.values.assign(coarse.shape.size(), 0);
+  coarse.reset(
+      {(fine.shape.nx + 1) / 2, (fine.shape.ny + 1) / 2, (fine.shape.nz + 1) / 2});
   for (int x = 0; x < fine.shape.nx; ++x)
     for (int y = 0; y < fine.shape.ny; ++y) {
-      const auto* from = &fine.values[fine.shape.index(x, y, 0)];
-      auto* to = &coarse.values[coarse.shape.index(x / 2, y / 2, 0)];
+      const auto column = fine.column(x, y);
+      if (!column.any(0, fine.shape.nz))
+        continue;
       for (int z = 0; z < fine.shape.nz; ++z)
-        to[z / 2] |= from[z];
+        if (column[z])
+          coarse.set(x / 2, y / 2, z / 2);
     }
   return coarse;
 }
 
 double
-occupiedCount(const VoxelMap<std::uint8_t>& grid)
+occupiedCount(const VoxelBits& grid)
 {
-  return static_cast<double>(std::count(grid.values.begin(), grid.values.end(), 1));
+  return static_cast<double>(grid.count());
 }
 
 /** The voxels around what stands upright: the grounds of a building say nothing of how
  * densely it was scanned. Nothing where they hardly matter. */
-std::optional<VoxelMap<std::uint8_t>>
-withoutGrounds(const VoxelMap<std::uint8_t>& grid)
+std::optional<VoxelBits>
+withoutGrounds(const VoxelBits& grid)
 {
   constexpr double high = 1.5;     // metres, as the clearance of storeys
   constexpr double nearby = 1.0;   // metres
   constexpr double grounds = 0.25; // of the columns; else they hardly matter
-  const auto person = static_cast<std::ptrdiff_t>(std::lround(high / grid.voxel_size));
+  const auto person = std::lround(high / grid.voxel_size);
   const int nz = grid.shape.nz;
   PixelMap<std::uint8_t> held{grid.shape.nx, grid.shape.ny, {}};
   held.values.assign(held.size(), 0);
   PixelMap<std::uint8_t> walls = held;
   for (std::size_t i = 0; i < walls.size(); ++i) {
-    const auto* column = &grid.values[i * nz];
-    const auto* first = std::find(column, column + nz, 1);
-    const auto* last = column + nz - 1;
-    while (last > first && *last == 0)
+    const auto column = grid.column(i);
+    if (!column.any(0, nz))
+      continue;
+    int first = 0, last = nz - 1;
+    while (!column[first])
+      ++first;
+    while (!column[last])
       --last;
-    held.values[i] = first != column + nz;
+    held.values[i] = 1;
     walls.values[i] = last - first >= person;
   }
   const auto squared = squaredDistanceMap(walls, 1);
@@ -71,30 +75,30 @@ withoutGrounds(const VoxelMap<std::uint8_t>& grid)
   }
   if (far == all || static_cast<double>(far) <= grounds * static_cast<double>(all))
     return std::nullopt;
-  VoxelMap<std::uint8_t> near = grid;
+  VoxelBits near = grid;
   for (std::size_t i = 0; i < walls.size(); ++i)
     if (squared.values[i] > reach)
-      std::fill_n(near.values.begin() + i * nz, nz, std::uint8_t{0});
+      near.clearColumn(i);
   return near;
 }
 
 } // namespace
 
 double
-closedVoxelSize(const VoxelMap<std::uint8_t>& all, double largest)
+closedVoxelSize(const VoxelBits& all, double largest)
 {
   constexpr double closed = 4.0; // voxels per voxel twice as large, or more with noise
   constexpr double enough = 3.0;
   constexpr double centimetre = 0.01;
-  if (all.values.empty() || all.voxel_size >= largest)
+  if (all.empty() || all.voxel_size >= largest)
     return all.voxel_size;
   const auto building = withoutGrounds(all);
-  const VoxelMap<std::uint8_t>& grid = building ? *building : all;
+  const VoxelBits& grid = building ? *building : all;
   const auto share = [closed](double finer, double coarser) {
     return std::min(closed, finer / std::max(1.0, coarser));
   };
   double size = grid.voxel_size;
-  VoxelMap<std::uint8_t> coarse = halved(grid);
+  VoxelBits coarse = halved(grid);
   double count = occupiedCount(coarse);
   double filled = share(occupiedCount(grid), count);
   if (filled >= enough)

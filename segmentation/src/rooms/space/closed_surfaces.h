@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_map.h>
+#include <pcl/indoor/voxel_bits.h>
 
 #include <cstdint>
 
@@ -19,12 +19,12 @@ namespace indoor {
  * three on average.
  * What lies far from anything upright, such as the ground around a building, does not
  * count.
- * \param[in] all 1 = occupied
+ * \param[in] all set = occupied
  * \return a multiple of 1 cm, or the grid's own size where that is enough; at most
  * \a largest
  */
 double
-closedVoxelSize(const VoxelMap<std::uint8_t>& all, double largest);
+closedVoxelSize(const VoxelBits& all, double largest);
 
 } // namespace indoor
 } // namespace pcl

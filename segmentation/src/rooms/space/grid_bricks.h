@@ -46,6 +46,15 @@ public:
     return shape_.index(x / 4, y / 4, z / 4) * 64 +
            static_cast<std::size_t>(x % 4 * 16 + y % 4 * 4 + z % 4);
   }
+  /** \brief The lowest x, y and z of a brick. */
+  std::array<int, 3>
+  corner(Index brick) const
+  {
+    const auto column = static_cast<int>(brick) / shape_.nz;
+    return {4 * (column / shape_.ny),
+            4 * (column % shape_.ny),
+            4 * (static_cast<int>(brick) % shape_.nz)};
+  }
   /** \brief The neighbour of a voxel. REQUIRES: it lies in the grid. */
   Index
   neighbour(Index voxel, int direction) const

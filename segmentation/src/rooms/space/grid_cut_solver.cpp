@@ -18,6 +18,9 @@ namespace {
 constexpr int first_radius = 4;
 /** \brief What it costs to discharge a voxel, in voxels measured. */
 constexpr std::size_t discharge_cost = 8;
+/** \brief Blocks that are asked for at once: 37 MB, which the system takes back and of
+ * which it gives only what is used. */
+constexpr std::size_t most_at_once = 1 << 15;
 
 int
 sign(int direction)
@@ -32,32 +35,30 @@ GridCutSolver::GridCutSolver(const GridShape& shape,
                              int smoothness)
 : shape_(shape)
 , grid_(shape)
+, gain_(gain)
 , capacity_(smoothness)
 , bricks_(grid_.size())
-, excess_(64 * grid_.size())
-, flow_(64 * grid_.size())
-, level_(64 * grid_.size(), far)
+, blocks_(grid_.size(), nullptr)
+, chunk_size_(std::min(most_at_once, grid_.size()))
 , reaching_(grid_.size() + 1)
-, next_(64 * grid_.size())
 {
-  setUp(gain);
+  setUp();
 }
 
 void
-GridCutSolver::setUp(const std::vector<std::int16_t>& gain)
+GridCutSolver::setUp()
 {
   std::size_t v = 0;
   for (int x = 0; x < shape_.nx; ++x)
     for (int y = 0; y < shape_.ny; ++y)
       for (int z = 0; z < shape_.nz; ++z, ++v) {
-        if (gain[v] == GRID_CUT_EXCLUDED)
+        if (gain_[v] == GRID_CUT_EXCLUDED)
           continue;
         const std::size_t i = grid_.index(x, y, z);
         Brick& brick = bricks_[i / 64];
-        excess_[i] = gain[v];
-        amount_[gain[v] > 0 ? EXCESS : DEFICIT] += std::abs(gain[v]);
-        brick.side[EXCESS] |= static_cast<Bits>(gain[v] > 0) << i % 64;
-        brick.side[DEFICIT] |= static_cast<Bits>(gain[v] < 0) << i % 64;
+        amount_[gain_[v] > 0 ? EXCESS : DEFICIT] += std::abs(gain_[v]);
+        brick.side[EXCESS] |= static_cast<Bits>(gain_[v] > 0) << i % 64;
+        brick.side[DEFICIT] |= static_cast<Bits>(gain_[v] < 0) << i % 64;
         brick.reached |= Bits{1} << i % 64; // takes part; for link() alone
       }
   if (capacity_ > 0)
@@ -87,6 +88,65 @@ GridCutSolver::link()
           brick.open[EXCESS][d] = brick.open[DEFICIT][d] = brick.reached & there;
         }
       }
+}
+
+/** \brief The numbers of a brick, which begin as nothing has flowed. */
+GridCutSolver::Block&
+GridCutSolver::begun(Index brick)
+{
+  return blocks_[brick] != nullptr ? *blocks_[brick] : addBlock(brick);
+}
+
+GridCutSolver::Block&
+GridCutSolver::addBlock(Index brick)
+{
+  if (free_ == 0) {
+    chunks_.emplace_back(new Block[chunk_size_]); // not set to 0: it may stay unused
+    free_ = chunk_size_;
+  }
+  Block& block = chunks_.back()[chunk_size_ - free_--];
+  block.excess = gainsOf(brick);
+  for (Index v = 0; v < 64; ++v) {
+    block.flow[v] = {};
+    block.level[v] = bricks_[brick].ground >> v & 1 ? 0 : far;
+  }
+  blocks_[brick] = &block;
+  return block;
+}
+
+/** \brief 0 where a voxel takes no part. */
+GridCutSolver::Numbers
+GridCutSolver::gainsOf(Index brick) const
+{
+  Numbers gains = {};
+  const auto [x, y, z] = grid_.corner(brick);
+  for (int u = 0; u < std::min(4, shape_.nx - x); ++u)
+    for (int v = 0; v < std::min(4, shape_.ny - y); ++v)
+      for (int w = 0; w < std::min(4, shape_.nz - z); ++w) {
+        const int gain = gain_[shape_.index(x + u, y + v, z + w)];
+        gains[u * 16 + v * 4 + w] = gain == GRID_CUT_EXCLUDED ? 0 : gain;
+      }
+  return gains;
+}
+
+/** \brief How much some voxels of a brick have. */
+std::int64_t
+GridCutSolver::amountOf(Index brick, Bits voxels) const
+{
+  std::int64_t amount = 0;
+  if (voxels != 0) {
+    const Numbers excess = excessOf(brick);
+    forEachBit(voxels, [&](Index v) { amount += std::abs(excess[v]); });
+  }
+  return amount;
+}
+
+std::int32_t
+GridCutSolver::levelOf(Index i) const
+{
+  if (const Block* block = blocks_[i / 64])
+    return block->level[i % 64];
+  return bricks_[i / 64].ground >> i % 64 & 1 ? 0 : far;
 }
 
 /** \brief Phases until nothing can meet. The excess flows in those numbered by a power
@@ -121,8 +181,10 @@ GridCutSolver::measure(std::int64_t radius)
 {
   begin();
   std::int64_t found = 0;
-  while (!front_.empty() && limit_ < radius && found < amount_[goals()])
-    found += climb();
+  while (!front_.empty() && limit_ < radius && found < amount_[goals()]) {
+    climb();
+    found += level();
+  }
   complete_ = front_.empty();
   forgetUnreached();
 }
@@ -141,19 +203,27 @@ GridCutSolver::begin()
     brick.reached = brick.side[goals()];
     if (brick.reached != 0)
       front_.push_back({b, brick.reached});
-    forEachBit(brick.reached & ~brick.ground,
-               [&](Index v) { level_[Index{64} * b + v] = 0; });
+    if (Block* block = blocks_[b])
+      forEachBit(brick.reached & ~brick.ground, [&](Index v) { block->level[v] = 0; });
     brick.ground = brick.reached;
   }
 }
 
-/** \brief Measure the next level. \return how much of the flowing side is there */
-std::int64_t
+/** \brief Reach the next level. */
+void
 GridCutSolver::climb()
 {
   for (const Part& part : front_)
     spread(part);
-  return settle();
+  front_.clear();
+  for (std::size_t r = 0; r < reaching_count_; ++r) {
+    const Index b = reaching_[r];
+    Brick& brick = bricks_[b];
+    front_.push_back({b, brick.reaching});
+    brick.reached |= brick.reaching;
+    brick.reaching = 0;
+  }
+  reaching_count_ = 0;
 }
 
 /** \brief Reach the voxels from which a part can be come to. */
@@ -183,30 +253,25 @@ GridCutSolver::reach(Index b, Bits voxels)
   reaching_count_ += begins;
 }
 
-/** \brief What is being reached makes up the next level. \return how much is there */
+/** \brief What was reached last is a level. \return how much of the flowing side is
+ * there */
 std::int64_t
-GridCutSolver::settle()
+GridCutSolver::level()
 {
   std::int64_t found = 0;
   ++limit_;
-  front_.clear();
   first_.push_back(none);
-  for (std::size_t r = 0; r < reaching_count_; ++r) {
-    const Index b = reaching_[r];
-    Brick& brick = bricks_[b];
-    front_.push_back({b, brick.reaching});
-    brick.reached |= brick.reaching;
-    forEachBit(brick.reaching, [&](Index v) {
-      level_[Index{64} * b + v] = limit_;
+  for (const Part& part : front_) {
+    Block& block = begun(part.brick);
+    forEachBit(part.voxels, [&](Index v) {
+      block.level[v] = limit_;
       ++reached_;
     });
-    forEachBit(brick.reaching & brick.side[flowing_], [&](Index v) {
-      found += std::abs(excess_[Index{64} * b + v]);
-      activate(Index{64} * b + v);
+    forEachBit(part.voxels & bricks_[part.brick].side[flowing_], [&](Index v) {
+      found += std::abs(block.excess[v]);
+      activate(Index{64} * part.brick + v);
     });
-    brick.reaching = 0;
   }
-  reaching_count_ = 0;
   return found;
 }
 
@@ -216,14 +281,12 @@ GridCutSolver::forgetUnreached()
 {
   for (Index b = 0; b < bricks_.size(); ++b) {
     Brick& brick = bricks_[b];
-    forEachBit(brick.known & ~brick.reached,
-               [&](Index v) { level_[Index{64} * b + v] = far; });
+    if (Block* block = blocks_[b])
+      forEachBit(brick.known & ~brick.reached, [&](Index v) { block->level[v] = far; });
     brick.known = brick.reached;
     if (!complete_)
       continue;
-    forEachBit(brick.side[flowing_] & ~brick.reached, [&](Index v) {
-      amount_[flowing_] -= std::abs(excess_[Index{64} * b + v]);
-    });
+    amount_[flowing_] -= amountOf(b, brick.side[flowing_] & ~brick.reached);
     brick.side[flowing_] &= brick.reached;
   }
 }
@@ -231,8 +294,9 @@ GridCutSolver::forgetUnreached()
 void
 GridCutSolver::activate(Index i)
 {
-  const std::int32_t level = level_[i];
-  next_[i] = first_[level];
+  Block& block = *blocks_[i / 64];
+  const std::int32_t level = block.level[i % 64];
+  block.next[i % 64] = first_[level];
   first_[level] = i;
   highest_ = std::max(highest_, level);
 }
@@ -249,8 +313,9 @@ GridCutSolver::flowDownhill()
     for (; highest_ >= 0; --highest_)
       while (first_[highest_] != none) {
         const Index i = first_[highest_];
-        first_[highest_] = next_[i];
-        prefetch(next_[i]);
+        const Index next = blocks_[i / 64]->next[i % 64];
+        first_[highest_] = next;
+        prefetch(next);
         discharge(i);
         ++discharged;
       }
@@ -265,10 +330,11 @@ GridCutSolver::prefetch(Index i) const
 {
   if (i == none)
     return;
-  __builtin_prefetch(&next_[i]);
-  __builtin_prefetch(&level_[i]);
-  __builtin_prefetch(&excess_[i]);
-  __builtin_prefetch(&flow_[i]);
+  const Block* block = blocks_[i / 64];
+  __builtin_prefetch(&block->next[i % 64]);
+  __builtin_prefetch(&block->level[i % 64]);
+  __builtin_prefetch(&block->excess[i % 64]);
+  __builtin_prefetch(&block->flow[i % 64]);
   __builtin_prefetch(&bricks_[i / 64]);
 }
 
@@ -279,23 +345,25 @@ void
 GridCutSolver::discharge(Index i)
 {
   const Brick& brick = bricks_[i / 64];
-  const std::int32_t level = level_[i];
+  Block& block = *blocks_[i / 64];
+  const std::int32_t level = block.level[i % 64];
   std::int32_t lowest = far;
   for (int d = 0; d < 6; ++d) {
     if (!(brick.open[goals()][d] >> i % 64 & 1))
       continue;
     const Index j = grid_.neighbour(i, d);
-    if (level_[j] != level - 1) {
-      lowest = std::min(lowest, level_[j]);
+    const std::int32_t other = levelOf(j);
+    if (other != level - 1) {
+      lowest = std::min(lowest, other);
       continue;
     }
     push(i, j, d);
-    if (excess_[i] == 0)
+    if (block.excess[i % 64] == 0)
       return;
   }
   if (lowest >= limit_)
     return;
-  level_[i] = lowest + 1;
+  block.level[i % 64] = lowest + 1;
   stuck_.push_back(i);
 }
 
@@ -305,9 +373,12 @@ GridCutSolver::push(Index i, Index j, int d)
 {
   const int towards = flowing_ == EXCESS ? 1 : -1; // deficits go against the flow
   const int along = sign(d) * towards;
-  std::int16_t& flow = flow_[d % 2 == 0 ? i : j][d / 2];
+  Block& giving = *blocks_[i / 64];
+  Block& taking = begun(j / 64);
+  std::int16_t& flow =
+      d % 2 == 0 ? giving.flow[i % 64][d / 2] : taking.flow[j % 64][d / 2];
   const int room = capacity_ - along * flow;
-  const int amount = std::min(towards * excess_[i], room);
+  const int amount = std::min(towards * giving.excess[i % 64], room);
   flow = static_cast<std::int16_t>(flow + along * amount);
 
   Brick& from = bricks_[i / 64];
@@ -321,11 +392,11 @@ GridCutSolver::push(Index i, Index j, int d)
     to.open[flowing_][opposite(d)] &= ~w;
   }
 
-  excess_[i] -= towards * amount;
-  if (excess_[i] == 0)
+  giving.excess[i % 64] -= towards * amount;
+  if (giving.excess[i % 64] == 0)
     from.side[flowing_] &= ~v;
-  const int before = towards * excess_[j];
-  excess_[j] += towards * amount;
+  const int before = towards * taking.excess[j % 64];
+  taking.excess[j % 64] += towards * amount;
   if (before < 0) {
     const int met = std::min(amount, -before);
     amount_[EXCESS] -= met;
@@ -348,11 +419,11 @@ GridCutSolver::findInside()
   std::int64_t left = 0;
   for (Index b = 0; b < bricks_.size(); ++b) {
     Brick& brick = bricks_[b];
-    brick.side[EXCESS] = brick.side[DEFICIT] = 0;
+    const Numbers excess = excessOf(b);
+    brick.side[EXCESS] = 0;
     for (Index v = 0; v < 64; ++v) {
-      const std::int32_t excess = excess_[Index{64} * b + v];
-      brick.side[EXCESS] |= static_cast<Bits>(excess > 0) << v;
-      left += std::max(excess, 0);
+      brick.side[EXCESS] |= static_cast<Bits>(excess[v] > 0) << v;
+      left += std::max(excess[v], 0);
     }
   }
   flowing_ = DEFICIT;

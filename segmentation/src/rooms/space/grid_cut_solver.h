@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace pcl {
@@ -31,9 +32,13 @@ namespace indoor {
  *
  * All edges have the same capacity to and fro, thus one number per edge tells how much
  * more it can take in both directions.
+ *
+ * Most bricks lie in the middle of rooms or far outside, and nothing ever flows there:
+ * numbers per voxel are kept for the others only.
  */
 class GridCutSolver {
 public:
+  /** \param[in] gain must outlive the solver */
   GridCutSolver(const GridShape& shape,
                 const std::vector<std::int16_t>& gain,
                 int smoothness);
@@ -66,6 +71,17 @@ private:
     Bits ground = 0;      // goals: the level is 0
   };
 
+  /** \brief One number per voxel of a brick. */
+  using Numbers = std::array<std::int32_t, 64>;
+
+  /** \brief What is kept of a brick in which something has flowed. */
+  struct Block {
+    Numbers excess;                       // deficits are negative
+    std::array<std::int16_t, 3> flow[64]; // to the neighbours at +x, +y, +z
+    Numbers level;  // no more than the distance to the nearest goal
+    Index next[64]; // in a list of voxels of one level
+  };
+
   /** \brief Some voxels of a brick. */
   struct Part {
     Index brick;
@@ -73,9 +89,24 @@ private:
   };
 
   void
-  setUp(const std::vector<std::int16_t>& gain);
+  setUp();
   void
   link();
+  Block&
+  begun(Index brick);
+  Block&
+  addBlock(Index brick);
+  Numbers
+  gainsOf(Index brick) const;
+  Numbers
+  excessOf(Index brick) const
+  {
+    return blocks_[brick] != nullptr ? blocks_[brick]->excess : gainsOf(brick);
+  }
+  std::int64_t
+  amountOf(Index brick, Bits voxels) const;
+  std::int32_t
+  levelOf(Index i) const;
   Side
   goals() const
   {
@@ -86,14 +117,14 @@ private:
   measure(std::int64_t radius);
   void
   begin();
-  std::int64_t
+  void
   climb();
   void
   spread(const Part& part);
   void
   reach(Index b, Bits voxels);
   std::int64_t
-  settle();
+  level();
   void
   forgetUnreached();
 
@@ -112,11 +143,12 @@ private:
 
   GridShape shape_;
   GridBricks grid_;
+  const std::vector<std::int16_t>& gain_;
   int capacity_;
   std::vector<Brick> bricks_;
-  std::vector<std::int32_t> excess_;              // deficits are negative
-  std::vector<std::array<std::int16_t, 3>> flow_; // to the neighbours at +x, +y, +z
-  std::vector<std::int32_t> level_; // no more than the distance to the nearest goal
+  std::vector<Block*> blocks_; // per brick, null where nothing has flowed
+  std::vector<std::unique_ptr<Block[]>> chunks_; // that they lie in
+  std::size_t chunk_size_, free_ = 0;            // blocks, those left of the last chunk
 
   std::int64_t amount_[2] = {}; // how much of a side may still meet the other one
   Side flowing_ = EXCESS;       // in this phase; the other side is the goal
@@ -128,7 +160,6 @@ private:
   bool complete_ = false;   // all that can reach a goal was measured
 
   std::vector<Index> first_; // per level, a list of voxels that have something to push
-  std::vector<Index> next_;  // in that list
   std::int32_t highest_ = -1;
   std::vector<Index> stuck_;
 };

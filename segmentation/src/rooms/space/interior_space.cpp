@@ -24,7 +24,7 @@ namespace {
 constexpr double gain_unit = 0.01; // of the energy, Eq. (3.2)
 
 VoxelMap<std::uint8_t>
-coarser(const VoxelMap<std::uint8_t>& fine, int factor)
+coarser(const VoxelBits& fine, int factor)
 {
   const auto groups = [&](int count) { return (count + factor - 1) / factor; };
   VoxelMap<std::uint8_t> coarse;
@@ -34,7 +34,9 @@ coarser(const VoxelMap<std::uint8_t>& fine, int factor)
   coarse.values.assign(coarse.shape.size(), 0);
   for (int x = 0; x < fine.shape.nx; ++x)
     for (int y = 0; y < fine.shape.ny; ++y) {
-      const auto* from = &fine.values[fine.shape.index(x, y, 0)];
+      const auto from = fine.column(x, y);
+      if (!from.any(0, fine.shape.nz))
+        continue;
       auto* to = &coarse.values[coarse.shape.index(x / factor, y / factor, 0)];
       for (int z = 0; z < fine.shape.nz; ++z)
         to[z / factor] |= from[z];

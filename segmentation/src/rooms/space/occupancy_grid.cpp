@@ -97,10 +97,10 @@ tightBox(const std::vector<Eigen::Vector3f>& points,
 }
 
 /** \brief The empty grid around a box. */
-VoxelMap<std::uint8_t>
+VoxelBits
 gridAround(const Box& box, const OccupancyGridOptions& options)
 {
-  VoxelMap<std::uint8_t> grid;
+  VoxelBits grid;
   grid.voxel_size = options.voxel_size;
   // Half a voxel more below, so that the lowest plane of the cloud (noisy itself) does
   // not lie on the border of two layers.
@@ -114,10 +114,9 @@ gridAround(const Box& box, const OccupancyGridOptions& options)
                         "A grid of " << sizes.x() << " x " << sizes.y() << " x "
                                      << sizes.z() << " voxels of " << options.voxel_size
                                      << " m is too large.");
-  grid.shape = {static_cast<int>(sizes.x()),
-                static_cast<int>(sizes.y()),
-                static_cast<int>(sizes.z())};
-  grid.values.assign(grid.shape.size(), 0);
+  grid.reset({static_cast<int>(sizes.x()),
+              static_cast<int>(sizes.y()),
+              static_cast<int>(sizes.z())});
   return grid;
 }
 
@@ -133,7 +132,6 @@ fill(const std::vector<Eigen::Vector3f>& points,
   const Eigen::Vector3d origin = result.grid.origin;
   const double scale = result.grid.voxel_size;
   std::size_t outside = 0;
-  std::uint8_t* values = result.grid.values.data();
   result.cells.resize(points.size());
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(+ : outside)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
@@ -145,12 +143,10 @@ fill(const std::vector<Eigen::Vector3f>& points,
     }
     // Inside the box the quotients are not negative: the cast is the floor.
     const Eigen::Vector3d scaled = (p - origin) / scale;
-    const std::size_t cell = shape.index(static_cast<int>(scaled.x()),
-                                         static_cast<int>(scaled.y()),
-                                         static_cast<int>(scaled.z()));
-    result.cells[i] = static_cast<std::int32_t>(cell);
-#pragma omp atomic write
-    values[cell] = 1;
+    const Eigen::Vector3i voxel = scaled.cast<int>();
+    result.cells[i] =
+        static_cast<std::int32_t>(shape.index(voxel.x(), voxel.y(), voxel.z()));
+    result.grid.set(voxel.x(), voxel.y(), voxel.z());
   }
   result.outside = outside;
 }

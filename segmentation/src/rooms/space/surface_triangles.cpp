@@ -299,15 +299,12 @@ surfaceTriangles(const std::vector<Eigen::Vector3f>& points,
 void
 addTriangles(const SurfaceTriangles& triangles, int threads, OccupancyGrid& occupancy)
 {
-  VoxelMap<std::uint8_t>& grid = occupancy.grid;
+  VoxelBits& grid = occupancy.grid;
   const auto mark = [&grid](const Eigen::Vector3d& place) {
     const Eigen::Vector3i voxel =
         ((place - grid.origin) / grid.voxel_size).array().floor().cast<int>();
-    if (!grid.shape.contains(voxel.x(), voxel.y(), voxel.z()))
-      return;
-    auto& value = grid.at(voxel.x(), voxel.y(), voxel.z());
-#pragma omp atomic write
-    value = 1;
+    if (grid.shape.contains(voxel.x(), voxel.y(), voxel.z()))
+      grid.set(voxel.x(), voxel.y(), voxel.z());
   };
   const auto count = static_cast<std::ptrdiff_t>(triangles.corners.size());
 #pragma omp parallel for schedule(static) num_threads(threadCount(threads))

@@ -168,7 +168,7 @@ findUnseenSides(const VoxelMap<std::uint8_t>& occupancy,
 }
 
 void
-closeUnseenSides(const InteriorSpace& space, VoxelMap<std::uint8_t>& grid)
+closeUnseenSides(const InteriorSpace& space, VoxelBits& grid)
 {
   const GridShape& coarse = space.occupancy.shape;
   const int factor = space.factor;
@@ -179,7 +179,7 @@ closeUnseenSides(const InteriorSpace& space, VoxelMap<std::uint8_t>& grid)
     const int y = static_cast<int>(voxel / coarse.nz % coarse.ny) * factor;
     for (int u = x; u < std::min(x + factor, grid.shape.nx); ++u)
       for (int v = y; v < std::min(y + factor, grid.shape.ny); ++v)
-        grid.at(u, v, z) = 1;
+        grid.set(u, v, z);
   };
   if (!space.unseen.floorIsSeen())
     for (const std::size_t voxel : space.unseen.floor)

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/interior_space.h>
 
@@ -29,10 +30,10 @@ findUnseenSides(const VoxelMap<std::uint8_t>& occupancy,
 
 /** \brief Put floors and ceilings where they are missing.
  * \param[in] space that they are missing in
- * \param[in,out] grid that \a space was made of; filled-in voxels become 1
+ * \param[in,out] grid that \a space was made of; filled-in voxels are set
  */
 void
-closeUnseenSides(const InteriorSpace& space, VoxelMap<std::uint8_t>& grid);
+closeUnseenSides(const InteriorSpace& space, VoxelBits& grid);
 
 } // namespace indoor
 } // namespace pcl

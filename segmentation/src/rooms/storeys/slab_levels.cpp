@@ -30,7 +30,7 @@ struct FreeRun {
 /** \brief What slabs are looked for in: the groups and free runs of each column. */
 class SlabColumns {
 public:
-  SlabColumns(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options)
+  SlabColumns(const VoxelBits& occupancy, const StoreyOptions& options)
   : shape_(occupancy.shape)
   , clearance_(std::max(
         1, static_cast<int>(std::lround(options.min_clearance / occupancy.voxel_size))))
@@ -39,7 +39,7 @@ public:
   {
     for (int x = 0; x < shape_.nx; ++x)
       for (int y = 0; y < shape_.ny; ++y)
-        addColumn(x, y, &occupancy.values[shape_.index(x, y, 0)]);
+        addColumn(x, y, occupancy.column(x, y));
     first_group_.push_back(groups_.size());
     first_run_.push_back(runs_.size());
   }
@@ -73,7 +73,7 @@ public:
 
 private:
   void
-  addColumn(int x, int y, const std::uint8_t* column)
+  addColumn(int x, int y, const VoxelBits::Column& column)
   {
     first_group_.push_back(groups_.size());
     first_run_.push_back(runs_.size());
@@ -228,7 +228,7 @@ setHeights(SlabLevel& level)
 } // namespace
 
 std::vector<SlabLevel>
-findSlabLevels(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options)
+findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options)
 {
   constexpr double level_difference = 1.0; // slabs at one level differ by less, metres
   constexpr double wall_thickness = 0.5;   // a slab goes on behind walls, metres

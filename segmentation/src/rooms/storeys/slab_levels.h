@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_map.h>
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/segmentation/rooms/storeys.h>
 
 #include <vector>
@@ -48,7 +48,7 @@ struct SlabLevel {
  * REQUIRES: valid options, as many values as voxels.
  */
 std::vector<SlabLevel>
-findSlabLevels(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options);
+findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options);
 
 } // namespace indoor
 } // namespace pcl

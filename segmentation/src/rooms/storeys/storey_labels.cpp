@@ -110,7 +110,7 @@ StoreyLabels::assign(const std::vector<std::uint8_t>& storey_of,
 Eigen::Vector2d
 StoreyLabels::placeOf(std::size_t i) const
 {
-  const VoxelMap<std::uint8_t>& grid = occupancy_.grid;
+  const VoxelBits& grid = occupancy_.grid;
   const Eigen::Vector3d point = points_[i].cast<double>();
   Eigen::Vector3d place;
   place << turn_ * point.head<2>(), point.z();

@@ -42,7 +42,7 @@ enum State : std::uint8_t { UNKNOWN, CUT, OPEN, OPEN_BELOW_CEILING };
 
 /** \brief Whether there is room for a storey in a column above a layer. */
 bool
-hasStoreyAbove(const std::uint8_t* column, int nz, int layer, int clearance)
+hasStoreyAbove(const VoxelBits::Column& column, int nz, int layer, int clearance)
 {
   int free = 0;
   for (int z = layer; z < nz; ++z) {
@@ -58,14 +58,12 @@ hasStoreyAbove(const std::uint8_t* column, int nz, int layer, int clearance)
  * if the column has no such space
  */
 State
-openness(const std::uint8_t* column, int nz, int level, int depth, int clearance)
+openness(const VoxelBits::Column& column, int nz, int level, int depth, int clearance)
 {
   const int low = std::max(0, level - depth);
-  const auto occupied = [](std::uint8_t value) { return value != 0; };
-  if (level + 1 >= nz || std::any_of(column + low, column + level + 2, occupied) ||
-      std::none_of(column, column + low, occupied))
+  if (level + 1 >= nz || column.any(low, level + 2) || !column.any(0, low))
     return UNKNOWN;
-  if (std::none_of(column + level + 2, column + nz, occupied))
+  if (!column.any(level + 2, nz))
     return UNKNOWN;
   return hasStoreyAbove(column, nz, level, clearance) ? OPEN : OPEN_BELOW_CEILING;
 }
@@ -90,19 +88,15 @@ cutSmallOpenings(Mask& states, double min_hall, double min_room)
  * \param[in] low the layers right below the slab begin there, with lintels in them
  */
 void
-cutGalleries(const VoxelMap<std::uint8_t>& occupancy, int low, int high, Mask& states)
+cutGalleries(const VoxelBits& occupancy, int low, int high, Mask& states)
 {
   const GridShape& shape = occupancy.shape;
   Mask rooms = states;
   for (int x = 0; x < shape.nx; ++x)
-    for (int y = 0; y < shape.ny; ++y) {
-      const std::uint8_t* column = &occupancy.values[shape.index(x, y, 0)];
-      const auto occupied = [](std::uint8_t value) { return value != 0; };
+    for (int y = 0; y < shape.ny; ++y)
       rooms.at(x, y) =
-          states.at(x, y) != UNKNOWN && std::none_of(column + std::max(0, low),
-                                                     column + std::max(0, high + 1),
-                                                     occupied);
-    }
+          states.at(x, y) != UNKNOWN &&
+          !occupancy.column(x, y).any(std::max(0, low), std::max(0, high + 1));
   forEachRegion(rooms, Neighbours::Four, [&](const auto& room) {
     const auto open = std::count_if(room.begin(), room.end(), [&](std::size_t pixel) {
       return states.values[pixel] != CUT;
@@ -117,7 +111,7 @@ cutGalleries(const VoxelMap<std::uint8_t>& occupancy, int low, int high, Mask& s
 } // namespace
 
 PixelMap<std::uint8_t>
-openColumns(const VoxelMap<std::uint8_t>& occupancy,
+openColumns(const VoxelBits& occupancy,
             const PixelMap<float>& slab,
             int level,
             const StoreyOptions& options)
@@ -134,13 +128,10 @@ openColumns(const VoxelMap<std::uint8_t>& occupancy,
   states.values.assign(states.size(), UNKNOWN);
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y)
-      states.at(x, y) = whole.at(x, y) > 0.0f
-                            ? CUT
-                            : openness(&occupancy.values[shape.index(x, y, 0)],
-                                       shape.nz,
-                                       level,
-                                       depth,
-                                       clearance);
+      states.at(x, y) =
+          whole.at(x, y) > 0.0f
+              ? CUT
+              : openness(occupancy.column(x, y), shape.nz, level, depth, clearance);
   constexpr double lintel_low = 0.7, lintel_high = 0.5; // below the level, metres
   cutGalleries(occupancy,
                level - static_cast<int>(std::lround(lintel_low / size)),

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/storeys.h>
 
@@ -26,7 +27,7 @@ namespace indoor {
  * REQUIRES: valid options, as many values as voxels.
  */
 PixelMap<std::uint8_t>
-openColumns(const VoxelMap<std::uint8_t>& occupancy,
+openColumns(const VoxelBits& occupancy,
             const PixelMap<float>& slab,
             int level,
             const StoreyOptions& options);

@@ -49,7 +49,7 @@ add(std::uint8_t column, int own_sides, PlaceCounts& counts)
 /** A storey as it is seen from above. */
 class StoreyPlan {
 public:
-  StoreyPlan(const VoxelMap<std::uint8_t>& grid, const Storeys& storeys, std::size_t s)
+  StoreyPlan(const VoxelBits& grid, const Storeys& storeys, std::size_t s)
   : grid_(grid)
   , storeys_(storeys)
   , storey_(s)
@@ -113,7 +113,7 @@ private:
     for (int x = 0; x < grid_.shape.nx; ++x)
       for (int y = 0; y < grid_.shape.ny; ++y) {
         const auto [begin, end] = layers(x, y);
-        const auto* const voxels = &grid_.values[grid_.shape.index(x, y, 0)];
+        const auto voxels = grid_.column(x, y);
         for (int z = begin; z < end; ++z)
           counts[z] += voxels[z];
       }
@@ -135,7 +135,7 @@ private:
   columnAt(int x, int y)
   {
     const auto [begin, end] = layers(x, y);
-    const auto* const voxels = &grid_.values[grid_.shape.index(x, y, 0)];
+    const auto voxels = grid_.column(x, y);
     int groups = 0, first = 0, bottom = 0,
         top = 0; // of occupied voxels; of the last one
     for (int z = std::max(begin, bottom_); z < std::min(end, top_ + 1); ++z) {
@@ -229,7 +229,7 @@ private:
     return false;
   }
 
-  const VoxelMap<std::uint8_t>& grid_;
+  const VoxelBits& grid_;
   const Storeys& storeys_;
   std::size_t storey_;
   int gap_;                  // voxels
@@ -244,7 +244,7 @@ private:
 } // namespace
 
 void
-countPlaces(const VoxelMap<std::uint8_t>& grid,
+countPlaces(const VoxelBits& grid,
             const Storeys& storeys,
             std::size_t storey,
             PlaceCounts& enclosed,

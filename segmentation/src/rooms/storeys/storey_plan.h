@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/indoor/voxel_map.h>
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/segmentation/rooms/storeys.h>
 
 #include <cstddef>
@@ -32,7 +32,7 @@ struct PlaceCounts {
  * \param[in,out] open other places where something was seen
  */
 void
-countPlaces(const VoxelMap<std::uint8_t>& grid,
+countPlaces(const VoxelBits& grid,
             const Storeys& storeys,
             std::size_t storey,
             PlaceCounts& enclosed,

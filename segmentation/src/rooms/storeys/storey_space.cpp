@@ -19,7 +19,7 @@ struct ColumnRanges {
 };
 
 ColumnRanges
-columnRanges(const VoxelMap<std::uint8_t>& grid, const Storeys& storeys, std::size_t k)
+columnRanges(const VoxelBits& grid, const Storeys& storeys, std::size_t k)
 {
   const int nz = grid.shape.nz;
   const auto layerOf = [&](float height) { // a border lies in this layer
@@ -45,7 +45,49 @@ columnRanges(const VoxelMap<std::uint8_t>& grid, const Storeys& storeys, std::si
   return ranges;
 }
 
-/** The voxels within the ranges; the others are 0. */
+/** Call take(x, y, z) for all voxels within the ranges. */
+template <typename Take>
+void
+forEachVoxel(const GridShape& shape,
+             const ColumnRanges& ranges,
+             int factor,
+             const Take& take)
+{
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y) {
+      const int u = std::min(x * factor, ranges.begin.nx - 1);
+      const int v = std::min(y * factor, ranges.begin.ny - 1);
+      const int end = (ranges.end.at(u, v) + factor - 1) / factor;
+      for (int z = ranges.begin.at(u, v) / factor; z < end; ++z)
+        take(x, y, z);
+    }
+}
+
+/** The layers that the ranges reach. */
+GridShape
+shapeOf(const GridShape& grid, const ColumnRanges& ranges, int factor)
+{
+  return {grid.nx,
+          grid.ny,
+          (ranges.highest + factor - 1) / factor - ranges.lowest / factor};
+}
+
+/** The voxels within the ranges; the others are not set. */
+VoxelBits
+cut(const VoxelBits& grid, const ColumnRanges& ranges)
+{
+  VoxelBits part;
+  part.voxel_size = grid.voxel_size;
+  part.origin = grid.origin + Eigen::Vector3d(0, 0, ranges.lowest * grid.voxel_size);
+  part.reset(shapeOf(grid.shape, ranges, 1));
+  forEachVoxel(grid.shape, ranges, 1, [&](int x, int y, int z) {
+    if (grid.at(x, y, z))
+      part.set(x, y, z - ranges.lowest);
+  });
+  return part;
+}
+
+/** The same of coarser voxels; the others are 0. */
 VoxelMap<std::uint8_t>
 cut(const VoxelMap<std::uint8_t>& grid, const ColumnRanges& ranges, int factor)
 {
@@ -53,32 +95,25 @@ cut(const VoxelMap<std::uint8_t>& grid, const ColumnRanges& ranges, int factor)
   VoxelMap<std::uint8_t> part;
   part.voxel_size = grid.voxel_size;
   part.origin = grid.origin + Eigen::Vector3d(0, 0, first * grid.voxel_size);
-  part.shape = {
-      grid.shape.nx, grid.shape.ny, (ranges.highest + factor - 1) / factor - first};
+  part.shape = shapeOf(grid.shape, ranges, factor);
   part.values.assign(part.shape.size(), 0);
-  for (int x = 0; x < part.shape.nx; ++x)
-    for (int y = 0; y < part.shape.ny; ++y) {
-      const int u = std::min(x * factor, ranges.begin.nx - 1);
-      const int v = std::min(y * factor, ranges.begin.ny - 1);
-      const int begin = ranges.begin.at(u, v) / factor;
-      const int end = (ranges.end.at(u, v) + factor - 1) / factor;
-      for (int z = begin; z < end; ++z)
-        part.at(x, y, z - first) = grid.at(x, y, z);
-    }
+  forEachVoxel(grid.shape, ranges, factor, [&](int x, int y, int z) {
+    part.at(x, y, z - first) = grid.at(x, y, z);
+  });
   return part;
 }
 
 } // namespace
 
 StoreySpace
-storeySpace(const VoxelMap<std::uint8_t>& occupancy,
+storeySpace(const VoxelBits& occupancy,
             const InteriorSpace& interior,
             const Storeys& storeys,
             std::size_t storey)
 {
   const ColumnRanges ranges = columnRanges(occupancy, storeys, storey);
   StoreySpace space;
-  space.occupancy = cut(occupancy, ranges, 1);
+  space.occupancy = cut(occupancy, ranges);
   space.first_layer = ranges.lowest;
   const double floor = (storeys.heights[storey].floor - space.occupancy.origin.z()) /
                        occupancy.voxel_size;

@@ -22,14 +22,9 @@ namespace indoor {
 namespace {
 
 void
-requireValid(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options)
+requireValid(const VoxelBits& occupancy, const StoreyOptions& options)
 {
-  if (occupancy.values.size() != occupancy.shape.size())
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        occupancy.values.size()
-                            << " values do not fill a grid of "
-                            << occupancy.shape.size() << " voxels.");
-  if (!occupancy.values.empty() && !(occupancy.voxel_size > 0.0))
+  if (!occupancy.empty() && !(occupancy.voxel_size > 0.0))
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "The voxel size must be positive, not " << occupancy.voxel_size
                                                                 << " m.");
@@ -45,7 +40,7 @@ requireValid(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& optio
  * as they are nearby.
  */
 PixelMap<float>
-borderOf(const VoxelMap<std::uint8_t>& occupancy,
+borderOf(const VoxelBits& occupancy,
          const SlabLevel& level,
          const StoreyOptions& options)
 {
@@ -84,20 +79,20 @@ borderOf(const VoxelMap<std::uint8_t>& occupancy,
 
 /** \brief The most frequent lowest and highest occupied voxel of the columns. */
 std::pair<int, int>
-outerLevels(const VoxelMap<std::uint8_t>& occupancy)
+outerLevels(const VoxelBits& occupancy)
 {
   const int nz = occupancy.shape.nz;
   std::vector<int> lowest(nz + 1, 0);
   std::vector<int> highest(nz + 1, 0);
-  for (std::size_t base = 0; base < occupancy.values.size(); base += nz) {
-    const auto begin = occupancy.values.begin() + static_cast<std::ptrdiff_t>(base);
-    int low = 0;
-    while (low < nz && !begin[low])
-      ++low;
-    if (low == nz)
+  for (std::size_t pixel = 0; pixel < occupancy.columns(); ++pixel) {
+    const auto column = occupancy.column(pixel);
+    if (!column.any(0, nz))
       continue;
+    int low = 0;
+    while (!column[low])
+      ++low;
     int high = nz - 1;
-    while (!begin[high])
+    while (!column[high])
       --high;
     ++lowest[low];
     ++highest[high];
@@ -158,11 +153,11 @@ Storeys::storeyAt(int x, int y, double z) const
 }
 
 Storeys
-findStoreys(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options)
+findStoreys(const VoxelBits& occupancy, const StoreyOptions& options)
 {
   requireValid(occupancy, options);
   Storeys result;
-  if (occupancy.values.empty()) {
+  if (occupancy.empty()) {
     result.heights.emplace_back();
     return result;
   }

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
 
 #include <cstdint>
@@ -45,12 +46,12 @@ struct VerticalRange {
  * with many others (a low ceiling beside a high one). Over other columns, where the
  * ceiling was not seen, the highest one of the surroundings is taken; where none was
  * seen at all, the storey's highest layer.
- * \param[in] occupancy non-zero = occupied
+ * \param[in] occupancy set = occupied
  * \param[in] storey the layers that count
  * \return the layer, or -1 where the surroundings hold no occupied voxel
  */
 PixelMap<int>
-ceilingLayers(const VoxelMap<std::uint8_t>& occupancy,
+ceilingLayers(const VoxelBits& occupancy,
               const VerticalRange& storey,
               const CeilingSlabOptions& options);
 
@@ -67,7 +68,7 @@ struct SlabLayers {
  * \param[in] ceiling as ceilingLayers() gives it
  */
 SlabLayers
-slabLayers(const VoxelMap<std::uint8_t>& occupancy,
+slabLayers(const VoxelBits& occupancy,
            const VerticalRange& storey,
            const PixelMap<int>& ceiling,
            const CeilingSlabOptions& options);
@@ -82,7 +83,7 @@ slabLayers(const VoxelMap<std::uint8_t>& occupancy,
  * \return 1 = blocked, 0 = free
  */
 PixelMap<std::uint8_t>
-blockedColumns(const VoxelMap<std::uint8_t>& occupancy,
+blockedColumns(const VoxelBits& occupancy,
                const VerticalRange& storey,
                const PixelMap<int>& ceiling,
                const SlabLayers& slab);

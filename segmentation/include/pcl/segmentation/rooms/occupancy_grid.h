@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_map.h>
+#include <pcl/indoor/voxel_bits.h>
 
 #include <Eigen/Core>
 
@@ -33,8 +33,8 @@ struct OccupancyGridOptions {
 
 /** \brief An occupancy grid and the place of every point in it. */
 struct OccupancyGrid {
-  VoxelMap<std::uint8_t> grid;     ///< 1 where a voxel holds a point, otherwise 0; in
-                                   ///< the turned frame
+  VoxelBits grid;                  ///< the voxels that hold a point; in the turned
+                                   ///< frame
   double yaw = 0.0;                ///< the grid's frame is the points' turned by -yaw
   std::vector<std::int32_t> cells; ///< grid.shape.index(...) of each point's voxel; -1
                                    ///< for points outside the kept extent

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/ceiling_slab.h>
 
@@ -41,7 +42,7 @@ struct RegionBorder {
  * \return one entry per pair of regions that touch, in the order of (a, b)
  */
 std::vector<RegionBorder>
-regionBorders(const VoxelMap<std::uint8_t>& occupancy,
+regionBorders(const VoxelBits& occupancy,
               const VerticalRange& storey,
               const PixelMap<int>& ceiling,
               const PixelMap<std::int32_t>& labels,
@@ -67,7 +68,7 @@ struct RegionOpening {
  * \return in the order of (a, b), then of their first pixel
  */
 std::vector<RegionOpening>
-regionOpenings(const VoxelMap<std::uint8_t>& occupancy,
+regionOpenings(const VoxelBits& occupancy,
                const VerticalRange& storey,
                const PixelMap<int>& ceiling,
                const PixelMap<std::int32_t>& labels,

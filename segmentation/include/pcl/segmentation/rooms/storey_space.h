@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_map.h>
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/segmentation/rooms/ceiling_slab.h> // for VerticalRange
 #include <pcl/segmentation/rooms/interior_space.h>
 #include <pcl/segmentation/rooms/storeys.h>
@@ -21,7 +21,7 @@ namespace indoor {
  * the floor of the other.
  */
 struct StoreySpace {
-  VoxelMap<std::uint8_t> occupancy; ///< the layers of the storey; 1 = occupied
+  VoxelBits occupancy;    ///< the layers of the storey; set = occupied
   int first_layer = 0;    ///< layer of the building's grid that is layer 0 here
   VerticalRange range;    ///< layers from the typical floor to the highest ceiling
   InteriorSpace interior; ///< the same part of the coarser voxels
@@ -34,7 +34,7 @@ struct StoreySpace {
  * \param[in] storey 0 = the lowest; less than storeys.heights.size()
  */
 StoreySpace
-storeySpace(const VoxelMap<std::uint8_t>& occupancy,
+storeySpace(const VoxelBits& occupancy,
             const InteriorSpace& interior,
             const Storeys& storeys,
             std::size_t storey);

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/rooms/occupancy_grid.h>
 
@@ -63,12 +64,12 @@ struct Storeys {
  * these groups share are the borders between storeys. A scan without slabs has one
  * storey. Linear in the number of voxels.
  *
- * \param[in] occupancy occupied voxels are not 0
+ * \param[in] occupancy occupied voxels are set
  * \throws pcl::BadArgumentException if an option is out of range or the number of
  * values does not fit the shape
  */
 Storeys
-findStoreys(const VoxelMap<std::uint8_t>& occupancy, const StoreyOptions& options = {});
+findStoreys(const VoxelBits& occupancy, const StoreyOptions& options = {});
 
 /** \brief Move the borders of storeys between the ceiling below and the floor above,
  * more finely than the grid: to the valley between the two peaks of the points' heights
