@@ -49,19 +49,18 @@ storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
   return storey_of;
 }
 
-/** How many points each column holds, per storey. */
-std::vector<PixelMap<std::uint32_t>>
+/** How many points of a storey each column holds. */
+PixelMap<std::uint32_t>
 pointsOfColumns(const std::vector<std::uint8_t>& storey_of,
-                std::size_t storeys,
+                std::size_t storey,
                 const OccupancyGrid& occupancy)
 {
   const GridShape& shape = occupancy.grid.shape;
-  PixelMap<std::uint32_t> none{shape.nx, shape.ny, {}};
-  none.values.assign(none.size(), 0);
-  std::vector<PixelMap<std::uint32_t>> counts(storeys, none);
+  PixelMap<std::uint32_t> counts{shape.nx, shape.ny, {}};
+  counts.values.assign(counts.size(), 0);
   for (std::size_t i = 0; i < storey_of.size(); ++i)
-    if (occupancy.cells[i] >= 0)
-      ++counts[storey_of[i]].values[occupancy.cells[i] / shape.nz];
+    if (occupancy.cells[i] >= 0 && storey_of[i] == storey)
+      ++counts.values[occupancy.cells[i] / shape.nz];
   return counts;
 }
 
@@ -231,7 +230,6 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     return {};
   SurfaceTriangles triangles;
   building.occupancy = gridOf(points, options.voxel_size, grid_options, triangles);
-  building.point_labels.assign(points.size(), 0);
   const auto directions = directionsOf(points, building.occupancy, options.interior);
   if (options.align_grid)
     grid_options.yaw = yawAlong(directions);
@@ -239,6 +237,8 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     building.occupancy = occupancyGrid(points, grid_options);
     addTriangles(triangles, options.threads, building.occupancy);
   }
+
+  triangles = {}; // they may be many
 
   const VoxelBits& grid = building.occupancy.grid;
   if (stopped(0.2, "interior space"))
@@ -261,8 +261,6 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   const bool by_vote = options.point_rooms == PointRooms::Vote;
   std::vector<VoxelMap<int>> votes; // per storey
   const std::size_t storeys = building.storeys.heights.size();
-  const auto points_of_columns =
-      pointsOfColumns(storey_of, storeys, building.occupancy);
   for (std::size_t s = 0; s < storeys; ++s) {
     const double part = static_cast<double>(s) / static_cast<double>(storeys);
     if (stopped(0.5 + 0.3 * part, "rooms of a storey"))
@@ -271,8 +269,8 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     building.maps.push_back(segmentRoomMap(space, options.map));
     dropOutdoors(space, building.maps.back());
     building.hardly_seen += dropSeenThroughOpenings(space, building.maps.back());
-    building.hardly_seen +=
-        dropHardlySeen(space, points_of_columns[s], building.maps.back());
+    building.hardly_seen += dropHardlySeen(
+        space, pointsOfColumns(storey_of, s, building.occupancy), building.maps.back());
     auto& room_of = building.room_of.emplace_back();
     for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
@@ -282,6 +280,7 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   }
   if (stopped(0.8, "rooms of the points"))
     return {};
+  building.point_labels.assign(points.size(), 0);
   for (std::size_t s = 0; s < votes.size(); ++s)
     labelByVote(votes[s], s, storey_of, building);
   for (std::size_t s = 0; s < building.maps.size() && !by_vote; ++s)

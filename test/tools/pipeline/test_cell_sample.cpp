@@ -57,13 +57,14 @@ expectFirstPoints(const std::vector<Eigen::Vector3f>& points,
     if (first.emplace(cellOf(points[i], expected_size), i).second)
       indices.push_back(10 * i);
   EXPECT_EQ(sample.indices(), indices);
-  ASSERT_EQ(sample.points().size(), indices.size());
+  ASSERT_EQ(sample.points()->size(), indices.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto found = sample.find(points[i]);
     ASSERT_TRUE(found);
     ASSERT_LT(*found, indices.size());
     EXPECT_EQ(indices[*found], 10 * first.at(cellOf(points[i], expected_size)));
-    EXPECT_EQ(sample.points()[*found], points[indices[*found] / 10]);
+    EXPECT_EQ((*sample.points())[*found].getVector3fMap(),
+              points[indices[*found] / 10]);
   }
 }
 

@@ -20,6 +20,7 @@ constexpr std::uint32_t free_place = 0xffffffffu;
 CellSample::CellSample(double cell_size, std::size_t limit)
 : cell_size_(cell_size)
 , limit_(limit)
+, points_(pcl::make_shared<PointCloud<PointXYZ>>())
 , numbers_(1 << 10, free_place)
 {}
 
@@ -44,7 +45,8 @@ CellSample::placeOf(std::uint64_t cell) const
   std::uint64_t hash = cell * 0x9e3779b97f4a7c15u;
   hash ^= hash >> 32;
   for (std::size_t place = hash & mask;; place = (place + 1) & mask)
-    if (numbers_[place] == free_place || cellOf(points_[numbers_[place]]) == cell)
+    if (numbers_[place] == free_place ||
+        cellOf((*points_)[numbers_[place]].getVector3fMap()) == cell)
       return place;
 }
 
@@ -61,8 +63,8 @@ CellSample::insert(const Eigen::Vector3f& point)
   const auto place = placeOf(cellOf(point));
   if (numbers_[place] != free_place)
     return false;
-  numbers_[place] = static_cast<std::uint32_t>(points_.size());
-  points_.push_back(point);
+  numbers_[place] = static_cast<std::uint32_t>(points_->size());
+  points_->points.emplace_back(point.x(), point.y(), point.z());
   return true;
 }
 
@@ -71,11 +73,12 @@ CellSample::rebuild(std::size_t capacity)
 {
   numbers_.clear(); // or its memory would be copied
   numbers_.resize(capacity, free_place);
-  const auto points = std::move(points_);
-  points_.clear();
+  auto points = std::move(points_->points);
+  points_->points.clear();
+  points_->points.reserve(points.size());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (insert(points[i]))
+    if (insert(points[i].getVector3fMap()))
       indices_[kept++] = indices_[i];
   indices_.resize(kept);
 }
@@ -86,12 +89,21 @@ CellSample::add(const Eigen::Vector3f& point, std::uint64_t index)
   if (!insert(point))
     return;
   indices_.push_back(index);
-  if (points_.size() > limit_ && level_ < coarsest) {
+  if (points_->size() > limit_ && level_ < coarsest) {
     ++level_;
     rebuild(numbers_.size());
   }
-  else if (3 * points_.size() > 2 * numbers_.size())
+  else if (3 * points_->size() > 2 * numbers_.size())
     rebuild(2 * numbers_.size());
+}
+
+void
+CellSample::shrink()
+{
+  points_->points.shrink_to_fit();
+  points_->width = static_cast<std::uint32_t>(points_->size());
+  points_->height = 1;
+  indices_.shrink_to_fit();
 }
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,9 @@
  */
 #pragma once
 
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -16,7 +19,8 @@ namespace pcl::indoor::tool {
  *
  * If there are more than a limit, cells become twice as large, but no larger than four
  * times the first size. Which points are kept depends on nothing but their order.
- * Memory follows the cells.
+ * Memory follows the cells: 24 bytes for each, and 4 for each place of a table of which
+ * at least a third is filled.
  */
 class CellSample {
 public:
@@ -32,7 +36,8 @@ public:
   std::optional<std::uint32_t>
   find(const Eigen::Vector3f& point) const;
 
-  const std::vector<Eigen::Vector3f>&
+  /** \brief The points that were kept. */
+  const PointCloud<PointXYZ>::Ptr&
   points() const
   {
     return points_;
@@ -44,6 +49,10 @@ public:
   {
     return indices_;
   }
+
+  /** \brief Give back the memory that more points would have taken. */
+  void
+  shrink();
 
   double
   cellSize() const
@@ -69,7 +78,7 @@ private:
   double cell_size_;
   std::size_t limit_;
   int level_ = 0;
-  std::vector<Eigen::Vector3f> points_;
+  PointCloud<PointXYZ>::Ptr points_;
   std::vector<std::uint64_t> indices_;
   std::vector<std::uint32_t> numbers_; ///< of points, a table of a power of two
 };

@@ -40,17 +40,13 @@ scatteredPoints(CloudStream& stream)
   return cloud;
 }
 
-PointCloud<PointXYZ>::Ptr
-cloudOf(const std::vector<Eigen::Vector3f>& points, const CloudFile& file)
+/** The sensor's pose, in the frame of the points. */
+void
+setSensor(const CloudFile& file, PointCloud<PointXYZ>& cloud)
 {
-  auto cloud = pcl::make_shared<PointCloud<PointXYZ>>();
-  cloud->reserve(points.size());
-  for (const auto& point : points)
-    cloud->emplace_back(point.x(), point.y(), point.z());
-  cloud->sensor_origin_ = file.frame.origin;
-  cloud->sensor_origin_.head<3>() -= (file.offset - file.frame.offset).cast<float>();
-  cloud->sensor_orientation_ = file.frame.orientation;
-  return cloud;
+  cloud.sensor_origin_ = file.frame.origin;
+  cloud.sensor_origin_.head<3>() -= (file.offset - file.frame.offset).cast<float>();
+  cloud.sensor_orientation_ = file.frame.orientation;
 }
 
 /** What a sample of the points tells of all: where they are, and if their normals are
@@ -138,7 +134,9 @@ readScan(const std::string& path,
   if (file.finite_count < 2)
     throw ToolError(path + ": " + std::to_string(file.finite_count) +
                     " finite points are too few, 2 are needed");
-  file.points = cloudOf(sample.points(), file);
+  sample.shrink();
+  setSensor(file, *sample.points());
+  file.points = sample.points();
   scan.stream = std::move(stream);
   return scan;
 }

@@ -108,14 +108,12 @@ struct LevelSides {
 };
 
 std::vector<LevelSides>
-levelSides(const VoxelMap<std::uint8_t>& occupancy, const RoomMap& map)
+levelSides(const VoxelBits& occupancy, const RoomMap& map)
 {
   std::vector<LevelSides> sides(map.room_count + 1);
   const auto isOccupied = [&](std::size_t pixel, int begin, int end) {
-    const auto column = occupancy.values.begin() + pixel * occupancy.shape.nz;
-    return std::any_of(column + std::max(begin, 0),
-                       column + std::min(end, occupancy.shape.nz),
-                       [](auto value) { return value != 0; });
+    return occupancy.column(pixel).any(std::max(begin, 0),
+                                       std::min(end, occupancy.shape.nz));
   };
   for (std::size_t i = 0; i < map.free_labels.size(); ++i) {
     if (map.free_labels.values[i] == 0)

@@ -40,8 +40,14 @@ public:
   explicit Ceilings(const BuildingRooms& building)
   : building_(building)
   {
-    for (const RoomMap& map : building.maps)
-      tops_.emplace_back(map.labels.size());
+    for (const RoomMap& map : building.maps) {
+      auto& places = place_of_.emplace_back(map.free_labels.size(), 0);
+      for (std::size_t i = 0; i < places.size(); ++i)
+        if (map.free_labels.values[i] > 0) {
+          places[i] = static_cast<std::uint32_t>(tops_.size());
+          tops_.emplace_back();
+        }
+    }
     profiles_.emplace_back(0.0, 0.0, crowd);
     for (const Room& room : building.rooms)
       profiles_.emplace_back(room.point_count > 0 ? room.lower.z() : 0.0,
@@ -62,7 +68,7 @@ public:
     const std::int32_t label = map.free_labels.values[pixel];
     if (label <= 0 || building_.room_of[room.storey][label] != room.label)
       return;
-    ColumnTop& top = tops_[room.storey][pixel];
+    ColumnTop& top = topOf(room.storey, pixel);
     top.lowest = std::min(top.lowest, static_cast<float>(height));
     profiles_[room.label].add(height);
     seen_.push_back(point);
@@ -80,7 +86,7 @@ public:
     std::vector<double> layers(levels.size(), 0.0), offset(levels.size(), 0.0);
     std::vector<std::size_t> columns(levels.size(), 0), seen(levels.size(), 0);
     for (std::size_t s = 0; s < building_.maps.size(); ++s)
-      for (std::size_t i = 0; i < tops_[s].size(); ++i) {
+      for (std::size_t i = 0; i < place_of_[s].size(); ++i) {
         const RoomMap& map = building_.maps[s];
         const std::int32_t label = map.free_labels.values[i];
         if (label <= 0)
@@ -90,7 +96,7 @@ public:
             heightOfLayer(building_, map.first_layer + map.ceiling.values[i] + 0.5);
         layers[room] += middle;
         ++columns[room];
-        const ColumnTop& top = tops_[s][i];
+        const ColumnTop& top = topOf(s, i);
         if (top.count == 0)
           continue;
         const double height =
@@ -108,6 +114,13 @@ public:
   }
 
 private:
+  /** REQUIRES: the pixel is one of a room */
+  ColumnTop&
+  topOf(std::size_t storey, std::size_t pixel)
+  {
+    return tops_[place_of_[storey][pixel]];
+  }
+
   void
   addToColumns(const std::vector<Eigen::Vector3f>& points,
                const std::vector<double>& main)
@@ -115,7 +128,7 @@ private:
     for (const std::size_t i : seen_) {
       const Room& room = building_.rooms[building_.point_labels[i] - 1];
       const std::int32_t cell = building_.occupancy.cells[i];
-      ColumnTop& top = tops_[room.storey][cell / building_.occupancy.grid.shape.nz];
+      ColumnTop& top = topOf(room.storey, cell / building_.occupancy.grid.shape.nz);
       const double height = points[i].z();
       top.is_level |= std::abs(height - main[room.label]) <= 0.5 * crowd;
       if (height - top.lowest > 2.0 * crowd)
@@ -126,9 +139,10 @@ private:
   }
 
   const BuildingRooms& building_;
-  std::vector<std::vector<ColumnTop>> tops_; ///< per storey and pixel
-  std::vector<PlaceProfile> profiles_;       ///< per label of a room
-  std::vector<std::size_t> seen_;            ///< points that were taken
+  std::vector<ColumnTop> tops_; ///< of the columns of rooms, few of all
+  std::vector<std::vector<std::uint32_t>> place_of_; ///< there, per storey and pixel
+  std::vector<PlaceProfile> profiles_;               ///< per label of a room
+  std::vector<std::size_t> seen_;                    ///< points that were taken
 };
 
 /** Set how much of the floors was seen. */

@@ -88,6 +88,20 @@ sampledNormals(const std::vector<Eigen::Vector3f>& points,
   return voxelNormals(chosen, part, sampling);
 }
 
+/** The gain of each voxel, by Eq. (3.1). What it is found from is as large as the grid
+ * and not kept.
+ * \param[in,out] space gets the sides that nobody has seen */
+std::vector<std::int16_t>
+gainIn(InteriorSpace& space,
+       const std::vector<Eigen::Vector3d>& directions,
+       const InteriorSpaceOptions& options)
+{
+  const int count = static_cast<int>(directions.size());
+  const auto bits = enclosureInSpace(space.occupancy, directions, options.threads);
+  space.unseen = findUnseenSides(space.occupancy, bits, count);
+  return interiorGain(space.occupancy, bits, count, options.weights, gain_unit);
+}
+
 } // namespace
 
 std::vector<Eigen::Vector2d>
@@ -174,17 +188,14 @@ interiorSpaceAlong(const OccupancyGrid& building,
   space.occupancy = coarser(building.grid, space.factor);
   cleanUpVertically(space.occupancy, 1, options.threads);
 
-  const int count = static_cast<int>(turned.size());
-  const auto bits = enclosureInSpace(space.occupancy, turned, options.threads);
-  space.unseen = findUnseenSides(space.occupancy, bits, count);
-  const auto gain =
-      interiorGain(space.occupancy, bits, count, options.weights, gain_unit);
-  space.inside = space.occupancy;
-  space.inside.values =
-      cutGrid(space.occupancy.shape,
-              gain,
-              static_cast<int>(std::lround(options.smoothness / gain_unit)))
-          .inside;
+  const auto gain = gainIn(space, turned, options);
+  auto cut = cutGrid(space.occupancy.shape,
+                     gain,
+                     static_cast<int>(std::lround(options.smoothness / gain_unit)));
+  space.inside.shape = space.occupancy.shape;
+  space.inside.origin = space.occupancy.origin;
+  space.inside.voxel_size = space.occupancy.voxel_size;
+  space.inside.values = std::move(cut.inside);
   return space;
 }
 

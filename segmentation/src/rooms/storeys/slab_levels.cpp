@@ -37,11 +37,12 @@ public:
   , max_height_(1 +
                 static_cast<int>(std::lround(options.max_slab / occupancy.voxel_size)))
   {
+    first_group_.reserve(occupancy.columns() + 1);
+    first_run_.reserve(occupancy.columns() + 1);
     for (int x = 0; x < shape_.nx; ++x)
       for (int y = 0; y < shape_.ny; ++y)
         addColumn(x, y, occupancy.column(x, y));
-    first_group_.push_back(groups_.size());
-    first_run_.push_back(runs_.size());
+    beginColumn();
   }
 
   const std::vector<SlabGroup>&
@@ -73,10 +74,16 @@ public:
 
 private:
   void
+  beginColumn()
+  {
+    first_group_.push_back(static_cast<std::uint32_t>(groups_.size()));
+    first_run_.push_back(static_cast<std::uint32_t>(runs_.size()));
+  }
+
+  void
   addColumn(int x, int y, const VoxelBits::Column& column)
   {
-    first_group_.push_back(groups_.size());
-    first_run_.push_back(runs_.size());
+    beginColumn();
     SlabGroup group{x, y, -1, -1};
     bool is_lowest = true; // nothing lies below it
     for (int z = 0; z < shape_.nz; ++z) {
@@ -126,10 +133,10 @@ private:
   GridShape shape_;
   int clearance_;
   int max_height_;
-  std::vector<SlabGroup> groups_; // by column
-  std::vector<FreeRun> runs_;     // by column
-  std::vector<std::size_t> first_group_;
-  std::vector<std::size_t> first_run_;
+  std::vector<SlabGroup> groups_;          // by column
+  std::vector<FreeRun> runs_;              // by column
+  std::vector<std::uint32_t> first_group_; // of each column
+  std::vector<std::uint32_t> first_run_;   // the same
 };
 
 /** \brief The groups that are parts of slabs. */
