@@ -154,20 +154,6 @@ public:
     return origin + voxel_size * Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5);
   }
 
-  /** \brief The voxel that holds a point; it may lie outside the grid. */
-  Eigen::Vector3i
-  cell(const Eigen::Vector3d& point) const
-  {
-    return ((point - origin) / voxel_size).array().floor().cast<int>();
-  }
-
-  /** \brief Whether two grids have the same shape and bits, wherever they are. */
-  friend bool
-  operator==(const VoxelBits& a, const VoxelBits& b)
-  {
-    return a.shape == b.shape && a.words_ == b.words_;
-  }
-
 private:
   std::size_t
   pixelAt(int x, int y) const

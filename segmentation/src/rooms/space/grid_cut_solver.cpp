@@ -426,6 +426,8 @@ GridCutSolver::findInside()
       left += std::max(excess[v], 0);
     }
   }
+  std::fill(blocks_.begin(), blocks_.end(), nullptr); // nothing flows any more
+  chunks_.clear();
   flowing_ = DEFICIT;
   begin();
   while (!front_.empty())

@@ -5,6 +5,8 @@
 
 #include "rooms/space/voxel_normals.h"
 
+#include "support/bits_of.h"
+
 #include <pcl/exceptions.h>
 
 #include <Eigen/Eigenvalues>
@@ -52,7 +54,7 @@ scatterDirectly(const Points& points, const OccupancyGrid& grid, int x, int y, i
 {
   std::vector<Eigen::Vector3d> near;
   for (const auto& point : points) {
-    const Eigen::Vector3i cell = grid.grid.cell(grid.toGrid(point.cast<double>()));
+    const Eigen::Vector3i cell = voxelAt(grid.grid, grid.toGrid(point.cast<double>()));
     if ((cell - Eigen::Vector3i(x, y, z)).cwiseAbs().maxCoeff() <= 1)
       near.push_back(point.cast<double>());
   }

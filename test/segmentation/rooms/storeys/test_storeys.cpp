@@ -5,6 +5,8 @@
 
 #include <pcl/segmentation/rooms/storeys.h>
 
+#include "support/bits_of.h"
+
 #include <pcl/exceptions.h>
 
 #include <gtest/gtest.h>
@@ -123,7 +125,7 @@ struct Split {
   at(double x, double y, double z) const
   {
     const Eigen::Vector3d local = grid.toGrid({x, y, z});
-    const Eigen::Vector3i cell = grid.grid.cell(local);
+    const Eigen::Vector3i cell = voxelAt(grid.grid, local);
     return storeys.storeyAt(cell.x(), cell.y(), local.z());
   }
 };

@@ -65,7 +65,8 @@ struct Storeys {
  * storey. Linear in the number of voxels.
  *
  * \param[in] occupancy occupied voxels are set
- * \throws pcl::BadArgumentException if an option is out of range
+ * \throws pcl::BadArgumentException if an option is out of range or the number of
+ * values does not fit the shape
  */
 Storeys
 findStoreys(const VoxelBits& occupancy, const StoreyOptions& options = {});
