@@ -173,6 +173,22 @@ TEST(RoomSegmentationLayout, ProgressRisesFromZeroToOne)
     EXPECT_GT(shares[i], shares[i - 1]);
 }
 
+TEST(RoomSegmentationLayout, TheBuildingCanBeTakenAndTheRoomsStay)
+{
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(twoRooms().points));
+  Labels labels;
+  segmentation.segment(labels);
+  const std::size_t rooms = segmentation.getBuilding().rooms.size();
+  const auto building = segmentation.takeBuilding();
+  EXPECT_EQ(building.rooms.size(), rooms);
+  EXPECT_EQ(building.maps.size(), 1u);
+  EXPECT_EQ(segmentation.getRooms().size(), rooms);
+  EXPECT_TRUE(segmentation.getBuilding().rooms.empty());
+  EXPECT_TRUE(segmentation.getBuilding().maps.empty());
+  EXPECT_TRUE(segmentation.takeBuilding().maps.empty());
+}
+
 TEST(RoomSegmentationLayout, WhatIsCancelledLeavesNothingAndCanBeRunAgain)
 {
   Segmentation segmentation;

@@ -66,7 +66,7 @@ segmentScene(const PipelineOptions& options,
   scene.report = std::move(segmented.report);
   scene.rooms = segmentation.getRooms();
   scene.openings = segmentation.getOpenings();
-  scene.building = segmentation.getBuilding();
+  scene.building = segmentation.takeBuilding();
   dropGrids(scene.building);
   scene.building_pose = segmentation.getBuildingPose();
   return scene;

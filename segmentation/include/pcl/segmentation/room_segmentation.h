@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -338,6 +339,14 @@ public:
   getBuilding() const
   {
     return building_;
+  }
+
+  /** \brief Hand over what getBuilding() gives, which is empty then: of large buildings
+   * there is no memory for two. */
+  indoor::BuildingRooms
+  takeBuilding()
+  {
+    return std::exchange(building_, {});
   }
 
   /** \brief Brings the building's frame into that of the cloud, both in metres. */
