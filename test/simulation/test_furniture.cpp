@@ -147,7 +147,7 @@ TEST(Furniture, PartsAreClosedWithNormalsOutwards)
 {
   for (const auto& category : furnitureCategories())
     for (int variant = 0; variant < furnitureVariants(category); ++variant)
-      for (std::uint32_t seed = 0; seed < 20; ++seed)
+      for (std::uint32_t seed = 0; seed < 8; ++seed)
         for (const auto& part :
              bodiesOf(makeFurniture(category, seed, std::nullopt, variant))) {
           const std::string what =
@@ -204,6 +204,84 @@ TEST(Furniture, SameSeedSamePieceOtherSeedAnother)
     for (std::uint32_t seed = 4; seed < 10; ++seed)
       varies |= !equal(makeFurniture(category, 3), makeFurniture(category, seed));
     EXPECT_TRUE(varies || category == "stairs") << category; // stairs: one usual size
+  }
+}
+
+// As many clearly different shapes as the guide says.
+TEST(Furniture, ClassesHaveManyShapes)
+{
+  const std::map<std::string, int> least{
+      {"armchair", 12}, {"bath", 9},          {"bed", 12},   {"bookcase", 9},
+      {"cabinet", 12},  {"ceiling_lamp", 18}, {"chair", 21}, {"clutter", 15},
+      {"desk", 9},      {"floor_lamp", 12},   {"fridge", 6}, {"kitchen_unit", 12},
+      {"plant", 9},     {"sink", 12},         {"sofa", 12},  {"stool", 12},
+      {"table", 15},    {"toilet", 9},        {"tv", 8},     {"wardrobe", 9}};
+  for (const auto& category : furnitureCategories()) {
+    const auto found = least.find(category);
+    EXPECT_GE(furnitureVariants(category), found == least.end() ? 3 : found->second)
+        << category;
+  }
+}
+
+TEST(Furniture, TrianglesAreFewAndHaveAnArea)
+{
+  constexpr std::size_t most = 8000; // ray tracing takes longer and longer
+  for (const auto& category : furnitureCategories())
+    for (int variant = 0; variant < furnitureVariants(category); ++variant) {
+      std::size_t count = 0, flat = 0;
+      for (const auto& part : makeFurniture(category, 3, std::nullopt, variant).parts) {
+        count += part.triangles.size();
+        for (const auto& t : part.triangles)
+          flat += (t.b - t.a).cross(t.c - t.a).norm() > 0 ? 0 : 1;
+      }
+      EXPECT_LE(count, most) << category << ' ' << variant;
+      EXPECT_LE(20 * flat, count) << category << ' ' << variant;
+    }
+}
+
+// Depths along rays from the front, the side and above, as shares of the size.
+std::vector<float>
+profileOf(const FurnitureModel& model)
+{
+  constexpr int pieces = 14;
+  std::vector<Triangle> triangles;
+  const Eigen::Array3f scale = model.size.cast<float>().array().inverse();
+  const auto unit = [&](const Eigen::Vector3f& p) -> Eigen::Vector3f {
+    return (p.array() * scale).matrix() - Eigen::Vector3f(0, 0, 0.5f);
+  };
+  for (const auto& part : model.parts)
+    for (const auto& t : part.triangles)
+      triangles.push_back({unit(t.a), unit(t.b), unit(t.c)});
+  const RayTracer tracer(triangles);
+  std::vector<float> depths;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < pieces; ++i)
+      for (int k = 0; k < pieces; ++k) {
+        Eigen::Vector3f from = Eigen::Vector3f::Zero(), way = Eigen::Vector3f::Zero();
+        from[axis] = 1;
+        way[axis] = -1;
+        from[(axis + 1) % 3] = (i + 0.5f) / pieces - 0.5f;
+        from[(axis + 2) % 3] = (k + 0.5f) / pieces - 0.5f;
+        depths.push_back(std::min(2.0f, tracer.trace(from, way).distance));
+      }
+  return depths;
+}
+
+TEST(Furniture, ShapesOfAClassDiffer)
+{
+  constexpr float clearly = 0.04f; // of the size, along a ray
+  for (const auto& category : furnitureCategories()) {
+    std::vector<std::vector<float>> profiles;
+    for (int variant = 0; variant < furnitureVariants(category); ++variant)
+      profiles.push_back(profileOf(makeFurniture(category, 3, std::nullopt, variant)));
+    for (std::size_t a = 0; a < profiles.size(); ++a)
+      for (std::size_t b = a + 1; b < profiles.size(); ++b) {
+        std::size_t other = 0;
+        for (std::size_t i = 0; i < profiles[a].size(); ++i)
+          other += std::abs(profiles[a][i] - profiles[b][i]) > clearly ? 1 : 0;
+        EXPECT_GE(other, profiles[a].size() / 50)
+            << category << ": " << a << " and " << b;
+      }
   }
 }
 

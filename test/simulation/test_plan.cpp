@@ -240,6 +240,7 @@ TEST(Plan, RefusesLevelsThatCannotBe)
        "\"wells\": [{\"polygon\": [[1, 1], [2, 1], [1.2, 1.2], [1, 2]]}]",
        "wells[0].polygon must be convex"},
       {item, "\"turn\": \"half\"", "only stairs"},
+      {item, "\"lies\": \"over\"", "only blanket"},
       {item, "\"variant\": -1", "whole number from 0"},
       {item, "\"variant\": 0.5", "whole number from 0"},
       {item, "\"variant\": 99", "whole number from 0"},

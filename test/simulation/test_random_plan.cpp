@@ -85,7 +85,8 @@ TEST(RandomPlan, FurnitureDoesNotCollide)
 {
   for (const auto kind : all_kinds)
     for (std::uint32_t seed = 0; seed < 2 * seeds; ++seed) {
-      const auto plan = randomPlan(seed / 2, kind, seed % 2 == 1);
+      const auto plan = randomPlan(
+          seed / 2, kind, seed % 2 == 1 ? PlanFilling::Cluttered : PlanFilling::Plain);
       for (const auto& storey : plan.storeys)
         for (std::size_t i = 0; i < storey.furniture.size(); ++i)
           for (std::size_t k = i + 1; k < storey.furniture.size(); ++k) {
@@ -123,10 +124,11 @@ TEST(RandomPlan, EveryClassAppears)
 {
   std::set<std::string> seen;
   for (const auto kind : all_kinds)
-    for (std::uint32_t seed = 0; seed < seeds; ++seed)
-      for (const auto& storey : randomPlan(seed, kind, true).storeys)
-        for (const auto& item : storey.furniture)
-          seen.insert(item.category);
+    for (const auto filling : {PlanFilling::Cluttered, PlanFilling::LivedIn})
+      for (std::uint32_t seed = 0; seed < seeds; ++seed)
+        for (const auto& storey : randomPlan(seed, kind, filling).storeys)
+          for (const auto& item : storey.furniture)
+            seen.insert(item.category);
   for (const auto* part_of_building : {"beam", "column", "railing"})
     seen.insert(part_of_building);
   for (const auto& category : furnitureCategories())
@@ -138,7 +140,7 @@ TEST(RandomPlan, ClutterIsAddedToTheSamePlan)
   for (const auto kind : kinds)
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {
       const auto plain = randomPlan(seed, kind),
-                 cluttered = randomPlan(seed, kind, true);
+                 cluttered = randomPlan(seed, kind, PlanFilling::Cluttered);
       ASSERT_EQ(plain.storeys.size(), cluttered.storeys.size());
       std::size_t few = 0, many = 0;
       for (std::size_t s = 0; s < plain.storeys.size(); ++s) {
@@ -185,7 +187,10 @@ TEST(RandomPlan, ATableHasSmallThingsOnIt)
   std::size_t alone[2] = {0, 0};
   for (std::uint32_t seed = 0; seed < 2 * seeds; ++seed) {
     const bool cluttered = seed % 2 == 1;
-    const auto plan = randomPlan(seed / 2, PlanKind::Table, cluttered);
+    const auto plan =
+        randomPlan(seed / 2,
+                   PlanKind::Table,
+                   cluttered ? PlanFilling::Cluttered : PlanFilling::Plain);
     ASSERT_EQ(plan.storeys.size(), 1u);
     EXPECT_EQ(buildBuilding(plan).rooms.size(), 1u);
     const auto& furniture = plan.storeys[0].furniture;
@@ -229,9 +234,11 @@ TEST(RandomPlan, NamesOfPlans)
     return randomPlanNamed(name)->storeys[0].furniture.size();
   };
   EXPECT_GT(furniture("random:home:7:cluttered"), furniture("random:home:7"));
+  EXPECT_GT(furniture("random:home:7:lived_in"), furniture("random:home:7:cluttered"));
   for (const auto* wrong : {"random:home:",
                             "random:home::cluttered",
                             "random:home:7:tidy",
+                            "random:home:7:lived_in:cluttered",
                             "random:home:-1",
                             "random:home:4294967296",
                             "random:castle:1",

@@ -8,6 +8,8 @@
 #include "building/leaning_walls.h"
 #include "building/platforms.h"
 #include "building/room_shell.h"
+#include "furniture/catalogue.h"
+#include "furniture/draped_cloth.h"
 #include "furniture/placement.h"
 
 #include <pcl/simulation/furniture.h>
@@ -26,12 +28,22 @@ namespace indoor {
 namespace {
 
 std::vector<std::string>
-categoryNames()
+categoryNames(const Plan& plan)
 {
   std::vector<std::string> names{
       "none", "floor", "ceiling", "wall", "door", "window", "ghost"};
+  std::vector<std::string> later; // those of lived-in rooms: numbers stay
   for (const auto& name : furnitureCategories())
-    names.push_back(name);
+    (plainShapes(name) > 0 ? names : later).push_back(name);
+  const auto is_later = [&](const FurniturePlan& item) {
+    return plainShapes(item.category) == 0;
+  };
+  const bool needed = std::any_of(
+      plan.storeys.begin(), plan.storeys.end(), [&](const StoreyPlan& storey) {
+        return std::any_of(storey.furniture.begin(), storey.furniture.end(), is_later);
+      });
+  if (needed)
+    names.insert(names.end(), later.begin(), later.end());
   return names;
 }
 
@@ -256,6 +268,44 @@ addRooms(Assembler& assemble, const Building& building, const WallHoles& walls)
   }
 }
 
+// What was built so far of objects over or beside a footprint, in its frame.
+std::vector<Triangle>
+supportsOf(const Building& building, const FurniturePlacement& cloth, double rotation)
+{
+  const Eigen::Isometry3f into =
+      (Eigen::AngleAxisd(-rotation, Eigen::Vector3d::UnitZ()) *
+       Eigen::Translation3d(-cloth.position))
+          .cast<float>();
+  const Eigen::Vector3f half = cloth.model.size.cast<float>() / 2;
+  std::vector<Triangle> supports;
+  for (std::size_t i = 0; i < building.triangles.size(); ++i) {
+    if (building.surfaces[i].labels.object == 0)
+      continue;
+    const auto& t = building.triangles[i];
+    const Triangle moved{into * t.a, into * t.b, into * t.c};
+    const Eigen::Array3f low = moved.a.cwiseMin(moved.b).cwiseMin(moved.c),
+                         high = moved.a.cwiseMax(moved.b).cwiseMax(moved.c);
+    if ((low.head<2>() < half.array().head<2>()).all() &&
+        (high.head<2>() > -half.array().head<2>()).all() && high.z() > 0 &&
+        low.z() < 2 * half.z())
+      supports.push_back(moved);
+  }
+  return supports;
+}
+
+// A cloth over nothing stays as it is.
+void
+drape(FurniturePlacement& cloth,
+      const Building& building,
+      double rotation,
+      std::uint32_t seed)
+{
+  const auto model =
+      drapeCloth(supportsOf(building, cloth, rotation), cloth.model.size, seed);
+  if (!model.parts.empty())
+    cloth.model = model;
+}
+
 // What joins storeys, and what can be walked on besides floors.
 void
 addLevels(Assembler& assemble, const Building& building)
@@ -283,7 +333,7 @@ Building
 buildBuilding(const Plan& plan, const std::string& source)
 {
   Building building;
-  building.categories = categoryNames();
+  building.categories = categoryNames(plan);
   building.lean = driftOf(plan);
   building.rooms = makeRooms(plan, source);
   requireApart(building.rooms, source);
@@ -299,8 +349,9 @@ buildBuilding(const Plan& plan, const std::string& source)
   for (std::size_t s = 0; s < plan.storeys.size(); ++s)
     for (const auto& item : plan.storeys[s].furniture) {
       const std::uint32_t seed = item.seed.value_or(mixSeed(plan.seed, item_number++));
-      const auto placed =
-          placeFurniture(item, seed, building, s, plan.storeys[s], source);
+      auto placed = placeFurniture(item, seed, building, s, plan.storeys[s], source);
+      if (item.draped)
+        drape(placed, building, item.rotation, seed);
       ObjectInfo info;
       info.category = item.category;
       info.room = placed.room;

@@ -86,6 +86,8 @@ PartMaker::prism(const std::string& name,
 Eigen::Vector3d
 PartMaker::cutBack(const Eigen::Vector3d& p) const
 {
+  if (!cuts_)
+    return p;
   const Eigen::Vector3d half(model_.size.x() / 2, model_.size.y() / 2, 0.0);
   const Eigen::Vector3d top(half.x(), half.y(), model_.size.z());
   return p.cwiseMax(-half).cwiseMin(top);
@@ -245,6 +247,46 @@ PartMaker::hollow(const std::string& name,
   }
   model_.parts.push_back(inside);
   model_.parts.push_back(floor);
+}
+
+void
+PartMaker::add(const std::string& name, std::vector<Triangle> triangles)
+{
+  const auto touches = [](const Triangle& t) {
+    return t.a == t.b || t.b == t.c || t.c == t.a;
+  };
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), touches),
+                  triangles.end());
+  double volume = 0;
+  const Eigen::Vector3d origin =
+      triangles.empty() ? Eigen::Vector3d(0, 0, 0) : triangles[0].a.cast<double>();
+  for (const auto& t : triangles)
+    volume +=
+        (t.a.cast<double>() - origin)
+            .dot((t.b.cast<double>() - origin).cross(t.c.cast<double>() - origin));
+  if (volume < 0)
+    for (auto& t : triangles)
+      std::swap(t.b, t.c);
+  model_.parts.push_back({name, std::move(triangles), false});
+}
+
+void
+PartMaker::fit()
+{
+  Eigen::AlignedBox3d box;
+  for (const auto& part : model_.parts)
+    for (const auto& t : part.triangles)
+      box.extend(t.a.cast<double>())
+          .extend(t.b.cast<double>())
+          .extend(t.c.cast<double>());
+  const Eigen::Vector3d scale = model_.size.cwiseQuotient(box.sizes()),
+                        middle(box.center().x(), box.center().y(), box.min().z());
+  const auto moved = [&](const Eigen::Vector3f& p) -> Eigen::Vector3f {
+    return (p.cast<double>() - middle).cwiseProduct(scale).cast<float>();
+  };
+  for (auto& part : model_.parts)
+    for (auto& t : part.triangles)
+      t = {moved(t.a), moved(t.b), moved(t.c)};
 }
 
 void

@@ -8,6 +8,8 @@
 #include <pcl/simulation/polygon.h>
 #include <pcl/simulation/random_draw.h>
 
+#include <functional>
+
 namespace pcl {
 namespace indoor {
 
@@ -25,7 +27,13 @@ struct Section {
 /** \brief Collects the parts of one piece of furniture. */
 class PartMaker {
 public:
-  explicit PartMaker(const Eigen::Vector3d& size) { model_.size = size; }
+  /** \param[in] size of the piece, metres
+   * \param[in] cuts whether lofts, bars and slabs are cut back to it */
+  explicit PartMaker(const Eigen::Vector3d& size, bool cuts = true)
+  : cuts_(cuts)
+  {
+    model_.size = size;
+  }
 
   /** \brief Add a part whose bottom and top are rectangles at heights z0 and z1. */
   void
@@ -134,6 +142,15 @@ public:
           {top, z1}});
   }
 
+  /** \brief Add a part of triangles that enclose it; they are turned outwards. What
+   * reaches beyond the piece stays so: see fit(). */
+  void
+  add(const std::string& name, std::vector<Triangle> triangles);
+
+  /** \brief Stretch all parts to fill exactly the size of the piece. */
+  void
+  fit();
+
   /** \brief Join the last \a count parts to one, called \a name. */
   void
   join(int count, const std::string& name);
@@ -149,9 +166,11 @@ private:
   cutBack(const Eigen::Vector3d& p) const;
 
   FurnitureModel model_;
+  bool cuts_;
 };
 
-using FurnitureRecipe = void (*)(PartMaker&, const Eigen::Vector3d&, RandomDraw&);
+using FurnitureRecipe =
+    std::function<void(PartMaker&, const Eigen::Vector3d&, RandomDraw&)>;
 
 /** \brief One shape of a class of furniture: between which sizes it varies, and how it
  * is built. Several shapes may have one name; their order is that of the variants. */
@@ -159,41 +178,11 @@ struct FurnitureClass {
   const char* name;
   Eigen::Vector3d smallest, largest;
   FurnitureRecipe build;
+  bool fitted = false; ///< stretched to its size in the end, instead of cut back to it
+  int like = 0; ///< if fitted: the shape in whose place lived-in rooms may have it
 };
 
-/** \brief The classes of each family; makeFurniture() puts them together. */
-std::vector<FurnitureClass>
-seatingClasses();
-std::vector<FurnitureClass>
-tableClasses();
-std::vector<FurnitureClass>
-storageClasses();
-std::vector<FurnitureClass>
-structureClasses();
-std::vector<FurnitureClass>
-fixtureClasses();
-std::vector<FurnitureClass>
-chairVariants();
-std::vector<FurnitureClass>
-loungeVariants();
-std::vector<FurnitureClass>
-tableVariants();
-std::vector<FurnitureClass>
-storageVariants();
-std::vector<FurnitureClass>
-kitchenClasses();
-std::vector<FurnitureClass>
-bathroomClasses();
-std::vector<FurnitureClass>
-lampClasses();
-std::vector<FurnitureClass>
-deviceClasses();
-std::vector<FurnitureClass>
-decorationClasses();
-std::vector<FurnitureClass>
-clutterClasses();
-std::vector<FurnitureClass>
-vesselClasses();
+constexpr int by_number = -1; ///< like none: only drawn where its number is asked for
 
 /** \brief Doors side by side on the front of a body of a size, with handles or without.
  * They fill the last 0.04 m of its depth.

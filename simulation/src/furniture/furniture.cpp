@@ -2,64 +2,110 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "building/part_maker.h"
+#include "furniture/catalogue.h"
 
 #include <pcl/exceptions.h>
 
-#include <algorithm>
+#include <map>
+#include <utility>
 
 namespace pcl {
 namespace indoor {
 
 namespace {
 
-std::vector<FurnitureClass>
-allClasses()
+using Catalogue = std::map<std::string, std::vector<FurnitureClass>>;
+
+void
+add(Catalogue& catalogue, const std::vector<std::vector<FurnitureClass>>& families)
 {
-  std::vector<FurnitureClass> classes;
-  for (const auto& family : {seatingClasses(),
-                             tableClasses(),
-                             storageClasses(),
-                             structureClasses(),
-                             fixtureClasses(),
-                             chairVariants(),
-                             loungeVariants(),
-                             tableVariants(),
-                             storageVariants(),
-                             kitchenClasses(),
-                             bathroomClasses(),
-                             lampClasses(),
-                             deviceClasses(),
-                             decorationClasses(),
-                             clutterClasses(),
-                             vesselClasses()})
-    classes.insert(classes.end(), family.begin(), family.end());
-  return classes;
+  for (const auto& family : families)
+    for (const auto& shape : family)
+      catalogue[shape.name].push_back(shape);
 }
 
-std::vector<FurnitureClass>
-shapesOf(const std::string& category)
+const Catalogue&
+plainCatalogue()
 {
-  std::vector<FurnitureClass> shapes;
-  for (const auto& shape : allClasses())
-    if (shape.name == category)
-      shapes.push_back(shape);
-  if (shapes.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "there is no furniture class '" << category << "'");
-  return shapes;
+  static const Catalogue catalogue = [] {
+    Catalogue classes;
+    add(classes,
+        {seatingClasses(),
+         tableClasses(),
+         storageClasses(),
+         structureClasses(),
+         fixtureClasses(),
+         chairVariants(),
+         loungeVariants(),
+         tableVariants(),
+         storageVariants(),
+         kitchenClasses(),
+         bathroomClasses(),
+         lampClasses(),
+         deviceClasses(),
+         decorationClasses(),
+         clutterClasses(),
+         vesselClasses()});
+    return classes;
+  }();
+  return catalogue;
+}
+
+const Catalogue&
+wholeCatalogue()
+{
+  static const Catalogue catalogue = [] {
+    Catalogue classes = plainCatalogue();
+    add(classes,
+        {seatShapes(),
+         loungeShapes(),
+         tableShapes(),
+         storageShapes(),
+         kitchenShapes(),
+         bathroomShapes(),
+         lampShapes(),
+         deviceShapes(),
+         decorationShapes(),
+         vesselShapes(),
+         clothShapes(),
+         looseShapes(),
+         structureShapes(),
+         bedShapes(),
+         wardrobeShapes(),
+         applianceShapes(),
+         screenShapes(),
+         plantShapes(),
+         wareShapes()});
+    return classes;
+  }();
+  return catalogue;
 }
 
 } // namespace
+
+const std::vector<FurnitureClass>&
+shapesOf(const std::string& category)
+{
+  const auto found = wholeCatalogue().find(category);
+  if (found == wholeCatalogue().end())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "there is no furniture class '" << category << "'");
+  return found->second;
+}
+
+int
+plainShapes(const std::string& category)
+{
+  const auto found = plainCatalogue().find(category);
+  return found == plainCatalogue().end() ? 0 : static_cast<int>(found->second.size());
+}
 
 std::vector<std::string>
 furnitureCategories()
 {
   std::vector<std::string> names;
-  for (const auto& c : allClasses())
-    names.emplace_back(c.name);
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
+  for (const auto& entry : wholeCatalogue())
+    names.push_back(entry.first);
   return names;
 }
 
@@ -75,7 +121,7 @@ makeFurniture(const std::string& category,
               const std::optional<Eigen::Vector3d>& size,
               int variant)
 {
-  const auto shapes = shapesOf(category);
+  const auto& shapes = shapesOf(category);
   if (variant < 0 || variant >= static_cast<int>(shapes.size()))
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "the variant of a " << category << " must lie within 0 and "
@@ -92,8 +138,10 @@ makeFurniture(const std::string& category,
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "the size of a " << category << " must be positive, not "
                                          << extent.transpose() << " m");
-  PartMaker make(extent);
+  PartMaker make(extent, !found.fitted);
   found.build(make, extent, draw);
+  if (found.fitted)
+    make.fit();
   return make.take();
 }
 

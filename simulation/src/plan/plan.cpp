@@ -107,7 +107,8 @@ readFurniture(const JsonReader& json)
                     "seed",
                     "variant",
                     "room",
-                    "turn"});
+                    "turn",
+                    "lies"});
   FurniturePlan item;
   item.category = json.at("class").text();
   const auto known = furnitureCategories();
@@ -136,6 +137,14 @@ readFurniture(const JsonReader& json)
       json.at("variant").fail("must be a whole number from 0 to " +
                               std::to_string(variants - 1) + " for a " + item.category);
     item.variant = static_cast<int>(variant);
+  }
+  if (json.has("lies")) {
+    const std::set<std::string> cloths{"blanket", "clothes", "towel"};
+    if (json.at("lies").text() != "over" || cloths.count(item.category) == 0)
+      json.at("lies").fail("must be 'over', and only blanket, clothes, towel have it");
+    if (!item.size)
+      json.at("lies").fail("needs a size");
+    item.draped = true;
   }
   if (json.has("room"))
     item.room = json.at("room").text();

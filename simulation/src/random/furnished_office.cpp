@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "random/room_furnisher.h"
+#include "random/furnished_rooms.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
  */
 #include <pcl/simulation/random_plan.h>
 
+#include "random/furnished_rooms.h"
 #include "random/random_table.h"
-#include "random/room_furnisher.h"
 
 #include <map>
 #include <utility>
@@ -135,15 +135,19 @@ joinByStairs(Storey& lower, Storey& upper, RandomDraw& draw)
 }
 
 void
-furnish(Storey& storey, PlanKind kind, bool cluttered)
+furnish(Storey& storey, PlanKind kind, PlanFilling filling)
 {
   for (std::size_t r = 0; r < storey.rooms.size(); ++r) {
+    if (filling == PlanFilling::LivedIn)
+      storey.furnishers[r].liveIn();
     if (kind == PlanKind::Home)
       furnishHomeRoom(storey.furnishers[r], storey.rooms[r].kind);
     else
       furnishOfficeRoom(storey.furnishers[r], storey.rooms[r].kind);
-    if (cluttered)
+    if (filling == PlanFilling::Cluttered)
       storey.furnishers[r].clutter();
+    if (filling == PlanFilling::LivedIn)
+      addBelongings(storey.furnishers[r], storey.rooms[r].kind);
     const auto& pieces = storey.furnishers[r].furniture();
     storey.plan.furniture.insert(
         storey.plan.furniture.end(), pieces.begin(), pieces.end());
@@ -173,10 +177,10 @@ turnPlan(Plan& plan, double angle)
 } // namespace
 
 Plan
-randomPlan(std::uint32_t seed, PlanKind kind, bool cluttered)
+randomPlan(std::uint32_t seed, PlanKind kind, PlanFilling filling)
 {
   if (kind == PlanKind::Table)
-    return randomTable(seed, cluttered);
+    return randomTable(seed, filling);
   RandomDraw draw(mixSeed(seed, kind == PlanKind::Home ? 0 : 1));
   const bool home = kind == PlanKind::Home;
   Plan plan;
@@ -201,7 +205,7 @@ randomPlan(std::uint32_t seed, PlanKind kind, bool cluttered)
       storeys.push_back(std::move(upper));
   }
   for (auto& storey : storeys) {
-    furnish(storey, kind, cluttered);
+    furnish(storey, kind, filling);
     plan.storeys.push_back(storey.plan);
   }
   if (draw.uniform() < 0.5)
@@ -214,11 +218,16 @@ randomPlanNamed(const std::string& name)
 {
   if (name.rfind("random:", 0) != 0)
     return std::nullopt;
-  const std::string clutter = ":cluttered";
-  const bool cluttered =
-      name.size() > clutter.size() &&
-      name.compare(name.size() - clutter.size(), clutter.size(), clutter) == 0;
-  const auto plain = name.substr(0, name.size() - (cluttered ? clutter.size() : 0));
+  const std::pair<PlanFilling, std::string> fillings[] = {
+      {PlanFilling::Cluttered, ":cluttered"}, {PlanFilling::LivedIn, ":lived_in"}};
+  PlanFilling filling = PlanFilling::Plain;
+  std::string plain = name;
+  for (const auto& [kind, end] : fillings)
+    if (name.size() > end.size() &&
+        name.compare(name.size() - end.size(), end.size(), end) == 0) {
+      filling = kind;
+      plain = name.substr(0, name.size() - end.size());
+    }
   const std::pair<PlanKind, std::string> kinds[] = {
       {PlanKind::Home, "random:home:"},
       {PlanKind::Office, "random:office:"},
@@ -231,11 +240,12 @@ randomPlanNamed(const std::string& name)
         digits.find_first_not_of("0123456789") != std::string::npos ||
         std::stoull(digits) > 4294967295ull)
       break;
-    return randomPlan(static_cast<std::uint32_t>(std::stoull(digits)), kind, cluttered);
+    return randomPlan(static_cast<std::uint32_t>(std::stoull(digits)), kind, filling);
   }
   throw PlanError(
-      name + ": must be random:home:SEED, random:office:SEED or random:table:SEED, "
-             "with a seed from 0 to 4294967295, and may end with :cluttered");
+      name +
+      ": must be random:home:SEED, random:office:SEED or random:table:SEED, "
+      "with a seed from 0 to 4294967295, and may end with :cluttered or :lived_in");
 }
 
 } // namespace indoor

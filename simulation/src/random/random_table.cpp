@@ -8,6 +8,7 @@
 
 #include <pcl/simulation/random_draw.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -25,6 +26,13 @@ struct Thing {
 };
 
 constexpr double side = 4.0, ceiling = 2.8; // of the room, metres
+
+// One of eight cluttered tables is covered with things.
+bool
+isDense(std::uint32_t seed)
+{
+  return seed % 8 == 5;
+}
 
 // Packets, books, vessels, bags and small devices, as a hand can hold them.
 Piece
@@ -66,10 +74,77 @@ drawTable(RoomFurnisher& room)
                                                     : room.between(0.68, 0.78)));
 }
 
+// Things of all shapes that lie on tables, none longer than a hand can hold.
+Piece
+anyThing(RoomFurnisher& room)
+{
+  constexpr double longest = 0.3; // metres
+  constexpr std::array<const char*, 12> things{"bottle",
+                                               "bottle",
+                                               "bowl",
+                                               "mug",
+                                               "cup",
+                                               "box",
+                                               "box",
+                                               "books",
+                                               "clutter",
+                                               "kitchenware",
+                                               "toy",
+                                               "bag"};
+  Piece thing = room.piece(things[room.pick(static_cast<int>(things.size()))]);
+  thing.size *= std::min(1.0, longest / thing.size.maxCoeff());
+  thing.size = thing.size.cwiseMax(0.02);
+  return thing;
+}
+
+/** How full a table is. */
+struct Laying {
+  int count;
+  double touching, stacked; // shares of the things
+};
+
+Laying
+drawLaying(std::uint32_t seed, PlanFilling filling, RoomFurnisher& room)
+{
+  if (filling == PlanFilling::Plain)
+    return {2 + room.pick(7), 0.3, 0.2};
+  if (filling == PlanFilling::LivedIn)
+    return {8 + room.pick(25), 0.45, 0.15};
+  if (isDense(seed))
+    return {22 + room.pick(11), 0.55, 0.2};
+  return {8 + room.pick(9), 0.3, 0.2};
+}
+
+// As many as there are to be, beside and on each other.
+void
+layTable(RoomFurnisher& room, int table, const Laying& laying, bool any)
+{
+  const double top = room.sizeOf(table).z();
+  int last = -1;
+  for (int i = 0; i < laying.count; ++i) {
+    const Piece thing = any ? anyThing(room) : thingOnTable(room);
+    const double turn = room.between(-M_PI, M_PI), way = room.between(0.0, 1.0);
+    const bool touches = last >= 0 && way < laying.touching,
+               stacked =
+                   last >= 0 && !touches && way < laying.touching + laying.stacked;
+    int placed = -1;
+    if (touches && any)
+      placed = room.restOn(table, thing, {turn, false, false, 0.015, last});
+    else if (touches)
+      placed = room.beside(
+          last, thing, room.chance(0.5) ? 1 : -1, room.between(0.0, 0.01), top);
+    else if (stacked)
+      placed = room.onTop(last, thing, room.chance(0.5) ? 0.0 : turn);
+    if (placed < 0)
+      placed = room.onTop(table, thing, turn);
+    last = placed >= 0 ? placed : last;
+  }
+}
+
 } // namespace
 
 Plan
-randomTable(std::uint32_t seed, bool cluttered)
+randomTable(std::uint32_t seed, PlanFilling filling)
 {
   LayoutRoom place;
   place.outline = Eigen::AlignedBox2d(Eigen::Vector2d(-side / 2, -side / 2),
@@ -78,23 +153,14 @@ randomTable(std::uint32_t seed, bool cluttered)
   plan.name = "random table " + std::to_string(seed);
   plan.seed = seed;
   RoomFurnisher room(place, {}, 0, plan.wall_thickness, ceiling, mixSeed(seed, 2));
-  const int table = room.inTheMiddle(drawTable(room), 0.0);
-  const double top = room.sizeOf(table).z();
-  const int count = cluttered ? 8 + room.pick(9) : 2 + room.pick(7);
-  int last = -1;
-  for (int i = 0; i < count; ++i) {
-    const Piece thing = thingOnTable(room);
-    const double turn = room.between(-M_PI, M_PI), way = room.between(0.0, 1.0);
-    int placed = -1;
-    if (last >= 0 && way < 0.3)
-      placed = room.beside(
-          last, thing, room.chance(0.5) ? 1 : -1, room.between(0.0, 0.01), top);
-    else if (last >= 0 && way < 0.5)
-      placed = room.onTop(last, thing, room.chance(0.5) ? 0.0 : turn);
-    if (placed < 0)
-      placed = room.onTop(table, thing, turn);
-    last = placed >= 0 ? placed : last;
-  }
+  const bool any = filling == PlanFilling::LivedIn;
+  if (any)
+    room.liveIn();
+  Piece piece = drawTable(room);
+  if (filling == PlanFilling::Cluttered && isDense(seed)) // little of it is left free
+    piece.size = piece.size.cwiseMin(Size(0.95, 0.75, 1.0));
+  const int table = room.inTheMiddle(piece, 0.0);
+  layTable(room, table, drawLaying(seed, filling, room), any);
   if (room.chance(0.4))
     room.around(table, "chair", 4);
 

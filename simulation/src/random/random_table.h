@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/simulation/plan.h>
+#include <pcl/simulation/random_plan.h>
 
 #include <cstdint>
 
@@ -13,9 +13,10 @@ namespace indoor {
 
 /** \brief A table in the middle of a room, above the origin, with two to eight small
  * things on it, some against or on each other.
- * \param[in] cluttered 8 to 16 things */
+ * \param[in] filling Cluttered: 8 to 16 things, one of eight 22 to 32, so close
+ * that a third of all points is table; LivedIn: 8 to 32 of many more shapes */
 Plan
-randomTable(std::uint32_t seed, bool cluttered);
+randomTable(std::uint32_t seed, PlanFilling filling);
 
 } // namespace indoor
 } // namespace pcl

@@ -4,6 +4,8 @@
  */
 #include "random/room_furnisher.h"
 
+#include "furniture/catalogue.h"
+
 #include <pcl/simulation/furniture.h>
 
 #include <algorithm>
@@ -26,6 +28,23 @@ Eigen::Vector2d
 forwards(double rotation)
 {
   return {-std::sin(rotation), std::cos(rotation)};
+}
+
+// The shapes first to last; in lived-in rooms also all that stand for one of them.
+// Shapes that are drawn by number only are left out where there is no last one.
+std::vector<int>
+drawnShapes(const std::string& category, bool lived_in, int first, int last)
+{
+  const auto& shapes = shapesOf(category);
+  const int plain = plainShapes(category), count = static_cast<int>(shapes.size());
+  std::vector<int> drawn;
+  for (int i = 0; i < (lived_in ? count : plain); ++i) {
+    const int like = i < plain ? i : shapes[static_cast<std::size_t>(i)].like;
+    const bool asked = i >= first && i <= last && (last < count || like != by_number);
+    if (asked || (like >= first && like <= last))
+      drawn.push_back(i);
+  }
+  return drawn;
 }
 
 } // namespace
@@ -97,7 +116,9 @@ RoomFurnisher::piece(const std::string& category,
 {
   Piece result;
   result.category = category;
-  result.variant = draw_.pick(furnitureVariants(category));
+  const auto shapes = drawnShapes(category, lived_in_, 0, furnitureVariants(category));
+  result.variant =
+      shapes[static_cast<std::size_t>(draw_.pick(static_cast<int>(shapes.size())))];
   result.seed = mixSeed(static_cast<std::uint32_t>(draw_.pick(1 << 30)), 0);
   result.size = makeFurniture(category, result.seed, size, result.variant).size;
   return result;
@@ -110,7 +131,9 @@ RoomFurnisher::shaped(const std::string& category,
                       const std::optional<Eigen::Vector3d>& size)
 {
   Piece result = piece(category);
-  result.variant = first + draw_.pick(last - first + 1);
+  const auto shapes = drawnShapes(category, lived_in_, first, last);
+  result.variant =
+      shapes[static_cast<std::size_t>(draw_.pick(static_cast<int>(shapes.size())))];
   result.size = makeFurniture(category, result.seed, size, result.variant).size;
   return result;
 }
@@ -280,6 +303,8 @@ RoomFurnisher::onTop(int other, const Piece& piece, double turn, bool at_rear)
 {
   if (other < 0)
     return -1;
+  if (lived_in_)
+    return restOn(other, piece, {turn, false, at_rear});
   const auto base = furniture_[other];
   const Eigen::Vector3d size = pieces_[other].size;
   const Eigen::Vector2d room = (size - piece.size).head<2>() / 2;

@@ -5,7 +5,9 @@
 #pragma once
 
 #include "random/random_layout.h"
+#include "random/resting_places.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +21,15 @@ struct Piece {
   std::uint32_t seed = 0;
   Eigen::Vector3d size = Eigen::Vector3d::Zero(); ///< metres
   int variant = 0;
+};
+
+/** \brief How a thing lies on or in a piece. */
+struct Resting {
+  double turn = 0.0;    ///< radians, from the piece's
+  bool inside = false;  ///< on any board of it; otherwise on its highest level place
+  bool at_rear = false; ///< as far back as the piece reaches
+  double give = 0.015;  ///< how uneven what carries it may be, metres
+  int touching = -1;    ///< beside this thing, if there is room
 };
 
 /** \brief Finds places in one room, so that nothing collides.
@@ -41,6 +52,14 @@ public:
                 double wall_thickness,
                 double ceiling,
                 std::uint32_t seed);
+
+  /** \brief From now on all shapes are drawn from, and what stands on a piece stands
+   * where its surface carries it. */
+  void
+  liveIn()
+  {
+    lived_in_ = true;
+  }
 
   bool
   chance(double probability)
@@ -94,6 +113,20 @@ public:
   int
   onTop(int other, const Piece& piece, double turn = 0.0, bool at_rear = false);
 
+  /** \brief On what carries it within a piece's extent: a top, a seat, a board. */
+  int
+  restOn(int other, const Piece& piece, const Resting& how);
+
+  /** \brief On the floor below a piece, between its legs. */
+  int
+  under(int other, const Piece& piece);
+
+  /** \brief Cloth over a piece; it needs no free place.
+   * \param[in] at its middle in the frame of the piece, metres
+   * \param[in] hem height of its lowest point, metres above the floor */
+  void
+  layOver(int other, Piece cloth, const Eigen::Vector2d& at, double hem);
+
   /** \brief On a wall with its lowest point at a height. */
   int
   onWall(const Piece& piece, double elevation);
@@ -134,9 +167,9 @@ public:
   void
   belowWindows(const std::string& category, double probability);
 
-  /** \brief Before each window. */
+  /** \brief Curtains, or blinds, before each window. */
   void
-  curtains(double probability);
+  curtains(double probability, const std::string& category = "curtain");
 
   /** \brief At a place; \a under may be overlapped. */
   int
@@ -209,6 +242,9 @@ private:
   void
   pushTogether();
 
+  const RestingPlaces&
+  placesOn(int number);
+
   int
   tryWalls(const Piece& piece, double elevation, double gap);
 
@@ -222,6 +258,8 @@ private:
   std::vector<Window> windows_;
   std::vector<FurniturePlan> furniture_;
   std::vector<Piece> pieces_;
+  bool lived_in_ = false;
+  std::vector<std::shared_ptr<RestingPlaces>> places_; // of pieces; null: not yet made
 };
 
 /** \brief The corners of an upright rectangle, turned. */
@@ -229,12 +267,6 @@ Polygon
 turnedRectangle(const Eigen::Vector2d& at,
                 const Eigen::Vector2d& size,
                 double rotation);
-
-/** \brief Put the furniture of its kind into a room. */
-void
-furnishHomeRoom(RoomFurnisher& room, RoomKind kind);
-void
-furnishOfficeRoom(RoomFurnisher& room, RoomKind kind);
 
 } // namespace indoor
 } // namespace pcl

@@ -34,10 +34,11 @@ RoomFurnisher::workplace(const Piece& desk_piece,
   if (desk < 0)
     return;
   const double width = sizeOf(desk).x();
+  const bool goes_around = lived_in_ && sizeOf(desk).y() > 1.1; // its right end
   before(desk,
          piece(chair),
-         between(-0.2, 0.1),
-         between(-0.1, 0.1) * width,
+         between(-0.2, 0.1) - (goes_around ? sizeOf(desk).y() - 0.75 : 0.0),
+         (between(-0.1, 0.1) - (goes_around ? 0.2 : 0.0)) * width,
          between(-0.7, 0.7));
   if (chance(0.35))
     onTop(desk, piece("laptop"), between(-0.3, 0.3));
@@ -124,13 +125,14 @@ RoomFurnisher::putInRow(const Piece& next, const Wall& w, double along, double u
 }
 
 void
-RoomFurnisher::curtains(double probability)
+RoomFurnisher::curtains(double probability, const std::string& category)
 {
   for (const auto& window : windows_) {
     if (!chance(probability))
       continue;
-    Piece cloth = piece("curtain");
-    const double low = chance(0.6) ? 0.02 : std::max(0.02, window.sill - 0.1);
+    Piece cloth = piece(category);
+    const bool is_short = category == "blinds" || !chance(0.6);
+    const double low = is_short ? std::max(0.02, window.sill - 0.1) : 0.02;
     cloth.size.x() = window.width + between(0.2, 0.5);
     cloth.size.z() = std::min(window.top + 0.15, ceiling_) - low;
     const Eigen::Vector2d inwards(-std::sin(window.rotation),

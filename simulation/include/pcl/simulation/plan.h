@@ -101,6 +101,7 @@ struct FurniturePlan {
   int variant = 0;        ///< which shape of its class, below furnitureVariants()
   std::string room;       ///< that its points belong to; empty: where it stands
   bool half_turn = false; ///< stairs: two flights side by side and a landing
+  bool draped = false;    ///< cloth: lies over what is listed before it
 };
 
 /** \brief A slab or block to walk on within a room: a mezzanine, a landing, a ramp. */

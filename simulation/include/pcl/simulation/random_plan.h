@@ -21,23 +21,32 @@ enum class PlanKind {
   Table   ///< one room with a table in its middle, above the origin, things on it
 };
 
+/** \brief What a random plan has besides its furniture. */
+enum class PlanFilling {
+  Plain,     ///< a few small things
+  Cluttered, ///< desks pushed together, small things on all that has a level top
+  LivedIn    ///< furniture of all shapes, and belongings where people leave them
+};
+
 /** \brief Draw a furnished building, or a table with small things on it.
  *
  * Rooms are rectangles that cut a rectangular or L-shaped outline into pieces; a tree
  * of doors, some of them closed, joins them all. Furniture stands as people put it for
  * the kind of each room. Pieces may touch each other and the walls; their bounding
- * boxes share space only where chairs stand under tables. Some buildings are turned.
- * \param[in] seed the same seed gives the same plan; another one another plan
- * \param[in] kind of the building
- * \param[in] cluttered desks are pushed together, and many small things lie on what has
- * a level top and on the floor, all else is as without; of a table: more things on it
- * \return a plan that buildBuilding() accepts
+ * boxes share space only where chairs stand under tables or things lie in pieces. Some
+ * buildings are turned. \param[in] seed the same seed gives the same plan; another one
+ * another plan \param[in] kind of the building \param[in] filling Cluttered: desks are
+ * pushed together, and many small things lie on what has a level top and on the floor,
+ * all else is as without; of a table: more things on it. LivedIn: the same rooms, each
+ * piece drawn from all shapes of its class; pillows, blankets, clothes, bags, books,
+ * toys, towels, kitchenware and more in, on, under and over it, on the floor, at and on
+ * the walls \return a plan that buildBuilding() accepts
  */
 Plan
-randomPlan(std::uint32_t seed, PlanKind kind, bool cluttered = false);
+randomPlan(std::uint32_t seed, PlanKind kind, PlanFilling filling = PlanFilling::Plain);
 
 /** \brief Read what names a random plan: random:home:SEED, random:office:SEED or
- * random:table:SEED, followed by :cluttered for one with clutter.
+ * random:table:SEED, followed by :cluttered or :lived_in for its filling.
  * \param[in] name a plan's name, for example random:home:7
  * \return the plan; none if the name does not begin with random:
  * \throws PlanError if the kind is none of these or the seed is no number from 0 to

@@ -1,0 +1,173 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "random/furnished_rooms.h"
+#include "random/habits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace indoor {
+
+namespace {
+
+// A whole number that is expected on average.
+int
+countOf(RoomFurnisher& room, double expected)
+{
+  return static_cast<int>(expected + room.between(0.0, 1.0));
+}
+
+bool
+isFlat(const Piece& piece)
+{
+  const std::string& c = piece.category;
+  return c == "books" || c == "box" || (c == "clutter" && piece.size.z() < 0.12);
+}
+
+// Two thirds of the width of a bed or sofa, a part of its depth, down to its sides.
+void
+spread(RoomFurnisher& room, int on, Piece cloth)
+{
+  const Eigen::Vector3d size = room.sizeOf(on);
+  const std::string& base = room.furniture()[static_cast<std::size_t>(on)].category;
+  const bool bed = base == "bed" || base == "bunk_bed",
+             edge = base == "radiator" || base == "bath" || base == "kitchen_unit";
+  double hem = room.between(0.1, 0.35) * size.z();
+  Eigen::Vector2d at(room.between(-0.3, 0.3) * size.x(), 0);
+  if (cloth.category != "blanket")
+    cloth.size.head<2>() =
+        Eigen::Vector2d(room.between(0.35, 0.6), room.between(0.5, 0.8));
+  else if (bed) {
+    cloth.size.head<2>() = Eigen::Vector2d(size.x() + room.between(-0.3, 0.3),
+                                           room.between(0.3, 0.75) * size.y());
+    at = {room.between(-0.1, 0.1),
+          room.between(0.0, 1.0) * (size.y() - cloth.size.y()) / 2 + 0.05};
+  }
+  else
+    cloth.size.head<2>() = Eigen::Vector2d(
+        room.between(0.6, 1.3), std::min(1.6, room.between(0.8, 1.15) * size.y()));
+  if (edge) { // from its front edge down
+    cloth.size.y() = room.between(0.2, 0.4);
+    cloth.size.x() = std::min(cloth.size.x(), 0.8 * size.x());
+    at.y() = size.y() / 2 - 0.3 * cloth.size.y();
+    hem = room.between(0.3, 0.6) * size.z();
+  }
+  room.layOver(on, cloth, at, hem);
+}
+
+void
+overBack(RoomFurnisher& room, int on, Piece cloth)
+{
+  const Eigen::Vector3d size = room.sizeOf(on);
+  cloth.size.head<2>() =
+      Eigen::Vector2d(room.between(0.7, 1.0) * size.x(), room.between(0.25, 0.45));
+  room.layOver(on,
+               cloth,
+               {room.between(-0.1, 0.1) * size.x(), -size.y() / 2 + 0.06},
+               room.between(0.35, 0.6) * size.z());
+}
+
+// One thing where it is usually found; the number of the last that lies there.
+int
+place(RoomFurnisher& room, const Habit& habit, int on, int last)
+{
+  const Piece thing = room.shaped(habit.thing, habit.first, habit.last);
+  const double turn =
+      room.chance(0.5) ? room.between(-0.2, 0.2) : room.between(-M_PI, M_PI);
+  Resting how;
+  how.turn = turn;
+  how.touching = last >= 0 && room.chance(0.4) ? last : -1;
+  switch (habit.where) {
+  case Where::On:
+    if (last >= 0 && isFlat(thing) && room.chance(0.2))
+      if (const int placed = room.restOn(last, thing, how); placed >= 0)
+        return placed;
+    return room.restOn(on, thing, how);
+  case Where::In:
+    how.inside = true;
+    how.turn = thing.category == "books" ? 0.0 : room.between(-0.2, 0.2);
+    return room.restOn(on, thing, how);
+  case Where::Seat:
+    how.give = 0.06;
+    how.at_rear = thing.category == "pillow" && thing.variant == 1;
+    how.turn = how.at_rear ? room.between(-0.2, 0.2) : turn;
+    how.touching = -1;
+    return room.restOn(on, thing, how);
+  case Where::Below:
+    return room.under(on, thing);
+  case Where::Around:
+    return room.chance(0.5)
+               ? room.before(on,
+                             thing,
+                             room.between(0.0, 0.15),
+                             room.between(-0.4, 0.4) * room.sizeOf(on).x(),
+                             turn)
+               : room.beside(
+                     on, thing, room.chance(0.5) ? 1 : -1, room.between(0.0, 0.1));
+  case Where::Over:
+    spread(room, on, thing);
+    return -1;
+  case Where::Back:
+    overBack(room, on, thing);
+    return -1;
+  }
+  return -1;
+}
+
+void
+follow(RoomFurnisher& room, const std::vector<Habit>& habits, bool cloths)
+{
+  const int count = static_cast<int>(room.furniture().size());
+  for (int on = 0; on < count; ++on) {
+    const std::string category =
+        room.furniture()[static_cast<std::size_t>(on)].category;
+    int last = -1;
+    for (const auto& habit : habits) {
+      const bool is_cloth = habit.where == Where::Over || habit.where == Where::Back;
+      if (is_cloth != cloths ||
+          std::find(habit.pieces.begin(), habit.pieces.end(), category) ==
+              habit.pieces.end())
+        continue;
+      for (int i = countOf(room, habit.expected); i > 0; --i) {
+        const int placed = place(room, habit, on, last);
+        last = placed >= 0 ? placed : last;
+      }
+    }
+  }
+}
+
+} // namespace
+
+void
+addBelongings(RoomFurnisher& room, RoomKind kind)
+{
+  constexpr double usual_area = 12.0; // square metres that customs are meant for
+  const double share = std::clamp(room.size().prod() / usual_area, 0.5, 2.5),
+               mess = room.between(0.3, 1.5);
+  room.curtains(kind == RoomKind::Bathroom ? 0.2 : 0.45, "blinds");
+  for (const auto& custom : customs()) {
+    if (custom.room != kind)
+      continue;
+    for (int i = countOf(room, mess * share * custom.expected); i > 0; --i) {
+      const Piece thing = room.shaped(custom.thing, custom.first, custom.last);
+      if (custom.elevation < 0)
+        room.anywhere(thing);
+      else if (custom.elevation == 0)
+        room.atWall(thing);
+      else
+        room.onWall(thing, custom.elevation + room.between(-0.1, 0.1));
+    }
+  }
+  for (auto habits : {seatHabits(), tableHabits(), storageHabits()}) {
+    for (auto& habit : habits)
+      habit.expected *= mess;
+    follow(room, habits, false);
+    follow(room, habits, true);
+  }
+}
+
+} // namespace indoor
+} // namespace pcl
