@@ -209,7 +209,7 @@ TEST(LivedInPlan, SomeTablesAreCovered)
     const auto& items = plan.storeys[0].furniture;
     std::size_t things = 0, touching = 0;
     for (std::size_t i = 1; i < items.size(); ++i) {
-      if (*items[i].elevation < 0.2)
+      if (*items[i].elevation < 0.2) // chairs
         continue;
       ++things;
       bool touches = false;

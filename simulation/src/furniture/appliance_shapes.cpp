@@ -27,6 +27,8 @@ struct Appliance {
   bool knobs = false;
   bool hob = false;
   bool feet = true;
+  bool raised = false;  ///< its rear rises over its top
+  bool bulging = false; ///< its doors are bent
 };
 
 void
@@ -45,8 +47,23 @@ frontOf(
       const double left = -x + k * size.x() / columns,
                    right = left + size.x() / columns;
       const Rectangle r{left + 0.004, y - 0.06, right - 0.004, y - 0.03};
-      style.rounded ? roundBox(make, "door", r, z0 + 0.004, z1 - 0.004, 0.014)
-                    : make.box("door", r, z0 + 0.004, z1 - 0.004);
+      const double d0 = z0 + 0.004, d1 = z1 - 0.004;
+      if (style.bulging)
+        sheet(
+            make,
+            "door",
+            [&](double u, double v) -> P {
+              return {(r.x0 + r.x1) / 2 + (r.x1 - r.x0) / 2 * u,
+                      y - 0.08 + 0.05 * (1 - u * u),
+                      d0 + (v + 1) / 2 * (d1 - d0)};
+            },
+            8,
+            1,
+            0.02);
+      else if (style.rounded)
+        roundBox(make, "door", r, d0, d1, 0.014);
+      else
+        make.box("door", r, d0, d1);
       const double at = k == 0 && columns == 2 ? right - 0.04 : left + 0.04;
       if (!style.drum && !style.window)
         tube(make,
@@ -104,10 +121,14 @@ buildAppliance(PartMaker& make,
                const Appliance& style)
 {
   const double x = size.x() / 2, y = size.y() / 2, low = style.feet ? 0.05 : 0.0,
-               top = size.z() - (style.hob ? 0.02 : 0.0);
+               top = size.z() - (style.raised ? 0.15
+                                 : style.hob  ? 0.02
+                                              : 0.0);
   const Rectangle body{-x, -y, x, y - 0.06};
   style.rounded ? roundBox(make, "body", body, low, top, 0.04)
                 : make.box("body", body, low, top);
+  if (style.raised)
+    make.box("rear", {-x, -y, x, -y + 0.05}, top, size.z());
   if (style.feet)
     make.box("plinth", {-x + 0.02, -y, x - 0.02, y - 0.08}, 0, low);
   const double panel = style.panel ? std::min(0.14, 0.2 * top) : 0.0;
@@ -174,6 +195,8 @@ applianceShapes()
   slim.rounded = true;
   Appliance single = drawn(1, false, false), small_old = single;
   small_old.rounded = true;
+  Appliance bent = drawn(2, false, false);
+  bent.bulging = true;
   return {
       appliance("cooker", stove_low, stove_high, stove),
       appliance("cooker", {0.55, 0.55, 1.8}, {0.62, 0.62, 2.2}, oven),
@@ -182,12 +205,12 @@ applianceShapes()
                 {1.1, 0.68, 0.95},
                 [&] {
                   auto a = stove;
-                  a.side = true;
+                  a.side = a.raised = true;
                   return a;
                 }()),
       appliance("dishwasher", dish_low, dish_high, drawn(1, false, true)),
       appliance("dishwasher", dish_low, dish_high, slim),
-      appliance("fridge", cold_low, cold_high, drawn(2, false, false)),
+      appliance("fridge", cold_low, cold_high, bent),
       appliance("fridge", cold_low, cold_high, old),
       appliance("fridge", {0.85, 0.65, 1.7}, {0.95, 0.75, 1.9}, drawn(2, true, false)),
       appliance("fridge", {0.5, 0.52, 0.6}, {0.6, 0.6, 0.9}, small_old),

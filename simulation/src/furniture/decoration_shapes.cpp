@@ -245,6 +245,14 @@ ball(int kind)
                 {0.65, kind == 1 ? 0.3 : 0.65, kind == 1 ? 0.3 : 0.65},
                 [kind](PartMaker& make, const Size& size, RandomDraw&) {
                   const P half = size / 2;
+                  if (kind == 1) // sags
+                    return lathe(make,
+                                 "ball",
+                                 {0, 0},
+                                 {{0.6 * half.x(), 0},
+                                  {half.x(), 0.7 * half.z()},
+                                  {0.85 * half.x(), 1.4 * half.z()},
+                                  {0.45 * half.x(), 2 * half.z()}});
                   ellipsoid(make, "ball", {0, 0, half.z()}, half);
                   if (kind == 2) // with ears to hold on to
                     for (const double s : {-0.3, 0.3})

@@ -113,6 +113,28 @@ unit(const char* name,
       like);
 }
 
+// On the wall: two doors with rounded corners, an open shelf below them.
+void
+roundedCabinet(PartMaker& make, const Size& size, RandomDraw& draw)
+{
+  const double x = size.x() / 2, y = size.y() / 2,
+               low = draw.uniform(0.25, 0.4) * size.z();
+  roundBox(make, "body", {-x, -y, x, y - 0.02}, low, size.z(), 0.05);
+  for (const double s : {-1.0, 1.0})
+    ellipsoid(make, "knob", {s * 0.05, y - 0.015, low + 0.06}, {0.015, 0.015, 0.015});
+  make.box("shelf", {-x, -y, x, 0.6 * y}, 0, 0.02);
+  for (const double s : {-x, x - 0.02})
+    make.box("side", {s, -y, s + 0.02, 0.6 * y}, 0.02, low + 0.05);
+}
+
+void
+openCabinet(PartMaker& make, const Size& size, RandomDraw& draw)
+{
+  const double x = size.x() / 2, y = size.y() / 2;
+  openCase(
+      make, {{-x, -y, 0}, {x, y, size.z()}}, 1 + draw.pick(2), 2, draw.pick(2) == 0);
+}
+
 void
 chimneyHood(PartMaker& make, const Size& size, RandomDraw& draw)
 {
@@ -253,36 +275,8 @@ kitchenShapes()
            isle_high,
            {2, 3, true, 2, false, true, true, true},
            3),
-      unit("upper_cabinet", upper_low, upper_high, {2, 1, false, 0, true}, 0),
-      fitted("upper_cabinet",
-             upper_low,
-             upper_high,
-             [](PartMaker& make, const Size& size, RandomDraw& draw) {
-               make.box(
-                   "body",
-                   {-size.x() / 2, -size.y() / 2, size.x() / 2, size.y() / 2 - 0.04},
-                   0,
-                   size.z());
-               front(make,
-                     size,
-                     {1 + draw.pick(3), 1, false, 1 + draw.pick(3), 0, size.z()});
-             }),
-      fitted("upper_cabinet",
-             upper_low,
-             upper_high,
-             [](PartMaker& make, const Size& size, RandomDraw&) {
-               const double x = size.x() / 2, y = size.y() / 2;
-               row(make,
-                   "shelf",
-                   {{-x, -y, 0}, {x, y, 0.02}},
-                   {0, 0, size.z() / 2 - 0.01},
-                   3);
-               row(make,
-                   "side",
-                   {{-x, -y, 0.02}, {-x + 0.02, y, size.z() - 0.02}},
-                   {x - 0.01, 0, 0},
-                   3);
-             }),
+      fitted("upper_cabinet", upper_low, upper_high, roundedCabinet),
+      fitted("upper_cabinet", upper_low, upper_high, openCabinet),
       fitted("range_hood", {0.6, 0.45, 0.6}, {0.9, 0.52, 1.0}, chimneyHood),
       fitted("range_hood", {0.6, 0.4, 0.6}, {0.9, 0.5, 0.95}, slantedHood),
       counter({1.2, 0.5, 0.9}, {2.6, 0.8, 1.12}, {}),

@@ -151,7 +151,7 @@ shoes(int kind)
                     const double at = s * 0.55 * x,
                                  off = draw.uniform(-0.1, 0.1) * size.y(),
                                  y = 0.42 * size.y(), w = 0.4 * x;
-                    const double heel = kind == 2 ? 0.5 * z : 0.02;
+                    const double heel = kind == 2 ? 0.65 * z : 0.02;
                     make.loft("sole",
                               {at - w, off - y, at + w, off + y},
                               {{0.9, 0, 0.7},

@@ -334,7 +334,7 @@ tableShapes()
             {0.7, 0.7, 0.9},
             {1.2, 0.8, 1.1},
             {Top::Board, Legs::Straight, true}),
-      table("table", low, high, {Top::Frame, Legs::Straight, false, true}),
+      table("table", low, high, {Top::Frame, Legs::Panels, true}),
       table("table", low, high, {Top::Board, Legs::Trestle}),
       table("table", {0.6, 0.6, 0.7}, {0.8, 0.8, 1.1}, {Top::Rounded, Legs::Pedestal}),
       table("round_table", small, large, {Top::Round, Legs::Tapered, false, true}),

@@ -82,7 +82,7 @@ struct WardrobeStyle {
 };
 
 void
-slidingDoors(PartMaker& make, const Size& size, double low, bool frame)
+slidingDoors(PartMaker& make, const Size& size, double low, bool mirror)
 {
   const double x = size.x() / 2, y = size.y() / 2;
   const int doors = size.x() > 2.0 ? 3 : 2;
@@ -90,9 +90,11 @@ slidingDoors(PartMaker& make, const Size& size, double low, bool frame)
   for (int i = 0; i < doors; ++i) {
     const double left = -x + i * (width - 0.05), f = i % 2 == 0 ? y - 0.03 : y - 0.065;
     make.box("door", {left, f, left + width, f + 0.02}, low, size.z() - 0.04);
-    if (frame)
-      for (const double at : {left, left + width - 0.04})
-        make.box("frame", {at, f + 0.02, at + 0.04, f + 0.03}, low, size.z() - 0.04);
+    if (mirror)
+      make.box("mirror",
+               {left + 0.1, f, left + width - 0.1, f + 0.05},
+               low + 0.15,
+               size.z() - 0.2);
   }
   make.box("track", {-x, y - 0.07, x, y}, size.z() - 0.04, size.z());
 }

@@ -99,20 +99,23 @@ anyThing(RoomFurnisher& room)
 
 /** How full a table is. */
 struct Laying {
-  int count;
+  int count, attempts;
   double touching, stacked; // shares of the things
 };
 
 Laying
 drawLaying(std::uint32_t seed, PlanFilling filling, RoomFurnisher& room)
 {
-  if (filling == PlanFilling::Plain)
-    return {2 + room.pick(7), 0.3, 0.2};
+  if (filling == PlanFilling::Plain) {
+    const int count = 2 + room.pick(7);
+    return {count, count, 0.3, 0.2};
+  }
   if (filling == PlanFilling::LivedIn)
-    return {8 + room.pick(25), 0.45, 0.15};
+    return {8 + room.pick(25), 150, 0.45, 0.15};
   if (isDense(seed))
-    return {22 + room.pick(11), 0.55, 0.2};
-  return {8 + room.pick(9), 0.3, 0.2};
+    return {22 + room.pick(11), 150, 0.55, 0.2};
+  const int count = 8 + room.pick(9);
+  return {count, count, 0.3, 0.2};
 }
 
 // As many as there are to be, beside and on each other.
@@ -120,8 +123,8 @@ void
 layTable(RoomFurnisher& room, int table, const Laying& laying, bool any)
 {
   const double top = room.sizeOf(table).z();
-  int last = -1;
-  for (int i = 0; i < laying.count; ++i) {
+  int last = -1, things = 0;
+  for (int i = 0; i < laying.attempts && things < laying.count; ++i) {
     const Piece thing = any ? anyThing(room) : thingOnTable(room);
     const double turn = room.between(-M_PI, M_PI), way = room.between(0.0, 1.0);
     const bool touches = last >= 0 && way < laying.touching,
@@ -138,6 +141,7 @@ layTable(RoomFurnisher& room, int table, const Laying& laying, bool any)
     if (placed < 0)
       placed = room.onTop(table, thing, turn);
     last = placed >= 0 ? placed : last;
+    things += placed >= 0 ? 1 : 0;
   }
 }
 
