@@ -80,192 +80,201 @@ vessel(const char* name,
 }
 
 // What stands on the floor or a shelf and holds things.
-FurnitureClass
-bin(int kind)
+// A basket of wire or wicker.
+void
+wicker(PartMaker& make, const Size& size, RandomDraw&)
 {
-  return fitted(
-      "bin",
-      {0.22, 0.2, 0.25},
-      {0.5, 0.45, kind == 4 ? 1.0 : 0.7},
-      [kind](PartMaker& make, const Size& size, RandomDraw& draw) {
-        const double x = size.x() / 2, y = size.y() / 2, z = size.z();
-        if (kind == 0) // a basket of wire or wicker
-          return make.vessel("bin", {-x, -y, x, y}, 0, z, 0.7, 1.0, 1.0);
-        if (kind == 1) { // with a lid that swings
-          make.loft("bin", {-x, -y, x, y}, {{0.85, 0, 0.15}, {1, 0.75 * z, 0.15}}, 20);
-          return make.frustum("lid",
-                              {-x, -y, x, y},
-                              0.75 * z,
-                              {-0.8 * x, -0.15 * y, 0.8 * x, 0.15 * y},
-                              z);
-        }
-        if (kind == 2) { // a bag of a bin is seen over its rim
-          make.vessel("bin",
-                      {-0.95 * x, -0.95 * y, 0.95 * x, 0.95 * y},
-                      0,
-                      0.95 * z,
-                      0.8,
-                      0.95,
-                      1.0);
-          const double phase = draw.uniform(0, 6);
-          return sheet(
-              make,
-              "bag",
-              [&](double u, double v) -> P {
-                const double a = M_PI * u * 0.999,
-                             r = 1 + 0.03 * std::sin(5 * a + phase);
-                return {r * x * std::cos(a),
-                        r * y * std::sin(a),
-                        z - (v + 1) * 0.1 * z - 0.02 * z * std::sin(3 * a + phase)};
-              },
-              24,
-              2,
-              0.004);
-        }
-        if (kind == 3) { // two or three for sorted waste
-          for (int i = 0; i < 3; ++i)
-            make.vessel("bin",
-                        {-x + i * 0.67 * x, -y, -x + i * 0.67 * x + 0.64 * x, y},
-                        0,
-                        z,
-                        0.9,
-                        1.0,
-                        0.15);
-          return;
-        }
-        if (kind == 4) { // on wheels, with a hinged lid
-          make.frustum("bin",
-                       {-0.75 * x, -0.75 * y, 0.75 * x, 0.7 * y},
-                       0.06,
-                       {-x, -y, x, 0.9 * y},
-                       0.9 * z);
-          for (const double s : {-0.8, 0.8})
-            tube(make,
-                 "wheel",
-                 {{s * x - 0.02, -0.7 * y, 0.07}, {s * x + 0.02, -0.7 * y, 0.07}},
-                 0.07,
-                 10);
-          return sheet(
-              make,
-              "lid",
-              [&](double u, double v) -> P {
-                return {x * u, y * v, 0.92 * z + 0.06 * z * (1 - v * v)};
-              },
-              2,
-              5,
-              0.02);
-        }
-        make.loft("bin",
-                  {-x, -y, x, y},
-                  {{0.97, 0},
-                   {1, 0.02 * z},
-                   {1, 0.8 * z},
-                   {0.9, 0.92 * z},
-                   {0.5, 0.99 * z},
-                   {0.2, z}},
-                  20); // a dome
-      });
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  return make.vessel("bin", {-x, -y, x, y}, 0, z, 0.7, 1.0, 1.0);
+}
+
+// With a lid that swings.
+void
+swingBin(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  make.loft("bin", {-x, -y, x, y}, {{0.85, 0, 0.15}, {1, 0.75 * z, 0.15}}, 20);
+  return make.frustum(
+      "lid", {-x, -y, x, y}, 0.75 * z, {-0.8 * x, -0.15 * y, 0.8 * x, 0.15 * y}, z);
+}
+
+// A bag of a bin is seen over its rim.
+void
+baggedBin(PartMaker& make, const Size& size, RandomDraw& draw)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  make.vessel(
+      "bin", {-0.95 * x, -0.95 * y, 0.95 * x, 0.95 * y}, 0, 0.95 * z, 0.8, 0.95, 1.0);
+  const double phase = draw.uniform(0, 6);
+  return sheet(
+      make,
+      "bag",
+      [&](double u, double v) -> P {
+        const double a = M_PI * u * 0.999, r = 1 + 0.03 * std::sin(5 * a + phase);
+        return {r * x * std::cos(a),
+                r * y * std::sin(a),
+                z - (v + 1) * 0.1 * z - 0.02 * z * std::sin(3 * a + phase)};
+      },
+      24,
+      2,
+      0.004);
+}
+
+// Two or three for sorted waste.
+void
+sortedBins(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  for (int i = 0; i < 3; ++i)
+    make.vessel("bin",
+                {-x + i * 0.67 * x, -y, -x + i * 0.67 * x + 0.64 * x, y},
+                0,
+                z,
+                0.9,
+                1.0,
+                0.15);
+}
+
+// On wheels, with a hinged lid.
+void
+wheeledBin(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  make.frustum("bin",
+               {-0.75 * x, -0.75 * y, 0.75 * x, 0.7 * y},
+               0.06,
+               {-x, -y, x, 0.9 * y},
+               0.9 * z);
+  for (const double s : {-0.8, 0.8})
+    tube(make,
+         "wheel",
+         {{s * x - 0.02, -0.7 * y, 0.07}, {s * x + 0.02, -0.7 * y, 0.07}},
+         0.07,
+         10);
+  return sheet(
+      make,
+      "lid",
+      [&](double u, double v) -> P {
+        return {x * u, y * v, 0.92 * z + 0.06 * z * (1 - v * v)};
+      },
+      2,
+      5,
+      0.02);
+}
+
+void
+domeBin(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  make.loft("bin",
+            {-x, -y, x, y},
+            {{0.97, 0},
+             {1, 0.02 * z},
+             {1, 0.8 * z},
+             {0.9, 0.92 * z},
+             {0.5, 0.99 * z},
+             {0.2, z}},
+            20); // a dome
 }
 
 // Boxes of cardboard, baskets, crates.
-FurnitureClass
-box(int kind)
+// Open, its flaps stand out.
+void
+flappedBox(PartMaker& make, const Size& size, RandomDraw& draw)
 {
-  return fitted(
-      "box",
-      {0.2, 0.15, 0.12},
-      {0.65, 0.5, kind == 3 ? 0.9 : 0.5},
-      [kind](PartMaker& make, const Size& size, RandomDraw& draw) {
-        const double x = size.x() / 2, y = size.y() / 2, z = size.z(), flap = 0.25 * z;
-        if (kind == 0) { // open, its flaps stand out
-          make.vessel("box",
-                      {-0.85 * x, -0.85 * y, 0.85 * x, 0.85 * y},
-                      0,
-                      z - flap,
-                      1,
-                      1,
-                      0.02);
-          for (const double s : {-1.0, 1.0}) {
-            const double tilt = draw.uniform(0.05, 0.15);
-            sheet(
-                make,
-                "flap",
-                [&](double u, double v) -> P {
-                  return {s * x * (0.85 + tilt * (v + 1) / 2),
-                          0.83 * y * u,
-                          z - flap + (v + 1) / 2 * flap * (1 - tilt)};
-                },
-                1,
-                1,
-                0.006);
-            sheet(
-                make,
-                "flap",
-                [&](double u, double v) -> P {
-                  return {0.83 * x * u,
-                          s * y * (0.85 + (0.15 - tilt / 2) * (v + 1) / 2),
-                          z - flap + (v + 1) / 2 * flap * 0.9};
-                },
-                1,
-                1,
-                0.006);
-          }
-          return;
-        }
-        if (kind == 1) { // a basket with rounded corners and handles
-          make.vessel("basket", {-x, -y, x, y}, 0, 0.9 * z, 0.85, 1.0, 0.3);
-          for (const double s : {-0.95, 0.95})
-            tube(make,
-                 "handle",
-                 arc({s * x, 0, 0.85 * z},
-                     {0, 0.5 * y, 0},
-                     {0, 0, 0.15 * z},
-                     0,
-                     M_PI,
-                     6),
-                 0.01,
-                 5);
-          return;
-        }
-        if (kind == 2) { // a crate of slats
-          for (const double s : {-1.0, 1.0}) {
-            row(make,
-                "slat",
-                {{-x, s > 0 ? y - 0.012 : -y, 0},
-                 {x, s > 0 ? y : -y + 0.012, 0.25 * z}},
-                {0, 0, 0.37 * z},
-                3);
-            row(make,
-                "slat",
-                {{s > 0 ? x - 0.012 : -x, -y + 0.012, 0},
-                 {s > 0 ? x : -x + 0.012, y - 0.012, 0.25 * z}},
-                {0, 0, 0.37 * z},
-                3);
-          }
-          return make.box(
-              "bottom", {-x + 0.012, -y + 0.012, x - 0.012, y - 0.012}, 0, 0.01);
-        }
-        if (kind == 3) { // a stack, each turned a little
-          double low = 0;
-          for (int i = 0; i < 3; ++i) {
-            const double high = i == 2 ? z : low + z * draw.uniform(0.25, 0.36),
-                         sx = x * draw.uniform(0.6, 0.9),
-                         sy = y * draw.uniform(0.6, 0.9), a = draw.uniform(-0.15, 0.15);
-            const Eigen::Vector2d u(sx * std::cos(a), sx * std::sin(a)),
-                v(-sy * std::sin(a), sy * std::cos(a));
-            make.slab("box", {-u - v, u - v, u + v, -u + v}, low, high);
-            low = high;
-          }
-          return;
-        }
-        roundBox(make,
-                 "box",
-                 {-x, -y, x, y - 0.01},
-                 0,
-                 0.85 * z,
-                 0.02); // of plastic, lid and clips
-        roundBox(make, "lid", {-x - 0.01, -y - 0.01, x + 0.01, y}, 0.85 * z, z, 0.015);
-      });
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z(), flap = 0.25 * z;
+  make.vessel(
+      "box", {-0.85 * x, -0.85 * y, 0.85 * x, 0.85 * y}, 0, z - flap, 1, 1, 0.02);
+  for (const double s : {-1.0, 1.0}) {
+    const double tilt = draw.uniform(0.05, 0.15);
+    sheet(
+        make,
+        "flap",
+        [&](double u, double v) -> P {
+          return {s * x * (0.85 + tilt * (v + 1) / 2),
+                  0.83 * y * u,
+                  z - flap + (v + 1) / 2 * flap * (1 - tilt)};
+        },
+        1,
+        1,
+        0.006);
+    sheet(
+        make,
+        "flap",
+        [&](double u, double v) -> P {
+          return {0.83 * x * u,
+                  s * y * (0.85 + (0.15 - tilt / 2) * (v + 1) / 2),
+                  z - flap + (v + 1) / 2 * flap * 0.9};
+        },
+        1,
+        1,
+        0.006);
+  }
+}
+
+// A basket with rounded corners and handles.
+void
+basket(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  make.vessel("basket", {-x, -y, x, y}, 0, 0.9 * z, 0.85, 1.0, 0.3);
+  for (const double s : {-0.95, 0.95})
+    tube(make,
+         "handle",
+         arc({s * x, 0, 0.85 * z}, {0, 0.5 * y, 0}, {0, 0, 0.15 * z}, 0, M_PI, 6),
+         0.01,
+         5);
+}
+
+// A crate of slats.
+void
+crate(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  for (const double s : {-1.0, 1.0}) {
+    row(make,
+        "slat",
+        {{-x, s > 0 ? y - 0.012 : -y, 0}, {x, s > 0 ? y : -y + 0.012, 0.25 * z}},
+        {0, 0, 0.37 * z},
+        3);
+    row(make,
+        "slat",
+        {{s > 0 ? x - 0.012 : -x, -y + 0.012, 0},
+         {s > 0 ? x : -x + 0.012, y - 0.012, 0.25 * z}},
+        {0, 0, 0.37 * z},
+        3);
+  }
+  return make.box("bottom", {-x + 0.012, -y + 0.012, x - 0.012, y - 0.012}, 0, 0.01);
+}
+
+// A stack, each turned a little.
+void
+stackedBoxes(PartMaker& make, const Size& size, RandomDraw& draw)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  double low = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double high = i == 2 ? z : low + z * draw.uniform(0.25, 0.36),
+                 sx = x * draw.uniform(0.6, 0.9), sy = y * draw.uniform(0.6, 0.9),
+                 a = draw.uniform(-0.15, 0.15);
+    const Eigen::Vector2d u(sx * std::cos(a), sx * std::sin(a)),
+        v(-sy * std::sin(a), sy * std::cos(a));
+    make.slab("box", {-u - v, u - v, u + v, -u + v}, low, high);
+    low = high;
+  }
+}
+
+void
+clippedBox(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  roundBox(make,
+           "box",
+           {-x, -y, x, y - 0.01},
+           0,
+           0.85 * z,
+           0.02); // of plastic, lid and clips
+  roundBox(make, "lid", {-x - 0.01, -y - 0.01, x + 0.01, y}, 0.85 * z, z, 0.015);
 }
 
 FurnitureClass
@@ -357,17 +366,17 @@ vesselShapes()
              {0.1, 0.1, 0.2},
              {{0.7, 0}, {0.15, 0.05}, {0.15, 0.5}, {1, 0.7}, {0.85, 1}},
              0),
-      bin(0),
-      bin(1),
-      bin(2),
-      bin(3),
-      bin(4),
-      bin(5),
-      box(0),
-      box(1),
-      box(2),
-      box(3),
-      box(4),
+      fitted("bin", {0.22, 0.2, 0.25}, {0.5, 0.45, 0.7}, wicker),
+      fitted("bin", {0.22, 0.2, 0.25}, {0.5, 0.45, 0.7}, swingBin),
+      fitted("bin", {0.22, 0.2, 0.25}, {0.5, 0.45, 0.7}, baggedBin),
+      fitted("bin", {0.22, 0.2, 0.25}, {0.5, 0.45, 0.7}, sortedBins),
+      fitted("bin", {0.22, 0.2, 0.25}, {0.5, 0.45, 1.0}, wheeledBin),
+      fitted("bin", {0.22, 0.2, 0.25}, {0.5, 0.45, 0.7}, domeBin),
+      fitted("box", {0.2, 0.15, 0.12}, {0.65, 0.5, 0.5}, flappedBox),
+      fitted("box", {0.2, 0.15, 0.12}, {0.65, 0.5, 0.5}, basket),
+      fitted("box", {0.2, 0.15, 0.12}, {0.65, 0.5, 0.5}, crate),
+      fitted("box", {0.2, 0.15, 0.12}, {0.65, 0.5, 0.9}, stackedBoxes),
+      fitted("box", {0.2, 0.15, 0.12}, {0.65, 0.5, 0.5}, clippedBox),
       books(0),
       books(1),
       books(2),
