@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "random/piece.h"
 #include "random/random_layout.h"
 #include "random/resting_places.h"
 
@@ -14,23 +15,6 @@
 
 namespace pcl {
 namespace indoor {
-
-/** \brief A piece of furniture that has no place yet. */
-struct Piece {
-  std::string category;
-  std::uint32_t seed = 0;
-  Eigen::Vector3d size = Eigen::Vector3d::Zero(); ///< metres
-  int variant = 0;
-};
-
-/** \brief How a thing lies on or in a piece. */
-struct Resting {
-  double turn = 0.0;    ///< radians, from the piece's
-  bool inside = false;  ///< on any board of it; otherwise on its highest level place
-  bool at_rear = false; ///< as far back as the piece reaches
-  double give = 0.015;  ///< how uneven what carries it may be, metres
-  int touching = -1;    ///< beside this thing, if there is room
-};
 
 /** \brief Finds places in one room, so that nothing collides.
  *
