@@ -223,7 +223,8 @@ TEST(NoiseResilientLCCPView, ATableIsATableFromFartherOff)
   double quality = 0;
   int tables = 0;
   for (std::uint32_t seed = 90001; seed <= 90004; ++seed) {
-    const auto building = buildBuilding(randomPlan(seed, PlanKind::Table, true));
+    const auto building =
+        buildBuilding(randomPlan(seed, PlanKind::Table, PlanFilling::Cluttered));
     const auto view = viewOf(building, {{0.9, 0.8, 1.9}, {0, 0, 0.75}}, seed);
     Segmentation segmentation;
     quality += scoreThings(view.objects, segmented(segmentation, view.cloud))
