@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "furniture/seating_kit.h"
+#include "furniture/shapes/seating_kit.h"
 
 #include <Eigen/Geometry>
 

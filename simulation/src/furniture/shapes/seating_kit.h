@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "furniture/solids.h"
+#include "furniture/shapes/solids.h"
 
 namespace pcl {
 namespace indoor {

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "furniture/solids.h"
+#include "furniture/shapes/solids.h"
 
 #include <Eigen/Geometry>
 
