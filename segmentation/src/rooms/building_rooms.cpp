@@ -189,17 +189,15 @@ gridOf(const std::vector<Eigen::Vector3f>& points,
        OccupancyGridOptions& options,
        SurfaceTriangles& triangles)
 {
-  constexpr double hardly_larger = 0.12; // metres: narrow rooms and walls still fit
   options.voxel_size = voxel_size > 0.0 ? voxel_size : smallest_automatic_voxel;
   OccupancyGrid grid = occupancyGrid(points, options);
   if (voxel_size > 0.0)
     return grid;
-  double closed = closedVoxelSize(grid.grid, largest_automatic_voxel);
-  if (closed > hardly_larger) {
+  if (hasHoles(grid.grid)) {
     triangles = surfaceTriangles(points, options.voxel_size, options.threads);
     addTriangles(triangles, options.threads, grid);
-    closed = closedVoxelSize(grid.grid, largest_automatic_voxel);
   }
+  const double closed = closedVoxelSize(grid.grid, largest_automatic_voxel);
   if (closed > options.voxel_size) {
     options.voxel_size = closed;
     grid = occupancyGrid(points, options);

@@ -82,7 +82,42 @@ withoutGrounds(const VoxelBits& grid)
   return near;
 }
 
+/** How many of the 26 voxels around one are occupied. */
+int
+neighborsOf(const VoxelBits& grid, int x, int y, int z)
+{
+  int count = -1; // itself
+  for (int u = std::max(0, x - 1); u <= std::min(grid.shape.nx - 1, x + 1); ++u)
+    for (int v = std::max(0, y - 1); v <= std::min(grid.shape.ny - 1, y + 1); ++v) {
+      const auto column = grid.column(u, v);
+      for (int w = std::max(0, z - 1); w <= std::min(grid.shape.nz - 1, z + 1); ++w)
+        count += column[w];
+    }
+  return count;
+}
+
 } // namespace
+
+bool
+hasHoles(const VoxelBits& grid)
+{
+  constexpr int few = 5; // neighbours: in a surface without holes there are eight
+  constexpr double many = 0.05; // of the voxels: whole scans have up to 0.042
+  constexpr int stride = 3;     // columns, for speed
+  std::size_t all = 0, with_few = 0;
+  for (int x = 0; x < grid.shape.nx; x += stride)
+    for (int y = 0; y < grid.shape.ny; y += stride) {
+      const auto column = grid.column(x, y);
+      if (!column.any(0, grid.shape.nz))
+        continue;
+      for (int z = 0; z < grid.shape.nz; ++z)
+        if (column[z]) {
+          ++all;
+          with_few += neighborsOf(grid, x, y, z) < few;
+        }
+    }
+  return static_cast<double>(with_few) > many * static_cast<double>(all);
+}
 
 double
 closedVoxelSize(const VoxelBits& all, double largest)

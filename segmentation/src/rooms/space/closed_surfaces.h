@@ -12,6 +12,13 @@
 namespace pcl {
 namespace indoor {
 
+/** \brief Whether the surfaces of a grid have holes: one of twenty occupied voxels has
+ * fewer than five of the 26 around it occupied. With voxels of 10 cm, whole scans of
+ * rooms have up to 4 %, maps of robots and hand-held lidars 4 to 65 %: where rings are
+ * apart, and where a surface was seen from far off. */
+bool
+hasHoles(const VoxelBits& grid);
+
 /** \brief The smallest voxel size at which the points' surfaces have few holes.
  *
  * Where voxels twice as large hold a closed surface, four voxels of half the edge are

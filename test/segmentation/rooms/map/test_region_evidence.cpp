@@ -22,9 +22,8 @@ public:
   explicit SquareRoom(const Seen& seen, int side)
   {
     const int nx = side + hall + 3 * margin, ny = hall + 2 * margin;
-    space_.occupancy.shape = {nx, ny, 29};
     space_.occupancy.voxel_size = 0.1;
-    space_.occupancy.values.assign(space_.occupancy.shape.size(), 0);
+    space_.occupancy.reset({nx, ny, 29});
     space_.range = {2, 26};
     map_.range = space_.range;
     map_.ceiling = {nx, ny, std::vector<int>(nx * ny, 26)};
@@ -73,8 +72,10 @@ private:
     for (int x = 0; x < side; ++x) {
       for (int y = 0; y < side; ++y) {
         map_.free_labels.at(begin + x, margin + y) = label;
-        space_.occupancy.at(begin + x, margin + y, 1) = x < part(seen.floor);
-        space_.occupancy.at(begin + x, margin + y, 26) = x < part(seen.ceiling);
+        if (x < part(seen.floor))
+          space_.occupancy.set(begin + x, margin + y, 1);
+        if (x < part(seen.ceiling))
+          space_.occupancy.set(begin + x, margin + y, 26);
       }
       if (x < part(seen.walls))
         for (const int across : {-1, side}) {

@@ -56,3 +56,29 @@ TEST(ClosedVoxelSize, HasALimit)
   EXPECT_EQ(closedVoxelSize(plane(0.001, rng), 0.4), 0.4);
   EXPECT_EQ(closedVoxelSize(plane(0.001, rng), 0.05), 0.1);
 }
+
+TEST(HasHoles, WhereVoxelsHaveFewNeighbors)
+{
+  std::mt19937 rng(4);
+  EXPECT_FALSE(hasHoles(plane(1.0, rng)));
+  EXPECT_FALSE(hasHoles(plane(0.95, rng)));
+  EXPECT_TRUE(hasHoles(plane(0.5, rng)));
+  EXPECT_TRUE(hasHoles(plane(0.05, rng)));
+  EXPECT_FALSE(hasHoles({}));
+
+  VoxelMap<std::uint8_t> rings = plane(0.0, rng); // as of a lidar: lines, 0.3 m apart
+  for (int x = 0; x < 64; x += 3)
+    for (int y = 0; y < 64; ++y)
+      rings.values[rings.shape.index(x, y, 4)] = 1;
+  EXPECT_TRUE(hasHoles(rings));
+}
+
+TEST(HasHoles, AFewThingsInAirAreNone)
+{
+  std::mt19937 rng(5);
+  VoxelMap<std::uint8_t> grid = plane(1.0, rng);
+  for (int x = 2; x < 64; x += 8)
+    for (int y = 2; y < 64; y += 8)
+      grid.values[grid.shape.index(x, y, 1)] = 1; // 64 of 4160 voxels
+  EXPECT_FALSE(hasHoles(grid));
+}
