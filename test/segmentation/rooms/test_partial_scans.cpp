@@ -136,14 +136,14 @@ TEST(PartialScans, WhatIsSeenThroughADoorIsNoRoom)
   const auto whole = segmentBuilding(points);
   ASSERT_EQ(whole.rooms.size(), 2u);
   EXPECT_EQ(whole.hardly_seen, 0u);
-  // of the second room, floor and ceiling near the door, and no wall but the door's
+  // of the second room, floor and ceiling at the door, and no wall but the door's
   points.erase(std::remove_if(points.begin(),
                               points.end(),
                               [](const auto& p) {
                                 const bool is_level =
                                     isFloor(p.z()) || isCeiling(p.z());
                                 const bool is_near =
-                                    p.x() < 6.0f && std::abs(p.y() - 1.5f) < 1.2f;
+                                    p.x() < 5.2f && std::abs(p.y() - 1.5f) < 0.9f;
                                 return p.x() > 4.3f && !(is_level && is_near);
                               }),
                points.end());

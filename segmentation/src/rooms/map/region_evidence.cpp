@@ -194,7 +194,7 @@ closedBorders(const RoomMap& map, double pixel_size)
 std::size_t
 dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
 {
-  constexpr double hardly = 0.5; // of what bounds it: walls decide
+  constexpr double hardly = 0.6; // of what bounds it: walls decide
   constexpr double little = 2.0; // m^2: of more, a room was seen in part
   const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
   const std::vector<double> walls = closedBorders(map, space.occupancy.voxel_size);

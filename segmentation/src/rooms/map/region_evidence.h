@@ -39,12 +39,12 @@ dropOutdoors(const StoreySpace& space, RoomMap& map);
 std::vector<double>
 closedBorders(const RoomMap& map, double pixel_size);
 
-/** \brief Drop the regions of whose walls, floor and ceiling less than a half was seen,
- * and of whose area no more than a few m^2: nobody was there, something was seen
- * through a door or a window. Each of the
- * four walls of a room counts as much as its floor; a floor or a ceiling that is
- * missing in the whole scan does not count. The largest region stays. \param[in,out]
- * map its labels are 1 ... n again \return how many were dropped
+/** \brief Drop the regions of whose walls, floor and ceiling little was seen, and of
+ * whose area no more than 2 m^2: nobody was there, something was seen through a door or
+ * a window. Each of the four walls of a room counts as much as its floor; a floor or a
+ * ceiling that is missing in the whole scan does not count. The largest region stays.
+ * \param[in,out] map its labels are 1 ... n again
+ * \return how many were dropped
  */
 std::size_t
 dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map);
