@@ -20,7 +20,7 @@ struct CameraPathOptions {
   double highest = 1.7;        ///< metres (>= lowest)
   double least_turn = M_PI;    ///< that they look around by at a stop, radians (>= 0)
   double most_turn = 2 * M_PI; ///< radians (>= least_turn)
-  double highest_look = 0;  ///< of the camera's axis above the horizon, radians
+  double highest_look = 0;     ///< of the camera's axis above the horizon, radians
   double lowest_look = -0.8;   ///< radians (<= highest_look)
 };
 
