@@ -11,7 +11,8 @@
 #include "objects/split/object_gaps.h"
 #include "objects/split/object_seams.h"
 
-#include <algorithm>
+#include <pcl/indoor/most_frequent.h>
+
 #include <utility>
 
 namespace {
@@ -31,16 +32,7 @@ piecesOfVoxels(const ObjectSegmentation& result)
     pieces.clear();
     for (const auto point : cells.pointsOf(v))
       pieces.push_back(result.piece_of_point[point]);
-    std::sort(pieces.begin(), pieces.end());
-    std::ptrdiff_t most = 0;
-    for (auto begin = pieces.begin(); begin != pieces.end();) {
-      const auto end = std::upper_bound(begin, pieces.end(), *begin);
-      if (end - begin > most) {
-        most = end - begin;
-        piece_of_voxel[v] = *begin;
-      }
-      begin = end;
-    }
+    piece_of_voxel[v] = pcl::indoor::mostFrequent(pieces, 0u);
   }
   return piece_of_voxel;
 }

@@ -4,6 +4,7 @@
  */
 #include <pcl/segmentation/room_objects.h>
 
+#include <pcl/indoor/most_frequent.h>
 #include <pcl/indoor/point_cells.h>
 
 #include <algorithm>
@@ -29,16 +30,7 @@ roomsOfCells(const PointCells& cells, const std::vector<std::uint32_t>& room_of_
     for (const auto point : cells.pointsOf(cell))
       if (room_of_point[point] > 0)
         own.push_back(room_of_point[point]);
-    std::sort(own.begin(), own.end());
-    std::ptrdiff_t most = 0;
-    for (auto begin = own.cbegin(); begin != own.cend();) {
-      const auto end = std::upper_bound(begin, own.cend(), *begin);
-      if (end - begin > most) {
-        most = end - begin;
-        rooms[cell] = *begin;
-      }
-      begin = end;
-    }
+    rooms[cell] = pcl::indoor::mostFrequent(own, 0u);
   }
   return rooms;
 }
