@@ -92,7 +92,9 @@ function(pcl_addon_add_library module)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC_LINK} PRIVATE ${ARG_PRIVATE_LINK})
   install(TARGETS ${target} EXPORT ${PROJECT_NAME}Targets LIBRARY
     DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT dev)
-  install(DIRECTORY include/ DESTINATION ${PCL_ADDON_INCLUDE_DIR} COMPONENT dev)
+  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/include)
+    install(DIRECTORY include/ DESTINATION ${PCL_ADDON_INCLUDE_DIR} COMPONENT dev)
+  endif()
 endfunction()
 
 # pcl_addon_add_tools(name ... LINK ...): name.cpp becomes pcl_name; the target pcl_indoor_programs stands for all of them
@@ -125,16 +127,16 @@ endfunction()
 
 # A man page and a completion for bash of every tool, made of what it says with -h
 function(pcl_addon_describe_tools)
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/documentation)
+  set(folder ${PROJECT_BINARY_DIR}/tools/documentation)
+  set(script ${PROJECT_SOURCE_DIR}/tools/documentation/describe_tool.sh)
   file(MAKE_DIRECTORY ${folder}/man ${folder}/completions)
   get_property(names GLOBAL PROPERTY PCL_INDOOR_TOOLS)
   foreach(name ${names})
     set(man ${folder}/man/pcl_${name}.1)
     set(completion ${folder}/completions/pcl_${name})
     add_custom_command(OUTPUT ${man} ${completion}
-      COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/documentation/describe_tool.sh
-        $<TARGET_FILE:pcl_${name}> ${PROJECT_VERSION} ${man} ${completion}
-      DEPENDS pcl_${name} ${CMAKE_CURRENT_SOURCE_DIR}/documentation/describe_tool.sh)
+      COMMAND ${script} $<TARGET_FILE:pcl_${name}> ${PROJECT_VERSION} ${man} ${completion}
+      DEPENDS pcl_${name} ${script})
     list(APPEND mans ${man})
     list(APPEND completions ${completion})
   endforeach()

@@ -3,11 +3,11 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
-#include "command_line/pcl_errors.h"
 #include "command_line/preset.h"
 #include "files/cloud_file.h"
 #include "objects/eppf_options.h"
 #include "objects/object_files.h"
+#include "text/pcl_errors.h"
 
 #include <pcl/conversions.h>
 #include <pcl/features/eppf.h>

@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "files/output_file.h"
+#include "objects/loaded_objects.h"
 #include "objects/object_files.h"
 #include "pictures/confusion_picture.h"
 #include "training/training_pool.h"
@@ -247,7 +248,7 @@ run(const TrainingSettings& settings, Progress& progress)
 {
   requireUsable(settings);
   requireOutputs(settings);
-  const auto objects = loadLabelledObjects(
+  const auto objects = loadedObjects(
       settings.folder, settings.draws.neighbor_count, settings.threads, progress);
   const auto split = splitOf(objects, settings);
   ClassifierModel model;

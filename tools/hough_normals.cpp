@@ -3,10 +3,11 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "command_line/cloud_options.h"
 #include "command_line/options.h"
-#include "command_line/pcl_errors.h"
 #include "files/cloud_file.h"
 #include "files/point_coordinates.h"
+#include "text/pcl_errors.h"
 
 #include <pcl/features/hough_normals.h>
 
@@ -74,8 +75,8 @@ addOptions(OptionParser& parser, Settings& settings)
       .number("-seed", settings.options.seed, "seed of the triples")
       .number("-threads", settings.threads, "threads, 0 = automatic")
       .expert({"-sampling", "-bin_angle", "-triples", "-no_refinement", "-seed"});
-  settings.coordinates.addOption(parser);
-  settings.columns.addOption(parser);
+  addOption(parser, settings.coordinates);
+  addOption(parser, settings.columns);
 }
 
 void

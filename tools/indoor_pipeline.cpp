@@ -2,15 +2,18 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "command_line/cloud_options.h"
 #include "command_line/options.h"
 #include "command_line/preset.h"
-#include "command_line/printable.h"
+#include "command_line/scene_options.h"
 #include "files/cloud_file.h"
 #include "pipeline/pipeline_results.h"
 #include "pipeline/pipeline_stages.h"
+#include "pipeline/result_tables.h"
 #include "pipeline/shared_rooms.h"
 #include "scene/scene_summary.h"
 #include "scene/understood_scan.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -131,11 +134,11 @@ makeParser(Options& options)
             "say what is understood of the scan and stop, in a second or two and "
             "without output_dir: will it work?")
       .lastMayBeMissing(options.check);
-  options.colors.addOption(parser, {"class", "object", "room"});
-  options.coordinates.addOption(parser);
-  options.columns.addOption(parser);
+  addOption(parser, options.colors, {"class", "object", "room"});
+  addOption(parser, options.coordinates);
+  addOption(parser, options.columns);
   options.memory.addOption(parser);
-  options.frame.addOptions(parser);
+  addOptions(parser, options.frame);
   parser.expert({"-voxel_resolution",
                  "-seed_resolution",
                  "-partition",

@@ -3,17 +3,19 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "command_line/cloud_options.h"
+#include "command_line/memory_limit.h"
 #include "command_line/options.h"
-#include "command_line/pcl_errors.h"
 #include "command_line/preset.h"
-#include "command_line/printable.h"
+#include "command_line/scene_options.h"
 #include "files/cloud_file.h"
-#include "files/memory_limit.h"
-#include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "files/sampled_surface.h"
-#include "files/table_view.h"
+#include "scene/point_colors.h"
 #include "scene/scan_frame.h"
+#include "scene/table_view.h"
+#include "text/pcl_errors.h"
+#include "text/printable.h"
 
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/indoor/middle_point.h>
@@ -224,10 +226,10 @@ addOthers(OptionParser& parser, Settings& settings)
               settings.frame.unit,
               "unit of the coordinates; lengths of options are in metres",
               {"m", "cm", "mm", "ft", "in"});
-  settings.frame.addUpOption(parser);
-  settings.colors.addOption(parser, {"object"});
-  settings.coordinates.addOption(parser);
-  settings.columns.addOption(parser);
+  addUpOption(parser, settings.frame);
+  addOption(parser, settings.colors, {"object"});
+  addOption(parser, settings.coordinates);
+  addOption(parser, settings.columns);
   settings.memory.addOption(parser);
   parser.expert({"-double", "-memory_limit"});
 }

@@ -3,21 +3,23 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "command_line/cloud_options.h"
+#include "command_line/memory_limit.h"
 #include "command_line/options.h"
 #include "command_line/preset.h"
-#include "command_line/printable.h"
+#include "command_line/scene_options.h"
 #include "files/cloud_file.h"
-#include "files/memory_limit.h"
-#include "files/point_colors.h"
 #include "files/point_coordinates.h"
 #include "files/sampled_surface.h"
 #include "pictures/plan_dxf.h"
 #include "pictures/plan_png.h"
 #include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
+#include "scene/point_colors.h"
 #include "scene/room_json.h"
 #include "scene/scan_frame.h"
 #include "scene/understood_scan.h"
+#include "text/printable.h"
 
 #include <pcl/segmentation/room_segmentation.h>
 
@@ -166,15 +168,15 @@ makeParser(Options& options)
               "threads, 0 = automatic",
               "",
               Range::atLeast(0));
-  options.frame.addOptions(parser);
+  addOptions(parser, options.frame);
   parser.flag("-check",
               options.check,
               "say what is understood of the scan and stop, without output: will it "
               "work?");
   parser.lastMayBeMissing(options.check);
-  options.colors.addOption(parser, {"room"});
-  options.coordinates.addOption(parser);
-  options.columns.addOption(parser);
+  addOption(parser, options.colors, {"room"});
+  addOption(parser, options.coordinates);
+  addOption(parser, options.columns);
   options.memory.addOption(parser);
   addFieldOptions(parser, options.rooms);
   addInteriorOptions(parser, options.rooms.interior.weights);

@@ -3,10 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
-#include "command_line/place_text.h"
 #include "command_line/preset.h"
 #include "files/cloud_file.h"
 #include "simulation/scanner_options.h"
+#include "text/place_text.h"
 
 #include <pcl/conversions.h>
 #include <pcl/simulation/building.h>

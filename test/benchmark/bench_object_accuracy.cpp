@@ -18,8 +18,8 @@
 
 #include "command_line/options.h"
 #include "comparison/upstream_lccp.h"
-#include "files/table_view.h"
 #include "labelled_rooms.h"
+#include "scene/table_view.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/average_precision.h>

@@ -5,8 +5,8 @@
 // Rooms of labelled scans, to judge segmentations by.
 #pragma once
 
-#include "command_line/options.h" // for ToolError
 #include "files/cloud_file.h"
+#include "files/tool_error.h"
 
 #include <pcl/indoor/point_cells.h>
 #include <pcl/segmentation/segmentation_metrics.h>

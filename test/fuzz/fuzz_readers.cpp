@@ -17,7 +17,7 @@
 #include "formats/mesh_file.h"
 #include "formats/ply_file.h"
 #include "mutation.h"
-#include "objects/category_names.h"
+#include "scene/category_names.h"
 #include "support/e57_writer.h"
 #include "support/folder_test.h" // for bytesOf
 #include "work_files.h"

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "files/digest.h"
-#include "pipeline/work_folder.h"
+#include "rooms/work_folder.h"
 #include "support/folder_test.h" // for bytesOf
 #include "support/some_records.h"
 

@@ -5,7 +5,7 @@
 // What the pipeline keeps of its work, for tests of its files.
 #pragma once
 
-#include "pipeline/scene_record.h"
+#include "rooms/scene_record.h"
 
 namespace pcl {
 namespace indoor {

@@ -4,7 +4,7 @@
  */
 // Runs pcl_eppf_train, found by PCL_INDOOR_TOOLS, on small sets that are made here, and
 // looks at what it writes.
-#include "objects/mesh_sampling.h"
+#include "files/mesh_sampling.h"
 #include "support/folder_test.h"
 
 #include <pcl/ml/model_file.h>

@@ -41,7 +41,7 @@ for number in 1 2; do
   grep -qxF "Algorithm $number" <<< "$listed" || complain "Algorithm $number is not listed"
 done
 
-sources=$(find common features filters ml segmentation simulation test tools -type f)
+sources=$(find common experiments features filters io ml scene segmentation simulation test tools -type f)
 headers=$(grep '\.h$' <<< "$sources" | xargs cat)
 names() { grep -oE '`[^`]+`' <<< "$1" | tr -d '`'; }
 while IFS='|' read -r _ item files tests commands _; do

@@ -4,7 +4,7 @@
  */
 #include "command_line/options.h"
 
-#include "command_line/pcl_errors.h"
+#include "text/pcl_errors.h"
 
 #include <pcl/console/print.h>
 

@@ -4,8 +4,8 @@
  */
 #include "command_line/options.h"
 
-#include "command_line/printable.h"
 #include "formats/reader_threads.h"
+#include "text/printable.h"
 
 #include <pcl/console/print.h>
 #include <pcl/pcl_config.h> // for the version of PCL
@@ -98,12 +98,6 @@ report(const std::string& program, const std::string& message)
 }
 
 } // namespace
-
-std::string
-programVersion()
-{
-  return PCL_INDOOR_VERSION;
-}
 
 bool
 Range::contains(double value) const

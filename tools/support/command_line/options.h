@@ -5,22 +5,17 @@
 #pragma once
 
 #include "command_line/progress.h"
+#include "files/tool_error.h"
+#include "text/program_version.h"
+#include "text/setting.h"
 
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace pcl::indoor::tool {
-
-/** \brief Unusable input of a tool; its text names file or option, problem and value.
- */
-class ToolError : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
 
 /** \brief The legal values of a number. */
 struct Range {
@@ -55,20 +50,6 @@ struct Range {
   std::string
   text() const;
 };
-
-/** \brief An option with the value that is used. */
-struct Setting {
-  enum class Kind { Number, Text, Flag };
-
-  std::string name;  ///< with its dash
-  std::string value; ///< "on" or "off" of a flag
-  std::string unit;  ///< of a number; may be empty
-  Kind kind = Kind::Text;
-};
-
-/** \brief The version of this project, for example "0.1.0". */
-std::string
-programVersion();
 
 /** \brief The command line of a tool in PCL's manners, read strictly.
  *

@@ -4,7 +4,7 @@
  */
 #include "command_line/progress.h"
 
-#include "command_line/printable.h"
+#include "text/printable.h"
 
 #include <pcl/console/print.h>
 

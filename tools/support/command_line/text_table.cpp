@@ -4,7 +4,7 @@
  */
 #include "command_line/text_table.h"
 
-#include "command_line/printable.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <cassert>

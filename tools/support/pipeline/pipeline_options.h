@@ -4,11 +4,11 @@
  */
 #pragma once
 
-#include "files/memory_limit.h"
-#include "files/point_colors.h"
+#include "command_line/memory_limit.h"
 #include "files/point_coordinates.h"
 #include "formats/table_columns.h"
-#include "pipeline/room_preparation.h"
+#include "rooms/room_preparation.h"
+#include "scene/point_colors.h"
 #include "scene/scan_frame.h"
 
 #include <pcl/segmentation/building_rooms.h>

@@ -6,30 +6,20 @@
 
 #include "formats/json_text.h"
 #include "formats/pcd_writer.h"
-#include "objects/category_names.h" // for other_class
 #include "pictures/class_picture.h"
 #include "pictures/plan_dxf.h"
 #include "pictures/plan_png.h"
 #include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
 #include "report/report_page.h"
+#include "scan/result_names.h"
+#include "scene/category_names.h" // for other_class
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 
 namespace pcl::indoor::tool {
 namespace {
-
-constexpr const char* results[] = {"scene.json",
-                                   "cloud.pcd",
-                                   "rooms.png",
-                                   "potential_field.png",
-                                   "classes.png",
-                                   "plan.svg",
-                                   "plan.png",
-                                   "plan.dxf",
-                                   "report.html"};
 
 /** What was found of each point. */
 struct PointLabels {
@@ -96,26 +86,19 @@ requireOwnName(const std::string& report, const std::string& folder)
 {
   namespace fs = std::filesystem;
   const auto place = fs::weakly_canonical(report);
-  for (const char* name : results)
-    if (std::string(name) != "report.html" &&
-        place == fs::weakly_canonical(fs::path(folder) / name))
+  for (const auto& name : resultNames())
+    if (name != "report.html" && place == fs::weakly_canonical(fs::path(folder) / name))
       throw ToolError("-report: '" + report + "' is the place of another result");
 }
 
 } // namespace
-
-bool
-isResultName(const std::string& name)
-{
-  return std::find(std::begin(results), std::end(results), name) != std::end(results);
-}
 
 void
 requireUsable(const PipelineOptions& options)
 {
   requireFolder(options.folder);
   if (std::filesystem::exists(options.folder))
-    for (const char* name : results)
+    for (const auto& name : resultNames())
       requireWritable(options.folder + "/" + name);
   if (options.report != "none" && options.report != "folder") {
     requireOwnName(options.report, options.folder);

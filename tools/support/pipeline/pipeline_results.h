@@ -5,8 +5,8 @@
 #pragma once
 
 #include "command_line/options.h" // for Setting
-#include "pipeline/filed_rooms.h"
 #include "pipeline/pipeline_options.h"
+#include "rooms/filed_rooms.h"
 #include "scene/scene_file.h"
 
 #include <string>
@@ -14,10 +14,6 @@
 #include <vector>
 
 namespace pcl::indoor::tool {
-
-/** \brief Is a file of this name one of the results? */
-bool
-isResultName(const std::string& name);
 
 /** \brief Find out, before the long work, what cannot be written.
  * \throws ToolError naming it */

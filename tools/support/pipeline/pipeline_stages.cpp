@@ -4,14 +4,15 @@
  */
 #include "pipeline/pipeline_stages.h"
 
-#include "command_line/printable.h"
 #include "files/cloud_file.h"
 #include "files/cloud_formats.h" // for promisedPoints
 #include "files/digest.h"
 #include "files/sampled_surface.h"
-#include "pipeline/scan_files.h"
-#include "pipeline/scene_record.h"
+#include "pipeline/shared_rooms.h"
+#include "rooms/scene_record.h"
+#include "scan/scan_files.h"
 #include "scene/scan_frame.h"
+#include "text/printable.h"
 
 #include <pcl/ml/model_file.h>
 #include <pcl/segmentation/room_segmentation.h>
@@ -314,7 +315,12 @@ findObjects(const PipelineOptions& options,
   };
   const auto finish = [&](const RoomSource& source, const VisitRoom& visit) {
     progress.start("Finding objects");
-    finishRooms(source, work, folder, ranks, options.threads, report);
+    ShareRooms share;
+    if (ranks.count() > 1)
+      share = [&](const auto& order, const auto& is_done) {
+        shareRooms(order, source, work, folder, ranks, is_done);
+      };
+    finishRooms(source, work, folder, options.threads, report, share);
     gatherRooms(source, folder, scene, visit);
     progress.done(std::to_string(scene.objects.size()) + " objects");
   };

@@ -7,7 +7,8 @@
 #include "command_line/options.h"
 #include "pipeline/pipeline_options.h"
 #include "pipeline/pipeline_results.h"
-#include "pipeline/scene_rooms.h"
+#include "pipeline/ranks.h"
+#include "rooms/scene_rooms.h"
 #include "scene/understood_scan.h"
 
 #include <cstdint>

@@ -4,8 +4,8 @@
  */
 #include "pipeline/shared_rooms.h"
 
-#include "pipeline/room_points_file.h"
-#include "pipeline/scene_record.h"
+#include "rooms/room_points_file.h"
+#include "rooms/scene_record.h"
 
 #include <exception>
 #include <mutex>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "pipeline/ranks.h"
-#include "pipeline/scene_rooms.h"
+#include "rooms/scene_rooms.h"
 
 #include <functional>
 #include <string>

@@ -1,0 +1,412 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "files/cloud_file.h"
+
+#include "files/cloud_formats.h"
+#include "files/coordinate_step.h"
+#include "files/field_value.h"
+#include "files/placed_points.h"
+#include "formats/file_header.h"
+#include "text/printable.h"
+
+#include <pcl/common/io.h> // for getFieldIndex
+#include <pcl/indoor/quantile.h>
+#include <pcl/indoor/usable_point.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+constexpr const char* axes[] = {"x", "y", "z"};
+
+std::size_t
+pointCount(const PCLPointCloud2& cloud)
+{
+  return static_cast<std::size_t>(cloud.width) * cloud.height;
+}
+
+std::vector<double>
+readReals(const PCLPointCloud2& cloud, const std::string& name)
+{
+  const auto& field = cloud.fields[getFieldIndex(cloud, name)];
+  std::vector<double> values(pointCount(cloud));
+  const std::uint8_t* bytes = cloud.data.data() + field.offset;
+  for (auto& value : values) {
+    value = valueAt(bytes, field.datatype);
+    bytes += cloud.point_step;
+  }
+  return values;
+}
+
+/** Large coordinates lose their millimetres in a float: choose what to subtract, the
+ * same for any order of points. */
+double
+offsetOf(const std::vector<double>& values)
+{
+  constexpr double large = 1000.0; // metres; below, a float resolves 0.06 mm
+  std::vector<double> finite;
+  finite.reserve(values.size());
+  for (const double value : values)
+    if (std::isfinite(value))
+      finite.push_back(value);
+  if (finite.empty())
+    return 0.0;
+  const double middle = median(finite); // outliers do not move it
+  return std::abs(middle) > large ? std::floor(middle) : 0.0;
+}
+
+/** The distance between two values of a field that are as large as this one. */
+double
+stepAt(const PCLPointCloud2& cloud, const std::string& name, double value)
+{
+  const double size = std::abs(value);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (cloud.fields[getFieldIndex(cloud, name)].datatype == PCLPointField::FLOAT64)
+    return std::nextafter(size, infinity) - size;
+  const auto real = static_cast<float>(size);
+  return std::nextafter(real, std::numeric_limits<float>::infinity()) - real;
+}
+
+void
+fillPoints(CloudFile& file)
+{
+  const auto placed = placedPoints(file.cloud, file.cloud.height > 1);
+  const auto& origin = placed.origin;
+  file.coordinate_step = origin.step;
+  file.offset = file.frame.offset + origin.middle;
+  file.finite_count = placed.finite_count;
+  file.copy_count = placed.copy_count;
+  file.left_out = placed.left_out;
+  for (const auto& place : file.left_out)
+    file.notes.push_back(
+        leftOutNote(place, countAt(file.cloud, place), pointCount(file.cloud)));
+  const auto note = copiesNote(file.copy_count, file.finite_count);
+  if (!note.empty())
+    file.notes.push_back(note);
+  const auto& points = placed.points;
+  points->sensor_origin_ = file.frame.origin;
+  points->sensor_origin_.head<3>() =
+      (file.frame.origin.head<3>().cast<double>() - origin.middle).cast<float>();
+  points->sensor_orientation_ = file.frame.orientation;
+  file.points = points;
+}
+
+} // namespace
+
+void
+printNotes(const CloudFile& file)
+{
+  for (const auto& note : file.notes)
+    printWarning(file.path + ": " + note);
+}
+
+bool
+isRealField(const PCLPointCloud2& cloud, const std::string& name)
+{
+  const int index = getFieldIndex(cloud, name);
+  if (index < 0)
+    return false;
+  const auto type = cloud.fields[index].datatype;
+  return type == PCLPointField::FLOAT32 || type == PCLPointField::FLOAT64;
+}
+
+bool
+hasNormals(const PCLPointCloud2& cloud)
+{
+  return isRealField(cloud, "normal_x") && isRealField(cloud, "normal_y") &&
+         isRealField(cloud, "normal_z");
+}
+
+void
+readPose(const FileHeader& header, CloudFrame& frame)
+{ // not as PCL has read it: by a stream that hides a lack of memory, and that leaves
+  // what is no number as memory has it
+  frame.origin = Eigen::Vector4f::Zero();
+  frame.orientation = Eigen::Quaternionf::Identity();
+  for (const auto& words : header.lines) {
+    if (words[0] != "VIEWPOINT" || words.size() < 8)
+      continue;
+    float pose[7];
+    for (std::size_t k = 0; k < 7; ++k) {
+      const auto& word = words[k + 1];
+      const char* const begin = word.data() + (word[0] == '+');
+      const char* const end = word.data() + word.size();
+      const auto read = std::from_chars(begin, end, pose[k]);
+      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(pose[k]))
+        return;
+    }
+    frame.origin = Eigen::Vector4f(pose[0], pose[1], pose[2], 0);
+    frame.orientation = Eigen::Quaternionf(pose[3], pose[4], pose[5], pose[6]);
+  }
+}
+
+CoordinateOrigin
+coordinateOrigin(const PCLPointCloud2& cloud)
+{
+  CoordinateOrigin origin;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto values = readReals(cloud, axes[axis]);
+    origin.middle[axis] = offsetOf(values);
+    origin.step = std::max(origin.step, commonStep(values));
+    if (origin.middle[axis] != 0.0)
+      origin.step =
+          std::max(origin.step, stepAt(cloud, axes[axis], origin.middle[axis]));
+  }
+  return origin;
+}
+
+bool
+isOneOf(const Eigen::Vector3d& point, const std::vector<Eigen::Vector3d>& places)
+{
+  return std::find(places.begin(), places.end(), point) != places.end();
+}
+
+CloudPlaces::CloudPlaces(const PCLPointCloud2& cloud)
+: cloud_(&cloud)
+{
+  for (int axis = 0; axis < 3; ++axis)
+    fields_[axis] = getFieldIndex(cloud, axes[axis]);
+}
+
+std::size_t
+CloudPlaces::size() const
+{
+  return pointCount(*cloud_);
+}
+
+Eigen::Vector3d
+CloudPlaces::at(std::size_t point) const
+{
+  Eigen::Vector3d place;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& field = cloud_->fields[fields_[axis]];
+    place[axis] = valueAt(&cloud_->data[point * cloud_->point_step + field.offset],
+                          field.datatype);
+  }
+  return place;
+}
+
+PointCloud<PointXYZ>::Ptr
+pointsAround(const PCLPointCloud2& cloud,
+             const Eigen::Vector3d& middle,
+             std::size_t& finite_count,
+             const std::vector<Eigen::Vector3d>& left_out)
+{
+  const std::vector<double> coordinates[3] = {
+      readReals(cloud, axes[0]), readReals(cloud, axes[1]), readReals(cloud, axes[2])};
+  auto points = pcl::make_shared<PointCloud<PointXYZ>>();
+  points->header.frame_id = cloud.header.frame_id;
+  points->resize(pointCount(cloud), PointXYZ(NAN, NAN, NAN));
+  points->width = cloud.width; // resize() made it one row
+  points->height = cloud.height;
+  finite_count = 0;
+  for (std::size_t i = 0; i < points->size(); ++i) {
+    const Eigen::Vector3d point(
+        coordinates[0][i], coordinates[1][i], coordinates[2][i]);
+    const Eigen::Vector3f local = (point - middle).cast<float>();
+    if (!isUsable(local) || isOneOf(point, left_out))
+      continue;
+    (*points)[i].getVector3fMap() = local;
+    ++finite_count;
+  }
+  points->is_dense = finite_count == points->size();
+  return points;
+}
+
+CloudFile
+loadCloud(const std::string& path,
+          const TableColumns& columns,
+          std::size_t least_points)
+{
+  CloudFile file;
+  file.path = path;
+  readCloud(file, columns);
+  auto loaded =
+      withPoints(path, std::move(file.cloud), file.frame, least_points, file.notes);
+  loaded.stations = std::move(file.stations);
+  return loaded;
+}
+
+CloudFile
+withPoints(const std::string& path,
+           PCLPointCloud2 cloud,
+           const CloudFrame& frame,
+           std::size_t least_points,
+           std::vector<std::string> notes)
+{
+  CloudFile file;
+  file.notes = std::move(notes);
+  file.path = path;
+  file.cloud = std::move(cloud);
+  file.frame = frame;
+  for (const char* name : axes)
+    if (!isRealField(file.cloud, name))
+      throw ToolError(path + ": the file has no floating-point field '" + name + "'");
+  if (pointCount(file.cloud) == 0)
+    throw ToolError(path + ": the cloud is empty (0 points)");
+  if (file.cloud.data.size() < pointCount(file.cloud) * file.cloud.point_step)
+    throw ToolError(path + ": the file is damaged, points are missing");
+  fillPoints(file);
+  if (file.finite_count == 0)
+    throw ToolError(path + ": none of its " + std::to_string(file.points->size()) +
+                    " points is finite and less than 1e9 units from their middle");
+  if (file.finite_count < least_points)
+    throw ToolError(path + ": " + std::to_string(file.finite_count) +
+                    " finite points are too few, " + std::to_string(least_points) +
+                    " are needed");
+  if (hasNormals(file.cloud)) {
+    const auto note = normalsNote(file.cloud, *file.points);
+    file.has_normals = note.empty();
+    if (!note.empty())
+      file.notes.push_back(note);
+  }
+  return file;
+}
+
+PointCloud<Normal>::Ptr
+readNormals(const CloudFile& file)
+{
+  if (!file.has_normals)
+    throw ToolError(file.path + ": the file has no normals");
+  return readNormals(file.cloud);
+}
+
+PointCloud<Normal>::Ptr
+readNormals(const PCLPointCloud2& cloud)
+{
+  const auto x = readReals(cloud, "normal_x");
+  const auto y = readReals(cloud, "normal_y");
+  const auto z = readReals(cloud, "normal_z");
+  std::vector<double> curvature(x.size(), 0.0);
+  if (isRealField(cloud, "curvature"))
+    curvature = readReals(cloud, "curvature");
+  auto normals = pcl::make_shared<PointCloud<Normal>>();
+  normals->resize(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    (*normals)[i].getNormalVector3fMap() =
+        Eigen::Vector3d(x[i], y[i], z[i]).cast<float>();
+    (*normals)[i].curvature = static_cast<float>(curvature[i]);
+    normals->is_dense &= (*normals)[i].getNormalVector3fMap().allFinite();
+  }
+  normals->width = cloud.width;
+  normals->height = cloud.height;
+  return normals;
+}
+
+PointCloud<RGB>::Ptr
+readColors(const CloudFile& file)
+{
+  const auto& cloud = file.cloud;
+  const int index = std::max(getFieldIndex(cloud, "rgb"), getFieldIndex(cloud, "rgba"));
+  if (index < 0 || getFieldSize(cloud.fields[index].datatype) != sizeof(std::uint32_t))
+    throw ToolError(file.path + ": the points have no colours (field rgb)");
+  auto colors = pcl::make_shared<PointCloud<RGB>>();
+  for (std::size_t i = 0; i < file.points->size(); ++i) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits,
+                &cloud.data[i * cloud.point_step + cloud.fields[index].offset],
+                sizeof(bits));
+    colors->push_back(RGB(bits >> 16 & 0xff, bits >> 8 & 0xff, bits & 0xff));
+  }
+  return colors;
+}
+
+bool
+hasField(const PCLPointCloud2& cloud, const std::string& name)
+{
+  return getFieldIndex(cloud, name) >= 0;
+}
+
+std::vector<double>
+readNumbers(const CloudFile& file, const std::string& name)
+{
+  if (!hasField(file.cloud, name))
+    throw ToolError(file.path + ": the file has no field '" + name + "'");
+  return readReals(file.cloud, name);
+}
+
+std::vector<std::uint32_t>
+readLabels(const CloudFile& file, const std::string& name)
+{
+  const auto values = readNumbers(file, name);
+  std::vector<std::uint32_t> labels(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double value = values[i];
+    if (!(value >= 0.0 && value <= 4294967295.0) || value != std::floor(value))
+      throw ToolError(file.path + ": field '" + name + "' of point " +
+                      std::to_string(i) + " is " + std::to_string(value) +
+                      ", not a label");
+    labels[i] = static_cast<std::uint32_t>(value);
+  }
+  return labels;
+}
+
+void
+removeField(PCLPointCloud2& cloud, const std::string& name)
+{
+  const auto same_name = [&name](const PCLPointField& f) { return f.name == name; };
+  cloud.fields.erase(
+      std::remove_if(cloud.fields.begin(), cloud.fields.end(), same_name),
+      cloud.fields.end());
+}
+
+namespace {
+
+template <typename T>
+void
+appendValues(PCLPointCloud2& cloud,
+             const std::string& name,
+             const std::vector<T>& values,
+             std::uint8_t datatype)
+{
+  if (values.size() != pointCount(cloud))
+    throw ToolError("field '" + name + "': " + std::to_string(values.size()) +
+                    " values for " + std::to_string(pointCount(cloud)) + " points");
+  removeField(cloud, name);
+  const std::size_t old_step = cloud.point_step;
+  const std::size_t new_step = old_step + sizeof(T);
+  // in place, from the end: the vector grows for several fields at once
+  cloud.data.resize(values.size() * new_step);
+  for (std::size_t i = values.size(); i-- > 0;) {
+    std::uint8_t* const point = cloud.data.data() + i * new_step;
+    std::memmove(point, cloud.data.data() + i * old_step, old_step);
+    std::memcpy(point + old_step, &values[i], sizeof(T));
+  }
+  PCLPointField field;
+  field.name = name;
+  field.offset = static_cast<std::uint32_t>(old_step);
+  field.datatype = datatype;
+  field.count = 1;
+  cloud.fields.push_back(field);
+  cloud.point_step = static_cast<std::uint32_t>(new_step);
+  cloud.row_step = cloud.point_step * cloud.width;
+}
+
+} // namespace
+
+void
+appendField(PCLPointCloud2& cloud,
+            const std::string& name,
+            const std::vector<std::uint32_t>& values)
+{
+  appendValues(cloud, name, values, PCLPointField::UINT32);
+}
+
+void
+appendRealField(PCLPointCloud2& cloud,
+                const std::string& name,
+                const std::vector<float>& values)
+{
+  appendValues(cloud, name, values, PCLPointField::FLOAT32);
+}
+
+} // namespace pcl::indoor::tool

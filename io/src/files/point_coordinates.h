@@ -1,0 +1,31 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/cloud_file.h"
+
+#include <cstdint>
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief How the tools write x, y and z: the option -double.
+ *
+ * PCL's own readers and viewers take floats only: they show doubles as zeros.
+ */
+struct PointCoordinates {
+  bool doubles = false;
+
+  /** \brief Make doubles floats relative to CloudFile::offset, which the file then
+   * tells, and say so on stderr; floats stay as they are. With -double, make them
+   * doubles without an offset. All other fields stay as they are.
+   * \param[in] output name of the file that they go to, for the message; empty: there
+   * is none
+   */
+  void
+  apply(CloudFile& file, const std::string& output) const;
+};
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,123 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "formats/file_header.h"
+
+#include "files/tool_error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace pcl::indoor::tool {
+namespace {
+
+constexpr std::size_t longest_header = 1 << 20; // bytes; a header without end is none
+
+template <typename T>
+std::string
+textOf(T value)
+{
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
+}
+
+/** Takes the offset from a comment's words, "#" or "comment" the first of them, if that
+ * is what it says. */
+void
+readOffset(const std::vector<std::string>& words, Eigen::Vector3d& offset)
+{
+  if (words.size() != 5 || words[1] != "offset")
+    return;
+  Eigen::Vector3d value;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& word = words[axis + 2];
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data(), end, value[axis]);
+    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value[axis]))
+      return;
+  }
+  offset = value;
+}
+
+} // namespace
+
+std::vector<std::string>
+wordsOf(const std::string& line)
+{
+  constexpr const char* blanks = " \t\r\n"; // no others are of PCL's reader
+  std::vector<std::string> words;
+  for (std::size_t begin = line.find_first_not_of(blanks); begin != line.npos;) {
+    const auto end = std::min(line.find_first_of(blanks, begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(blanks, end);
+  }
+  return words;
+}
+
+FileHeader
+readFileHeader(std::istream& stream, const std::string& last, const std::string& path)
+{
+  FileHeader header;
+  for (std::string line; std::getline(stream, line);) {
+    header.body_begin += line.size() + 1;
+    if (header.body_begin > longest_header)
+      break;
+    auto words = wordsOf(line);
+    if (words.empty())
+      continue;
+    if (words[0][0] == '#' || words[0] == "comment") {
+      readOffset(words, header.offset);
+      continue;
+    }
+    header.lines.push_back(std::move(words));
+    if (header.lines.back()[0] == last)
+      return header;
+  }
+  throw ToolError(path + ": the file ends within its header (no line " + last + ")");
+}
+
+std::string
+offsetText(const Eigen::Vector3d& offset)
+{
+  return "offset " + numberText(offset.x()) + " " + numberText(offset.y()) + " " +
+         numberText(offset.z());
+}
+
+std::string
+numberText(float value)
+{
+  return textOf(value);
+}
+
+std::string
+numberText(double value)
+{
+  return textOf(value);
+}
+
+std::uint64_t
+headerCount(const std::string& word, const std::string& what, const std::string& path)
+{
+  std::uint64_t value = 0;
+  const char* const end = word.data() + word.size();
+  const auto read = std::from_chars(word.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end || value > 0x7fffffffu)
+    throw ToolError(path + ": " + what + " '" + word +
+                    "' in the header is not a usable number");
+  return value;
+}
+
+void
+throwTruncated(const std::string& path,
+               std::uint64_t promised,
+               std::uint64_t found,
+               const std::string& unit)
+{
+  throw ToolError(path + ": the file is truncated, its header promises " +
+                  std::to_string(promised) + " " + unit + ", it has " +
+                  std::to_string(found));
+}
+
+} // namespace pcl::indoor::tool

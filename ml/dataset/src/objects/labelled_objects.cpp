@@ -1,0 +1,179 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "objects/labelled_objects.h"
+
+#include "files/random_numbers.h"
+#include "objects/object_files.h"
+#include "text/printable.h"
+
+#include <pcl/indoor/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <set>
+
+namespace pcl::indoor::tool {
+namespace {
+
+/** \brief Put the objects into the parts, in their order. */
+template <typename IsTest>
+ObjectSplit
+splitBy(std::size_t count, const IsTest& is_test)
+{
+  ObjectSplit split;
+  for (std::size_t k = 0; k < count; ++k)
+    (is_test(k) ? split.test : split.training).push_back(k);
+  return split;
+}
+
+/** \brief Names by which a list may mean an object. */
+std::vector<std::string>
+namesOf(const std::string& path)
+{
+  const std::filesystem::path whole(path);
+  auto without_extension = whole;
+  without_extension.replace_extension();
+  const auto stem = whole.stem().string();
+  std::vector<std::string> names{
+      path, without_extension.string(), whole.filename().string(), stem};
+  for (auto end = stem.find('_'); end != std::string::npos;
+       end = stem.find('_', end + 1))
+    names.push_back(stem.substr(0, end));
+  return names;
+}
+
+} // namespace
+
+void
+requireNoProblems(const std::vector<std::string>& problems, const std::string& things)
+{
+  const auto is_one = [](const std::string& problem) { return !problem.empty(); };
+  const auto first = std::find_if(problems.begin(), problems.end(), is_one);
+  if (first == problems.end())
+    return;
+  const auto count = std::count_if(problems.begin(), problems.end(), is_one);
+  throw ToolError(*first + (count == 1 ? std::string()
+                                       : " (the first of " + std::to_string(count) +
+                                             " " + things + " of " +
+                                             std::to_string(problems.size()) + ")"));
+}
+
+LabelledObjects
+loadLabelledObjects(
+    const std::string& folder,
+    int neighbor_count,
+    unsigned int number_of_threads,
+    const std::function<void(std::size_t done, std::size_t all)>& report)
+{
+  LabelledObjects objects;
+  objects.paths = findObjects(folder);
+  for (const auto& path : objects.paths) {
+    const auto name = classFolder(path);
+    if (name.empty())
+      throw ToolError(path + ": lies in no class folder of " + folder);
+    if (objects.class_names.empty() || objects.class_names.back() != name)
+      objects.class_names.push_back(name); // paths are sorted
+    objects.labels.push_back(static_cast<int>(objects.class_names.size()) - 1);
+  }
+  if (objects.class_names.size() < 2)
+    throw ToolError(folder + ": at least two class folders are needed");
+  const auto count = objects.paths.size();
+  objects.clouds.resize(count);
+  objects.places.resize(count);
+  std::vector<std::string> problems(count);
+  std::size_t done = 0;
+  std::mutex mutex; // of the report
+  parallelFor(static_cast<std::ptrdiff_t>(count),
+              static_cast<int>(number_of_threads),
+              1,
+              [&](std::ptrdiff_t i) {
+                const auto k = static_cast<std::size_t>(i);
+                try {
+                  const auto path = std::filesystem::path(folder) / objects.paths[k];
+                  auto object = loadPlacedObject(path.string(), neighbor_count);
+                  objects.clouds[k] = std::move(object.cloud);
+                  objects.places[k] = object.place;
+                } catch (const std::exception& error) {
+                  problems[k] = messageOf(error);
+                }
+                const std::lock_guard<std::mutex> lock(mutex);
+                ++done;
+                if (report)
+                  report(done, count);
+              });
+  requireNoProblems(problems, "unreadable files");
+  return objects;
+}
+
+ObjectSplit
+splitAtRandom(const LabelledObjects& objects, double share, std::uint32_t seed)
+{
+  std::vector<std::vector<std::size_t>> of_class(objects.class_names.size());
+  for (std::size_t k = 0; k < objects.labels.size(); ++k)
+    of_class[static_cast<std::size_t>(objects.labels[k])].push_back(k);
+  std::mt19937 rng(seed);
+  std::vector<bool> is_test(objects.labels.size(), true);
+  for (std::size_t c = 0; c < of_class.size(); ++c) {
+    auto& own = of_class[c];
+    if (own.size() < 2)
+      throw ToolError(objects.class_names[c] +
+                      ": a class needs two objects to be split, it has " +
+                      std::to_string(own.size()));
+    const auto wanted = std::lround(share * static_cast<double>(own.size()));
+    const auto taken =
+        std::clamp<std::size_t>(static_cast<std::size_t>(wanted), 1, own.size() - 1);
+    drawToFront(own, taken, rng);
+    for (std::size_t k = 0; k < taken; ++k)
+      is_test[own[k]] = false;
+  }
+  return splitBy(is_test.size(), [&](std::size_t k) { return is_test[k]; });
+}
+
+ObjectSplit
+splitByFolders(const LabelledObjects& objects)
+{
+  const auto split = splitBy(objects.paths.size(), [&](std::size_t k) {
+    const auto& path = objects.paths[k];
+    const auto below_class = path.substr(path.find('/') + 1);
+    const auto part = below_class.substr(0, below_class.find('/'));
+    if (part == below_class || (part != "train" && part != "test"))
+      throw ToolError(path + ": lies in neither folder train nor test of its class");
+    return part == "test";
+  });
+  if (split.training.empty() || split.test.empty())
+    throw ToolError(std::string("there is no object in the folders ") +
+                    (split.test.empty() ? "test" : "train"));
+  return split;
+}
+
+ObjectSplit
+splitByList(const LabelledObjects& objects, const std::string& list_path)
+{
+  std::ifstream stream(list_path);
+  if (!stream.is_open() || std::filesystem::is_directory(list_path))
+    throw ToolError(list_path + ": no such list of the test part");
+  std::set<std::string> listed;
+  for (std::string line; std::getline(stream, line);) {
+    const auto end = line.find_last_not_of(" \t\r");
+    if (end != std::string::npos)
+      listed.insert(line.substr(0, end + 1));
+  }
+  const auto split = splitBy(objects.paths.size(), [&](std::size_t k) {
+    const auto names = namesOf(objects.paths[k]);
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      return listed.count(name) > 0;
+    });
+  });
+  if (split.test.empty())
+    throw ToolError(list_path + ": names none of the objects");
+  if (split.training.empty())
+    throw ToolError(list_path + ": names all objects, none is left to train with");
+  return split;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,120 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "report/report_page.h"
+
+#include "pictures/plan_svg.h"
+#include "report/base64.h"
+#include "report/report_cloud.h"
+#include "text/program_version.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <map>
+
+namespace pcl::indoor::tool {
+
+extern const char* const report_template; // made of the files in scene/report
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/** JSON that may stand in a script of a page: nothing in it ends the script. */
+std::string
+jsonInPage(const Json& json)
+{
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+    if (c == '<')
+      text += "\\u003c"; // stands in texts only
+    else
+      text += c;
+  return text;
+}
+
+std::string
+textInPage(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+    if (c == '&' || c == '<' || c == '>')
+      escaped += "&#" + std::to_string(int(c)) + ";";
+    else
+      escaped += c;
+  return escaped;
+}
+
+/** Put values in place of {{NAME}}; what is put in stays as it is. */
+std::string
+filled(const std::string& page, const std::map<std::string, std::string>& values)
+{
+  std::string text;
+  std::size_t begin = 0;
+  for (auto at = page.find("{{"); at != page.npos; at = page.find("{{", at + 2)) {
+    const auto end = page.find("}}", at);
+    const auto value = values.find(page.substr(at + 2, end - at - 2));
+    if (end == page.npos || value == values.end())
+      continue;
+    text += page.substr(begin, at - begin) + value->second;
+    begin = end + 2;
+  }
+  return text + page.substr(begin);
+}
+
+} // namespace
+
+std::vector<PlanThing>
+thingsFromAbove(const Scene& scene)
+{
+  const Eigen::Vector3d shift =
+      scene.building_pose.linear().transpose() * scene.building_pose.translation();
+  std::vector<std::pair<double, PlanThing>> things;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const auto& object = scene.objects[i];
+    if (object.structure != 0 || object.room == 0)
+      continue;
+    const auto& box = object.upright;
+    PlanThing thing{
+        static_cast<std::uint32_t>(i + 1), scene.rooms[object.room - 1].storey, {}};
+    const Eigen::Rotation2Dd turn(box.yaw);
+    for (const auto& [x, y] :
+         {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
+      thing.corners.emplace_back(
+          (box.center - shift).head<2>() +
+          turn * Eigen::Vector2d(x * box.size.x(), y * box.size.y()));
+    things.emplace_back(box.size.x() * box.size.y(), std::move(thing));
+  }
+  std::stable_sort(things.begin(), things.end(), [](const auto& a, const auto& b) {
+    return a.first > b.first;
+  });
+  std::vector<PlanThing> sorted;
+  for (auto& thing : things)
+    sorted.push_back(std::move(thing.second));
+  return sorted;
+}
+
+std::string
+reportPage(const ReportInput& input)
+{
+  const auto& pose = input.scene.building_pose;
+  ScanFrame frame;
+  frame.unit = input.json.at("coordinate_unit").get<std::string>();
+  auto cloud = thinnedCloud(
+      input.scene, input.standing, pose.linear().transpose() * pose.translation());
+  cloud["metres_per_unit"] = frame.metresPerUnit();
+  const Eigen::Vector3d origin =
+      input.offset + pose.translation() / frame.metresPerUnit();
+  cloud["translation"] = {origin.x(), origin.y(), origin.z()};
+  return filled(report_template,
+                {{"TITLE", textInPage(input.json.at("input").get<std::string>())},
+                 {"VERSION", programVersion()},
+                 {"FIELD", base64(pngBytes(input.field))},
+                 {"SCENE", jsonInPage(input.json)},
+                 {"PLANS", jsonInPage(storeySvgs(input.plan))},
+                 {"CLOUD", jsonInPage(cloud)}});
+}
+
+} // namespace pcl::indoor::tool

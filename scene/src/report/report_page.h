@@ -1,0 +1,38 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "pictures/floor_plan.h"
+#include "pictures/picture.h"
+#include "scene/scene_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief The things of a scene from above, larger ones first, so that smaller ones are
+ * drawn upon them. */
+std::vector<PlanThing>
+thingsFromAbove(const Scene& scene);
+
+/** \brief What the report shows. */
+struct ReportInput {
+  const Scene& scene;
+  const nlohmann::ordered_json& json; ///< of the scene, see sceneJson()
+  const FloorPlan& plan;              ///< with things
+  const Picture& field;
+  const PointCloud<PointXYZ>& standing; ///< points of the scene, z up, metres
+  Eigen::Vector3d offset;               ///< of the points, in the unit of the file
+};
+
+/** \brief The report: an HTML page that needs no other file and no network, made of
+ * what lies in scene/report. The same input gives the same bytes. */
+std::string
+reportPage(const ReportInput& input);
+
+} // namespace pcl::indoor::tool

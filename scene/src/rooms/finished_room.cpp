@@ -1,0 +1,34 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "rooms/finished_room.h"
+
+#include <utility>
+
+namespace pcl::indoor::tool {
+
+FinishedRoom
+finishRoom(RoomPoints room, const RoomWork& work)
+{
+  const auto positions = room.positions;
+  if (!work.is_standing) {
+    const Eigen::Matrix3f turn = work.pose.linear().transpose().cast<float>();
+    for (auto& position : room.positions)
+      position = work.standing(position);
+    for (auto& normal : room.normals)
+      normal = turn * normal;
+  }
+  const auto standing = room.positions;
+  const auto removed = prepareRoom(work.preparation, room);
+  FinishedRoom finished;
+  finished.objects = segmentRoomObjects(std::move(room), work.options);
+  putBack(removed, finished.objects);
+  finished.measures = measureObjects(positions, standing, finished.objects);
+  const auto surfaces = std::exchange(finished.objects.surfaces, {});
+  if (work.model)
+    finished.classes = classesOf(surfaces, finished.measures, *work.model, 1);
+  return finished;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,36 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "rooms/finished_room.h"
+#include "scene/scene_file.h"
+
+#include <optional>
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief Drop what only the search for rooms needs: the grids. What pictures, plans
+ * and scene.json are made of stays. */
+void
+dropGrids(BuildingRooms& building);
+
+/** \brief The rooms of a scene as bytes, after dropGrids(); without its objects. */
+std::string
+sceneBytes(const Scene& scene);
+
+/** \brief The scene of such bytes; nothing if they are damaged. */
+std::optional<Scene>
+sceneOf(const std::string& bytes);
+
+/** \brief A finished room as bytes. */
+std::string
+roomBytes(const FinishedRoom& room);
+
+/** \brief The room of such bytes; nothing if they are damaged. */
+std::optional<FinishedRoom>
+roomOf(const std::string& bytes);
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,171 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "scan/scan.h"
+
+#include "files/cloud_sample.h"
+#include "files/joined_clouds.h"
+#include "files/placed_points.h"
+#include "files/sampled_surface.h"
+#include "text/printable.h"
+
+#include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/segmentation/scan_warnings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+/** Of many small blocks: a block may be one line of a scanner. */
+PCLPointCloud2
+scatteredPoints(CloudStream& stream)
+{
+  constexpr std::uint64_t blocks = 16384, block_size = 64;
+  auto cloud = stream.read(0, block_size);
+  for (std::uint64_t block = 1; block < blocks; ++block) {
+    const auto first = stream.pointCount() / blocks * block;
+    const auto part = stream.read(
+        first,
+        static_cast<std::size_t>(std::min(block_size, stream.pointCount() - first)));
+    cloud.data.insert(cloud.data.end(), part.data.begin(), part.data.end());
+    cloud.width += part.width;
+  }
+  return cloud;
+}
+
+/** The sensor's pose, in the frame of the points. */
+void
+setSensor(const CloudFile& file, PointCloud<PointXYZ>& cloud)
+{
+  cloud.sensor_origin_ = file.frame.origin;
+  cloud.sensor_origin_.head<3>() -= (file.offset - file.frame.offset).cast<float>();
+  cloud.sensor_orientation_ = file.frame.orientation;
+}
+
+/** What a sample of the points tells of all: where they are, and if their normals are
+ * any. */
+void
+setPlaces(const PCLPointCloud2& sample, Scan& scan)
+{
+  auto& file = scan.file;
+  const auto placed = placedPoints(sample, file.cloud.height > 1);
+  scan.middle = placed.origin.middle;
+  file.offset = file.frame.offset + scan.middle;
+  file.coordinate_step = placed.origin.step;
+  file.left_out = placed.left_out;
+  if (!hasNormals(sample))
+    return;
+  const auto note = normalsNote(sample, *placed.points);
+  file.has_normals = note.empty();
+  if (!note.empty())
+    file.notes.push_back(note);
+}
+
+} // namespace
+
+std::unique_ptr<CloudStream>
+joinedScans(const std::vector<std::string>& files,
+            std::vector<std::unique_ptr<CloudStream>> opened,
+            const TableColumns& columns)
+{
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (!opened[i]) {
+      auto file = loadSurface(files[i], columns, 0);
+      opened[i] = streamInMemory(std::move(file.cloud),
+                                 file.frame,
+                                 std::move(file.notes),
+                                 std::move(file.stations));
+    }
+  std::vector<std::string> names;
+  for (const auto& file : files)
+    names.push_back(fs::path(file).filename().string());
+  return joinedStream(std::move(opened), names);
+}
+
+double
+metresPerUnitOf(CloudStream& stream)
+{
+  const auto cloud = pointsFromAllOver(stream);
+  std::size_t finite = 0;
+  const auto points = pointsAround(cloud, coordinateOrigin(cloud).middle, finite);
+  std::vector<Eigen::Vector3f> positions;
+  for (const auto& point : *points)
+    if (isFinite(point))
+      positions.push_back(point.getVector3fMap());
+  return metresPerUnit(findVertical(positions).room_height);
+}
+
+Scan
+readScan(const std::string& path,
+         std::unique_ptr<CloudStream> stream,
+         double cell_size,
+         std::size_t most_points,
+         const std::function<void(std::size_t done, std::size_t all)>& report)
+{
+  Scan scan;
+  auto& file = scan.file;
+  file.path = path;
+  file.cloud = stream->layout();
+  file.frame = stream->frame();
+  setPlaces(pointsFromAllOver(*stream), scan);
+  std::vector<std::uint64_t> left_out(file.left_out.size(), 0);
+  auto& sample = scan.sample.emplace(cell_size, most_points);
+  stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& part) {
+    std::size_t finite = 0;
+    const auto points = pointsAround(part, scan.middle, finite, file.left_out);
+    file.finite_count += finite;
+    for (std::size_t k = 0; k < left_out.size(); ++k)
+      left_out[k] += countAt(part, file.left_out[k]);
+    for (std::size_t i = 0; i < points->size(); ++i)
+      if (isFinite((*points)[i]))
+        sample.add((*points)[i].getVector3fMap(), first + i);
+    report(first + points->size(), stream->pointCount());
+  });
+  for (std::size_t k = 0; k < left_out.size(); ++k)
+    file.notes.push_back(
+        leftOutNote(file.left_out[k], left_out[k], stream->pointCount()));
+  if (file.finite_count < 2)
+    throw ToolError(path + ": " + std::to_string(file.finite_count) +
+                    " finite points are too few, 2 are needed");
+  sample.shrink();
+  setSensor(file, *sample.points());
+  file.points = sample.points();
+  scan.stream = std::move(stream);
+  return scan;
+}
+
+Scan
+readSample(const std::string& path, std::unique_ptr<CloudStream> stream)
+{
+  Scan scan;
+  scan.file =
+      withPoints(path, scatteredPoints(*stream), stream->frame(), 2, stream->notes());
+  const auto finite = static_cast<double>(scan.file.finite_count) /
+                      static_cast<double>(scan.file.points->size());
+  scan.file.finite_count = static_cast<std::size_t>(
+      std::llround(finite * static_cast<double>(stream->pointCount())));
+  scan.stream = std::move(stream);
+  return scan;
+}
+
+CloudFile
+partOf(const Scan& scan, PCLPointCloud2 part)
+{
+  CloudFile file;
+  file.path = scan.file.path;
+  file.frame = scan.stream->frame();
+  file.offset = scan.file.offset;
+  file.has_normals = scan.file.has_normals;
+  file.points = pointsAround(part, scan.middle, file.finite_count, scan.file.left_out);
+  file.cloud = std::move(part);
+  return file;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,80 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/cloud_file.h"
+
+#include <pcl/segmentation/room_segmentation.h>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief The unit that has so many metres, as the option -unit names it; empty if none
+ * has. */
+std::string
+unitName(double metres_per_unit);
+
+/** \brief The direction that the option -up names by three numbers.
+ * \throws ToolError if the text is none */
+Eigen::Vector3f
+upDirection(const std::string& text);
+
+/** \brief How a scan's coordinates are meant: the options -unit and -up. */
+struct ScanFrame {
+  std::string unit = "auto"; ///< or m, cm, mm, ft, in
+  std::string up = "auto";   ///< or an axis such as -y, or three numbers
+
+  /** \brief 1 if it is to be found. */
+  double
+  metresPerUnit() const;
+
+  /** \brief Of any length; +z if it is to be found. */
+  Eigen::Vector3f
+  upAxis() const;
+
+  /** \brief What was to be found becomes what was used. */
+  void
+  settle(const ScanReport& report);
+};
+
+/** \brief The rooms of a scan, and what was found out about its points. */
+struct SegmentedRooms {
+  std::vector<std::uint32_t> room_of_point;
+  ScanReport report; ///< of the segmentation; its warnings are those of the file, too
+};
+
+/** \brief Find the rooms; what is implausible is said on stderr, a line each.
+ * \param[in] found of the file's points and this frame, if it is known
+ * \param[in,out] segmentation its parameters are set; frame and input are set here
+ * \throws ToolError if no point has been looked at
+ */
+SegmentedRooms
+segmentRooms(const CloudFile& file,
+             const ScanFrame& frame,
+             const std::optional<UprightFrame>& found,
+             RoomSegmentation<PointXYZ>& segmentation);
+
+/** \brief What to add to horizontal places of the building's frame to get those of the
+ * scan, metres. */
+Eigen::Vector2d
+originOf(const CloudFile& file, const ScanFrame& frame, const Eigen::Isometry3d& pose);
+
+/** \brief What the tool says on a terminal: number of rooms, an automatic voxel size
+ * that was raised, points that were left out. */
+std::string
+summaryOf(const RoomSegmentation<PointXYZ>& segmentation);
+
+/** \brief Unit of the coordinates, voxel size, points left out and warnings. */
+void
+addReportJson(nlohmann::ordered_json& json,
+              const ScanFrame& frame,
+              const ScanReport& report);
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,150 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "scene/scene_query.h"
+
+#include "files/tool_error.h"
+#include "formats/json_text.h" // for rounded
+#include "scene/scan_frame.h"
+#include "text/printable.h"
+
+#include <pcl/segmentation/upright_box.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace pcl::indoor::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Eigen::Vector3d
+vectorOf(const Json& json)
+{
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+/** Distances in a scene. */
+class Distances {
+public:
+  explicit Distances(const Json& scene)
+  {
+    ScanFrame frame;
+    frame.unit = scene.at("coordinate_unit").get<std::string>();
+    const auto& axes = scene.at("axes");
+    turn_.row(0) = vectorOf(axes.at("x"));
+    turn_.row(1) = vectorOf(axes.at("y"));
+    turn_.row(2) = vectorOf(axes.at("up"));
+    turn_ *= frame.metresPerUnit();
+  }
+
+  /** From a place in the file's frame to an object's box, metres. */
+  double
+  operator()(const Eigen::Vector3d& place, const Json& object) const
+  {
+    const auto& json = object.at("upright_box");
+    UprightBox box; // around the origin
+    box.size = vectorOf(json.at("size"));
+    box.yaw = json.at("yaw_degrees").get<double>() * M_PI / 180.0;
+    return distanceTo(box, turn_ * (place - vectorOf(json.at("center"))));
+  }
+
+private:
+  Eigen::Matrix3d turn_;
+};
+
+double
+longestSide(const Json& object)
+{
+  return vectorOf(object.at("upright_box").at("size")).maxCoeff();
+}
+
+bool
+isWanted(const Json& object, const SceneQuery& query)
+{
+  const double size = longestSide(object);
+  return (query.with_structure || object.at("structure") == "none") &&
+         (query.object_class.empty() ||
+          object.value("class", "") == query.object_class) &&
+         (!query.room || object.at("room") == *query.room) &&
+         (!query.storey ||
+          (object.contains("storey") && object["storey"] == *query.storey)) &&
+         size >= query.min_size && size <= query.max_size;
+}
+
+/** A room, storey or class that is not there is a mistake, not an empty answer. */
+void
+requireKnown(const Json& scene, const SceneQuery& query)
+{
+  const auto has = [&scene](const char* list, const char* key, std::uint32_t number) {
+    const auto& items = scene.at(list);
+    return std::any_of(items.begin(), items.end(), [&](const Json& item) {
+      return item.at(key) == number;
+    });
+  };
+  if (query.room && *query.room > 0 && !has("rooms", "room", *query.room))
+    throw ToolError("-room: there is no room " + std::to_string(*query.room));
+  if (query.storey && !has("storeys", "storey", *query.storey))
+    throw ToolError("-storey: there is no storey " + std::to_string(*query.storey));
+  if (query.object_class.empty())
+    return;
+  if (!scene.contains("categories"))
+    throw ToolError("-class: the scene has no classes");
+  std::string known;
+  for (const auto& name : scene["categories"]) {
+    if (name == query.object_class)
+      return;
+    if (name != "none")
+      known += (known.empty() ? "" : ", ") + name.get<std::string>();
+  }
+  throw ToolError("-class: '" + query.object_class + "' is not one of " + known);
+}
+
+} // namespace
+
+Json
+readScene(const std::string& path)
+{
+  std::ifstream stream(path);
+  if (!stream)
+    throw ToolError(path + ": cannot be read");
+  try {
+    const auto scene = Json::parse(stream);
+    if (!scene.is_object() || scene.value("format", "") != "pcl_indoor scene")
+      throw ToolError(path + ": not a scene, as pcl_indoor_pipeline writes it");
+    if (scene.at("version") != 1)
+      throw ToolError(path + ": a scene of version " + scene["version"].dump() +
+                      ", but only 1 can be read");
+    return scene;
+  } catch (const Json::exception& problem) {
+    throw ToolError(path + ": " + messageOf(problem));
+  }
+}
+
+std::vector<Json>
+findObjects(const Json& scene, const SceneQuery& query)
+{
+  requireKnown(scene, query);
+  const Distances distance(scene);
+  std::vector<std::pair<double, const Json*>> found;
+  for (const auto& object : scene.at("objects"))
+    if (isWanted(object, query))
+      found.emplace_back(query.nearest ? distance(*query.nearest, object) : 0.0,
+                         &object);
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return a.first < b.first;
+  });
+  if (query.count > 0 && found.size() > query.count)
+    found.resize(query.count);
+  std::vector<Json> objects;
+  for (const auto& [metres, object] : found) {
+    objects.push_back(*object);
+    if (query.nearest)
+      objects.back()["distance"] = rounded(metres);
+  }
+  return objects;
+}
+
+} // namespace pcl::indoor::tool

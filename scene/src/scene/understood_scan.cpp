@@ -1,0 +1,342 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "scene/understood_scan.h"
+
+#include "scene/room_json.h" // for positionJson
+#include "text/printable.h"
+
+#include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/segmentation/rooms/scan_unit.h>
+#include <pcl/segmentation/scan_warnings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace pcl::indoor::tool {
+namespace {
+
+constexpr double hardly = 0.3, mostly = 0.7; // shares that were seen
+constexpr double slice = 1.0;                // metres of height
+constexpr double few_duplicates = 0.005;     // share that is chance
+constexpr double degree = M_PI / 180.0;
+
+/** For example "1,204,331". */
+std::string
+grouped(std::uint64_t number)
+{
+  auto text = std::to_string(number);
+  for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3)
+    text.insert(static_cast<std::size_t>(at), ",");
+  return text;
+}
+
+/** Of 100; small shares are not none, large ones not all. */
+std::string
+percent(double share)
+{
+  const double rounded = std::round(100.0 * share);
+  return fixedText(
+             share > 0.0 && share < 1.0 ? std::clamp(rounded, 1.0, 99.0) : rounded, 0) +
+         " %";
+}
+
+std::string
+lengthText(double metres)
+{
+  return metres < 0.1 ? fixedText(100.0 * metres, 1) + " cm"
+                      : fixedText(metres, 2) + " m";
+}
+
+std::string
+sizeText(const Eigen::Vector3d& size)
+{
+  const int digits = size.maxCoeff() < 1.0 ? 2 : 1;
+  return fixedText(size.x(), digits) + " x " + fixedText(size.y(), digits) + " x " +
+         fixedText(size.z(), digits) + " m";
+}
+
+/** For example "-y", or the three numbers of a direction that is no axis. */
+std::string
+axisText(const Eigen::Vector3f& axis)
+{
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(axis[k]) == 1.0f)
+      return (axis[k] < 0.0f ? "-" : "") + std::string(1, "xyz"[k]);
+  return "(" + fixedText(axis.x(), 2) + ", " + fixedText(axis.y(), 2) + ", " +
+         fixedText(axis.z(), 2) + ")";
+}
+
+std::vector<Eigen::Vector3f>
+finitePointsOf(const CloudFile& file)
+{
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(file.points->size());
+  for (const auto& point : *file.points)
+    if (isFinite(point))
+      points.emplace_back(point.getVector3fMap());
+  return points;
+}
+
+/** Up axis and unit, as RoomSegmentation takes them. */
+void
+findFrame(const std::vector<Eigen::Vector3f>& points,
+          const ScanFrame& frame,
+          UnderstoodScan& scan)
+{
+  scan.up_is_set = frame.up != "auto";
+  scan.frame = uprightFrame(
+      points,
+      scan.up_is_set ? std::optional(frame.upAxis()) : std::nullopt,
+      frame.unit != "auto" ? std::optional(frame.metresPerUnit()) : std::nullopt);
+  scan.unit = unitName(scan.frame.metres_per_unit);
+  if (unitWarning(scan.frame.vertical, scan.frame.metres_per_unit).empty())
+    return;
+  const auto likely = unitName(likelyMetresPerUnit(scan.frame.vertical.room_height));
+  scan.likely_unit = likely == scan.unit ? "" : likely;
+}
+
+NormalsFrom
+normalsFrom(const CloudFile& file, bool ignores_normals)
+{
+  if (!hasNormals(file.cloud))
+    return NormalsFrom::NoneInFile;
+  return ignores_normals    ? NormalsFrom::Ignored
+         : file.has_normals ? NormalsFrom::File
+                            : NormalsFrom::NoneUsable;
+}
+
+std::string
+normalsText(NormalsFrom normals)
+{
+  switch (normals) {
+  case NormalsFrom::File:
+    return "Normals: those of the file.";
+  case NormalsFrom::NoneInFile:
+    return "Normals: estimated, the file has none.";
+  case NormalsFrom::NoneUsable:
+    return "Normals: estimated, those of the file cannot be used.";
+  case NormalsFrom::Ignored:
+    break;
+  }
+  return "Normals: estimated, those of the file are to be ignored.";
+}
+
+std::string
+pointsText(const UnderstoodScan& scan)
+{
+  auto text = grouped(scan.points) + " points";
+  if (scan.finite_points < scan.points)
+    text += ", " + grouped(scan.points - scan.finite_points) + " of them not finite";
+  if (scan.overview.spacing > 0.0)
+    text += ", one per " + lengthText(scan.overview.spacing) + " of surface";
+  if (scan.stations > 1)
+    text += ", from " + std::to_string(scan.stations) + " stations";
+  if (scan.overview.duplicates >= few_duplicates)
+    text += ", " + percent(scan.overview.duplicates) + " where another one is";
+  return text + ". " + normalsText(scan.normals) +
+         " Colours: " + (scan.has_colors ? "yes." : "none.");
+}
+
+std::string
+frameText(const UnderstoodScan& scan)
+{
+  const auto& overview = scan.overview;
+  std::string text = "Unit: " + scan.unit;
+  if (!scan.likely_unit.empty())
+    text += ", but " + scan.likely_unit + " is likely: so taken, the";
+  else
+    text += overview.room_height > 0.0 ? ", the" : "; no";
+  text += overview.room_height > 0.0
+              ? " rooms are " + fixedText(overview.room_height, 1) + " m high. "
+              : " height of rooms was seen. ";
+  text += "Up: " + axisText(scan.frame.up_axis);
+  if (scan.up_is_set)
+    return text + ", as set.";
+  if (!scan.frame.vertical.is_found)
+    return text + ", for want of floors and walls that tell it.";
+  const double off = std::acos(std::min(
+      1.0, static_cast<double>(scan.frame.vertical.direction.dot(scan.frame.up_axis))));
+  text += ", by floors and walls";
+  if (off >= 0.5 * degree)
+    text += ", which lean by " + fixedText(off / degree, 1) + " degrees";
+  else if (scan.frame.up_axis.cwiseAbs().maxCoeff() < 1.0f)
+    text +=
+        ", " + fixedText(scan.frame.vertical.tilt() / degree, 1) + " degrees from z";
+  return text + ".";
+}
+
+std::string
+seenText(const ScanOverview& overview)
+{
+  auto text = sizeText(overview.extent);
+  if (overview.extent.z() < slice)
+    return "Size: " + text + ".";
+  text = std::to_string(overview.storeys) +
+         (overview.storeys == 1 ? " storey, " : " storeys, ") + text + ". Of " +
+         fixedText(overview.area, 0) + " m^2 between the walls, " +
+         percent(overview.floor_seen) + " of the floor and " +
+         percent(overview.ceiling_seen) + " of the ceiling were seen, with walls on " +
+         fixedText(overview.wall_sides, 1) + " of 4 sides.";
+  if (overview.open_area > overview.area)
+    text += " Open ground around them: " + fixedText(overview.open_area, 0) + " m^2.";
+  return text;
+}
+
+/** "floor" or "ceiling" in part. */
+std::string
+partText(const char* surface, double share)
+{
+  return std::string("Only ") + percent(share) + " of the " + surface +
+         " was seen: elsewhere heights are those of the walls.";
+}
+
+/** What lacks of floor, ceiling and walls. */
+void
+addSurfaces(const ScanOverview& overview, std::vector<std::string>& lines)
+{
+  const bool no_floor = overview.floor_seen < hardly;
+  const bool no_ceiling = overview.ceiling_seen < hardly;
+  if (no_floor && no_ceiling)
+    lines.push_back(
+        "Neither floor nor ceiling was seen: rooms are told by walls alone, "
+        "their areas and heights are guesses.");
+  else if (no_floor)
+    lines.push_back("No floor was seen: rooms are found by ceiling and walls, and "
+                    "heights are those of the walls.");
+  else if (no_ceiling)
+    lines.push_back("No ceiling was seen: heights are those of the walls.");
+  else {
+    if (overview.floor_seen < mostly)
+      lines.push_back(partText("floor", overview.floor_seen));
+    if (overview.ceiling_seen < mostly)
+      lines.push_back(partText("ceiling", overview.ceiling_seen));
+  }
+  if (overview.wall_sides < 1.0)
+    lines.push_back("Hardly any walls were seen: there is nothing to tell rooms by.");
+}
+
+} // namespace
+
+UnderstoodScan
+understand(const CloudFile& file,
+           const ScanFrame& frame,
+           std::uint64_t points,
+           bool ignores_normals)
+{
+  UnderstoodScan scan;
+  scan.points = points;
+  scan.finite_points = file.finite_count;
+  scan.is_sample = points > file.points->size();
+  scan.normals = normalsFrom(file, ignores_normals);
+  scan.has_colors = hasField(file.cloud, "rgb") || hasField(file.cloud, "rgba");
+  scan.stations = std::max<std::size_t>(1, file.stations.size());
+  const auto finite = finitePointsOf(file);
+  findFrame(finite, frame, scan);
+  ScanFrame likely;
+  likely.unit = scan.likely_unit.empty() ? scan.unit : scan.likely_unit;
+  scan.overview = scanOverview(finite, scan.frame.up_axis, likely.metresPerUnit());
+  if (scan.is_sample) { // which tells nothing of points that are in one place
+    scan.overview.spacing *= std::sqrt(static_cast<double>(finite.size()) /
+                                       static_cast<double>(scan.finite_points));
+    scan.overview.duplicates = 0.0;
+  }
+  return scan;
+}
+
+std::vector<std::string>
+factsOf(const UnderstoodScan& scan)
+{
+  return {pointsText(scan), frameText(scan), seenText(scan.overview)};
+}
+
+std::vector<std::string>
+consequencesOf(const UnderstoodScan& scan)
+{
+  constexpr double room = 1.5;    // metres: no room is shorter
+  constexpr double sparse = 0.12; // metres, from where on surfaces get holes
+  const auto& overview = scan.overview;
+  std::vector<std::string> lines;
+  if (!scan.likely_unit.empty())
+    lines.push_back("The unit is likely " + scan.likely_unit + ": set -unit " +
+                    scan.likely_unit + ".");
+  const double longest = overview.extent.maxCoeff();
+  if (longest < room)
+    lines.push_back("The scan is " + lengthText(longest) +
+                    " large: a thing or a table, or its unit is another one (-unit).");
+  else if (overview.extent.z() < slice)
+    lines.push_back("The scan is a slice or a flat map, " +
+                    fixedText(overview.extent.z(), 2) +
+                    " m high: rooms need walls from floor to ceiling.");
+  else
+    addSurfaces(overview, lines);
+  if (overview.spacing > sparse)
+    lines.push_back("The points are sparse: surfaces are closed between them, and "
+                    "small things are lost.");
+  return lines;
+}
+
+std::string
+paragraphOf(const std::string& path, const UnderstoodScan& scan)
+{
+  std::string text = printable(path) + ":\n";
+  for (const auto& line : factsOf(scan))
+    text += "  " + line + "\n";
+  for (const auto& line : consequencesOf(scan))
+    text += "  - " + line + "\n";
+  return text;
+}
+
+nlohmann::ordered_json
+overviewJson(const UnderstoodScan& scan)
+{
+  constexpr const char* normals[] = {"file", "none in file", "none usable", "ignored"};
+  const auto& overview = scan.overview;
+  nlohmann::ordered_json json;
+  json["spacing"] = rounded(overview.spacing);
+  json["extent"] = positionJson(overview.extent);
+  if (!scan.likely_unit.empty())
+    json["likely_unit"] = scan.likely_unit;
+  json["room_height"] = rounded(overview.room_height);
+  json["up"] = positionJson(scan.frame.up_axis.cast<double>());
+  if (scan.frame.vertical.is_found)
+    json["tilt_degrees"] = rounded(scan.frame.vertical.tilt() / degree);
+  json["storeys"] = overview.storeys;
+  json["area"] = rounded(overview.area);
+  json["open_area"] = rounded(overview.open_area);
+  json["floor_seen"] = rounded(overview.floor_seen);
+  json["ceiling_seen"] = rounded(overview.ceiling_seen);
+  json["wall_sides"] = rounded(overview.wall_sides);
+  if (!scan.is_sample)
+    json["duplicates"] = rounded(overview.duplicates);
+  json["normals"] = normals[static_cast<int>(scan.normals)];
+  json["colours"] = scan.has_colors;
+  json["stations"] = scan.stations;
+  json["facts"] = factsOf(scan);
+  json["consequences"] = consequencesOf(scan);
+  return json;
+}
+
+std::string
+emptinessOf(const UnderstoodScan& scan, std::size_t rooms, std::uint64_t in_rooms)
+{
+  const double share =
+      scan.finite_points > 0
+          ? static_cast<double>(in_rooms) / static_cast<double>(scan.finite_points)
+          : 0.0;
+  if (rooms > 0 && share >= 0.5)
+    return {};
+  const auto why = consequencesOf(scan);
+  const auto& overview = scan.overview;
+  const auto reason = !why.empty() ? why.front()
+                      : overview.open_area > overview.area
+                          ? "Most of the scan is open ground, without walls around it."
+                          : "The scan shows no reason; -map and -min_area may.";
+  return (rooms == 0 ? "no room was found: "
+                     : "only " + percent(share) + " of the points are in rooms: ") +
+         reason;
+}
+
+} // namespace pcl::indoor::tool

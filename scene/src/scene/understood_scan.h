@@ -1,0 +1,73 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/cloud_file.h"
+#include "scene/scan_frame.h"
+
+#include <pcl/segmentation/rooms/building_frame.h>
+#include <pcl/segmentation/scan_overview.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief Where the normals of a scan come from. */
+enum class NormalsFrom { File, NoneInFile, NoneUsable, Ignored };
+
+/** \brief What was understood of a scan before the work. */
+struct UnderstoodScan {
+  ScanOverview overview; ///< in the unit and with the up axis that are used
+  std::uint64_t points = 0, finite_points = 0; ///< of the whole scan
+  bool is_sample = false;                      ///< only some of them were looked at
+  std::string unit;                            ///< that is used
+  std::string likely_unit; ///< that the height of the rooms suggests; empty if no other
+  UprightFrame frame;
+  bool up_is_set = false; ///< by the user
+  NormalsFrom normals = NormalsFrom::NoneInFile;
+  bool has_colors = false;
+  std::size_t stations = 1;
+};
+
+/** \brief Look at a scan, in well under a second.
+ * \param[in] points of the whole scan, of which the file has them all or a sample
+ */
+UnderstoodScan
+understand(const CloudFile& file,
+           const ScanFrame& frame,
+           std::uint64_t points,
+           bool ignores_normals = false);
+
+/** \brief What there is, a sentence or two each: points, unit and vertical, what was
+ * seen. */
+std::vector<std::string>
+factsOf(const UnderstoodScan& scan);
+
+/** \brief What lacks, and what that means for the result, a sentence each, the gravest
+ * first; empty if all is there that rooms are found from. */
+std::vector<std::string>
+consequencesOf(const UnderstoodScan& scan);
+
+/** \brief Facts and consequences as one paragraph for a terminal. */
+std::string
+paragraphOf(const std::string& path, const UnderstoodScan& scan);
+
+/** \brief All of it, as scene/schema/scene.schema.json has it ("overview"). */
+nlohmann::ordered_json
+overviewJson(const UnderstoodScan& scan);
+
+/** \brief Why a result is as good as empty: no room, or most points in none.
+ * \param[in] in_rooms points in rooms, of all that are finite
+ * \return one line; empty if the result is not
+ */
+std::string
+emptinessOf(const UnderstoodScan& scan, std::size_t rooms, std::uint64_t in_rooms);
+
+} // namespace pcl::indoor::tool

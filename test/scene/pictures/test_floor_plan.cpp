@@ -1,0 +1,204 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+// Plans of two rooms with a door between them, as SVG and DXF.
+#include "pictures/floor_plan.h"
+
+#include "files/tool_error.h"
+#include "pictures/plan_dxf.h"
+#include "pictures/plan_png.h"
+#include "pictures/plan_svg.h"
+#include "support/synthetic_scenes.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::tool;
+
+namespace {
+
+const BuildingRooms&
+twoRooms()
+{
+  static const auto building = segmentBuilding(test::twoRooms().points);
+  return building;
+}
+
+std::size_t
+count(const std::string& text, const std::string& part)
+{
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+/** Group codes with their values. */
+std::vector<std::pair<int, std::string>>
+readDxf(const std::string& text)
+{
+  std::istringstream stream(text);
+  std::vector<std::pair<int, std::string>> pairs;
+  for (std::string code, value; std::getline(stream, code);) {
+    EXPECT_TRUE(std::getline(stream, value));
+    pairs.emplace_back(std::stoi(code), value);
+  }
+  return pairs;
+}
+
+/** Pixels as 0xRRGGBB. */
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<unsigned char> bytes;
+
+  unsigned
+  at(int x, int y) const
+  {
+    const auto* p = bytes.data() + 3 * (static_cast<std::size_t>(y) * width + x);
+    return (p[0] << 16) + (p[1] << 8) + p[2];
+  }
+};
+
+Pixels
+readPng(const std::string& file)
+{
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  EXPECT_NE(png_image_begin_read_from_memory(&image, file.data(), file.size()), 0);
+  image.format = PNG_FORMAT_RGB;
+  Pixels pixels{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  pixels.bytes.resize(PNG_IMAGE_SIZE(image));
+  EXPECT_NE(png_image_finish_read(&image, nullptr, pixels.bytes.data(), 0, nullptr), 0);
+  return pixels;
+}
+
+} // namespace
+
+TEST(FloorPlan, OpeningsAreGapsInTheWalls)
+{
+  const auto plan = floorPlan(twoRooms());
+  ASSERT_EQ(plan.storeys.size(), 1u);
+  const auto& storey = plan.storeys[0];
+  ASSERT_EQ(storey.rooms.size(), 2u);
+  ASSERT_EQ(storey.openings.size(), 1u);
+  const auto& door = storey.openings[0];
+  EXPECT_TRUE(door.is_door);
+  EXPECT_NEAR(std::abs(door.along.y()), 1.0, 0.05); // the wall between stands across x
+  EXPECT_NEAR(door.along.dot(door.into), 0.0, 1e-9);
+  EXPECT_NEAR((door.leafEnd() - door.threshold().first).norm(), door.width, 1e-9);
+  const auto& smaller =
+      *std::min_element(storey.rooms.begin(),
+                        storey.rooms.end(),
+                        [](const auto& a, const auto& b) { return a.area < b.area; });
+  EXPECT_GT((smaller.place - door.middle).dot(door.into), 0.0);
+
+  double around = 0.0, walls = 0.0;
+  for (const auto& room : storey.rooms)
+    for (const auto& ring : room.rings)
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        around += (ring[(i + 1) % ring.size()] - ring[i]).norm();
+  for (const auto& [begin, end] : storey.walls)
+    walls += (end - begin).norm();
+  EXPECT_NEAR(around - walls, 2.0 * door.width, 0.02); // a gap on each side
+}
+
+TEST(FloorPlan, NothingFoundIsAnEmptyPlan)
+{
+  const auto plan = floorPlan({});
+  EXPECT_TRUE(plan.storeys.empty());
+  EXPECT_EQ(planSvg(plan).substr(0, 4), "<svg");
+  EXPECT_EQ(readDxf(planDxf(plan)).back().second, "EOF");
+}
+
+TEST(FloorPlan, DrawingsShowRoomsDoorsAndThings)
+{
+  const PlanThing thing{7, 0, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
+  const auto plan = floorPlan(twoRooms(), {thing});
+  const auto svg = planSvg(plan);
+  EXPECT_EQ(count(svg, "id=\"room-"), 2u);
+  EXPECT_EQ(count(svg, "class=\"door\""), 1u);
+  EXPECT_EQ(count(svg, " m²</text>"), 2u);
+  EXPECT_EQ(count(svg, "id=\"scale\""), 1u);
+  EXPECT_EQ(count(svg, "id=\"direction\""), 1u);
+  EXPECT_EQ(count(svg, "data-object"), 0u);
+  const auto storeys = storeySvgs(plan);
+  ASSERT_EQ(storeys.size(), 1u);
+  EXPECT_EQ(count(storeys[0], "data-object=\"7\""), 1u);
+  EXPECT_EQ(count(storeys[0], "id=\"scale\""), 0u);
+}
+
+TEST(FloorPlan, DxfHoldsTheSameInPlacesOfTheScan)
+{
+  auto plan = floorPlan(twoRooms());
+  plan.origin = {691000.0, 5334000.0};
+  const auto pairs = readDxf(planDxf(plan));
+  std::map<std::string, std::size_t> entities;
+  double least_x = 1e9;
+  std::string entity;
+  for (const auto& [code, value] : pairs) {
+    if (code == 0)
+      ++entities[entity = value];
+    if (code == 10 && entity == "VERTEX")
+      least_x = std::min(least_x, std::stod(value));
+  }
+  EXPECT_EQ(entities["SECTION"], 3u);
+  EXPECT_EQ(entities["ENDSEC"], 3u);
+  EXPECT_EQ(entities["LAYER"], 4u);
+  EXPECT_EQ(entities["POLYLINE"], 2u);
+  EXPECT_EQ(entities["SEQEND"], 2u);
+  EXPECT_EQ(entities["ARC"], 1u);
+  EXPECT_EQ(entities["TEXT"], 4u);
+  EXPECT_EQ(entities["LINE"], plan.storeys[0].walls.size() + 2);
+  EXPECT_NEAR(least_x, plan.box.min().x() + 691000.0, 1e-3);
+  EXPECT_EQ(pairs.back(), std::make_pair(0, std::string("EOF")));
+}
+
+TEST(FloorPlan, IsDrawnAsPng)
+{
+  if (!canDrawPlans())
+    GTEST_SKIP() << "built without librsvg";
+  const std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 60 40\" width=\"60\" "
+      "height=\"40\"><rect width=\"60\" height=\"40\" fill=\"white\"/><rect x=\"10\" "
+      "y=\"10\" width=\"20\" height=\"5\" fill=\"red\"/><text x=\"35\" y=\"30\" "
+      "font-family=\"sans-serif\" font-size=\"14\">88</text></svg>";
+  const auto twice = readPng(drawnAsPng(svg));
+  ASSERT_EQ(twice.width, 120);
+  ASSERT_EQ(twice.height, 80);
+  EXPECT_EQ(twice.at(40, 25), 0xFF0000u);
+  EXPECT_EQ(twice.at(40, 35), 0xFFFFFFu);
+  int dark = 0;
+  for (int y = 35; y < 65; ++y)
+    for (int x = 65; x < 115; ++x)
+      dark += (twice.at(x, y) & 0xFFu) < 0x80u ? 1 : 0;
+  EXPECT_GT(dark, 100) << "no letters";
+  EXPECT_LT(dark, 800);
+
+  const auto small = readPng(drawnAsPng(svg, 30));
+  EXPECT_EQ(small.width, 30);
+  EXPECT_EQ(small.height, 20);
+  EXPECT_EQ(small.at(10, 6), 0xFF0000u);
+  EXPECT_THROW(drawnAsPng("<svg"), ToolError);
+}
+
+TEST(FloorPlan, PngShowsTheWallsOfTheSvg)
+{
+  if (!canDrawPlans())
+    GTEST_SKIP() << "built without librsvg";
+  const auto drawing = readPng(drawnAsPng(planSvg(floorPlan(twoRooms()))));
+  int walls = 0;
+  for (int y = 0; y < drawing.height; ++y)
+    for (int x = 0; x < drawing.width; ++x)
+      walls += drawing.at(x, y) < 0x606060u && (drawing.at(x, y) & 0xFFu) < 0x60u;
+  EXPECT_GT(walls, 2000);
+  EXPECT_LT(walls, drawing.width * drawing.height / 10);
+}

@@ -1,0 +1,21 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "command_line/options.h"
+#include "files/point_coordinates.h"
+#include "formats/table_columns.h"
+
+namespace pcl::indoor::tool {
+
+/** \brief The option -columns. */
+void
+addOption(OptionParser& parser, TableColumns& columns);
+
+/** \brief The option -double. */
+void
+addOption(OptionParser& parser, PointCoordinates& coordinates);
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,84 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "pipeline/result_tables.h"
+
+#include "text/printable.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+bool
+isThing(const SceneObject& object)
+{
+  return object.structure == 0;
+}
+
+TextTable
+storeyTable(const Scene& scene)
+{
+  TextTable table({"storey>", "rooms>", "area, m^2>", "objects>"});
+  for (std::size_t s = 0; s < scene.building.maps.size(); ++s) {
+    std::size_t rooms = 0;
+    double area = 0.0;
+    for (const auto& room : scene.rooms)
+      if (room.storey == s) {
+        ++rooms;
+        area += room.area;
+      }
+    const auto objects = std::count_if(
+        scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+          return isThing(object) && object.room > 0 &&
+                 scene.rooms[object.room - 1].storey == s;
+        });
+    table.add({std::to_string(s),
+               std::to_string(rooms),
+               fixedText(area, 1),
+               std::to_string(objects)});
+  }
+  return table;
+}
+
+TextTable
+classTable(const Scene& scene)
+{
+  std::map<std::string, std::size_t> counts;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (isThing(scene.objects[i]))
+      ++counts[scene.classes.names[scene.classes.objects[i].category]];
+  std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+    return a.second > b.second;
+  });
+  TextTable table({"class", "objects>"});
+  for (const auto& [name, count] : sorted)
+    table.add({name, std::to_string(count)});
+  return table;
+}
+
+} // namespace
+
+std::vector<TextTable>
+tablesOf(const Scene& scene, const std::vector<Progress::Stage>& stages)
+{
+  std::vector<TextTable> tables = {storeyTable(scene)};
+  if (!scene.classes.names.empty())
+    tables.push_back(classTable(scene));
+  TextTable times({"stage", "seconds>"});
+  double all = 0.0;
+  for (const auto& stage : stages) {
+    times.add({stage.name, fixedText(stage.seconds, 1)});
+    all += stage.seconds;
+  }
+  times.add({"all", fixedText(all, 1)});
+  tables.push_back(std::move(times));
+  return tables;
+}
+
+} // namespace pcl::indoor::tool
