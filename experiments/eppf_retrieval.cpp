@@ -3,9 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/progress_report.h"
 #include "files/cloud_file.h"
 #include "objects/eppf_options.h"
-#include "objects/loaded_objects.h"
+#include "objects/labelled_objects.h"
 #include "objects/object_files.h"
 #include "retrieval/feature_correlation.h"
 #include "retrieval/retrieval_report.h"
@@ -314,10 +315,9 @@ run(const Settings& settings, Progress& progress)
        {settings.json, settings.confusion, settings.confusion_picture, settings.plot})
     if (!path.empty())
       requireWritable(path);
-  auto objects = loadedObjects(settings.folder,
-                               experiment.neighbor_count,
-                               experiment.number_of_threads,
-                               progress);
+  ProgressReport report(progress);
+  auto objects = loadLabelledObjects(
+      settings.folder, experiment.neighbor_count, experiment.number_of_threads, report);
   if (settings.normal_method == "rrht")
     estimateHoughNormals(objects, experiment.number_of_threads, progress);
   const auto scale = scaleOf(objects);

@@ -6,8 +6,10 @@
 #include "files/cloud_file.h"
 #include "files/random_numbers.h"
 #include "objects/object_files.h"
+#include "rooms/collected_objects.h"
 #include "scene/category_names.h"
 #include "scene/scan_frame.h"
+#include "text/printable.h"
 
 #include <pcl/segmentation/room_objects.h>
 
@@ -112,7 +114,7 @@ classOf(const ClassCounts& counts, double share)
 }
 
 struct ScanObjects {
-  pcl::indoor::BuildingObjects found;
+  pcl::indoor::tool::CollectedObjects found;
   std::vector<std::string> classes; ///< one per object
 };
 
@@ -148,21 +150,22 @@ findObjects(const Options& options, const CloudFile& file, Progress& progress)
   progress.start("Segmenting rooms");
   pcl::RoomSegmentation<pcl::PointXYZ> rooms;
   rooms.setNumberOfThreads(options.threads);
-  const auto room_of_point = segmentRooms(file, {}, {}, rooms).room_of_point;
+  const auto room_of_point =
+      segmentRooms(file, {}, {}, rooms, printWarning).room_of_point;
   progress.done(summaryOf(rooms));
 
   progress.start("Segmenting objects");
-  pcl::indoor::ObjectSegmentationOptions segmentation;
+  RoomWork work;
+  work.options.threads = 1; // the threads are busy with the rooms
   if (!given.empty())
-    segmentation.fewest_points = 0; // small ones are objects, too
+    work.options.fewest_points = 0; // small ones are objects, too
   ScanObjects objects;
-  objects.found = pcl::indoor::segmentBuildingObjects(
+  objects.found = collectObjects(
       *file.points,
-      nullptr,
       room_of_point,
-      segmentation,
-      options.threads,
       given,
+      work,
+      options.threads,
       [&](std::size_t done, std::size_t all) { progress.update(done, all); });
   std::vector<ClassCounts> counts(objects.found.surfaces.size());
   for (std::size_t i = 0; i < categories.size(); ++i) {

@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/progress_report.h"
 #include "files/output_file.h"
 #include "objects/file_classification.h"
 
@@ -25,13 +26,14 @@ struct Settings {
 std::vector<ClassifiedFile>
 classified(const Settings& settings, Progress& progress)
 {
+  ProgressReport report(progress);
   auto paths = settings.arguments;
   if (!settings.known_folder.empty()) {
     const auto known = objectsOfFolder(settings.known_folder);
     auto classification = settings.classification;
     if (settings.descriptor == "point_nn")
       classification.descriptor = NearestDescriptor::PointNN;
-    return classifyByNearest(objectFiles(paths), known, classification, progress);
+    return classifyByNearest(objectFiles(paths), known, classification, report);
   }
   if (settings.descriptor == "point_nn")
     throw ToolError("-descriptor: point_nn goes with -nearest only");
@@ -40,7 +42,7 @@ classified(const Settings& settings, Progress& progress)
                     "folder of known objects; -h shows the syntax");
   const auto model = pcl::indoor::loadModel(paths.front());
   paths.erase(paths.begin());
-  return classifyByModel(objectFiles(paths), model, settings.classification, progress);
+  return classifyByModel(objectFiles(paths), model, settings.classification, report);
 }
 
 void

@@ -2,96 +2,32 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "command_line/progress_report.h"
 #include "files/output_file.h"
-#include "objects/loaded_objects.h"
+#include "objects/labelled_objects.h"
 #include "objects/object_files.h"
 #include "pictures/confusion_picture.h"
+#include "training/epoch_writer.h"
+#include "training/stop_requests.h"
 #include "training/training_pool.h"
 #include "training/training_report.h"
 #include "training/training_settings.h"
-#include <pcl/indoor/parallel_for.h>
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/ml/model_file.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
-#include <fstream>
 
 namespace {
 
 using namespace pcl::indoor; // a tool of the cores
 using namespace pcl::indoor::tool;
 
-volatile std::sig_atomic_t is_asked_to_stop = 0;
-
-void
-askToStop(int)
-{
-  is_asked_to_stop = 1;
-}
-
-/** \brief Lets Ctrl-C end the training after its epoch, for as long as this lives. */
-class StopRequests {
-public:
-  StopRequests()
-  : interrupt_(std::signal(SIGINT, askToStop))
-  , terminate_(std::signal(SIGTERM, askToStop))
-  {
-    if (interrupt_ == SIG_IGN) // in the background of a script
-      std::signal(SIGINT, SIG_IGN);
-  }
-  StopRequests(const StopRequests&) = delete;
-  StopRequests&
-  operator=(const StopRequests&) = delete;
-  ~StopRequests()
-  {
-    std::signal(SIGINT, interrupt_);
-    std::signal(SIGTERM, terminate_);
-  }
-
-private:
-  using Handler = void (*)(int);
-  Handler interrupt_;
-  Handler terminate_;
-};
-
 /** \brief What the networks learn from. */
 struct TrainingData {
   TrainingSet training;
   TrainingSet validation;
-};
-
-/** \brief The epochs as they come, and what is written of them while they come. */
-class EpochWriter {
-public:
-  EpochWriter(std::string path, bool has_validation)
-  : path_(std::move(path))
-  , has_validation_(has_validation)
-  {}
-
-  /** \brief Write what the networks so far gave, also before a resume. */
-  void
-  write(const EpochLog& log)
-  {
-    if (path_.empty())
-      return;
-    stream_.close();
-    saveText(path_, logText(log, has_validation_));
-    stream_.open(path_, std::ios::app);
-  }
-
-  void
-  add(std::size_t network, const EpochReport& epoch)
-  {
-    if (!path_.empty())
-      stream_ << logLine(network, epoch, has_validation_) << std::flush;
-  }
-
-private:
-  std::string path_;
-  bool has_validation_;
-  std::ofstream stream_;
 };
 
 void
@@ -192,13 +128,13 @@ trainedNetworks(const Network& design,
                                             : epoch.training_accuracy));
       progress.update(
           k * epochs + static_cast<std::size_t>(epoch.epoch), count * epochs, accuracy);
-      return is_asked_to_stop == 0;
+      return !StopRequests::isThereOne();
     };
     auto result =
         trainNetwork(network, data.training, data.validation, options, report);
     log.push_back(result.epochs);
     networks.push_back(std::move(result.network));
-    if (is_asked_to_stop != 0) {
+    if (StopRequests::isThereOne()) {
       writer.write(log);
       throw ToolError("stopped after epoch " +
                       std::to_string(result.epochs.back().epoch) +
@@ -248,8 +184,9 @@ run(const TrainingSettings& settings, Progress& progress)
 {
   requireUsable(settings);
   requireOutputs(settings);
-  const auto objects = loadedObjects(
-      settings.folder, settings.draws.neighbor_count, settings.threads, progress);
+  ProgressReport report(progress);
+  const auto objects = loadLabelledObjects(
+      settings.folder, settings.draws.neighbor_count, settings.threads, report);
   const auto split = splitOf(objects, settings);
   ClassifierModel model;
   model.classes = objects.class_names;

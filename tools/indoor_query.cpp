@@ -3,11 +3,11 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
-#include "command_line/text_table.h"
 #include "formats/json_text.h"
 #include "scene/scene_query.h"
 #include "text/place_text.h"
 #include "text/printable.h"
+#include "text/text_table.h"
 
 using namespace pcl::indoor::tool;
 using Json = nlohmann::ordered_json;

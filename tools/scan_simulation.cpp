@@ -5,7 +5,7 @@
 #include "command_line/options.h"
 #include "command_line/preset.h"
 #include "files/cloud_file.h"
-#include "simulation/scanner_options.h"
+#include "simulation/simulation_options.h"
 #include "text/place_text.h"
 
 #include <pcl/conversions.h>
@@ -24,61 +24,6 @@ namespace {
 
 using namespace pcl::indoor::tool;
 
-struct Options {
-  std::string plan_file, output_file, json_file;
-  std::string view, target = "0,0,0.7"; // X,Y,Z or random; no view: a moving sensor
-  ScannerOptions scanner;
-  double leaf_size = 0.04;
-  double lean = -1.0;         // degrees; -1: as the plan says
-  double lean_towards = -1.0; // degrees; -1: the walls that the plan names
-};
-
-OptionParser
-makeParser(Options& options)
-{
-  OptionParser parser(
-      "pcl_scan_simulation",
-      "Builds the rooms and furniture of a plan file and scans them with "
-      "a moving range sensor; every point gets the fields room, object, "
-      "part and category.");
-  parser
-      .positional("plan.json",
-                  options.plan_file,
-                  "plan of the building, or random:home:SEED, random:office:SEED, "
-                  "random:table:SEED, with :cluttered behind it for many small things, "
-                  "or :lived_in for belongings and furniture of all shapes")
-      .positional("output.pcd|ply", options.output_file, "the scan");
-  addScannerOptions(parser, options.scanner);
-  parser
-      .number("-leaf",
-              options.leaf_size,
-              "keep one point per cube of this edge, 0 = all",
-              "m",
-              Range::atLeast(0.0))
-      .number("-lean",
-              options.lean,
-              "angle of all that leans in the plan, -1 = as the plan says",
-              "degrees",
-              Range::between(-1.0, 45.0))
-      .number("-lean_towards",
-              options.lean_towards,
-              "direction in which the whole building leans, counter-clockwise from +x, "
-              "-1 = the walls that the plan names lean",
-              "degrees",
-              Range::between(-1.0, 360.0))
-      .text(
-          "-view",
-          options.view,
-          "X,Y,Z in m, where a depth camera stands: what it sees at once, an organised "
-          "cloud in its frame; random: from one of the positions, drawn by -seed, to "
-          "an object; options of the moving sensor's rays do not count")
-      .text(
-          "-target", options.target, "X,Y,Z in m, in the middle of the view from X,Y,Z")
-      .text("-json", options.json_file, "file for the names of rooms and objects");
-  parser.expert({"-lean", "-lean_towards", "-view", "-target"});
-  return parser;
-}
-
 pcl::PCLPointCloud2
 toCloud(const pcl::PointCloud<pcl::indoor::PointXYZScene>& points)
 {
@@ -96,28 +41,8 @@ toCloud(const pcl::indoor::SimulatedScan& scan)
   return toCloud(points);
 }
 
-void
-requireUsable(const Options& options)
-{
-  if (options.leaf_size > 0 && options.leaf_size < 0.001)
-    throw ToolError("-leaf must be 0 or at least 0.001 m, not " +
-                    std::to_string(options.leaf_size) + " m");
-  for (const double angle : {options.lean, options.lean_towards})
-    if (angle < 0 && angle != -1)
-      throw ToolError("-lean and -lean_towards must be -1 or at least 0 degrees, not " +
-                      std::to_string(angle) + " degrees");
-  if (options.lean_towards >= 0 && options.lean < 0)
-    throw ToolError("-lean_towards needs -lean");
-  if (options.scanner.name != "sphere" && !options.view.empty())
-    throw ToolError("-view looks with a camera, not with -scanner " +
-                    options.scanner.name);
-  requireWritableCloud(options.output_file);
-  if (!options.json_file.empty())
-    requireWritable(options.json_file);
-}
-
 pcl::indoor::Plan
-planOf(const Options& options)
+planOf(const SimulationOptions& options)
 {
   const auto random = pcl::indoor::randomPlanNamed(options.plan_file);
   auto plan = random ? *random : pcl::indoor::readPlan(options.plan_file);
@@ -136,7 +61,7 @@ struct Scan {
 };
 
 void
-requireSeen(bool any_surface, const Options& options)
+requireSeen(bool any_surface, const SimulationOptions& options)
 {
   if (!any_surface)
     throw ToolError(options.plan_file + ": no ray found a surface");
@@ -145,7 +70,7 @@ requireSeen(bool any_surface, const Options& options)
 Scan
 scanWithMovingSensor(const pcl::indoor::Plan& plan,
                      const pcl::indoor::Building& building,
-                     Options& options,
+                     SimulationOptions& options,
                      Progress& progress)
 {
   const auto trajectory =
@@ -178,7 +103,7 @@ pathsOf(const pcl::indoor::Plan& plan,
 Scan
 scanWithLidar(const pcl::indoor::Plan& plan,
               const pcl::indoor::Building& building,
-              Options& options,
+              SimulationOptions& options,
               Progress& progress)
 {
   const auto paths = pathsOf(plan, building, options.scanner.path);
@@ -204,7 +129,7 @@ scanWithLidar(const pcl::indoor::Plan& plan,
 
 Scan
 scanWithHandCamera(const pcl::indoor::Building& building,
-                   const Options& options,
+                   const SimulationOptions& options,
                    Progress& progress)
 {
   auto scan = captureRooms(building, options.scanner.rooms, progress);
@@ -215,7 +140,7 @@ scanWithHandCamera(const pcl::indoor::Building& building,
 
 Scan
 scanWithCamera(const pcl::indoor::Building& building,
-               const Options& options,
+               const SimulationOptions& options,
                Progress& progress)
 {
   progress.start("Seeing it");
@@ -238,7 +163,7 @@ scanWithCamera(const pcl::indoor::Building& building,
 Scan
 scanWithScanner(const pcl::indoor::Plan& plan,
                 const pcl::indoor::Building& building,
-                Options& options,
+                SimulationOptions& options,
                 Progress& progress)
 {
   if (!options.view.empty())
@@ -251,7 +176,7 @@ scanWithScanner(const pcl::indoor::Plan& plan,
 }
 
 void
-simulate(Options& options, Progress& progress)
+simulate(SimulationOptions& options, Progress& progress)
 {
   requireUsable(options);
   progress.start("Building " + options.plan_file);
@@ -280,11 +205,11 @@ simulate(Options& options, Progress& progress)
 int
 main(int argc, char** argv)
 {
-  Options options;
+  SimulationOptions options;
   options.scanner = scannerOptions(givenText(argc, argv, "-scanner"));
   if (givenText(argc, argv, "-scanner") == hand_camera)
     options.leaf_size = 0; // the vertices are thinned already
-  return makeParser(options).run(argc, argv, [&](Progress& progress) {
+  return simulationParser(options).run(argc, argv, [&](Progress& progress) {
     completeScanner(options.scanner, argc, argv);
     simulate(options, progress);
   });

@@ -25,7 +25,7 @@ configure "$folder/build" || { cat "$folder/build.log"; exit 1; }
 # the program of docs/guide/cpp.md, by its own CMakeLists.txt
 mkdir "$folder/guide"
 firstBlock() { awk -v begin="\`\`\`$1" '/^```/ { if (inside) exit; inside = $0 == begin; next } inside' "$here/../../docs/guide/cpp.md"; }
-firstBlock cpp > "$folder/guide/rooms_and_things.cpp"
+firstBlock cpp > "$folder/guide/describe_building.cpp"
 firstBlock cmake > "$folder/guide/CMakeLists.txt"
 "$cmake" -S "$folder/guide" -B "$folder/guide/build" -Wno-dev -DCMAKE_PREFIX_PATH="$folder/prefix" > "$folder/guide.log" 2>&1 \
   || { cat "$folder/guide.log"; exit 1; }
@@ -68,6 +68,9 @@ if configure "$folder/newer"; then
   echo "Version 99.0 is found, there is only $version"
   exit 1
 fi
+
+# the library describes a building as the tool does
+"$here/same_scene.sh" "$cmake" "$folder/prefix"
 
 # tools run from where they are installed, with the libraries installed beside them
 "$folder/prefix/bin/pcl_room_segmentation" -h > /dev/null

@@ -28,6 +28,7 @@ cmake --build "$folder/build" > "$folder/log" 2>&1 || { cat "$folder/log"; exit 
 "$usr/bin/pcl_scan_simulation" "$usr/share/pcl_indoor/plans/flat.json" "$folder/flat.pcd" -quiet
 "$usr/bin/pcl_indoor_pipeline" "$folder/flat.pcd" "$folder/flat" -quiet
 "$usr/bin/pcl_indoor_query" "$folder/flat/scene.json" -class door
+"$here/same_scene.sh" cmake "$usr"
 for file in share/pcl_indoor/scene.schema.json share/man/man1/pcl_indoor_query.1 \
   share/bash-completion/completions/pcl_indoor_query; do
   [ -e "$usr/$file" ] || [ -e "$usr/$file.gz" ] || { echo "$file is missing"; exit 1; }

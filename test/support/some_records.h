@@ -28,10 +28,10 @@ someRoom()
 }
 
 /** A scene of one room on one storey. */
-inline tool::Scene
+inline Scene
 someScene()
 {
-  tool::Scene scene;
+  Scene scene;
   scene.room_of_point = {1, 0, 1};
   scene.rooms.resize(1);
   scene.rooms[0].label = 1;

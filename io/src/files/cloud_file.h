@@ -5,11 +5,11 @@
 #pragma once
 
 #include "files/cloud_writer.h" // for CloudFrame
-#include "files/station.h"
 #include "files/tool_error.h"
 #include "formats/file_header.h"
 #include "formats/table_columns.h"
 
+#include <pcl/io/station.h>
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "files/cloud_writer.h" // for CloudFrame
-#include "files/station.h"
 
+#include <pcl/io/station.h>
 #include <pcl/PCLPointCloud2.h>
 
 #include <cstdint>

@@ -88,12 +88,20 @@ withCoordinates(const PCLPointCloud2& cloud,
 
 } // namespace
 
+Eigen::Vector3d
+PointCoordinates::offsetOf(const CloudFile& file) const
+{
+  if (doubles)
+    return Eigen::Vector3d::Zero();
+  return hasDoubles(file.cloud) ? file.offset : file.frame.offset;
+}
+
 void
 PointCoordinates::apply(CloudFile& file, const std::string& output) const
 {
   if (!doubles && !hasDoubles(file.cloud))
     return;
-  const Eigen::Vector3d offset = doubles ? Eigen::Vector3d::Zero() : file.offset;
+  const auto offset = offsetOf(file);
   const Eigen::Vector3d shift = offset - file.frame.offset;
   file.cloud = withCoordinates(
       file.cloud, doubles ? PCLPointField::FLOAT64 : PCLPointField::FLOAT32, shift);

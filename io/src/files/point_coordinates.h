@@ -18,6 +18,10 @@ namespace pcl::indoor::tool {
 struct PointCoordinates {
   bool doubles = false;
 
+  /** \brief The offset that apply() gives a file, which has its fields. */
+  Eigen::Vector3d
+  offsetOf(const CloudFile& file) const;
+
   /** \brief Make doubles floats relative to CloudFile::offset, which the file then
    * tells, and say so on stderr; floats stay as they are. With -double, make them
    * doubles without an offset. All other fields stay as they are.

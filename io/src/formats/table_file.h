@@ -4,9 +4,9 @@
  */
 #pragma once
 
-#include "files/station.h"
 #include "formats/table_columns.h"
 
+#include <pcl/io/station.h>
 #include <pcl/PCLPointCloud2.h>
 
 #include <cstdint>

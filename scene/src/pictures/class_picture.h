@@ -5,7 +5,7 @@
 #pragma once
 
 #include "pictures/picture.h"
-#include "scene/scene_file.h"
+#include "scene/scene_json.h"
 
 namespace pcl::indoor::tool {
 

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "scene/scene_file.h"
+#include "scene/scene_json.h"
 
 #include <nlohmann/json.hpp>
 

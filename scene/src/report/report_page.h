@@ -6,7 +6,7 @@
 
 #include "pictures/floor_plan.h"
 #include "pictures/picture.h"
-#include "scene/scene_file.h"
+#include "scene/scene_json.h"
 
 #include <nlohmann/json.hpp>
 

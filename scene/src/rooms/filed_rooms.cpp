@@ -8,6 +8,7 @@
 #include "files/tool_error.h"
 #include "formats/record.h"
 #include "rooms/room_points_file.h"
+#include "scan/scan.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 
@@ -134,7 +135,7 @@ filesOfSample(const Scene& scene, const PointCloud<PointXYZ>& standing)
 }
 
 FiledRooms
-filePoints(Scan& scan,
+filePoints(ScanContent& scan,
            bool with_normals,
            WorkFolder& folder,
            const Scene& scene,
@@ -216,7 +217,7 @@ filedBefore(const WorkFolder& folder)
 } // namespace
 
 FiledRooms
-fileRooms(Scan& scan,
+fileRooms(ScanContent& scan,
           bool with_normals,
           WorkFolder& folder,
           const PointCloud<PointXYZ>& standing,

@@ -4,9 +4,9 @@
  */
 #pragma once
 
+#include "files/scan_content.h"
 #include "rooms/scene_rooms.h"
 #include "rooms/work_folder.h"
-#include "scan/scan.h"
 
 #include <Eigen/Geometry>
 
@@ -42,7 +42,7 @@ struct FiledRooms {
  * of its rooms are made those of all points
  */
 FiledRooms
-fileRooms(Scan& scan,
+fileRooms(ScanContent& scan,
           bool with_normals,
           WorkFolder& folder,
           const PointCloud<PointXYZ>& standing,

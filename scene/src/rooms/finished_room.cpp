@@ -25,9 +25,11 @@ finishRoom(RoomPoints room, const RoomWork& work)
   finished.objects = segmentRoomObjects(std::move(room), work.options);
   putBack(removed, finished.objects);
   finished.measures = measureObjects(positions, standing, finished.objects);
-  const auto surfaces = std::exchange(finished.objects.surfaces, {});
-  if (work.model)
-    finished.classes = classesOf(surfaces, finished.measures, *work.model, 1);
+  if (work.naming)
+    finished.classes =
+        classesOf(finished.objects.surfaces, finished.measures, *work.naming);
+  if (!work.keeps_surfaces)
+    finished.objects.surfaces = {};
   return finished;
 }
 

@@ -7,7 +7,6 @@
 #include "rooms/room_preparation.h"
 #include "scene/object_classes.h"
 
-#include <pcl/ml/classifier_model.h>
 #include <pcl/segmentation/room_objects.h>
 
 #include <Eigen/Core>
@@ -22,8 +21,9 @@ namespace pcl::indoor::tool {
 struct RoomWork {
   RoomPreparation preparation;
   ObjectSegmentationOptions options;
-  std::optional<ClassifierModel> model; ///< without it there are no classes
-  bool is_standing = true;              ///< z is up and the unit is the metre
+  std::optional<ObjectNaming> naming; ///< without it there are no classes
+  bool keeps_surfaces = false;        ///< of the objects, to learn classes from
+  bool is_standing = true;            ///< z is up and the unit is the metre
   double metres_per_unit = 1.0;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< of the building
 
@@ -49,7 +49,7 @@ struct RoomWork {
 
 /** \brief A room with everything that is found in it, in its own numbers. */
 struct FinishedRoom {
-  RoomObjects objects;                  ///< without their surfaces
+  RoomObjects objects; ///< without their surfaces, unless these are kept
   std::vector<ObjectMeasures> measures; ///< one per object, but for the upright box
                                         ///< in the frame of CloudFile::points
   std::vector<ObjectClass> classes;     ///< one per object; empty without a model

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/scene/scene_options.h>
 #include <pcl/segmentation/room_objects.h>
 
 #include <cstdint>
@@ -11,15 +12,6 @@
 #include <vector>
 
 namespace pcl::indoor::tool {
-
-/** \brief What is done to the points of a room before its objects are found (Sec.
- * 2.1.5). */
-struct RoomPreparation {
-  bool removes_outliers = false; ///< see scanOutliers()
-  /** how the normals of points are found that have none: voxels, by the segmentation;
-   * rrht, see HoughNormalEstimation; multi_scale, see multiScaleNormals() */
-  std::string normals = "voxels";
-};
 
 /** \brief Take the outliers out of a room, and estimate its normals.
  * \param[in,out] room z up, metres

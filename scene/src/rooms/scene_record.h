@@ -5,7 +5,7 @@
 #pragma once
 
 #include "rooms/finished_room.h"
-#include "scene/scene_file.h"
+#include "scene/scene_json.h"
 
 #include <optional>
 #include <string>

@@ -5,50 +5,20 @@
 #include "rooms/scene_rooms.h"
 
 #include "files/tool_error.h"
-#include "rooms/scene_record.h"
 
 #include <pcl/indoor/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
-#include <filesystem>
 #include <iterator>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 namespace pcl::indoor::tool {
-namespace {
-
-/** A room that is finished and has as many points as it should; else nothing. */
-std::optional<FinishedRoom>
-finishedRoom(const WorkFolder& folder, std::size_t room, std::size_t size)
-{
-  const auto bytes = folder.read(roomFile(room));
-  auto finished = bytes ? roomOf(*bytes) : std::nullopt;
-  return finished && finished->objects.object_of_point.size() == size ? finished
-                                                                      : std::nullopt;
-}
-
-/** Wait for the files of rooms that other machines have written: a network's file
- * system may show them up to a minute late. */
-void
-awaitFiles(const WorkFolder& folder, const std::vector<std::size_t>& rooms)
-{
-  constexpr int longest = 60; // seconds, for all of them
-  int waited = 0;
-  for (const auto room : rooms)
-    for (; !std::filesystem::exists(folder.path(roomFile(room))) && waited < longest;
-         ++waited)
-      std::this_thread::sleep_for(std::chrono::seconds(1));
-}
-
-} // namespace
 
 void
 finishRooms(const RoomSource& source,
             const RoomWork& work,
-            WorkFolder& folder,
+            RoomStore& store,
             int threads,
             const PointsDone& report,
             const ShareRooms& share)
@@ -57,7 +27,7 @@ finishRooms(const RoomSource& source,
   std::vector<std::size_t> left;
   for (const auto room : largestFirst(source.sizes)) {
     all += source.sizes[room];
-    if (finishedRoom(folder, room, source.sizes[room]))
+    if (store.room(room, source.sizes[room]))
       done += source.sizes[room];
     else
       left.push_back(room);
@@ -68,14 +38,14 @@ finishRooms(const RoomSource& source,
     report(done += source.sizes[room], all);
   };
   if (share) {
-    share(left, is_done);
-    return awaitFiles(folder, left);
+    share(source, left, is_done);
+    return store.await(left);
   }
   std::mutex mutex;
   parallelFor(
       static_cast<std::ptrdiff_t>(left.size()), threads, 1, [&](std::ptrdiff_t i) {
         const auto room = left[static_cast<std::size_t>(i)];
-        folder.write(roomFile(room), roomBytes(finishRoom(source.points(room), work)));
+        store.putRoom(room, finishRoom(source.points(room), work));
         const std::lock_guard<std::mutex> lock(mutex);
         is_done(room);
       });
@@ -83,16 +53,15 @@ finishRooms(const RoomSource& source,
 
 void
 gatherRooms(const RoomSource& source,
-            const WorkFolder& folder,
+            const RoomStore& store,
             Scene& scene,
             const VisitRoom& visit)
 {
   constexpr auto remainder = static_cast<std::uint32_t>(StructureKind::Remainder);
   for (std::size_t room = 0; room < source.sizes.size(); ++room) {
-    auto own = finishedRoom(folder, room, source.sizes[room]);
+    auto own = store.room(room, source.sizes[room]);
     if (!own)
-      throw ToolError(folder.path(roomFile(room)) +
-                      ": the file is gone or damaged; start again to go on");
+      throw ToolError(store.absence(room));
     visit(room, static_cast<std::uint32_t>(scene.objects.size()), own->objects);
     const bool is_room = room < scene.rooms.size();
     for (const auto& measures : own->measures)

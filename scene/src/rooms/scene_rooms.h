@@ -5,8 +5,7 @@
 #pragma once
 
 #include "rooms/finished_room.h"
-#include "rooms/work_folder.h"
-#include "scene/scene_file.h"
+#include "rooms/room_store.h"
 
 #include <cstddef>
 #include <functional>
@@ -27,22 +26,23 @@ struct RoomSource {
 /** \brief Is told how many of all points are done, from one thread at a time. */
 using PointsDone = std::function<void(std::size_t done, std::size_t all)>;
 
-/** \brief Finishes rooms in this order, each into a file of the folder, with the help
- * of other processes.
+/** \brief Finishes rooms in this order, each into the store, with the help of other
+ * processes.
  * \param[in] is_done is to be told of each room, by one thread at a time */
 using ShareRooms =
-    std::function<void(const std::vector<std::size_t>& order,
+    std::function<void(const RoomSource& source,
+                       const std::vector<std::size_t>& order,
                        const std::function<void(std::size_t room)>& is_done)>;
 
 /** \brief Finish the rooms that are not finished yet, large ones first; each goes into
- * a file of the folder, see roomFile().
+ * the store.
  * \param[in] threads 0 = automatic; the result does not depend on it
  * \param[in] share finishes them instead of the threads of this process, if given
  */
 void
 finishRooms(const RoomSource& source,
             const RoomWork& work,
-            WorkFolder& folder,
+            RoomStore& store,
             int threads,
             const PointsDone& report,
             const ShareRooms& share = {});
@@ -54,11 +54,11 @@ using VisitRoom = std::function<void(
 /** \brief Put what was found in the rooms into the scene, which knows its rooms: all
  * but objects and structure of the points.
  * \param[in] visit is called with each room
- * \throws ToolError if the folder lacks one of them
+ * \throws ToolError if the store lacks one of them
  */
 void
 gatherRooms(const RoomSource& source,
-            const WorkFolder& folder,
+            const RoomStore& store,
             Scene& scene,
             const VisitRoom& visit);
 

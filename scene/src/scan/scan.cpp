@@ -5,23 +5,17 @@
 #include "scan/scan.h"
 
 #include "files/cloud_sample.h"
-#include "files/joined_clouds.h"
 #include "files/placed_points.h"
-#include "files/sampled_surface.h"
-#include "text/printable.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 namespace pcl::indoor::tool {
 namespace {
-
-namespace fs = std::filesystem;
 
 /** Of many small blocks: a block may be one line of a scanner. */
 PCLPointCloud2
@@ -52,7 +46,7 @@ setSensor(const CloudFile& file, PointCloud<PointXYZ>& cloud)
 /** What a sample of the points tells of all: where they are, and if their normals are
  * any. */
 void
-setPlaces(const PCLPointCloud2& sample, Scan& scan)
+setPlaces(const PCLPointCloud2& sample, ScanContent& scan)
 {
   auto& file = scan.file;
   const auto placed = placedPoints(sample, file.cloud.height > 1);
@@ -68,26 +62,15 @@ setPlaces(const PCLPointCloud2& sample, Scan& scan)
     file.notes.push_back(note);
 }
 
-} // namespace
-
-std::unique_ptr<CloudStream>
-joinedScans(const std::vector<std::string>& files,
-            std::vector<std::unique_ptr<CloudStream>> opened,
-            const TableColumns& columns)
+/** What the files told stands before what the points did. */
+void
+putNotesFirst(ScanContent& scan, std::vector<std::string> told)
 {
-  for (std::size_t i = 0; i < files.size(); ++i)
-    if (!opened[i]) {
-      auto file = loadSurface(files[i], columns, 0);
-      opened[i] = streamInMemory(std::move(file.cloud),
-                                 file.frame,
-                                 std::move(file.notes),
-                                 std::move(file.stations));
-    }
-  std::vector<std::string> names;
-  for (const auto& file : files)
-    names.push_back(fs::path(file).filename().string());
-  return joinedStream(std::move(opened), names);
+  told.insert(told.begin(), scan.notes.begin(), scan.notes.end());
+  scan.file.notes.insert(scan.file.notes.begin(), told.begin(), told.end());
 }
+
+} // namespace
 
 double
 metresPerUnitOf(CloudStream& stream)
@@ -102,61 +85,62 @@ metresPerUnitOf(CloudStream& stream)
   return metresPerUnit(findVertical(positions).room_height);
 }
 
-Scan
-readScan(const std::string& path,
-         std::unique_ptr<CloudStream> stream,
-         double cell_size,
-         std::size_t most_points,
-         const std::function<void(std::size_t done, std::size_t all)>& report)
+void
+drawSample(ScanContent& scan,
+           double cell_size,
+           std::size_t most_points,
+           const std::function<void(std::size_t done, std::size_t all)>& report)
 {
-  Scan scan;
-  auto& file = scan.file;
-  file.path = path;
-  file.cloud = stream->layout();
-  file.frame = stream->frame();
-  setPlaces(pointsFromAllOver(*stream), scan);
-  std::vector<std::uint64_t> left_out(file.left_out.size(), 0);
+  auto& stream = *scan.stream;
+  CloudFile file;
+  file.path = scan.file.path;
+  file.cloud = stream.layout();
+  file.frame = stream.frame();
+  file.stations = scan.file.stations;
+  scan.file = std::move(file);
+  setPlaces(pointsFromAllOver(stream), scan);
+  auto& left_out = scan.file.left_out;
+  std::vector<std::uint64_t> counts(left_out.size(), 0);
   auto& sample = scan.sample.emplace(cell_size, most_points);
-  stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& part) {
+  stream.forEachPart([&](std::uint64_t first, PCLPointCloud2& part) {
     std::size_t finite = 0;
-    const auto points = pointsAround(part, scan.middle, finite, file.left_out);
-    file.finite_count += finite;
-    for (std::size_t k = 0; k < left_out.size(); ++k)
-      left_out[k] += countAt(part, file.left_out[k]);
+    const auto points = pointsAround(part, scan.middle, finite, left_out);
+    scan.file.finite_count += finite;
+    for (std::size_t k = 0; k < counts.size(); ++k)
+      counts[k] += countAt(part, left_out[k]);
     for (std::size_t i = 0; i < points->size(); ++i)
       if (isFinite((*points)[i]))
         sample.add((*points)[i].getVector3fMap(), first + i);
-    report(first + points->size(), stream->pointCount());
+    report(first + points->size(), stream.pointCount());
   });
-  for (std::size_t k = 0; k < left_out.size(); ++k)
-    file.notes.push_back(
-        leftOutNote(file.left_out[k], left_out[k], stream->pointCount()));
-  if (file.finite_count < 2)
-    throw ToolError(path + ": " + std::to_string(file.finite_count) +
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    scan.file.notes.push_back(leftOutNote(left_out[k], counts[k], stream.pointCount()));
+  if (scan.file.finite_count < 2)
+    throw ToolError(scan.file.path + ": " + std::to_string(scan.file.finite_count) +
                     " finite points are too few, 2 are needed");
   sample.shrink();
-  setSensor(file, *sample.points());
-  file.points = sample.points();
-  scan.stream = std::move(stream);
-  return scan;
+  setSensor(scan.file, *sample.points());
+  scan.file.points = sample.points();
+  putNotesFirst(scan, stream.notes());
 }
 
-Scan
-readSample(const std::string& path, std::unique_ptr<CloudStream> stream)
+void
+drawFewPoints(ScanContent& scan)
 {
-  Scan scan;
-  scan.file =
-      withPoints(path, scatteredPoints(*stream), stream->frame(), 2, stream->notes());
+  auto& stream = *scan.stream;
+  const auto stations = scan.file.stations;
+  scan.file = withPoints(
+      scan.file.path, scatteredPoints(stream), stream.frame(), 2, stream.notes());
   const auto finite = static_cast<double>(scan.file.finite_count) /
                       static_cast<double>(scan.file.points->size());
   scan.file.finite_count = static_cast<std::size_t>(
-      std::llround(finite * static_cast<double>(stream->pointCount())));
-  scan.stream = std::move(stream);
-  return scan;
+      std::llround(finite * static_cast<double>(stream.pointCount())));
+  scan.file.stations = stations;
+  putNotesFirst(scan, {});
 }
 
 CloudFile
-partOf(const Scan& scan, PCLPointCloud2 part)
+partOf(const ScanContent& scan, PCLPointCloud2 part)
 {
   CloudFile file;
   file.path = scan.file.path;

@@ -4,12 +4,15 @@
  */
 #include "scene/object_classes.h"
 
+#include "files/tool_error.h"
 #include "scene/category_names.h"
 
+#include <pcl/ml/bundled_model.h>
+#include <pcl/ml/model_file.h>
 #include <pcl/ml/object_classifier.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <memory>
 #include <numeric>
 
 namespace pcl::indoor::tool {
@@ -47,29 +50,42 @@ likeliest(const std::vector<float>& probabilities)
 } // namespace
 
 std::string
-bundledModel()
+modelFile(const SceneOptions& options)
 {
-  std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto folder = program.parent_path().parent_path() / "share" / "pcl_indoor";
-  return (folder / "indoor_objects.model").string();
+  return options.naming.classify || options.model == "none" ? ""
+         : options.model == "bundled"                       ? bundledModelFile()
+                                                            : options.model;
+}
+
+std::optional<ObjectNaming>
+namingOf(const SceneOptions& options)
+{
+  if (options.naming.classify)
+    return options.naming;
+  const auto file = modelFile(options);
+  if (file.empty())
+    return {};
+  const auto model = std::make_shared<const ClassifierModel>(loadModel(file));
+  return ObjectNaming{model->classes,
+                      [model](const std::vector<ClassifierObject>& objects) {
+                        return classifyObjects(objects, *model, 1);
+                      }};
 }
 
 std::vector<std::string>
-classNames(const ClassifierModel& model)
+classNames(const ObjectNaming& naming)
 {
   std::vector<std::string> names = {"none"};
-  names.insert(names.end(), model.classes.begin(), model.classes.end());
+  names.insert(names.end(), naming.classes.begin(), naming.classes.end());
   return names;
 }
 
 std::vector<ObjectClass>
 classesOf(const std::vector<ObjectSurface>& surfaces,
           const std::vector<ObjectMeasures>& measures,
-          const ClassifierModel& model,
-          int threads)
+          const ObjectNaming& naming)
 {
-  const auto undescribed = withoutDescription(classNames(model));
+  const auto undescribed = withoutDescription(classNames(naming));
   std::vector<ObjectClass> classes(surfaces.size());
   std::vector<ClassifierObject> objects;
   std::vector<std::size_t> numbers;
@@ -83,8 +99,10 @@ classesOf(const std::vector<ObjectSurface>& surfaces,
     numbers.push_back(k);
     objects.push_back({surface.points, {true, surface.floor_distance}});
   }
-  const auto found =
-      classifyObjects(objects, model, static_cast<unsigned int>(threads));
+  const auto found = naming.classify(objects);
+  if (found.size() != objects.size())
+    throw ToolError("the naming of objects gives " + std::to_string(found.size()) +
+                    " results for " + std::to_string(objects.size()) + " objects");
   for (std::size_t k = 0; k < found.size(); ++k)
     if (!found[k].probabilities.empty())
       classes[numbers[k]] = likeliest(found[k].probabilities);

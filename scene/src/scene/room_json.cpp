@@ -83,9 +83,8 @@ roomsJson(const std::vector<Room>& rooms,
 
 /** The names of several stations, and the positions of those that are known. */
 void
-addStations(const CloudFile& file, Json& json)
+addStations(const std::vector<Station>& stations, Json& json)
 {
-  const auto& stations = file.stations;
   Json names = Json::array(), positions = Json::array();
   for (const auto& station : stations) {
     const auto& at = station.position;
@@ -101,21 +100,21 @@ addStations(const CloudFile& file, Json& json)
     json["station_positions"] = positions;
 }
 
-Json
-inputJson(const CloudFile& file, const std::vector<std::uint32_t>& room_of_point)
+SceneInput
+inputOf(const CloudFile& file)
 {
+  return {file.path, file.stations, file.offset, file.frame.offset};
+}
+
+Json
+inputJson(const SceneInput& input)
+{
+  const auto& offset = input.cloud_offset;
   Json json;
-  json["input"] = std::filesystem::path(file.path).filename().string();
-  addStations(file, json);
+  json["input"] = std::filesystem::path(input.path).filename().string();
+  addStations(input.stations, json);
   json["unit"] = "metre";
-  json["offset"] = {
-      file.frame.offset.x(), file.frame.offset.y(), file.frame.offset.z()};
-  json["points"] = file.points->size();
-  json["finite_points"] = file.finite_count;
-  json["points_in_rooms"] = static_cast<std::size_t>(
-      std::count_if(room_of_point.begin(), room_of_point.end(), [](std::uint32_t room) {
-        return room > 0;
-      }));
+  json["offset"] = {offset.x(), offset.y(), offset.z()};
   return json;
 }
 

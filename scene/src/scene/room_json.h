@@ -7,7 +7,7 @@
 #include "files/cloud_file.h"
 #include "formats/json_text.h"
 
-#include <pcl/segmentation/building_rooms.h>
+#include <pcl/scene/scene.h>
 
 #include <nlohmann/json.hpp>
 
@@ -45,11 +45,13 @@ roomsJson(const std::vector<Room>& rooms,
           const std::vector<RoomOpening>& openings,
           const Eigen::Vector3d& offset);
 
-/** \brief What is known of the input: file, unit, numbers of points.
- * \param[in] file with the offset of the cloud that is written
- * \param[in] room_of_point 0 = none
- */
+/** \brief The scan that a file holds. */
+SceneInput
+inputOf(const CloudFile& file);
+
+/** \brief What is known of the input: file, stations, unit, offset of the cloud that is
+ * written. */
 nlohmann::ordered_json
-inputJson(const CloudFile& file, const std::vector<std::uint32_t>& room_of_point);
+inputJson(const SceneInput& input);
 
 } // namespace pcl::indoor::tool

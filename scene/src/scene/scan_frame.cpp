@@ -62,10 +62,14 @@ unitName(double metres_per_unit)
   return {};
 }
 
+} // namespace pcl::indoor::tool
+
+namespace pcl::indoor {
+
 double
 ScanFrame::metresPerUnit() const
 {
-  for (const auto& [name, metres] : units)
+  for (const auto& [name, metres] : tool::units)
     if (unit == name)
       return metres;
   return 1.0;
@@ -76,8 +80,8 @@ ScanFrame::upAxis() const
 {
   if (up == "auto")
     return Eigen::Vector3f::UnitZ();
-  if (!isAxis(up))
-    return upDirection(up);
+  if (!tool::isAxis(up))
+    return tool::upDirection(up);
   const Eigen::Vector3f axis = Eigen::Vector3f::Unit(up.back() - 'x');
   return up.front() == '-' ? Eigen::Vector3f(-axis) : axis;
 }
@@ -86,16 +90,21 @@ void
 ScanFrame::settle(const ScanReport& report)
 {
   if (up == "auto")
-    up = textOf(report.up_axis);
+    up = tool::textOf(report.up_axis);
   if (unit == "auto")
-    unit = unitName(report.metres_per_unit);
+    unit = tool::unitName(report.metres_per_unit);
 }
+
+} // namespace pcl::indoor
+
+namespace pcl::indoor::tool {
 
 SegmentedRooms
 segmentRooms(const CloudFile& file,
              const ScanFrame& frame,
              const std::optional<UprightFrame>& found,
-             RoomSegmentation<PointXYZ>& segmentation)
+             RoomSegmentation<PointXYZ>& segmentation,
+             const std::function<void(const std::string& line)>& warn)
 {
   if (frame.up != "auto")
     segmentation.setUpAxis(frame.upAxis());
@@ -113,7 +122,7 @@ segmentRooms(const CloudFile& file,
   if (!step.empty())
     lines.push_back(step);
   for (const auto& line : lines)
-    printWarning(file.path + ": " + line);
+    warn(file.path + ": " + line);
   lines.insert(lines.begin(), file.notes.begin(), file.notes.end());
   if (rooms.room_of_point.empty())
     throw ToolError(file.path + ": " + problem);
@@ -121,11 +130,12 @@ segmentRooms(const CloudFile& file,
 }
 
 Eigen::Vector2d
-originOf(const CloudFile& file, const ScanFrame& frame, const Eigen::Isometry3d& pose)
+originOf(const Eigen::Vector3d& offset,
+         const ScanFrame& frame,
+         const Eigen::Isometry3d& pose)
 {
   const Eigen::Vector3d origin =
-      pose.linear().transpose() *
-      (pose.translation() + frame.metresPerUnit() * file.offset);
+      pose.linear().transpose() * (pose.translation() + frame.metresPerUnit() * offset);
   return origin.head<2>();
 }
 

@@ -6,10 +6,12 @@
 
 #include "files/cloud_file.h"
 
+#include <pcl/scene/scene_options.h>
 #include <pcl/segmentation/room_segmentation.h>
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,45 +28,32 @@ unitName(double metres_per_unit);
 Eigen::Vector3f
 upDirection(const std::string& text);
 
-/** \brief How a scan's coordinates are meant: the options -unit and -up. */
-struct ScanFrame {
-  std::string unit = "auto"; ///< or m, cm, mm, ft, in
-  std::string up = "auto";   ///< or an axis such as -y, or three numbers
-
-  /** \brief 1 if it is to be found. */
-  double
-  metresPerUnit() const;
-
-  /** \brief Of any length; +z if it is to be found. */
-  Eigen::Vector3f
-  upAxis() const;
-
-  /** \brief What was to be found becomes what was used. */
-  void
-  settle(const ScanReport& report);
-};
-
 /** \brief The rooms of a scan, and what was found out about its points. */
 struct SegmentedRooms {
   std::vector<std::uint32_t> room_of_point;
   ScanReport report; ///< of the segmentation; its warnings are those of the file, too
 };
 
-/** \brief Find the rooms; what is implausible is said on stderr, a line each.
+/** \brief Find the rooms.
  * \param[in] found of the file's points and this frame, if it is known
  * \param[in,out] segmentation its parameters are set; frame and input are set here
+ * \param[in] warn is told what is implausible, a line each
  * \throws ToolError if no point has been looked at
  */
 SegmentedRooms
 segmentRooms(const CloudFile& file,
              const ScanFrame& frame,
              const std::optional<UprightFrame>& found,
-             RoomSegmentation<PointXYZ>& segmentation);
+             RoomSegmentation<PointXYZ>& segmentation,
+             const std::function<void(const std::string& line)>& warn);
 
 /** \brief What to add to horizontal places of the building's frame to get those of the
- * scan, metres. */
+ * scan, metres.
+ * \param[in] offset of the scan's points, in its unit */
 Eigen::Vector2d
-originOf(const CloudFile& file, const ScanFrame& frame, const Eigen::Isometry3d& pose);
+originOf(const Eigen::Vector3d& offset,
+         const ScanFrame& frame,
+         const Eigen::Isometry3d& pose);
 
 /** \brief What the tool says on a terminal: number of rooms, an automatic voxel size
  * that was raised, points that were left out. */

@@ -7,8 +7,7 @@
 #include "files/cloud_file.h"
 #include "scene/scan_frame.h"
 
-#include <pcl/segmentation/rooms/building_frame.h>
-#include <pcl/segmentation/scan_overview.h>
+#include <pcl/scene/scene.h>
 
 #include <nlohmann/json.hpp>
 
@@ -18,23 +17,6 @@
 #include <vector>
 
 namespace pcl::indoor::tool {
-
-/** \brief Where the normals of a scan come from. */
-enum class NormalsFrom { File, NoneInFile, NoneUsable, Ignored };
-
-/** \brief What was understood of a scan before the work. */
-struct UnderstoodScan {
-  ScanOverview overview; ///< in the unit and with the up axis that are used
-  std::uint64_t points = 0, finite_points = 0; ///< of the whole scan
-  bool is_sample = false;                      ///< only some of them were looked at
-  std::string unit;                            ///< that is used
-  std::string likely_unit; ///< that the height of the rooms suggests; empty if no other
-  UprightFrame frame;
-  bool up_is_set = false; ///< by the user
-  NormalsFrom normals = NormalsFrom::NoneInFile;
-  bool has_colors = false;
-  std::size_t stations = 1;
-};
 
 /** \brief Look at a scan, in well under a second.
  * \param[in] points of the whole scan, of which the file has them all or a sample

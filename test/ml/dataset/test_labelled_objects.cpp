@@ -35,7 +35,8 @@ protected:
   LabelledObjects
   load(unsigned int threads = 1) const
   {
-    return loadLabelledObjects(path("set"), 3, threads);
+    StageReport report;
+    return loadLabelledObjects(path("set"), 3, threads, report);
   }
 
   std::string
@@ -139,8 +140,9 @@ TEST_F(LabelledObjectFiles, FilesMayBeLinks)
   file("set/bed/b.pcd");
   std::filesystem::create_directories(path("set/cup"));
   std::filesystem::create_symlink(path("elsewhere/a.pcd"), path("set/cup/a.pcd"));
+  StageReport report;
   for (const auto& folder : {path("set"), path("set/"), path("set/../set/.")})
-    EXPECT_EQ(loadLabelledObjects(folder, 3, 1).paths,
+    EXPECT_EQ(loadLabelledObjects(folder, 3, 1, report).paths,
               (std::vector<std::string>{"bed/b.pcd", "cup/a.pcd"}))
         << folder;
 }

@@ -12,6 +12,7 @@
 #include <random>
 
 using namespace pcl;
+using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
 
 namespace {

@@ -5,11 +5,11 @@
 #include "command_line/memory_limit.h"
 
 #include "command_line/options.h"
+#include "files/available_memory.h"
 #include "files/cloud_formats.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace pcl::indoor::tool {
@@ -17,14 +17,6 @@ namespace {
 
 constexpr double gigabyte = 1e9;
 constexpr double base = 0.05 * gigabyte; // of a tool with its libraries
-
-/** The number that a file begins with; -1 if there is none. */
-double
-firstNumber(const std::string& path)
-{
-  double value = -1;
-  return std::ifstream(path) >> value ? value : -1;
-}
 
 /** To a tenth, which is printed in full; 0 would mean unknown. */
 double
@@ -34,20 +26,6 @@ roundedDown(double gigabytes)
 }
 
 } // namespace
-
-double
-availableMemory()
-{
-  double available = 0;
-  std::ifstream stream("/proc/meminfo");
-  for (std::string name, rest; stream >> name && std::getline(stream, rest);)
-    if (name == "MemAvailable:")
-      available = 1024 * std::stod(rest);
-  const double most = firstNumber("/sys/fs/cgroup/memory.max");
-  const double used = firstNumber("/sys/fs/cgroup/memory.current");
-  return most > 0 && used >= 0 ? std::min(available, std::max(1.0, most - used))
-                               : available;
-}
 
 void
 MemoryLimit::addOption(OptionParser& parser)

@@ -11,11 +11,6 @@ namespace pcl::indoor::tool {
 
 class OptionParser;
 
-/** \brief What is left of the machine's memory: of MemAvailable in /proc/meminfo and
- * the limit of the control group, the less; bytes, 0 if unknown. */
-double
-availableMemory();
-
 /** \brief The option -memory_limit: a scan that needs more memory is refused before it
  * is read, since the system ends programs that take too much without a word. */
 class MemoryLimit {

@@ -5,6 +5,7 @@
 #include "command_line/options.h"
 
 #include "formats/reader_threads.h"
+#include "text/number_text.h"
 #include "text/printable.h"
 
 #include <pcl/console/print.h>
@@ -21,28 +22,6 @@
 
 namespace pcl::indoor::tool {
 namespace {
-
-/** The shortest text that gives the number back, without an exponent but for those that
- * are very small or large. */
-template <typename T>
-std::string
-numberText(T value)
-{
-  if constexpr (std::is_integral_v<T>) {
-    return std::to_string(value);
-  }
-  else {
-    const T size = std::abs(value);
-    const bool is_plain = size == T(0) || (size >= T(1e-4) && size < T(1e15));
-    char buffer[64];
-    const auto end = std::to_chars(buffer,
-                                   buffer + sizeof(buffer),
-                                   value,
-                                   is_plain ? std::chars_format::fixed
-                                            : std::chars_format::scientific);
-    return {buffer, end.ptr};
-  }
-}
 
 bool
 looksLikeOption(const std::string& argument)

@@ -7,7 +7,8 @@
 #include "command_line/progress.h"
 #include "files/tool_error.h"
 #include "text/program_version.h"
-#include "text/setting.h"
+
+#include <pcl/indoor/setting.h>
 
 #include <cstdint>
 #include <functional>

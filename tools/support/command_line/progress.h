@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "command_line/text_table.h"
+#include "text/text_table.h"
 
 #include <chrono>
 #include <cstddef>

@@ -4,12 +4,10 @@
  */
 #pragma once
 
+#include "building/building_stages.h"
 #include "command_line/options.h"
 #include "pipeline/pipeline_options.h"
-#include "pipeline/pipeline_results.h"
 #include "pipeline/ranks.h"
-#include "rooms/scene_rooms.h"
-#include "scene/understood_scan.h"
 
 #include <cstdint>
 #include <vector>
@@ -25,39 +23,20 @@ namespace pcl::indoor::tool {
 std::uint64_t
 keyOfRun(const PipelineOptions& options, const std::vector<Setting>& settings);
 
-/** \brief What the objects of each room are looked for with, but for the building's
- * pose, which is not known yet. */
-RoomWork
-roomWork(const PipelineOptions& options);
-
 /** \brief Read the scan: all of it, or a point per cell if it is too large. */
-Scan
-loadScan(const PipelineOptions& options, Progress& progress);
+ScanContent
+readScan(const PipelineOptions& options, Progress& progress);
 
-/** \brief Find the rooms of the scan, unless the folder has them. */
-Scene
-findRooms(const PipelineOptions& options,
-          const CloudFile& file,
-          const UnderstoodScan& understood,
-          WorkFolder& folder,
-          Progress& progress);
-
-/** \brief The points as the objects are looked for: z up, metres, what lies beyond the
- * building not finite. */
-PointCloud<PointXYZ>::ConstPtr
-standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene);
-
-/** \brief Find the objects of the rooms, room by room, and what they are.
- * \param[in] standing tells which points count
- * \return the cloud with all that was found, beside its place */
+/** \brief Find the objects of the rooms, room by room, and what they are; with all
+ * ranks if there are several. \param[in] standing tells which points count \return the
+ * cloud with all that was found, beside its place */
 OutputFile
-findObjects(const PipelineOptions& options,
-            Scan& scan,
-            const PointCloud<PointXYZ>& standing,
-            const RoomWork& work,
-            WorkFolder& folder,
-            Ranks& ranks,
-            Scene& scene,
-            Progress& progress);
+completedCloud(const PipelineOptions& options,
+               ObjectSearch search,
+               WorkFolder& folder,
+               Ranks& ranks,
+               ScanContent& scan,
+               const PointCloud<PointXYZ>& standing,
+               Scene& scene);
 
 } // namespace pcl::indoor::tool

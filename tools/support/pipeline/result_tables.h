@@ -5,7 +5,7 @@
 #pragma once
 
 #include "command_line/progress.h"
-#include "scene/scene_file.h"
+#include "scene/scene_json.h"
 
 #include <vector>
 

@@ -64,11 +64,10 @@ requireNoProblems(const std::vector<std::string>& problems, const std::string& t
 }
 
 LabelledObjects
-loadLabelledObjects(
-    const std::string& folder,
-    int neighbor_count,
-    unsigned int number_of_threads,
-    const std::function<void(std::size_t done, std::size_t all)>& report)
+loadLabelledObjects(const std::string& folder,
+                    int neighbor_count,
+                    unsigned int number_of_threads,
+                    StageReport& report)
 {
   LabelledObjects objects;
   objects.paths = findObjects(folder);
@@ -82,6 +81,7 @@ loadLabelledObjects(
   }
   if (objects.class_names.size() < 2)
     throw ToolError(folder + ": at least two class folders are needed");
+  report.start("Loading " + folder);
   const auto count = objects.paths.size();
   objects.clouds.resize(count);
   objects.places.resize(count);
@@ -102,11 +102,11 @@ loadLabelledObjects(
                   problems[k] = messageOf(error);
                 }
                 const std::lock_guard<std::mutex> lock(mutex);
-                ++done;
-                if (report)
-                  report(done, count);
+                report.update(++done, count);
               });
   requireNoProblems(problems, "unreadable files");
+  report.done(std::to_string(count) + " objects of " +
+              std::to_string(objects.class_names.size()) + " classes");
   return objects;
 }
 

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "text/stage_report.h"
+
 #include <pcl/ml/object_context.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -35,16 +37,14 @@ requireNoProblems(const std::vector<std::string>& problems, const std::string& t
 /** \brief Read DIR/CLASS/.../OBJECT.pcd, .ply, .off or .obj; folders within a class
  * folder do not matter.
  * \param[in] number_of_threads 0: as many as the machine has
- * \param[in] report is told how many of all files are read, from one thread at a time
  * \throws ToolError if a file is unusable, naming the first and their number, or fewer
  * than two classes are found
  */
 LabelledObjects
-loadLabelledObjects(
-    const std::string& folder,
-    int neighbor_count,
-    unsigned int number_of_threads,
-    const std::function<void(std::size_t done, std::size_t all)>& report = {});
+loadLabelledObjects(const std::string& folder,
+                    int neighbor_count,
+                    unsigned int number_of_threads,
+                    StageReport& report);
 
 /** \brief Which objects to train with and which to test with, as ascending indices. */
 struct ObjectSplit {

@@ -1,0 +1,105 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "files/opened_scan.h"
+
+#include "files/cloud_formats.h" // for promisedPoints
+#include "files/joined_clouds.h"
+#include "files/sampled_surface.h"
+#include "files/scan_files.h"
+
+#include <filesystem>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+std::unique_ptr<CloudStream>
+oneStream(OpenedScan& scan, const TableColumns& columns)
+{
+  return scan.files.size() == 1
+             ? std::move(scan.streams[0])
+             : joinedScans(scan.files, std::move(scan.streams), columns);
+}
+
+} // namespace
+
+OpenedScan
+openScan(const std::vector<std::string>& inputs)
+{
+  auto found = scanFiles(inputs);
+  OpenedScan scan;
+  scan.name = nameOfScan(inputs, found.paths);
+  scan.files = std::move(found.paths);
+  scan.notes = std::move(found.notes);
+  for (const auto& file : scan.files) {
+    const auto& stream = scan.streams.emplace_back(CloudStream::open(file));
+    const auto own = stream ? stream->pointCount() : promisedPoints(file);
+    scan.count += own;
+    scan.in_memory += stream ? 0 : own;
+  }
+  return scan;
+}
+
+ScanContent
+readWhole(OpenedScan scan, const TableColumns& columns)
+{
+  const auto stream = oneStream(scan, columns);
+  ScanContent content;
+  content.columns = columns.names;
+  auto& file = content.file;
+  if (scan.files.size() == 1)
+    file = loadSurface(scan.files[0], columns);
+  else {
+    file = withPoints(scan.name,
+                      stream->read(0, static_cast<std::size_t>(stream->pointCount())),
+                      stream->frame());
+    const auto& told = stream->notes();
+    scan.notes.insert(scan.notes.end(), told.begin(), told.end());
+  }
+  file.notes.insert(file.notes.begin(), scan.notes.begin(), scan.notes.end());
+  if (stream && !stream->stations().empty())
+    file.stations = stream->stations();
+  return content;
+}
+
+ScanContent
+readLater(OpenedScan scan, const TableColumns& columns)
+{
+  ScanContent content;
+  content.columns = columns.names;
+  content.stream = oneStream(scan, columns);
+  content.notes = std::move(scan.notes);
+  auto& file = content.file;
+  file.path = scan.name;
+  file.cloud = content.stream->layout();
+  file.frame = content.stream->frame();
+  file.offset = file.frame.offset;
+  file.stations = content.stream->stations();
+  file.notes = content.notes;
+  file.notes.insert(
+      file.notes.end(), content.stream->notes().begin(), content.stream->notes().end());
+  return content;
+}
+
+std::unique_ptr<CloudStream>
+joinedScans(const std::vector<std::string>& files,
+            std::vector<std::unique_ptr<CloudStream>> opened,
+            const TableColumns& columns)
+{
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (!opened[i]) {
+      auto file = loadSurface(files[i], columns, 0);
+      opened[i] = streamInMemory(std::move(file.cloud),
+                                 file.frame,
+                                 std::move(file.notes),
+                                 std::move(file.stations));
+    }
+  std::vector<std::string> names;
+  for (const auto& file : files)
+    names.push_back(std::filesystem::path(file).filename().string());
+  return joinedStream(std::move(opened), names);
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,18 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <string>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief The file of the model that comes with this library, of furniture, doors and
+ * windows: it is looked for from where the library lies. */
+std::string
+bundledModelFile();
+
+} // namespace indoor
+} // namespace pcl

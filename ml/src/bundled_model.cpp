@@ -1,0 +1,32 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/ml/bundled_model.h>
+
+#include <dlfcn.h> // for dladdr
+#include <filesystem>
+#include <system_error>
+
+namespace pcl {
+namespace indoor {
+
+std::string
+bundledModelFile()
+{
+  namespace fs = std::filesystem;
+  Dl_info info{};
+  dladdr(reinterpret_cast<const void*>(&bundledModelFile), &info);
+  std::error_code error;
+  const auto library =
+      fs::canonical(info.dli_fname != nullptr ? info.dli_fname : "", error);
+  const auto folder = library.parent_path();
+  const auto installed = folder / PCL_INDOOR_DATA_FROM_LIBRARIES;
+  const auto built = folder.parent_path() / "share" / "pcl_indoor";
+  return ((fs::exists(installed, error) ? installed : built) / "indoor_objects.model")
+      .lexically_normal()
+      .string();
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,302 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "building/building_stages.h"
+
+#include "files/tool_error.h"
+#include "rooms/scene_record.h" // for dropGrids
+#include "scan/scan.h"
+#include "scene/object_classes.h"
+#include "scene/scan_frame.h"
+
+#include <pcl/segmentation/room_segmentation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+void
+requireOneOf(const std::string& name,
+             const std::string& value,
+             const std::vector<std::string>& choices)
+{
+  if (std::find(choices.begin(), choices.end(), value) == choices.end())
+    throw ToolError(name + ": '" + value + "' is none");
+}
+
+Scene
+segmentScene(const SceneOptions& options,
+             const CloudFile& file,
+             const UprightFrame& found,
+             RoomSegmentation<PointXYZ>& segmentation,
+             StageReport& report)
+{
+  Scene scene;
+  auto segmented = segmentRooms(
+      file, options.frame, found, segmentation, [&report](const std::string& line) {
+        report.warn(line);
+      });
+  scene.room_of_point = std::move(segmented.room_of_point);
+  scene.report = std::move(segmented.report);
+  scene.rooms = segmentation.getRooms();
+  scene.openings = segmentation.getOpenings();
+  scene.building = segmentation.takeBuilding();
+  dropGrids(scene.building);
+  scene.building_pose = segmentation.getBuildingPose();
+  return scene;
+}
+
+/** The rooms of a scan in memory.
+ * \param[in] rooms the points of each; both must outlive the source */
+RoomSource
+sourceInMemory(bool ignore_normals,
+               const CloudFile& file,
+               const std::vector<Indices>& rooms)
+{
+  PointCloud<Normal>::Ptr normals;
+  if (file.has_normals && !ignore_normals)
+    normals = readNormals(file);
+  RoomSource source;
+  source.has_normals = normals != nullptr;
+  for (const auto& room : rooms)
+    source.sizes.push_back(room.size());
+  source.points = [&file, &rooms, normals](std::size_t room) {
+    RoomPoints points;
+    for (const auto index : rooms[room]) {
+      points.positions.emplace_back((*file.points)[index].getVector3fMap());
+      if (normals)
+        points.normals.emplace_back((*normals)[index].getNormalVector3fMap());
+    }
+    return points;
+  };
+  return source;
+}
+
+void
+countPoints(const CloudFile& file, Scene& scene)
+{
+  const auto& rooms = scene.room_of_point;
+  scene.counts.all = file.points->size();
+  scene.counts.finite = file.finite_count;
+  scene.counts.in_rooms =
+      rooms.size() -
+      static_cast<std::size_t>(std::count(rooms.begin(), rooms.end(), 0u));
+  scene.counts.outside = scene.report.outside.size();
+}
+
+/** The same of a scan that was divided into the files of its rooms. */
+void
+countPoints(const CloudFile& file, const FiledRooms& filed, Scene& scene)
+{
+  scene.counts.all = filed.point_count;
+  scene.counts.finite = file.finite_count;
+  for (const RoomExtent& room : filed.rooms)
+    scene.counts.in_rooms += room.point_count;
+  scene.counts.outside = filed.outside;
+}
+
+/** Looks for the objects of all rooms and puts them into the scene. */
+void
+search(const ObjectSearch& search,
+       const RoomSource& source,
+       Scene& scene,
+       const VisitRoom& visit)
+{
+  auto& report = search.report;
+  report.start("Finding objects");
+  finishRooms(
+      source,
+      search.work,
+      search.store,
+      search.threads,
+      [&](std::size_t done, std::size_t all) { report.update(done, all); },
+      search.share);
+  gatherRooms(source, search.store, scene, visit);
+  report.done(std::to_string(scene.objects.size()) + " objects");
+}
+
+/** What does not depend on the points. */
+void
+describeSearch(const RoomWork& work, Scene& scene)
+{
+  const auto sizes = withSizes(work.options);
+  scene.seeds_per_voxel = sizes.seed_size / sizes.voxel_size;
+  if (work.naming)
+    scene.classes.names = classNames(*work.naming);
+}
+
+} // namespace
+
+SceneOptions
+checkedOptions(SceneOptions options)
+{
+  requireOneOf("unit", options.frame.unit, {"auto", "m", "cm", "mm", "ft", "in"});
+  requireOneOf("partition", options.partition, {"graph", "lccp"});
+  requireOneOf(
+      "normals", options.preparation.normals, {"voxels", "rrht", "multi_scale"});
+  options.frame.upAxis(); // throws
+  const double voxel = options.voxel_resolution, seed = options.seed_resolution;
+  if (voxel == 0.0 && seed == 0.0)
+    return options;
+  auto& objects = options.objects;
+  objects.voxel_size = voxel;
+  objects.seed_size = seed;
+  objects = withSizes(objects);
+  if (objects.seed_size < objects.voxel_size)
+    throw ToolError("-seed_resolution: '" + std::to_string(seed) +
+                    "' is less than -voxel_resolution, " + std::to_string(voxel));
+  return options;
+}
+
+void
+drawSample(const SceneOptions& options,
+           std::uint64_t most_points,
+           ScanContent& scan,
+           StageReport& report)
+{
+  constexpr double fineness = 0.25; // voxels of the rooms
+  const double voxel = options.rooms.voxel_size > 0.0 ? options.rooms.voxel_size
+                                                      : smallest_automatic_voxel;
+  const double metres = options.frame.unit == "auto" ? metresPerUnitOf(*scan.stream)
+                                                     : options.frame.metresPerUnit();
+  drawSample(
+      scan,
+      fineness * voxel / metres,
+      static_cast<std::size_t>(most_points),
+      [&report](std::size_t done, std::size_t all) { report.update(done, all); });
+}
+
+RoomWork
+roomWork(const SceneOptions& options)
+{
+  RoomWork work;
+  work.preparation = options.preparation;
+  work.options = options.objects;
+  if (options.partition == "lccp")
+    work.options.partition = Partition::Lccp;
+  work.options.threads = 1; // the threads are busy with the rooms
+  work.naming = namingOf(options);
+  return work;
+}
+
+Scene
+findRooms(const SceneOptions& options,
+          const CloudFile& file,
+          const UnderstoodScan& understood,
+          RoomStore& store,
+          StageReport& report)
+{
+  report.start("Segmenting rooms");
+  if (auto scene = store.scene();
+      scene && scene->room_of_point.size() == file.points->size()) {
+    for (const auto& line : scene->report.warnings)
+      report.warn(file.path + ": " + line);
+    report.done(std::to_string(scene->rooms.size()) + " rooms, found before");
+    return std::move(*scene);
+  }
+  RoomSegmentation<PointXYZ> segmentation;
+  segmentation.setOptions(options.rooms);
+  segmentation.setNumberOfThreads(options.threads);
+  segmentation.setProgressCallback([&report](double share, const char*) {
+    report.update(static_cast<std::size_t>(100.0 * share), 100);
+    return true;
+  });
+  auto scene = segmentScene(options, file, understood.frame, segmentation, report);
+  store.putScene(scene);
+  report.done(summaryOf(segmentation));
+  return scene;
+}
+
+PointCloud<PointXYZ>::ConstPtr
+standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene)
+{
+  if (work.is_standing && scene.report.outside.empty())
+    return file.points;
+  auto points = pcl::make_shared<PointCloud<PointXYZ>>(*file.points);
+  for (auto& point : *points)
+    point.getVector3fMap() = work.standing(point.getVector3fMap());
+  for (const auto index : scene.report.outside)
+    (*points)[index].getVector3fMap().setConstant(NAN);
+  return points;
+}
+
+void
+findObjects(const ObjectSearch& objects,
+            const CloudFile& file,
+            const PointCloud<PointXYZ>& standing,
+            Scene& scene)
+{
+  describeSearch(objects.work, scene);
+  const auto rooms = pointsOfRooms(standing, scene.room_of_point, scene.rooms.size());
+  countPoints(file, scene);
+  scene.object_of_point.assign(standing.size(), 0);
+  scene.structure_of_point.assign(standing.size(), 0);
+  search(objects,
+         sourceInMemory(objects.ignore_normals, file, rooms),
+         scene,
+         [&](std::size_t room, std::uint32_t first, const RoomObjects& own) {
+           for (std::size_t i = 0; i < rooms[room].size(); ++i) {
+             const auto point = static_cast<std::size_t>(rooms[room][i]);
+             if (own.object_of_point[i] > 0)
+               scene.object_of_point[point] = first + own.object_of_point[i];
+             scene.structure_of_point[point] = own.structure_of_point[i];
+           }
+         });
+}
+
+RoomFiles
+findObjectsInParts(const ObjectSearch& objects,
+                   WorkFolder& folder,
+                   ScanContent& scan,
+                   const PointCloud<PointXYZ>& standing,
+                   Scene& scene)
+{
+  describeSearch(objects.work, scene);
+  auto& report = objects.report;
+  report.start("Dividing the scan into its rooms");
+  const bool with_normals = scan.file.has_normals && !objects.ignore_normals;
+  RoomFiles files;
+  files.filed = fileRooms(
+      scan,
+      with_normals,
+      folder,
+      standing,
+      scene,
+      [&report](std::size_t done, std::size_t all) { report.update(done, all); });
+  countPoints(scan.file, files.filed, scene);
+  report.done();
+  search(objects,
+         filedSource(files.filed, with_normals, folder),
+         scene,
+         [&](std::size_t, std::uint32_t first, const RoomObjects&) {
+           files.first_object.push_back(first);
+         });
+  return files;
+}
+
+void
+labelSample(const RoomFiles& files,
+            const WorkFolder& folder,
+            const std::vector<std::uint64_t>& sampled,
+            Scene& scene)
+{
+  FiledLabels labels(files.filed, folder, files.first_object);
+  scene.object_of_point.clear();
+  scene.structure_of_point.clear();
+  auto next = sampled.begin();
+  for (std::uint64_t i = 0; i < files.filed.point_count && next != sampled.end(); ++i) {
+    const auto label = labels.next();
+    if (*next != i)
+      continue;
+    scene.object_of_point.push_back(label.object);
+    scene.structure_of_point.push_back(label.structure);
+    ++next;
+  }
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,97 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "files/scan_content.h"
+#include "rooms/filed_rooms.h"
+#include "rooms/room_store.h"
+#include "rooms/scene_rooms.h"
+#include "text/stage_report.h"
+
+#include <pcl/scene/scene.h>
+#include <pcl/scene/scene_options.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief The options with sizes of voxels and supervoxels that fit each other, and
+ * checked.
+ * \throws ToolError if one is none */
+SceneOptions
+checkedOptions(SceneOptions options);
+
+/** \brief Read a scan that stays in its files, keeping a point per cell.
+ * \param[in] most_points from which on cells become larger */
+void
+drawSample(const SceneOptions& options,
+           std::uint64_t most_points,
+           ScanContent& scan,
+           StageReport& report);
+
+/** \brief What the objects of each room are looked for with, but for the building's
+ * pose, which is not known yet. */
+RoomWork
+roomWork(const SceneOptions& options);
+
+/** \brief Find the rooms of the scan, unless the store has them. */
+Scene
+findRooms(const SceneOptions& options,
+          const CloudFile& file,
+          const UnderstoodScan& understood,
+          RoomStore& store,
+          StageReport& report);
+
+/** \brief The points as the objects are looked for: z up, metres, what lies beyond the
+ * building not finite. */
+PointCloud<PointXYZ>::ConstPtr
+standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene);
+
+/** \brief Of a scan that is read in parts: where its points are, and what is to be
+ * added to the numbers of objects, per room. */
+struct RoomFiles {
+  FiledRooms filed;
+  std::vector<std::uint32_t> first_object;
+};
+
+/** \brief How the objects of all rooms are found. */
+struct ObjectSearch {
+  const RoomWork& work;
+  RoomStore& store;
+  StageReport& report;
+  int threads = 0;
+  bool ignore_normals = false;
+  ShareRooms share = {}; ///< see finishRooms()
+};
+
+/** \brief Find the objects of the rooms of a scan in memory, room by room, and what
+ * they are. */
+void
+findObjects(const ObjectSearch& search,
+            const CloudFile& file,
+            const PointCloud<PointXYZ>& standing,
+            Scene& scene);
+
+/** \brief The same of a scan that is read in parts: it is divided into the files of its
+ * rooms. The points of the sample get their objects by labelSample(), or when the
+ * cloud is written.
+ * \param[in] standing the sample */
+RoomFiles
+findObjectsInParts(const ObjectSearch& search,
+                   WorkFolder& folder,
+                   ScanContent& scan,
+                   const PointCloud<PointXYZ>& standing,
+                   Scene& scene);
+
+/** \brief Object and structure of each point of the sample. */
+void
+labelSample(const RoomFiles& files,
+            const WorkFolder& folder,
+            const std::vector<std::uint64_t>& sampled,
+            Scene& scene);
+
+} // namespace pcl::indoor::tool

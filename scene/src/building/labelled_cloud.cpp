@@ -1,0 +1,134 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "building/labelled_cloud.h"
+
+#include "formats/pcd_writer.h"
+#include "scan/scan.h"            // for partOf
+#include "scene/category_names.h" // for other_class
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+/** What was found of each point. */
+struct PointLabels {
+  std::vector<std::uint32_t> room, object, structure;
+};
+
+/** Fields that tell each point the class of its object, and how sure that is. */
+void
+appendClasses(const std::vector<ObjectClass>& classes,
+              const std::vector<std::uint32_t>& object_of_point,
+              PCLPointCloud2& cloud)
+{
+  std::vector<std::uint32_t> categories(object_of_point.size(), 0);
+  std::vector<float> confidences(object_of_point.size(), 0.0f);
+  for (std::size_t i = 0; i < categories.size(); ++i)
+    if (const auto object = object_of_point[i]; object > 0) {
+      categories[i] = classes[object - 1].category;
+      confidences[i] = classes[object - 1].confidence;
+    }
+  appendField(cloud, "category", categories);
+  appendRealField(cloud, "confidence", confidences);
+}
+
+/** Add what was found to a cloud, or to a part of one.
+ * \param[in] whole, output see PointColors, PointCoordinates */
+void
+complete(const CloudLook& look,
+         const PointLabels& labels,
+         const SceneClasses& classes,
+         const PointCloud<PointXYZ>* whole,
+         const std::string& output,
+         CloudFile& file)
+{
+  appendField(file.cloud, "room", labels.room);
+  appendField(file.cloud, "object", labels.object);
+  appendField(file.cloud, "structure", labels.structure);
+  if (!classes.names.empty())
+    appendClasses(classes.objects, labels.object, file.cloud);
+  const auto other = static_cast<std::uint32_t>(
+      std::find(classes.names.begin(), classes.names.end(), other_class) -
+      classes.names.begin());
+  look.colors.apply(
+      file, classes.names.empty() ? "object" : "class", look.up, other, whole);
+  look.coordinates.apply(file, output);
+}
+
+/** Some points of the sample, which show how high the scan is. */
+PointCloud<PointXYZ>
+fewPoints(const PointCloud<PointXYZ>& sample)
+{
+  constexpr std::size_t enough = 100000;
+  PointCloud<PointXYZ> few;
+  for (std::size_t i = 0; i < sample.size(); i += sample.size() / enough + 1)
+    few.push_back(sample[i]);
+  return few;
+}
+
+} // namespace
+
+OutputFile
+completeCloud(const std::string& path,
+              const CloudLook& look,
+              const Scene& scene,
+              CloudFile& file)
+{
+  const PointLabels labels = {
+      scene.room_of_point, scene.object_of_point, scene.structure_of_point};
+  complete(look, labels, scene.classes, nullptr, path, file);
+  return cloudBeside(path, file.cloud, file.frame);
+}
+
+OutputFile
+completeCloudInParts(const std::string& path,
+                     const CloudLook& look,
+                     const RoomFiles& files,
+                     const WorkFolder& folder,
+                     ScanContent& scan,
+                     Scene& scene,
+                     const PointsDone& report)
+{
+  const auto whole = fewPoints(*scan.file.points);
+  const auto& layout = scan.stream->layout();
+  const auto& sampled = scan.sample->indices();
+  scene.object_of_point.clear();
+  scene.structure_of_point.clear();
+  FiledLabels labels(files.filed, folder, files.first_object);
+  OutputFile output(path);
+  scan.stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& data) {
+    auto part = partOf(scan, std::move(data));
+    PointLabels own;
+    for (std::size_t i = 0; i < part.points->size(); ++i) {
+      const auto label = labels.next();
+      own.room.push_back(label.room);
+      own.object.push_back(label.object);
+      own.structure.push_back(label.structure);
+      const auto next = scene.object_of_point.size(); // of the sample
+      if (next < sampled.size() && sampled[next] == first + i) {
+        scene.object_of_point.push_back(label.object);
+        scene.structure_of_point.push_back(label.structure);
+      }
+    }
+    complete(look, own, scene.classes, &whole, first == 0 ? path : "", part);
+    if (first == 0) {
+      auto all = part.cloud;
+      all.data.clear();
+      all.width = layout.width;
+      all.height = layout.height;
+      writePcdHeader(output, all, part.frame);
+    }
+    writePcdPart(output, part.cloud);
+    report(first + part.points->size(), files.filed.point_count);
+    if (first + part.points->size() == files.filed.point_count)
+      scan.file.frame = part.frame; // as in the output
+  });
+  output.close();
+  return output;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,42 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "building/building_stages.h"
+#include "files/output_file.h"
+#include "files/point_coordinates.h"
+#include "scene/point_colors.h"
+
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief How a cloud is written. */
+struct CloudLook {
+  PointColors colors;
+  PointCoordinates coordinates;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< direction of heights
+};
+
+/** \brief Add what was found to the cloud, as it is to be written beside its place. */
+OutputFile
+completeCloud(const std::string& path,
+              const CloudLook& look,
+              const Scene& scene,
+              CloudFile& file);
+
+/** \brief The same of a scan that is read in parts.
+ * \param[in,out] scene gets the objects of its sample
+ */
+OutputFile
+completeCloudInParts(const std::string& path,
+                     const CloudLook& look,
+                     const RoomFiles& files,
+                     const WorkFolder& folder,
+                     ScanContent& scan,
+                     Scene& scene,
+                     const PointsDone& report);
+
+} // namespace pcl::indoor::tool

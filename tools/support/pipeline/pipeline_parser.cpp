@@ -1,0 +1,132 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "pipeline/pipeline_parser.h"
+
+#include "command_line/cloud_options.h"
+#include "command_line/preset.h"
+#include "command_line/scene_options.h"
+
+namespace pcl::indoor::tool {
+
+PipelineOptions
+pipelineOptions(int argc, const char* const* argv)
+{
+  PipelineOptions options;
+  if (presetOf(argc, argv) == "thesis") {
+    options.rooms = pcl::indoor::thesisRoomOptions();
+    options.objects = pcl::indoor::thesisOptions();
+  }
+  return options;
+}
+
+OptionParser
+pipelineParser(PipelineOptions& options)
+{
+  OptionParser parser(
+      "pcl_indoor_pipeline",
+      "Finds the rooms of a building's scan, the objects in each room "
+      "and the class of each object; writes cloud.pcd with the fields "
+      "room, object, structure, category and confidence, scene.json, report.html, "
+      "plan.svg, plan.png, plan.dxf, rooms.png, potential_field.png and classes.png.");
+  parser
+      .positionals("input",
+                   options.inputs,
+                   "PCD, PLY or LAS file or table; several, or a folder of them, are "
+                   "the stations of one building")
+      .positional(
+          "output_dir", options.folder, "folder for the results, made if missing")
+      .number("-voxel_size",
+              options.rooms.voxel_size,
+              "side of a voxel of the rooms, 0 = automatic: 0.1, more where surfaces "
+              "have holes",
+              "m",
+              Range::atLeast(0))
+      .number("-min_area",
+              options.rooms.map.min_area,
+              "smallest room",
+              "m^2",
+              Range::atLeast(0))
+      .number("-voxel_resolution",
+              options.voxel_resolution,
+              "edge of a voxel of the objects, 0 = automatic: 0.03, more in rooms with "
+              "sparse points",
+              "m",
+              Range::atLeast(0))
+      .number(
+          "-seed_resolution",
+          options.seed_resolution,
+          "distance of supervoxels, at least -voxel_resolution, 0 = automatic: four "
+          "times that",
+          "m",
+          Range::atLeast(0))
+      .text("-preset",
+            options.preset,
+            "thesis: rooms and objects by the methods of the thesis with their "
+            "parameters, and no more",
+            {"default", "thesis"})
+      .text("-partition",
+            options.partition,
+            "how supervoxels are joined",
+            {"graph", "lccp"})
+      .text("-model",
+            options.model,
+            "file of a classifier that pcl_eppf_train has made; bundled = furniture, "
+            "doors and windows, none = no classes")
+      .text("-report",
+            options.report,
+            "file of the report, a page for browsers; folder = report.html beside the "
+            "other results, none = no report")
+      .number(
+          points_option,
+          options.points_at_once,
+          "of larger scans the rooms are found from a point per cell, and the points "
+          "are read in parts: memory follows the rooms; 0 = never",
+          "points")
+      .flag("-ignore_normals",
+            options.ignore_normals,
+            "estimate normals although there are some")
+      .text("-normals",
+            options.preparation.normals,
+            "how normals are estimated where the input has none; voxels: planes of the "
+            "objects' voxels; rrht: Robust Randomized Hough Transform; multi_scale: "
+            "planes at several scales",
+            {"voxels", "rrht", "multi_scale"})
+      .flag("-remove_outliers",
+            options.preparation.removes_outliers,
+            "leave out points of a room that lie alone (pcl::ScanOutlierRemoval); "
+            "their object is 0")
+      .number("-threads",
+              options.threads,
+              "threads, 0 = automatic",
+              "",
+              Range::between(0, 1024))
+      .flag(single_process_option,
+            options.single_process,
+            "share the rooms with no other process: for runs that a program starts "
+            "which was itself started by mpirun")
+      .flag("-check",
+            options.check,
+            "say what is understood of the scan and stop, in a second or two and "
+            "without output_dir: will it work?")
+      .lastMayBeMissing(options.check);
+  addOption(parser, options.colors, {"class", "object", "room"});
+  addOption(parser, options.coordinates);
+  addOption(parser, options.columns);
+  options.memory.addOption(parser);
+  addOptions(parser, options.frame);
+  parser.expert({"-voxel_resolution",
+                 "-seed_resolution",
+                 "-partition",
+                 "-preset",
+                 "-ignore_normals",
+                 "-normals",
+                 "-double",
+                 points_option,
+                 single_process_option,
+                 "-memory_limit"});
+  return parser;
+}
+
+} // namespace pcl::indoor::tool

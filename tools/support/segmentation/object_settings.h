@@ -1,0 +1,53 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "command_line/memory_limit.h"
+#include "command_line/options.h"
+#include "files/point_coordinates.h"
+#include "formats/table_columns.h"
+#include "scene/point_colors.h"
+
+#include <pcl/scene/scene_options.h> // for ScanFrame
+#include <pcl/segmentation/object_segmentation.h>
+
+#include <cstdint>
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief What the command line sets; 0 in lengths, angles and sizes stands for the
+ * preset's value. */
+struct ObjectSettings {
+  std::string input, output;
+  std::string preset = "auto", partition = "auto", camera = "auto";
+  std::string orientation = "auto";
+  double level = -1;
+  std::uint32_t min_segment = 0;
+  double voxel_resolution = 0, seed_resolution = 0;
+  bool ignore_normals = false, remove_outliers = false;
+  ObjectSegmentationOptions others;
+  PointOptions on_points; // for the thesis's presets
+  PointColors colors;
+  PointCoordinates coordinates;
+  TableColumns columns;
+  MemoryLimit memory;
+  ScanFrame frame; // of which the unit counts
+};
+
+/** \brief All options. */
+void
+addOptions(OptionParser& parser, ObjectSettings& settings);
+
+/** \brief The options that a preset stands for.
+ * \param[in] is_table what auto is for a table */
+ObjectSegmentationOptions
+presetOptions(const std::string& preset, bool is_table);
+
+/** \brief The options to segment with. */
+ObjectSegmentationOptions
+chosenOptions(const ObjectSettings& settings, bool is_table);
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,38 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include "command_line/memory_limit.h"
+#include "command_line/options.h"
+#include "files/point_coordinates.h"
+#include "formats/table_columns.h"
+#include "scene/point_colors.h"
+
+#include <pcl/scene/scene_options.h> // for ScanFrame
+#include <pcl/segmentation/building_rooms.h>
+
+#include <string>
+
+namespace pcl::indoor::tool {
+
+/** \brief What the command line of pcl_room_segmentation says. */
+struct RoomSettings {
+  std::string input, output, map, json, dxf;
+  std::string method = "slab", preset = "default";
+  ScanFrame frame;
+  BuildingRoomsOptions rooms;
+  PointColors colors;
+  PointCoordinates coordinates;
+  TableColumns columns;
+  MemoryLimit memory;
+  bool check = false;
+};
+
+/** \brief Its command line.
+ * \param[in,out] options must outlive the parser */
+OptionParser
+roomParser(RoomSettings& options);
+
+} // namespace pcl::indoor::tool
