@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "command_line/preset.h"
 #include "command_line/progress_report.h"
 #include "files/cloud_file.h"
 #include "pipeline/pipeline_parser.h"

@@ -212,8 +212,10 @@ OptionParser::run(int argc,
 {
   try {
     if (std::any_of(argv + 1, argv + argc, asksForVersion)) {
-      std::printf(
-          "%s %s (PCL %s)\n", program_.c_str(), PCL_INDOOR_VERSION, PCL_VERSION_PRETTY);
+      std::printf("%s %s (PCL %s)\n",
+                  program_.c_str(),
+                  programVersion().c_str(),
+                  PCL_VERSION_PRETTY);
       return EXIT_SUCCESS;
     }
     if (!parse(argc, argv)) {

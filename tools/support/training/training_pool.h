@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "command_line/progress.h"
 #include "objects/labelled_objects.h"
 #include "objects/object_augmentation.h"
 
