@@ -1,0 +1,88 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/model/wall_face.h>
+#include <pcl/segmentation/building_rooms.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief A wall: a straight piece of building between rooms, or around them. */
+struct ModelWall {
+  std::uint32_t storey = 0;
+  Eigen::Vector2d begin, end; ///< of its axis, metres; of a wall of which one side
+                              ///< was seen this is that side, the room on the left
+  double floor = 0.0;         ///< height of its foot, metres
+  double height = 0.0;        ///< metres
+  double thickness = 0.0;     ///< metres; 0 = only one side was seen
+  std::vector<std::uint32_t> rooms; ///< that it bounds, ascending
+};
+
+enum class ModelOpeningKind {
+  Door,   ///< open or closed, with a lintel or not wider than a door of one leaf
+  Window, ///< glass, or a recess with glass, above the floor
+  Passage ///< wider or up to the ceiling, without a leaf
+};
+
+/** \brief A hole in a wall, or what closes one. */
+struct ModelOpening {
+  ModelOpeningKind kind = ModelOpeningKind::Door;
+  std::uint32_t room_a = 0; ///< the smaller number of the rooms that it joins
+  std::uint32_t room_b = 0; ///< the larger one; 0 = the outside, or what was not seen
+  std::uint32_t storey = 0;
+  std::size_t wall = 0;     ///< which of the walls it is in; their number = none
+  Eigen::Vector3d position; ///< middle of its lower edge, metres
+  Eigen::Vector2d along;    ///< the wall, unit length
+  double width = 0.0;       ///< metres
+  double height = 0.0;      ///< metres
+  double sill = 0.0;        ///< height of the lower edge above the floor, metres
+  bool is_open = false;     ///< whether a person can pass as it was scanned
+
+  double
+  head() const
+  {
+    return sill + height;
+  }
+};
+
+/** \brief What a building consists of besides rooms. */
+struct BuildingModel {
+  std::vector<WallFace> faces; ///< sides of walls, outline by outline
+  std::vector<ModelWall> walls;
+  std::vector<ModelOpening> openings; ///< where one can pass, in the order given; then
+                                      ///< all others, storey by storey
+};
+
+/** \brief Make walls, doors and windows from rooms and points.
+ *
+ * Outlines of rooms are divided in straight sides, which are fitted to the points
+ * (wallFaces()); sides of two rooms that face each other are one wall (modelWalls());
+ * each side is seen as an image (wallImage()), in which openings are rectangles without
+ * the wall's face (wallHoles()); both sides together, and the places where one can
+ * pass, say what they are (modelOpenings()). Needs no normals and no classes.
+ *
+ * \param[in] points z up, metres, in the frame of the rooms; what is not finite does
+ * not count \param[in] room_of_point room of each, 0 = none \param[in] openings where
+ * one can pass between rooms \param[in] threads 0 = automatic; the result does not
+ * depend on it \return nothing if there are no rooms \throws pcl::BadArgumentException
+ * if there are not as many rooms as points, or a room has no such number
+ */
+BuildingModel
+buildingModel(const std::vector<Eigen::Vector3f>& points,
+              const std::vector<std::uint32_t>& room_of_point,
+              const std::vector<Room>& rooms,
+              const std::vector<RoomOpening>& openings,
+              int threads = 0);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,99 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief A point as seen from a wall. */
+struct WallPoint {
+  float along = 0.0f;  ///< from the begin of the run, metres
+  float before = 0.0f; ///< the wall, metres; negative behind it
+  float height = 0.0f; ///< metres
+};
+
+/** \brief A stretch of a vertical plane and its surroundings. */
+struct FaceStretch {
+  Eigen::Vector2d begin, end; ///< metres; the room is on the left
+  double margin = 0.0;        ///< how far it goes on beyond both, metres
+  double behind = 0.0;        ///< reach behind it, metres
+  double before = 0.0;        ///< reach before it, metres
+};
+
+/** \brief Points seen from above, in square tiles: those in a box are found without
+ * looking at all. */
+class TiledPoints {
+public:
+  TiledPoints() = default;
+
+  /** \param[in] points finite */
+  explicit TiledPoints(const std::vector<Eigen::Vector3f>& points);
+
+  /** \brief Call visit(first, end) with ranges of points that hold all of a box, and
+   * others near it. */
+  template <typename Visit>
+  void
+  forEachNear(const Eigen::Array2d& low,
+              const Eigen::Array2d& high,
+              const Visit& visit) const
+  {
+    if (points_.empty())
+      return;
+    const Eigen::Array2i first = tileAt(low), last = tileAt(high);
+    for (int x = first.x(); x <= last.x(); ++x) {
+      const std::size_t column = static_cast<std::size_t>(x) * tiles_.y();
+      visit(points_.data() + first_[column + first.y()],
+            points_.data() + first_[column + last.y() + 1]);
+    }
+  }
+
+private:
+  /** The tile at a place, clamped to those there are. */
+  Eigen::Array2i
+  tileAt(const Eigen::Array2d& place) const;
+
+  std::vector<Eigen::Vector3f> points_; ///< tile by tile, in the order given
+  std::vector<std::size_t> first_;      ///< per tile, and their end
+  Eigen::Array2d low_ = Eigen::Array2d::Zero();
+  Eigen::Array2i tiles_ = Eigen::Array2i::Zero(); ///< along x and y; y runs fastest
+  double tile_size_ = 1.0;                        ///< metres
+};
+
+/** \brief The points of a building by room: what is beside a wall of a room. */
+class PointsOfRooms {
+public:
+  /** \param[in] points metres, z up; what is not finite counts nowhere
+   * \param[in] room_of_point room of each, 0 = none; those of none are seen from all
+   * \param[in] room_count largest number of a room
+   * \throws pcl::BadArgumentException if there are not as many rooms as points, or a
+   * number is larger
+   */
+  PointsOfRooms(const std::vector<Eigen::Vector3f>& points,
+                const std::vector<std::uint32_t>& room_of_point,
+                std::uint32_t room_count);
+
+  /** \brief Get the points near a stretch that a room sees.
+   * \param[in] with_none whether points of no room count, too
+   * \param[out] found those of the room first
+   */
+  void
+  beside(const FaceStretch& stretch,
+         std::uint32_t room,
+         bool with_none,
+         std::vector<WallPoint>& found) const;
+
+private:
+  std::vector<TiledPoints> of_rooms_; ///< per room; first those of none
+};
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,71 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/indoor/voxel_map.h>
+#include <pcl/model/points_of_rooms.h>
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief What a scan shows at a place of a wall's side. */
+enum class WallCell : std::uint8_t {
+  Empty,  ///< nothing at all: glass, an open hole, or a shadow
+  Face,   ///< the wall
+  Recess, ///< something behind the wall's face: a reveal, a leaf, glass
+  Proud,  ///< something before it by less than a hand: a leaf, a casing
+  Front   ///< things of the room and nothing of the wall: it is hidden
+};
+
+struct WallImageOptions {
+  double relief = 0.02; ///< least depth of what is no face, metres (> 0): stations are
+                        ///< registered to a centimetre, and a median over ten points
+                        ///< with noise of 1.2 cm is known to 0.5 cm
+  double hand = 0.15;   ///< what stands farther before the wall is a thing, metres
+  double least_cell = 0.02; ///< side of a cell of dense scans, metres (> 0)
+};
+
+/** \brief A side of a wall as an image, along it and upwards. */
+struct WallImage {
+  double cell = 0.0;        ///< side of a cell, metres
+  double floor = 0.0;       ///< height of the lowest cells' lower edge, metres
+  PixelMap<WallCell> cells; ///< x along the wall from its begin, y upwards
+  PixelMap<float> depth;    ///< before the face, metres; 0 where nothing was seen
+
+  /** \brief Share of cells in a box that are of a kind; cells beyond the image count
+   * as of none. */
+  double
+  share(const Eigen::AlignedBox2d& box, WallCell kind) const;
+
+  /** \brief Share of cells in a box that show something at most 3 cm from the face: the
+   * wall or a frame. */
+  double
+  faceShare(const Eigen::AlignedBox2d& box) const;
+};
+
+/** \brief Make the image of a wall's side.
+ *
+ * A cell shows the median depth of the points within two and a half cells around it;
+ * edges of what is larger stay where they are. The cells are as large as the points are
+ * sparse: about ten points count for each.
+ * \param[in] points near the side, see PointsOfRooms::beside()
+ * \param[in] length of the side, metres (> 0)
+ * \param[in] height of the side above its floor, metres (> 0)
+ */
+WallImage
+wallImage(const std::vector<WallPoint>& points,
+          double length,
+          double floor,
+          double height,
+          const WallImageOptions& options = {});
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,97 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/indoor/parallel_for.h>
+#include <pcl/model/building_model.h>
+#include <pcl/model/model_openings.h>
+#include <pcl/model/model_walls.h>
+#include <pcl/model/wall_holes.h>
+#include <pcl/model/wall_image.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** What holes the image of a side shows. */
+std::vector<FaceHole>
+holesOf(const WallFace& face, const PointsOfRooms& points)
+{
+  constexpr double least_length = 0.4, least_height = 1.0; // metres
+  constexpr double behind = 0.5, before = 1.0; // metres: leaves and glass; furniture
+  const double height = face.ceiling - face.floor;
+  if (!face.is_seen || face.length() < least_length || height < least_height)
+    return {};
+  std::vector<WallPoint> near;
+  points.beside({face.begin, face.end, 0.0, behind, before}, face.room, true, near);
+  const WallImage image = wallImage(near, face.length(), face.floor, height);
+  return wallHoles(image, near);
+}
+
+/** Tell each opening its wall: the nearest parallel one of a room that it joins. */
+void
+giveWalls(BuildingModel& model)
+{
+  for (ModelOpening& opening : model.openings) {
+    opening.wall = model.walls.size();
+    double nearest = 0.5; // metres
+    for (std::size_t i = 0; i < model.walls.size(); ++i) {
+      const ModelWall& wall = model.walls[i];
+      const Eigen::Vector2d way = wall.end - wall.begin;
+      const double length = way.norm();
+      const auto bounds = [&](std::uint32_t room) {
+        return std::binary_search(wall.rooms.begin(), wall.rooms.end(), room);
+      };
+      if (length == 0.0 || std::abs(way.dot(opening.along)) < 0.95 * length ||
+          !bounds(opening.room_a))
+        continue;
+      const Eigen::Vector2d from = opening.position.head<2>() - wall.begin;
+      const double along = from.dot(way) / length;
+      const double beside = std::abs(from.x() * way.y() - from.y() * way.x()) / length;
+      const double distance =
+          beside + std::max({0.0, -along, along - length}) +
+          (opening.room_b > 0 && !bounds(opening.room_b) ? 0.1 : 0.0);
+      if (distance < nearest) {
+        nearest = distance;
+        opening.wall = i;
+      }
+    }
+  }
+}
+
+} // namespace
+
+BuildingModel
+buildingModel(const std::vector<Eigen::Vector3f>& points,
+              const std::vector<std::uint32_t>& room_of_point,
+              const std::vector<Room>& rooms,
+              const std::vector<RoomOpening>& openings,
+              int threads)
+{
+  BuildingModel model;
+  if (rooms.empty())
+    return model;
+  std::uint32_t largest = 0;
+  for (const Room& room : rooms)
+    largest = std::max(largest, room.label);
+  const PointsOfRooms of_rooms(points, room_of_point, largest);
+  model.faces = wallFaces(rooms, of_rooms, threads);
+  std::vector<FaceHoles> holes(model.faces.size());
+  parallelFor(
+      static_cast<std::ptrdiff_t>(holes.size()), threads, 1, [&](std::ptrdiff_t i) {
+        holes[i].holes = holesOf(model.faces[i], of_rooms);
+      });
+  const auto pairs = facePairs(model.faces);
+  model.walls = modelWalls(model.faces, pairs);
+  model.openings = modelOpenings(model.faces, pairs, holes, openings);
+  giveWalls(model);
+  return model;
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,299 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/model/model_openings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+constexpr double at_floor = 0.12;    // metres: thresholds and skirtings are lower
+constexpr double least_head = 1.7;   // metres, of doors
+constexpr double highest_head = 3.2; // metres, of doors
+constexpr double narrowest = 0.5;    // metres, of doors
+constexpr double least_leaf = 0.7;   // metres, of doors to the outside
+constexpr double widest_door = 3.2;  // metres: gates of garages
+constexpr double one_leaf = 1.3;     // metres: wider ones are passages, unless lintels
+                                     // or leaves are seen
+constexpr double lintel = 0.15;      // metres: lower ones are beams
+constexpr double most = 0.5;         // share: what is mostly so
+
+/** A hole that may be an opening. */
+struct Candidate {
+  std::size_t face = 0;
+  FaceHole hole;
+  ModelOpeningKind kind = ModelOpeningKind::Door;
+  double certainty = 0.0; ///< how well the wall's face frames it
+  std::uint32_t other_room = 0;
+  double gap = 0.0; ///< to the other room's side, metres
+  bool is_used = false;
+};
+
+/** How well the face frames a hole: the share of the worst side, without the lower one
+ * of a door. Where something is seen in it, left or right may be a corner of the room.
+ */
+double
+framing(const FaceHole& hole, bool is_door)
+{
+  const auto& [left, right, above, below] = hole.framed;
+  const double lying = is_door ? above : std::min(above, below);
+  const bool is_seen = hole.seen >= most || hole.reveal >= most;
+  return std::min(lying, is_seen ? std::max(left, right) : std::min(left, right));
+}
+
+std::optional<Candidate>
+candidateOf(const WallFace& face, std::size_t number, const FaceHole& hole)
+{
+  Candidate found;
+  found.face = number;
+  found.hole = hole;
+  const double sill = hole.box.min().y() - face.floor;
+  const double head = hole.box.max().y() - face.floor;
+  const double width = hole.box.sizes().x();
+  if (hole.hidden > 0.3)
+    return std::nullopt;
+  if (sill <= at_floor) {
+    if (head < least_head || head > highest_head || width < narrowest ||
+        width > widest_door)
+      return std::nullopt;
+    if (hole.is_proud && hole.seen < 0.8)
+      return std::nullopt;
+    found.kind = ModelOpeningKind::Door;
+  }
+  else {
+    if (hole.is_proud)
+      return std::nullopt;
+    found.kind = ModelOpeningKind::Window;
+  }
+  found.certainty = framing(hole, found.kind == ModelOpeningKind::Door);
+  return found;
+}
+
+/** The side of another room behind the middle of a hole. */
+const FacePair*
+pairBehind(const std::vector<FacePair>& pairs, const Candidate& candidate)
+{
+  const double middle = candidate.hole.box.center().x();
+  for (const FacePair& pair : pairs)
+    if (pair.face == candidate.face && middle >= pair.from && middle <= pair.to)
+      return &pair;
+  return nullptr;
+}
+
+/** Two holes seen from above, on the line of the first. */
+bool
+showOne(const std::vector<WallFace>& faces, const Candidate& a, const Candidate& b)
+{
+  const WallFace &one = faces[a.face], &other = faces[b.face];
+  const double low = std::max(a.hole.box.min().y(), b.hole.box.min().y());
+  const double high = std::min(a.hole.box.max().y(), b.hole.box.max().y());
+  if (high - low < most * std::min(a.hole.box.sizes().y(), b.hole.box.sizes().y()))
+    return false;
+  const Eigen::Vector2d along = one.along();
+  const auto place = [&](double u) {
+    return along.dot(other.begin + u * other.along() - one.begin);
+  };
+  const double from = std::max(a.hole.box.min().x(), place(b.hole.box.max().x()));
+  const double to = std::min(a.hole.box.max().x(), place(b.hole.box.min().x()));
+  return to - from >= most * std::min(a.hole.box.sizes().x(), b.hole.box.sizes().x());
+}
+
+ModelOpening
+openingOf(const WallFace& face, const Candidate& candidate)
+{
+  ModelOpening opening;
+  const auto& box = candidate.hole.box;
+  opening.kind = candidate.kind;
+  opening.room_a = face.room;
+  opening.room_b = candidate.other_room;
+  if (opening.room_b > 0 && opening.room_b < opening.room_a)
+    std::swap(opening.room_a, opening.room_b);
+  opening.storey = face.storey;
+  opening.along = face.along();
+  opening.position.head<2>() = face.begin + box.center().x() * opening.along -
+                               0.5 * candidate.gap * face.inward();
+  opening.sill = box.min().y() - face.floor;
+  if (candidate.kind != ModelOpeningKind::Window)
+    opening.sill = 0.0;
+  opening.position.z() = face.floor + opening.sill;
+  opening.height = box.max().y() - opening.position.z();
+  opening.width = box.sizes().x();
+  return opening;
+}
+
+/** What is seen of one wall: its candidates, and what they become. */
+class Openings {
+public:
+  Openings(const std::vector<WallFace>& faces,
+           const std::vector<FacePair>& pairs,
+           const std::vector<FaceHoles>& holes)
+  : faces_(faces)
+  {
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (const FaceHole& hole : holes[i].holes)
+        if (auto candidate = candidateOf(faces[i], i, hole)) {
+          if (const FacePair* pair = pairBehind(pairs, *candidate)) {
+            candidate->other_room = faces[pair->other].room;
+            candidate->gap = pair->gap;
+            other_face_.push_back(pair->other);
+          }
+          else
+            other_face_.push_back(faces.size());
+          if (candidate->other_room == 0 && hole.box.sizes().x() < least_leaf)
+            candidate->kind = ModelOpeningKind::Window; // a pane down to the floor
+          candidates_.push_back(*candidate);
+        }
+  }
+
+  /** An opening that a person can pass: as the images show it, or else as it is. */
+  void
+  addPassable(const RoomOpening& passable)
+  {
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      if (isAt(passable, candidates_[i]) &&
+          (!best || candidates_[i].certainty > candidates_[*best].certainty))
+        best = i;
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      if (isAt(passable, candidates_[i]))
+        candidates_[i].is_used = true;
+    ModelOpening opening =
+        best ? openingOf(faces_[candidates_[*best].face], candidates_[*best])
+             : without(passable);
+    opening.room_a = passable.room_a;
+    opening.room_b = passable.room_b;
+    opening.is_open = true;
+    if (best && opening.width > one_leaf && candidates_[*best].hole.framed[2] < most)
+      opening.kind = ModelOpeningKind::Passage;
+    found_.push_back(opening);
+  }
+
+  /** All others: closed doors, windows, doors to the outside. */
+  void
+  addOthers()
+  {
+    const auto first = static_cast<std::ptrdiff_t>(found_.size());
+    std::vector<std::size_t> order(candidates_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+      return candidates_[a].certainty > candidates_[b].certainty;
+    });
+    for (const std::size_t i : order) {
+      Candidate& candidate = candidates_[i];
+      if (candidate.is_used)
+        continue;
+      if (candidate.certainty < most)
+        continue;
+      candidate.is_used = true;
+      bool from_both = false;
+      for (std::size_t j = 0; j < candidates_.size(); ++j)
+        if (!candidates_[j].is_used && candidates_[j].face == other_face_[i] &&
+            showOne(faces_, candidate, candidates_[j]))
+          from_both = candidates_[j].is_used = true;
+      if (isOpening(candidate, from_both, other_face_[i] < faces_.size()))
+        found_.push_back(openingOf(faces_[candidate.face], candidate));
+    }
+    std::stable_sort(found_.begin() + first,
+                     found_.end(),
+                     [](const auto& a, const auto& b) { return a.storey < b.storey; });
+  }
+
+  const std::vector<ModelOpening>&
+  found() const
+  {
+    return found_;
+  }
+
+private:
+  /** Whether a candidate is an opening, seen from one side or from both. */
+  bool
+  isOpening(const Candidate& candidate, bool from_both, bool has_other_side) const
+  {
+    if (candidate.other_room == faces_[candidate.face].room)
+      return false; // a niche, or what stands in the room
+    const FaceHole& hole = candidate.hole;
+    const bool is_seen = hole.seen >= most || hole.reveal >= most;
+    if (candidate.kind == ModelOpeningKind::Window)
+      return has_other_side ? from_both : is_seen || candidate.certainty >= most;
+    return from_both || is_seen;
+  }
+
+  bool
+  isAt(const RoomOpening& passable, const Candidate& candidate) const
+  {
+    constexpr double beside = 0.5; // metres: half of the thickest walls, and a voxel
+    const WallFace& face = faces_[candidate.face];
+    if (candidate.kind != ModelOpeningKind::Door ||
+        (face.room != passable.room_a && face.room != passable.room_b))
+      return false;
+    const Eigen::Vector2d way = passable.position.head<2>() - face.begin;
+    const double place = face.along().dot(way), before = face.inward().dot(way);
+    const auto& box = candidate.hole.box;
+    const double from = std::max(box.min().x(), place - 0.5 * passable.width);
+    const double to = std::min(box.max().x(), place + 0.5 * passable.width);
+    return std::abs(before) <= beside &&
+           to - from >= most * std::max(box.sizes().x(), passable.width) &&
+           std::abs(passable.position.z() - box.min().y()) < 1.0;
+  }
+
+  /** An opening of which the images show no edges. */
+  ModelOpening
+  without(const RoomOpening& passable) const
+  {
+    ModelOpening opening;
+    opening.position = passable.position;
+    opening.width = passable.width;
+    opening.along = Eigen::Vector2d::UnitX();
+    double nearest = 1.0, height = 2.0; // metres
+    for (const WallFace& face : faces_) {
+      if (face.room != passable.room_a && face.room != passable.room_b)
+        continue;
+      opening.storey = face.room == passable.room_a ? face.storey : opening.storey;
+      const Eigen::Vector2d way = passable.position.head<2>() - face.begin;
+      const double beyond =
+          std::abs(face.along().dot(way) - 0.5 * face.length()) - 0.5 * face.length();
+      const double distance = std::max(0.0, beyond) + std::abs(face.inward().dot(way));
+      if (distance >= nearest)
+        continue;
+      nearest = distance;
+      opening.along = face.along();
+      opening.position.z() = face.floor;
+      height = face.ceiling - face.floor;
+    }
+    opening.height = std::min(height, passable.area / std::max(0.1, passable.width));
+    opening.kind = passable.width > one_leaf && opening.height > height - lintel
+                       ? ModelOpeningKind::Passage
+                       : ModelOpeningKind::Door;
+    return opening;
+  }
+
+  const std::vector<WallFace>& faces_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::size_t> other_face_; ///< per candidate; their number = none
+  std::vector<ModelOpening> found_;
+};
+
+} // namespace
+
+std::vector<ModelOpening>
+modelOpenings(const std::vector<WallFace>& faces,
+              const std::vector<FacePair>& pairs,
+              const std::vector<FaceHoles>& holes,
+              const std::vector<RoomOpening>& passable)
+{
+  Openings openings(faces, pairs, holes);
+  for (const RoomOpening& each : passable)
+    openings.addPassable(each);
+  openings.addOthers();
+  return openings.found();
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,144 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/model/points_of_rooms.h>
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** Turns points into a stretch's own frame. */
+class StretchFrame {
+public:
+  explicit StretchFrame(const FaceStretch& stretch)
+  : stretch_(stretch)
+  , length_((stretch.end - stretch.begin).norm())
+  , along_((stretch.end - stretch.begin) / length_)
+  {}
+
+  void
+  addIfNear(const Eigen::Vector3f& point, std::vector<WallPoint>& found) const
+  {
+    const Eigen::Vector2d from = point.head<2>().cast<double>() - stretch_.begin;
+    const double before = along_.x() * from.y() - along_.y() * from.x();
+    const double along = along_.dot(from);
+    if (before >= -stretch_.behind && before <= stretch_.before &&
+        along >= -stretch_.margin && along <= length_ + stretch_.margin)
+      found.push_back(
+          {static_cast<float>(along), static_cast<float>(before), point.z()});
+  }
+
+  /** The corners of the box around it. */
+  std::pair<Eigen::Array2d, Eigen::Array2d>
+  box() const
+  {
+    const Eigen::Vector2d left(-along_.y(), along_.x());
+    Eigen::Array2d low = stretch_.begin, high = stretch_.begin;
+    for (const double u : {-stretch_.margin, length_ + stretch_.margin})
+      for (const double v : {-stretch_.behind, stretch_.before}) {
+        const Eigen::Array2d corner = stretch_.begin + u * along_ + v * left;
+        low = low.min(corner);
+        high = high.max(corner);
+      }
+    return {low, high};
+  }
+
+private:
+  const FaceStretch& stretch_;
+  double length_;
+  Eigen::Vector2d along_;
+};
+
+} // namespace
+
+TiledPoints::TiledPoints(const std::vector<Eigen::Vector3f>& points)
+{
+  if (points.empty())
+    return;
+  low_ = points.front().head<2>().cast<double>();
+  Eigen::Array2d high = low_;
+  for (const auto& point : points) {
+    low_ = low_.min(point.head<2>().cast<double>().array());
+    high = high.max(point.head<2>().cast<double>().array());
+  }
+  // no more tiles than points, but for some along the longer side
+  const Eigen::Array2d extent = high - low_;
+  const auto count = static_cast<double>(points.size());
+  tile_size_ =
+      std::max({1.0, std::sqrt(extent.prod() / count), extent.maxCoeff() / count});
+  tiles_ = (extent / tile_size_).cast<int>() + 1;
+  first_.assign(static_cast<std::size_t>(tiles_.x()) * tiles_.y() + 1, 0);
+  const auto numberOf = [&](const Eigen::Vector3f& point) {
+    const Eigen::Array2i tile = tileAt(point.head<2>().cast<double>());
+    return static_cast<std::size_t>(tile.x()) * tiles_.y() + tile.y();
+  };
+  for (const auto& point : points)
+    ++first_[numberOf(point) + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  points_.resize(points.size());
+  auto next = first_;
+  for (const auto& point : points)
+    points_[next[numberOf(point)]++] = point;
+}
+
+Eigen::Array2i
+TiledPoints::tileAt(const Eigen::Array2d& place) const
+{
+  const Eigen::Array2d last = (tiles_ - 1).cast<double>();
+  return ((place - low_) / tile_size_).max(0.0).min(last).cast<int>();
+}
+
+PointsOfRooms::PointsOfRooms(const std::vector<Eigen::Vector3f>& points,
+                             const std::vector<std::uint32_t>& room_of_point,
+                             std::uint32_t room_count)
+{
+  if (points.size() != room_of_point.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        points.size() << " points, but " << room_of_point.size()
+                                      << " numbers of rooms");
+  std::vector<std::vector<Eigen::Vector3f>> of_rooms(
+      static_cast<std::size_t>(room_count) + 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (room_of_point[i] > room_count)
+      PCL_THROW_EXCEPTION(BadArgumentException,
+                          "point " << i << " is in room " << room_of_point[i] << " of "
+                                   << room_count);
+    if (points[i].allFinite())
+      of_rooms[room_of_point[i]].push_back(points[i]);
+  }
+  for (auto& room : of_rooms) {
+    of_rooms_.emplace_back(room);
+    room = {}; // there may be many
+  }
+}
+
+void
+PointsOfRooms::beside(const FaceStretch& stretch,
+                      std::uint32_t room,
+                      bool with_none,
+                      std::vector<WallPoint>& found) const
+{
+  found.clear();
+  if (!((stretch.end - stretch.begin).norm() > 0.0))
+    return;
+  const StretchFrame frame(stretch);
+  const auto [low, high] = frame.box();
+  const auto add = [&](const Eigen::Vector3f* first, const Eigen::Vector3f* end) {
+    for (; first != end; ++first)
+      frame.addIfNear(*first, found);
+  };
+  of_rooms_[room].forEachNear(low, high, add);
+  if (with_none)
+    of_rooms_[0].forEachNear(low, high, add);
+}
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,196 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/model/wall_image.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+constexpr int cells_around = 2; // cells around one whose points it shows
+
+/** Points in the order of their cells. */
+struct CellPoints {
+  std::vector<std::uint32_t> first; ///< per cell, and one past the end
+  std::vector<float> depth;
+};
+
+/** How far points of a side are apart: from how many lie in squares that have some. */
+double
+spacingOf(const std::vector<WallPoint>& points, double hand)
+{
+  constexpr double square = 0.1; // metres
+  std::vector<std::pair<int, int>> squares;
+  for (const auto& point : points)
+    if (std::abs(point.before) <= hand)
+      squares.emplace_back(static_cast<int>(std::floor(point.along / square)),
+                           static_cast<int>(std::floor(point.height / square)));
+  if (squares.empty())
+    return 0.0;
+  std::sort(squares.begin(), squares.end());
+  std::vector<std::size_t> counts;
+  for (std::size_t i = 0; i < squares.size();) {
+    const auto end =
+        std::upper_bound(squares.begin(), squares.end(), squares[i]) - squares.begin();
+    counts.push_back(static_cast<std::size_t>(end) - i);
+    i = static_cast<std::size_t>(end);
+  }
+  auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
+  std::nth_element(counts.begin(), middle, counts.end());
+  return square / std::sqrt(static_cast<double>(*middle));
+}
+
+/** The cell of a point; negative outside. */
+std::ptrdiff_t
+cellOf(const WallPoint& point, const WallImage& image)
+{
+  const int x = static_cast<int>(std::floor(point.along / image.cell));
+  const int y = static_cast<int>(std::floor((point.height - image.floor) / image.cell));
+  return image.cells.contains(x, y)
+             ? static_cast<std::ptrdiff_t>(image.cells.index(x, y))
+             : -1;
+}
+
+CellPoints
+pointsByCell(const std::vector<WallPoint>& points, const WallImage& image, double hand)
+{
+  CellPoints cells;
+  cells.first.assign(image.cells.size() + 1, 0);
+  std::vector<std::ptrdiff_t> cell_of(points.size(), -1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].before <= hand) {
+      cell_of[i] = cellOf(points[i], image);
+      if (cell_of[i] >= 0)
+        ++cells.first[static_cast<std::size_t>(cell_of[i]) + 1];
+    }
+  std::partial_sum(cells.first.begin(), cells.first.end(), cells.first.begin());
+  cells.depth.resize(cells.first.back());
+  auto next = cells.first;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (cell_of[i] >= 0)
+      cells.depth[next[static_cast<std::size_t>(cell_of[i])]++] = points[i].before;
+  return cells;
+}
+
+WallCell
+kindOf(double depth, double relief)
+{
+  return depth < -relief  ? WallCell::Recess
+         : depth > relief ? WallCell::Proud
+                          : WallCell::Face;
+}
+
+/** Set what each cell shows: the median of the points around it. */
+void
+showDepths(const CellPoints& points, double relief, WallImage& image)
+{
+  std::vector<float> near;
+  for (int x = 0; x < image.cells.nx; ++x)
+    for (int y = 0; y < image.cells.ny; ++y) {
+      near.clear();
+      const int low = std::max(0, y - cells_around);
+      const int high = std::min(image.cells.ny - 1, y + cells_around);
+      for (int u = std::max(0, x - cells_around);
+           u <= std::min(image.cells.nx - 1, x + cells_around);
+           ++u)
+        near.insert(near.end(),
+                    points.depth.begin() + points.first[image.cells.index(u, low)],
+                    points.depth.begin() +
+                        points.first[image.cells.index(u, high) + 1]);
+      if (near.empty())
+        continue;
+      const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+      std::nth_element(near.begin(), middle, near.end());
+      image.depth.at(x, y) = *middle;
+      image.cells.at(x, y) = kindOf(*middle, relief);
+    }
+}
+
+/** Mark empty cells with things before them. */
+void
+showThings(const std::vector<WallPoint>& points, double hand, WallImage& image)
+{
+  for (const auto& point : points) {
+    if (point.before <= hand)
+      continue;
+    const int x = static_cast<int>(std::floor(point.along / image.cell));
+    const int y =
+        static_cast<int>(std::floor((point.height - image.floor) / image.cell));
+    for (int u = x - cells_around; u <= x + cells_around; ++u)
+      for (int v = y - cells_around; v <= y + cells_around; ++v)
+        if (image.cells.contains(u, v) && image.cells.at(u, v) == WallCell::Empty)
+          image.cells.at(u, v) = WallCell::Front;
+  }
+}
+
+/** Share of the cells in a box for which something holds; beyond the image nothing
+ * does. */
+template <typename Holds>
+double
+shareOf(const WallImage& image, const Eigen::AlignedBox2d& box, const Holds& holds)
+{
+  const auto bound = [&](double place) {
+    return static_cast<int>(std::lround(place / image.cell));
+  };
+  const int from_y = bound(box.min().y() - image.floor);
+  const int to_y = bound(box.max().y() - image.floor);
+  std::size_t all = 0, found = 0;
+  for (int x = bound(box.min().x()); x < bound(box.max().x()); ++x)
+    for (int y = from_y; y < to_y; ++y) {
+      ++all;
+      found += image.cells.contains(x, y) && holds(image.cells.index(x, y));
+    }
+  return all > 0 ? static_cast<double>(found) / static_cast<double>(all) : 0.0;
+}
+
+} // namespace
+
+double
+WallImage::share(const Eigen::AlignedBox2d& box, WallCell kind) const
+{
+  return shareOf(
+      *this, box, [&](std::size_t cell) { return cells.values[cell] == kind; });
+}
+
+double
+WallImage::faceShare(const Eigen::AlignedBox2d& box) const
+{
+  constexpr float most = 0.03f; // metres: the relief of a frame
+  return shareOf(*this, box, [&](std::size_t cell) {
+    return cells.values[cell] != WallCell::Empty &&
+           cells.values[cell] != WallCell::Front &&
+           std::abs(depth.values[cell]) <= most;
+  });
+}
+
+WallImage
+wallImage(const std::vector<WallPoint>& points,
+          double length,
+          double floor,
+          double height,
+          const WallImageOptions& options)
+{
+  constexpr double cells_per_spacing = 0.6; // nine points around each cell
+  WallImage image;
+  image.cell =
+      std::max(options.least_cell, cells_per_spacing * spacingOf(points, options.hand));
+  image.floor = floor;
+  image.cells.nx = static_cast<int>(std::ceil(length / image.cell));
+  image.cells.ny = static_cast<int>(std::ceil(height / image.cell));
+  image.cells.values.assign(image.cells.size(), WallCell::Empty);
+  image.depth.nx = image.cells.nx;
+  image.depth.ny = image.cells.ny;
+  image.depth.values.assign(image.depth.size(), 0.0f);
+  showDepths(pointsByCell(points, image, options.hand), options.relief, image);
+  showThings(points, options.hand, image);
+  return image;
+}
+
+} // namespace indoor
+} // namespace pcl

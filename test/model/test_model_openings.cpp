@@ -1,0 +1,151 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "model/simulated_walls.h"
+
+#include <pcl/model/model_openings.h>
+
+#include <gtest/gtest.h>
+
+using namespace pcl::indoor;
+
+namespace {
+
+WallFace
+sideOf(std::uint32_t room, const Eigen::Vector2d& begin, const Eigen::Vector2d& end)
+{
+  WallFace face;
+  face.room = room;
+  face.begin = begin;
+  face.end = end;
+  face.ceiling = 2.6;
+  face.is_seen = true;
+  return face;
+}
+
+FaceHole
+framedHole(const Eigen::AlignedBox2d& box, double seen)
+{
+  FaceHole hole;
+  hole.box = box;
+  hole.seen = seen;
+  hole.depth = seen > 0.0 ? -0.1 : 0.0;
+  hole.framed = {1.0, 1.0, 1.0, box.min().y() > 0.0 ? 1.0 : 0.0};
+  return hole;
+}
+
+/** Both sides of a wall of 10 cm along x, and holes in them. */
+std::vector<ModelOpening>
+inInnerWall(const std::vector<FaceHole>& one,
+            const std::vector<FaceHole>& other,
+            const std::vector<RoomOpening>& passable = {})
+{
+  const std::vector<WallFace> faces{sideOf(1, {0.0, 0.1}, {4.0, 0.1}),
+                                    sideOf(2, {4.0, 0.0}, {0.0, 0.0})};
+  const std::vector<FaceHoles> holes{FaceHoles{one}, FaceHoles{other}};
+  return modelOpenings(faces, facePairs(faces), holes, passable);
+}
+
+/** The only side of an outer wall. */
+std::vector<ModelOpening>
+inOuterWall(const FaceHole& hole)
+{
+  const std::vector<FaceHoles> holes{FaceHoles{{hole}}};
+  return modelOpenings({sideOf(1, {0.0, 0.0}, {4.0, 0.0})}, {}, holes, {});
+}
+
+} // namespace
+
+TEST(ModelOpenings, AWindowInAnOuterWallIsSeenFromOneSide)
+{
+  const auto found = inOuterWall(framedHole(rectangle(1.0, 0.8, 2.4, 2.1), 0.9));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, ModelOpeningKind::Window);
+  EXPECT_EQ(found[0].room_b, 0u);
+  EXPECT_NEAR(found[0].position.x(), 1.7, 1e-9);
+  EXPECT_NEAR(found[0].position.z(), 0.8, 1e-9);
+  EXPECT_NEAR(found[0].sill, 0.8, 1e-9);
+  EXPECT_NEAR(found[0].head(), 2.1, 1e-9);
+  EXPECT_NEAR(found[0].width, 1.4, 1e-9);
+}
+
+TEST(ModelOpenings, WhatNoFaceFramesOrThingsHideIsNone)
+{
+  auto hole = framedHole(rectangle(1.0, 0.8, 2.4, 2.1), 0.9);
+  hole.framed[2] = 0.2; // not above: the ceiling slopes
+  EXPECT_TRUE(inOuterWall(hole).empty());
+  hole = framedHole(rectangle(1.0, 0.8, 2.4, 2.1), 0.0);
+  hole.framed[0] = 0.2; // nothing in it, and open at one side: a shadow
+  EXPECT_TRUE(inOuterWall(hole).empty());
+  hole = framedHole(rectangle(1.0, 0.8, 2.4, 2.1), 0.6);
+  hole.hidden = 0.4;
+  EXPECT_TRUE(inOuterWall(hole).empty());
+}
+
+TEST(ModelOpenings, ANicheInAnInnerWallIsNoWindow)
+{
+  const auto niche = framedHole(rectangle(1.0, 0.8, 2.4, 2.1), 0.9);
+  EXPECT_TRUE(inInnerWall({niche}, {}).empty());
+  const auto behind = framedHole(rectangle(1.6, 0.8, 3.0, 2.1), 0.9); // seen from there
+  const auto found = inInnerWall({niche}, {behind});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, ModelOpeningKind::Window);
+  EXPECT_EQ(found[0].room_a, 1u);
+  EXPECT_EQ(found[0].room_b, 2u);
+  EXPECT_NEAR(found[0].position.y(), 0.05, 1e-9); // in the middle of the wall
+}
+
+TEST(ModelOpenings, ADoorHasTheSizeOfADoor)
+{
+  const auto isDoor = [](const Eigen::AlignedBox2d& box) {
+    const auto found = inInnerWall({framedHole(box, 0.9)}, {});
+    return found.size() == 1 && found[0].kind == ModelOpeningKind::Door;
+  };
+  EXPECT_TRUE(isDoor(rectangle(1.0, 0.05, 1.9, 2.0)));
+  EXPECT_FALSE(isDoor(rectangle(1.0, 0.0, 1.4, 2.0))); // too narrow
+  EXPECT_FALSE(isDoor(rectangle(1.0, 0.0, 1.9, 1.5))); // too low
+}
+
+TEST(ModelOpenings, WhereOneCanPassTheImageTellsTheEdges)
+{
+  RoomOpening passable;
+  passable.room_a = 1;
+  passable.room_b = 2;
+  passable.position = {1.5, 0.0, 0.1};
+  passable.width = 0.8;
+  passable.area = 1.6;
+  const auto hole = framedHole(rectangle(1.02, 0.0, 1.92, 2.05), 0.0);
+  auto found = inInnerWall({hole}, {}, {passable});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].is_open);
+  EXPECT_EQ(found[0].kind, ModelOpeningKind::Door);
+  EXPECT_NEAR(found[0].width, 0.9, 1e-9);
+  EXPECT_NEAR(found[0].position.x(), 1.47, 1e-9);
+  EXPECT_NEAR(found[0].height, 2.05, 1e-9);
+  // a door elsewhere does not
+  passable.position.x() = 3.3;
+  found = inInnerWall({hole}, {}, {passable});
+  ASSERT_FALSE(found.empty());
+  EXPECT_NEAR(found[0].width, 0.8, 1e-9);
+  EXPECT_NEAR(found[0].height, 2.0, 1e-9);
+}
+
+TEST(ModelOpenings, WideOnesWithoutALintelArePassages)
+{
+  RoomOpening passable;
+  passable.room_a = 1;
+  passable.room_b = 2;
+  passable.position = {2.0, 0.0, 0.0};
+  passable.width = 2.0;
+  passable.area = 5.2;
+  EXPECT_EQ(inInnerWall({}, {}, {passable})[0].kind, ModelOpeningKind::Passage);
+  passable.area = 4.2;
+  EXPECT_EQ(inInnerWall({}, {}, {passable})[0].kind, ModelOpeningKind::Door);
+}
+
+TEST(ModelOpenings, WithoutSidesThereAreNone)
+{
+  EXPECT_TRUE(modelOpenings({}, {}, {}, {}).empty());
+}

@@ -1,0 +1,80 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "model/simulated_walls.h"
+
+#include <pcl/model/wall_holes.h>
+
+#include <gtest/gtest.h>
+
+using namespace pcl::indoor;
+
+namespace {
+
+std::vector<FaceHole>
+holesOf(const std::vector<SimulatedHole>& simulated)
+{
+  const auto points = simulatedSide(5.0, 2.6, simulated);
+  return wallHoles(wallImage(points, 5.0, 0.0, 2.6), points);
+}
+
+void
+expectBox(const FaceHole& hole, const Eigen::AlignedBox2d& box)
+{
+  // edges are known to half of the points' spacing and half of a centimetre
+  constexpr double known = 0.5 * simulated_spacing + 0.005 + 1e-6;
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(hole.box.min()[i], box.min()[i], known);
+    EXPECT_NEAR(hole.box.max()[i], box.max()[i], known);
+  }
+}
+
+} // namespace
+
+TEST(WallHoles, AWindowIsWhereItWasMade)
+{
+  for (const double depth : {0.0, -0.05, -0.2}) {
+    const auto box = rectangle(1.3, 0.9, 2.52, 2.1);
+    const auto holes = holesOf({{box, depth}});
+    ASSERT_EQ(holes.size(), 1u) << depth;
+    expectBox(holes[0], box);
+    EXPECT_FALSE(holes[0].is_proud);
+    for (const double side : holes[0].framed)
+      EXPECT_EQ(side, 1.0);
+    EXPECT_NEAR(holes[0].depth, depth, 0.003);
+    if (depth != 0.0)
+      EXPECT_GT(holes[0].seen, 0.9);
+    else
+      EXPECT_EQ(holes[0].seen, 0.0);
+  }
+}
+
+TEST(WallHoles, ALeafBeforeTheWallStandsProud)
+{
+  const auto box = rectangle(2.0, 0.0, 2.9, 2.0);
+  const auto holes = holesOf({{box, 0.06}});
+  ASSERT_EQ(holes.size(), 1u);
+  expectBox(holes[0], box);
+  EXPECT_TRUE(holes[0].is_proud);
+}
+
+TEST(WallHoles, AWindowBesideAGlazedDoorIsAnother)
+{
+  const auto door = rectangle(1.0, 0.0, 1.9, 2.1);
+  const auto window = rectangle(1.9, 0.9, 3.1, 2.1);
+  const auto holes = holesOf({{door, -0.1}, {window, -0.1}});
+  ASSERT_EQ(holes.size(), 2u);
+  // between them no face begins: the end is known to a cell and its surroundings
+  EXPECT_NEAR(holes[0].box.max().x(), 1.9, 0.05);
+  EXPECT_NEAR(holes[0].box.min().y(), 0.0, 0.02);
+  EXPECT_NEAR(holes[1].box.min().x(), 1.9, 0.05);
+  EXPECT_NEAR(holes[1].box.min().y(), 0.9, 0.02);
+}
+
+TEST(WallHoles, APlainWallHasNone)
+{
+  EXPECT_TRUE(holesOf({}).empty());
+  EXPECT_TRUE(holesOf({{rectangle(1.0, 1.0, 1.2, 1.2), 0.0}}).empty()); // too small
+}
