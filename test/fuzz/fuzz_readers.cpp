@@ -161,6 +161,8 @@ allReaders()
       {"e57", readCloud, test::E57Writer::sign},
       {"ptx", readCloud},
       {"xyz", readCloud},
+      {"zip", readCloud},
+      {"gz", readCloud},
       {"work", readWorkFile, [](std::string&) {}, wholeWorkFiles()},
       {"record", readRecord, repairWorkFile, wholeWorkFiles()},
       {"colors", [](const auto& path) { tool::readColorPng(path); }, repairPng, pngs},

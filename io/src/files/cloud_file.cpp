@@ -8,6 +8,7 @@
 #include "files/coordinate_step.h"
 #include "files/field_value.h"
 #include "files/placed_points.h"
+#include "files/scan_files.h"
 #include "formats/file_header.h"
 #include "text/printable.h"
 
@@ -223,10 +224,29 @@ pointsAround(const PCLPointCloud2& cloud,
 }
 
 CloudFile
+loadUnpacked(const std::string& path,
+             const std::function<CloudFile(const std::string& file)>& load)
+{
+  ScanFiles files{{path}, {}};
+  const auto unpacked = unpackScans(files);
+  if (files.paths.size() != 1)
+    throw ToolError(path + ": there are " + std::to_string(files.paths.size()) +
+                    " scans in it; unpack it and give one of them");
+  auto file = load(files.paths[0]);
+  file.path = path;
+  file.notes.insert(file.notes.begin(), files.notes.begin(), files.notes.end());
+  return file;
+}
+
+CloudFile
 loadCloud(const std::string& path,
           const TableColumns& columns,
           std::size_t least_points)
 {
+  if (isPacked(path))
+    return loadUnpacked(path, [&](const std::string& file) {
+      return loadCloud(file, columns, least_points);
+    });
   CloudFile file;
   file.path = path;
   readCloud(file, columns);

@@ -17,6 +17,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,7 @@ void
 printNotes(const CloudFile& file);
 
 /** \brief Read a file of any of the formats of cloudFormatOf(): its content says which
- * one it is, or the ending of a table's name.
+ * one it is, or the ending of a table's name. It may be packed, see isPacked().
  *
  * Prints nothing.
  * \param[in] columns of a table
@@ -66,6 +67,14 @@ CloudFile
 loadCloud(const std::string& path,
           const TableColumns& columns = {},
           std::size_t least_points = 2);
+
+/** \brief Read the one scan in a packed file.
+ * \param[in] load reads the file that was unpacked
+ * \throws ToolError as UnpackedFiles and \a load, and if there are several scans in it
+ */
+CloudFile
+loadUnpacked(const std::string& path,
+             const std::function<CloudFile(const std::string& file)>& load);
 
 /** \brief The same of a cloud that was read.
  * \param[in] path names it in errors

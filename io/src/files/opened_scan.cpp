@@ -31,6 +31,7 @@ openScan(const std::vector<std::string>& inputs)
   auto found = scanFiles(inputs);
   OpenedScan scan;
   scan.name = nameOfScan(inputs, found.paths);
+  scan.unpacked = unpackScans(found);
   scan.files = std::move(found.paths);
   scan.notes = std::move(found.notes);
   for (const auto& file : scan.files) {
@@ -58,6 +59,7 @@ readWhole(OpenedScan scan, const TableColumns& columns)
     const auto& told = stream->notes();
     scan.notes.insert(scan.notes.end(), told.begin(), told.end());
   }
+  file.path = scan.name; // also of what was unpacked
   file.notes.insert(file.notes.begin(), scan.notes.begin(), scan.notes.end());
   if (stream && !stream->stations().empty())
     file.stations = stream->stations();
@@ -70,6 +72,7 @@ readLater(OpenedScan scan, const TableColumns& columns)
   ScanContent content;
   content.columns = columns.names;
   content.stream = oneStream(scan, columns);
+  content.unpacked = std::move(scan.unpacked);
   content.notes = std::move(scan.notes);
   auto& file = content.file;
   file.path = scan.name;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "files/scan_content.h"
+#include "formats/packed_file.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,6 +19,7 @@ struct OpenedScan {
   std::string name; ///< of the scan
   std::vector<std::string> files;
   std::vector<std::string> notes; ///< what of folders is left out, a line each
+  std::vector<std::unique_ptr<UnpackedFiles>> unpacked; ///< what holds some of them
   /** of each file; null if it cannot be read in parts */
   std::vector<std::unique_ptr<CloudStream>> streams;
   std::uint64_t count = 0, in_memory = 0; ///< points of all, of those that are null
@@ -30,7 +32,7 @@ struct OpenedScan {
   }
 };
 
-/** \brief Find the files, see scanFiles(), and open them. */
+/** \brief Find the files, see scanFiles(), unpack and open them. */
 OpenedScan
 openScan(const std::vector<std::string>& inputs);
 

@@ -6,6 +6,7 @@
 
 #include "files/placed_points.h"
 #include "formats/mesh_file.h"
+#include "formats/packed_file.h"
 #include "formats/ply_file.h"
 
 #include <pcl/conversions.h>
@@ -130,6 +131,10 @@ loadSurface(const std::string& path,
             const TableColumns& columns,
             std::size_t least_points)
 {
+  if (isPacked(path))
+    return loadUnpacked(path, [&](const std::string& file) {
+      return loadSurface(file, columns, least_points);
+    });
   auto file = loadCloud(path, columns, least_points);
   if (file.points->size() >= most_drawn || !hasPlyFaces(path))
     return file;

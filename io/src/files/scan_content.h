@@ -7,6 +7,7 @@
 #include "files/cell_sample.h"
 #include "files/cloud_file.h"
 #include "files/cloud_stream.h"
+#include "formats/packed_file.h"
 
 #include <Eigen/Core>
 
@@ -22,6 +23,7 @@ namespace pcl::indoor {
 struct ScanContent {
   /** with all points, or, once they are drawn, those of the sample, and no fields */
   tool::CloudFile file;
+  std::vector<std::unique_ptr<tool::UnpackedFiles>> unpacked; ///< that hold the stream
   std::unique_ptr<tool::CloudStream> stream; ///< of a large scan: all of its points
   std::vector<std::string> notes;            ///< of the files of a large scan
   std::optional<tool::CellSample> sample;    ///< of a large scan

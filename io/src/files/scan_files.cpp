@@ -46,7 +46,8 @@ contentOf(const std::string& folder)
       continue;
     if (entry.is_directory(unknown))
       content.folders.push_back(entry.path().filename().string());
-    else if (entry.is_regular_file(unknown) && hasCloudEnding(path))
+    else if (entry.is_regular_file(unknown) &&
+             (hasCloudEnding(path) || hasPackedEnding(path)))
       content.scans.push_back(path);
     else if (entry.is_regular_file(unknown))
       content.others[fileEnding(path)].push_back(path);
@@ -84,14 +85,21 @@ removeResults(const std::string& folder, FolderContent& content, ScanFiles& file
                         "and left out");
 }
 
+std::string
+beginningOf(const std::string& path)
+{
+  std::string beginning(512, '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(stream.gcount()));
+  return beginning;
+}
+
 /** Files of one ending, and why they are no scans. */
 std::string
 whyLeftOut(const std::vector<std::string>& paths)
 {
-  std::string beginning(512, '\0');
-  std::ifstream stream(paths[0], std::ios::binary);
-  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(stream.gcount()));
+  const auto beginning = beginningOf(paths[0]);
   const auto format = describeForeignFormat(paths[0], beginning);
   const auto more = paths.size() - 1;
   return nameOf(paths[0]) + (more > 0 ? " and " + std::to_string(more) + " more" : "") +
@@ -127,6 +135,29 @@ addFolder(const std::string& folder, ScanFiles& files)
   files.paths.insert(files.paths.end(), content.scans.begin(), content.scans.end());
 }
 
+/** The scans in a file that was packed; where there is none, its only file. */
+ScanFiles
+scansIn(const std::string& path, const UnpackedFiles& unpacked)
+{
+  ScanFiles files;
+  if (unpacked.files().size() == 1) {
+    files.paths = unpacked.files();
+    return files;
+  }
+  const auto content = contentOf(unpacked.folder());
+  std::vector<std::string> meshes;
+  for (const auto& file : unpacked.files())
+    if (meshFormat(file, beginningOf(file)))
+      meshes.push_back(file);
+  if (content.scans.empty() && meshes.size() == 1)
+    files.paths = meshes;
+  else if (content.scans.empty())
+    refuseEmpty(path, content);
+  else
+    addFolder(unpacked.folder(), files);
+  return files;
+}
+
 } // namespace
 
 ScanFiles
@@ -141,6 +172,29 @@ scanFiles(const std::vector<std::string>& inputs)
       files.paths.push_back(input);
   }
   return files;
+}
+
+std::vector<std::unique_ptr<UnpackedFiles>>
+unpackScans(ScanFiles& files)
+{
+  std::vector<std::unique_ptr<UnpackedFiles>> unpacked;
+  std::vector<std::string> paths;
+  for (const auto& path : files.paths) {
+    if (!isPacked(path)) {
+      paths.push_back(path);
+      continue;
+    }
+    unpacked.push_back(std::make_unique<UnpackedFiles>(path));
+    auto inner = scansIn(path, *unpacked.back());
+    for (const auto& scan : inner.paths)
+      if (isPacked(scan)) // without end, in files that are made so
+        throw ToolError(path + ": " + nameOf(scan) +
+                        " in it is packed, too; unpack it");
+    paths.insert(paths.end(), inner.paths.begin(), inner.paths.end());
+    files.notes.insert(files.notes.end(), inner.notes.begin(), inner.notes.end());
+  }
+  files.paths = std::move(paths);
+  return unpacked;
 }
 
 std::string

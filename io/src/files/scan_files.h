@@ -4,6 +4,9 @@
  */
 #pragma once
 
+#include "formats/packed_file.h"
+
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +25,14 @@ struct ScanFiles {
  */
 ScanFiles
 scanFiles(const std::vector<std::string>& inputs);
+
+/** \brief Unpack what is packed: in its place come the scans in it, as those of a
+ * folder; where there is none, the one mesh in it.
+ * \return what holds them: they are removed with it
+ * \throws ToolError if a file cannot be unpacked or holds no scan
+ */
+std::vector<std::unique_ptr<UnpackedFiles>>
+unpackScans(ScanFiles& files);
 
 /** \brief What a scan of such files is called. */
 std::string

@@ -118,25 +118,7 @@ const std::vector<Format> formats = {
     {"a text in UTF-16",
      {"\xff\xfe", "\xfe\xff"},
      {},
-     "convert it: iconv -f UTF-16 -t UTF-8 IN -o OUT.txt"},
-    {"a packed folder (tar)", {}, {".tar"}, "unpack it: tar xf IN"},
-    {"a file compressed by gzip",
-     {"\x1f\x8b"},
-     {".gz", ".tgz"},
-     "unpack it: gunzip -k IN"},
-    {"a file compressed by bzip2", {"BZh"}, {".bz2"}, "unpack it: bunzip2 -k IN"},
-    {"a file compressed by xz",
-     {"\xfd"
-      "7zXZ"},
-     {".xz"},
-     "unpack it: unxz -k IN"},
-    {"a file compressed by zstd",
-     {"\x28\xb5\x2f\xfd"},
-     {".zst"},
-     "unpack it (needs zstd): unzstd IN"},
-    {"a 7z archive", {"7z\xbc\xaf"}, {".7z"}, "unpack it (needs p7zip-full): 7z x IN"},
-    {"a RAR archive", {"Rar!"}, {".rar"}, "unpack it (needs unar): unar IN"},
-    {"a ZIP archive", {"PK\x03\x04"}, {".zip"}, "unpack it (needs unzip): unzip IN"}};
+     "convert it: iconv -f UTF-16 -t UTF-8 IN -o OUT.txt"}};
 
 /** By its first bytes, else by the ending of its name; the ending goes before, where
  * many formats begin alike, as archives. */

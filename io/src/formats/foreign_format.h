@@ -13,7 +13,7 @@ namespace pcl::indoor::tool {
  *
  * Commands need what Debian has, or Python's packages.
  * \param[in] beginning a few hundred bytes, or fewer if the file is shorter
- * \return for example "a ZIP archive; unpack it: unzip a.zip"; empty if the format is
+ * \return for example "an FBX scene; convert it ..."; empty if the format is
  * not known
  */
 std::string
