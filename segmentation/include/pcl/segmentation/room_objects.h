@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace pcl {
@@ -83,21 +82,13 @@ measureObjects(const std::vector<Eigen::Vector3f>& positions,
                const std::vector<Eigen::Vector3f>& standing,
                const RoomObjects& objects);
 
-/** \brief The objects of all rooms of a building. */
-struct BuildingObjects {
-  /** 1 ... n, in the order of the rooms, then the others; 0 = none */
-  std::vector<std::uint32_t> object_of_point;
-  std::vector<std::uint32_t> structure_of_point; ///< one per point: a StructureKind
-  std::vector<ObjectSurface> surfaces;           ///< object i + 1 is the i-th
-  /** per room, metres; the last is that of the other points; 0 = no points */
-  std::vector<double> voxel_sizes;
-};
-
 /** \brief The room with whose points the objects of each point are looked for: its own,
- * and for a point in none that to which half a metre of surface leads, or 0. A room
- * ends where nothing shows that it goes on: without its surroundings, things in niches
- * and windows, and what stands where little was seen, would be cut. \param[in]
- * positions finite, z up, metres \param[in] room_of_point one per position; 0 = none
+ * and for a point in none that to which half a metre of surface leads, or 0.
+ *
+ * A room ends where nothing shows that it goes on: without its surroundings, things in
+ * niches and windows, and what stands where little was seen, would be cut.
+ * \param[in] positions finite, z up, metres
+ * \param[in] room_of_point one per position; 0 = none
  */
 std::vector<std::uint32_t>
 withSurroundings(const std::vector<Eigen::Vector3f>& positions,
@@ -122,28 +113,6 @@ pointsOfRooms(const PointCloud<PointXYZ>& points,
  */
 std::vector<std::size_t>
 largestFirst(const std::vector<std::size_t>& sizes);
-
-/** \brief Segment the points of each room with its surroundings, and the others, into
- * objects; several rooms at a time.
- * \param[in] points z up, metres; those that are not finite are in no object
- * \param[in] normals one per point, or null to have them estimated
- * \param[in] room_of_point one per point; 0 = none
- * \param[in] threads rooms at a time, 0 = automatic; the result does not depend on it
- * \param[in] given objects that are known already, one per point, 0 = none; then these
- * are taken, an object in two rooms as two; empty: they are found
- * \param[in] report is told how many of all points are done, from one thread at a
- * time; may be empty
- * \throws pcl::BadArgumentException if an option is out of range, or sizes differ
- */
-BuildingObjects
-segmentBuildingObjects(
-    const PointCloud<PointXYZ>& points,
-    const PointCloud<Normal>::ConstPtr& normals,
-    const std::vector<std::uint32_t>& room_of_point,
-    const ObjectSegmentationOptions& options = {},
-    int threads = 0,
-    const std::vector<std::uint32_t>& given = {},
-    const std::function<void(std::size_t done, std::size_t all)>& report = {});
 
 } // namespace indoor
 } // namespace pcl

@@ -7,7 +7,7 @@
 #include <pcl/segmentation/objects/room_structure.h> // for StructureKind
 #include <pcl/segmentation/room_objects.h>
 
-#include "support/synthetic_scenes.h"
+#include "support/furnished_building.h"
 
 #include <gtest/gtest.h>
 
@@ -19,47 +19,9 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-PointCloud<PointXYZ>::Ptr
-cloudOf(const std::vector<Eigen::Vector3f>& positions)
-{
-  auto cloud = pcl::make_shared<PointCloud<PointXYZ>>();
-  for (const auto& position : positions)
-    cloud->push_back(PointXYZ(position.x(), position.y(), position.z()));
-  return cloud;
-}
-
-/** Two furnished rooms and a board 10 m away; every 50th point of the rooms is in none,
- * as are those of the board. */
-struct Building {
-  Building()
-  : scene(test::twoRooms())
-  , room_of_point(scene.objects)
-  {
-    for (std::size_t i = 0; i < room_of_point.size(); i += 50)
-      room_of_point[i] = 0;
-    for (int i = 0; i < 40 * 40; ++i) {
-      scene.points.emplace_back(0.03f * (i / 40), -10.0f, 1.1f + 0.03f * (i % 40));
-      room_of_point.push_back(0);
-    }
-    group_of_point = withSurroundings(scene.points, room_of_point);
-    cloud = cloudOf(scene.points);
-    (*cloud)[7].x = std::numeric_limits<float>::quiet_NaN();
-  }
-
-  test::LabelledPoints scene;
-  PointCloud<PointXYZ>::Ptr cloud;
-  std::vector<std::uint32_t> room_of_point, group_of_point;
-};
-
-RoomPoints
-room(const Building& building, std::uint32_t number)
-{
-  RoomPoints points;
-  for (std::size_t i = 0; i < building.cloud->size(); ++i)
-    if (building.group_of_point[i] == number && i != 7)
-      points.positions.push_back(building.scene.points[i]);
-  return points;
-}
+using test::Building;
+using test::cloudOf;
+using test::room;
 
 /** Points of a floor and a wall along x from 0 on, 5 cm apart; those before an end are
  * in room 1. */
@@ -147,32 +109,6 @@ TEST(RoomObjects, NormalsThatAreNoneAreEstimated)
   }
 }
 
-TEST(RoomObjects, OfABuildingAreThoseOfItsRoomsOneAfterTheOther)
-{
-  const Building building;
-  const auto all =
-      segmentBuildingObjects(*building.cloud, nullptr, building.room_of_point);
-  ASSERT_EQ(all.object_of_point.size(), building.cloud->size());
-  EXPECT_EQ(all.voxel_sizes.size(), 3u); // two rooms, and what is in none
-  std::uint32_t before = 0;
-  for (const std::uint32_t number : {1u, 2u, 0u}) {
-    const auto own = segmentRoomObjects(room(building, number));
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < building.cloud->size(); ++i) {
-      if (building.group_of_point[i] != number || i == 7)
-        continue;
-      const auto object = own.object_of_point[k];
-      EXPECT_EQ(all.object_of_point[i], object == 0 ? 0 : before + object) << i;
-      EXPECT_EQ(all.structure_of_point[i], own.structure_of_point[k]) << i;
-      ++k;
-    }
-    before += static_cast<std::uint32_t>(own.surfaces.size());
-  }
-  EXPECT_GT(before, 10u); // two floors, ceilings, walls, a table, a cabinet
-  EXPECT_EQ(all.surfaces.size(), before);
-  EXPECT_EQ(all.object_of_point[7], 0u); // is not finite
-}
-
 TEST(RoomObjects, SurroundingsAreHalfAMetreOfSurface)
 {
   const Corridor corridor(6.0, 3.0);
@@ -209,27 +145,9 @@ TEST(RoomObjects, SurroundingsOfTwoRoomsAreThoseOfTheNearer)
   EXPECT_TRUE(withSurroundings({}, {}).empty());
 }
 
-TEST(RoomObjects, PointsKilometresAwayAreInNoneAndChangeNone)
+TEST(RoomObjects, APointKilometresAwayIsInNoneAndChangesNone)
 {
-  const Building building;
-  auto room_of_point = building.room_of_point;
-  auto cloud = *building.cloud;
-  const auto expected = segmentBuildingObjects(cloud, nullptr, room_of_point);
-  for (const auto& [far, room] : {std::make_pair(5e6f, 0u), {-3e5f, 0u}, {2e8f, 1u}}) {
-    cloud.push_back(PointXYZ(far, -far, 0.5f));
-    room_of_point.push_back(room);
-  }
-  auto found = segmentBuildingObjects(cloud, nullptr, room_of_point);
-  for (auto* values : {&found.object_of_point, &found.structure_of_point}) {
-    ASSERT_EQ(values->size(), cloud.size());
-    for (int i = 0; i < 3; ++i, values->pop_back())
-      EXPECT_EQ(values->back(), 0u);
-  }
-  EXPECT_EQ(found.object_of_point, expected.object_of_point);
-  EXPECT_EQ(found.structure_of_point, expected.structure_of_point);
-  EXPECT_EQ(found.surfaces.size(), expected.surfaces.size());
-
-  auto one = room(building, 1);
+  auto one = room(Building(), 1);
   const auto alone = segmentRoomObjects(one);
   one.positions.emplace_back(0.0f, 1e6f, 0.0f);
   one.given.assign(one.positions.size(), 1);
@@ -242,41 +160,6 @@ TEST(RoomObjects, PointsKilometresAwayAreInNoneAndChangeNone)
   EXPECT_EQ(objects.back(), 0u);
   objects.pop_back();
   EXPECT_EQ(objects, alone.object_of_point);
-}
-
-TEST(RoomObjects, DoNotDependOnThreads)
-{
-  const Building building;
-  const auto find = [&](int threads) {
-    return segmentBuildingObjects(
-        *building.cloud, nullptr, building.room_of_point, {}, threads);
-  };
-  const auto one = find(1), three = find(3);
-  EXPECT_EQ(one.object_of_point, three.object_of_point);
-  EXPECT_EQ(one.structure_of_point, three.structure_of_point);
-  EXPECT_EQ(one.voxel_sizes, three.voxel_sizes);
-}
-
-TEST(RoomObjects, GivenOnesAreTakenRoomByRoom)
-{
-  Building building;
-  std::vector<std::uint32_t> given(building.cloud->size(), 0);
-  for (std::size_t i = 0; i < given.size(); ++i)
-    given[i] = building.scene.points[i].z() > 1.0f ? 70 : 0; // in both rooms
-  ObjectSegmentationOptions options;
-  options.fewest_points = 0;
-  const auto all = segmentBuildingObjects(
-      *building.cloud, nullptr, building.room_of_point, options, 2, given);
-  for (std::size_t i = 0; i < given.size(); ++i)
-    if (i != 7) {
-      const auto number = building.group_of_point[i];
-      const auto expected = number == 0 ? 3 : number;
-      EXPECT_EQ(all.object_of_point[i], given[i] == 0 ? 0 : expected) << i;
-      if (given[i] == 0) {
-        EXPECT_EQ(all.structure_of_point[i], 0u) << i;
-      }
-    }
-  EXPECT_EQ(all.surfaces.size(), 3u);
 }
 
 TEST(RoomObjects, AreMeasuredInTheFrameThatIsAskedFor)
@@ -313,10 +196,7 @@ TEST(RoomObjects, WrongUseIsRefusedAndNothingGivesNothing)
   const std::vector<Eigen::Vector3f> two(2, Eigen::Vector3f::UnitZ());
   EXPECT_THROW(segmentRoomObjects({two, {{0, 0, 1}}, {}}), BadArgumentException);
   EXPECT_THROW(segmentRoomObjects({two, {}, {1, 1, 1}}), BadArgumentException);
-  EXPECT_THROW(segmentBuildingObjects(*cloudOf(two), nullptr, {1}),
-               BadArgumentException);
-  EXPECT_TRUE(
-      segmentBuildingObjects(*cloudOf({}), nullptr, {}).object_of_point.empty());
+  EXPECT_THROW(pointsOfRooms(*cloudOf(two), {1}, 1), BadArgumentException);
   EXPECT_EQ(largestFirst({3, 9, 3, 20}), (std::vector<std::size_t>{3, 1, 0, 2}));
 }
 
