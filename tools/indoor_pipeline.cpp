@@ -148,6 +148,7 @@ main(int argc, char** argv)
     options.frame.settle(scene.report);
     scene.understood = understood;
     const auto standing = standingPoints(scan.file, work, scene);
+    findWalls(options, *standing, scene, report);
     const ObjectSearch search = {
         work, store, report, options.threads, options.ignore_normals};
     auto cloud = completedCloud(options, search, folder, ranks, scan, *standing, scene);

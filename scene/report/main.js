@@ -8,7 +8,8 @@ const state = { chosen: null, colour: hasClasses ? "class" : "object", storey: 0
 let isFound = () => true;
 
 const isShown = (object) => isFound(object);
-const storeyOf = ({ kind, number }) => (kind === "room" ? scene.rooms : kind === "object" ? objects : scene.openings)[number - 1]?.storey;
+const known = { object: objects, room: scene.rooms, opening: scene.openings, wall: scene.walls };
+const storeyOf = ({ kind, number }) => known[kind][number - 1]?.storey;
 
 const fillOf = ({ kind, number }) => {
   if (kind === "room") return state.colour === "room" ? roomColour(number) : null;
@@ -50,6 +51,7 @@ const tables = {
   objects: new Table($("objects"), "object", objectColumns((object) => fillOf({ kind: "object", number: object.object })), choose),
   rooms: new Table($("rooms"), "room", roomColumns, choose),
   openings: new Table($("openings"), "opening", openingColumns, choose),
+  walls: new Table($("walls"), "wall", wallColumns, choose),
 };
 
 function say(item, x, y) {
@@ -63,13 +65,19 @@ function say(item, x, y) {
 
 function titleOf({ kind, number }) {
   if (kind === "room") return `${roomName(number)}, ${scene.rooms[number - 1].area.toFixed(1)} m²`;
-  if (kind === "opening") return `Opening, ${metres(scene.openings[number - 1].width)} wide`;
+  if (kind === "opening") return `${capital(scene.openings[number - 1].kind)} ${number}, ${metres(scene.openings[number - 1].width)} wide`;
+  if (kind === "wall") return `Wall ${number}, ${metres(lengthOf(scene.walls[number - 1]))} long`;
   const object = objects[number - 1];
   const sure = object.structure === "none" && object.confidence ? `, ${percent(object.confidence)} sure` : "";
   return `${nameOf(object)} ${number}${sure}`;
 }
 
 const capital = (word) => word.charAt(0).toUpperCase() + word.slice(1);
+
+const roomLinks = (rooms) => rooms.filter((room) => room > 0).map((room) => ({ kind: "room", number: room }));
+
+/** What a link to an item says. */
+const linkText = ({ kind, number }) => kind === "room" ? roomName(number) : kind === "opening" ? `${capital(scene.openings[number - 1].kind)} ${number}` : `Wall ${number}`;
 
 /** Rows of what is known of a thing: [term, text or item to go to]. */
 function factsOf({ kind, number }) {
@@ -83,8 +91,16 @@ function factsOf({ kind, number }) {
   }
   if (kind === "opening") {
     const opening = scene.openings[number - 1];
-    return [["Between", opening.rooms.map((room) => ({ kind: "room", number: room }))], ["Width", metres(opening.width)],
-      ["Area", `${opening.area.toFixed(2)} m²`], ["Storey", opening.storey]];
+    return [["Between", roomLinks(opening.rooms)], ["Width", metres(opening.width)], ["Height", metres(opening.height)],
+      ["Lower edge", `${metres(opening.sill)} above the floor`], ["Area", `${opening.area.toFixed(2)} m²`], ["Can be passed", opening.open ? "yes" : "no"],
+      ["Storey", opening.storey], ...(opening.wall ? [["In", [{ kind: "wall", number: opening.wall }]]] : [])];
+  }
+  if (kind === "wall") {
+    const wall = scene.walls[number - 1];
+    const holds = scene.openings.filter((opening) => opening.wall === number);
+    return [["Bounds", roomLinks(wall.rooms)], ["Length", metres(lengthOf(wall))], ["Height", metres(wall.height)],
+      ["Thickness", wall.thickness ? metres(wall.thickness) : "not known: one side was seen"],
+      ["Holds", holds.map((opening) => ({ kind: "opening", number: opening.opening }))], ["Storey", wall.storey]];
   }
   const object = objects[number - 1];
   return [["Room", object.room ? [{ kind: "room", number: object.room }] : "none"], ["Size", sizeOf(object)],
@@ -109,7 +125,7 @@ function showDetails() {
     if (Array.isArray(value)) value.forEach((item, i) => {
       const link = document.createElement("button");
       link.className = "link";
-      link.textContent = roomName(item.number);
+      link.textContent = linkText(item);
       link.addEventListener("click", () => choose(item));
       what.append(i ? ", " : "", link);
     });
@@ -119,7 +135,7 @@ function showDetails() {
   box.replaceChildren(title, close, list);
 }
 
-/** Choose an object, a room or an opening everywhere; null for nothing. */
+/** Choose an object, a room, an opening or a wall everywhere; null for nothing. */
 function choose(item) {
   state.chosen = item;
   const storey = item && storeyOf(item);
@@ -138,9 +154,10 @@ function choose(item) {
   history.replaceState(null, "", item ? `#${item.kind}=${item.number}` : location.pathname + location.search);
 }
 
-/** Of a room or an opening, in the frame of the cloud. */
+/** Of a room, an opening or a wall, in the frame of the cloud. */
 function middleOf({ kind, number }) {
-  const room = scene.rooms[number - 1];
+  const room = scene.rooms[number - 1], wall = scene.walls[number - 1];
+  if (kind === "wall") return toBuilding(wall.begin.map((value, i) => (value + wall.end[i]) / 2));
   if (kind === "opening") return toBuilding(scene.openings[number - 1].position);
   return toBuilding(room.box ? room.box.lower.map((value, i) => (value + room.box.upper[i]) / 2) : room.footprint[0][0]);
 }
@@ -208,6 +225,7 @@ function search() {
   const rooms = query.trim() ? new Set(found.map((object) => object.room)) : null;
   tables.rooms.fill(scene.rooms.filter((room) => !rooms || rooms.has(room.room)), state.chosen);
   tables.openings.fill(scene.openings, state.chosen);
+  tables.walls.fill(scene.walls, state.chosen);
   $("tab-objects").textContent = `Objects ${found.length}`;
   $("tab-rooms").textContent = `Rooms ${rooms ? scene.rooms.filter((room) => rooms.has(room.room)).length : scene.rooms.length}`;
   plan.mark(state.chosen, isShown);
@@ -274,6 +292,7 @@ function start() {
   addOptions($("storey"), [...scene.storeys.map((storey) => [storey.storey, String(storey.storey)]), [scene.storeys.length, "all (3D)"]]);
   $("storey-choice").hidden = scene.storeys.length < 2;
   $("tab-openings").textContent = `Openings ${scene.openings.length}`;
+  $("tab-walls").textContent = `Walls ${scene.walls.length}`;
   const about = document.createElement("dl");
   for (const [term, value] of [["Program", `${scene.program.name} ${scene.program.version}`], ["Points", `${scene.points.toLocaleString("en")}, of which this page shows ${cloud.count.toLocaleString("en")}`],
     ...scene.overview.facts.map((line) => ["Scan", line]), ...scene.overview.consequences.map((line) => ["Lacks", line]),
@@ -290,9 +309,8 @@ function start() {
   setStorey(0);
   setColour(state.colour);
   search();
-  const [, kind, number] = location.hash.match(/^#(object|room|opening)=(\d+)$/) || [];
-  const known = { object: objects, room: scene.rooms, opening: scene.openings }[kind];
-  if (known && known[number - 1]) choose({ kind, number: Number(number) });
+  const [, kind, number] = location.hash.match(/^#(object|room|opening|wall)=(\d+)$/) || [];
+  if (kind && known[kind][number - 1]) choose({ kind, number: Number(number) });
 }
 
 function listen() {

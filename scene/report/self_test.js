@@ -11,6 +11,7 @@ const selfTest = () => {
 
   expect(rows("objects") === things.length, "the table lists all things");
   expect(rows("rooms") === scene.rooms.length, "the table lists all rooms");
+  expect(rows("openings") === scene.openings.length && rows("walls") === scene.walls.length, "the tables list all openings and walls");
   expect(document.querySelectorAll("#plan .room").length === scene.rooms.filter((room) => room.storey === 0).length, "the plan shows the rooms");
   expect(drawn.length === things.filter((thing) => thing.storey === 0).length, "the plan shows the things");
   expect(cloud.count === 0 || cloud.objects.reduce((most, number) => Math.max(most, number), 0) <= objects.length, "points belong to objects");
@@ -31,6 +32,12 @@ const selfTest = () => {
   expect(!$("details").hidden && $("details").textContent.includes(`${number}`), "details are shown");
   expect(!space || space.frame.geometry.attributes.position.count === 24, "the 3D view frames it");
   expect(location.hash === `#object=${number}`, "the address names it");
+
+  // so does a click on a wall's row, which leads to its rooms
+  document.querySelector("#walls tbody tr").click();
+  const wall = scene.walls[Number(document.querySelector("#walls tr[aria-selected=true]").dataset.wall) - 1];
+  expect(state.chosen.kind === "wall" && wall.rooms.every((room) => $("details").textContent.includes(roomName(room))), "details tell a wall's rooms");
+  choose({ kind: "object", number });
 
   // keys in the table choose the next
   chosen.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp", bubbles: true }));

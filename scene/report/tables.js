@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_indoor contributors
 //
-// Tables of objects, rooms and openings: sorted by their headers, chosen from by mouse and keyboard.
+// Tables of objects, rooms, openings and walls: sorted by their headers, chosen from by mouse and keyboard.
 
 class Table {
   /** columns: { name, value(item), text(item), number, optional, colour(item) } */
@@ -142,10 +142,27 @@ const roomColumns = [
     text: (r) => [...new Set(r.neighbours.map((n) => n.room))].sort((a, b) => a - b).join(", ") || "–" },
 ];
 
+/** The rooms that a wall or an opening joins; 0 is the outside, or what was not seen. */
+const joinedRooms = (rooms) => rooms.filter((room) => room > 0).join(" and ") || "–";
+
 const openingColumns = [
   { name: "Opening", value: (o) => o.opening, number: true },
-  { name: "Between rooms", value: (o) => o.rooms[0], text: (o) => o.rooms.join(" and ") },
+  { name: "Kind", value: (o) => o.kind, text: (o) => o.open || o.kind !== "door" ? o.kind : "closed door" },
+  { name: "Rooms", value: (o) => o.rooms[0], text: (o) => joinedRooms(o.rooms) },
   { name: "Storey", value: (o) => o.storey, number: true },
   { name: "Width", value: (o) => o.width, number: true, text: (o) => metres(o.width) },
+  { name: "Height", value: (o) => o.height, number: true, text: (o) => metres(o.height) },
+  { name: "Sill", value: (o) => o.sill, number: true, optional: true, text: (o) => metres(o.sill) },
   { name: "Area", value: (o) => o.area, number: true, optional: true, text: (o) => `${o.area.toFixed(2)} m²` },
+];
+
+const lengthOf = (wall) => Math.hypot(...toBuilding(wall.end).map((value, i) => value - toBuilding(wall.begin)[i]));
+
+const wallColumns = [
+  { name: "Wall", value: (w) => w.wall, number: true },
+  { name: "Rooms", value: (w) => w.rooms[0], text: (w) => joinedRooms(w.rooms) },
+  { name: "Storey", value: (w) => w.storey, number: true },
+  { name: "Length", value: lengthOf, number: true, text: (w) => metres(lengthOf(w)) },
+  { name: "Height", value: (w) => w.height, number: true, text: (w) => metres(w.height) },
+  { name: "Thickness", value: (w) => w.thickness ?? 0, number: true, text: (w) => w.thickness ? metres(w.thickness) : "–" },
 ];

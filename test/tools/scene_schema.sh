@@ -51,7 +51,10 @@ END
   fi
 }
 
-spoil 'scene["version"] = 2'
+spoil 'scene["version"] = 1'
+spoil 'del scene["walls"]'
+spoil 'scene["walls"][0]["thickness"] = 0'
+spoil 'scene["openings"][0]["kind"] = "gate"'
 spoil 'del scene["axes"]'
 spoil 'scene["rooms"][0]["area"] = -1'
 spoil 'scene["objects"][0]["points"] = 99'

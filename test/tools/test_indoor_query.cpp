@@ -35,7 +35,7 @@ smallScene()
                       {"yaw_degrees", 90.0}}}};
       };
   Json scene = {{"format", "pcl_indoor scene"},
-                {"version", 1},
+                {"version", 2},
                 {"coordinate_unit", "m"},
                 {"axes", {{"x", {1, 0, 0}}, {"y", {0, 1, 0}}, {"up", {0, 0, 1}}}},
                 {"categories", {"none", "door", "chair"}},
@@ -155,9 +155,9 @@ TEST_F(IndoorQuery, WhatIsNotThereIsSaid)
 TEST_F(IndoorQuery, BadScenesAreRefused)
 {
   auto scene = smallScene();
-  scene["version"] = 2;
+  scene["version"] = 1;
   save(scene);
-  expectRefused("", "version 2");
+  expectRefused("", "version 1");
   scene = smallScene();
   scene["objects"][1]["upright_box"]["size"] = {1, "wide", 2};
   save(scene);

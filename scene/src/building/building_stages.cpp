@@ -10,6 +10,7 @@
 #include "scene/object_classes.h"
 #include "scene/scan_frame.h"
 
+#include <pcl/model/building_model.h>
 #include <pcl/segmentation/room_segmentation.h>
 
 #include <algorithm>
@@ -223,6 +224,29 @@ standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene)
   for (const auto index : scene.report.outside)
     (*points)[index].getVector3fMap().setConstant(NAN);
   return points;
+}
+
+void
+findWalls(const SceneOptions& options,
+          const PointCloud<PointXYZ>& standing,
+          Scene& scene,
+          StageReport& report)
+{
+  report.start("Finding walls, doors and windows");
+  const auto& pose = scene.building_pose;
+  const Eigen::Vector3f origin =
+      (pose.linear().transpose() * pose.translation()).cast<float>();
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(standing.size());
+  for (const auto& point : standing)
+    points.emplace_back(point.getVector3fMap() - origin);
+  scene.model = buildingModel(points,
+                              scene.room_of_point,
+                              scene.building.rooms,
+                              scene.building.openings,
+                              options.threads);
+  report.done(std::to_string(scene.model.walls.size()) + " walls, " +
+              std::to_string(scene.model.openings.size()) + " openings");
 }
 
 void

@@ -51,6 +51,14 @@ findRooms(const SceneOptions& options,
 PointCloud<PointXYZ>::ConstPtr
 standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene);
 
+/** \brief Find the walls of the rooms, their doors and their windows.
+ * \param[in] standing tells which points count */
+void
+findWalls(const SceneOptions& options,
+          const PointCloud<PointXYZ>& standing,
+          Scene& scene,
+          StageReport& report);
+
 /** \brief Of a scan that is read in parts: where its points are, and what is to be
  * added to the numbers of objects, per room. */
 struct RoomFiles {

@@ -45,7 +45,7 @@ private:
   std::string stage_;
 };
 
-/** Rooms and objects of a scan that was looked at. */
+/** Rooms, walls and objects of a scan that was looked at. */
 Scene
 described(SceneOptions& options,
           ScanContent& scan,
@@ -64,6 +64,7 @@ described(SceneOptions& options,
   options.frame.settle(scene.report);
   scene.understood = understood;
   const auto standing = tool::standingPoints(scan.file, work, scene);
+  tool::findWalls(options, *standing, scene, report);
   const tool::ObjectSearch search = {
       work, store, report, options.threads, options.ignore_normals};
   if (!scan.stream) {

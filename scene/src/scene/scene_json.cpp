@@ -8,6 +8,7 @@
 
 #include "files/output_file.h"
 #include "formats/json_text.h"
+#include "scene/model_json.h"
 #include "scene/room_json.h"
 #include "scene/scan_frame.h"
 #include "scene/understood_scan.h"
@@ -21,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 constexpr const char* structure_names[] = {"none", "floor", "wall", "ceiling"};
 
 Json
@@ -76,18 +77,16 @@ storeysJson(const Scene& scene, double offset_up)
   return storeys;
 }
 
-Json
-openingsJson(const Scene& scene, const Eigen::Vector3d& offset)
+/** Brings places of the building's frame into the file's, in its unit. */
+Eigen::Affine3d
+fileFrame(const Scene& scene)
 {
-  Json openings = Json::array();
-  for (const auto& opening : scene.openings)
-    openings.push_back({{"opening", openings.size() + 1},
-                        {"rooms", {opening.room_a, opening.room_b}},
-                        {"storey", scene.rooms.at(opening.room_a - 1).storey},
-                        {"position", positionJson(opening.position + offset)},
-                        {"width", rounded(opening.width)},
-                        {"area", rounded(opening.area)}});
-  return openings;
+  const double metres = scene.frame.metresPerUnit();
+  Eigen::Affine3d to_file = Eigen::Affine3d::Identity();
+  to_file.linear() = scene.building_pose.linear() / metres;
+  to_file.translation() =
+      scene.building_pose.translation() / metres + scene.input.offset;
+  return to_file;
 }
 
 /** Class, confidence and the three likeliest of an object. */
@@ -179,7 +178,9 @@ sceneJson(const Scene& scene)
     json["categories"] = scene.classes.names;
   json["rooms"] = roomsJson(scene.rooms, scene.openings, scene.input.offset);
   addObjectsToRooms(json["rooms"], scene);
-  json["openings"] = openingsJson(scene, scene.input.offset);
+  const auto to_file = fileFrame(scene);
+  json["walls"] = wallsJson(scene.model, to_file);
+  json["openings"] = openingsJson(scene.model, to_file);
   json["objects"] = objectsJson(scene);
   return json;
 }

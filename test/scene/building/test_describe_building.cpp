@@ -81,6 +81,29 @@ TEST_F(DescribeBuilding, FindsRoomsAndTheirObjects)
   EXPECT_EQ(scene.frame.up, "z");
 }
 
+TEST_F(DescribeBuilding, FindsTheWallBetweenTheRoomsWithItsDoor)
+{
+  const auto file = twoRooms("rooms.ply"); // not compressed
+  ScanOptions in_parts;
+  in_parts.points_at_once = 20000;
+  auto options = withoutClasses();
+  options.work_folder = path("");
+  for (const auto& scan : {loadScan(file), loadScan(file, in_parts)}) {
+    const auto model = describeBuilding(scan, options).model;
+    const auto is_between = [](const ModelWall& wall) {
+      return wall.rooms == std::vector<std::uint32_t>{1, 2} && wall.thickness > 0.0;
+    };
+    EXPECT_TRUE(std::any_of(model.walls.begin(), model.walls.end(), is_between))
+        << scan.isReadInParts();
+    ASSERT_GE(model.openings.size(), 1u) << scan.isReadInParts();
+    const auto& door = model.openings[0];
+    EXPECT_EQ(door.kind, ModelOpeningKind::Door);
+    EXPECT_TRUE(door.is_open);
+    ASSERT_LT(door.wall, model.walls.size());
+    EXPECT_TRUE(is_between(model.walls[door.wall])) << scan.isReadInParts();
+  }
+}
+
 TEST_F(DescribeBuilding, GivesTheSameForAnyNumberOfThreadsAndTwice)
 {
   const auto scan = loadScan(twoRooms());

@@ -40,13 +40,14 @@ struct ModelOpening {
   std::uint32_t room_a = 0; ///< the smaller number of the rooms that it joins
   std::uint32_t room_b = 0; ///< the larger one; 0 = the outside, or what was not seen
   std::uint32_t storey = 0;
-  std::size_t wall = 0;     ///< which of the walls it is in; their number = none
-  Eigen::Vector3d position; ///< middle of its lower edge, metres
-  Eigen::Vector2d along;    ///< the wall, unit length
-  double width = 0.0;       ///< metres
-  double height = 0.0;      ///< metres
-  double sill = 0.0;        ///< height of the lower edge above the floor, metres
-  bool is_open = false;     ///< whether a person can pass as it was scanned
+  std::size_t wall = 0; ///< which of the walls it is in; their number = none
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< middle of its lower edge,
+                                                      ///< metres
+  Eigen::Vector2d along = Eigen::Vector2d::UnitX();   ///< the wall, unit length
+  double width = 0.0;                                 ///< metres
+  double height = 0.0;                                ///< metres
+  double sill = 0.0;    ///< height of the lower edge above the floor, metres
+  bool is_open = false; ///< whether a person can pass as it was scanned
 
   double
   head() const

@@ -10,8 +10,8 @@
 
 namespace pcl::indoor {
 
-/** \brief Find the rooms of a building's scan, the objects in each room and the class
- * of each object, as pcl_indoor_pipeline does.
+/** \brief Find the rooms of a building's scan, its walls, doors and windows, the
+ * objects in each room and the class of each object, as pcl_indoor_pipeline does.
  *
  * The result depends neither on the number of threads nor on the machine. Time is about
  * linear in the points; memory follows them, or, of a scan that is read in parts, its

@@ -6,6 +6,7 @@
 
 #include <pcl/indoor/setting.h>
 #include <pcl/io/station.h>
+#include <pcl/model/building_model.h>
 #include <pcl/scene/scene_options.h> // for ScanFrame
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/room_objects.h>
@@ -99,6 +100,7 @@ struct Scene {
   double seeds_per_voxel = 0.0;      ///< distance of supervoxels over voxel size
   SceneClasses classes;              ///< of the objects
   BuildingRooms building;
+  BuildingModel model; ///< walls, doors and windows, in the frame of the building
   Eigen::Isometry3d building_pose = Eigen::Isometry3d::Identity(); ///< both in metres
   ScanReport report;
   UnderstoodScan understood;

@@ -1,0 +1,62 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "scene/model_json.h"
+
+#include "scene/room_json.h"
+
+namespace pcl::indoor::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kind_names[] = {"door", "window", "passage"};
+
+} // namespace
+
+Json
+openingsJson(const BuildingModel& model, const Eigen::Affine3d& to_file)
+{
+  Json openings = Json::array();
+  for (const auto& opening : model.openings) {
+    Json json = {{"opening", openings.size() + 1},
+                 {"kind", kind_names[static_cast<int>(opening.kind)]},
+                 {"rooms", {opening.room_a, opening.room_b}},
+                 {"storey", opening.storey},
+                 {"position", positionJson(to_file * opening.position)},
+                 {"width", rounded(opening.width)},
+                 {"height", rounded(opening.height)},
+                 {"sill", rounded(opening.sill)},
+                 {"head", rounded(opening.head())},
+                 {"area", rounded(opening.width * opening.height)},
+                 {"open", opening.is_open}};
+    if (opening.wall < model.walls.size())
+      json["wall"] = opening.wall + 1;
+    openings.push_back(std::move(json));
+  }
+  return openings;
+}
+
+Json
+wallsJson(const BuildingModel& model, const Eigen::Affine3d& to_file)
+{
+  Json walls = Json::array();
+  for (const auto& wall : model.walls) {
+    const auto end = [&](const Eigen::Vector2d& place) {
+      return positionJson(to_file * Eigen::Vector3d(place.x(), place.y(), wall.floor));
+    };
+    Json json = {{"wall", walls.size() + 1},
+                 {"storey", wall.storey},
+                 {"rooms", wall.rooms},
+                 {"begin", end(wall.begin)},
+                 {"end", end(wall.end)},
+                 {"height", rounded(wall.height)}};
+    if (wall.thickness > 0.0)
+      json["thickness"] = rounded(wall.thickness);
+    walls.push_back(std::move(json));
+  }
+  return walls;
+}
+
+} // namespace pcl::indoor::tool
