@@ -9,6 +9,8 @@
 
 #include <pcl/exceptions.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 namespace pcl {
@@ -17,18 +19,16 @@ namespace indoor {
 namespace {
 
 void
-requireValid(const GridShape& shape,
-             const std::vector<std::int16_t>& gain,
-             int smoothness)
+requireValid(const GridShape& shape, std::size_t gains, int smoothness)
 {
-  if (gain.size() != shape.size())
+  if (gains != shape.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
-                        gain.size() << " gains do not fill a grid of " << shape.size()
-                                    << " voxels.");
+                        gains << " gains do not fill a grid of " << shape.size()
+                              << " voxels.");
   const std::size_t padded = 64 * GridBricks(shape).size();
-  if (gain.size() >= std::numeric_limits<std::int32_t>::max() ||
+  if (gains >= std::numeric_limits<std::int32_t>::max() ||
       padded > std::numeric_limits<GridBricks::Index>::max())
-    PCL_THROW_EXCEPTION(BadArgumentException, gain.size() << " voxels are too many.");
+    PCL_THROW_EXCEPTION(BadArgumentException, gains << " voxels are too many.");
   if (smoothness < 0 || smoothness > grid_cut_max_smoothness)
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "The smoothness must lie in 0 ... " << grid_cut_max_smoothness
@@ -36,17 +36,37 @@ requireValid(const GridShape& shape,
                                                             << ".");
 }
 
+/** The largest absolute value of gains; what is excluded has none. */
+int
+greatestGain(const std::vector<std::int16_t>& gains)
+{
+  int greatest = 0;
+  for (const int gain : gains)
+    if (gain != GRID_CUT_EXCLUDED)
+      greatest = std::max(greatest, std::abs(gain));
+  return greatest;
+}
+
+template <typename Width>
+GridCut
+solve(const GridShape& shape, const std::vector<std::int16_t>& gain, int smoothness)
+{
+  GridCutSolver<Width> solver(shape, gain, smoothness);
+  GridCut cut;
+  cut.energy = solver.run();
+  cut.inside = solver.inside();
+  return cut;
+}
+
 } // namespace
 
 GridCut
 cutGrid(const GridShape& shape, const std::vector<std::int16_t>& gain, int smoothness)
 {
-  requireValid(shape, gain, smoothness);
-  GridCutSolver solver(shape, gain, smoothness);
-  GridCut cut;
-  cut.energy = solver.run();
-  cut.inside = solver.inside();
-  return cut;
+  requireValid(shape, gain.size(), smoothness);
+  return NarrowNumbers::hold(greatestGain(gain), smoothness)
+             ? solve<NarrowNumbers>(shape, gain, smoothness)
+             : solve<WideNumbers>(shape, gain, smoothness);
 }
 
 std::int64_t
@@ -55,7 +75,7 @@ gridCutEnergy(const GridShape& shape,
               int smoothness,
               const std::vector<std::uint8_t>& inside)
 {
-  requireValid(shape, gain, smoothness);
+  requireValid(shape, gain.size(), smoothness);
   if (inside.size() != gain.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         inside.size() << " labels do not fill a grid of "

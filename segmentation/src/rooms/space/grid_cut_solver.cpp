@@ -18,9 +18,9 @@ namespace {
 constexpr int first_radius = 4;
 /** \brief What it costs to discharge a voxel, in voxels measured. */
 constexpr std::size_t discharge_cost = 8;
-/** \brief Blocks that are asked for at once: 37 MB, which the system takes back and of
- * which it gives only what is used. */
-constexpr std::size_t most_at_once = 1 << 15;
+/** \brief Blocks that are asked for at once: 37 MB, so much that the system takes them
+ * back, and of which it gives only what is used. */
+constexpr std::size_t most_at_once = 1 << 16;
 
 int
 sign(int direction)
@@ -30,9 +30,10 @@ sign(int direction)
 
 } // namespace
 
-GridCutSolver::GridCutSolver(const GridShape& shape,
-                             const std::vector<std::int16_t>& gain,
-                             int smoothness)
+template <typename Width>
+GridCutSolver<Width>::GridCutSolver(const GridShape& shape,
+                                    const std::vector<std::int16_t>& gain,
+                                    int smoothness)
 : shape_(shape)
 , grid_(shape)
 , gain_(gain)
@@ -45,20 +46,22 @@ GridCutSolver::GridCutSolver(const GridShape& shape,
   setUp();
 }
 
+template <typename Width>
 void
-GridCutSolver::setUp()
+GridCutSolver<Width>::setUp()
 {
   std::size_t v = 0;
   for (int x = 0; x < shape_.nx; ++x)
     for (int y = 0; y < shape_.ny; ++y)
       for (int z = 0; z < shape_.nz; ++z, ++v) {
-        if (gain_[v] == GRID_CUT_EXCLUDED)
+        const int gain = gain_[v];
+        if (gain == GRID_CUT_EXCLUDED)
           continue;
         const std::size_t i = grid_.index(x, y, z);
         Brick& brick = bricks_[i / 64];
-        amount_[gain_[v] > 0 ? EXCESS : DEFICIT] += std::abs(gain_[v]);
-        brick.side[EXCESS] |= static_cast<Bits>(gain_[v] > 0) << i % 64;
-        brick.side[DEFICIT] |= static_cast<Bits>(gain_[v] < 0) << i % 64;
+        amount_[gain > 0 ? EXCESS : DEFICIT] += std::abs(gain);
+        brick.side[EXCESS] |= static_cast<Bits>(gain > 0) << i % 64;
+        brick.side[DEFICIT] |= static_cast<Bits>(gain < 0) << i % 64;
         brick.reached |= Bits{1} << i % 64; // takes part; for link() alone
       }
   if (capacity_ > 0)
@@ -66,8 +69,9 @@ GridCutSolver::setUp()
 }
 
 /** \brief Nothing flows yet: all edges between voxels that take part are open. */
+template <typename Width>
 void
-GridCutSolver::link()
+GridCutSolver<Width>::link()
 {
   Index b = 0;
   for (int x = 0; x < shape_.nx; x += 4)
@@ -91,14 +95,16 @@ GridCutSolver::link()
 }
 
 /** \brief The numbers of a brick, which begin as nothing has flowed. */
-GridCutSolver::Block&
-GridCutSolver::begun(Index brick)
+template <typename Width>
+typename GridCutSolver<Width>::Block&
+GridCutSolver<Width>::begun(Index brick)
 {
   return blocks_[brick] != nullptr ? *blocks_[brick] : addBlock(brick);
 }
 
-GridCutSolver::Block&
-GridCutSolver::addBlock(Index brick)
+template <typename Width>
+typename GridCutSolver<Width>::Block&
+GridCutSolver<Width>::addBlock(Index brick)
 {
   if (free_ == 0) {
     chunks_.emplace_back(new Block[chunk_size_]); // not set to 0: it may stay unused
@@ -115,34 +121,38 @@ GridCutSolver::addBlock(Index brick)
 }
 
 /** \brief 0 where a voxel takes no part. */
-GridCutSolver::Numbers
-GridCutSolver::gainsOf(Index brick) const
+template <typename Width>
+typename GridCutSolver<Width>::Excess
+GridCutSolver<Width>::gainsOf(Index brick) const
 {
-  Numbers gains = {};
+  Excess gains = {};
   const auto [x, y, z] = grid_.corner(brick);
   for (int u = 0; u < std::min(4, shape_.nx - x); ++u)
     for (int v = 0; v < std::min(4, shape_.ny - y); ++v)
       for (int w = 0; w < std::min(4, shape_.nz - z); ++w) {
         const int gain = gain_[shape_.index(x + u, y + v, z + w)];
-        gains[u * 16 + v * 4 + w] = gain == GRID_CUT_EXCLUDED ? 0 : gain;
+        gains[u * 16 + v * 4 + w] =
+            static_cast<typename Width::Excess>(gain == GRID_CUT_EXCLUDED ? 0 : gain);
       }
   return gains;
 }
 
 /** \brief How much some voxels of a brick have. */
+template <typename Width>
 std::int64_t
-GridCutSolver::amountOf(Index brick, Bits voxels) const
+GridCutSolver<Width>::amountOf(Index brick, Bits voxels) const
 {
   std::int64_t amount = 0;
   if (voxels != 0) {
-    const Numbers excess = excessOf(brick);
+    const Excess excess = excessOf(brick);
     forEachBit(voxels, [&](Index v) { amount += std::abs(excess[v]); });
   }
   return amount;
 }
 
+template <typename Width>
 std::int32_t
-GridCutSolver::levelOf(Index i) const
+GridCutSolver<Width>::levelOf(Index i) const
 {
   if (const Block* block = blocks_[i / 64])
     return block->level[i % 64];
@@ -152,8 +162,9 @@ GridCutSolver::levelOf(Index i) const
 /** \brief Phases until nothing can meet. The excess flows in those numbered by a power
  * of two: between two of them distances only grow, which bounds the number of phases.
  */
+template <typename Width>
 std::int64_t
-GridCutSolver::run()
+GridCutSolver<Width>::run()
 {
   std::int64_t energy = amount_[EXCESS];
   std::int64_t radius = first_radius;
@@ -176,8 +187,9 @@ GridCutSolver::run()
 /** \brief Give the voxels from which the flowing side can come to a goal their
  * distance, up to a radius and until more was found than the goals can take.
  */
+template <typename Width>
 void
-GridCutSolver::measure(std::int64_t radius)
+GridCutSolver<Width>::measure(std::int64_t radius)
 {
   begin();
   std::int64_t found = 0;
@@ -190,11 +202,13 @@ GridCutSolver::measure(std::int64_t radius)
 }
 
 /** \brief The goals are on the ground. */
+template <typename Width>
 void
-GridCutSolver::begin()
+GridCutSolver<Width>::begin()
 {
   front_.clear();
-  first_.assign(1, none);
+  waiting_.clear();
+  waiting_.emplace_back();
   limit_ = 0;
   highest_ = -1;
   reached_ = 0;
@@ -210,8 +224,9 @@ GridCutSolver::begin()
 }
 
 /** \brief Reach the next level. */
+template <typename Width>
 void
-GridCutSolver::climb()
+GridCutSolver<Width>::climb()
 {
   for (const Part& part : front_)
     spread(part);
@@ -227,8 +242,9 @@ GridCutSolver::climb()
 }
 
 /** \brief Reach the voxels from which a part can be come to. */
+template <typename Width>
 void
-GridCutSolver::spread(const Part& part)
+GridCutSolver<Width>::spread(const Part& part)
 {
   const Bits* open = bricks_[part.brick].open[flowing_];
   Bits within = 0;
@@ -242,8 +258,9 @@ GridCutSolver::spread(const Part& part)
 }
 
 /** \brief Reach voxels of a brick. */
+template <typename Width>
 void
-GridCutSolver::reach(Index b, Bits voxels)
+GridCutSolver<Width>::reach(Index b, Bits voxels)
 {
   Brick& brick = bricks_[b];
   voxels &= ~brick.reached;
@@ -255,12 +272,13 @@ GridCutSolver::reach(Index b, Bits voxels)
 
 /** \brief What was reached last is a level. \return how much of the flowing side is
  * there */
+template <typename Width>
 std::int64_t
-GridCutSolver::level()
+GridCutSolver<Width>::level()
 {
   std::int64_t found = 0;
   ++limit_;
-  first_.push_back(none);
+  waiting_.emplace_back();
   for (const Part& part : front_) {
     Block& block = begun(part.brick);
     forEachBit(part.voxels, [&](Index v) {
@@ -276,8 +294,9 @@ GridCutSolver::level()
 }
 
 /** \brief What cannot reach a goal, when all was measured, never will. */
+template <typename Width>
 void
-GridCutSolver::forgetUnreached()
+GridCutSolver<Width>::forgetUnreached()
 {
   for (Index b = 0; b < bricks_.size(); ++b) {
     Brick& brick = bricks_[b];
@@ -291,47 +310,47 @@ GridCutSolver::forgetUnreached()
   }
 }
 
+template <typename Width>
 void
-GridCutSolver::activate(Index i)
+GridCutSolver<Width>::activate(Index i)
 {
-  Block& block = *blocks_[i / 64];
-  const std::int32_t level = block.level[i % 64];
-  block.next[i % 64] = first_[level];
-  first_[level] = i;
+  const std::int32_t level = blocks_[i / 64]->level[i % 64];
+  waiting_[level].push_back(i);
   highest_ = std::max(highest_, level);
 }
 
 /** \brief Let all that was found flow, farthest first; lift what is stuck, and again,
  * while that is cheaper than to measure again.
  */
+template <typename Width>
 void
-GridCutSolver::flowDownhill()
+GridCutSolver<Width>::flowDownhill()
 {
   std::size_t discharged = 0;
   do {
     stuck_.clear();
-    for (; highest_ >= 0; --highest_)
-      while (first_[highest_] != none) {
-        const Index i = first_[highest_];
-        const Index next = blocks_[i / 64]->next[i % 64];
-        first_[highest_] = next;
-        prefetch(next);
+    for (; highest_ >= 0; --highest_) {
+      auto& voxels = waiting_[highest_]; // what is pushed goes to lower levels
+      for (; !voxels.empty(); ++discharged) {
+        const Index i = voxels.back();
+        voxels.pop_back();
+        if (!voxels.empty())
+          prefetch(voxels.back());
         discharge(i);
-        ++discharged;
       }
+      std::vector<Index>().swap(voxels); // the lower ones grow
+    }
     for (const Index i : stuck_)
       activate(i);
   } while (!stuck_.empty() && discharged * discharge_cost < reached_);
 }
 
 /** \brief Waiting for memory takes longer than a discharge. */
+template <typename Width>
 void
-GridCutSolver::prefetch(Index i) const
+GridCutSolver<Width>::prefetch(Index i) const
 {
-  if (i == none)
-    return;
   const Block* block = blocks_[i / 64];
-  __builtin_prefetch(&block->next[i % 64]);
   __builtin_prefetch(&block->level[i % 64]);
   __builtin_prefetch(&block->excess[i % 64]);
   __builtin_prefetch(&block->flow[i % 64]);
@@ -341,8 +360,9 @@ GridCutSolver::prefetch(Index i) const
 /** \brief Push what a voxel has to its lower neighbours, as far as it fits; lift it to
  * where the rest can flow on.
  */
+template <typename Width>
 void
-GridCutSolver::discharge(Index i)
+GridCutSolver<Width>::discharge(Index i)
 {
   const Brick& brick = bricks_[i / 64];
   Block& block = *blocks_[i / 64];
@@ -368,18 +388,18 @@ GridCutSolver::discharge(Index i)
 }
 
 /** \brief Push as much as there is and as fits to a neighbour. */
+template <typename Width>
 void
-GridCutSolver::push(Index i, Index j, int d)
+GridCutSolver<Width>::push(Index i, Index j, int d)
 {
   const int towards = flowing_ == EXCESS ? 1 : -1; // deficits go against the flow
   const int along = sign(d) * towards;
   Block& giving = *blocks_[i / 64];
   Block& taking = begun(j / 64);
-  std::int16_t& flow =
-      d % 2 == 0 ? giving.flow[i % 64][d / 2] : taking.flow[j % 64][d / 2];
+  Flow& flow = d % 2 == 0 ? giving.flow[i % 64][d / 2] : taking.flow[j % 64][d / 2];
   const int room = capacity_ - along * flow;
   const int amount = std::min(towards * giving.excess[i % 64], room);
-  flow = static_cast<std::int16_t>(flow + along * amount);
+  flow = static_cast<Flow>(flow + along * amount);
 
   Brick& from = bricks_[i / 64];
   Brick& to = bricks_[j / 64];
@@ -392,11 +412,13 @@ GridCutSolver::push(Index i, Index j, int d)
     to.open[flowing_][opposite(d)] &= ~w;
   }
 
-  giving.excess[i % 64] -= towards * amount;
-  if (giving.excess[i % 64] == 0)
+  auto& given = giving.excess[i % 64];
+  given = static_cast<typename Width::Excess>(given - towards * amount);
+  if (given == 0)
     from.side[flowing_] &= ~v;
-  const int before = towards * taking.excess[j % 64];
-  taking.excess[j % 64] += towards * amount;
+  auto& taken = taking.excess[j % 64];
+  const int before = towards * taken;
+  taken = static_cast<typename Width::Excess>(taken + towards * amount);
   if (before < 0) {
     const int met = std::min(amount, -before);
     amount_[EXCESS] -= met;
@@ -413,17 +435,18 @@ GridCutSolver::push(Index i, Index j, int d)
 /** \brief Reach all that can be reached from excess that is left. \return how much that
  * is
  */
+template <typename Width>
 std::int64_t
-GridCutSolver::findInside()
+GridCutSolver<Width>::findInside()
 {
   std::int64_t left = 0;
   for (Index b = 0; b < bricks_.size(); ++b) {
     Brick& brick = bricks_[b];
-    const Numbers excess = excessOf(b);
+    const Excess excess = excessOf(b);
     brick.side[EXCESS] = 0;
     for (Index v = 0; v < 64; ++v) {
       brick.side[EXCESS] |= static_cast<Bits>(excess[v] > 0) << v;
-      left += std::max(excess[v], 0);
+      left += std::max<std::int64_t>(excess[v], 0);
     }
   }
   std::fill(blocks_.begin(), blocks_.end(), nullptr); // nothing flows any more
@@ -435,8 +458,9 @@ GridCutSolver::findInside()
   return left;
 }
 
+template <typename Width>
 std::vector<std::uint8_t>
-GridCutSolver::inside() const
+GridCutSolver<Width>::inside() const
 {
   std::vector<std::uint8_t> inside;
   inside.reserve(shape_.size());
@@ -448,6 +472,9 @@ GridCutSolver::inside() const
       }
   return inside;
 }
+
+template class GridCutSolver<NarrowNumbers>;
+template class GridCutSolver<WideNumbers>;
 
 } // namespace indoor
 } // namespace pcl

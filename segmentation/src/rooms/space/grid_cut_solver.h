@@ -18,6 +18,27 @@
 namespace pcl {
 namespace indoor {
 
+/** \brief Numbers as wide as the gains of buildings need. */
+struct NarrowNumbers {
+  using Flow = std::int8_t;
+  using Excess = std::int16_t;
+
+  /** \brief Whether they hold all that can come to be: what flows is no more than the
+   * smoothness, and what a voxel has no more than its gain and six flows. */
+  static constexpr bool
+  hold(int greatest_gain, int smoothness)
+  {
+    return smoothness <= std::numeric_limits<Flow>::max() &&
+           greatest_gain + 6 * smoothness <= std::numeric_limits<Excess>::max();
+  }
+};
+
+/** \brief Numbers for all gains. */
+struct WideNumbers {
+  using Flow = std::int16_t;
+  using Excess = std::int32_t;
+};
+
 /** \brief Maximum flow on a 6-connected grid by pushing along shortest paths (after
  * Goldberg and Tarjan 1988), in phases in which everything moves at once.
  *
@@ -35,7 +56,9 @@ namespace indoor {
  *
  * Most bricks lie in the middle of rooms or far outside, and nothing ever flows there:
  * numbers per voxel are kept for the others only.
+ * \tparam Width NarrowNumbers or WideNumbers
  */
+template <typename Width>
 class GridCutSolver {
 public:
   /** \param[in] gain must outlive the solver */
@@ -56,7 +79,6 @@ public:
 private:
   using Index = GridBricks::Index;
   using Bits = GridBricks::Bits;
-  static constexpr Index none = ~Index{0};
   static constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
 
   enum Side : std::uint8_t { EXCESS, DEFICIT };
@@ -71,15 +93,14 @@ private:
     Bits ground = 0;      // goals: the level is 0
   };
 
-  /** \brief One number per voxel of a brick. */
-  using Numbers = std::array<std::int32_t, 64>;
+  using Flow = typename Width::Flow;
+  using Excess = std::array<typename Width::Excess, 64>; // per voxel of a brick
 
   /** \brief What is kept of a brick in which something has flowed. */
   struct Block {
-    Numbers excess;                       // deficits are negative
-    std::array<std::int16_t, 3> flow[64]; // to the neighbours at +x, +y, +z
-    Numbers level;  // no more than the distance to the nearest goal
-    Index next[64]; // in a list of voxels of one level
+    Excess excess;                // deficits are negative
+    std::array<Flow, 3> flow[64]; // to the neighbours at +x, +y, +z
+    std::int32_t level[64];       // no more than the distance to the nearest goal
   };
 
   /** \brief Some voxels of a brick. */
@@ -96,9 +117,9 @@ private:
   begun(Index brick);
   Block&
   addBlock(Index brick);
-  Numbers
+  Excess
   gainsOf(Index brick) const;
-  Numbers
+  Excess
   excessOf(Index brick) const
   {
     return blocks_[brick] != nullptr ? blocks_[brick]->excess : gainsOf(brick);
@@ -159,7 +180,7 @@ private:
   std::int32_t limit_ = 0;  // the highest level
   bool complete_ = false;   // all that can reach a goal was measured
 
-  std::vector<Index> first_; // per level, a list of voxels that have something to push
+  std::vector<std::vector<Index>> waiting_; // per level, voxels with something to push
   std::int32_t highest_ = -1;
   std::vector<Index> stuck_;
 };

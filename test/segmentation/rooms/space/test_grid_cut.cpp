@@ -120,6 +120,40 @@ TEST(CutGrid, SameAsBoostAtTheLimitsOfTheRange)
   }
 }
 
+TEST(CutGrid, SameAsBoostWhereWiderNumbersBegin)
+{
+  // Up to these, 8 bits hold a flow and 16 bits a gain and six flows.
+  constexpr int smoothness = 127, gain = 32767 - 6 * smoothness;
+  std::mt19937 rng(16);
+  for (int trial = 0; trial < 30; ++trial) {
+    Problem problem = randomProblem(rng, 6, gain, 1);
+    problem.smoothness = smoothness + trial % 3 - 1;
+    for (auto& value : problem.gain) // all flow to or from the same voxels
+      value = value == GRID_CUT_EXCLUDED ? value
+              : rng() % 7 == 0           ? gain
+                                         : static_cast<std::int16_t>(value % 400);
+    problem.gain[0] = static_cast<std::int16_t>(gain + trial % 2);
+    expectSameAsBoost(problem, trial);
+  }
+}
+
+TEST(CutGrid, AVoxelHoldsItsGainAndAllThatFlowsToIt)
+{
+  // Five neighbours of the middle push to it what then goes on to the sixth; or what
+  // is missing goes that way.
+  for (const int sign : {1, -1})
+    for (const int smoothness : {127, 128})
+      for (const int gain : {32005, 32006, 32200, 32640, 32767}) {
+        Problem problem{{3, 3, 3}, std::vector<std::int16_t>(27, GRID_CUT_EXCLUDED)};
+        problem.smoothness = smoothness;
+        for (const int neighbour : {4, 10, 12, 14, 16})
+          problem.gain[neighbour] = static_cast<std::int16_t>(sign * 400);
+        problem.gain[13] = static_cast<std::int16_t>(sign * (gain - 1));
+        problem.gain[22] = static_cast<std::int16_t>(-sign * gain);
+        expectSameAsBoost(problem, gain);
+      }
+}
+
 TEST(CutGrid, SameAsBoostOnHardProblems)
 {
   namespace hard = hard_cuts;
