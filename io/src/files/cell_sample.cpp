@@ -5,7 +5,9 @@
 #include "files/cell_sample.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -15,13 +17,30 @@ constexpr int bits = 21;    // of a place along an axis
 constexpr double half = 1 << (bits - 1);
 constexpr std::uint32_t free_place = 0xffffffffu;
 
+std::uint64_t
+hashOf(std::uint64_t cell)
+{
+  const std::uint64_t hash = cell * 0x9e3779b97f4a7c15u;
+  return hash ^ hash >> 32;
+}
+
+/** Of a table of which at most two thirds are filled. */
+std::size_t
+placesFor(std::size_t points)
+{
+  std::size_t places = 1 << 10;
+  while (3 * points > 2 * places)
+    places *= 2;
+  return places;
+}
+
 } // namespace
 
 CellSample::CellSample(double cell_size, std::size_t limit)
 : cell_size_(cell_size)
 , limit_(limit)
 , points_(pcl::make_shared<PointCloud<PointXYZ>>())
-, numbers_(1 << 10, free_place)
+, numbers_(placesFor(0), free_place)
 {}
 
 std::uint64_t
@@ -42,68 +61,93 @@ std::size_t
 CellSample::placeOf(std::uint64_t cell) const
 {
   const std::size_t mask = numbers_.size() - 1;
-  std::uint64_t hash = cell * 0x9e3779b97f4a7c15u;
-  hash ^= hash >> 32;
-  for (std::size_t place = hash & mask;; place = (place + 1) & mask)
+  for (std::size_t place = hashOf(cell) & mask;; place = (place + 1) & mask)
     if (numbers_[place] == free_place ||
         cellOf((*points_)[numbers_[place]].getVector3fMap()) == cell)
       return place;
 }
 
 std::optional<std::uint32_t>
-CellSample::find(const Eigen::Vector3f& point) const
+CellSample::find(const Eigen::Vector3f& point)
 {
+  if (numbers_.empty())
+    makeTable(placesFor(points_->size()));
   const auto number = numbers_[placeOf(cellOf(point))];
   return number == free_place ? std::nullopt : std::optional(number);
 }
 
-bool
-CellSample::insert(const Eigen::Vector3f& point)
+void
+CellSample::makeTable(std::size_t places)
 {
-  const auto place = placeOf(cellOf(point));
-  if (numbers_[place] != free_place)
-    return false;
-  numbers_[place] = static_cast<std::uint32_t>(points_->size());
-  points_->points.emplace_back(point.x(), point.y(), point.z());
-  return true;
+  std::vector<std::uint32_t>().swap(numbers_); // before there is another one
+  numbers_.assign(places, free_place);
+  const std::size_t mask = places - 1;
+  // The table is larger than the caches: what comes next is fetched ahead.
+  constexpr std::size_t ahead = 16;
+  std::array<std::size_t, ahead> next{};
+  const auto look = [&](std::size_t i) {
+    if (i >= points_->size())
+      return;
+    next[i % ahead] = hashOf(cellOf((*points_)[i].getVector3fMap())) & mask;
+    __builtin_prefetch(&numbers_[next[i % ahead]]);
+  };
+  for (std::size_t i = 0; i < ahead; ++i)
+    look(i);
+  for (std::size_t i = 0; i < points_->size(); ++i) {
+    auto place = next[i % ahead];
+    look(i + ahead);
+    while (numbers_[place] != free_place)
+      place = (place + 1) & mask;
+    numbers_[place] = static_cast<std::uint32_t>(i);
+  }
 }
 
 void
-CellSample::rebuild(std::size_t capacity)
+CellSample::thinOut()
 {
-  numbers_.clear(); // or its memory would be copied
-  numbers_.resize(capacity, free_place);
-  auto points = std::move(points_->points);
-  points_->points.clear();
-  points_->points.reserve(points.size());
+  ++level_;
+  numbers_.assign(numbers_.size(), free_place);
+  AscendingNumbers::Reader index(indices_);
+  AscendingNumbers indices;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (insert(points[i].getVector3fMap()))
-      indices_[kept++] = indices_[i];
-  indices_.resize(kept);
+  for (const auto& point : *points_) {
+    index.next();
+    const auto place = placeOf(cellOf(point.getVector3fMap()));
+    if (numbers_[place] != free_place)
+      continue;
+    numbers_[place] = static_cast<std::uint32_t>(kept);
+    (*points_)[kept++] = point;
+    indices.add(index.number());
+  }
+  points_->points.resize(kept);
+  indices_ = std::move(indices);
 }
 
 void
 CellSample::add(const Eigen::Vector3f& point, std::uint64_t index)
 {
-  if (!insert(point))
+  if (numbers_.empty())
+    makeTable(placesFor(points_->size()));
+  const auto place = placeOf(cellOf(point));
+  if (numbers_[place] != free_place)
     return;
-  indices_.push_back(index);
-  if (points_->size() > limit_ && level_ < coarsest) {
-    ++level_;
-    rebuild(numbers_.size());
-  }
-  else if (3 * points_->size() > 2 * numbers_.size())
-    rebuild(2 * numbers_.size());
+  numbers_[place] = static_cast<std::uint32_t>(points_->size());
+  points_->points.emplace_back(point.x(), point.y(), point.z());
+  indices_.add(index);
+  if (points_->size() > limit_ && level_ < coarsest)
+    thinOut();
+  else if (placesFor(points_->size()) > numbers_.size())
+    makeTable(2 * numbers_.size());
 }
 
 void
 CellSample::shrink()
 {
+  std::vector<std::uint32_t>().swap(numbers_);
   points_->points.shrink_to_fit();
   points_->width = static_cast<std::uint32_t>(points_->size());
   points_->height = 1;
-  indices_.shrink_to_fit();
+  indices_.shrink();
 }
 
 } // namespace pcl::indoor::tool

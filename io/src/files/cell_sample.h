@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "files/ascending_numbers.h"
+
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -19,8 +21,8 @@ namespace pcl::indoor::tool {
  *
  * If there are more than a limit, cells become twice as large, but no larger than four
  * times the first size. Which points are kept depends on nothing but their order.
- * Memory follows the cells: 24 bytes for each, and 4 for each place of a table of which
- * at least a third is filled.
+ * Memory follows the cells: 17 to 18 bytes for each, and 4 for each place of a table of
+ * which at least a third is filled, while points are added or looked for.
  */
 class CellSample {
 public:
@@ -32,9 +34,9 @@ public:
   add(const Eigen::Vector3f& point, std::uint64_t index);
 
   /** \brief The number of the point that stands for this one; none if no point of its
-   * cell was added. */
+   * cell was added. Makes the table first if shrink() has given it back. */
   std::optional<std::uint32_t>
-  find(const Eigen::Vector3f& point) const;
+  find(const Eigen::Vector3f& point);
 
   /** \brief The points that were kept. */
   const PointCloud<PointXYZ>::Ptr&
@@ -43,14 +45,14 @@ public:
     return points_;
   }
 
-  /** \brief Of the points, ascending. */
-  const std::vector<std::uint64_t>&
+  /** \brief Of the points, one after the other. */
+  const AscendingNumbers&
   indices() const
   {
     return indices_;
   }
 
-  /** \brief Give back the memory that more points would have taken. */
+  /** \brief Give back the memory that more points would have taken, and the table. */
   void
   shrink();
 
@@ -68,19 +70,20 @@ private:
   std::size_t
   placeOf(std::uint64_t cell) const;
 
-  bool
-  insert(const Eigen::Vector3f& point);
-
-  /** Number the points again, at most one per cell. */
+  /** Make the table of that many places; no two points may be in one cell. */
   void
-  rebuild(std::size_t capacity);
+  makeTable(std::size_t places);
+
+  /** Make cells larger, and keep the first point of each. */
+  void
+  thinOut();
 
   double cell_size_;
   std::size_t limit_;
   int level_ = 0;
   PointCloud<PointXYZ>::Ptr points_;
-  std::vector<std::uint64_t> indices_;
-  std::vector<std::uint32_t> numbers_; ///< of points, a table of a power of two
+  AscendingNumbers indices_;
+  std::vector<std::uint32_t> numbers_; ///< of points, a table of a power of two or none
 };
 
 } // namespace pcl::indoor::tool

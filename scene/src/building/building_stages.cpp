@@ -306,20 +306,21 @@ findObjectsInParts(const ObjectSearch& objects,
 void
 labelSample(const RoomFiles& files,
             const WorkFolder& folder,
-            const std::vector<std::uint64_t>& sampled,
+            const AscendingNumbers& sampled,
             Scene& scene)
 {
   FiledLabels labels(files.filed, folder, files.first_object);
   scene.object_of_point.clear();
   scene.structure_of_point.clear();
-  auto next = sampled.begin();
-  for (std::uint64_t i = 0; i < files.filed.point_count && next != sampled.end(); ++i) {
+  AscendingNumbers::Reader next(sampled);
+  bool has_more = next.next();
+  for (std::uint64_t i = 0; i < files.filed.point_count && has_more; ++i) {
     const auto label = labels.next();
-    if (*next != i)
+    if (next.number() != i)
       continue;
     scene.object_of_point.push_back(label.object);
     scene.structure_of_point.push_back(label.structure);
-    ++next;
+    has_more = next.next();
   }
 }
 

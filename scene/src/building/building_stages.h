@@ -99,7 +99,7 @@ findObjectsInParts(const ObjectSearch& search,
 void
 labelSample(const RoomFiles& files,
             const WorkFolder& folder,
-            const std::vector<std::uint64_t>& sampled,
+            const AscendingNumbers& sampled,
             Scene& scene);
 
 } // namespace pcl::indoor::tool

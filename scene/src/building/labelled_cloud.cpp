@@ -95,7 +95,8 @@ completeCloudInParts(const std::string& path,
 {
   const auto whole = fewPoints(*scan.file.points);
   const auto& layout = scan.stream->layout();
-  const auto& sampled = scan.sample->indices();
+  AscendingNumbers::Reader sampled(scan.sample->indices());
+  bool has_more = sampled.next();
   scene.object_of_point.clear();
   scene.structure_of_point.clear();
   FiledLabels labels(files.filed, folder, files.first_object);
@@ -108,10 +109,10 @@ completeCloudInParts(const std::string& path,
       own.room.push_back(label.room);
       own.object.push_back(label.object);
       own.structure.push_back(label.structure);
-      const auto next = scene.object_of_point.size(); // of the sample
-      if (next < sampled.size() && sampled[next] == first + i) {
+      if (has_more && sampled.number() == first + i) {
         scene.object_of_point.push_back(label.object);
         scene.structure_of_point.push_back(label.structure);
+        has_more = sampled.next();
       }
     }
     complete(look, own, scene.classes, &whole, first == 0 ? path : "", part);
