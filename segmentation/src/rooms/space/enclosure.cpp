@@ -5,7 +5,7 @@
 
 #include <pcl/segmentation/rooms/enclosure.h>
 
-#include "rooms/space/grid_cut.h"
+#include "rooms/space/interior_gain.h"
 
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
@@ -13,8 +13,8 @@
 #include <pcl/exceptions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace indoor {
@@ -290,6 +290,36 @@ enclosureEvidence(std::uint8_t bits,
   return evidence;
 }
 
+CodedGains
+codedInteriorGain(const VoxelMap<std::uint8_t>& occupancy,
+                  VoxelMap<std::uint8_t> bits,
+                  int direction_count,
+                  const EnclosureWeights& weights,
+                  double unit)
+{
+  constexpr std::uint8_t occupied = 1 << passed_bit; // no way to be enclosed
+  requireSameSize(occupancy.values.size(), occupancy.shape);
+  requireSameSize(bits.values.size(), occupancy.shape);
+  if (!(unit > 0.0))
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "The unit must be positive, not " << unit << ".");
+  CodedGains gains;
+  gains.gain_of.fill(GRID_CUT_EXCLUDED);
+  for (std::uint8_t value = 0; value < occupied; ++value) {
+    const double gain =
+        (enclosureEvidence(value, direction_count, weights) - weights.exterior) / unit;
+    if (!(std::abs(gain) < grid_cut_max_gain))
+      PCL_THROW_EXCEPTION(BadArgumentException,
+                          "A gain of " << gain << " units leaves the range.");
+    gains.gain_of[value] = static_cast<std::int16_t>(std::lround(gain));
+  }
+  gains.codes = std::move(bits.values);
+  for (std::size_t v = 0; v < gains.codes.size(); ++v)
+    if (occupancy.values[v] != 0)
+      gains.codes[v] = occupied;
+  return gains;
+}
+
 std::vector<std::int16_t>
 interiorGain(const VoxelMap<std::uint8_t>& occupancy,
              const VoxelMap<std::uint8_t>& bits,
@@ -297,25 +327,10 @@ interiorGain(const VoxelMap<std::uint8_t>& occupancy,
              const EnclosureWeights& weights,
              double unit)
 {
-  requireSameSize(occupancy.values.size(), occupancy.shape);
-  requireSameSize(bits.values.size(), occupancy.shape);
-  if (!(unit > 0.0))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The unit must be positive, not " << unit << ".");
-  std::array<std::int16_t, 256> table; // few ways to be enclosed, many voxels
-  for (int value = 0; value < 256; ++value) {
-    const double gain =
-        (enclosureEvidence(static_cast<std::uint8_t>(value), direction_count, weights) -
-         weights.exterior) /
-        unit;
-    if (!(std::abs(gain) < grid_cut_max_gain))
-      PCL_THROW_EXCEPTION(BadArgumentException,
-                          "A gain of " << gain << " units leaves the range.");
-    table[value] = static_cast<std::int16_t>(std::lround(gain));
-  }
-  std::vector<std::int16_t> gain(occupancy.values.size());
+  const auto coded = codedInteriorGain(occupancy, bits, direction_count, weights, unit);
+  std::vector<std::int16_t> gain(coded.codes.size());
   for (std::size_t v = 0; v < gain.size(); ++v)
-    gain[v] = occupancy.values[v] ? GRID_CUT_EXCLUDED : table[bits.values[v]];
+    gain[v] = coded[v];
   return gain;
 }
 

@@ -38,18 +38,18 @@ requireValid(const GridShape& shape, std::size_t gains, int smoothness)
 
 /** The largest absolute value of gains; what is excluded has none. */
 int
-greatestGain(const std::vector<std::int16_t>& gains)
+greatestGain(const std::int16_t* begin, const std::int16_t* end)
 {
   int greatest = 0;
-  for (const int gain : gains)
-    if (gain != GRID_CUT_EXCLUDED)
-      greatest = std::max(greatest, std::abs(gain));
+  for (; begin != end; ++begin)
+    if (*begin != GRID_CUT_EXCLUDED)
+      greatest = std::max(greatest, std::abs(int{*begin}));
   return greatest;
 }
 
 template <typename Width>
 GridCut
-solve(const GridShape& shape, const std::vector<std::int16_t>& gain, int smoothness)
+solve(const GridShape& shape, const VoxelGains& gain, int smoothness)
 {
   GridCutSolver<Width> solver(shape, gain, smoothness);
   GridCut cut;
@@ -58,15 +58,35 @@ solve(const GridShape& shape, const std::vector<std::int16_t>& gain, int smoothn
   return cut;
 }
 
+/** \param[in] greatest no gain is larger */
+GridCut
+solveInWidth(const GridShape& shape,
+             const VoxelGains& gain,
+             int greatest,
+             int smoothness)
+{
+  return NarrowNumbers::hold(greatest, smoothness)
+             ? solve<NarrowNumbers>(shape, gain, smoothness)
+             : solve<WideNumbers>(shape, gain, smoothness);
+}
+
 } // namespace
 
 GridCut
 cutGrid(const GridShape& shape, const std::vector<std::int16_t>& gain, int smoothness)
 {
   requireValid(shape, gain.size(), smoothness);
-  return NarrowNumbers::hold(greatestGain(gain), smoothness)
-             ? solve<NarrowNumbers>(shape, gain, smoothness)
-             : solve<WideNumbers>(shape, gain, smoothness);
+  const int greatest = greatestGain(gain.data(), gain.data() + gain.size());
+  return solveInWidth(shape, VoxelGains(gain), greatest, smoothness);
+}
+
+GridCut
+cutGrid(const GridShape& shape, const CodedGains& gain, int smoothness)
+{
+  requireValid(shape, gain.codes.size(), smoothness);
+  const auto& gains = gain.gain_of;
+  const int greatest = greatestGain(gains.data(), gains.data() + gains.size());
+  return solveInWidth(shape, VoxelGains(gain), greatest, smoothness);
 }
 
 std::int64_t

@@ -7,6 +7,8 @@
 
 #include <pcl/indoor/voxel_map.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +26,20 @@ constexpr int grid_cut_max_smoothness = 16383;
 struct GridCut {
   std::vector<std::uint8_t> inside; ///< 1 for voxels inside; 0 outside or excluded
   std::int64_t energy = 0;          ///< gridCutEnergy() of this labelling
+};
+
+/** \brief A gain per voxel of a grid, where few are different: a byte per voxel, and
+ * what it stands for. */
+struct CodedGains {
+  std::vector<std::uint8_t> codes;         ///< per voxel
+  std::array<std::int16_t, 256> gain_of{}; ///< of each code
+
+  /** \brief The gain of a voxel. REQUIRES: voxel < codes.size(). */
+  std::int16_t
+  operator[](std::size_t voxel) const
+  {
+    return gain_of[codes[voxel]];
+  }
 };
 
 /** \brief The exact minimum of a binary Potts energy on a 6-connected voxel grid, by
@@ -55,6 +71,10 @@ struct GridCut {
  */
 GridCut
 cutGrid(const GridShape& shape, const std::vector<std::int16_t>& gain, int smoothness);
+
+/** \brief The same with a byte per voxel. */
+GridCut
+cutGrid(const GridShape& shape, const CodedGains& gain, int smoothness);
 
 /** \brief The energy of a labelling; see cutGrid().
  * \param[in] inside per voxel, not 0 for inside; ignored where excluded

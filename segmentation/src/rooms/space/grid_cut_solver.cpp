@@ -32,7 +32,7 @@ sign(int direction)
 
 template <typename Width>
 GridCutSolver<Width>::GridCutSolver(const GridShape& shape,
-                                    const std::vector<std::int16_t>& gain,
+                                    const VoxelGains& gain,
                                     int smoothness)
 : shape_(shape)
 , grid_(shape)

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "rooms/space/grid_bricks.h"
+#include "rooms/space/grid_cut.h"
 
 #include <pcl/indoor/voxel_map.h>
 
@@ -17,6 +18,30 @@
 
 namespace pcl {
 namespace indoor {
+
+/** \brief The gain of each voxel, in either form. Only a view. */
+class VoxelGains {
+public:
+  explicit VoxelGains(const std::vector<std::int16_t>& values)
+  : values_(values.data())
+  {}
+
+  explicit VoxelGains(const CodedGains& coded)
+  : codes_(coded.codes.data())
+  , gain_of_(coded.gain_of.data())
+  {}
+
+  int
+  operator[](std::size_t voxel) const
+  {
+    return values_ != nullptr ? values_[voxel] : gain_of_[codes_[voxel]];
+  }
+
+private:
+  const std::int16_t* values_ = nullptr;
+  const std::uint8_t* codes_ = nullptr;
+  const std::int16_t* gain_of_ = nullptr;
+};
 
 /** \brief Numbers as wide as the gains of buildings need. */
 struct NarrowNumbers {
@@ -61,10 +86,8 @@ struct WideNumbers {
 template <typename Width>
 class GridCutSolver {
 public:
-  /** \param[in] gain must outlive the solver */
-  GridCutSolver(const GridShape& shape,
-                const std::vector<std::int16_t>& gain,
-                int smoothness);
+  /** \param[in] gain what it views must outlive the solver */
+  GridCutSolver(const GridShape& shape, const VoxelGains& gain, int smoothness);
 
   /** \brief Find the maximum flow. \return its value */
   std::int64_t
@@ -164,7 +187,7 @@ private:
 
   GridShape shape_;
   GridBricks grid_;
-  const std::vector<std::int16_t>& gain_;
+  VoxelGains gain_;
   int capacity_;
   std::vector<Brick> bricks_;
   std::vector<Block*> blocks_; // per brick, null where nothing has flowed

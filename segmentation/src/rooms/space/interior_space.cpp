@@ -7,6 +7,7 @@
 
 #include "rooms/space/dominant_directions.h"
 #include "rooms/space/grid_cut.h"
+#include "rooms/space/interior_gain.h"
 #include "rooms/space/unseen_sides.h"
 #include "rooms/space/vertical_cleanup.h"
 #include "rooms/space/voxel_normals.h"
@@ -91,15 +92,16 @@ sampledNormals(const std::vector<Eigen::Vector3f>& points,
 /** The gain of each voxel, by Eq. (3.1). What it is found from is as large as the grid
  * and not kept.
  * \param[in,out] space gets the sides that nobody has seen */
-std::vector<std::int16_t>
+CodedGains
 gainIn(InteriorSpace& space,
        const std::vector<Eigen::Vector3d>& directions,
        const InteriorSpaceOptions& options)
 {
   const int count = static_cast<int>(directions.size());
-  const auto bits = enclosureInSpace(space.occupancy, directions, options.threads);
+  auto bits = enclosureInSpace(space.occupancy, directions, options.threads);
   space.unseen = findUnseenSides(space.occupancy, bits, count);
-  return interiorGain(space.occupancy, bits, count, options.weights, gain_unit);
+  return codedInteriorGain(
+      space.occupancy, std::move(bits), count, options.weights, gain_unit);
 }
 
 } // namespace

@@ -154,6 +154,26 @@ TEST(CutGrid, AVoxelHoldsItsGainAndAllThatFlowsToIt)
       }
 }
 
+TEST(CutGrid, SameWithAByteForEachVoxel)
+{
+  std::mt19937 rng(17);
+  for (int trial = 0; trial < 30; ++trial) {
+    Problem problem = randomProblem(rng, 9, 1, 60);
+    CodedGains coded;
+    for (auto& gain : coded.gain_of)
+      gain = static_cast<std::int16_t>(static_cast<int>(rng() % 701) - 350);
+    coded.gain_of[rng() % 256] = GRID_CUT_EXCLUDED;
+    for (std::size_t v = 0; v < problem.gain.size(); ++v) {
+      coded.codes.push_back(static_cast<std::uint8_t>(rng() % 256));
+      problem.gain[v] = coded[v];
+    }
+    const auto cut = cutGrid(problem.shape, coded, problem.smoothness);
+    const auto same = cutGrid(problem.shape, problem.gain, problem.smoothness);
+    EXPECT_EQ(cut.energy, same.energy) << "trial " << trial;
+    EXPECT_EQ(cut.inside, same.inside) << "trial " << trial;
+  }
+}
+
 TEST(CutGrid, SameAsBoostOnHardProblems)
 {
   namespace hard = hard_cuts;
@@ -231,7 +251,7 @@ TEST(CutGrid, WithoutSmoothnessEachVoxelDecidesForItself)
 
 TEST(CutGrid, EmptyOneVoxelAndAllExcluded)
 {
-  EXPECT_TRUE(cutGrid({0, 5, 5}, {}, 3).inside.empty());
+  EXPECT_TRUE(cutGrid({0, 5, 5}, CodedGains(), 3).inside.empty());
   EXPECT_EQ(cutGrid({1, 1, 1}, {1}, 3).inside[0], 1);
   EXPECT_EQ(cutGrid({1, 1, 1}, {0}, 3).inside[0], 0); // a tie goes outside
   EXPECT_EQ(cutGrid({1, 1, 1}, {-1}, 3).inside[0], 0);
@@ -244,5 +264,6 @@ TEST(CutGrid, RefusesBadArguments)
   EXPECT_THROW(cutGrid({1, 1, 1}, {1}, -1), pcl::BadArgumentException);
   EXPECT_THROW(cutGrid({1, 1, 1}, {1}, grid_cut_max_smoothness + 1),
                pcl::BadArgumentException);
+  EXPECT_THROW(cutGrid({1, 1, 2}, CodedGains{{0}, {}}, 3), pcl::BadArgumentException);
   EXPECT_THROW(gridCutEnergy({1, 1, 1}, {1}, 1, {}), pcl::BadArgumentException);
 }
