@@ -374,12 +374,12 @@ private:
   findFrame(const std::vector<Eigen::Vector3f>& points);
 
   /** \brief The usable points in the building's frame; what is amiss is said.
-   * \param[out] indices of these points in the cloud
+   * \param[out] indices of these points in the cloud; null if it has no others
    */
   std::vector<Eigen::Vector3f>
   pointsOfBuilding(IndicesConstPtr& indices);
 
-  /** \brief Report what the segmentation has shown of its points. */
+  /** \brief Report what was shown of the points; no indices: those of the cloud. */
   void
   describeInput(const Indices& indices);
 

@@ -30,23 +30,24 @@ RoomSegmentation<PointT>::initCompute()
         "[pcl::RoomSegmentation::initCompute] %s, not %g%s.\n", what, value, unit);
     return false;
   };
-  if (!PCLBase<PointT>::initCompute()) {
+  // PCLBase::initCompute() would list all points where no indices are set
+  if (!input_) {
     PCL_ERROR("[pcl::RoomSegmentation::initCompute] No input cloud is set.\n");
     return false;
   }
-  if (this->fake_indices_ && indices_->size() != input_->size())
-    return false; // there was no memory for them, as PCL has said
-  if (input_->empty() || indices_->empty()) {
+  if (input_->empty() || (indices_ && indices_->empty())) {
     PCL_ERROR("[pcl::RoomSegmentation::initCompute] The input has no points.\n");
     return false;
   }
-  const auto [lowest, highest] =
-      std::minmax_element(indices_->begin(), indices_->end());
-  if (*lowest < 0 || static_cast<std::size_t>(*highest) >= input_->size()) {
-    PCL_ERROR("[pcl::RoomSegmentation::initCompute] The indices leave the cloud of %zu "
-              "points.\n",
-              static_cast<std::size_t>(input_->size()));
-    return false;
+  if (indices_) {
+    const auto [lowest, highest] =
+        std::minmax_element(indices_->begin(), indices_->end());
+    if (*lowest < 0 || static_cast<std::size_t>(*highest) >= input_->size()) {
+      PCL_ERROR("[pcl::RoomSegmentation::initCompute] The indices leave the cloud of "
+                "%zu points.\n",
+                static_cast<std::size_t>(input_->size()));
+      return false;
+    }
   }
   const std::string problem = indoor::findProblem(options_);
   if (!problem.empty()) {
@@ -91,12 +92,16 @@ template <typename PointT>
 std::vector<Eigen::Vector3f>
 RoomSegmentation<PointT>::pointsOfBuilding(IndicesConstPtr& indices)
 {
+  const std::size_t count = indices_ ? indices_->size() : input_->size();
+  const auto indexOf = [this](std::size_t i) {
+    return indices_ ? (*indices_)[i] : static_cast<index_t>(i);
+  };
   std::vector<Eigen::Vector3f> points;
-  points.reserve(indices_->size());
+  points.reserve(count);
   indices = indices_;
-  for (const auto index : *indices_)
-    if (isFinite((*input_)[index]))
-      points.push_back((*input_)[index].getVector3fMap());
+  for (std::size_t i = 0; i < count; ++i)
+    if (const auto& point = (*input_)[indexOf(i)]; isFinite(point))
+      points.push_back(point.getVector3fMap());
   if (points.empty())
     return points;
   findFrame(points);
@@ -105,13 +110,14 @@ RoomSegmentation<PointT>::pointsOfBuilding(IndicesConstPtr& indices)
   const double farthest = pose_.translation().template lpNorm<Eigen::Infinity>() / unit;
   warn(indoor::stepWarning(indoor::floatStep(farthest) * unit, options_.voxel_size));
   const auto far = indoor::takeOutFarPoints(points);
-  if (points.size() == indices_->size())
+  if (points.size() == count)
     return points;
   const auto used = pcl::make_shared<Indices>();
   used->reserve(points.size());
   auto next = far.begin();
   std::size_t finite = 0;
-  for (const auto index : *indices_) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto index = indexOf(i);
     if (!isFinite((*input_)[index]))
       continue;
     const bool is_far = next != far.end() && *next == finite++;
@@ -127,10 +133,11 @@ void
 RoomSegmentation<PointT>::describeInput(const Indices& indices)
 {
   report_.voxel_size = building_.occupancy.grid.voxel_size;
-  const std::size_t all = indices.size() + report_.outside.size();
-  for (std::size_t i = 0; i < building_.occupancy.cells.size(); ++i)
-    if (building_.occupancy.cells[i] < 0)
-      report_.outside.push_back(indices[i]);
+  const auto& cells = building_.occupancy.cells;
+  const std::size_t all = cells.size() + report_.outside.size();
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (cells[i] < 0)
+      report_.outside.push_back(indices.empty() ? static_cast<index_t>(i) : indices[i]);
   std::sort(report_.outside.begin(), report_.outside.end());
   if (!indoor::unitWarning(report_.vertical, report_.metres_per_unit).empty())
     return; // what follows would be no wonder
@@ -153,8 +160,8 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
   if (!initCompute())
     return;
 
-  IndicesConstPtr indices; // of the points
-  const auto points = pointsOfBuilding(indices);
+  IndicesConstPtr indices; // of the points; null if they are those of the cloud
+  auto points = pointsOfBuilding(indices);
   if (points.empty() && report_.outside.empty()) {
     PCL_ERROR("[pcl::RoomSegmentation::segment] No point is finite.\n");
     this->deinitCompute();
@@ -174,13 +181,15 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     return;
   }
   if (goes_on) {
-    describeInput(*indices);
+    std::vector<Eigen::Vector3f>().swap(points); // they may be many
+    const Indices all;
+    describeInput(indices ? *indices : all);
     rooms_ = building_.rooms;
     openings_ = building_.openings;
     std::vector<Eigen::AlignedBox3f> boxes(rooms_.size());
     labels.assign(input_->size(), 0);
-    for (std::size_t i = 0; i < indices->size(); ++i) {
-      const auto index = (*indices)[i];
+    for (std::size_t i = 0; i < building_.point_labels.size(); ++i) {
+      const auto index = indices ? (*indices)[i] : static_cast<index_t>(i);
       labels[index] = building_.point_labels[i];
       if (labels[index] > 0)
         boxes[labels[index] - 1].extend((*input_)[index].getVector3fMap());
