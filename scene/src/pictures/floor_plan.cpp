@@ -4,6 +4,8 @@
  */
 #include "pictures/floor_plan.h"
 
+#include <Eigen/Geometry> // for AlignedBox2i
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,18 +17,37 @@ constexpr double widest_door = 1.3;     // metres
 constexpr double wall_thickness = 0.6;  // metres, at most, with what stands before it
 constexpr double least_parallel = 0.94; // cosine, 20 degrees
 
+/** The boxes of the rooms' pixels, so that nobody looks at the whole map for each. */
+std::vector<Eigen::AlignedBox2i>
+boxesOfRooms(const BuildingRooms& building)
+{
+  std::vector<Eigen::AlignedBox2i> boxes(building.rooms.size() + 1); // per label
+  for (std::size_t storey = 0; storey < building.maps.size(); ++storey) {
+    const auto& labels = building.maps[storey].free_labels;
+    for (int x = 0; x < labels.nx; ++x)
+      for (int y = 0; y < labels.ny; ++y)
+        if (labels.at(x, y) > 0)
+          boxes[building.room_of[storey][labels.at(x, y)]].extend(
+              Eigen::Vector2i(x, y));
+  }
+  return boxes;
+}
+
 /** The middle of that pixel, among those where a room is about widest, which lies
- * nearest to their mean. */
+ * nearest to their mean.
+ * \param[in] box of the room's pixels */
 Eigen::Vector2d
-widestPlace(const BuildingRooms& building, const Room& room)
+widestPlace(const BuildingRooms& building,
+            const Room& room,
+            const Eigen::AlignedBox2i& box)
 {
   constexpr float about = 0.95f;
   const auto& map = building.maps[room.storey];
   const auto& room_of = building.room_of[room.storey];
   std::vector<Eigen::Vector2d> pixels;
   std::vector<float> widths;
-  for (int x = 0; x < map.free_labels.nx; ++x)
-    for (int y = 0; y < map.free_labels.ny; ++y)
+  for (int x = box.min().x(); x <= box.max().x(); ++x)
+    for (int y = box.min().y(); y <= box.max().y(); ++y)
       if (room_of[map.free_labels.at(x, y)] == room.label) {
         pixels.emplace_back(x, y);
         widths.push_back(map.field.at(x, y));
@@ -55,9 +76,11 @@ widestPlace(const BuildingRooms& building, const Room& room)
 }
 
 PlanRoom
-drawnRoom(const BuildingRooms& building, const Room& room)
+drawnRoom(const BuildingRooms& building,
+          const Room& room,
+          const Eigen::AlignedBox2i& box)
 {
-  PlanRoom drawn{room.label, room.area, widestPlace(building, room), {}};
+  PlanRoom drawn{room.label, room.area, widestPlace(building, room, box), {}};
   for (const auto& line : room.footprint) {
     drawn.rings.emplace_back();
     for (const auto& corner : line)
@@ -201,8 +224,9 @@ floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things)
   FloorPlan plan;
   plan.storeys.resize(building.maps.size());
   std::vector<PlanRoom> rooms;
+  const auto boxes = boxesOfRooms(building);
   for (const auto& room : building.rooms) {
-    rooms.push_back(drawnRoom(building, room));
+    rooms.push_back(drawnRoom(building, room, boxes[room.label]));
     plan.storeys[room.storey].rooms.push_back(rooms.back());
     for (const auto& ring : rooms.back().rings)
       for (const auto& corner : ring)
