@@ -57,6 +57,13 @@ public:
         parent_[other] = neighbours_.front();
   }
 
+  /** How many there were, also those that others have taken in. */
+  std::size_t
+  count() const
+  {
+    return peak_.size();
+  }
+
   std::int32_t
   basinOf(std::size_t pixel)
   {
@@ -122,7 +129,7 @@ persistentBasins(const PixelMap<float>& field, const BasinOptions& options)
 
   PixelMap<std::int32_t> labels{field.nx, field.ny, {}};
   labels.values.assign(field.size(), 0);
-  std::vector<std::int32_t> number(field.size(), 0);
+  std::vector<std::int32_t> number(basins.count(), 0);
   std::int32_t count = 0;
   for (std::size_t i = 0; i < field.size(); ++i) {
     const std::int32_t basin = basins.basinOf(i);
