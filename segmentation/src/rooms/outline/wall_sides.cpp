@@ -21,29 +21,64 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-/** Points in the order of their pixels. */
-struct PixelPoints {
-  std::vector<std::uint32_t> first; // per pixel, and one past the end
-  std::vector<std::uint32_t> index; // into the points
+/** The rows begin ... end - 1 of the map: what there are points in. */
+struct Rows {
+  int begin = 0, end = 0;
+};
 
+Rows
+rowsOf(const std::vector<std::int32_t>& pixel_of, int ny)
+{
+  Rows rows{std::numeric_limits<int>::max(), 0};
+  for (const auto pixel : pixel_of)
+    if (pixel >= 0) {
+      rows.begin = std::min(rows.begin, pixel / ny);
+      rows.end = std::max(rows.end, pixel / ny + 1);
+    }
+  return rows.end > 0 ? rows : Rows{};
+}
+
+/** Points in the order of their pixels, of which only those of some rows are kept. */
+class PixelPoints {
+public:
   PixelPoints(const std::vector<std::int32_t>& pixel_of,
               const std::vector<std::uint8_t>* chosen,
-              std::size_t pixel_count)
-  : first(pixel_count + 1, 0)
+              const Rows& rows,
+              int ny)
+  : offset_(static_cast<std::size_t>(rows.begin) * ny)
+  , first_(static_cast<std::size_t>(rows.end - rows.begin) * ny + 1, 0)
   {
     const auto counts = [&](std::size_t i) {
       return pixel_of[i] >= 0 && (!chosen || (*chosen)[i]);
     };
     for (std::size_t i = 0; i < pixel_of.size(); ++i)
       if (counts(i))
-        ++first[pixel_of[i] + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    index.resize(first.back());
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+        ++first_[pixel_of[i] - offset_ + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    index_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::size_t i = 0; i < pixel_of.size(); ++i)
       if (counts(i))
-        index[next[pixel_of[i]]++] = static_cast<std::uint32_t>(i);
+        index_[next[pixel_of[i] - offset_]++] = static_cast<std::uint32_t>(i);
   }
+
+  /** The points of a pixel of these rows. */
+  const std::uint32_t*
+  begin(std::size_t pixel) const
+  {
+    return index_.data() + first_[pixel - offset_];
+  }
+
+  const std::uint32_t*
+  end(std::size_t pixel) const
+  {
+    return index_.data() + first_[pixel - offset_ + 1];
+  }
+
+private:
+  std::size_t offset_;               // the first pixel
+  std::vector<std::uint32_t> first_; // per pixel, and one past the end
+  std::vector<std::uint32_t> index_; // into the points
 };
 
 /** A vertical plane between the two faces of a wall, or in its only one, seen from
@@ -209,8 +244,9 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
     if (labels.contains(x, y))
       pixel_of[i] = static_cast<std::int32_t>(labels.index(x, y));
   }
-  const PixelPoints all(pixel_of, nullptr, labels.size());
-  const PixelPoints wall(pixel_of, &is_wall, labels.size());
+  const Rows rows = rowsOf(pixel_of, labels.ny);
+  const PixelPoints all(pixel_of, nullptr, rows, labels.ny);
+  const PixelPoints wall(pixel_of, &is_wall, rows, labels.ny);
   const int radius =
       std::max(1, static_cast<int>(std::lround(0.5 * options.window / pixel_size)));
   const double reach = options.reach / pixel_size;
@@ -218,30 +254,29 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
   in_pixels.max_thickness /= pixel_size;
 
   const int threads = threadCount(options.threads);
-  parallelFor(labels.nx, threads, 8, [&](std::ptrdiff_t column) {
-    const int x = static_cast<int>(column);
+  parallelFor(rows.end - rows.begin, threads, 8, [&](std::ptrdiff_t row) {
+    const int x = rows.begin + static_cast<int>(row);
     std::vector<Eigen::Vector2d> window;
     for (int y = 0; y < labels.ny; ++y) {
       const std::size_t pixel = labels.index(x, y);
-      if (all.first[pixel] == all.first[pixel + 1] ||
-          !nearOtherRoom(labels, x, y, radius))
+      if (all.begin(pixel) == all.end(pixel) || !nearOtherRoom(labels, x, y, radius))
         continue;
       window.clear();
-      for (int u = std::max(0, x - radius); u <= std::min(labels.nx - 1, x + radius);
-           ++u)
-        for (int v = std::max(0, y - radius); v <= std::min(labels.ny - 1, y + radius);
-             ++v)
-          for (std::uint32_t k = wall.first[labels.index(u, v)];
-               k < wall.first[labels.index(u, v) + 1];
-               ++k)
-            window.push_back(scaled(wall.index[k]));
+      const int last_u = std::min(rows.end - 1, x + radius);
+      const int last_v = std::min(labels.ny - 1, y + radius);
+      for (int u = std::max(rows.begin, x - radius); u <= last_u; ++u)
+        for (int v = std::max(0, y - radius); v <= last_v; ++v) {
+          const std::size_t at = labels.index(u, v);
+          for (const auto* k = wall.begin(at); k != wall.end(at); ++k)
+            window.push_back(scaled(*k));
+        }
       if (window.size() < options.min_points)
         continue;
       const auto line = fitWall(window, in_pixels);
       if (!line) { // a corner
-        for (std::uint32_t k = all.first[pixel]; k < all.first[pixel + 1]; ++k) {
-          std::int32_t& label = point_labels[all.index[k]];
-          label = nearestRoom(free_labels, scaled(all.index[k]), reach, label);
+        for (const auto* k = all.begin(pixel); k != all.end(pixel); ++k) {
+          std::int32_t& label = point_labels[*k];
+          label = nearestRoom(free_labels, scaled(*k), reach, label);
         }
         continue;
       }
@@ -258,8 +293,8 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
         below.label = above.label;
       else if (above.label == 0 || nearer_only)
         above.label = below.label;
-      for (std::uint32_t k = all.first[pixel]; k < all.first[pixel + 1]; ++k) {
-        const std::uint32_t i = all.index[k];
+      for (const auto* k = all.begin(pixel); k != all.end(pixel); ++k) {
+        const std::uint32_t i = *k;
         const double side = line->side(scaled(i));
         if (std::abs(side) > line->half_thickness + 1.0) // another wall's
           point_labels[i] = nearestRoom(free_labels, scaled(i), reach, point_labels[i]);
