@@ -69,27 +69,28 @@ StoreyLabels::assign(const std::vector<std::uint8_t>& storey_of,
   const double reach = 2.0 * radius * radius; // to the corner of the window, squared
   const auto count = static_cast<std::ptrdiff_t>(points_.size());
   const int threads = threadCount(options_.threads);
-  std::vector<std::int32_t> near_pixel(points_.size(), -1);
+  std::vector<std::uint8_t> is_near(points_.size(), 0);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     if (occupancy_.cells[i] < 0 || storey_of[i] != storey)
       continue;
     const std::size_t pixel = pixelOf(i);
     if (to_border.values[pixel] <= (inSlab(i, pixel) ? 4 * reach : reach))
-      near_pixel[i] = static_cast<std::int32_t>(pixel);
+      is_near[i] = 1;
     else
       point_labels[i] = room_of[map_.labels.values[pixel]];
   }
   std::vector<std::uint32_t> first(map_.labels.nx + 1, 0); // per row of pixels
   for (std::size_t i = 0; i < points_.size(); ++i)
-    if (near_pixel[i] >= 0)
-      ++first[near_pixel[i] / map_.labels.ny + 1];
+    if (is_near[i])
+      ++first[pixelOf(i) / map_.labels.ny + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<std::uint32_t> near(first.back());
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
   for (std::size_t i = 0; i < points_.size(); ++i)
-    if (near_pixel[i] >= 0)
-      near[next[near_pixel[i] / map_.labels.ny]++] = static_cast<std::uint32_t>(i);
+    if (is_near[i])
+      near[next[pixelOf(i) / map_.labels.ny]++] = static_cast<std::uint32_t>(i);
+  std::vector<std::uint8_t>().swap(is_near);
 
   // Strip by strip, so that large buildings need no more memory than others.
   constexpr std::uint32_t enough = 1 << 22; // points
@@ -99,8 +100,7 @@ StoreyLabels::assign(const std::vector<std::uint8_t>& storey_of,
       ++end;
     const int from = std::max(0, begin - margin);
     const int to = std::min(map_.labels.nx, end + margin);
-    const auto labels =
-        wallLabels(near.data() + first[from], near.data() + first[to], near_pixel);
+    const auto labels = wallLabels(near.data() + first[from], near.data() + first[to]);
     for (std::uint32_t k = first[begin]; k < first[end]; ++k)
       point_labels[near[k]] = room_of[labels[k - first[from]]];
   }
@@ -144,9 +144,7 @@ StoreyLabels::inSlab(std::size_t i, std::size_t pixel) const
 
 /** Labels on the map of some of the points, told apart by the faces of walls. */
 std::vector<std::int32_t>
-StoreyLabels::wallLabels(const std::uint32_t* begin,
-                         const std::uint32_t* end,
-                         const std::vector<std::int32_t>& pixel_of) const
+StoreyLabels::wallLabels(const std::uint32_t* begin, const std::uint32_t* end) const
 {
   const double size = occupancy_.grid.voxel_size;
   const std::ptrdiff_t count = end - begin;
@@ -157,7 +155,7 @@ StoreyLabels::wallLabels(const std::uint32_t* begin,
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::ptrdiff_t k = 0; k < count; ++k) {
     const std::uint32_t i = begin[k];
-    const std::size_t pixel = pixel_of[i];
+    const std::size_t pixel = pixelOf(i);
     position[k] = (size * placeOf(i)).cast<float>();
     // The top of a wardrobe may lie in the slab, but it does not go on to the ceiling.
     is_wall[k] = map_.blocked.values[pixel] != 0 && inSlab(i, pixel);

@@ -48,9 +48,7 @@ private:
   inSlab(std::size_t i, std::size_t pixel) const;
 
   std::vector<std::int32_t>
-  wallLabels(const std::uint32_t* begin,
-             const std::uint32_t* end,
-             const std::vector<std::int32_t>& pixel_of) const;
+  wallLabels(const std::uint32_t* begin, const std::uint32_t* end) const;
 
   const std::vector<Eigen::Vector3f>& points_;
   const OccupancyGrid& occupancy_;
