@@ -185,8 +185,8 @@ addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& buildin
   constexpr double tolerance = 1.5; // pixels: straight walls at any angle become lines
   constexpr double reach = 1.0;     // metres: cupboards and ducts are hardly deeper
   const double size = building.occupancy.grid.voxel_size;
-  const SlabPoints places = slabPoints(points, building);
   const auto levels = roomLevels(points, building);
+  const SlabPoints places = slabPoints(points, building);
   for (std::size_t s = 0; s < building.maps.size(); ++s) {
     const RoomMap& map = building.maps[s];
     const FloorPlane on_floor(building.occupancy, map);

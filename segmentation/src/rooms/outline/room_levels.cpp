@@ -26,52 +26,60 @@ heightOfLayer(const BuildingRooms& building, double layer)
 
 /** What is seen of the ceiling in one column. */
 struct ColumnTop {
+  ColumnTop()
+  : is_level(0)
+  , count(0)
+  {}
+
   float lowest = std::numeric_limits<float>::infinity();
-  bool is_level = false; ///< whether the room's main ceiling is seen
-  std::int32_t count = 0;
-  std::int64_t sum = 0; ///< heights near the lowest point, micrometres: in any order
+  std::uint32_t is_level : 1; ///< whether the room's main ceiling is seen
+  std::uint32_t count : 31;   ///< points near the lowest one
+  std::int64_t sum = 0;       ///< of their heights, micrometres: in any order
 };
 
-/** Ceilings of the rooms, column by column of their free space. A thin slab is seen
- * from above, too, and things hang from it: what counts is the lowest face that many
- * points of the room share, and elsewhere, as below a slope, what is lowest. */
+/** Ceilings of the rooms of a storey, column by column of their free space. A thin slab
+ * is seen from above, too, and things hang from it: what counts is the lowest face that
+ * many points of the room share, and elsewhere, as below a slope, what is lowest. */
 class Ceilings {
 public:
-  explicit Ceilings(const BuildingRooms& building)
+  Ceilings(const BuildingRooms& building, std::size_t storey)
   : building_(building)
+  , map_(building.maps[storey])
+  , room_of_(building.room_of[storey])
+  , place_of_(map_.free_labels.size(), 0)
   {
-    for (const RoomMap& map : building.maps) {
-      auto& places = place_of_.emplace_back(map.free_labels.size(), 0);
-      for (std::size_t i = 0; i < places.size(); ++i)
-        if (map.free_labels.values[i] > 0) {
-          places[i] = static_cast<std::uint32_t>(tops_.size());
-          tops_.emplace_back();
-        }
-    }
-    profiles_.emplace_back(0.0, 0.0, crowd);
-    for (const Room& room : building.rooms)
-      profiles_.emplace_back(room.point_count > 0 ? room.lower.z() : 0.0,
-                             room.point_count > 0 ? room.upper.z() + crowd : 0.0,
-                             crowd);
+    const auto& labels = map_.free_labels.values;
+    tops_.resize(labels.size() -
+                 static_cast<std::size_t>(std::count(labels.begin(), labels.end(), 0)));
+    std::uint32_t place = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      if (labels[i] > 0)
+        place_of_[i] = place++;
+    for (const std::uint32_t label : room_of_)
+      if (label > 0 && building.rooms[label - 1].point_count > 0) {
+        const Room& room = building.rooms[label - 1];
+        profiles_.emplace_back(room.lower.z(), room.upper.z() + crowd, crowd);
+      }
+      else
+        profiles_.emplace_back(0.0, 0.0, crowd);
   }
 
-  /** Look at a point of a room. */
+  /** Look at a point of a room of this storey. */
   void
-  add(std::size_t point, double height, std::int32_t cell, const Room& room)
+  add(std::size_t point, double height, std::int32_t cell, std::uint32_t room)
   {
-    const RoomMap& map = building_.maps[room.storey];
     const std::int32_t nz = building_.occupancy.grid.shape.nz;
     const std::int32_t pixel = cell / nz;
-    const int below = map.ceiling.values[pixel] + map.first_layer - cell % nz;
-    if (below < 0 || below >= map.slab.first) // in the slab itself nothing is there
+    const int below = map_.ceiling.values[pixel] + map_.first_layer - cell % nz;
+    if (below < 0 || below >= map_.slab.first) // in the slab itself nothing is there
       return;
-    const std::int32_t label = map.free_labels.values[pixel];
-    if (label <= 0 || building_.room_of[room.storey][label] != room.label)
+    const std::int32_t label = map_.free_labels.values[pixel];
+    if (label <= 0 || room_of_[label] != room)
       return;
-    ColumnTop& top = topOf(room.storey, pixel);
+    ColumnTop& top = topOf(pixel);
     top.lowest = std::min(top.lowest, static_cast<float>(height));
-    profiles_[room.label].add(height);
-    seen_.push_back(point);
+    profiles_[label].add(height);
+    seen_.push_back(static_cast<std::uint32_t>(point));
   }
 
   /** Set the ceilings: the layers say how high they are on average, and the columns in
@@ -79,58 +87,57 @@ public:
   void
   measure(const std::vector<Eigen::Vector3f>& points, std::vector<RoomLevels>& levels)
   {
-    std::vector<double> main(levels.size(), 0.0);
-    for (std::size_t k = 1; k < levels.size(); ++k)
-      main[k] = profiles_[k].firstFace(1).value_or(0.0);
+    std::vector<double> main;
+    for (const PlaceProfile& profile : profiles_)
+      main.push_back(profile.firstFace(1).value_or(0.0));
     addToColumns(points, main);
-    std::vector<double> layers(levels.size(), 0.0), offset(levels.size(), 0.0);
-    std::vector<std::size_t> columns(levels.size(), 0), seen(levels.size(), 0);
-    for (std::size_t s = 0; s < building_.maps.size(); ++s)
-      for (std::size_t i = 0; i < place_of_[s].size(); ++i) {
-        const RoomMap& map = building_.maps[s];
-        const std::int32_t label = map.free_labels.values[i];
-        if (label <= 0)
-          continue;
-        const std::uint32_t room = building_.room_of[s][label];
-        const double middle =
-            heightOfLayer(building_, map.first_layer + map.ceiling.values[i] + 0.5);
-        layers[room] += middle;
-        ++columns[room];
-        const ColumnTop& top = topOf(s, i);
-        if (top.count == 0)
-          continue;
-        const double height =
-            top.is_level ? main[room] : 1e-6 * static_cast<double>(top.sum) / top.count;
-        offset[room] += height - middle;
-        ++seen[room];
-      }
-    for (std::size_t k = 1; k < levels.size(); ++k)
-      levels[k].ceiling_seen =
-          static_cast<double>(seen[k]) /
-          static_cast<double>(std::max<std::size_t>(columns[k], 1));
-    for (std::size_t k = 1; k < levels.size(); ++k)
-      levels[k].ceiling = layers[k] / std::max<std::size_t>(columns[k], 1) +
-                          offset[k] / std::max<std::size_t>(seen[k], 1);
+    std::vector<double> layers(main.size(), 0.0), offset(main.size(), 0.0);
+    std::vector<std::size_t> columns(main.size(), 0), seen(main.size(), 0);
+    for (std::size_t i = 0; i < place_of_.size(); ++i) {
+      const std::int32_t label = map_.free_labels.values[i];
+      if (label <= 0)
+        continue;
+      const double middle =
+          heightOfLayer(building_, map_.first_layer + map_.ceiling.values[i] + 0.5);
+      layers[label] += middle;
+      ++columns[label];
+      const ColumnTop& top = topOf(i);
+      if (top.count == 0)
+        continue;
+      const double height =
+          top.is_level ? main[label] : 1e-6 * static_cast<double>(top.sum) / top.count;
+      offset[label] += height - middle;
+      ++seen[label];
+    }
+    for (std::size_t label = 1; label < main.size(); ++label) {
+      RoomLevels& level = levels[room_of_[label]];
+      level.ceiling_seen =
+          static_cast<double>(seen[label]) /
+          static_cast<double>(std::max<std::size_t>(columns[label], 1));
+      level.ceiling = layers[label] / std::max<std::size_t>(columns[label], 1) +
+                      offset[label] / std::max<std::size_t>(seen[label], 1);
+    }
   }
 
 private:
   /** REQUIRES: the pixel is one of a room */
   ColumnTop&
-  topOf(std::size_t storey, std::size_t pixel)
+  topOf(std::size_t pixel)
   {
-    return tops_[place_of_[storey][pixel]];
+    return tops_[place_of_[pixel]];
   }
 
   void
   addToColumns(const std::vector<Eigen::Vector3f>& points,
                const std::vector<double>& main)
   {
-    for (const std::size_t i : seen_) {
-      const Room& room = building_.rooms[building_.point_labels[i] - 1];
-      const std::int32_t cell = building_.occupancy.cells[i];
-      ColumnTop& top = topOf(room.storey, cell / building_.occupancy.grid.shape.nz);
+    for (const std::uint32_t i : seen_) {
+      const std::int32_t pixel =
+          building_.occupancy.cells[i] / building_.occupancy.grid.shape.nz;
+      ColumnTop& top = topOf(pixel);
       const double height = points[i].z();
-      top.is_level |= std::abs(height - main[room.label]) <= 0.5 * crowd;
+      if (std::abs(height - main[map_.free_labels.values[pixel]]) <= 0.5 * crowd)
+        top.is_level = 1;
       if (height - top.lowest > 2.0 * crowd)
         continue;
       top.sum += std::llround(1e6 * height);
@@ -139,10 +146,12 @@ private:
   }
 
   const BuildingRooms& building_;
-  std::vector<ColumnTop> tops_; ///< of the columns of rooms, few of all
-  std::vector<std::vector<std::uint32_t>> place_of_; ///< there, per storey and pixel
-  std::vector<PlaceProfile> profiles_;               ///< per label of a room
-  std::vector<std::size_t> seen_;                    ///< points that were taken
+  const RoomMap& map_;
+  const std::vector<std::uint32_t>& room_of_; ///< of each label of the map
+  std::vector<ColumnTop> tops_;               ///< of the columns of rooms, few of all
+  std::vector<std::uint32_t> place_of_;       ///< there, per pixel
+  std::vector<PlaceProfile> profiles_;        ///< per label of the map
+  std::vector<std::uint32_t> seen_;           ///< points that were taken
 };
 
 /** Set how much of the floors was seen. */
@@ -222,14 +231,19 @@ roomLevels(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& buil
                         levels[room.label].floor + 0.5 * room.height,
                         crowd);
   }
-  Ceilings ceilings(building);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (const std::uint32_t label = building.point_labels[i]; label > 0) {
+  // Storey by storey, so that high buildings need no more memory than others.
+  for (std::size_t s = 0; s < building.maps.size(); ++s) {
+    Ceilings ceilings(building, s);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::uint32_t label = building.point_labels[i];
+      if (label == 0 || building.rooms[label - 1].storey != s)
+        continue;
       const double height = points[i].z();
       floors[label].add(height);
-      ceilings.add(i, height, building.occupancy.cells[i], building.rooms[label - 1]);
+      ceilings.add(i, height, building.occupancy.cells[i], label);
     }
-  ceilings.measure(points, levels);
+    ceilings.measure(points, levels);
+  }
   for (std::size_t k = 1; k < levels.size(); ++k)
     levels[k].floor = floors[k].firstFace(1).value_or(levels[k].floor);
   measureFloors(points, building, levels);
