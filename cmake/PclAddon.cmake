@@ -76,6 +76,16 @@ function(pcl_addon_group_by_folder target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
 
+# pkg-config: pcl_indoor_<module>.pc, which requires what the library's headers need
+function(pcl_addon_describe_library module)
+  list(TRANSFORM ARGN REPLACE "^${PROJECT_NAME}::" "${PROJECT_NAME}_" OUTPUT_VARIABLE required)
+  list(JOIN required ", " required)
+  file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  set(file ${CMAKE_CURRENT_BINARY_DIR}/${PROJECT_NAME}_${module}.pc)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/module.pc.in ${file} @ONLY)
+  install(FILES ${file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
+endfunction()
+
 # pcl_addon_add_library(module SOURCES ... PUBLIC_LINK ... PRIVATE_LINK ...)
 function(pcl_addon_add_library module)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
@@ -95,6 +105,7 @@ function(pcl_addon_add_library module)
   if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/include)
     install(DIRECTORY include/ DESTINATION ${PCL_ADDON_INCLUDE_DIR} COMPONENT dev)
   endif()
+  pcl_addon_describe_library(${module} ${ARG_PUBLIC_LINK})
 endfunction()
 
 # pcl_addon_add_tools(name ... LINK ...): name.cpp becomes pcl_name; the target pcl_indoor_programs stands for all of them

@@ -45,7 +45,7 @@ int main()
 }
 END
 cp "$folder/source/CMakeLists.txt" "$folder/CMakeLists.txt"
-sed -i 's/COMPONENTS segmentation features ml/COMPONENTS training/; /consumer PRIVATE/,$d' "$folder/source/CMakeLists.txt"
+sed -i 's/COMPONENTS scene segmentation features ml/COMPONENTS training/; /consumer PRIVATE/,$d' "$folder/source/CMakeLists.txt"
 sed -i 's/consumer consumer.cpp/consumer training.cpp/' "$folder/source/CMakeLists.txt"
 echo 'target_link_libraries(consumer PRIVATE pcl_indoor::training)' >> "$folder/source/CMakeLists.txt"
 if [ -n "$(find "$folder/prefix" -name libpcl_indoor_training.so)" ]; then
@@ -58,7 +58,7 @@ elif configure "$folder/training"; then
 fi
 mv "$folder/CMakeLists.txt" "$folder/source/CMakeLists.txt"
 
-sed -i 's/COMPONENTS segmentation features ml/COMPONENTS no_such_module/' "$folder/source/CMakeLists.txt"
+sed -i 's/COMPONENTS scene segmentation features ml/COMPONENTS no_such_module/' "$folder/source/CMakeLists.txt"
 if configure "$folder/unknown"; then
   echo "An unknown component is found"
   exit 1

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the pcl_indoor contributors
 #
-# same_scene.sh <cmake> <prefix>: a program of three lines, built with what is installed there, gives byte for byte the
-# scene.json of the installed pcl_indoor_pipeline.
+# same_scene.sh <cmake> <prefix>: a program of three lines, built with what is installed there by CMake and by pkg-config,
+# gives byte for byte the scene.json of the installed pcl_indoor_pipeline.
 set -euo pipefail
 cmake=$1 prefix=$2
 here=$(cd "$(dirname "$0")" && pwd)
@@ -27,3 +27,13 @@ END
 "$prefix/bin/pcl_indoor_pipeline" "$folder/flat.pcd" "$folder/result" -quiet
 "$folder/build/describe_building" "$folder/flat.pcd" "$folder/scene.json"
 cmp "$folder/result/scene.json" "$folder/scene.json"
+
+if command -v pkg-config > /dev/null; then
+  PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name pcl_indoor_scene.pc)")
+  export PKG_CONFIG_PATH
+  read -ra flags < <(pkg-config --cflags --libs pcl_indoor_scene)
+  c++ -std=c++17 -O1 "$folder/source/describe_building.cpp" -o "$folder/by_pkg_config" "${flags[@]}" \
+    "-Wl,-rpath,$(pkg-config --variable=libdir pcl_indoor_scene)"
+  "$folder/by_pkg_config" "$folder/flat.pcd" "$folder/again.json"
+  cmp "$folder/result/scene.json" "$folder/again.json"
+fi
