@@ -14,7 +14,7 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-constexpr double at_floor = 0.12;    // metres: thresholds and skirtings are lower
+constexpr double at_floor = 0.08;    // metres: thresholds are lower
 constexpr double least_head = 1.7;   // metres, of doors
 constexpr double highest_head = 3.2; // metres, of doors
 constexpr double narrowest = 0.5;    // metres, of doors
@@ -170,7 +170,7 @@ public:
     opening.room_a = passable.room_a;
     opening.room_b = passable.room_b;
     opening.is_open = true;
-    if (best && opening.width > one_leaf && candidates_[*best].hole.framed[2] < most)
+    if (best && opening.width > one_leaf && !hasLintel(candidates_[*best]))
       opening.kind = ModelOpeningKind::Passage;
     found_.push_back(opening);
   }
@@ -212,6 +212,14 @@ public:
   }
 
 private:
+  /** Whether the wall goes on above a hole; what frames it may be the ceiling. */
+  bool
+  hasLintel(const Candidate& candidate) const
+  {
+    return candidate.hole.framed[2] >= most &&
+           faces_[candidate.face].ceiling - candidate.hole.box.max().y() >= lintel;
+  }
+
   /** Whether a candidate is an opening, seen from one side or from both. */
   bool
   isOpening(const Candidate& candidate, bool from_both, bool has_other_side) const
@@ -268,9 +276,9 @@ private:
       height = face.ceiling - face.floor;
     }
     opening.height = std::min(height, passable.area / std::max(0.1, passable.width));
-    opening.kind = passable.width > one_leaf && opening.height > height - lintel
-                       ? ModelOpeningKind::Passage
-                       : ModelOpeningKind::Door;
+    const bool has_lintel = opening.height <= height - lintel;
+    if (passable.width > widest_door || (passable.width > one_leaf && !has_lintel))
+      opening.kind = ModelOpeningKind::Passage;
     return opening;
   }
 

@@ -13,12 +13,14 @@ and object_id, a scan.json with
     yaw     how far the building was turned, degrees
 
 An opening is right if its kind is, its centre lies within 0.2 m of the true one along the wall, and its width
-within 0.15 m of the true one; one true opening each. Boxes of doors may hold casings: up to 0.15 m less than these is right, too. Its middle height lies within 0.6 m, and it stands within 0.5 m of the
-true one across the wall. Of doors that were taken out no place is known: they are right with an opening between
-two rooms that is no other door's and as wide within 0.15 m. A true opening shows if the wall's face is not
-there (less than 0.3 of the points per area around it) or its own surface is 3 cm before or behind it; those that do not show are
-neither right nor wrong in the columns "shows". Without "kind" in scene.json, its openings are doors, and
-objects of class door or window what they are called. Needs numpy.
+within 0.15 m of the true one; one true opening each. Its middle height lies within 0.6 m, and it stands within
+0.5 m of the true one across the wall. A width is that of the name (0762 x 2032mm), or else of the box, less the
+casings, which stand out of the wall's face (of doors that were taken out: as others of the building). Of doors
+that were taken out no place is known: each is right with one door that no other door has, that can be passed,
+leads from one true room to another, and is as wide within 0.15 m and as high within 0.2 m. A true opening shows
+if at least half of its own points are 3 cm or more from the wall's face, or the face is not there; those that do
+not show are neither right nor wrong in the columns "shows". Without "kind" in scene.json, its
+openings are doors, and objects of class door or window what they are called. Needs numpy.
 """
 import argparse
 import collections
@@ -33,8 +35,9 @@ import numpy
 
 from room_quantities import read_fields
 
-ALONG, WIDTH, ACROSS, UP, CASING = 0.2, 0.15, 0.5, 0.6, 0.15
-Opening = collections.namedtuple("Opening", "kind middle along width sill head rooms")
+ALONG, WIDTH, ACROSS, UP = 0.2, 0.15, 0.5, 0.6
+HIGH = 0.2  # of doors that were taken out
+Opening = collections.namedtuple("Opening", "kind middle along width sill head rooms is_open", defaults=[True])
 
 
 def turned(yaw):
@@ -42,30 +45,49 @@ def turned(yaw):
     return numpy.array([[numpy.cos(angle), -numpy.sin(angle)], [numpy.sin(angle), numpy.cos(angle)]])
 
 
-def true_width(each, axis):
-    """What its name says, 0762 x 2032mm, or the side of its box."""
-    named = re.search(r"(\d{3,4}) ?(?:mm)? ?x ?\d{4} ?mm", str(each.get("name")))
-    return 0.001 * int(named[1]) if named else each["size"][axis]
+def true_size(each, axis):
+    """Width and height: what its name says, 0762 x 2032mm, or the sides of its box."""
+    named = re.search(r"(\d{3,4}) ?(?:mm)? ?x ?(\d{4}) ?mm", str(each.get("name")))
+    return (0.001 * int(named[1]), 0.001 * int(named[2])) if named else (each["size"][axis], each["size"][2])
 
 
-def shows(own, around):
-    """Whether the wall's face is not where an opening is. Points: along, across, up."""
+def face_level(around):
+    """Where the wall's face lies across it: where most points do; None without a wall."""
     face = around[abs(around[:, 1]) < 0.6]
     if len(face) < 20:
-        return True
+        return None
     ordered = numpy.sort(face[:, 1])
     crowd = numpy.searchsorted(ordered, ordered + 0.04, side="right") - numpy.arange(len(ordered))
-    level = ordered[crowd.argmax()] + 0.02
-    on_face = abs(own[:, 1] - level) < 0.03
-    return on_face.mean() < 0.5
+    return ordered[crowd.argmax()] + 0.02
+
+
+def shows(own, level):
+    """Whether the wall's face is not where an opening is. Points: along, across, up."""
+    return level is None or (abs(own[:, 1] - level) < 0.03).mean() < 0.5
+
+
+def casings(own, level, half):
+    """How much of a width covers the wall beside the opening: from each end, what stands out of the wall's face."""
+    if level is None:
+        return 0.0
+    inward = 1.0 if level < numpy.median(own[:, 1]) else -1.0  # from the face into the wall
+    total = 0.0
+    for end in (-1.0, 1.0):
+        from_end = half - end * own[:, 0]
+        for step in numpy.arange(0.0, 0.12, 0.02):
+            depths = inward * (own[(from_end >= step) & (from_end < step + 0.02), 1] - level)
+            if len(depths) < 5 or numpy.median(depths) > -0.01:
+                break
+            total += 0.02
+    return total
 
 
 def true_openings(scene, points, object_of, label):
-    """Known places, whether they show, and the widths of open doors."""
+    """Known places, whether they show, and the sizes of doors that were taken out."""
     turn = turned(scene.get("yaw", 0))
     straight = points.copy()
     straight[:, :2] = points[:, :2] @ turn  # by -yaw
-    known, visible, open_widths = [], [], []
+    known, visible, taken_out, of_doors = [], [], [], [0.0]
     is_open = {door["object"] for door in scene.get("doors", []) if door.get("open")}
     for each in scene["objects"]:
         if each.get("kind") not in ("door", "window"):
@@ -73,7 +95,7 @@ def true_openings(scene, points, object_of, label):
         axis = int(each["size"][1] > each["size"][0])
         own = straight[object_of == each["object"]]
         if each["object"] in is_open:
-            open_widths.append(true_width(each, axis))
+            taken_out.append((each, *true_size(each, axis)))
         if each["object"] in is_open or len(own) < 50 or each["size"][2] < 0.3:
             continue
         order = [axis, 1 - axis, 2]
@@ -83,12 +105,21 @@ def true_openings(scene, points, object_of, label):
         near &= (object_of != each["object"]) & (label == each["room"])
         own = own[label[object_of == each["object"]] == each["room"]]
         inner = numpy.all((own > lower + 0.1) & (own < upper - 0.1) | (numpy.arange(3) == 1 - axis), axis=1)
-        visible.append(shows((own - middle)[inner if inner.sum() > 20 else slice(None)][:, order],
-                             (straight[near] - middle)[:, order]))
+        level = face_level((straight[near] - middle)[:, order])
+        visible.append(shows((own - middle)[inner if inner.sum() > 20 else slice(None)][:, order], level))
+        width = true_size(each, axis)[0]
+        if width == each["size"][axis]:
+            casing = casings((own - middle)[:, order], level, 0.5 * width)
+            width -= casing
+            if each["kind"] == "door":
+                of_doors.append(casing)
         along = turn @ numpy.eye(2)[axis]
         middle[:2] = turn @ middle[:2]
-        known.append(Opening(each["kind"], middle, along, true_width(each, axis), lower[2], upper[2], ()))
-    return known, numpy.array(visible, bool), open_widths
+        known.append(Opening(each["kind"], middle, along, width, lower[2], upper[2], ()))
+    casing = numpy.median(of_doors)  # to both sides
+    taken_out = [(width, height) if width not in each["size"] else (round(width - casing, 3), round(height - 0.5 * casing, 3))
+                 for each, width, height in taken_out]
+    return known, numpy.array(visible, bool), taken_out
 
 
 def found_openings(scene):
@@ -96,20 +127,17 @@ def found_openings(scene):
         for each in scene["openings"]:
             sill = each["position"][2]
             yield Opening(each["kind"], numpy.array(each["position"]) + [0, 0, 0.5 * each["height"]], None, each["width"],
-                          sill, sill + each["height"], [room for room in each["rooms"] if room])
+                          sill, sill + each["height"], [room for room in each["rooms"] if room], each["open"])
         return
     for each in scene["openings"]:
-        yield Opening("door", numpy.array(each["position"]) + [0, 0, 1.0], None, each["width"], None, None, each["rooms"])
+        sill = each["position"][2]
+        yield Opening("door", numpy.array(each["position"]) + [0, 0, 1.0], None, each["width"], sill,
+                      sill + each["area"] / max(0.1, each["width"]), each["rooms"])
     for each in scene["objects"]:
         if each.get("class") in ("door", "window"):
             box = each["upright_box"]
             middle, half = numpy.array(box["center"]), 0.5 * box["size"][2]
             yield Opening(each["class"], middle, None, box["size"][0], middle[2] - half, middle[2] + half, [each["room"]])
-
-
-def has_width(width, kind, true):
-    """Boxes of doors may hold a casing."""
-    return -(WIDTH + (CASING if kind == "door" else 0)) <= width - true <= WIDTH
 
 
 def pairs_of(true, found):
@@ -121,7 +149,7 @@ def pairs_of(true, found):
             way = other.middle - one.middle
             along, beside = abs(one.along @ way[:2]), abs(across @ way[:2])
             if (one.kind == other.kind and along <= ALONG and beside <= ACROSS and abs(way[2]) <= UP
-                    and has_width(other.width, one.kind, one.width)):
+                    and abs(other.width - one.width) <= WIDTH):
                 candidates.append((along + abs(one.width - other.width), t, f))
     pairs, used = [], set()
     for _, t, f in sorted(candidates):
@@ -138,14 +166,20 @@ def at_place(one, other):
             and abs(way[2]) < 0.5 * (one.head - one.sill) + 0.3)
 
 
-def by_width(widths, found, free):
-    """Open doors whose place is not known: as many as have an opening of their width."""
-    rest, right = sorted(widths), 0
-    for f in sorted(free, key=lambda each: found[each].width):
-        fitting = [width for width in rest if has_width(found[f].width, "door", width)]
-        if len(found[f].rooms) == 2 and fitting:
+def leads_on(opening, points, label):
+    """Whether points of two true rooms lie around an opening."""
+    near = numpy.all(abs(points - opening.middle) < [0.8, 0.8, 1.0], axis=1)
+    return len(set(label[near]) - {0}) > 1
+
+
+def by_size(sizes, found, free, surroundings):
+    """Doors that were taken out, whose places are not known: as many as have an opening of their size."""
+    rest = sorted(sizes)
+    for f in sorted(free, key=lambda each: (found[each].width, each)):
+        one = found[f]
+        fitting = [size for size in rest if abs(one.width - size[0]) <= WIDTH and abs(one.head - one.sill - size[1]) <= HIGH]
+        if one.is_open and fitting and leads_on(one, *surroundings):
             rest.remove(fitting[0])
-            right += 1
             yield f
 
 
@@ -158,7 +192,7 @@ def f1(figures):
 
 
 def judged(scene, result, points, object_of, label, listed):
-    known, visible, open_widths = true_openings(scene, points, object_of, label)
+    known, visible, taken_out = true_openings(scene, points, object_of, label)
     found = list(found_openings(result))
     pairs = pairs_of(known, found)
     row = {"sill": [], "head": []}
@@ -179,11 +213,11 @@ def judged(scene, result, points, object_of, label, listed):
         row[f"{kind} shows"] = score(len(seen_right), len(seen), len(own - hidden))
         if kind == "door":
             free = own - {f for _, f in pairs}
-            opened = len(set(by_width(open_widths, found, free)))
+            opened = len(set(by_size(taken_out, found, free, (points, label))))
             row["closed"] = score(len(seen_right), len(seen), len(own - hidden) - opened)
             for key in ("door all", "door shows"):
                 row[key]["right"] += opened
-                row[key]["true"] += len(open_widths)
+                row[key]["true"] += len(taken_out)
     if listed:
         for t, one in enumerate(known):
             near = [f"{found[f].kind} {found[f].width:.2f} off {abs(one.along @ (found[f].middle - one.middle)[:2]):.2f}"
@@ -194,7 +228,7 @@ def judged(scene, result, points, object_of, label, listed):
         for f, one in enumerate(found):
             if f not in matched and not any(at_place(true, one) for true in known):
                 print(f"    alone: {one.kind} {one.width:.2f} at {one.middle.round(2)}, rooms {one.rooms}, {one.sill} to {one.head}")
-        print(f"    open doors: {sorted(numpy.round(open_widths, 2))}")
+        print(f"    taken out: {sorted(taken_out)}")
     return row
 
 

@@ -143,6 +143,31 @@ TEST(ModelOpenings, WideOnesWithoutALintelArePassages)
   EXPECT_EQ(inInnerWall({}, {}, {passable})[0].kind, ModelOpeningKind::Passage);
   passable.area = 4.2;
   EXPECT_EQ(inInnerWall({}, {}, {passable})[0].kind, ModelOpeningKind::Door);
+  // above a hole the ceiling is no lintel
+  auto hole = framedHole(rectangle(1.0, 0.0, 3.0, 2.58), 0.0);
+  EXPECT_EQ(inInnerWall({hole}, {}, {passable})[0].kind, ModelOpeningKind::Passage);
+  hole = framedHole(rectangle(1.0, 0.0, 3.0, 2.1), 0.0);
+  EXPECT_EQ(inInnerWall({hole}, {}, {passable})[0].kind, ModelOpeningKind::Door);
+}
+
+TEST(ModelOpenings, WhatIsWiderThanAnyGateIsAPassage)
+{
+  RoomOpening passable;
+  passable.room_a = 1;
+  passable.room_b = 2;
+  passable.position = {2.0, 0.0, 0.0};
+  passable.width = 3.6;
+  passable.area = 7.2; // 2 m high, below a lintel
+  EXPECT_EQ(inInnerWall({}, {}, {passable})[0].kind, ModelOpeningKind::Passage);
+}
+
+TEST(ModelOpenings, GlassAboveAKerbIsAWindow)
+{
+  const auto kindOf = [](double sill) {
+    return inOuterWall(framedHole(rectangle(1.0, sill, 2.4, 2.1), 0.9)).at(0).kind;
+  };
+  EXPECT_EQ(kindOf(0.05), ModelOpeningKind::Door); // a threshold
+  EXPECT_EQ(kindOf(0.1), ModelOpeningKind::Window);
 }
 
 TEST(ModelOpenings, WithoutSidesThereAreNone)

@@ -20,6 +20,36 @@ holesOf(const std::vector<SimulatedHole>& simulated)
   return wallHoles(wallImage(points, 5.0, 0.0, 2.6), points);
 }
 
+/** A wall with a glazed front in a niche, as the side sees it that was fitted to the
+ * frame of the glass: the niche's sides stand out of that plane.
+ * \param[in] sides how many of left, right, above, below do */
+std::vector<FaceHole>
+glassInNiche(const Eigen::AlignedBox2d& niche, int sides)
+{
+  constexpr double frame = 0.08, deep = 0.35; // metres
+  const Eigen::AlignedBox2d glass(niche.min().array() + frame,
+                                  niche.max().array() - frame);
+  auto points = simulatedSide(5.0, 2.6, {{glass, 0.0}});
+  const auto add = [&](double u, double before, double v) {
+    points.push_back(
+        {static_cast<float>(u), static_cast<float>(before), static_cast<float>(v)});
+  };
+  for (double before = 0.0; before < deep; before += simulated_spacing) {
+    for (double v = niche.min().y(); v < niche.max().y(); v += simulated_spacing) {
+      add(niche.min().x(), before, v);
+      if (sides > 1)
+        add(niche.max().x(), before, v);
+    }
+    for (double u = niche.min().x(); u < niche.max().x(); u += simulated_spacing) {
+      if (sides > 2)
+        add(u, before, niche.max().y());
+      if (sides > 3)
+        add(u, before, niche.min().y());
+    }
+  }
+  return wallHoles(wallImage(points, 5.0, 0.0, 2.6), points);
+}
+
 void
 expectBox(const FaceHole& hole, const Eigen::AlignedBox2d& box)
 {
@@ -71,6 +101,27 @@ TEST(WallHoles, AWindowBesideAGlazedDoorIsAnother)
   EXPECT_NEAR(holes[0].box.min().y(), 0.0, 0.02);
   EXPECT_NEAR(holes[1].box.min().x(), 1.9, 0.05);
   EXPECT_NEAR(holes[1].box.min().y(), 0.9, 0.02);
+}
+
+TEST(WallHoles, AFrameThatFillsANicheBelongsToTheWindow)
+{
+  const auto niche = rectangle(1.2, 0.4, 3.6, 2.4);
+  auto holes = glassInNiche(niche, 4);
+  ASSERT_EQ(holes.size(), 1u);
+  expectBox(holes[0], niche);
+  for (const double side : holes[0].framed)
+    EXPECT_EQ(side, 1.0);
+  holes = glassInNiche(niche, 3); // nothing stands out below: the glass ends there
+  ASSERT_EQ(holes.size(), 1u);
+  expectBox(holes[0], rectangle(1.2, 0.48, 3.6, 2.4));
+}
+
+TEST(WallHoles, ACornerBesideAWindowIsNoNiche)
+{
+  const auto niche = rectangle(1.2, 0.4, 3.6, 2.4);
+  const auto holes = glassInNiche(niche, 2); // walls to both sides
+  ASSERT_EQ(holes.size(), 1u);
+  expectBox(holes[0], rectangle(1.28, 0.48, 3.52, 2.32));
 }
 
 TEST(WallHoles, APlainWallHasNone)
