@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/options.h"
+#include "export/scene_route.h"
 #include "formats/json_text.h"
 #include "scene/scene_query.h"
 #include "text/place_text.h"
@@ -15,7 +16,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 struct Options {
-  std::string scene, nearest;
+  std::string scene, nearest, route;
   SceneQuery query;
   int room = -1, storey = -1; ///< -1 = any
   double max_size = 0.0;      ///< 0 = any
@@ -28,7 +29,8 @@ makeParser(Options& options)
 {
   OptionParser parser("pcl_indoor_query",
                       "Lists the objects of a scene that fulfil all conditions, as a "
-                      "table or as JSON, for example the doors next to a place.");
+                      "table or as JSON, for example the doors next to a place; or the "
+                      "shortest way between two places.");
   parser
       .positional(
           "scene.json", options.scene, "the scene, as pcl_indoor_pipeline writes it")
@@ -62,6 +64,10 @@ makeParser(Options& options)
               "list at most so many, 0 = all",
               "objects",
               Range::atLeast(0))
+      .text("-route",
+            options.route,
+            "FROM:TO, each the number of a room or X,Y,Z in the frame and unit of the "
+            "scan: the shortest way through doors and over stairs, instead of objects")
       .flag("-structure",
             options.query.with_structure,
             "list floors, walls and ceilings, too")
@@ -125,6 +131,38 @@ tableOf(const std::vector<Json>& objects, const SceneQuery& query)
   return table.text();
 }
 
+/** Without the corners where a way turns. */
+std::string
+routeTableOf(const Json& route)
+{
+  TextTable table({"step", "number>", "room>", "storey>", "place", "way, m>"});
+  for (const auto& step : route.at("steps"))
+    if (step["kind"] != "corner")
+      table.add({step["kind"].get<std::string>(),
+                 step.contains("number") ? step["number"].dump() : "-",
+                 step.contains("room") ? step["room"].dump() : "-",
+                 step["storey"].dump(),
+                 joined(step["position"], ", "),
+                 fixedText(step["distance"].get<double>(), 2)});
+  return table.text();
+}
+
+std::string
+answerOf(const Options& options)
+{
+  if (!options.route.empty()) {
+    const auto route = sceneRoute(readSavedScene(options.scene), options.route);
+    return options.json ? jsonText(route) : routeTableOf(route);
+  }
+  const auto scene = readScene(options.scene);
+  try {
+    const auto objects = findObjects(scene, options.query);
+    return options.json ? jsonText(objects) : tableOf(objects, options.query);
+  } catch (const Json::exception& problem) {
+    throw ToolError(options.scene + ": not a whole scene, " + messageOf(problem));
+  }
+}
+
 } // namespace
 
 int
@@ -134,14 +172,7 @@ main(int argc, char** argv)
   auto parser = makeParser(options);
   return parser.run(argc, argv, [&](Progress&) {
     chooseQuery(options);
-    const auto scene = readScene(options.scene);
-    std::string text;
-    try {
-      const auto objects = findObjects(scene, options.query);
-      text = options.json ? jsonText(objects) : tableOf(objects, options.query);
-    } catch (const Json::exception& problem) {
-      throw ToolError(options.scene + ": not a whole scene, " + messageOf(problem));
-    }
+    const auto text = answerOf(options);
     if (std::fputs(text.c_str(), stdout) == EOF || std::fflush(stdout) != 0)
       throw ToolError("the answer cannot be written to stdout");
   });

@@ -72,7 +72,7 @@ case $case in
   negative_value) extra=("$number" -1); expected="$number: '-1' is out of range" ;;
   missing_value) extra=("$number"); expected="$number: the value is missing" ;;
   missing_argument) set --; expected='is missing|are needed' ;;
-  unwritable_output) output=$input/output.pcd; expected='output.pcd(_rooms.png)?: cannot be ' ;;
+  unwritable_output) output=$input/output.pcd; expected='output.pcd(_rooms.png|.ifc)?: cannot be ' ;;
   wrong_extension) output=$folder/output.las; expected='output.las: cannot be written, .las is ' ;;
   folder_in_folder) # one of the results cannot be replaced
     mkdir -p "$output/classes.png"; expected='output.pcd/classes.png: cannot be written, it is a folder' ;;

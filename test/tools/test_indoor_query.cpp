@@ -4,6 +4,7 @@
  */
 // Asks pcl_indoor_query about a small scene.
 #include "support/folder_test.h"
+#include "support/small_scene.h"
 
 #include <nlohmann/json.hpp>
 
@@ -142,6 +143,21 @@ TEST_F(IndoorQuery, TheTableIsAligned)
             "       2.75\n");
 }
 
+TEST_F(IndoorQuery, WaysLeadThroughDoors)
+{
+  save(pcl::indoor::test::SmallScene::json());
+  ASSERT_EQ(run("-route 103,201.5,10:2"), 0) << bytesOf(path("said"));
+  const auto table = bytesOf(path("out"));
+  EXPECT_NE(table.find("opening"), std::string::npos) << table;
+  EXPECT_NE(table.find("103.00, 201.50, 10.00"), std::string::npos) << table;
+  EXPECT_EQ(table.find("corner"), std::string::npos) << table;
+  ASSERT_EQ(run("-route 1:2 -json"), 0);
+  EXPECT_GT(Json::parse(bytesOf(path("out")))["length"], 2.0);
+  expectRefused("-route 1:9", "no room '9'");
+  expectRefused("-route 1", "FROM:TO");
+  expectRefused("-route 1:900,0,0", "in no room");
+}
+
 TEST_F(IndoorQuery, WhatIsNotThereIsSaid)
 {
   expectRefused("-class sofa", "'sofa' is not one of door, chair");
@@ -155,9 +171,9 @@ TEST_F(IndoorQuery, WhatIsNotThereIsSaid)
 TEST_F(IndoorQuery, BadScenesAreRefused)
 {
   auto scene = smallScene();
-  scene["version"] = 1;
+  scene["version"] = 3;
   save(scene);
-  expectRefused("", "version 1");
+  expectRefused("", "version 3");
   scene = smallScene();
   scene["objects"][1]["upright_box"]["size"] = {1, "wide", 2};
   save(scene);

@@ -186,8 +186,10 @@ without(const PlanLine& side, const PlanOpening& opening)
   return rest;
 }
 
+} // namespace
+
 std::vector<PlanLine>
-wallsOf(const StoreyPlan& storey)
+planWalls(const StoreyPlan& storey)
 {
   std::vector<PlanLine> walls;
   for (const auto& room : storey.rooms) {
@@ -203,8 +205,6 @@ wallsOf(const StoreyPlan& storey)
   }
   return walls;
 }
-
-} // namespace
 
 PlanLine
 PlanOpening::threshold() const
@@ -239,7 +239,7 @@ floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things)
         opening, i + 1, rooms[opening.room_a - 1], rooms[opening.room_b - 1]));
   }
   for (auto& storey : plan.storeys)
-    storey.walls = wallsOf(storey);
+    storey.walls = planWalls(storey);
   for (const auto& thing : things)
     plan.storeys.at(thing.storey).things.push_back(thing);
   if (plan.box.isEmpty())

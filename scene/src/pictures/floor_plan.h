@@ -57,6 +57,10 @@ struct StoreyPlan {
   std::vector<PlanThing> things;
 };
 
+/** \brief The sides of a storey's rooms, but for its openings. */
+std::vector<PlanLine>
+planWalls(const StoreyPlan& storey);
+
 /** \brief A building as it is drawn: metres, y up, in the building's frame. */
 struct FloorPlan {
   Eigen::AlignedBox2d box; ///< of all storeys

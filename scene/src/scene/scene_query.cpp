@@ -114,9 +114,9 @@ readScene(const std::string& path)
     const auto scene = Json::parse(stream);
     if (!scene.is_object() || scene.value("format", "") != "pcl_indoor scene")
       throw ToolError(path + ": not a scene, as pcl_indoor_pipeline writes it");
-    if (scene.at("version") != 2)
+    if (scene.at("version") != 1 && scene["version"] != 2)
       throw ToolError(path + ": a scene of version " + scene["version"].dump() +
-                      ", but only 2 can be read");
+                      ", but only 1 and 2 can be read");
     return scene;
   } catch (const Json::exception& problem) {
     throw ToolError(path + ": " + messageOf(problem));

@@ -1,0 +1,49 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+using PlanRing = std::vector<Eigen::Vector2d>;
+
+/** \brief A part of a plan in one piece. */
+struct PlanPolygon {
+  PlanRing outer; ///< counter-clockwise
+  std::vector<PlanRing> holes;
+};
+
+/** \brief The area within a ring; negative if it goes clockwise. */
+double
+signedArea(const PlanRing& ring);
+
+/** \brief The length of a ring. */
+double
+perimeter(const PlanRing& ring);
+
+/** \brief The pieces that rings enclose: counter-clockwise around them, clockwise
+ * around their holes. Rings without area and holes in no piece are left out. */
+std::vector<PlanPolygon>
+polygonsOf(const std::vector<PlanRing>& rings);
+
+/** \brief Is a place within rings, and not in their holes? */
+bool
+isInside(const std::vector<PlanRing>& rings, const Eigen::Vector2d& place);
+
+/** \brief The distance of a place from the nearest side, metres; infinite without
+ * rings.
+ */
+double
+distanceToSides(const std::vector<PlanRing>& rings, const Eigen::Vector2d& place);
+
+/** \brief The place inside that is farthest from the sides, to 2 cm, or in shapes of
+ * which that takes long, a wide place. Of no rings, the origin. */
+Eigen::Vector2d
+widestPlace(const std::vector<PlanRing>& rings);
+
+} // namespace pcl::indoor::tool

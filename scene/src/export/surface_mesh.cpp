@@ -1,0 +1,175 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "export/surface_mesh.h"
+
+#include "export/plan_boxes.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pcl::indoor::tool {
+namespace {
+
+/** Four corners counter-clockwise; those of a trapezoid may fall together. */
+void
+addQuad(SurfaceMesh& mesh,
+        const std::array<Eigen::Vector3d, 4>& corners,
+        const Eigen::Vector3d& normal)
+{
+  const auto first = static_cast<std::uint32_t>(mesh.corners.size());
+  for (const auto& corner : corners) {
+    mesh.corners.push_back(corner.cast<float>());
+    mesh.normals.push_back(normal.cast<float>());
+  }
+  for (const std::uint32_t i : {0, 1, 2, 0, 2, 3})
+    mesh.triangles.push_back(first + i);
+}
+
+/** Where a side that crosses a band of heights lies at its lower and upper end. */
+struct BandSide {
+  double low = 0.0, high = 0.0;
+
+  bool
+  operator<(const BandSide& other) const
+  {
+    return low + high < other.low + other.high;
+  }
+};
+
+std::vector<BandSide>
+sidesAcross(const std::vector<PlanRing>& rings, double low, double high)
+{
+  std::vector<BandSide> sides;
+  const double middle = 0.5 * (low + high);
+  for (const auto& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto& a = ring[i];
+      const auto& b = ring[(i + 1) % ring.size()];
+      if ((a.y() > middle) == (b.y() > middle))
+        continue;
+      const auto x_at = [&](double y) {
+        return a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y());
+      };
+      sides.push_back({x_at(low), x_at(high)});
+    }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+/** A part of a wall's side: along the wall from its begin, and upwards. */
+struct WallPart {
+  double begin, end, bottom, top;
+};
+
+/** What of a wall is left beside its openings, below and above them. */
+std::vector<WallPart>
+partsOf(const SavedScene& scene, std::size_t index)
+{
+  const auto& wall = scene.walls[index];
+  const Eigen::Vector2d way = wall.end - wall.begin;
+  std::vector<WallPart> holes;
+  std::vector<double> cuts = {0.0, way.norm()};
+  for (const auto& opening : scene.openings) {
+    if (opening.wall != index)
+      continue;
+    const double at = (opening.position.head<2>() - wall.begin).dot(way.normalized());
+    const double bottom = opening.position.z();
+    holes.push_back({at - 0.5 * opening.width,
+                     at + 0.5 * opening.width,
+                     bottom,
+                     bottom + opening.height});
+    for (const double cut : {holes.back().begin, holes.back().end})
+      cuts.push_back(std::clamp(cut, 0.0, way.norm()));
+  }
+  std::sort(cuts.begin(), cuts.end());
+  std::vector<WallPart> parts;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
+    if (!(cuts[i + 1] > cuts[i]))
+      continue;
+    std::vector<WallPart> here;
+    for (const auto& hole : holes)
+      if (hole.begin < middle && hole.end > middle)
+        here.push_back(hole);
+    std::sort(here.begin(), here.end(), [](const auto& a, const auto& b) {
+      return a.bottom < b.bottom;
+    });
+    double height = wall.floor;
+    const double top = wall.floor + wall.height;
+    for (const auto& hole : here) {
+      if (hole.bottom > height)
+        parts.push_back({cuts[i], cuts[i + 1], height, std::min(hole.bottom, top)});
+      height = std::max(height, hole.top);
+    }
+    if (top > height)
+      parts.push_back({cuts[i], cuts[i + 1], height, top});
+  }
+  return parts;
+}
+
+} // namespace
+
+SurfaceMesh
+flatMesh(const std::vector<PlanRing>& rings, double height)
+{
+  SurfaceMesh mesh;
+  std::vector<double> heights;
+  for (const auto& ring : rings)
+    for (const auto& corner : ring)
+      heights.push_back(corner.y());
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+    const double low = heights[i], high = heights[i + 1];
+    const auto sides = sidesAcross(rings, low, high);
+    for (std::size_t s = 0; s + 1 < sides.size(); s += 2) {
+      const auto &left = sides[s], &right = sides[s + 1];
+      addQuad(mesh,
+              {Eigen::Vector3d(left.low, low, height),
+               Eigen::Vector3d(right.low, low, height),
+               Eigen::Vector3d(right.high, high, height),
+               Eigen::Vector3d(left.high, high, height)},
+              Eigen::Vector3d::UnitZ());
+    }
+  }
+  return mesh;
+}
+
+void
+addPrism(SurfaceMesh& mesh, const PlanRing& corners, double bottom, double top)
+{
+  std::array<Eigen::Vector3d, 4> lower, upper;
+  for (std::size_t i = 0; i < 4; ++i) {
+    lower[3 - i] = {corners[i].x(), corners[i].y(), bottom};
+    upper[i] = {corners[i].x(), corners[i].y(), top};
+  }
+  addQuad(mesh, lower, -Eigen::Vector3d::UnitZ());
+  addQuad(mesh, upper, Eigen::Vector3d::UnitZ());
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& next = upper[(i + 1) % 4];
+    const Eigen::Vector3d way = (next - upper[i]).normalized();
+    const Eigen::Vector3d down(0.0, 0.0, top - bottom);
+    addQuad(mesh,
+            {upper[i] - down, next - down, next, upper[i]},
+            Eigen::Vector3d(way.y(), -way.x(), 0.0));
+  }
+}
+
+SurfaceMesh
+wallMesh(const SavedScene& scene, std::size_t index)
+{
+  SurfaceMesh mesh;
+  const auto& wall = scene.walls[index];
+  const Eigen::Vector2d way = (wall.end - wall.begin).normalized();
+  for (const auto& part : partsOf(scene, index)) {
+    auto piece = wall;
+    piece.begin = wall.begin + part.begin * way;
+    piece.end = wall.begin + part.end * way;
+    addPrism(mesh, wallBox(piece), part.bottom, part.top);
+  }
+  return mesh;
+}
+
+} // namespace pcl::indoor::tool
