@@ -38,17 +38,17 @@ settleSizes(SceneOptions& options)
   options = checkedOptions(options);
 }
 
-/** The settings that a result tells: how large scans are read, only of these. */
+/** The settings that a result tells: how large scans are read, only of these, and not
+ * what it is written as besides. */
 std::vector<Setting>
 settingsOf(const OptionParser& parser, const ScanContent& scan)
 {
   auto settings = parser.settings();
-  if (!scan.stream)
-    settings.erase(
-        std::remove_if(settings.begin(),
-                       settings.end(),
-                       [](const Setting& s) { return s.name == points_option; }),
-        settings.end());
+  const auto is_untold = [&scan](const Setting& setting) {
+    return isOfExports(setting) || (!scan.stream && setting.name == points_option);
+  };
+  settings.erase(std::remove_if(settings.begin(), settings.end(), is_untold),
+                 settings.end());
   return settings;
 }
 

@@ -83,6 +83,35 @@ TEST_F(IndoorExport, MapsAreOfAllStoreys)
   EXPECT_NE(yaml.find("resolution: 0.1\n"), std::string::npos) << yaml;
 }
 
+TEST_F(IndoorExport, ThePipelineWritesTheSameBesideTheScene)
+{
+  const auto tool = [&](const std::string& line) {
+    const auto command = std::string(PCL_INDOOR_TOOLS) + "/" + line + " -quiet > " +
+                         path("out_text") + " 2> " + path("said");
+    return std::system(command.c_str());
+  };
+  const auto pipeline = "pcl_indoor_pipeline " + path("a.pcd") + " " + path("result") +
+                        " -model none -report none";
+  ASSERT_EQ(tool("pcl_scan_simulation random:home:3 " + path("a.pcd") +
+                 " -rays_per_pose 15000 -leaf 0.05"),
+            0);
+  ASSERT_EQ(tool(pipeline + " -ifc -map -geojson -epsg 25832"), 0)
+      << bytesOf(path("said"));
+  const auto scene = bytesOf(path("result/scene.json"));
+  for (const auto* name : {"building.ifc", "building.geojson", "map.pgm"}) {
+    ASSERT_EQ(tool("pcl_indoor_export " + path("result/scene.json") + " " +
+                   path(std::string("out/") + name) + " -epsg 25832"),
+              0);
+  }
+  for (const auto& name : results())
+    EXPECT_EQ(bytesOf(path("result/" + name)), bytesOf(path("out/" + name))) << name;
+  EXPECT_GE(results().size(), 7u);
+  ASSERT_EQ(tool(pipeline), 0);
+  EXPECT_EQ(bytesOf(path("result/scene.json")), scene);
+  for (const auto& name : results()) // of an earlier run
+    EXPECT_FALSE(std::filesystem::exists(path("result/" + name))) << name;
+}
+
 TEST_F(IndoorExport, TheCoordinateSystemIsNamed)
 {
   ASSERT_EQ(run(SmallScene::json(), "a.ifc", "-epsg 25832"), 0);

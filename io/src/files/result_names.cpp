@@ -5,6 +5,7 @@
 #include "files/result_names.h"
 
 #include <algorithm>
+#include <regex>
 
 namespace pcl::indoor::tool {
 
@@ -24,10 +25,19 @@ resultNames()
 }
 
 bool
+isExportName(const std::string& name)
+{
+  static const std::regex pattern(
+      R"(building\.(ifc|geojson)|map(_storey\d+)?((_furnished)?\.(pgm|yaml)|_route\.geojson))");
+  return std::regex_match(name, pattern);
+}
+
+bool
 isResultName(const std::string& name)
 {
   const auto& names = resultNames();
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::find(names.begin(), names.end(), name) != names.end() ||
+         isExportName(name);
 }
 
 } // namespace pcl::indoor::tool

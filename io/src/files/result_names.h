@@ -13,6 +13,11 @@ namespace pcl::indoor::tool {
 const std::vector<std::string>&
 resultNames();
 
+/** \brief Is a file of this name a building model, GeoJSON, map or route graph of a
+ * scene? */
+bool
+isExportName(const std::string& name);
+
 /** \brief Is a file of this name one of the results? */
 bool
 isResultName(const std::string& name);

@@ -22,7 +22,9 @@ namespace pcl::indoor::tool {
 struct PipelineOptions : SceneOptions {
   std::vector<std::string> inputs; ///< scans of one building, or folders of them
   std::string folder;
-  std::string report = "folder"; ///< file, "none" or "folder"
+  std::string report = "folder";                  ///< file, "none" or "folder"
+  bool ifc = false, map = false, geojson = false; ///< written besides
+  int epsg = 0; ///< of the scan's coordinates; 0 = not known
   PointColors colors;
   PointCoordinates coordinates;
   TableColumns columns;

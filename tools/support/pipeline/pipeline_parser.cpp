@@ -21,6 +21,13 @@ pipelineOptions(int argc, const char* const* argv)
   return options;
 }
 
+bool
+isOfExports(const Setting& setting)
+{
+  const auto& name = setting.name;
+  return name == "-ifc" || name == "-map" || name == "-geojson" || name == "-epsg";
+}
+
 OptionParser
 pipelineParser(PipelineOptions& options)
 {
@@ -78,6 +85,20 @@ pipelineParser(PipelineOptions& options)
             options.report,
             "file of the report, a page for browsers; folder = report.html beside the "
             "other results, none = no report")
+      .flag("-ifc", options.ifc, "write building.ifc, a building model (IFC4), too")
+      .flag("-map",
+            options.map,
+            "write map.pgm and map.yaml of each storey, without furniture and with it, "
+            "and route graphs, for robots, too")
+      .flag("-geojson",
+            options.geojson,
+            "write building.geojson with rooms, walls, openings and objects, too")
+      .number("-epsg",
+              options.epsg,
+              "EPSG code of the coordinate system of the scan, 0 = not known; for -ifc "
+              "and -geojson",
+              "",
+              Range::between(0, 1e6))
       .number(
           points_option,
           options.points_at_once,

@@ -16,6 +16,10 @@ constexpr const char* single_process_option = "-single_process";
 PipelineOptions
 pipelineOptions(int argc, const char* const* argv);
 
+/** \brief Does a setting say only what the scene is written as besides? */
+bool
+isOfExports(const Setting& setting);
+
 /** \brief The command line of the pipeline.
  * \param[in,out] options must outlive the parser */
 OptionParser

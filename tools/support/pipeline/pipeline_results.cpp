@@ -4,7 +4,9 @@
  */
 #include "pipeline/pipeline_results.h"
 
+#include "export/scene_files.h"
 #include "files/result_names.h"
+#include "files/tool_error.h"
 #include "formats/json_text.h"
 #include "pictures/class_picture.h"
 #include "pictures/plan_dxf.h"
@@ -14,8 +16,11 @@
 #include "report/report_page.h"
 #include "scene/scan_frame.h" // for originOf
 #include "scene/scene_json.h"
+#include "text/printable.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -31,6 +36,50 @@ requireOwnName(const std::string& report, const std::string& folder)
       throw ToolError("-report: '" + report + "' is the place of another result");
 }
 
+/** What is written for other programs, by the name that says the format. */
+std::vector<std::pair<bool, std::string>>
+exportsOf(const PipelineOptions& options)
+{
+  return {{options.ifc, "building.ifc"},
+          {options.geojson, "building.geojson"},
+          {options.map, "map.pgm"}};
+}
+
+/** What the scene is written as for other programs. */
+void
+addExports(const PipelineOptions& options,
+           const nlohmann::ordered_json& json,
+           NamedBytes& files)
+{
+  ExportOptions how;
+  how.epsg = options.epsg;
+  for (const auto& [is_wanted, name] : exportsOf(options)) {
+    if (!is_wanted)
+      continue;
+    try {
+      auto more = exportedFiles(savedScene(json), options.folder + "/" + name, how);
+      std::move(more.begin(), more.end(), std::back_inserter(files));
+    } catch (const ToolError& problem) { // the other results are none the worse
+      printWarning(name + " is not written: " + problem.what());
+    }
+  }
+}
+
+/** Results of an earlier run that this one need not replace. */
+std::vector<std::string>
+outdatedResults(const std::string& folder)
+{
+  std::vector<std::string> outdated = {folder + "/scene.json",
+                                       folder + "/classes.png",
+                                       folder + "/plan.png",
+                                       folder + "/report.html"};
+  if (std::filesystem::exists(outdated.front()))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (isExportName(entry.path().filename().string()))
+        outdated.push_back(entry.path().string());
+  return outdated;
+}
+
 } // namespace
 
 void
@@ -44,6 +93,9 @@ requireUsable(const PipelineOptions& options)
     requireOwnName(options.report, options.folder);
     requireWritable(options.report);
   }
+  for (const auto& [is_wanted, name] : exportsOf(options))
+    if (is_wanted)
+      requireWritable(options.folder + "/" + name);
   if (options.model == "none" && options.colors.wanted == "class")
     throw ToolError("-colour class: there are no classes with -model none");
 }
@@ -74,6 +126,7 @@ describe(const PipelineOptions& options,
     files.emplace_back(
         options.reportFile(),
         reportPage({scene, json, plan, field, points, scene.input.offset}));
+  addExports(options, json, files);
   add("scene.json", jsonText(json));
   return files;
 }
@@ -81,17 +134,12 @@ describe(const PipelineOptions& options,
 void
 save(const std::string& folder, const NamedBytes& texts, OutputFile cloud)
 {
-  const auto in_folder = [&](const std::string& name) { return folder + "/" + name; };
   std::vector<OutputFile> files;
   files.push_back(std::move(cloud));
   for (const auto& [path, bytes] : texts)
     files.push_back(writtenBeside(path, bytes));
   // where scene.json lies, the last one, the others belong to it
-  commitTogether(files,
-                 {in_folder("scene.json"),
-                  in_folder("classes.png"),
-                  in_folder("plan.png"),
-                  in_folder("report.html")});
+  commitTogether(files, outdatedResults(folder));
 }
 
 std::string

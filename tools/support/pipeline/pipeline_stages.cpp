@@ -9,6 +9,7 @@
 #include "files/digest.h"
 #include "files/opened_scan.h"
 #include "files/scan_files.h"
+#include "pipeline/pipeline_parser.h"
 #include "pipeline/shared_rooms.h"
 #include "scan/scan.h"
 #include "scene/object_classes.h" // for modelFile
@@ -27,7 +28,8 @@ bool
 changesRooms(const Setting& setting)
 {
   const auto& name = setting.name;
-  return name != "-colour" && name != "-report" && name != "-double";
+  return !isOfExports(setting) && name != "-colour" && name != "-report" &&
+         name != "-double";
 }
 
 /** \throws ToolError if one of several scans would be replaced by the results */
