@@ -325,6 +325,24 @@ jambOf(std::vector<std::pair<double, double>> points, double length, double piec
   return jamb;
 }
 
+/** The share of the band beyond an edge in which things before the wall hide it. */
+double
+hiddenShare(const WallImage& image, const FaceHole& hole, std::size_t side)
+{
+  constexpr double band = 0.16; // metres
+  Eigen::AlignedBox2d beyond = hole.box;
+  const Eigen::Index axis = side < 2 ? 0 : 1;
+  if (side == 0 || side == 3) {
+    beyond.max()[axis] = hole.box.min()[axis];
+    beyond.min()[axis] = beyond.max()[axis] - band;
+  }
+  else {
+    beyond.min()[axis] = hole.box.max()[axis];
+    beyond.max()[axis] = beyond.min()[axis] + band;
+  }
+  return image.share(beyond, WallCell::Front) + image.share(beyond, WallCell::Proud);
+}
+
 /** A hole whose frame fills a niche ends at the sides of the niche: what was fitted to
  * is no wall but the frame, and on three sides at least the wall stands out of it. */
 void
@@ -338,6 +356,10 @@ growToNiche(const WallImage& image,
   const double piece = std::max(0.1, 3.0 * image.cell);
   const Eigen::Vector2d low = hole.box.min(), high = hole.box.max();
   const Eigen::Vector2d sizes = hole.box.sizes();
+  // a ceiling is the end only of a niche that goes down to the floor
+  constexpr double slab = 0.05, near_floor = 0.3; // metres
+  const double ceiling = image.floor + image.cell * (image.cells.ny - 1);
+  const double top = low.y() > image.floor + near_floor ? ceiling - slab : INFINITY;
   std::array<std::vector<std::pair<double, double>>, 4> beside; // as those of framed
   const auto add = [&](std::size_t side, double beyond, double along) {
     const double length = sizes[side < 2];
@@ -345,7 +367,7 @@ growToNiche(const WallImage& image,
       beside[side].emplace_back(beyond, along);
   };
   for (const auto& point : points) {
-    if (point.before < nearest || point.before > reach)
+    if (point.before < nearest || point.before > reach || point.height > top)
       continue;
     const double u = point.along, v = point.height;
     add(0, low.x() - u, v - low.y());
@@ -362,8 +384,10 @@ growToNiche(const WallImage& image,
   if (found < 3)
     return;
   for (std::size_t side = 0; side < 4; ++side) {
-    if (jambs[side].share < mostly)
+    if (jambs[side].share < mostly) { // what hides this side is the niche's, too
+      hole.framed[side] = std::max(hole.framed[side], hiddenShare(image, hole, side));
       continue;
+    }
     hole.framed[side] = std::max(hole.framed[side], jambs[side].share);
     const auto axis = static_cast<Eigen::Index>(side < 2 ? 0 : 1);
     const double beyond = std::max(0.0, jambs[side].beyond);

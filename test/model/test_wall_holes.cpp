@@ -22,14 +22,19 @@ holesOf(const std::vector<SimulatedHole>& simulated)
 
 /** A wall with a glazed front in a niche, as the side sees it that was fitted to the
  * frame of the glass: the niche's sides stand out of that plane.
- * \param[in] sides how many of left, right, above, below do */
+ * \param[in] sides how many of left, right, above, below do
+ * \param[in] things before the plane, which hide it */
 std::vector<FaceHole>
-glassInNiche(const Eigen::AlignedBox2d& niche, int sides)
+glassInNiche(const Eigen::AlignedBox2d& niche,
+             int sides,
+             const std::vector<SimulatedHole>& things = {})
 {
   constexpr double frame = 0.08, deep = 0.35; // metres
   const Eigen::AlignedBox2d glass(niche.min().array() + frame,
                                   niche.max().array() - frame);
-  auto points = simulatedSide(5.0, 2.6, {{glass, 0.0}});
+  auto seen = things;
+  seen.push_back({glass, 0.0});
+  auto points = simulatedSide(5.0, 2.6, seen);
   const auto add = [&](double u, double before, double v) {
     points.push_back(
         {static_cast<float>(u), static_cast<float>(before), static_cast<float>(v)});
@@ -114,6 +119,15 @@ TEST(WallHoles, AFrameThatFillsANicheBelongsToTheWindow)
   holes = glassInNiche(niche, 3); // nothing stands out below: the glass ends there
   ASSERT_EQ(holes.size(), 1u);
   expectBox(holes[0], rectangle(1.2, 0.48, 3.6, 2.4));
+}
+
+TEST(WallHoles, WhatHidesTheEndOfANicheIsPartOfIt)
+{
+  const auto niche = rectangle(1.2, 0.4, 3.6, 2.4);
+  const auto below = rectangle(1.2, 0.2, 3.6, 0.48); // a slab between two windows
+  const auto holes = glassInNiche(niche, 3, {{below, 0.35}});
+  ASSERT_EQ(holes.size(), 1u);
+  EXPECT_GT(holes[0].framed[3], 0.9);
 }
 
 TEST(WallHoles, ACornerBesideAWindowIsNoNiche)
