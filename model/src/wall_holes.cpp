@@ -3,8 +3,11 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/indoor/flood_fill.h>
 #include <pcl/model/wall_holes.h>
+
+#include "wall_niche.h"
+
+#include <pcl/indoor/flood_fill.h>
 
 #include <algorithm>
 #include <array>
@@ -286,116 +289,6 @@ findFrame(const WallImage& image, const std::vector<WallPoint>& points, FaceHole
     hole.framed[side] =
         static_cast<double>(std::count(seen[side].begin(), seen[side].end(), 1)) /
         static_cast<double>(seen[side].size());
-}
-
-/** A surface that stands out of a wall's plane beside an edge of a hole. */
-struct Jamb {
-  double beyond = 0.0; ///< the edge, metres
-  double share = 0.0;  ///< of the edge along which it is seen
-};
-
-/** The jamb beside an edge: where most points before the plane lie within a narrow
- * band.
- * \param[in] points before the plane: beyond the edge, and along it
- */
-Jamb
-jambOf(std::vector<std::pair<double, double>> points, double length, double piece)
-{
-  constexpr double band = 0.04; // metres: two standard deviations of a scanner's noise
-  std::sort(points.begin(), points.end());
-  std::size_t first = 0, end = 0;
-  for (std::size_t i = 0, j = 0; i < points.size(); ++i) {
-    while (j < points.size() && points[j].first <= points[i].first + band)
-      ++j;
-    if (j - i > end - first) {
-      first = i;
-      end = j;
-    }
-  }
-  Jamb jamb;
-  if (end - first < 3)
-    return jamb;
-  std::vector<std::uint8_t> seen(static_cast<std::size_t>(std::ceil(length / piece)));
-  for (std::size_t i = first; i < end; ++i)
-    seen[std::min(static_cast<std::size_t>(points[i].second / piece),
-                  seen.size() - 1)] = 1;
-  jamb.beyond = points[(first + end) / 2].first;
-  jamb.share = static_cast<double>(std::count(seen.begin(), seen.end(), 1)) /
-               static_cast<double>(seen.size());
-  return jamb;
-}
-
-/** The share of the band beyond an edge in which things before the wall hide it. */
-double
-hiddenShare(const WallImage& image, const FaceHole& hole, std::size_t side)
-{
-  constexpr double band = 0.16; // metres
-  Eigen::AlignedBox2d beyond = hole.box;
-  const Eigen::Index axis = side < 2 ? 0 : 1;
-  if (side == 0 || side == 3) {
-    beyond.max()[axis] = hole.box.min()[axis];
-    beyond.min()[axis] = beyond.max()[axis] - band;
-  }
-  else {
-    beyond.min()[axis] = hole.box.max()[axis];
-    beyond.max()[axis] = beyond.min()[axis] + band;
-  }
-  return image.share(beyond, WallCell::Front) + image.share(beyond, WallCell::Proud);
-}
-
-/** A hole whose frame fills a niche ends at the sides of the niche: what was fitted to
- * is no wall but the frame, and on three sides at least the wall stands out of it. */
-void
-growToNiche(const WallImage& image,
-            const std::vector<WallPoint>& points,
-            FaceHole& hole)
-{
-  constexpr double widest_frame = 0.16;          // metres
-  constexpr double nearest = 0.04, reach = 0.25; // metres, before the plane
-  constexpr double mostly = 0.6;                 // share of an edge
-  const double piece = std::max(0.1, 3.0 * image.cell);
-  const Eigen::Vector2d low = hole.box.min(), high = hole.box.max();
-  const Eigen::Vector2d sizes = hole.box.sizes();
-  // a ceiling is the end only of a niche that goes down to the floor
-  constexpr double slab = 0.05, near_floor = 0.3; // metres
-  const double ceiling = image.floor + image.cell * (image.cells.ny - 1);
-  const double top = low.y() > image.floor + near_floor ? ceiling - slab : INFINITY;
-  std::array<std::vector<std::pair<double, double>>, 4> beside; // as those of framed
-  const auto add = [&](std::size_t side, double beyond, double along) {
-    const double length = sizes[side < 2];
-    if (beyond > -0.02 && beyond < widest_frame && along >= 0.0 && along <= length)
-      beside[side].emplace_back(beyond, along);
-  };
-  for (const auto& point : points) {
-    if (point.before < nearest || point.before > reach || point.height > top)
-      continue;
-    const double u = point.along, v = point.height;
-    add(0, low.x() - u, v - low.y());
-    add(1, u - high.x(), v - low.y());
-    add(2, v - high.y(), u - low.x());
-    add(3, low.y() - v, u - low.x());
-  }
-  std::array<Jamb, 4> jambs;
-  int found = 0;
-  for (std::size_t side = 0; side < 4; ++side) {
-    jambs[side] = jambOf(std::move(beside[side]), sizes[side < 2], piece);
-    found += jambs[side].share >= mostly;
-  }
-  if (found < 3)
-    return;
-  for (std::size_t side = 0; side < 4; ++side) {
-    if (jambs[side].share < mostly) { // what hides this side is the niche's, too
-      hole.framed[side] = std::max(hole.framed[side], hiddenShare(image, hole, side));
-      continue;
-    }
-    hole.framed[side] = std::max(hole.framed[side], jambs[side].share);
-    const auto axis = static_cast<Eigen::Index>(side < 2 ? 0 : 1);
-    const double beyond = std::max(0.0, jambs[side].beyond);
-    if (side == 0 || side == 3)
-      hole.box.min()[axis] -= beyond;
-    else
-      hole.box.max()[axis] += beyond;
-  }
 }
 
 /** The median depth of what is seen in a hole, metres. */
