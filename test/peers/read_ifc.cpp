@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-// read_ifc FILE.ifc: what IfcPlusPlus reads: a line with each class of entities and their number, and one per complaint.
+// read_ifc FILE.ifc: what IfcPlusPlus reads: a line with each class of entities and
+// their number, and one per complaint.
 #include <ifcpp/model/BuildingModel.h>
 #include <ifcpp/model/BuildingObject.h>
 #include <ifcpp/reader/ReaderSTEP.h>
