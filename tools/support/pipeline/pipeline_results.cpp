@@ -86,16 +86,17 @@ void
 requireUsable(const PipelineOptions& options)
 {
   requireFolder(options.folder);
-  if (std::filesystem::exists(options.folder))
+  if (std::filesystem::exists(options.folder)) {
     for (const auto& name : resultNames())
       requireWritable(options.folder + "/" + name);
+    for (const auto& [is_wanted, name] : exportsOf(options))
+      if (is_wanted)
+        requireWritable(options.folder + "/" + name);
+  }
   if (options.report != "none" && options.report != "folder") {
     requireOwnName(options.report, options.folder);
     requireWritable(options.report);
   }
-  for (const auto& [is_wanted, name] : exportsOf(options))
-    if (is_wanted)
-      requireWritable(options.folder + "/" + name);
   if (options.model == "none" && options.colors.wanted == "class")
     throw ToolError("-colour class: there are no classes with -model none");
 }
