@@ -52,6 +52,19 @@ scenePlan(const SavedScene& scene)
   for (const auto& opening : scene.openings)
     if (opening.kind != SavedOpeningKind::Window)
       plan.storeys[opening.storey].openings.push_back(drawnOpening(scene, opening));
+  for (const auto& wall : scene.walls)
+    if (wall.thickness > 0.0)
+      addWall({{wall.begin, wall.end}, wall.thickness}, plan.storeys[wall.storey]);
+  for (const auto& opening : scene.openings)
+    if (opening.kind == SavedOpeningKind::Window) {
+      const auto place = openingPlace(scene, opening);
+      addWindow(place.middle,
+                place.along,
+                opening.width,
+                opening.wall < scene.walls.size() ? scene.walls[opening.wall].thickness
+                                                  : 0.0,
+                plan.storeys[opening.storey]);
+    }
   for (auto& storey : plan.storeys)
     storey.walls = planWalls(storey);
   for (const auto& object : scene.objects)

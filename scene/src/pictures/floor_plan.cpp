@@ -206,6 +206,43 @@ planWalls(const StoreyPlan& storey)
   return walls;
 }
 
+std::array<Eigen::Vector2d, 4>
+PlanBar::corners() const
+{
+  const auto& [begin, end] = axis;
+  const Eigen::Vector2d way = (end - begin).normalized();
+  const Eigen::Vector2d half = 0.5 * thickness * Eigen::Vector2d(-way.y(), way.x());
+  return {begin - half, end - half, end + half, begin + half};
+}
+
+void
+addWall(const PlanBar& wall, StoreyPlan& storey)
+{
+  std::vector<PlanLine> parts = {wall.axis};
+  for (const auto& opening : storey.openings) {
+    std::vector<PlanLine> rest;
+    for (const auto& part : parts)
+      for (const auto& piece : without(part, opening))
+        rest.push_back(piece);
+    parts = std::move(rest);
+  }
+  for (const auto& part : parts)
+    storey.bodies.push_back({part, wall.thickness});
+}
+
+void
+addWindow(const Eigen::Vector2d& middle,
+          const Eigen::Vector2d& along,
+          double width,
+          double thickness,
+          StoreyPlan& storey)
+{
+  constexpr double usual = 0.12; // metres: a frame, where one side of the wall was seen
+  const Eigen::Vector2d half = 0.5 * width * along;
+  storey.windows.push_back(
+      {{middle - half, middle + half}, thickness > 0.0 ? thickness : usual});
+}
+
 PlanLine
 PlanOpening::threshold() const
 {
@@ -245,6 +282,22 @@ floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things)
   if (plan.box.isEmpty())
     plan.box = {Eigen::Vector2d::Zero(), Eigen::Vector2d(1.0, 1.0)};
   return plan;
+}
+
+void
+addModel(const BuildingModel& model, FloorPlan& plan)
+{
+  for (const auto& wall : model.walls)
+    if (wall.thickness > 0.0)
+      addWall({{wall.begin, wall.end}, wall.thickness}, plan.storeys.at(wall.storey));
+  for (const auto& opening : model.openings)
+    if (opening.kind == ModelOpeningKind::Window)
+      addWindow(opening.position.head<2>(),
+                opening.along,
+                opening.width,
+                opening.wall < model.walls.size() ? model.walls[opening.wall].thickness
+                                                  : 0.0,
+                plan.storeys.at(opening.storey));
 }
 
 } // namespace pcl::indoor::tool

@@ -4,11 +4,13 @@
  */
 #pragma once
 
+#include <pcl/model/building_model.h>
 #include <pcl/segmentation/building_rooms.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -43,6 +45,16 @@ struct PlanOpening {
   leafEnd() const;
 };
 
+/** \brief A piece of a wall from above, or a window in it. */
+struct PlanBar {
+  PlanLine axis;
+  double thickness = 0.0; ///< metres
+
+  /** \brief In the order of the clock or against it. */
+  std::array<Eigen::Vector2d, 4>
+  corners() const;
+};
+
 /** \brief A thing from above. */
 struct PlanThing {
   std::uint32_t number = 0;             ///< of the object, from 1
@@ -55,7 +67,25 @@ struct StoreyPlan {
   std::vector<PlanLine> walls; ///< sides of the rooms, but for openings
   std::vector<PlanOpening> openings;
   std::vector<PlanThing> things;
+  std::vector<PlanBar> bodies;  ///< walls of known thickness, but for openings
+  std::vector<PlanBar> windows; ///< across their walls
 };
+
+/** \brief Add a wall to a storey whose openings are known: what of it is beside them.
+ */
+void
+addWall(const PlanBar& wall, StoreyPlan& storey);
+
+/** \brief Add a window to a storey.
+ * \param[in] along the wall, unit length
+ * \param[in] thickness of the wall; 0 = not known
+ */
+void
+addWindow(const Eigen::Vector2d& middle,
+          const Eigen::Vector2d& along,
+          double width,
+          double thickness,
+          StoreyPlan& storey);
 
 /** \brief The sides of a storey's rooms, but for its openings. */
 std::vector<PlanLine>
@@ -74,5 +104,10 @@ struct FloorPlan {
  */
 FloorPlan
 floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things = {});
+
+/** \brief Add walls with their thickness and windows to the plan of the same building.
+ */
+void
+addModel(const BuildingModel& model, FloorPlan& plan);
 
 } // namespace pcl::indoor::tool

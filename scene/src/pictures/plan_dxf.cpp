@@ -140,6 +140,17 @@ addOpening(Drawing& drawing, const PlanOpening& opening, std::size_t storey)
   drawing.add(51, degrees(gap_first ? leaf : gap));
 }
 
+/** Its frame and the pane in the middle. */
+void
+addWindow(Drawing& drawing, const PlanBar& window, std::size_t storey)
+{
+  const auto layer = layerName(storey, "_OPENINGS");
+  const auto corners = window.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    drawing.addLine(layer, corners[i], corners[(i + 1) % corners.size()]);
+  drawing.addLine(layer, window.axis.first, window.axis.second);
+}
+
 } // namespace
 
 std::string
@@ -156,6 +167,8 @@ planDxf(const FloorPlan& plan)
       drawing.addLine(layerName(s, "_WALLS"), begin, end);
     for (const auto& opening : storey.openings)
       addOpening(drawing, opening, s);
+    for (const auto& window : storey.windows)
+      addWindow(drawing, window, s);
   }
   drawing.add(0, "ENDSEC").add(0, "EOF");
   return drawing.text();

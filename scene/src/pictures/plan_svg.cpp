@@ -103,6 +103,32 @@ wallLines(const StoreyPlan& storey, const Sheet& sheet)
          path + "\"/>\n";
 }
 
+std::string
+barPath(const PlanBar& bar, const Sheet& sheet)
+{
+  const auto corners = bar.corners();
+  return ringPath({corners.begin(), corners.end()}, sheet);
+}
+
+std::string
+wallBodies(const StoreyPlan& storey, const Sheet& sheet)
+{
+  std::string path;
+  for (const auto& body : storey.bodies)
+    path += barPath(body, sheet);
+  return path.empty() ? ""
+                      : "  <path class=\"bodies\" fill=\"#888\" d=\"" + path + "\"/>\n";
+}
+
+/** A window: its frame, and the pane in the middle. */
+std::string
+windowShape(const PlanBar& window, const Sheet& sheet)
+{
+  return "  <path class=\"window\" fill=\"white\" stroke=\"#222\" d=\"" +
+         barPath(window, sheet) + step('M', sheet(window.axis.first)) +
+         step('L', sheet(window.axis.second)) + "\"/>\n";
+}
+
 /** A door's leaf and its arc, or the dashed threshold of a passage. */
 std::string
 openingShape(const PlanOpening& opening, const Sheet& sheet)
@@ -197,13 +223,15 @@ svg(double width, double height, const std::string& content)
 std::string
 storeyShapes(const StoreyPlan& storey, const Sheet& sheet, bool with_things)
 {
-  std::string text;
+  std::string text = wallBodies(storey, sheet);
   for (const auto& room : storey.rooms)
     text += roomShape(room, sheet);
   if (with_things)
     for (const auto& thing : storey.things)
       text += thingShape(thing, sheet);
   text += wallLines(storey, sheet);
+  for (const auto& window : storey.windows)
+    text += windowShape(window, sheet);
   for (const auto& opening : storey.openings)
     text += openingShape(opening, sheet);
   for (const auto& room : storey.rooms)

@@ -27,6 +27,7 @@ TEST(ScenePlan, HasRoomsDoorsAndThings)
   EXPECT_NEAR(std::abs(storey.openings[0].along.y()), 1.0, 1e-12);
   EXPECT_NEAR(storey.openings[0].into.x(), 1.0, 1e-12); // room 2 is smaller
   EXPECT_EQ(storey.things.size(), 2u);
+  EXPECT_EQ(storey.windows.size(), 1u);
   double length = 0.0;
   for (const auto& [begin, end] : storey.walls)
     length += (end - begin).norm();

@@ -162,6 +162,42 @@ TEST(FloorPlan, DxfHoldsTheSameInPlacesOfTheScan)
   EXPECT_EQ(pairs.back(), std::make_pair(0, std::string("EOF")));
 }
 
+TEST(FloorPlan, WallsAreGreyBesideDoorsAndWindowsLieAcrossThem)
+{
+  auto plan = floorPlan(twoRooms());
+  const auto before = count(planSvg(plan), "class=\"");
+  const auto& door = plan.storeys[0].openings.at(0);
+  BuildingModel model;
+  model.walls.resize(2);
+  model.walls[0].begin = door.middle - 2.0 * door.along;
+  model.walls[0].end = door.middle + 2.0 * door.along;
+  model.walls[0].thickness = 0.2;
+  model.walls[1] = model.walls[0]; // of which one side was seen
+  model.walls[1].thickness = 0.0;
+  ModelOpening window;
+  window.kind = ModelOpeningKind::Window;
+  window.along = door.along;
+  window.width = 0.8;
+  model.openings = {window};
+  addModel(model, plan);
+  const auto& storey = plan.storeys[0];
+  ASSERT_EQ(storey.bodies.size(), 2u); // left and right of the door
+  double length = 0.0;
+  for (const auto& body : storey.bodies) {
+    length += (body.axis.second - body.axis.first).norm();
+    const auto corners = body.corners();
+    EXPECT_NEAR((corners[3] - corners[0]).norm(), 0.2, 1e-9);
+  }
+  EXPECT_NEAR(length, 4.0 - door.width, 1e-9);
+  ASSERT_EQ(storey.windows.size(), 1u);
+  const auto corners = storey.windows[0].corners();
+  EXPECT_NEAR((corners[1] - corners[0]).norm(), 0.8, 1e-9);
+  EXPECT_NEAR((corners[3] - corners[0]).norm(), 0.2, 1e-9); // as thick as its wall
+  EXPECT_EQ(count(planSvg(plan), "class=\""), before + 2);
+  EXPECT_EQ(readDxf(planDxf(plan)).size(),
+            readDxf(planDxf(floorPlan(twoRooms()))).size() + 5 * 8);
+}
+
 TEST(FloorPlan, IsDrawnAsPng)
 {
   if (!canDrawPlans())

@@ -116,6 +116,7 @@ describe(const PipelineOptions& options,
   if (!scene.classes.names.empty())
     add("classes.png", pngBytes(drawClasses(scene, points)));
   auto plan = floorPlan(scene.building, thingsFromAbove(scene));
+  addModel(scene.model, plan);
   plan.origin = originOf(scene.input.offset, scene.frame, scene.building_pose);
   const auto svg = planSvg(plan);
   add("plan.svg", svg);
