@@ -55,9 +55,13 @@ class Peers:
         """Whole processes, with reading and writing."""
         threads = str(self.arguments.threads)
         return (seconds_of(self.tool("pcl_room_segmentation", self.arguments.scan, self.output("rooms.pcd"), "-threads", threads, "-quiet")),
-                seconds_of(["pcl_voxel_grid", self.arguments.scan, self.output("grid.pcd"), "-leaf", ",".join([VOXEL] * 3)]))
+                self.voxel_grid_with_files())
+
+    def voxel_grid_with_files(self):
+        return seconds_of(["pcl_voxel_grid", self.arguments.scan, self.output("grid.pcd"), "-leaf", ",".join([VOXEL] * 3)])
 
     def rooms(self, threads):
+        """Without reading and writing; the benchmark gives the ratio alone."""
         for name, entry in self.counters("bench_room_segmentation", self.arguments.scan).items():
             if f"threads:{threads}/" in name + "/":
                 return entry["over_voxel_grid"], 1.0
@@ -77,10 +81,10 @@ class Peers:
         return of["pair_harmonics1"], of["esf"]
 
     def pipeline(self):
-        """Beside reading the scan and finding its rooms."""
+        """Whole processes: rooms, walls, objects, classes, report."""
         threads = str(self.arguments.threads)
         return (seconds_of(self.tool("pcl_indoor_pipeline", self.arguments.scan, self.output("result"), "-threads", threads, "-quiet")),
-                seconds_of(["pcl_voxel_grid", self.arguments.scan, self.output("grid.pcd"), "-leaf", ",".join([VOXEL] * 3)]))
+                self.voxel_grid_with_files())
 
     def lines(self):
         threads = self.arguments.threads
