@@ -9,6 +9,7 @@
 #include "files/tool_error.h"
 #include "files/usual_fields.h"
 #include "formats/e57/e57_file.h"
+#include "formats/file_beginning.h"
 #include "formats/file_ending.h"
 #include "formats/file_header.h"
 #include "formats/foreign_format.h"
@@ -217,16 +218,6 @@ cloudFormats()
        openRecords,
        loadPcd}};
   return formats;
-}
-
-std::string
-beginningOf(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  std::string beginning(512, '\0');
-  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(stream.gcount()));
-  return beginning;
 }
 
 const CloudFormat*

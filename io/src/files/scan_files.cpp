@@ -7,13 +7,13 @@
 #include "files/cloud_formats.h"
 #include "files/result_names.h"
 #include "files/tool_error.h"
+#include "formats/file_beginning.h"
 #include "formats/file_ending.h"
 #include "formats/foreign_format.h"
 #include "formats/mesh_file.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 namespace pcl::indoor::tool {
@@ -85,16 +85,6 @@ removeResults(const std::string& folder, FolderContent& content, ScanFiles& file
                         "and left out");
 }
 
-std::string
-beginningOf(const std::string& path)
-{
-  std::string beginning(512, '\0');
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(stream.gcount()));
-  return beginning;
-}
-
 /** Files of one ending, and why they are no scans. */
 std::string
 whyLeftOut(const std::vector<std::string>& paths)
@@ -122,13 +112,16 @@ refuseEmpty(const std::string& folder, const FolderContent& content)
                   " file or table" + instead);
 }
 
+/** \param[in] name that the folder is given to users by */
 void
-addFolder(const std::string& folder, ScanFiles& files)
+addContent(const std::string& folder,
+           const std::string& name,
+           FolderContent content,
+           ScanFiles& files)
 {
-  auto content = contentOf(folder);
   removeResults(folder, content, files);
   if (content.scans.empty())
-    refuseEmpty(folder, content);
+    refuseEmpty(name, content);
   for (const auto& [ending, paths] : content.others)
     if (!paths.empty())
       files.notes.push_back("left out: " + whyLeftOut(paths));
@@ -144,17 +137,15 @@ scansIn(const std::string& path, const UnpackedFiles& unpacked)
     files.paths = unpacked.files();
     return files;
   }
-  const auto content = contentOf(unpacked.folder());
+  auto content = contentOf(unpacked.folder());
   std::vector<std::string> meshes;
   for (const auto& file : unpacked.files())
     if (meshFormat(file, beginningOf(file)))
       meshes.push_back(file);
   if (content.scans.empty() && meshes.size() == 1)
     files.paths = meshes;
-  else if (content.scans.empty())
-    refuseEmpty(path, content);
   else
-    addFolder(unpacked.folder(), files);
+    addContent(unpacked.folder(), path, std::move(content), files);
   return files;
 }
 
@@ -167,7 +158,7 @@ scanFiles(const std::vector<std::string>& inputs)
   for (const auto& input : inputs) {
     std::error_code error;
     if (fs::is_directory(input, error))
-      addFolder(input, files);
+      addContent(input, input, contentOf(input), files);
     else
       files.paths.push_back(input);
   }

@@ -120,8 +120,7 @@ const std::vector<Format> formats = {
      {},
      "convert it: iconv -f UTF-16 -t UTF-8 IN -o OUT.txt"}};
 
-/** By its first bytes, else by the ending of its name; the ending goes before, where
- * many formats begin alike, as archives. */
+/** By its first bytes, else by the ending of its name. */
 const Format*
 formatOf(const std::string& path, const std::string& beginning)
 {
@@ -140,9 +139,7 @@ formatOf(const std::string& path, const std::string& beginning)
   };
   const auto* by_bytes = first(begins);
   const auto* by_name = first(ends);
-  const bool is_archive = beginning.compare(0, 4, "PK\x03\x04") == 0;
-  return by_bytes != nullptr && !(is_archive && by_name != nullptr) ? by_bytes
-                                                                    : by_name;
+  return by_bytes != nullptr ? by_bytes : by_name;
 }
 
 /** A file name as a shell wants it. */

@@ -6,7 +6,9 @@
 
 #include "files/tool_error.h"
 #include "files/unfinished_files.h"
+#include "formats/file_beginning.h"
 #include "formats/file_ending.h"
+#include "formats/foreign_format.h"
 
 #include <algorithm>
 #include <archive.h>
@@ -137,16 +139,13 @@ copyEntry(archive& reader, const std::string& path, const std::string& target)
 bool
 isPacked(const std::string& path)
 {
-  std::string beginning(512, '\0');
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(stream.gcount()));
+  const auto beginning = beginningOf(path);
   const auto& all = packings();
   return std::any_of(all.begin(), all.end(), [&](const Packing& packing) {
     const auto& magic = packing.beginning;
     return beginning.size() >= packing.offset + magic.size() &&
            beginning.compare(packing.offset, magic.size(), magic) == 0 &&
-           (magic[0] != 'P' || fileEnding(path) == packing.ending);
+           (magic[0] != 'P' || describeForeignFormat(path, beginning).empty());
   });
 }
 

@@ -10,8 +10,8 @@
 namespace pcl::indoor::tool {
 
 /** \brief Is it an archive (ZIP, tar, 7z, RAR), or a file that is compressed (gzip,
- * bzip2, xz, zstd)? Its first bytes say so; a ZIP by another name than .zip is a
- * document of another program. */
+ * bzip2, xz, zstd)? Its first bytes say so. Documents of other programs, which may be
+ * ZIP files, too, are told by their names, see describeForeignFormat(). */
 bool
 isPacked(const std::string& path);
 

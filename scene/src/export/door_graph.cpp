@@ -18,7 +18,6 @@ namespace {
 
 constexpr double clearance = 0.3; // metres from corners and in front of doors
 constexpr double nearby = 1.0;    // metres that a place may be outside of a room
-constexpr double step_up = 0.3;   // metres that a place may be below its floor
 
 /** How far a place is outside of a room; 0 inside. */
 double
@@ -231,10 +230,7 @@ GraphMaker::addStairs(const Stairs& stairs)
 void
 GraphMaker::addPlace(std::uint32_t number, const Eigen::Vector3d& place)
 {
-  std::uint32_t storey = 0;
-  for (std::size_t s = 0; s < scene_.storeys.size(); ++s)
-    if (scene_.storeys[s].floor <= place.z() + step_up)
-      storey = static_cast<std::uint32_t>(s);
+  const auto storey = storeyAt(place.z(), scene_.storeys);
   const auto room = roomNear(scene_, storey, place.head<2>(), nearby);
   if (room == 0)
     throw ToolError("place " + std::to_string(number) + " is in no room");
@@ -286,7 +282,7 @@ GraphMaker::graph(const std::vector<Eigen::Vector3d>& places)
     in_room_[room.number - 1].push_back({node, middle});
   }
   for (const auto& opening : scene_.openings)
-    if (opening.kind != SavedOpeningKind::Window)
+    if (opening.kind != ModelOpeningKind::Window)
       addOpening(opening);
   for (const auto& object : scene_.objects)
     if (const auto stairs = stairsOf(scene_, object))

@@ -7,13 +7,12 @@
 #include "export/opening_place.h"
 #include "export/plan_boxes.h"
 #include "formats/json_text.h" // for rounded
+#include "scene/model_json.h"  // for nameOf
 
 namespace pcl::indoor::tool {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* kind_names[] = {"door", "window", "passage"};
 
 /** Places of a scene as GeoJSON has them. */
 class Coordinates {
@@ -92,7 +91,7 @@ openingFeature(const SavedScene& scene, const SavedOpening& opening)
   return geoFeature("LineString",
                     Json::array({at(Eigen::Vector2d(place.middle - half)),
                                  at(Eigen::Vector2d(place.middle + half))}),
-                    {{"kind", kind_names[static_cast<int>(opening.kind)]},
+                    {{"kind", nameOf(opening.kind)},
                      {"opening", opening.number},
                      {"storey", opening.storey},
                      {"rooms", {opening.room_a, opening.room_b}},

@@ -255,7 +255,7 @@ IfcWriter::holeOf(const SavedOpening& opening)
 void
 IfcWriter::addFilling(const SavedOpening& opening, const IfcPlace& hole)
 {
-  const bool is_door = opening.kind == SavedOpeningKind::Door;
+  const bool is_door = opening.kind == ModelOpeningKind::Door;
   const auto place = shapes_.placement(hole.placement, Eigen::Vector3d::Zero());
   const auto leaf =
       elements_.add({is_door ? "IFCDOOR" : "IFCWINDOW",
@@ -290,7 +290,7 @@ void
 IfcWriter::addOpening(const SavedOpening& opening)
 {
   const auto hole = holeOf(opening);
-  if (opening.kind != SavedOpeningKind::Passage)
+  if (opening.kind != ModelOpeningKind::Passage)
     return addFilling(opening, hole);
   if (hole.entity.number > 0)
     return;

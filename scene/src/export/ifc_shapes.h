@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include "export/plan_polygon.h"
 #include "export/step_file.h"
+#include "pictures/plan_polygon.h"
 
 #include <Eigen/Core>
 

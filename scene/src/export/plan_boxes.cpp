@@ -33,14 +33,10 @@ boxFromAbove(const UprightBox& box)
 PlanRing
 wallBox(const SavedWall& wall)
 {
-  const Eigen::Vector2d way = (wall.end - wall.begin).normalized();
-  const bool is_known = wall.thickness > 0.0;
-  const Eigen::Vector2d left = is_known ? 0.5 * wall.thickness * leftOf(way)
-                                        : Eigen::Vector2d(Eigen::Vector2d::Zero());
-  const Eigen::Vector2d right = is_known
-                                    ? Eigen::Vector2d(-left)
-                                    : Eigen::Vector2d(-unknown_thickness * leftOf(way));
-  return {wall.begin + right, wall.end + right, wall.end + left, wall.begin + left};
+  const double half = 0.5 * wall.thickness;
+  return wall.thickness > 0.0
+             ? bandAround(wall.begin, wall.end, half, half)
+             : bandAround(wall.begin, wall.end, 0.0, unknown_thickness);
 }
 
 PlanRing

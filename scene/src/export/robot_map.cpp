@@ -105,7 +105,7 @@ void
 openWays(RobotMap& map, const SavedScene& scene, std::uint32_t storey)
 {
   for (const auto& opening : scene.openings)
-    if (opening.storey == storey && opening.kind != SavedOpeningKind::Window)
+    if (opening.storey == storey && opening.kind != ModelOpeningKind::Window)
       fill(map,
            {openingBox(openingPlace(scene, opening),
                        std::max(opening.width, map.resolution),
@@ -117,7 +117,7 @@ void
 closeDoors(RobotMap& map, const SavedScene& scene, std::uint32_t storey)
 {
   for (const auto& opening : scene.openings)
-    if (opening.storey == storey && opening.kind == SavedOpeningKind::Door &&
+    if (opening.storey == storey && opening.kind == ModelOpeningKind::Door &&
         !opening.is_open) {
       const auto way = openingPlace(scene, opening);
       const double more = std::max(0.0, map.resolution - std::min(way.left, way.right));

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "export/plan_polygon.h"
+#include "pictures/plan_polygon.h"
 
 #include <cstddef>
 #include <utility>

@@ -5,6 +5,8 @@
 #include "export/saved_scene.h"
 
 #include "files/tool_error.h"
+#include "pictures/floor_plan.h" // for widest_door
+#include "scene/model_json.h"    // for nameOf
 #include "scene/scan_frame.h"
 #include "scene/scene_query.h" // for readScene
 #include "text/printable.h"
@@ -19,8 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double farthest = 1e9;    // metres from the origin, of any place
-constexpr double widest_door = 1.3; // metres, where a scene does not tell the kind
+constexpr double farthest = 1e9; // metres from the origin, of any place
 
 double
 numberOf(const Json& json, double least = -farthest)
@@ -155,15 +156,13 @@ wallOf(const Json& json, const LevelFrame& frame, const SavedScene& scene)
   return wall;
 }
 
-SavedOpeningKind
+ModelOpeningKind
 kindOf(const std::string& name)
 {
-  if (name == "door")
-    return SavedOpeningKind::Door;
-  if (name == "window")
-    return SavedOpeningKind::Window;
-  if (name == "passage")
-    return SavedOpeningKind::Passage;
+  for (const auto kind :
+       {ModelOpeningKind::Door, ModelOpeningKind::Window, ModelOpeningKind::Passage})
+    if (name == nameOf(kind))
+      return kind;
   throw ToolError("'" + printable(name) + "' is no kind of an opening");
 }
 
@@ -172,7 +171,7 @@ void
 addGuesses(SavedOpening& opening, double area)
 {
   opening.kind =
-      opening.width <= widest_door ? SavedOpeningKind::Door : SavedOpeningKind::Passage;
+      opening.width <= widest_door ? ModelOpeningKind::Door : ModelOpeningKind::Passage;
   opening.height = opening.width > 0.0 ? area / opening.width : 0.0;
 }
 
@@ -205,18 +204,6 @@ openingOf(const Json& json, const LevelFrame& frame, const SavedScene& scene)
   return opening;
 }
 
-/** The storey of a thing in no room: the highest whose floor is below it. */
-std::uint32_t
-storeyAt(double height, const std::vector<SavedStorey>& storeys)
-{
-  constexpr double step = 0.3; // metres that a thing may reach into the floor
-  std::uint32_t storey = 0;
-  for (std::size_t s = 0; s < storeys.size(); ++s)
-    if (storeys[s].floor <= height + step)
-      storey = static_cast<std::uint32_t>(s);
-  return storey;
-}
-
 SavedObject
 objectOf(const Json& json, const LevelFrame& frame, const SavedScene& scene)
 {
@@ -241,6 +228,17 @@ objectOf(const Json& json, const LevelFrame& frame, const SavedScene& scene)
 }
 
 } // namespace
+
+std::uint32_t
+storeyAt(double height, const std::vector<SavedStorey>& storeys)
+{
+  constexpr double step = 0.3; // metres that a thing may reach into the floor
+  std::uint32_t storey = 0;
+  for (std::size_t s = 0; s < storeys.size(); ++s)
+    if (storeys[s].floor <= height + step)
+      storey = static_cast<std::uint32_t>(s);
+  return storey;
+}
 
 SavedScene
 savedScene(const Json& json)

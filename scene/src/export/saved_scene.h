@@ -4,8 +4,9 @@
  */
 #pragma once
 
-#include "export/plan_polygon.h"
+#include "pictures/plan_polygon.h"
 
+#include <pcl/model/building_model.h>
 #include <pcl/segmentation/upright_box.h>
 
 #include <nlohmann/json.hpp>
@@ -48,12 +49,10 @@ struct SavedWall {
   double thickness = 0.0;     ///< metres; 0 = not known
 };
 
-enum class SavedOpeningKind { Door, Window, Passage };
-
 /** \brief An opening of a scene file. */
 struct SavedOpening {
   std::uint32_t number = 0; ///< from 1
-  SavedOpeningKind kind = SavedOpeningKind::Door;
+  ModelOpeningKind kind = ModelOpeningKind::Door;
   std::uint32_t room_a = 0, room_b = 0; ///< 0 = outside
   std::uint32_t storey = 0;
   std::size_t wall = 0;     ///< place in the list of walls; its size = in none
@@ -89,6 +88,11 @@ struct SavedScene {
   std::vector<SavedOpening> openings;
   std::vector<SavedObject> objects;
 };
+
+/** \brief The highest storey whose floor is below a height, or little above it; 0 if
+ * there is none. */
+std::uint32_t
+storeyAt(double height, const std::vector<SavedStorey>& storeys);
 
 /** \brief Take a scene apart, as readScene() gives it.
  * \throws nlohmann::json::exception if a field is missing or of another type

@@ -21,7 +21,7 @@ drawnOpening(const SavedScene& scene, const SavedOpening& opening)
   drawn.middle = place.middle;
   drawn.along = place.along;
   drawn.into = {-place.along.y(), place.along.x()};
-  drawn.is_door = opening.kind == SavedOpeningKind::Door;
+  drawn.is_door = opening.kind == ModelOpeningKind::Door;
   const SavedRoom* into = nullptr;
   for (const auto number : {opening.room_a, opening.room_b})
     if (number > 0 && (!into || scene.rooms[number - 1].area < into->area))
@@ -50,13 +50,13 @@ scenePlan(const SavedScene& scene)
         plan.box.extend(corner);
   }
   for (const auto& opening : scene.openings)
-    if (opening.kind != SavedOpeningKind::Window)
+    if (opening.kind != ModelOpeningKind::Window)
       plan.storeys[opening.storey].openings.push_back(drawnOpening(scene, opening));
   for (const auto& wall : scene.walls)
     if (wall.thickness > 0.0)
       addWall({{wall.begin, wall.end}, wall.thickness}, plan.storeys[wall.storey]);
   for (const auto& opening : scene.openings)
-    if (opening.kind == SavedOpeningKind::Window) {
+    if (opening.kind == ModelOpeningKind::Window) {
       const auto place = openingPlace(scene, opening);
       addWindow(place.middle,
                 place.along,

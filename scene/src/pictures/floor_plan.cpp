@@ -13,7 +13,6 @@
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr double widest_door = 1.3;     // metres
 constexpr double wall_thickness = 0.6;  // metres, at most, with what stands before it
 constexpr double least_parallel = 0.94; // cosine, 20 degrees
 
@@ -102,23 +101,7 @@ sidesOf(const PlanRoom& room)
 double
 distance(const PlanLine& line, const Eigen::Vector2d& place)
 {
-  const Eigen::Vector2d way = line.second - line.first;
-  const double squared = way.squaredNorm();
-  const double share =
-      squared > 0.0 ? std::clamp((place - line.first).dot(way) / squared, 0.0, 1.0)
-                    : 0.0;
-  return (line.first + share * way - place).norm();
-}
-
-bool
-isInside(const PlanRoom& room, const Eigen::Vector2d& place)
-{
-  bool inside = false; // an odd number of sides lies to the right
-  for (const auto& [a, b] : sidesOf(room))
-    if ((a.y() > place.y()) != (b.y() > place.y()) &&
-        place.x() < a.x() + (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()))
-      inside = !inside;
-  return inside;
+  return distanceToLine(line.first, line.second, place);
 }
 
 /** The direction of the wall that an opening is in: that of the longest side, up to
@@ -160,8 +143,8 @@ drawnOpening(const RoomOpening& opening,
   drawn.along = directionAt(drawn, sides);
   drawn.into = {-drawn.along.y(), drawn.along.x()};
   const auto& smaller = room_b.area < room_a.area ? room_b : room_a;
-  if (!isInside(smaller, drawn.middle + wall_thickness * drawn.into) &&
-      isInside(smaller, drawn.middle - wall_thickness * drawn.into))
+  if (!isInside(smaller.rings, drawn.middle + wall_thickness * drawn.into) &&
+      isInside(smaller.rings, drawn.middle - wall_thickness * drawn.into))
     drawn.into = -drawn.into;
   return drawn;
 }
@@ -206,13 +189,10 @@ planWalls(const StoreyPlan& storey)
   return walls;
 }
 
-std::array<Eigen::Vector2d, 4>
+PlanRing
 PlanBar::corners() const
 {
-  const auto& [begin, end] = axis;
-  const Eigen::Vector2d way = (end - begin).normalized();
-  const Eigen::Vector2d half = 0.5 * thickness * Eigen::Vector2d(-way.y(), way.x());
-  return {begin - half, end - half, end + half, begin + half};
+  return bandAround(axis.first, axis.second, 0.5 * thickness, 0.5 * thickness);
 }
 
 void

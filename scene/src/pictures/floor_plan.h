@@ -4,18 +4,21 @@
  */
 #pragma once
 
+#include "pictures/plan_polygon.h"
+
 #include <pcl/model/building_model.h>
 #include <pcl/segmentation/building_rooms.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace pcl::indoor::tool {
+
+constexpr double widest_door = 1.3; // metres, of one leaf: wider ones are passages
 
 using PlanLine = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
 
@@ -50,8 +53,8 @@ struct PlanBar {
   PlanLine axis;
   double thickness = 0.0; ///< metres
 
-  /** \brief In the order of the clock or against it. */
-  std::array<Eigen::Vector2d, 4>
+  /** \brief Counter-clockwise. */
+  PlanRing
   corners() const;
 };
 

@@ -106,8 +106,7 @@ wallLines(const StoreyPlan& storey, const Sheet& sheet)
 std::string
 barPath(const PlanBar& bar, const Sheet& sheet)
 {
-  const auto corners = bar.corners();
-  return ringPath({corners.begin(), corners.end()}, sheet);
+  return ringPath(bar.corners(), sheet);
 }
 
 std::string

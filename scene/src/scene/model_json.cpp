@@ -11,9 +11,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kind_names[] = {"door", "window", "passage"};
-
 } // namespace
+
+const char*
+nameOf(ModelOpeningKind kind)
+{
+  constexpr const char* names[] = {"door", "window", "passage"};
+  return names[static_cast<int>(kind)];
+}
 
 Json
 openingsJson(const BuildingModel& model, const Eigen::Affine3d& to_file)
@@ -21,7 +26,7 @@ openingsJson(const BuildingModel& model, const Eigen::Affine3d& to_file)
   Json openings = Json::array();
   for (const auto& opening : model.openings) {
     Json json = {{"opening", openings.size() + 1},
-                 {"kind", kind_names[static_cast<int>(opening.kind)]},
+                 {"kind", nameOf(opening.kind)},
                  {"rooms", {opening.room_a, opening.room_b}},
                  {"storey", opening.storey},
                  {"position", positionJson(to_file * opening.position)},

@@ -12,6 +12,10 @@
 
 namespace pcl::indoor::tool {
 
+/** \brief As scene.json calls it. */
+const char*
+nameOf(ModelOpeningKind kind);
+
 /** \brief Doors, windows and passages, as scene.json has them.
  * \param[in] to_file brings places of the building's frame into the file's
  */

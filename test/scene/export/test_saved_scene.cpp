@@ -46,7 +46,7 @@ TEST(SavedScene, HasWhatTheFileSays)
   ASSERT_EQ(scene.openings.size(), 3u);
   EXPECT_EQ(scene.openings[0].wall, 0u);
   EXPECT_TRUE(scene.openings[0].is_open);
-  EXPECT_EQ(scene.openings[1].kind, SavedOpeningKind::Window);
+  EXPECT_EQ(scene.openings[1].kind, pcl::indoor::ModelOpeningKind::Window);
   EXPECT_EQ(scene.openings[2].wall, 2u); // none
   ASSERT_EQ(scene.objects.size(), 4u);
   EXPECT_EQ(scene.objects[1].box.center, Eigen::Vector3d(0.5, 1.5, 1.5));
@@ -63,9 +63,9 @@ TEST(SavedScene, VersionOneHasDoorsByTheirWidth)
   const auto scene = savedScene(json);
   EXPECT_TRUE(scene.walls.empty());
   ASSERT_EQ(scene.openings.size(), 2u);
-  EXPECT_EQ(scene.openings[0].kind, SavedOpeningKind::Door);
+  EXPECT_EQ(scene.openings[0].kind, pcl::indoor::ModelOpeningKind::Door);
   EXPECT_NEAR(scene.openings[0].height, 2.0, 1e-12);
-  EXPECT_EQ(scene.openings[1].kind, SavedOpeningKind::Passage);
+  EXPECT_EQ(scene.openings[1].kind, pcl::indoor::ModelOpeningKind::Passage);
 }
 
 TEST(SavedScene, StandsUprightInMetres)

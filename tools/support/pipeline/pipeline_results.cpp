@@ -37,12 +37,17 @@ requireOwnName(const std::string& report, const std::string& folder)
 }
 
 /** What is written for other programs, by the name that says the format. */
-std::vector<std::pair<bool, std::string>>
+std::vector<std::string>
 exportsOf(const PipelineOptions& options)
 {
-  return {{options.ifc, "building.ifc"},
-          {options.geojson, "building.geojson"},
-          {options.map, "map.pgm"}};
+  std::vector<std::string> names;
+  if (options.ifc)
+    names.emplace_back("building.ifc");
+  if (options.geojson)
+    names.emplace_back("building.geojson");
+  if (options.map)
+    names.emplace_back("map.pgm");
+  return names;
 }
 
 /** What the scene is written as for other programs. */
@@ -51,18 +56,19 @@ addExports(const PipelineOptions& options,
            const nlohmann::ordered_json& json,
            NamedBytes& files)
 {
+  const auto names = exportsOf(options);
+  if (names.empty())
+    return;
+  const auto scene = savedScene(json);
   ExportOptions how;
   how.epsg = options.epsg;
-  for (const auto& [is_wanted, name] : exportsOf(options)) {
-    if (!is_wanted)
-      continue;
+  for (const auto& name : names)
     try {
-      auto more = exportedFiles(savedScene(json), options.folder + "/" + name, how);
+      auto more = exportedFiles(scene, options.folder + "/" + name, how);
       std::move(more.begin(), more.end(), std::back_inserter(files));
     } catch (const ToolError& problem) { // the other results are none the worse
       printWarning(name + " is not written: " + problem.what());
     }
-  }
 }
 
 /** Results of an earlier run that this one need not replace. */
@@ -89,9 +95,8 @@ requireUsable(const PipelineOptions& options)
   if (std::filesystem::exists(options.folder)) {
     for (const auto& name : resultNames())
       requireWritable(options.folder + "/" + name);
-    for (const auto& [is_wanted, name] : exportsOf(options))
-      if (is_wanted)
-        requireWritable(options.folder + "/" + name);
+    for (const auto& name : exportsOf(options))
+      requireWritable(options.folder + "/" + name);
   }
   if (options.report != "none" && options.report != "folder") {
     requireOwnName(options.report, options.folder);

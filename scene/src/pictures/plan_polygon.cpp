@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "export/plan_polygon.h"
+#include "pictures/plan_polygon.h"
 
 #include <Eigen/Geometry>
 
@@ -16,18 +16,6 @@ namespace pcl::indoor::tool {
 namespace {
 
 constexpr double least_area = 1e-4; // m^2, of a piece or a hole
-
-double
-distanceToLine(const Eigen::Vector2d& begin,
-               const Eigen::Vector2d& end,
-               const Eigen::Vector2d& place)
-{
-  const Eigen::Vector2d way = end - begin;
-  const double squared = way.squaredNorm();
-  const double share =
-      squared > 0.0 ? std::clamp((place - begin).dot(way) / squared, 0.0, 1.0) : 0.0;
-  return (begin + share * way - place).norm();
-}
 
 /** A square of places, in the order of how wide it may be around one of them. */
 struct Square {
@@ -104,6 +92,32 @@ isInside(const std::vector<PlanRing>& rings, const Eigen::Vector2d& place)
         inside = !inside;
     }
   return inside;
+}
+
+double
+distanceToLine(const Eigen::Vector2d& begin,
+               const Eigen::Vector2d& end,
+               const Eigen::Vector2d& place)
+{
+  const Eigen::Vector2d way = end - begin;
+  const double squared = way.squaredNorm();
+  const double share =
+      squared > 0.0 ? std::clamp((place - begin).dot(way) / squared, 0.0, 1.0) : 0.0;
+  return (begin + share * way - place).norm();
+}
+
+PlanRing
+bandAround(const Eigen::Vector2d& begin,
+           const Eigen::Vector2d& end,
+           double left,
+           double right)
+{
+  const Eigen::Vector2d way = (end - begin).normalized();
+  const Eigen::Vector2d across(-way.y(), way.x());
+  return {begin - right * across,
+          end - right * across,
+          end + left * across,
+          begin + left * across};
 }
 
 double

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "export/plan_polygon.h"
+#include "pictures/plan_polygon.h"
 
 #include <gtest/gtest.h>
 

@@ -35,6 +35,21 @@ polygonsOf(const std::vector<PlanRing>& rings);
 bool
 isInside(const std::vector<PlanRing>& rings, const Eigen::Vector2d& place);
 
+/** \brief The corners of a line that is made wide, counter-clockwise.
+ * \param[in] left what is added to the left of it, right to its right, metres
+ */
+PlanRing
+bandAround(const Eigen::Vector2d& begin,
+           const Eigen::Vector2d& end,
+           double left,
+           double right);
+
+/** \brief The distance of a place from a line between two others, metres. */
+double
+distanceToLine(const Eigen::Vector2d& begin,
+               const Eigen::Vector2d& end,
+               const Eigen::Vector2d& place);
+
 /** \brief The distance of a place from the nearest side, metres; infinite without
  * rings.
  */
