@@ -22,6 +22,7 @@ constexpr double one_run = 0.1;   // sine of the turn within one straight run, 6
 constexpr double one_line = 0.05; // how far its pieces may lie apart, metres
 constexpr double outline_reach = 0.25; // metres: outlines lie within 1.5 voxels of
                                        // walls, or of the glass in them
+constexpr double niche_depth = 0.3;    // metres: leaves lie less far behind a wall
 constexpr double face_noise = 0.04; // metres: two standard deviations of a scanner's,
                                     // as outlines of rooms have it
 constexpr std::size_t enough_points = 20; // points, or a run is not seen
@@ -62,6 +63,60 @@ straightRuns(const std::vector<Eigen::Vector3d>& line)
       ++i;
   }
   return ring;
+}
+
+/** Whether the corners after the first one are those of niches in one wall: none lies
+ * far behind the line from the first corner to the one after them or comes back, and
+ * the first or the last run lies on that line. */
+bool
+areOfNiches(const Ring& ring, std::size_t first, std::size_t corners)
+{
+  constexpr double beside = 0.2; // metres of wall
+  constexpr double slack = 0.1;  // metres: where walls were hardly seen
+  const auto at = [&](std::size_t k) { return ring[(first + k) % ring.size()]; };
+  const Eigen::Vector2d whole = at(corners + 1) - at(0);
+  const double length = whole.norm();
+  const Eigen::Vector2d along = whole / length;
+  double last = 0.0;
+  for (std::size_t k = 1; k <= corners; ++k) {
+    const Eigen::Vector2d from = at(k) - at(0);
+    const double before = turnOf(along, from), place = along.dot(from);
+    if (before > slack || before < -niche_depth || place < last - slack ||
+        place > length)
+      return false;
+    last = place;
+  }
+  const auto isOnLine = [&](std::size_t k) {
+    return std::abs(turnOf(along, at(k) - at(0))) <= one_line;
+  };
+  return (isOnLine(1) && along.dot(at(1) - at(0)) >= beside) ||
+         (isOnLine(corners) && along.dot(at(corners + 1) - at(corners)) >= beside);
+}
+
+/** Leave out the corners of niches, those of the longest wall first. */
+void
+bridgeNiches(Ring& ring)
+{
+  while (ring.size() > 4) {
+    double longest = 0.0;
+    std::size_t from = 0, corners = 0;
+    for (std::size_t first = 0; first < ring.size(); ++first)
+      for (std::size_t count = 2; count + 2 < ring.size(); ++count) {
+        const double length =
+            (ring[(first + count + 1) % ring.size()] - ring[first]).norm();
+        if (length > longest && areOfNiches(ring, first, count)) {
+          longest = length;
+          from = first;
+          corners = count;
+        }
+      }
+    if (corners == 0)
+      return;
+    std::rotate(
+        ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(from), ring.end());
+    ring.erase(ring.begin() + 1,
+               ring.begin() + 1 + static_cast<std::ptrdiff_t>(corners));
+  }
 }
 
 /** A line before a run: its distance at the begin, and its rise along it. */
@@ -233,7 +288,8 @@ wallFaces(const std::vector<Room>& rooms, const PointsOfRooms& points, int threa
   for (const Room& room : rooms)
     for (const auto& line : room.footprint) {
       outlines.push_back(faces.size());
-      const Ring ring = straightRuns(line);
+      Ring ring = straightRuns(line);
+      bridgeNiches(ring);
       for (std::size_t i = 0; i < ring.size(); ++i) {
         WallFace face;
         face.room = room.label;
