@@ -15,6 +15,7 @@ namespace indoor {
 namespace {
 
 constexpr double at_floor = 0.08;    // metres: thresholds are lower
+constexpr double stride = 0.3;       // metres: higher sills are climbed, not passed
 constexpr double least_head = 1.7;   // metres, of doors
 constexpr double highest_head = 3.2; // metres, of doors
 constexpr double narrowest = 0.5;    // metres, of doors
@@ -156,21 +157,23 @@ public:
   void
   addPassable(const RoomOpening& passable)
   {
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < candidates_.size(); ++i)
-      if (isAt(passable, candidates_[i]) &&
-          (!best || candidates_[i].certainty > candidates_[*best].certainty))
-        best = i;
-    for (std::size_t i = 0; i < candidates_.size(); ++i)
-      if (isAt(passable, candidates_[i]))
-        candidates_[i].is_used = true;
+    std::optional<Candidate> best;
+    for (Candidate& candidate : candidates_) {
+      if (!isAt(passable, candidate))
+        continue;
+      candidate.is_used = true;
+      Candidate door = candidate;
+      door.kind = ModelOpeningKind::Door;
+      door.certainty = framing(door.hole, true);
+      if (!best || door.certainty > best->certainty)
+        best = door;
+    }
     ModelOpening opening =
-        best ? openingOf(faces_[candidates_[*best].face], candidates_[*best])
-             : without(passable);
+        best ? openingOf(faces_[best->face], *best) : without(passable);
     opening.room_a = passable.room_a;
     opening.room_b = passable.room_b;
     opening.is_open = true;
-    if (best && opening.width > one_leaf && !hasLintel(candidates_[*best]))
+    if (best && opening.width > one_leaf && !hasLintel(*best))
       opening.kind = ModelOpeningKind::Passage;
     found_.push_back(opening);
   }
@@ -238,12 +241,12 @@ private:
   {
     constexpr double beside = 0.5; // metres: half of the thickest walls, and a voxel
     const WallFace& face = faces_[candidate.face];
-    if (candidate.kind != ModelOpeningKind::Door ||
+    const auto& box = candidate.hole.box;
+    if (box.min().y() - face.floor > stride || box.max().y() - face.floor < least_head ||
         (face.room != passable.room_a && face.room != passable.room_b))
       return false;
     const Eigen::Vector2d way = passable.position.head<2>() - face.begin;
     const double place = face.along().dot(way), before = face.inward().dot(way);
-    const auto& box = candidate.hole.box;
     const double from = std::max(box.min().x(), place - 0.5 * passable.width);
     const double to = std::min(box.max().x(), place + 0.5 * passable.width);
     return std::abs(before) <= beside &&

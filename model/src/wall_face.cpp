@@ -22,9 +22,9 @@ constexpr double one_run = 0.1;   // sine of the turn within one straight run, 6
 constexpr double one_line = 0.05; // how far its pieces may lie apart, metres
 constexpr double outline_reach = 0.25; // metres: outlines lie within 1.5 voxels of
                                        // walls, or of the glass in them
-constexpr double niche_depth = 0.3;    // metres: leaves lie less far behind a wall
-constexpr double face_noise = 0.04; // metres: two standard deviations of a scanner's,
-                                    // as outlines of rooms have it
+constexpr double niche_depth = 0.45; // metres: of walls in which leaves and panes stand
+constexpr double face_noise = 0.04;  // metres: two standard deviations of a scanner's,
+                                     // as outlines of rooms have it
 constexpr std::size_t enough_points = 20; // points, or a run is not seen
 
 double

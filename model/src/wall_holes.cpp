@@ -131,7 +131,8 @@ rectanglesOf(const Columns& columns, const WallImage& image)
 {
   std::vector<Eigen::AlignedBox2d> boxes;
   const auto low = smoothed(columns.low), high = smoothed(columns.high);
-  const int most = static_cast<int>(jump / image.cell);
+  // points that are two cells away count for each end
+  const int most = std::max(static_cast<int>(jump / image.cell), 5);
   const auto goOn = [&](std::size_t column) {
     const bool is_known = !columns.hides_low[column] && !columns.hides_low[column - 1];
     return (!is_known || std::abs(low[column] - low[column - 1]) <= most) &&
