@@ -158,6 +158,7 @@ public:
   addPassable(const RoomOpening& passable)
   {
     std::optional<Candidate> best;
+    bool has_lintel = false;
     for (Candidate& candidate : candidates_) {
       if (!isAt(passable, candidate))
         continue;
@@ -165,6 +166,7 @@ public:
       Candidate door = candidate;
       door.kind = ModelOpeningKind::Door;
       door.certainty = framing(door.hole, true);
+      has_lintel = has_lintel || hasLintel(candidate);
       if (!best || door.certainty > best->certainty)
         best = door;
     }
@@ -173,7 +175,7 @@ public:
     opening.room_a = passable.room_a;
     opening.room_b = passable.room_b;
     opening.is_open = true;
-    if (best && opening.width > one_leaf && !hasLintel(*best))
+    if (best && opening.width > one_leaf && !has_lintel)
       opening.kind = ModelOpeningKind::Passage;
     found_.push_back(opening);
   }
