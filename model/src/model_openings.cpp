@@ -244,7 +244,8 @@ private:
     constexpr double beside = 0.5; // metres: half of the thickest walls, and a voxel
     const WallFace& face = faces_[candidate.face];
     const auto& box = candidate.hole.box;
-    if (box.min().y() - face.floor > stride || box.max().y() - face.floor < least_head ||
+    if (box.min().y() - face.floor > stride ||
+        box.max().y() - face.floor < least_head ||
         (face.room != passable.room_a && face.room != passable.room_b))
       return false;
     const Eigen::Vector2d way = passable.position.head<2>() - face.begin;
@@ -256,11 +257,12 @@ private:
            std::abs(passable.position.z() - box.min().y()) < 1.0;
   }
 
-  /** An opening of which the images show no edges. */
+  /** An opening of which the images show no edges: nothing says that it has a leaf. */
   ModelOpening
   without(const RoomOpening& passable) const
   {
     ModelOpening opening;
+    opening.kind = ModelOpeningKind::Passage;
     opening.position = passable.position;
     opening.width = passable.width;
     opening.along = Eigen::Vector2d::UnitX();
@@ -281,9 +283,6 @@ private:
       height = face.ceiling - face.floor;
     }
     opening.height = std::min(height, passable.area / std::max(0.1, passable.width));
-    const bool has_lintel = opening.height <= height - lintel;
-    if (passable.width > widest_door || (passable.width > one_leaf && !has_lintel))
-      opening.kind = ModelOpeningKind::Passage;
     return opening;
   }
 
