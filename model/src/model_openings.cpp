@@ -49,6 +49,14 @@ framing(const FaceHole& hole, bool is_door)
   return std::min(lying, is_seen ? std::max(left, right) : std::min(left, right));
 }
 
+bool
+hasSizeOfDoor(const WallFace& face, const FaceHole& hole)
+{
+  const double head = hole.box.max().y() - face.floor, width = hole.box.sizes().x();
+  return head >= least_head && head <= highest_head && width >= narrowest &&
+         width <= widest_door;
+}
+
 std::optional<Candidate>
 candidateOf(const WallFace& face, std::size_t number, const FaceHole& hole)
 {
@@ -56,13 +64,10 @@ candidateOf(const WallFace& face, std::size_t number, const FaceHole& hole)
   found.face = number;
   found.hole = hole;
   const double sill = hole.box.min().y() - face.floor;
-  const double head = hole.box.max().y() - face.floor;
-  const double width = hole.box.sizes().x();
   if (hole.hidden > 0.3)
     return std::nullopt;
   if (sill <= at_floor) {
-    if (head < least_head || head > highest_head || width < narrowest ||
-        width > widest_door)
+    if (!hasSizeOfDoor(face, hole))
       return std::nullopt;
     if (hole.is_proud && hole.seen < 0.8)
       return std::nullopt;
@@ -244,8 +249,7 @@ private:
     constexpr double beside = 0.5; // metres: half of the thickest walls, and a voxel
     const WallFace& face = faces_[candidate.face];
     const auto& box = candidate.hole.box;
-    if (box.min().y() - face.floor > stride ||
-        box.max().y() - face.floor < least_head ||
+    if (box.min().y() - face.floor > stride || !hasSizeOfDoor(face, candidate.hole) ||
         (face.room != passable.room_a && face.room != passable.room_b))
       return false;
     const Eigen::Vector2d way = passable.position.head<2>() - face.begin;

@@ -48,6 +48,18 @@ inInnerWall(const std::vector<FaceHole>& one,
   return modelOpenings(faces, facePairs(faces), holes, passable);
 }
 
+RoomOpening
+passableAt(double x, double width)
+{
+  RoomOpening passable;
+  passable.room_a = 1;
+  passable.room_b = 2;
+  passable.position = {x, 0.0, 0.1};
+  passable.width = width;
+  passable.area = 2.0 * width;
+  return passable;
+}
+
 /** The only side of an outer wall. */
 std::vector<ModelOpening>
 inOuterWall(const FaceHole& hole)
@@ -110,12 +122,7 @@ TEST(ModelOpenings, ADoorHasTheSizeOfADoor)
 
 TEST(ModelOpenings, WhereOneCanPassTheImageTellsTheEdges)
 {
-  RoomOpening passable;
-  passable.room_a = 1;
-  passable.room_b = 2;
-  passable.position = {1.5, 0.0, 0.1};
-  passable.width = 0.8;
-  passable.area = 1.6;
+  RoomOpening passable = passableAt(1.5, 0.8);
   const auto hole = framedHole(rectangle(1.02, 0.0, 1.92, 2.05), 0.0);
   auto found = inInnerWall({hole}, {}, {passable});
   ASSERT_EQ(found.size(), 1u);
@@ -134,31 +141,49 @@ TEST(ModelOpenings, WhereOneCanPassTheImageTellsTheEdges)
 
 TEST(ModelOpenings, WideOnesWithoutALintelArePassages)
 {
-  RoomOpening passable;
-  passable.room_a = 1;
-  passable.room_b = 2;
-  passable.position = {2.0, 0.0, 0.0};
-  passable.width = 2.0;
-  passable.area = 5.2;
-  EXPECT_EQ(inInnerWall({}, {}, {passable})[0].kind, ModelOpeningKind::Passage);
-  passable.area = 4.2;
-  EXPECT_EQ(inInnerWall({}, {}, {passable})[0].kind, ModelOpeningKind::Door);
+  const auto passable = passableAt(2.0, 2.0);
   // above a hole the ceiling is no lintel
   auto hole = framedHole(rectangle(1.0, 0.0, 3.0, 2.58), 0.0);
   EXPECT_EQ(inInnerWall({hole}, {}, {passable})[0].kind, ModelOpeningKind::Passage);
   hole = framedHole(rectangle(1.0, 0.0, 3.0, 2.1), 0.0);
   EXPECT_EQ(inInnerWall({hole}, {}, {passable})[0].kind, ModelOpeningKind::Door);
+  // one side that shows it is enough, the better one or not
+  auto other = hole;
+  other.framed = {0.9, 0.9, 0.4, 0.0};
+  hole.framed = {0.1, 0.1, 0.9, 0.0};
+  other.box = rectangle(1.2, 0.0, 2.8, 2.1);
+  const auto found = inInnerWall({hole}, {other}, {passable});
+  EXPECT_NEAR(found[0].width, 1.6, 1e-9);
+  EXPECT_EQ(found[0].kind, ModelOpeningKind::Door);
 }
 
-TEST(ModelOpenings, WhatIsWiderThanAnyGateIsAPassage)
+TEST(ModelOpenings, WhatNoImageShowsIsAPassage)
 {
-  RoomOpening passable;
-  passable.room_a = 1;
-  passable.room_b = 2;
-  passable.position = {2.0, 0.0, 0.0};
-  passable.width = 3.6;
-  passable.area = 7.2; // 2 m high, below a lintel
-  EXPECT_EQ(inInnerWall({}, {}, {passable})[0].kind, ModelOpeningKind::Passage);
+  EXPECT_EQ(inInnerWall({}, {}, {passableAt(2.0, 0.9)})[0].kind,
+            ModelOpeningKind::Passage);
+  // nor does one that is no door: too high, or wider than any gate
+  auto hole = framedHole(rectangle(1.0, 0.0, 1.9, 2.5), 0.0);
+  hole.box.max().y() = 3.3;
+  EXPECT_EQ(inInnerWall({hole}, {}, {passableAt(1.45, 0.9)})[0].kind,
+            ModelOpeningKind::Passage);
+  hole = framedHole(rectangle(0.2, 0.0, 3.8, 2.1), 0.0);
+  EXPECT_EQ(inInnerWall({hole}, {}, {passableAt(2.0, 3.6)})[0].kind,
+            ModelOpeningKind::Passage);
+}
+
+TEST(ModelOpenings, WhereOneCanPassTheHoleGoesDownToTheFloor)
+{
+  // points of the floor fill the lower end of the hole
+  auto hole = framedHole(rectangle(1.0, 0.2, 1.9, 2.1), 0.0);
+  const auto found = inInnerWall({hole}, {}, {passableAt(1.45, 0.8)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, ModelOpeningKind::Door);
+  EXPECT_NEAR(found[0].width, 0.9, 1e-9);
+  EXPECT_NEAR(found[0].sill, 0.0, 1e-9);
+  EXPECT_NEAR(found[0].height, 2.1, 1e-9);
+  hole = framedHole(rectangle(1.0, 0.4, 1.9, 2.1), 0.0); // nobody passes through it
+  EXPECT_EQ(inInnerWall({hole}, {}, {passableAt(1.45, 0.8)})[0].kind,
+            ModelOpeningKind::Passage);
 }
 
 TEST(ModelOpenings, GlassAboveAKerbIsAWindow)

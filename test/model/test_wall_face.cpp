@@ -61,6 +61,42 @@ TEST(WallFaces, CornersWithinAStraightWallAreLeftOut)
   EXPECT_EQ(facesOf(scene).size(), 4u);
 }
 
+namespace {
+
+/** How many faces a square room of 4 m has whose outline goes on from its first corner
+ * along these corners. */
+std::size_t
+facesWithCorners(const std::vector<Eigen::Vector2d>& corners)
+{
+  SimulatedRooms scene;
+  scene.add(rectangle(0.0, 0.0, 4.0, 4.0), {{}, {}, {}, {}}, 0.0);
+  scene.points.clear();
+  scene.room_of_point.clear();
+  auto& line = scene.rooms[0].footprint[0];
+  std::size_t place = 1;
+  for (const auto& corner : corners)
+    line.insert(line.begin() + static_cast<std::ptrdiff_t>(place++),
+                Eigen::Vector3d(corner.x(), corner.y(), 0.0));
+  return facesOf(scene).size();
+}
+
+} // namespace
+
+TEST(WallFaces, NichesAreWithinTheirWall)
+{
+  // a niche; two, whose outline cuts across the wall between them; one at a corner
+  EXPECT_EQ(facesWithCorners({{1.0, 0.0}, {1.0, -0.2}, {2.0, -0.2}, {2.0, 0.0}}), 4u);
+  EXPECT_EQ(facesWithCorners({{0.5, 0.0}, {0.7, -0.2}, {1.8, 0.05}, {2.2, -0.15}}), 4u);
+  EXPECT_EQ(facesWithCorners({{1.0, 0.0}, {1.1, -0.2}, {3.0, -0.2}}), 4u);
+}
+
+TEST(WallFaces, AlcovesAndPillarsHaveWallsOfTheirOwn)
+{
+  EXPECT_EQ(facesWithCorners({{1.0, 0.0}, {1.0, -0.6}, {2.0, -0.6}, {2.0, 0.0}}), 8u);
+  EXPECT_EQ(facesWithCorners({{1.0, 0.0}, {1.0, 0.2}, {2.0, 0.2}, {2.0, 0.0}}), 8u);
+  EXPECT_EQ(facesWithCorners({{2.0, -0.6}}), 5u);
+}
+
 TEST(WallFaces, WithoutPointsOutlinesStay)
 {
   SimulatedRooms scene;
