@@ -86,9 +86,25 @@ kindOf(double depth, double relief)
                           : WallCell::Face;
 }
 
+/** The least depth of what is no face: of uneven walls, and where stations do not fit,
+ * three times the middle of what the face itself stands out. */
+double
+reliefOf(const WallImage& image, double least)
+{
+  std::vector<float> out;
+  for (std::size_t i = 0; i < image.cells.size(); ++i)
+    if (image.cells.values[i] != WallCell::Empty && image.depth.values[i] > 0.0f)
+      out.push_back(image.depth.values[i]);
+  if (out.empty())
+    return least;
+  const auto middle = out.begin() + static_cast<std::ptrdiff_t>(out.size() / 2);
+  std::nth_element(out.begin(), middle, out.end());
+  return std::max(least, 3.0 * *middle);
+}
+
 /** Set what each cell shows: the median of the points around it. */
 void
-showDepths(const CellPoints& points, double relief, WallImage& image)
+showDepths(const CellPoints& points, double least_relief, WallImage& image)
 {
   std::vector<float> near;
   for (int x = 0; x < image.cells.nx; ++x)
@@ -108,8 +124,12 @@ showDepths(const CellPoints& points, double relief, WallImage& image)
       const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
       std::nth_element(near.begin(), middle, near.end());
       image.depth.at(x, y) = *middle;
-      image.cells.at(x, y) = kindOf(*middle, relief);
+      image.cells.at(x, y) = WallCell::Face;
     }
+  const double relief = reliefOf(image, least_relief);
+  for (std::size_t i = 0; i < image.cells.size(); ++i)
+    if (image.cells.values[i] == WallCell::Face)
+      image.cells.values[i] = kindOf(image.depth.values[i], relief);
 }
 
 /** Mark empty cells with things before them. */

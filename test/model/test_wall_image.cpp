@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace pcl::indoor;
 
 namespace {
@@ -41,6 +43,16 @@ TEST(WallImage, ShowsFaceRecessLeafThingAndNothing)
   EXPECT_NEAR(
       image.share(rectangle(0.4, 3.9, 1.1, 4.6), WallCell::Recess), 0.25 / 0.49, 0.1);
   EXPECT_DOUBLE_EQ(image.faceShare(rectangle(0.1, 3.1, 0.4, 3.9)), 1.0);
+}
+
+TEST(WallImage, UnevenWallsHaveNoHoles)
+{
+  auto points = simulatedSide(4.0, 2.5, {{rectangle(2.5, 1.0, 3.0, 1.5), -0.15}});
+  for (auto& point : points)
+    point.before += 0.03f * std::sin(4.0f * point.along);
+  const auto image = wallImage(points, 4.0, 0.0, 2.5);
+  EXPECT_EQ(image.share(rectangle(0.0, 0.0, 2.4, 2.5), WallCell::Face), 1.0);
+  EXPECT_EQ(cellAt(image, 2.75, 1.25), WallCell::Recess);
 }
 
 TEST(WallImage, CellsFollowTheSpacing)
