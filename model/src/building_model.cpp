@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/exceptions.h>
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/model/building_model.h>
 #include <pcl/model/model_openings.h>
@@ -67,8 +68,7 @@ giveWalls(BuildingModel& model)
 } // namespace
 
 BuildingModel
-buildingModel(const std::vector<Eigen::Vector3f>& points,
-              const std::vector<std::uint32_t>& room_of_point,
+buildingModel(const PointsOfRooms& points,
               const std::vector<Room>& rooms,
               const std::vector<RoomOpening>& openings,
               int threads)
@@ -76,15 +76,16 @@ buildingModel(const std::vector<Eigen::Vector3f>& points,
   BuildingModel model;
   if (rooms.empty())
     return model;
-  std::uint32_t largest = 0;
   for (const Room& room : rooms)
-    largest = std::max(largest, room.label);
-  const PointsOfRooms of_rooms(points, room_of_point, largest);
-  model.faces = wallFaces(rooms, of_rooms, threads);
+    if (room.label > points.roomCount())
+      PCL_THROW_EXCEPTION(BadArgumentException,
+                          "room " << room.label << ", but the points are of "
+                                  << points.roomCount() << " rooms");
+  model.faces = wallFaces(rooms, points, threads);
   std::vector<FaceHoles> holes(model.faces.size());
   parallelFor(
       static_cast<std::ptrdiff_t>(holes.size()), threads, 1, [&](std::ptrdiff_t i) {
-        holes[i].holes = holesOf(model.faces[i], of_rooms);
+        holes[i].holes = holesOf(model.faces[i], points);
       });
   const auto pairs = facePairs(model.faces);
   model.walls = modelWalls(model.faces, pairs);

@@ -96,24 +96,29 @@ TiledPoints::tileAt(const Eigen::Array2d& place) const
   return ((place - low_) / tile_size_).max(0.0).min(last).cast<int>();
 }
 
-PointsOfRooms::PointsOfRooms(const std::vector<Eigen::Vector3f>& points,
+PointsOfRooms::PointsOfRooms(const PointCloud<PointXYZ>& points,
                              const std::vector<std::uint32_t>& room_of_point,
-                             std::uint32_t room_count)
+                             std::uint32_t room_count,
+                             const Eigen::Vector3f& origin)
 {
   if (points.size() != room_of_point.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         points.size() << " points, but " << room_of_point.size()
                                       << " numbers of rooms");
-  std::vector<std::vector<Eigen::Vector3f>> of_rooms(
-      static_cast<std::size_t>(room_count) + 1);
+  std::vector<std::size_t> counts(static_cast<std::size_t>(room_count) + 1, 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (room_of_point[i] > room_count)
       PCL_THROW_EXCEPTION(BadArgumentException,
                           "point " << i << " is in room " << room_of_point[i] << " of "
                                    << room_count);
-    if (points[i].allFinite())
-      of_rooms[room_of_point[i]].push_back(points[i]);
+    ++counts[room_of_point[i]];
   }
+  std::vector<std::vector<Eigen::Vector3f>> of_rooms(counts.size());
+  for (std::size_t room = 0; room < counts.size(); ++room)
+    of_rooms[room].reserve(counts[room]);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const Eigen::Vector3f point = points[i].getVector3fMap(); point.allFinite())
+      of_rooms[room_of_point[i]].push_back(point - origin);
   for (auto& room : of_rooms) {
     of_rooms_.emplace_back(room);
     room = {}; // there may be many

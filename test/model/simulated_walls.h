@@ -69,7 +69,7 @@ simulatedSide(double length, double height, const std::vector<SimulatedHole>& ho
 
 /** \brief Rooms with points on their walls. */
 struct SimulatedRooms {
-  std::vector<Eigen::Vector3f> points;
+  pcl::PointCloud<pcl::PointXYZ> points;
   std::vector<std::uint32_t> room_of_point;
   std::vector<Room> rooms;
 
@@ -105,11 +105,19 @@ struct SimulatedRooms {
            simulatedSide((end - begin).norm(), room.height, holes[side])) {
         const Eigen::Vector2d place = begin + static_cast<double>(point.along) * along +
                                       static_cast<double>(point.before) * inward;
-        points.emplace_back(place.x(), place.y(), point.height);
+        points.push_back({static_cast<float>(place.x()),
+                          static_cast<float>(place.y()),
+                          point.height});
         room_of_point.push_back(room.label);
       }
     }
     rooms.push_back(room);
+  }
+
+  PointsOfRooms
+  pointsOfRooms() const
+  {
+    return {points, room_of_point, static_cast<std::uint32_t>(rooms.size())};
   }
 };
 

@@ -66,8 +66,7 @@ openingNear(const BuildingModel& model, double x, double y)
 TEST(BuildingModel, FindsDoorsAndAWindowWhereTheyWereMade)
 {
   const auto scene = twoRooms();
-  const auto model =
-      buildingModel(scene.points, scene.room_of_point, scene.rooms, openDoor());
+  const auto model = buildingModel(scene.pointsOfRooms(), scene.rooms, openDoor());
   ASSERT_EQ(model.openings.size(), 3u);
 
   const auto* window = openingNear(model, 1.6, 0.0);
@@ -102,8 +101,7 @@ TEST(BuildingModel, FindsDoorsAndAWindowWhereTheyWereMade)
 TEST(BuildingModel, OpeningsLieInTheirWalls)
 {
   const auto scene = twoRooms();
-  const auto model =
-      buildingModel(scene.points, scene.room_of_point, scene.rooms, openDoor());
+  const auto model = buildingModel(scene.pointsOfRooms(), scene.rooms, openDoor());
   for (const auto& opening : model.openings) {
     ASSERT_LT(opening.wall, model.walls.size());
     const auto& wall = model.walls[opening.wall];
@@ -119,8 +117,7 @@ TEST(BuildingModel, AnOpeningThatIsNotSeenStays)
   auto scene = twoRooms();
   auto openings = openDoor();
   openings[0].position.y() = 4.9;
-  const auto model =
-      buildingModel(scene.points, scene.room_of_point, scene.rooms, openings);
+  const auto model = buildingModel(scene.pointsOfRooms(), scene.rooms, openings);
   ASSERT_FALSE(model.openings.empty());
   EXPECT_NEAR(model.openings[0].position.y(), 4.9, 1e-9);
   EXPECT_NEAR(model.openings[0].width, 0.85, 1e-9);
@@ -130,10 +127,8 @@ TEST(BuildingModel, AnOpeningThatIsNotSeenStays)
 TEST(BuildingModel, IsTheSameForAnyNumberOfThreads)
 {
   const auto scene = twoRooms();
-  const auto one =
-      buildingModel(scene.points, scene.room_of_point, scene.rooms, openDoor(), 1);
-  const auto eight =
-      buildingModel(scene.points, scene.room_of_point, scene.rooms, openDoor(), 8);
+  const auto one = buildingModel(scene.pointsOfRooms(), scene.rooms, openDoor(), 1);
+  const auto eight = buildingModel(scene.pointsOfRooms(), scene.rooms, openDoor(), 8);
   ASSERT_EQ(one.openings.size(), eight.openings.size());
   for (std::size_t i = 0; i < one.openings.size(); ++i) {
     EXPECT_EQ(one.openings[i].position, eight.openings[i].position);
@@ -146,12 +141,11 @@ TEST(BuildingModel, IsTheSameForAnyNumberOfThreads)
 
 TEST(BuildingModel, OfNoRoomsThereIsNone)
 {
-  const auto model = buildingModel({}, {}, {}, {});
+  const auto model = buildingModel(SimulatedRooms().pointsOfRooms(), {}, {});
   EXPECT_TRUE(model.walls.empty());
   EXPECT_TRUE(model.openings.empty());
   auto scene = twoRooms();
-  scene.room_of_point.pop_back();
-  EXPECT_THROW(
-      buildingModel(scene.points, scene.room_of_point, scene.rooms, openDoor()),
-      pcl::BadArgumentException);
+  scene.rooms[0].label = 3;
+  EXPECT_THROW(buildingModel(scene.pointsOfRooms(), scene.rooms, openDoor()),
+               pcl::BadArgumentException);
 }

@@ -13,19 +13,36 @@
 
 using namespace pcl::indoor;
 
+namespace {
+
+pcl::PointCloud<pcl::PointXYZ>
+onePoint()
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  cloud.push_back({0.0f, 0.0f, 0.0f});
+  return cloud;
+}
+
+} // namespace
+
 TEST(PointsOfRooms, BesideGivesWhatLookingAtEachPointGives)
 {
   std::mt19937 rng(3);
   const auto draw = [&rng] { return static_cast<float>(rng() % 10000) * 1e-3f - 5.0f; };
-  std::vector<Eigen::Vector3f> points;
+  const Eigen::Vector3f origin(1.0f, -2.0f, 0.5f);
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  std::vector<Eigen::Vector3f> points; // in the frame of the rooms
   std::vector<std::uint32_t> rooms;
   for (int i = 0; i < 3000; ++i) {
-    points.emplace_back(draw(), draw(), draw());
+    cloud.push_back({draw(), draw(), draw()});
     rooms.push_back(rng() % 4);
   }
-  points[5].x() = NAN;
-  points[6].z() = INFINITY;
-  const PointsOfRooms of_rooms(points, rooms, 3);
+  cloud[5].x = NAN;
+  cloud[6].z = INFINITY;
+  for (const auto& point : cloud)
+    points.emplace_back(point.getVector3fMap() - origin);
+  const PointsOfRooms of_rooms(cloud, rooms, 3, origin);
+  EXPECT_EQ(of_rooms.roomCount(), 3u);
   for (int trial = 0; trial < 50; ++trial) {
     const FaceStretch stretch{{draw(), draw()}, {draw(), draw()}, 0.1, 0.7, 0.3};
     const auto room = static_cast<std::uint32_t>(1 + trial % 3);
@@ -51,7 +68,7 @@ TEST(PointsOfRooms, BesideGivesWhatLookingAtEachPointGives)
 
 TEST(PointsOfRooms, StretchesWithoutLengthHaveNone)
 {
-  const PointsOfRooms points({{0.0f, 0.0f, 0.0f}}, {1}, 1);
+  const PointsOfRooms points(onePoint(), {1}, 1);
   std::vector<WallPoint> found(3);
   points.beside({{0.0, 0.0}, {0.0, 0.0}, 1.0, 1.0, 1.0}, 1, true, found);
   EXPECT_TRUE(found.empty());
@@ -59,6 +76,6 @@ TEST(PointsOfRooms, StretchesWithoutLengthHaveNone)
 
 TEST(PointsOfRooms, RefusesNumbersThatDoNotFit)
 {
-  EXPECT_THROW(PointsOfRooms({{0.0f, 0.0f, 0.0f}}, {}, 1), pcl::BadArgumentException);
-  EXPECT_THROW(PointsOfRooms({{0.0f, 0.0f, 0.0f}}, {2}, 1), pcl::BadArgumentException);
+  EXPECT_THROW(PointsOfRooms(onePoint(), {}, 1), pcl::BadArgumentException);
+  EXPECT_THROW(PointsOfRooms(onePoint(), {2}, 1), pcl::BadArgumentException);
 }

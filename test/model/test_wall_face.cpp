@@ -16,10 +16,7 @@ namespace {
 std::vector<WallFace>
 facesOf(const SimulatedRooms& scene, int threads = 1)
 {
-  const PointsOfRooms points(scene.points,
-                             scene.room_of_point,
-                             static_cast<std::uint32_t>(scene.rooms.size()));
-  return wallFaces(scene.rooms, points, threads);
+  return wallFaces(scene.rooms, scene.pointsOfRooms(), threads);
 }
 
 } // namespace

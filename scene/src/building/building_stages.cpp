@@ -236,15 +236,12 @@ findWalls(const SceneOptions& options,
   const auto& pose = scene.building_pose;
   const Eigen::Vector3f origin =
       (pose.linear().transpose() * pose.translation()).cast<float>();
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(standing.size());
-  for (const auto& point : standing)
-    points.emplace_back(point.getVector3fMap() - origin);
-  scene.model = buildingModel(points,
-                              scene.room_of_point,
-                              scene.building.rooms,
-                              scene.building.openings,
-                              options.threads);
+  const auto& rooms = scene.building.rooms;
+  std::uint32_t largest = 0;
+  for (const Room& room : rooms)
+    largest = std::max(largest, room.label);
+  const PointsOfRooms points(standing, scene.room_of_point, largest, origin);
+  scene.model = buildingModel(points, rooms, scene.building.openings, options.threads);
   report.done(std::to_string(scene.model.walls.size()) + " walls, " +
               std::to_string(scene.model.openings.size()) + " openings");
 }

@@ -72,15 +72,14 @@ struct BuildingModel {
  * the wall's face (wallHoles()); both sides together, and the places where one can
  * pass, say what they are (modelOpenings()). Needs no normals and no classes.
  *
- * \param[in] points z up, metres, in the frame of the rooms; what is not finite does
- * not count \param[in] room_of_point room of each, 0 = none \param[in] openings where
- * one can pass between rooms \param[in] threads 0 = automatic; the result does not
- * depend on it \return nothing if there are no rooms \throws pcl::BadArgumentException
- * if there are not as many rooms as points, or a room has no such number
+ * \param[in] points of the rooms, in their frame
+ * \param[in] openings where one can pass between rooms
+ * \param[in] threads 0 = automatic; the result does not depend on it
+ * \return nothing if there are no rooms
+ * \throws pcl::BadArgumentException if a room has a number that the points have not
  */
 BuildingModel
-buildingModel(const std::vector<Eigen::Vector3f>& points,
-              const std::vector<std::uint32_t>& room_of_point,
+buildingModel(const PointsOfRooms& points,
               const std::vector<Room>& rooms,
               const std::vector<RoomOpening>& openings,
               int threads = 0);

@@ -5,6 +5,9 @@
 
 #pragma once
 
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -74,12 +77,21 @@ public:
   /** \param[in] points metres, z up; what is not finite counts nowhere
    * \param[in] room_of_point room of each, 0 = none; those of none are seen from all
    * \param[in] room_count largest number of a room
+   * \param[in] origin of the frame of the rooms, which is subtracted from each point
    * \throws pcl::BadArgumentException if there are not as many rooms as points, or a
    * number is larger
    */
-  PointsOfRooms(const std::vector<Eigen::Vector3f>& points,
+  PointsOfRooms(const PointCloud<PointXYZ>& points,
                 const std::vector<std::uint32_t>& room_of_point,
-                std::uint32_t room_count);
+                std::uint32_t room_count,
+                const Eigen::Vector3f& origin = Eigen::Vector3f::Zero());
+
+  /** \brief The largest number of a room. */
+  std::uint32_t
+  roomCount() const
+  {
+    return static_cast<std::uint32_t>(of_rooms_.size() - 1);
+  }
 
   /** \brief Get the points near a stretch that a room sees.
    * \param[in] with_none whether points of no room count, too
