@@ -12,6 +12,35 @@ namespace indoor {
 
 namespace {
 
+/** \brief As at::convolution(). oneDNN 3.7 (Debian 13) gives wrong gradients of the
+ * input where the number of kernels is no multiple of 16: kernels of zeros fill up. */
+at::Tensor
+rightConvolution(const at::Tensor& input,
+                 const at::Tensor& weights,
+                 const at::Tensor& biases,
+                 const std::vector<std::int64_t>& padding,
+                 const std::vector<std::int64_t>& dilation)
+{
+  constexpr std::int64_t block = 16;
+  const auto kernels = weights.size(0);
+  const auto missing =
+      input.is_cpu() && at::hasMKLDNN() ? (block - kernels % block) % block : 0;
+  const std::vector<std::int64_t> ones(dilation.size(), 1), zeros(dilation.size(), 0);
+  const auto convolved = [&](const at::Tensor& all, const at::Tensor& offsets) {
+    return at::convolution(
+        input, all, offsets, ones, padding, dilation, false, zeros, 1);
+  };
+  if (missing == 0)
+    return convolved(weights, biases);
+  std::vector<std::int64_t> after(2 * static_cast<std::size_t>(weights.dim()), 0);
+  after.back() = missing; // of the first extent
+  const auto offsets =
+      biases.defined()
+          ? at::constant_pad_nd(biases, std::vector<std::int64_t>{0, missing})
+          : biases;
+  return convolved(at::constant_pad_nd(weights, after), offsets).narrow(1, 0, kernels);
+}
+
 /** \brief Convolution over up to 3 extents of positions that a kernel steps over by
  * dilation; zeros around as in convolution(). */
 at::Tensor
@@ -28,15 +57,11 @@ paddedConvolution(const at::Tensor& input,
     more.insert(more.begin(), {0, around % 2 * dilation[k]});
   }
   const bool is_even = std::any_of(more.begin(), more.end(), [](auto n) { return n; });
-  return at::convolution(is_even ? at::constant_pad_nd(input, more) : input,
-                         weights,
-                         biases,
-                         std::vector<std::int64_t>(dilation.size(), 1),
-                         padding,
-                         dilation,
-                         false,
-                         std::vector<std::int64_t>(dilation.size(), 0),
-                         1);
+  return rightConvolution(is_even ? at::constant_pad_nd(input, more) : input,
+                          weights,
+                          biases,
+                          padding,
+                          dilation);
 }
 
 /** \brief A 4D kernel with last extent 1 never looks along f4: one 3D convolution. f4
