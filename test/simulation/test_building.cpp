@@ -238,6 +238,7 @@ TEST(SceneDescription, NamesEveryNumber)
   for (std::size_t i = 0; i < building.rooms.size(); ++i) {
     EXPECT_EQ(json["rooms"][i]["number"], i + 1);
     EXPECT_EQ(json["rooms"][i]["name"], building.rooms[i].name);
+    EXPECT_EQ(json["rooms"][i].value("kind", ""), building.rooms[i].kind);
     EXPECT_EQ(json["rooms"][i]["storey"], building.rooms[i].storey);
     EXPECT_EQ(json["rooms"][i]["polygon"].size(), building.rooms[i].polygon.size());
   }

@@ -63,6 +63,34 @@ collide(const FurniturePlan& a, const FurniturePlan& b)
          overlap(inset(footprintOf(a), tolerance), footprintOf(b));
 }
 
+TEST(RandomPlan, SaysWhatItsRoomsAreFor)
+{
+  const std::map<std::string, std::string> homes = {{"hall", "corridor"},
+                                                    {"living room", "living"},
+                                                    {"kitchen", "kitchen"},
+                                                    {"bathroom", "bath"},
+                                                    {"bedroom", "bedroom"},
+                                                    {"study", "office"}},
+                                           offices = {{"hall", "corridor"},
+                                                      {"kitchen", "kitchen"},
+                                                      {"bathroom", "toilet"},
+                                                      {"office", "office"},
+                                                      {"meeting room", "meeting"},
+                                                      {"storage", "storage"}};
+  std::set<std::string> seen;
+  for (const auto kind : kinds)
+    for (std::uint32_t seed = 0; seed < seeds; ++seed)
+      for (const auto& room : buildBuilding(randomPlan(seed, kind)).rooms) {
+        const auto& purposes = kind == PlanKind::Home ? homes : offices;
+        auto name = room.name.substr(0, room.name.find_last_of(' '));
+        name = name.substr(name.rfind("upper ", 0) == 0 ? 6 : 0);
+        ASSERT_EQ(purposes.count(name), 1u) << room.name;
+        EXPECT_EQ(room.kind, purposes.at(name)) << room.name;
+        seen.insert(room.kind);
+      }
+  EXPECT_EQ(seen.size(), 9u);
+}
+
 TEST(RandomPlan, EveryPlanBuildsAndEveryRoomIsVisited)
 {
   for (const auto kind : kinds)

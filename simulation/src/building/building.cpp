@@ -96,6 +96,7 @@ makeRooms(const Plan& plan, const std::string& source)
     for (const auto& room : plan.storeys[s].rooms) {
       RoomInfo info;
       info.name = room.name;
+      info.kind = room.kind;
       info.storey_name = plan.storeys[s].name;
       info.storey = static_cast<std::uint32_t>(s);
       info.drift = cornerDrifts(plan, room, source);

@@ -22,9 +22,11 @@ RoomPlan
 readRoom(const JsonReader& json, const std::vector<CeilingPlane>& storey_ceiling)
 {
   constexpr double lowest = 1.8; // metres: nobody stands below
-  json.requireKeys({"name", "polygon", "ceiling", "ceiling_parts"});
+  json.requireKeys({"name", "kind", "polygon", "ceiling", "ceiling_parts"});
   RoomPlan room;
   room.name = json.at("name").text();
+  if (json.has("kind"))
+    room.kind = json.at("kind").text();
   room.polygon = readPolygon(json.at("polygon"));
   room.ceiling.planes =
       json.has("ceiling") ? readCeiling(json.at("ceiling")) : storey_ceiling;

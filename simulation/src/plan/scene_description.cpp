@@ -38,6 +38,8 @@ describeRoom(const Building& building, std::size_t index)
   Json json;
   json["number"] = index + 1;
   json["name"] = room.name;
+  if (!room.kind.empty())
+    json["kind"] = room.kind;
   json["storey"] = room.storey;
   json["storey_name"] = room.storey_name;
   json["floor"] = millimetres(room.floor);

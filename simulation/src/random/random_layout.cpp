@@ -118,6 +118,22 @@ nameOf(RoomKind kind)
   return names[static_cast<int>(kind)];
 }
 
+const char*
+purposeOf(RoomKind kind, bool home)
+{
+  constexpr const char* purposes[] = {"corridor",
+                                      "living",
+                                      "kitchen",
+                                      "bath",
+                                      "bedroom",
+                                      "office",
+                                      "office",
+                                      "meeting",
+                                      "storage"};
+  return !home && kind == RoomKind::Bathroom ? "toilet"
+                                             : purposes[static_cast<int>(kind)];
+}
+
 std::vector<LayoutRoom>
 drawHomeRooms(RandomDraw& draw)
 {

@@ -50,6 +50,11 @@ struct Layout {
 const char*
 nameOf(RoomKind kind);
 
+/** \brief What a room of a home or an office is for, in the words of plan files:
+ * the bathroom of an office is a toilet. */
+const char*
+purposeOf(RoomKind kind, bool home);
+
 /** \brief Rooms of a home, their kinds settled. At least four, one of them the hall. */
 std::vector<LayoutRoom>
 drawHomeRooms(RandomDraw& draw);

@@ -138,6 +138,7 @@ void
 furnish(Storey& storey, PlanKind kind, PlanFilling filling)
 {
   for (std::size_t r = 0; r < storey.rooms.size(); ++r) {
+    storey.plan.rooms[r].kind = purposeOf(storey.rooms[r].kind, kind == PlanKind::Home);
     if (filling == PlanFilling::LivedIn)
       storey.furnishers[r].liveIn();
     if (kind == PlanKind::Home)

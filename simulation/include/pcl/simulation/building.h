@@ -45,6 +45,7 @@ struct Surface {
 
 struct RoomInfo {
   std::string name;
+  std::string kind; ///< what it is for; empty: the plan does not say
   std::string storey_name;
   std::uint32_t storey = 0; ///< index into the plan's storeys
   Polygon polygon;          ///< inner faces of the walls at the floor,

@@ -68,6 +68,7 @@ struct CeilingPlan {
 /** \brief A room: the centre lines of its walls, counter-clockwise, in metres. */
 struct RoomPlan {
   std::string name;
+  std::string kind; ///< what it is for, a word such as kitchen; empty: not said
   Polygon polygon;
   CeilingPlan ceiling;
 };
