@@ -21,6 +21,7 @@ struct Options {
   int room = -1, storey = -1; ///< -1 = any
   double max_size = 0.0;      ///< 0 = any
   std::uint32_t count = 0;
+  bool rooms = false;
   bool json = false;
 };
 
@@ -40,6 +41,12 @@ makeParser(Options& options)
               "room of the objects, 0 = in no room, -1 = any",
               "",
               Range::atLeast(-1))
+      .text("-room_name",
+            options.query.room_name,
+            "what the room of the objects is for, for example kitchen")
+      .flag("-rooms",
+            options.rooms,
+            "list rooms instead of objects: number, name, storey, size")
       .number("-storey",
               options.storey,
               "storey of the objects, 0 = the lowest, -1 = any",
@@ -131,6 +138,22 @@ tableOf(const std::vector<Json>& objects, const SceneQuery& query)
   return table.text();
 }
 
+std::string
+roomTableOf(const std::vector<Json>& rooms)
+{
+  TextTable table({"room>", "name", "sure>", "storey>", "area, m^2>", "height, m>"});
+  for (const auto& room : rooms)
+    table.add({room.at("room").dump(),
+               room.value("name", "-"),
+               room.contains("name_probability")
+                   ? fixedText(100.0 * room["name_probability"].get<double>(), 0) + " %"
+                   : "-",
+               room.at("storey").dump(),
+               fixedText(room.at("area").get<double>(), 2),
+               fixedText(room.at("height").get<double>(), 2)});
+  return table.text();
+}
+
 /** Without the corners where a way turns. */
 std::string
 routeTableOf(const Json& route)
@@ -156,6 +179,10 @@ answerOf(const Options& options)
   }
   const auto scene = readScene(options.scene);
   try {
+    if (options.rooms) {
+      const auto rooms = findRooms(scene, options.query);
+      return options.json ? jsonText(rooms) : roomTableOf(rooms);
+    }
     const auto objects = findObjects(scene, options.query);
     return options.json ? jsonText(objects) : tableOf(objects, options.query);
   } catch (const Json::exception& problem) {

@@ -140,7 +140,7 @@ spaceScores(const RoomTraits& room, BuildingUse use, const BuildingTraits& build
 Shares
 sharesOf(const ThingShares& thing)
 {
-  constexpr double least = 0.02, in_stairs = 0.95;
+  constexpr double least = 0.05, in_stairs = 0.95;
   constexpr RoomName counted[] = {RoomName::Kitchen,
                                   RoomName::Living,
                                   RoomName::Bedroom,

@@ -85,7 +85,7 @@ function factsOf({ kind, number }) {
     const room = scene.rooms[number - 1];
     const names = new Map();
     for (const id of room.objects) if (objects[id - 1].structure === "none") names.set(nameOf(objects[id - 1]), (names.get(nameOf(objects[id - 1])) || 0) + 1);
-    return [["Storey", room.storey], ["Area", `${room.area.toFixed(1)} m²`], ["Height", metres(room.height)],
+    return [["Likeliest", room.name_top.map((top) => `${top.name} ${percent(top.probability)}`).join(", ")], ["Storey", room.storey], ["Area", `${room.area.toFixed(1)} m²`], ["Height", metres(room.height)],
       ["Volume", `${room.volume.toFixed(1)} m³`], ["Holds", [...names].map(([name, count]) => `${count} × ${name}`).join(", ") || "nothing"],
       ["Leads to", [...new Set(room.neighbours.map((n) => n.room))].map((other) => ({ kind: "room", number: other }))]];
   }

@@ -90,7 +90,7 @@ class Plan {
   nameRooms(perUnit) {
     this.svg.style.setProperty("--unit", 1 / perUnit);
     for (const { number, area, y, width } of this.names) {
-      const narrow = width * perUnit < 52;
+      const narrow = width * perUnit < 10 + 6 * area.textContent.length; // pixels
       number.setAttribute("y", y + (narrow ? 5 : -1) / perUnit);
       area.setAttribute("y", y + 13 / perUnit);
       area.classList.toggle("narrow", narrow);

@@ -133,6 +133,8 @@ const objectColumns = (colourOf) => [
 
 const roomColumns = [
   { name: "Room", value: (r) => r.room, text: (r) => roomName(r.room), colour: (r) => roomColour(r.room) },
+  { name: "Name", value: (r) => r.name, text: (r) => r.name === "unknown" ? "–" : r.name },
+  { name: "Sure", value: (r) => r.name_probability, number: true, optional: true, text: (r) => percent(r.name_probability) },
   { name: "Storey", value: (r) => r.storey, number: true },
   { name: "Area", value: (r) => r.area, number: true, text: (r) => `${r.area.toFixed(1)} m²` },
   { name: "Height", value: (r) => r.height, number: true, text: (r) => metres(r.height) },

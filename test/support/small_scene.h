@@ -17,8 +17,8 @@ using SceneJson = nlohmann::ordered_json;
 /** A scene of two storeys, written by hand, as scene.json has it: rooms 1 (4 m by 3 m)
  * and 2 (the same with a pillar's hole) side by side with a wall of 20 cm and a door
  * between them, room 3 above room 1 with stairs to it; a window in a wall that was seen
- * from room 1, a closed door without a wall at the end of room 2. Places are at an
- * offset of (100, 200, 10). */
+ * from room 1, a closed door without a wall at the end of room 2, which is a kitchen.
+ * Places are at an offset of (100, 200, 10). */
 class SmallScene {
 public:
   static SceneJson
@@ -45,6 +45,10 @@ public:
                                ring({{5.5, 1}, {5.5, 1.5}, {6, 1.5}, {6, 1}}, 0)})),
         room(
             3, 1, 12.0, SceneJson::array({ring({{0, 0}, {4, 0}, {4, 3}, {0, 3}}, 3)}))};
+    scene["rooms"][1]["name"] = "kitchen";
+    scene["rooms"][1]["name_probability"] = 0.8;
+    scene["rooms"][2]["name"] = "unknown";
+    scene["rooms"][2]["name_probability"] = 0.3;
     scene["walls"] = {wall(1, {4.1, 3, 0}, {4.1, 0, 0}, {1, 2}),
                       wall(2, {0, 0, 0}, {4, 0, 0}, {1})};
     scene["walls"][0]["thickness"] = 0.2;

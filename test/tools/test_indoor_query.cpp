@@ -143,6 +143,37 @@ TEST_F(IndoorQuery, TheTableIsAligned)
             "       2.75\n");
 }
 
+TEST_F(IndoorQuery, RoomsAreFoundByWhatTheyAreFor)
+{
+  auto scene = smallScene();
+  scene["rooms"] = {{{"room", 1},
+                     {"storey", 0},
+                     {"name", "kitchen"},
+                     {"name_probability", 0.81},
+                     {"area", 12.3},
+                     {"height", 2.5}},
+                    {{"room", 2},
+                     {"storey", 1},
+                     {"name", "unknown"},
+                     {"name_probability", 0.4},
+                     {"area", 9.0},
+                     {"height", 2.4}}};
+  save(scene);
+  EXPECT_EQ(objectsOf("-room_name kitchen"), (Numbers{1, 2}));
+  EXPECT_EQ(objectsOf("-room_name kitchen -class door"), (Numbers{1}));
+  EXPECT_EQ(objectsOf("-room_name unknown"), (Numbers{3}));
+  EXPECT_EQ(objectsOf("-room_name bath"), Numbers{});
+  ASSERT_EQ(run("-rooms"), 0);
+  EXPECT_EQ(bytesOf(path("out")),
+            "room  name     sure  storey  area, m^2  height, m\n"
+            "   1  kitchen  81 %       0      12.30       2.50\n"
+            "   2  unknown  40 %       1       9.00       2.40\n");
+  ASSERT_EQ(run("-rooms -room_name kitchen -json"), 0);
+  EXPECT_EQ(Json::parse(bytesOf(path("out"))), Json::array({scene["rooms"][0]}));
+  ASSERT_EQ(run("-rooms -storey 1 -json"), 0);
+  EXPECT_EQ(Json::parse(bytesOf(path("out"))), Json::array({scene["rooms"][1]}));
+}
+
 TEST_F(IndoorQuery, WaysLeadThroughDoors)
 {
   save(pcl::indoor::test::SmallScene::json());
@@ -163,6 +194,7 @@ TEST_F(IndoorQuery, WhatIsNotThereIsSaid)
   expectRefused("-class sofa", "'sofa' is not one of door, chair");
   expectRefused("-room 3", "there is no room 3");
   expectRefused("-storey 2", "there is no storey 2");
+  expectRefused("-room_name garage", "'garage' is not one of kitchen, living");
   for (const char* place : {"1,2", "1,2,x", "1,2,3,4", "nan,0,0", "1;2;3"})
     expectRefused(std::string("-nearest '") + place + "'", "is not X,Y,Z");
   expectRefused("-min_size 2 -max_size 1", "-max_size");

@@ -57,14 +57,17 @@ roomFeature(const SavedScene& scene, const SavedRoom& room)
       rings.push_back(at(hole));
     polygons.push_back(std::move(rings));
   }
-  return geoFeature("MultiPolygon",
-                    polygons,
-                    {{"kind", "room"},
+  Json properties = {{"kind", "room"},
                      {"room", room.number},
                      {"storey", room.storey},
                      {"area", rounded(room.area)},
                      {"height", rounded(room.height)},
-                     {"volume", rounded(room.volume)}});
+                     {"volume", rounded(room.volume)}};
+  if (!room.name.empty()) {
+    properties["name"] = room.name;
+    properties["name_probability"] = rounded(room.name_probability);
+  }
+  return geoFeature("MultiPolygon", polygons, properties);
 }
 
 Json

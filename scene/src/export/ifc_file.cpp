@@ -131,7 +131,10 @@ IfcWriter::addSpace(const SavedRoom& room)
                                     "",
                                     place,
                                     shapes_.prism(polygons, 0.0, room.height),
-                                    {"$", ".ELEMENT.", ".INTERNAL.", "$"}});
+                                    {room.name.empty() ? "$" : stepText(room.name),
+                                     ".ELEMENT.",
+                                     ".INTERNAL.",
+                                     "$"}});
   rooms_.push_back({space, place, room.floor});
   double around = 0.0;
   for (const auto& polygon : polygons)

@@ -11,6 +11,8 @@
 #include "scene/scene_query.h" // for readScene
 #include "text/printable.h"
 
+#include <pcl/model/room_names.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -110,6 +112,16 @@ private:
   Eigen::Quaterniond turn_;
 };
 
+/** A name that rooms can have: it is written into drawings and models as it is. */
+std::string
+requiredName(const std::string& name)
+{
+  for (std::size_t n = 0; n < room_name_count; ++n)
+    if (name == nameOf(static_cast<RoomName>(n)))
+      return name;
+  throw ToolError("'" + printable(name) + "' is no name of a room");
+}
+
 SavedRoom
 roomOf(const Json& json, const LevelFrame& frame, const SavedScene& scene)
 {
@@ -122,6 +134,10 @@ roomOf(const Json& json, const LevelFrame& frame, const SavedScene& scene)
   room.height = numberOf(json.at("height"), 0.0);
   room.volume = numberOf(json.at("volume"), 0.0);
   room.floor = scene.storeys[room.storey].floor;
+  if (const auto name = json.value("name", "unknown"); name != "unknown") {
+    room.name = requiredName(name);
+    room.name_probability = numberOf(json.at("name_probability"), 0.0);
+  }
   bool is_first = true;
   for (const auto& line : json.at("footprint")) {
     PlanRing ring;

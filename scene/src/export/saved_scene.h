@@ -36,6 +36,8 @@ struct SavedRoom {
   double volume = 0.0;         ///< m^3
   double floor = 0.0;          ///< height, metres
   std::vector<PlanRing> rings; ///< counter-clockwise, holes not
+  std::string name;            ///< what it is for; empty = not known
+  double name_probability = 0.0;
 };
 
 /** \brief A wall of a scene file. */

@@ -44,7 +44,7 @@ scenePlan(const SavedScene& scene)
   plan.origin = scene.origin.head<2>();
   for (const auto& room : scene.rooms) {
     plan.storeys[room.storey].rooms.push_back(
-        {room.number, room.area, widestPlace(room.rings), room.rings});
+        {room.number, room.area, widestPlace(room.rings), room.rings, room.name});
     for (const auto& ring : room.rings)
       for (const auto& corner : ring)
         plan.box.extend(corner);

@@ -79,7 +79,7 @@ drawnRoom(const BuildingRooms& building,
           const Room& room,
           const Eigen::AlignedBox2i& box)
 {
-  PlanRoom drawn{room.label, room.area, widestPlace(building, room, box), {}};
+  PlanRoom drawn{room.label, room.area, widestPlace(building, room, box), {}, {}};
   for (const auto& line : room.footprint) {
     drawn.rings.emplace_back();
     for (const auto& corner : line)
@@ -262,6 +262,15 @@ floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things)
   if (plan.box.isEmpty())
     plan.box = {Eigen::Vector2d::Zero(), Eigen::Vector2d(1.0, 1.0)};
   return plan;
+}
+
+void
+addNames(const std::vector<std::string>& names, FloorPlan& plan)
+{
+  for (auto& storey : plan.storeys)
+    for (auto& room : storey.rooms)
+      if (room.label > 0 && room.label <= names.size())
+        room.name = names[room.label - 1];
 }
 
 void

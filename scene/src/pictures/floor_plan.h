@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct PlanRoom {
   double area = 0.0;     ///< m^2
   Eigen::Vector2d place; ///< of its number: where it is about widest
   std::vector<std::vector<Eigen::Vector2d>> rings; ///< counter-clockwise, holes not
+  std::string name; ///< what it is for; empty = not known
 };
 
 /** \brief A door or a wider passage. */
@@ -107,6 +109,12 @@ struct FloorPlan {
  */
 FloorPlan
 floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things = {});
+
+/** \brief Write what rooms are for into the plan.
+ * \param[in] names of room 1, 2, ...; empty = not known
+ */
+void
+addNames(const std::vector<std::string>& names, FloorPlan& plan);
 
 /** \brief Add walls with their thickness and windows to the plan of the same building.
  */

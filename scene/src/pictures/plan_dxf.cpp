@@ -118,7 +118,8 @@ addRoom(Drawing& drawing, const PlanRoom& room, std::size_t storey)
   char area[32];
   std::snprintf(area, sizeof(area), "%.1f m2", room.area);
   write(room.place, 0.3, std::to_string(room.label).c_str());
-  write(room.place - Eigen::Vector2d(0.0, 0.35), 0.2, area);
+  const std::string name = room.name.empty() ? "" : room.name + " ";
+  write(room.place - Eigen::Vector2d(0.0, 0.35), 0.2, (name + area).c_str());
 }
 
 void

@@ -158,9 +158,11 @@ roomText(const PlanRoom& room, const Sheet& sheet)
                    at.y() - 3.0,
                    room.label) +
          formatted("  <text class=\"room-area\" x=\"%.1f\" y=\"%.1f\" "
-                   "font-size=\"10\">%.1f m²</text>\n",
+                   "font-size=\"10\">%s%s%.1f m²</text>\n",
                    at.x(),
                    at.y() + 10.0,
+                   room.name.c_str(),
+                   room.name.empty() ? "" : " ",
                    room.area);
 }
 

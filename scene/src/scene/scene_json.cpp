@@ -4,6 +4,7 @@
  */
 #include "scene/scene_json.h"
 
+#include <pcl/scene/room_names.h>
 #include <pcl/scene/scene_file.h>
 
 #include "files/output_file.h"
@@ -111,6 +112,34 @@ uprightJson(const UprightBox& box, const Eigen::Affine3d& to_file)
           {"yaw_degrees", rounded(box.yaw * 180.0 / M_PI)}};
 }
 
+/** What a room is for, and the three likeliest names. */
+void
+addNameJson(const NamedRoom& named, Json& room)
+{
+  std::vector<std::pair<double, RoomName>> names;
+  for (std::size_t n = 0; n < room_name_count; ++n)
+    names.emplace_back(named.probabilities[n], static_cast<RoomName>(n));
+  std::stable_sort(names.begin(), names.end(), [](const auto& a, const auto& b) {
+    return a.first > b.first;
+  });
+  names.resize(3);
+  room["name"] = named.text();
+  room["name_probability"] = rounded(named.probability());
+  room["name_top"] = Json::array();
+  for (const auto& [probability, name] : names)
+    room["name_top"].push_back(
+        {{"name", nameOf(name)}, {"probability", rounded(probability)}});
+}
+
+/** Adds to each room what it is for. */
+void
+addNamesToRooms(Json& rooms, const Scene& scene)
+{
+  const auto named = roomNames(scene);
+  for (std::size_t i = 0; i < named.size() && i < rooms.size(); ++i)
+    addNameJson(named[i], rooms[i]);
+}
+
 Json
 objectsJson(const Scene& scene)
 {
@@ -177,6 +206,7 @@ sceneJson(const Scene& scene)
   if (!scene.classes.names.empty())
     json["categories"] = scene.classes.names;
   json["rooms"] = roomsJson(scene.rooms, scene.openings, scene.input.offset);
+  addNamesToRooms(json["rooms"], scene);
   addObjectsToRooms(json["rooms"], scene);
   const auto to_file = fileFrame(scene);
   json["walls"] = wallsJson(scene.model, to_file);

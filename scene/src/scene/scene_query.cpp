@@ -9,6 +9,7 @@
 #include "scene/scan_frame.h"
 #include "text/printable.h"
 
+#include <pcl/model/room_names.h>
 #include <pcl/segmentation/upright_box.h>
 
 #include <algorithm>
@@ -62,6 +63,23 @@ longestSide(const Json& object)
 }
 
 bool
+isWantedRoom(const Json& room, const SceneQuery& query)
+{
+  return (!query.room || room.at("room") == *query.room) &&
+         (!query.storey || room.at("storey") == *query.storey) &&
+         (query.room_name.empty() || room.value("name", "") == query.room_name);
+}
+
+bool
+isInRoomOfName(const Json& object, const Json& scene, const std::string& name)
+{
+  if (name.empty())
+    return true;
+  const auto room = object.at("room").get<std::size_t>();
+  return room > 0 && scene.at("rooms").at(room - 1).value("name", "") == name;
+}
+
+bool
 isWanted(const Json& object, const SceneQuery& query)
 {
   const double size = longestSide(object);
@@ -72,6 +90,20 @@ isWanted(const Json& object, const SceneQuery& query)
          (!query.storey ||
           (object.contains("storey") && object["storey"] == *query.storey)) &&
          size >= query.min_size && size <= query.max_size;
+}
+
+void
+requireKnownName(const std::string& name)
+{
+  std::string known;
+  for (std::size_t n = 0; n < room_name_count; ++n) {
+    const std::string each = nameOf(static_cast<RoomName>(n));
+    if (each == name)
+      return;
+    known += each + ", ";
+  }
+  if (!name.empty() && name != "unknown")
+    throw ToolError("-room_name: '" + name + "' is not one of " + known + "unknown");
 }
 
 /** A room, storey or class that is not there is a mistake, not an empty answer. */
@@ -88,6 +120,7 @@ requireKnown(const Json& scene, const SceneQuery& query)
     throw ToolError("-room: there is no room " + std::to_string(*query.room));
   if (query.storey && !has("storeys", "storey", *query.storey))
     throw ToolError("-storey: there is no storey " + std::to_string(*query.storey));
+  requireKnownName(query.room_name);
   if (query.object_class.empty())
     return;
   if (!scene.contains("categories"))
@@ -124,13 +157,24 @@ readScene(const std::string& path)
 }
 
 std::vector<Json>
+findRooms(const Json& scene, const SceneQuery& query)
+{
+  requireKnown(scene, query);
+  std::vector<Json> rooms;
+  for (const auto& room : scene.at("rooms"))
+    if (isWantedRoom(room, query))
+      rooms.push_back(room);
+  return rooms;
+}
+
+std::vector<Json>
 findObjects(const Json& scene, const SceneQuery& query)
 {
   requireKnown(scene, query);
   const Distances distance(scene);
   std::vector<std::pair<double, const Json*>> found;
   for (const auto& object : scene.at("objects"))
-    if (isWanted(object, query))
+    if (isWanted(object, query) && isInRoomOfName(object, scene, query.room_name))
       found.emplace_back(query.nearest ? distance(*query.nearest, object) : 0.0,
                          &object);
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {

@@ -19,6 +19,7 @@ namespace pcl::indoor::tool {
 /** \brief Which objects of a scene are looked for; all conditions must hold. */
 struct SceneQuery {
   std::string object_class; ///< empty = any
+  std::string room_name;    ///< of the room they are in; empty = any
   std::optional<std::uint32_t> room, storey;
   double min_size = 0.0; ///< of the longest side, metres
   double max_size = std::numeric_limits<double>::infinity();
@@ -33,6 +34,14 @@ struct SceneQuery {
  */
 nlohmann::ordered_json
 readScene(const std::string& path);
+
+/** \brief The rooms that are looked for, by number, name and storey, as they are in
+ * the scene.
+ * \throws ToolError if no room or storey of the scene has that name
+ * \throws nlohmann::json::exception if the scene lacks a field
+ */
+std::vector<nlohmann::ordered_json>
+findRooms(const nlohmann::ordered_json& scene, const SceneQuery& query);
 
 /** \brief The objects that are looked for, as they are in the scene, in its order or by
  * their distance; then they have a field distance, metres, of the box.

@@ -28,6 +28,15 @@ TEST(GeoJsonFile, HasAFeatureForEachThing)
   EXPECT_FALSE(json.contains("crs"));
 }
 
+TEST(GeoJsonFile, RoomsHaveTheirNamesWhereTheyAreKnown)
+{
+  const auto json = geoJson(savedScene(SmallScene::json()));
+  EXPECT_FALSE(json["features"][0]["properties"].contains("name"));
+  EXPECT_EQ(json["features"][1]["properties"]["name"], "kitchen");
+  EXPECT_EQ(json["features"][1]["properties"]["name_probability"], 0.8);
+  EXPECT_FALSE(json["features"][2]["properties"].contains("name"));
+}
+
 TEST(GeoJsonFile, PlacesAreThoseOfTheFile)
 {
   const auto json = geoJson(savedScene(SmallScene::json()), 25832);

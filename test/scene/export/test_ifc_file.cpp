@@ -106,6 +106,15 @@ TEST(IfcFile, HasAsManyElementsAsTheScene)
     EXPECT_EQ(file.count(entity), count) << entity;
 }
 
+TEST(IfcFile, LongNamesOfSpacesSayWhatTheyAreFor)
+{
+  const auto spaces = smallFile().all("IFCSPACE");
+  ASSERT_EQ(spaces.size(), 3u);
+  EXPECT_NE(spaces[0].find(",$,.ELEMENT.,"), std::string::npos) << spaces[0];
+  EXPECT_NE(spaces[1].find(",'kitchen',.ELEMENT.,"), std::string::npos) << spaces[1];
+  EXPECT_NE(spaces[2].find(",$,.ELEMENT.,"), std::string::npos) << spaces[2];
+}
+
 TEST(IfcFile, EveryReferenceIsThere)
 {
   const auto file = smallFile();

@@ -40,6 +40,10 @@ TEST(SavedScene, HasWhatTheFileSays)
   ASSERT_EQ(scene.rooms.size(), 3u);
   EXPECT_EQ(scene.rooms[1].rings[1][2], Eigen::Vector2d(6.0, 1.5));
   EXPECT_EQ(scene.rooms[2].floor, 3.0);
+  EXPECT_EQ(scene.rooms[0].name, ""); // not in the file
+  EXPECT_EQ(scene.rooms[1].name, "kitchen");
+  EXPECT_EQ(scene.rooms[1].name_probability, 0.8);
+  EXPECT_EQ(scene.rooms[2].name, ""); // unknown
   ASSERT_EQ(scene.walls.size(), 2u);
   EXPECT_EQ(scene.walls[0].thickness, 0.2);
   EXPECT_EQ(scene.walls[1].thickness, 0.0);
@@ -92,6 +96,8 @@ TEST(SavedScene, RefusesNumbersOfNothing)
        std::initializer_list<std::tuple<const char*, SceneJson, const char*>>{
            {"/rooms/0/storey", 2, "no storey 2"},
            {"/rooms/1/room", 7, "not numbered"},
+           {"/rooms/1/name", "<b>", "'<b>' is no name"},
+           {"/rooms/1/name_probability", -1, "out of range"},
            {"/walls/0/storey", -1, "no storey -1"},
            {"/openings/0/rooms/1", 4, "no room 4"},
            {"/openings/0/wall", 3, "no wall 3"},

@@ -40,5 +40,9 @@ TEST(ScenePlan, CanBeDrawn)
   const auto svg = planSvg(plan);
   EXPECT_NE(svg.find("id=\"storey-1\""), std::string::npos);
   EXPECT_NE(svg.find("id=\"room-2\""), std::string::npos);
+  EXPECT_NE(svg.find(">kitchen 11.8 m²<"), std::string::npos);
+  EXPECT_NE(svg.find(">12.0 m²<"), std::string::npos); // no name
+  EXPECT_EQ(svg.find("unknown"), std::string::npos);
   EXPECT_NE(planDxf(plan).find("104.2000"), std::string::npos); // places of the scan
+  EXPECT_NE(planDxf(plan).find("\nkitchen 11.8 m2\n"), std::string::npos);
 }

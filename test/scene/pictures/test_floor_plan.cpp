@@ -111,6 +111,17 @@ TEST(FloorPlan, OpeningsAreGapsInTheWalls)
   EXPECT_NEAR(around - walls, 2.0 * door.width, 0.02); // a gap on each side
 }
 
+TEST(FloorPlan, RoomsHaveTheNamesOfTheirNumbers)
+{
+  auto plan = floorPlan(twoRooms());
+  EXPECT_EQ(planSvg(plan).find("kitchen"), std::string::npos);
+  addNames({"", "kitchen", "of no room"}, plan);
+  for (const auto& room : plan.storeys[0].rooms)
+    EXPECT_EQ(room.name, room.label == 2 ? "kitchen" : "");
+  EXPECT_NE(planSvg(plan).find(">kitchen "), std::string::npos);
+  EXPECT_EQ(planSvg(plan).find("of no room"), std::string::npos);
+}
+
 TEST(FloorPlan, NothingFoundIsAnEmptyPlan)
 {
   const auto plan = floorPlan({});

@@ -18,6 +18,8 @@
 #include "scene/scene_json.h"
 #include "text/printable.h"
 
+#include <pcl/scene/room_names.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -71,6 +73,16 @@ addExports(const PipelineOptions& options,
     }
 }
 
+/** What each room is for; empty = not known. */
+std::vector<std::string>
+knownNames(const Scene& scene)
+{
+  std::vector<std::string> names;
+  for (const auto& room : roomNames(scene))
+    names.push_back(room.isKnown() ? room.text() : "");
+  return names;
+}
+
 /** Results of an earlier run that this one need not replace. */
 std::vector<std::string>
 outdatedResults(const std::string& folder)
@@ -122,6 +134,7 @@ describe(const PipelineOptions& options,
     add("classes.png", pngBytes(drawClasses(scene, points)));
   auto plan = floorPlan(scene.building, thingsFromAbove(scene));
   addModel(scene.model, plan);
+  addNames(knownNames(scene), plan);
   plan.origin = originOf(scene.input.offset, scene.frame, scene.building_pose);
   const auto svg = planSvg(plan);
   add("plan.svg", svg);

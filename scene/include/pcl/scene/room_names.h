@@ -1,0 +1,29 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/model/room_names.h>
+#include <pcl/scene/scene.h>
+
+#include <vector>
+
+namespace pcl::indoor {
+
+/** \brief What a scene tells of its rooms: sizes, doors, windows, things.
+ *
+ * Doors to the outside as wide as two leaves are taken for glass, too; wider ones are
+ * gates.
+ * \return one per room
+ */
+std::vector<RoomEvidence>
+roomEvidence(const Scene& scene);
+
+/** \brief Tell what the rooms of a scene are for, see nameRooms().
+ * \return one per room
+ */
+std::vector<NamedRoom>
+roomNames(const Scene& scene);
+
+} // namespace pcl::indoor
