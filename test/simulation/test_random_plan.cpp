@@ -79,15 +79,18 @@ TEST(RandomPlan, SaysWhatItsRoomsAreFor)
                                                       {"storage", "storage"}};
   std::set<std::string> seen;
   for (const auto kind : kinds)
-    for (std::uint32_t seed = 0; seed < seeds; ++seed)
-      for (const auto& room : buildBuilding(randomPlan(seed, kind)).rooms) {
-        const auto& purposes = kind == PlanKind::Home ? homes : offices;
-        auto name = room.name.substr(0, room.name.find_last_of(' '));
-        name = name.substr(name.rfind("upper ", 0) == 0 ? 6 : 0);
-        ASSERT_EQ(purposes.count(name), 1u) << room.name;
-        EXPECT_EQ(room.kind, purposes.at(name)) << room.name;
-        seen.insert(room.kind);
-      }
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+      const auto plan = randomPlan(seed, kind);
+      for (const auto& storey : plan.storeys)
+        for (const auto& room : storey.rooms) {
+          const auto& purposes = kind == PlanKind::Home ? homes : offices;
+          auto name = room.name.substr(0, room.name.find_last_of(' '));
+          name = name.substr(name.rfind("upper ", 0) == 0 ? 6 : 0);
+          ASSERT_EQ(purposes.count(name), 1u) << room.name;
+          EXPECT_EQ(room.kind, purposes.at(name)) << room.name;
+          seen.insert(room.kind);
+        }
+    }
   EXPECT_EQ(seen.size(), 9u);
 }
 
