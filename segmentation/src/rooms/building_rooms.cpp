@@ -8,6 +8,7 @@
 
 #include "rooms/field/map_labels.h"
 #include "rooms/map/region_evidence.h"
+#include "rooms/map/station_views.h"
 #include "rooms/outline/room_layout.h"
 #include "rooms/space/closed_surfaces.h"
 #include "rooms/space/surface_triangles.h"
@@ -206,11 +207,22 @@ gridOf(const std::vector<Eigen::Vector3f>& points,
   return grid;
 }
 
+/** The rooms in which the stations of a storey stand. */
+void
+placeStations(const StationViews& views, std::size_t storey, BuildingRooms& building)
+{
+  const auto regions = views.regionsOf(building.maps[storey], storey);
+  for (std::size_t k = 0; k < regions.size(); ++k)
+    if (regions[k] > 0)
+      building.stations[k].room = building.room_of[storey][regions[k]];
+}
+
 /** The rooms of points that have no copies. */
 BuildingRooms
 segmentDistinct(const std::vector<Eigen::Vector3f>& points,
                 BuildingRoomsOptions options,
-                const ProgressCallback& progress)
+                const ProgressCallback& progress,
+                const ScanStations& stations)
 {
   options.interior.threads = options.threads;
   options.storeys.threads = options.threads;
@@ -255,6 +267,9 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   building.storeys = findStoreys(grid, options.storeys);
   refineBorders(points, building.occupancy, building.storeys);
   const auto storey_of = storeysOfPoints(points, building, options.threads);
+  const StationViews views(
+      stations, building.occupancy, building.interior, building.storeys);
+  building.stations = views.placed();
   std::uint32_t room_count = 0;
   const bool by_vote = options.point_rooms == PointRooms::Vote;
   std::vector<VoxelMap<int>> votes; // per storey
@@ -269,9 +284,13 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     building.hardly_seen += dropSeenThroughOpenings(space, building.maps.back());
     building.hardly_seen += dropHardlySeen(
         space, pointsOfColumns(storey_of, s, building.occupancy), building.maps.back());
+    views.joinMirrored({storey_of, s}, building.maps.back());
+    building.never_entered +=
+        views.dropNeverEntered({storey_of, s}, building.maps.back());
     auto& room_of = building.room_of.emplace_back();
     for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
+    placeStations(views, s, building);
     addOpenings(points, space, building);
     if (by_vote)
       votes.push_back(votedVoxels(space, building.maps.back(), options.threads));
@@ -292,6 +311,13 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   if (stopped(1.0, "done"))
     return {};
   return building;
+}
+
+/** The stations of those points of which each place has one. */
+ScanStations
+stationsOnce(const ScanStations& stations, const DistinctPoints& places)
+{
+  return {stations.positions, places.once(stations.of_point)};
 }
 
 /** Give the copies of points what their places have. */
@@ -315,13 +341,22 @@ spreadToCopies(const DistinctPoints& places, BuildingRooms& building)
 BuildingRooms
 segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 BuildingRoomsOptions options,
-                const ProgressCallback& progress)
+                const ProgressCallback& progress,
+                const ScanStations& stations)
 {
   requireValid(options);
+  if (!stations.of_point.empty() && stations.of_point.size() != points.size())
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "There are stations of " << stations.of_point.size()
+                                                 << " points for " << points.size()
+                                                 << " points.");
   const auto places = placesOfCopies(points);
   if (!places)
-    return segmentDistinct(points, std::move(options), progress);
-  auto building = segmentDistinct(places->once(points), std::move(options), progress);
+    return segmentDistinct(points, std::move(options), progress, stations);
+  auto building = segmentDistinct(places->once(points),
+                                  std::move(options),
+                                  progress,
+                                  stationsOnce(stations, *places));
   if (!building.point_labels.empty())
     spreadToCopies(*places, building);
   return building;

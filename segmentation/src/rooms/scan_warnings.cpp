@@ -246,6 +246,18 @@ unseenWarnings(const BuildingRooms& building)
                     (building.hardly_seen == 1 ? " space is" : " spaces are") +
                     " no room: hardly any points or walls show what is there, as with "
                     "mirror images behind glass and what is seen through doors.");
+  if (const auto& stations = building.stations;
+      !stations.empty() &&
+      std::all_of(stations.begin(), stations.end(), [](const auto& station) {
+        return station.room == 0;
+      }))
+    lines.emplace_back("No station stands in a room: are their positions in the frame "
+                       "and the unit of the scan?");
+  if (building.never_entered > 0)
+    lines.push_back(std::to_string(building.never_entered) +
+                    (building.never_entered == 1 ? " space is" : " spaces are") +
+                    " no room: no station stands there, and none looked in but through "
+                    "walls, panes or windows.");
   return lines;
 }
 

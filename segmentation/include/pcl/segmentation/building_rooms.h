@@ -9,6 +9,7 @@
 #include <pcl/segmentation/rooms/interior_space.h>
 #include <pcl/segmentation/rooms/occupancy_grid.h>
 #include <pcl/segmentation/rooms/room_map.h>
+#include <pcl/segmentation/rooms/scan_stations.h>
 #include <pcl/segmentation/rooms/storeys.h>
 #include <pcl/segmentation/rooms/wall_sides.h>
 
@@ -105,11 +106,16 @@ struct BuildingRooms {
   /** Spaces that are no rooms: far fewer points show them than others, as mirror images
    * behind glass, or hardly a wall, as what is seen through a door. */
   std::size_t hardly_seen = 0;
+  /** Spaces that are no rooms: no station stands in them, and none looked into them but
+   * through walls and panes. */
+  std::size_t never_entered = 0;
+  std::vector<PlacedStation> stations; ///< those that were given, in their order
 };
 
 /** \brief Find the rooms of a building.
  * \param[in] points finite points near the origin, z up, metres
  * \param[in] progress called before each stage and at the end with 1; may be empty
+ * \param[in] stations in the frame of the points, if they are known
  * \return nothing at all (no storeys, no labels) if \a progress returned false or there
  * are no points
  * \throws pcl::BadArgumentException if an option is out of range
@@ -117,7 +123,8 @@ struct BuildingRooms {
 BuildingRooms
 segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 BuildingRoomsOptions options = {},
-                const ProgressCallback& progress = {});
+                const ProgressCallback& progress = {},
+                const ScanStations& stations = {});
 
 } // namespace indoor
 } // namespace pcl

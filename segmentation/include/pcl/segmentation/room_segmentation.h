@@ -265,6 +265,23 @@ public:
     upright_frame_ = frame;
   }
 
+  /** \brief Give where the scanner stood, and as far as it is known from where it
+   * measured which point of the input cloud. What no station looked into but through
+   * walls, panes or windows is no room then.
+   * \param[in] stations in the frame and the unit of the cloud (default none)
+   */
+  void
+  setStations(const indoor::ScanStations& stations)
+  {
+    stations_ = stations;
+  }
+
+  const indoor::ScanStations&
+  getStations() const
+  {
+    return stations_;
+  }
+
   /** \brief Set whom segment() tells how far it is.
    * \param[in] callback given the share of the work, rising from 0 to 1, and the stage
    * that begins; if it returns false, segment() stops, prints nothing and leaves empty
@@ -379,6 +396,11 @@ private:
   std::vector<Eigen::Vector3f>
   pointsOfBuilding(IndicesConstPtr& indices);
 
+  /** \brief The stations in the building's frame.
+   * \param[in] indices of the points; none: those of the cloud */
+  indoor::ScanStations
+  stationsOfBuilding(const Indices& indices) const;
+
   /** \brief Report what was shown of the points; no indices: those of the cloud. */
   void
   describeInput(const Indices& indices);
@@ -387,6 +409,7 @@ private:
   std::optional<Eigen::Vector3f> up_axis_;
   std::optional<double> metres_per_unit_;
   std::optional<indoor::UprightFrame> upright_frame_; ///< found before
+  indoor::ScanStations stations_;
   indoor::ProgressCallback progress_;
   indoor::ScanReport report_;
   indoor::BuildingRooms building_;

@@ -17,25 +17,6 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-/** Take regions out of a map and number the others anew. */
-std::size_t
-dropRegions(const std::vector<std::uint8_t>& is_dropped, RoomMap& map)
-{
-  const auto count =
-      static_cast<std::size_t>(std::count(is_dropped.begin(), is_dropped.end(), 1));
-  if (count == 0)
-    return 0;
-  std::vector<std::int32_t> number(is_dropped.size(), 0);
-  map.room_count = 0;
-  for (std::size_t label = 1; label < number.size(); ++label)
-    if (!is_dropped[label])
-      number[label] = ++map.room_count;
-  for (auto* labels : {&map.free_labels, &map.labels})
-    for (auto& label : labels->values)
-      label = number[label];
-  return count;
-}
-
 /** Whether something lies above the heads of people in a column. */
 bool
 isCovered(const VoxelBits& occupancy, std::size_t pixel, int headroom)
@@ -128,6 +109,24 @@ levelSides(const VoxelBits& occupancy, const RoomMap& map)
 }
 
 } // namespace
+
+std::size_t
+dropRegions(const std::vector<std::uint8_t>& is_dropped, RoomMap& map)
+{
+  const auto count =
+      static_cast<std::size_t>(std::count(is_dropped.begin(), is_dropped.end(), 1));
+  if (count == 0)
+    return 0;
+  std::vector<std::int32_t> number(is_dropped.size(), 0);
+  map.room_count = 0;
+  for (std::size_t label = 1; label < number.size(); ++label)
+    if (!is_dropped[label])
+      number[label] = ++map.room_count;
+  for (auto* labels : {&map.free_labels, &map.labels})
+    for (auto& label : labels->values)
+      label = number[label];
+  return count;
+}
 
 double
 occupiedHeight(const VoxelBits& occupancy)

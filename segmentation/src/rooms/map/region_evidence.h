@@ -24,6 +24,13 @@ constexpr double least_storey_height = 1.5; ///< metres, as the clearance of sto
 double
 occupiedHeight(const VoxelBits& occupancy);
 
+/** \brief Take regions out of a map and number the others anew.
+ * \param[in] is_dropped one per label from 0 on
+ * \return how many were dropped
+ */
+std::size_t
+dropRegions(const std::vector<std::uint8_t>& is_dropped, RoomMap& map);
+
 /** \brief Drop the regions without a ceiling whose border is open to the outside, such
  * as streets and gardens, where a scan shows ceilings elsewhere.
  * \param[in,out] map its labels are 1 ... n again

@@ -54,6 +54,14 @@ RoomSegmentation<PointT>::initCompute()
     PCL_ERROR("[pcl::RoomSegmentation::initCompute] %s\n", problem.c_str());
     return false;
   }
+  if (const auto count = stations_.of_point.size();
+      count > 0 && count != input_->size()) {
+    PCL_ERROR("[pcl::RoomSegmentation::initCompute] There are stations of %zu points "
+              "for a cloud of %zu.\n",
+              count,
+              static_cast<std::size_t>(input_->size()));
+    return false;
+  }
   if (const auto up = getUpAxis(); !(up.allFinite() && up.squaredNorm() > 0.0f))
     return refuse("The length of the up axis must be positive", up.norm(), "");
   if (const double unit = getMetresPerUnit(); !(unit > 0 && std::isfinite(unit)))
@@ -129,6 +137,22 @@ RoomSegmentation<PointT>::pointsOfBuilding(IndicesConstPtr& indices)
 }
 
 template <typename PointT>
+indoor::ScanStations
+RoomSegmentation<PointT>::stationsOfBuilding(const Indices& indices) const
+{
+  indoor::ScanStations stations;
+  for (const auto& position : stations_.positions)
+    stations.positions.push_back(pose_.inverse() *
+                                 (report_.metres_per_unit * position));
+  if (indices.empty())
+    stations.of_point = stations_.of_point;
+  else if (!stations_.of_point.empty())
+    for (const auto index : indices)
+      stations.of_point.push_back(stations_.of_point[index]);
+  return stations;
+}
+
+template <typename PointT>
 void
 RoomSegmentation<PointT>::describeInput(const Indices& indices)
 {
@@ -173,7 +197,11 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     return goes_on;
   };
   try {
-    building_ = indoor::segmentBuilding(points, options_, progress);
+    building_ = indoor::segmentBuilding(
+        points,
+        options_,
+        progress,
+        stationsOfBuilding(indices ? *indices : Indices()));
   } catch (const BadArgumentException& error) { // such as far too many voxels
     PCL_ERROR("[pcl::RoomSegmentation::segment] %s\n",
               indoor::plainMessage(error).c_str());
