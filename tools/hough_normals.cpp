@@ -10,6 +10,7 @@
 #include "text/pcl_errors.h"
 
 #include <pcl/features/hough_normals.h>
+#include <pcl/features/station_orientation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,7 @@ struct Settings {
   HoughNormalOptions options;
   PointCoordinates coordinates;
   TableColumns columns;
+  StationChoice stations;
   bool no_refinement = false;
   unsigned threads = 0;
 };
@@ -54,7 +56,8 @@ addOptions(OptionParser& parser, Settings& settings)
               Range::atLeast(0))
       .text("-orientation",
             settings.orientation,
-            "which way normals are turned: to the file's sensor origin, as their "
+            "which way normals are turned: to the station that measured the point, or "
+            "the file's sensor origin where that is not known, as their "
             "neighbours, or to the free space between the surfaces",
             {"viewpoint", "graph", "free_space"})
       .text("-sampling",
@@ -77,6 +80,7 @@ addOptions(OptionParser& parser, Settings& settings)
       .expert({"-sampling", "-bin_angle", "-triples", "-no_refinement", "-seed"});
   addOption(parser, settings.coordinates);
   addOption(parser, settings.columns);
+  addOptions(parser, settings.stations);
 }
 
 void
@@ -110,6 +114,7 @@ main(int argc, char** argv)
     requireWritableCloud(settings.output);
     progress.start("Loading " + settings.input);
     CloudFile file = loadCloud(settings.input, settings.columns);
+    choose(settings.stations, file);
     printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 
@@ -130,6 +135,9 @@ main(int argc, char** argv)
     const auto problem = problemOf([&] { estimation.compute(normals); });
     if (normals.empty())
       throw ToolError(file.path + ": " + problem);
+    if (const auto stations = stationsOfPoints(file);
+        settings.orientation == "viewpoint" && !stations.empty())
+      orientTowardsStations(*file.points, stationPositions(file), stations, normals);
     const auto found =
         std::count_if(normals.begin(), normals.end(), [](const auto& normal) {
           return std::isfinite(normal.normal_x);

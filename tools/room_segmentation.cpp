@@ -152,6 +152,7 @@ main(int argc, char** argv)
     options.memory.require(options.input, bytes_per_point);
     progress.start("Loading " + options.input);
     CloudFile file = loadSurface(options.input, options.columns);
+    choose(options.stations, file);
     printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 

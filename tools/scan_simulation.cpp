@@ -5,6 +5,7 @@
 #include "command_line/options.h"
 #include "command_line/preset.h"
 #include "files/cloud_file.h"
+#include "files/output_file.h"
 #include "simulation/simulation_options.h"
 #include "text/place_text.h"
 
@@ -17,7 +18,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -58,6 +63,7 @@ planOf(const SimulationOptions& options)
 struct Scan {
   pcl::PCLPointCloud2 cloud;
   std::vector<Eigen::Vector3d> positions;
+  std::vector<std::uint32_t> position_of_point; ///< from 0
 };
 
 void
@@ -86,7 +92,7 @@ scanWithMovingSensor(const pcl::indoor::Plan& plan,
                 std::to_string(scan.points.size()) + " points");
   requireSeen(!scan.points.empty(), options);
   pcl::indoor::thinScan(scan, options.leaf_size);
-  return {toCloud(scan), trajectory};
+  return {toCloud(scan), trajectory, std::move(scan.poses)};
 }
 
 /** The paths of a carried lidar: as the plan says, or through all of the building. */
@@ -124,7 +130,7 @@ scanWithLidar(const pcl::indoor::Plan& plan,
   std::vector<Eigen::Vector3d> positions;
   for (const auto& frame : frames)
     positions.push_back(pcl::indoor::placeAt(paths[frame.path], frame.time).position);
-  return {toCloud(scan), positions};
+  return {toCloud(scan), positions, std::move(scan.poses)};
 }
 
 Scan
@@ -135,7 +141,7 @@ scanWithHandCamera(const pcl::indoor::Building& building,
   auto scan = captureRooms(building, options.scanner.rooms, progress);
   requireSeen(!scan.points.empty(), options);
   pcl::indoor::thinScan(scan, options.leaf_size);
-  return {toCloud(scan), {}};
+  return {toCloud(scan), {}, {}};
 }
 
 Scan
@@ -157,7 +163,7 @@ scanWithCamera(const pcl::indoor::Building& building,
   requireSeen(seen > 0, options);
   progress.done(std::to_string(seen) + " of " + std::to_string(view.size()) +
                 " pixels have a depth");
-  return {toCloud(view), {pose.position}};
+  return {toCloud(view), {pose.position}, {}};
 }
 
 Scan
@@ -175,6 +181,22 @@ scanWithScanner(const pcl::indoor::Plan& plan,
              : scanWithLidar(plan, building, options, progress);
 }
 
+/** The positions, a line each; the cloud gets the field station. */
+OutputFile
+stationsBeside(const std::string& path, Scan& scan)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(9);
+  for (const auto& position : scan.positions)
+    text << position.x() << ' ' << position.y() << ' ' << position.z() << '\n';
+  auto stations = scan.position_of_point;
+  for (auto& station : stations)
+    ++station;
+  appendField(scan.cloud, "station", stations);
+  return writtenBeside(path, text.str());
+}
+
 void
 simulate(SimulationOptions& options, Progress& progress)
 {
@@ -185,13 +207,15 @@ simulate(SimulationOptions& options, Progress& progress)
   progress.done(std::to_string(building.rooms.size()) + " rooms, " +
                 std::to_string(building.objects.size()) + " objects, " +
                 std::to_string(building.triangles.size()) + " triangles");
-  const auto scan = scanWithScanner(plan, building, options, progress);
+  auto scan = scanWithScanner(plan, building, options, progress);
   const auto points = std::to_string(scan.cloud.width * scan.cloud.height) + " points";
   progress.start("Saving " + options.output_file);
   std::vector<OutputFile> files;
   if (!options.json_file.empty())
     files.push_back(writtenBeside(
         options.json_file, pcl::indoor::describeScene(building, scan.positions)));
+  if (!options.stations_file.empty())
+    files.push_back(stationsBeside(options.stations_file, scan));
   files.push_back(cloudBeside(options.output_file, scan.cloud, {}));
   commitTogether(files);
   Progress::conclude([&] {

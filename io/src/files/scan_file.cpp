@@ -5,6 +5,7 @@
 #include <pcl/io/scan_file.h>
 
 #include "files/opened_scan.h"
+#include "files/station_choice.h"
 
 #include <utility>
 
@@ -78,6 +79,7 @@ loadScan(const std::vector<std::string>& paths, const ScanOptions& options)
                      ? tool::readLater(std::move(opened), columns)
                      : tool::readWhole(std::move(opened), columns);
   content.points_at_once = options.points_at_once;
+  tool::choose({options.stations, options.ignore_stations}, content.file);
   return Scan(std::make_shared<ScanContent>(std::move(content)));
 }
 

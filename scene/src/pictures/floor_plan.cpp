@@ -259,6 +259,10 @@ floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things)
     storey.walls = planWalls(storey);
   for (const auto& thing : things)
     plan.storeys.at(thing.storey).things.push_back(thing);
+  for (const auto& station : building.stations)
+    if (station.room > 0)
+      plan.storeys.at(building.rooms[station.room - 1].storey)
+          .stations.push_back(station.position.head<2>());
   if (plan.box.isEmpty())
     plan.box = {Eigen::Vector2d::Zero(), Eigen::Vector2d(1.0, 1.0)};
   return plan;

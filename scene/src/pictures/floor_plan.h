@@ -74,6 +74,7 @@ struct StoreyPlan {
   std::vector<PlanThing> things;
   std::vector<PlanBar> bodies;  ///< walls of known thickness, but for openings
   std::vector<PlanBar> windows; ///< across their walls
+  std::vector<Eigen::Vector2d> stations; ///< where the scanner stood
 };
 
 /** \brief Add a wall to a storey whose openings are known: what of it is beside them.

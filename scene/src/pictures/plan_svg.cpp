@@ -148,6 +148,18 @@ openingShape(const PlanOpening& opening, const Sheet& sheet)
          step(' ', sheet(end)).substr(1) + "\"/>\n";
 }
 
+/** A tripod from above. */
+std::string
+stationShape(const Eigen::Vector2d& station, const Sheet& sheet)
+{
+  const Eigen::Vector2d at = sheet(station);
+  return formatted("  <path class=\"station\" fill=\"none\" stroke=\"#06c\" "
+                   "stroke-width=\"1.2\" d=\"M%.1f,%.1fv-5m0,5l-4.3,2.5m4.3,-2.5l4.3,"
+                   "2.5\"/>\n",
+                   at.x(),
+                   at.y());
+}
+
 std::string
 roomText(const PlanRoom& room, const Sheet& sheet)
 {
@@ -235,6 +247,8 @@ storeyShapes(const StoreyPlan& storey, const Sheet& sheet, bool with_things)
     text += windowShape(window, sheet);
   for (const auto& opening : storey.openings)
     text += openingShape(opening, sheet);
+  for (const auto& station : storey.stations)
+    text += stationShape(station, sheet);
   for (const auto& room : storey.rooms)
     text += roomText(room, sheet);
   return text;

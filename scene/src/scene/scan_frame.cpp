@@ -5,6 +5,7 @@
 #include "scene/scan_frame.h"
 
 #include "files/tool_error.h"
+#include "scene/cloud_stations.h"
 #include "text/pcl_errors.h"
 #include "text/place_text.h"
 #include "text/printable.h"
@@ -112,6 +113,7 @@ segmentRooms(const CloudFile& file,
     segmentation.setMetresPerUnit(frame.metresPerUnit());
   if (found)
     segmentation.setUprightFrame(*found);
+  segmentation.setStations(scanStations(file));
   segmentation.setInputCloud(file.points);
   SegmentedRooms rooms;
   const auto problem = problemOf([&] { segmentation.segment(rooms.room_of_point); });

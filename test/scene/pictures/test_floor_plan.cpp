@@ -83,6 +83,19 @@ readPng(const std::string& file)
 
 } // namespace
 
+TEST(FloorPlan, StationsAreDrawnOnTheirStorey)
+{
+  const ScanStations stations{{{1.0, 1.5, 1.5}, {5.0, 1.0, 1.5}, {90.0, 0.0, 1.5}}, {}};
+  const auto plan =
+      floorPlan(segmentBuilding(test::twoRooms().points, {}, {}, stations));
+  ASSERT_EQ(plan.storeys.size(), 1u);
+  ASSERT_EQ(plan.storeys[0].stations.size(), 2u); // the third stands in no room
+  EXPECT_EQ(plan.storeys[0].stations[1], Eigen::Vector2d(5.0, 1.0));
+  EXPECT_EQ(count(planSvg(plan), "class=\"station\""), 2u);
+  EXPECT_EQ(count(storeySvgs(plan)[0], "class=\"station\""), 2u);
+  EXPECT_EQ(count(planSvg(floorPlan(twoRooms())), "class=\"station\""), 0u);
+}
+
 TEST(FloorPlan, OpeningsAreGapsInTheWalls)
 {
   const auto plan = floorPlan(twoRooms());

@@ -6,6 +6,7 @@
 
 #include "command_line/options.h"
 #include "files/point_coordinates.h"
+#include "files/station_choice.h"
 #include "formats/table_columns.h"
 
 namespace pcl::indoor::tool {
@@ -13,6 +14,10 @@ namespace pcl::indoor::tool {
 /** \brief The option -columns. */
 void
 addOption(OptionParser& parser, TableColumns& columns);
+
+/** \brief The options -stations and -ignore_stations. */
+void
+addOptions(OptionParser& parser, StationChoice& stations);
 
 /** \brief The option -double. */
 void

@@ -6,6 +6,7 @@
 
 #include "command_line/memory_limit.h"
 #include "files/point_coordinates.h"
+#include "files/station_choice.h"
 #include "formats/table_columns.h"
 #include "scene/point_colors.h"
 
@@ -28,6 +29,7 @@ struct PipelineOptions : SceneOptions {
   PointColors colors;
   PointCoordinates coordinates;
   TableColumns columns;
+  StationChoice stations;
   MemoryLimit memory;
   std::uint64_t points_at_once = ScanOptions().points_at_once; ///< 0: all
   bool single_process = false;

@@ -135,6 +135,7 @@ pipelineParser(PipelineOptions& options)
   addOption(parser, options.colors, {"class", "object", "room"});
   addOption(parser, options.coordinates);
   addOption(parser, options.columns);
+  addOptions(parser, options.stations);
   options.memory.addOption(parser);
   addOptions(parser, options.frame);
   parser.expert({"-voxel_resolution",

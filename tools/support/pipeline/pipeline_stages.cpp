@@ -67,6 +67,7 @@ readScan(const PipelineOptions& options, Progress& progress)
                  opened.name);
   auto scan = in_parts ? readLater(std::move(opened), options.columns)
                        : readWhole(std::move(opened), options.columns);
+  choose(options.stations, scan.file);
   ProgressReport report(progress);
   if (in_parts && options.check)
     drawFewPoints(scan);

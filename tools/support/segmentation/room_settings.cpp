@@ -144,6 +144,7 @@ roomParser(RoomSettings& options)
   addOption(parser, options.colors, {"room"});
   addOption(parser, options.coordinates);
   addOption(parser, options.columns);
+  addOptions(parser, options.stations);
   options.memory.addOption(parser);
   addFieldOptions(parser, options.rooms);
   addInteriorOptions(parser, options.rooms.interior.weights);

@@ -7,6 +7,7 @@
 #include "command_line/memory_limit.h"
 #include "command_line/options.h"
 #include "files/point_coordinates.h"
+#include "files/station_choice.h"
 #include "formats/table_columns.h"
 #include "scene/point_colors.h"
 
@@ -26,6 +27,7 @@ struct RoomSettings {
   PointColors colors;
   PointCoordinates coordinates;
   TableColumns columns;
+  StationChoice stations;
   MemoryLimit memory;
   bool check = false;
 };

@@ -49,7 +49,12 @@ simulationParser(SimulationOptions& options)
           "an object; options of the moving sensor's rays do not count")
       .text(
           "-target", options.target, "X,Y,Z in m, in the middle of the view from X,Y,Z")
-      .text("-json", options.json_file, "file for the names of rooms and objects");
+      .text("-json", options.json_file, "file for the names of rooms and objects")
+      .text("-stations_out",
+            options.stations_file,
+            "file for the positions of the sensor, x y z in each line, as -stations of "
+            "other tools takes them; the field station tells from 1 from which of them a "
+            "point was measured");
   parser.expert({"-lean", "-lean_towards", "-view", "-target"});
   return parser;
 }
@@ -69,9 +74,14 @@ requireUsable(const SimulationOptions& options)
   if (options.scanner.name != "sphere" && !options.view.empty())
     throw ToolError("-view looks with a camera, not with -scanner " +
                     options.scanner.name);
+  if (!options.stations_file.empty() &&
+      (!options.view.empty() || options.scanner.name == hand_camera))
+    throw ToolError("-stations_out has no positions of a camera");
   requireWritableCloud(options.output_file);
   if (!options.json_file.empty())
     requireWritable(options.json_file);
+  if (!options.stations_file.empty())
+    requireWritable(options.stations_file);
 }
 
 } // namespace pcl::indoor::tool

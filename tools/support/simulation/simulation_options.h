@@ -13,7 +13,7 @@ namespace pcl::indoor::tool {
 
 /** \brief What the command line of pcl_scan_simulation says. */
 struct SimulationOptions {
-  std::string plan_file, output_file, json_file;
+  std::string plan_file, output_file, json_file, stations_file;
   std::string view, target = "0,0,0.7"; // X,Y,Z or random; no view: a moving sensor
   ScannerOptions scanner;
   double leaf_size = 0.04;

@@ -29,6 +29,10 @@ struct ScanOptions {
   /** A scan with more points stays in its files and is read part by part where it is
    * used: memory follows the rooms. 0 = never. */
   std::uint64_t points_at_once = 20000000;
+  /** File with the positions of the scanner, x y z in each line, in frame and unit of
+   * the scan; empty: as the scan's own files tell them. */
+  std::string stations;
+  bool ignore_stations = false; ///< do as if it were not known where it stood
 };
 
 /** \brief The scan of a building, as its files have it.
