@@ -72,8 +72,8 @@ struct StoreyPlan {
   std::vector<PlanLine> walls; ///< sides of the rooms, but for openings
   std::vector<PlanOpening> openings;
   std::vector<PlanThing> things;
-  std::vector<PlanBar> bodies;  ///< walls of known thickness, but for openings
-  std::vector<PlanBar> windows; ///< across their walls
+  std::vector<PlanBar> bodies;           ///< walls of known thickness, but for openings
+  std::vector<PlanBar> windows;          ///< across their walls
   std::vector<Eigen::Vector2d> stations; ///< where the scanner stood
 };
 

@@ -16,19 +16,11 @@ namespace {
 
 class StationChoiceTest : public pcl::indoor::test::FolderTest {
 protected:
-  std::string
-  written(const std::string& name, const std::string& text)
-  {
-    const auto path = folder_ + "/" + name;
-    std::ofstream(path) << text;
-    return path;
-  }
-
   /** Three points, and what a field station says of them. */
   CloudFile
   scan(const std::vector<std::uint32_t>& station_of_point = {})
   {
-    auto file = loadCloud(written("scan.xyz", "0 0 0\n1 0 0\n0 1 0\n"));
+    auto file = loadCloud(write("scan.xyz", "0 0 0\n1 0 0\n0 1 0\n"));
     if (!station_of_point.empty())
       appendField(file.cloud, "station", station_of_point);
     return file;
@@ -60,7 +52,7 @@ TEST_F(StationChoiceTest, PositionsStandInATable)
   for (const char* text : {"1.5 2 3\n500000.25 5800000.5 120\n",
                            "x,y,z\n1.5,2,3\n500000.25,5800000.5,120\n",
                            "1.5;2;3\n500000.25;5800000.5;120\n"}) {
-    const auto stations = readStations(written("positions.csv", text));
+    const auto stations = readStations(write("positions.csv", text));
     ASSERT_EQ(stations.size(), 2u) << text;
     EXPECT_EQ(stations[0].name, "1");
     EXPECT_EQ(*stations[0].position, Eigen::Vector3d(1.5, 2, 3));
@@ -70,26 +62,27 @@ TEST_F(StationChoiceTest, PositionsStandInATable)
 
 TEST_F(StationChoiceTest, OneStationIsEnough)
 {
-  EXPECT_EQ(readStations(written("positions.csv", "1 2 3\n")).size(), 1u);
+  EXPECT_EQ(readStations(write("positions.csv", "1 2 3\n")).size(), 1u);
 }
 
 TEST_F(StationChoiceTest, OddFilesAreRefused)
 {
-  expectRefused({folder_ + "/none.csv"}, scan(), "none.csv");
-  expectRefused({written("empty.csv", "")}, scan(), "empty.csv");
-  expectRefused({written("flat.csv", "1 2\n3 4\n")}, scan(), "flat.csv");
-  expectRefused({written("nan.csv", "1 2 3\nnan 1 2\n")}, scan(), "station 2");
+  expectRefused(StationChoice{path("none.csv")}, scan(), "none.csv");
+  expectRefused(StationChoice{write("empty.csv", "")}, scan(), "empty.csv");
+  expectRefused(StationChoice{write("flat.csv", "1 2\n3 4\n")}, scan(), "flat.csv");
+  expectRefused(
+      StationChoice{write("nan.csv", "1 2 3\nnan 1 2\n")}, scan(), "station 2");
 }
 
 TEST_F(StationChoiceTest, ThoseOfAFileStandInForItsOwn)
 {
   auto file = scan();
   file.stations = twoStations();
-  choose({written("positions.csv", "5 0 0\n6 0 0\n")}, file);
+  choose(StationChoice{write("positions.csv", "5 0 0\n6 0 0\n")}, file);
   ASSERT_EQ(file.stations.size(), 2u);
   EXPECT_EQ(file.stations[1].name, "west");
   EXPECT_EQ(*file.stations[1].position, Eigen::Vector3d(6, 0, 0));
-  expectRefused({written("three.csv", "5 0 0\n6 0 0\n7 0 0\n")},
+  expectRefused(StationChoice{write("three.csv", "5 0 0\n6 0 0\n7 0 0\n")},
                 file,
                 "3 positions for the 2 stations");
 }
@@ -100,7 +93,7 @@ TEST_F(StationChoiceTest, IgnoredStationsHaveNoPositions)
   file.stations = twoStations();
   EXPECT_EQ(stationPositions(file).size(), 2u);
   EXPECT_EQ(stationsOfPoints(file), (std::vector<std::uint32_t>{1, 2, 1}));
-  choose({"", true}, file);
+  choose(StationChoice{"", true}, file);
   EXPECT_EQ(file.stations.size(), 2u);
   EXPECT_TRUE(stationPositions(file).empty());
   EXPECT_TRUE(stationsOfPoints(file).empty());
@@ -108,7 +101,7 @@ TEST_F(StationChoiceTest, IgnoredStationsHaveNoPositions)
 
 TEST_F(StationChoiceTest, AFieldThatDoesNotFitIsNoted)
 {
-  const StationChoice choice{written("positions.csv", "5 0 0\n6 0 0\n")};
+  const StationChoice choice{write("positions.csv", "5 0 0\n6 0 0\n")};
   auto fits = scan({2, 0, 1});
   choose(choice, fits);
   EXPECT_TRUE(fits.notes.empty());
@@ -124,7 +117,7 @@ TEST_F(StationChoiceTest, OfOneStationAreAllPoints)
 {
   auto file = scan();
   EXPECT_TRUE(stationsOfPoints(file).empty());
-  choose({written("positions.csv", "5 0 0\n")}, file);
+  choose(StationChoice{write("positions.csv", "5 0 0\n")}, file);
   EXPECT_EQ(stationsOfPoints(file), std::vector<std::uint32_t>(3, 1));
 }
 

@@ -19,11 +19,12 @@ addOption(OptionParser& parser, TableColumns& columns)
 void
 addOptions(OptionParser& parser, StationChoice& stations)
 {
-  parser.text("-stations",
-              stations.file,
-              "file with the positions of the scanner, x y z in each line, in frame and "
-              "unit of the scan; without, as E57, PTX and VIEWPOINT of several files "
-              "tell them");
+  parser.text(
+      "-stations",
+      stations.file,
+      "file with the positions of the scanner, x y z in each line, in frame and "
+      "unit of the scan; without, as E57, PTX and VIEWPOINT of several files "
+      "tell them");
   parser.flag("-ignore_stations",
               stations.is_ignored,
               "do as if it were not known where the scanner stood");

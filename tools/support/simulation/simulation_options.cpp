@@ -50,11 +50,12 @@ simulationParser(SimulationOptions& options)
       .text(
           "-target", options.target, "X,Y,Z in m, in the middle of the view from X,Y,Z")
       .text("-json", options.json_file, "file for the names of rooms and objects")
-      .text("-stations_out",
-            options.stations_file,
-            "file for the positions of the sensor, x y z in each line, as -stations of "
-            "other tools takes them; the field station tells from 1 from which of them a "
-            "point was measured");
+      .text(
+          "-stations_out",
+          options.stations_file,
+          "file for the positions of the sensor, x y z in each line, as -stations of "
+          "other tools takes them; the field station tells from 1 from which of them a "
+          "point was measured");
   parser.expert({"-lean", "-lean_towards", "-view", "-target"});
   return parser;
 }

@@ -19,7 +19,7 @@ using namespace pcl::indoor;
 
 namespace {
 
-const Eigen::Vector3d in_a(1.0, 1.5, 1.5), in_b(5.6, 1.5, 1.5), in_c(8.7, 1.5, 1.5);
+const Eigen::Vector3d in_a(3.4, 1.6, 1.5), in_b(5.6, 1.5, 1.5), in_c(8.7, 1.5, 1.5);
 
 const std::vector<test::RoomBox> boxes = {{{0, 0, 0}, {4, 3, 2.5f}, 1},
                                           {{4.1f, 0, 0}, {7.1f, 3, 2.5f}, 2},
@@ -69,8 +69,9 @@ TEST(StationViews, WhatNoStationLookedIntoIsNoRoom)
   ASSERT_EQ(building.rooms.size(), 2u); // b is seen through the door
   EXPECT_EQ(building.never_entered, 1u);
   for (std::size_t i = 0; i < scene.points.size(); ++i)
-    if (scene.points[i].x() > 7.5f)
+    if (scene.points[i].x() > 7.5f) {
       EXPECT_EQ(building.point_labels[i], 0u);
+    }
   ASSERT_EQ(building.stations.size(), 1u);
   EXPECT_EQ(building.stations[0].storey, 0);
   ASSERT_GT(building.stations[0].room, 0u);

@@ -198,10 +198,7 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
   };
   try {
     building_ = indoor::segmentBuilding(
-        points,
-        options_,
-        progress,
-        stationsOfBuilding(indices ? *indices : Indices()));
+        points, options_, progress, stationsOfBuilding(indices ? *indices : Indices()));
   } catch (const BadArgumentException& error) { // such as far too many voxels
     PCL_ERROR("[pcl::RoomSegmentation::segment] %s\n",
               indoor::plainMessage(error).c_str());
