@@ -7,6 +7,7 @@
 #include "files/cell_sample.h"
 #include "files/cloud_file.h"
 #include "files/cloud_stream.h"
+#include "files/station_choice.h"
 #include "formats/packed_file.h"
 
 #include <Eigen/Core>
@@ -31,6 +32,7 @@ struct ScanContent {
       Eigen::Vector3d::Zero();      ///< of a large scan, taken from its points
   std::string columns;              ///< that its tables were said to have
   std::uint64_t points_at_once = 0; ///< of a large scan
+  tool::StationChoice stations;     ///< that was made for it
 
   /** \brief Points of the whole scan. */
   std::uint64_t

@@ -79,7 +79,8 @@ loadScan(const std::vector<std::string>& paths, const ScanOptions& options)
                      ? tool::readLater(std::move(opened), columns)
                      : tool::readWhole(std::move(opened), columns);
   content.points_at_once = options.points_at_once;
-  tool::choose({options.stations, options.ignore_stations}, content.file);
+  content.stations = {options.stations, options.ignore_stations};
+  tool::choose(content.stations, content.file);
   return Scan(std::make_shared<ScanContent>(std::move(content)));
 }
 

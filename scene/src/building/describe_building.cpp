@@ -99,8 +99,10 @@ describeBuilding(const Scan& scan, const SceneOptions& given)
   scene.frame = options.frame;
   scene.input = tool::inputOf(content.file);
   scene.input.cloud_offset = tool::PointCoordinates().offsetOf(content.file);
-  scene.settings = tool::settingsOf(
-      options, content.columns, content.stream ? content.points_at_once : 0);
+  scene.settings = tool::settingsOf(options,
+                                    content.columns,
+                                    content.stations,
+                                    content.stream ? content.points_at_once : 0);
   return scene;
 }
 

@@ -33,6 +33,7 @@ flag(const std::string& name, bool value)
 std::vector<Setting>
 settingsOf(const SceneOptions& options,
            const std::string& columns,
+           const StationChoice& stations,
            std::uint64_t points_at_once)
 {
   std::vector<Setting> settings = {
@@ -52,6 +53,8 @@ settingsOf(const SceneOptions& options,
                        text("-colour", "auto"),
                        flag("-double", false),
                        text("-columns", columns),
+                       text("-stations", stations.file),
+                       flag("-ignore_stations", stations.is_ignored),
                        text("-unit", options.frame.unit),
                        text("-up", options.frame.up)};
   settings.insert(settings.end(), others.begin(), others.end());

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "files/station_choice.h"
 #include <pcl/indoor/setting.h>
 #include <pcl/scene/scene_options.h>
 
@@ -20,6 +21,7 @@ namespace pcl::indoor::tool {
 std::vector<Setting>
 settingsOf(const SceneOptions& options,
            const std::string& columns,
+           const StationChoice& stations,
            std::uint64_t points_at_once);
 
 } // namespace pcl::indoor::tool
