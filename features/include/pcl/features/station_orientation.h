@@ -21,9 +21,11 @@ namespace indoor {
  * (2.6)).
  * \param[in] stations their positions, in the frame of the points
  * \param[in] station_of_point from 1; normals of points with 0, which is not known,
- * stay as they are \param[in,out] normals one per point; NaN stay so \return how many
- * have been turned over \throws pcl::BadArgumentException if there are not as many
- * numbers and normals as points, or if there is no such station
+ * stay as they are
+ * \param[in,out] normals one per point; NaN stay so
+ * \return how many have been turned over
+ * \throws pcl::BadArgumentException if there are not as many numbers and normals as
+ * points, or if there is no such station
  */
 std::size_t
 orientTowardsStations(const PointCloud<PointXYZ>& points,
