@@ -6,37 +6,42 @@
 
 #include <pcl/console/print.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <new>
+#include <sys/types.h> // for ssize_t
 #include <utility>
+#include <vector>
 
 namespace pcl::indoor::tool {
 namespace {
 
-/** Memory in place of stderr, for errors only; warnings are dropped. */
+/** What one thread prints on stderr, of which there is one for all threads: while any
+ * of these lives, a stream that tells them apart is in its place. Errors only; warnings
+ * are dropped. */
 class ErrorText {
 public:
   ErrorText()
-  : level_(console::getVerbosityLevel())
+  : outer_(of_thread_)
   {
-    auto* const memory = open_memstream(&text_, &size_);
-    if (memory == nullptr)
-      throw std::bad_alloc();
-    stderr_ = std::exchange(stderr, memory);
-    static const int registered = std::atexit(sayAtExit);
-    static_cast<void>(registered);
-    current_ = this;
-    if (level_ > console::L_ERROR)
-      console::setVerbosityLevel(console::L_ERROR);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (alive_.empty())
+      takeStderr();
+    alive_.push_back(this);
+    of_thread_ = this;
   }
 
   ~ErrorText()
   {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    of_thread_ = outer_;
+    alive_.erase(std::find(alive_.begin(), alive_.end(), this));
+    if (!alive_.empty())
+      return;
     console::setVerbosityLevel(level_);
-    current_ = nullptr;
-    std::fclose(std::exchange(stderr, stderr_));
-    std::free(text_);
+    stderr = real_;
   }
 
   ErrorText(const ErrorText&) = delete;
@@ -46,29 +51,66 @@ public:
   std::string
   get() const
   {
-    std::fflush(stderr);
-    return std::string(text_, size_);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return text_;
   }
 
 private:
+  static void
+  takeStderr()
+  {
+    // never closed: a thread that prints may still hold it
+    static std::FILE* const stream =
+        fopencookie(nullptr, "w", {nullptr, receive, nullptr, nullptr});
+    if (stream == nullptr)
+      throw std::bad_alloc();
+    static const int registered = std::atexit(sayAtExit);
+    static_cast<void>(registered);
+    std::setvbuf(stream, nullptr, _IONBF, 0); // each thread writes for itself
+    real_ = std::exchange(stderr, stream);
+    level_ = console::getVerbosityLevel();
+    if (level_ > console::L_ERROR)
+      console::setVerbosityLevel(console::L_ERROR);
+  }
+
+  /** What a thread prints that has no text of its own, one of OpenMP's perhaps, is the
+   * last one's. */
+  static ssize_t
+  receive(void* /*cookie*/, const char* bytes, std::size_t size)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    auto* const text = of_thread_ != nullptr ? of_thread_
+                       : alive_.empty()      ? nullptr
+                                             : alive_.back();
+    try {
+      if (text != nullptr)
+        text->text_.append(bytes, size);
+      else
+        std::fwrite(bytes, 1, size, real_);
+    } catch (const std::bad_alloc&) { // of the text less is known
+    }
+    return static_cast<ssize_t>(size);
+  }
+
   /** A library may end the program, as OpenMP does where no thread can be started. */
   static void
   sayAtExit()
   {
-    if (current_ == nullptr)
-      return;
-    std::fflush(stderr);
-    const char* text = current_->text_;
-    while (*text == '\n')
-      ++text;
-    std::fputs(text, current_->stderr_);
+    for (const auto* text : alive_) {
+      const auto begin = text->text_.find_first_not_of('\n');
+      if (begin != std::string::npos)
+        std::fputs(text->text_.c_str() + begin, real_);
+    }
   }
 
-  static inline const ErrorText* current_ = nullptr;
-  console::VERBOSITY_LEVEL level_;
-  std::FILE* stderr_ = nullptr;
-  char* text_ = nullptr;
-  std::size_t size_ = 0;
+  static inline std::mutex mutex_; // of all that follows, but the thread's own
+  static inline std::vector<ErrorText*> alive_;
+  static inline std::FILE* real_ = nullptr;
+  static inline console::VERBOSITY_LEVEL level_ = console::L_INFO;
+  static inline thread_local ErrorText* of_thread_ = nullptr;
+
+  ErrorText* outer_;
+  std::string text_;
 };
 
 /** "[pcl::Class::function] It is wrong." without what is in brackets. */

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <new>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace pcl::indoor::tool;
@@ -283,6 +284,33 @@ TEST(ProblemOf, IsTheFirstErrorOfAClassWithoutItsName)
   EXPECT_EQ(problemOf([] { PCL_ERROR("No place."); }), "No place.");
   EXPECT_THROW(problemOf([] { throw std::bad_alloc(); }), std::bad_alloc);
   std::fputs("after", stderr); // is there again
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "after");
+}
+
+TEST(ProblemOf, IsThatOfItsOwnThread)
+{
+  testing::internal::CaptureStderr();
+  const auto level = pcl::console::getVerbosityLevel();
+  std::vector<std::string> wrong(8);
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < wrong.size(); ++t)
+    threads.emplace_back([&wrong, t] {
+      const auto own = "error of thread " + std::to_string(t);
+      for (int i = 0; i < 500; ++i) {
+        const auto said = problemOf([&own] {
+          std::this_thread::yield();
+          PCL_ERROR("[pcl::Class::function] %s\n", own.c_str());
+        });
+        if (said != own)
+          wrong[t] = "'" + said + "'";
+      }
+    });
+  for (auto& thread : threads)
+    thread.join();
+  for (const auto& text : wrong)
+    EXPECT_EQ(text, "");
+  EXPECT_EQ(pcl::console::getVerbosityLevel(), level);
+  std::fputs("after", stderr);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "after");
 }
 
