@@ -5,14 +5,12 @@
 #include "command_line/options.h"
 #include "command_line/preset.h"
 #include "files/cloud_file.h"
+#include "objects/described_object.h"
 #include "objects/eppf_options.h"
 #include "objects/object_files.h"
-#include "text/pcl_errors.h"
 
 #include <pcl/conversions.h>
-#include <pcl/features/eppf.h>
 
-#include <cmath>
 #include <filesystem>
 
 namespace {
@@ -33,16 +31,9 @@ void
 describe(const std::string& input, const std::string& output, const Settings& settings)
 {
   const auto object = loadObject(input, settings.neighbor_count);
-  pcl::EPPFEstimation<pcl::PointNormal, pcl::PointNormal, SignatureT> estimation;
-  estimation.setOptions(settings.eppf.options());
-  estimation.setInputCloud(object);
-  estimation.setInputNormals(object);
   pcl::PointCloud<SignatureT> descriptor;
-  const auto problem = problemOf([&] { estimation.compute(descriptor); });
-  if (descriptor.empty())
-    throw ToolError(input + ": " + problem);
-  if (!std::isfinite(descriptor[0].histogram[0]))
-    throw ToolError(input + ": no two points with normals that differ in position");
+  descriptor.push_back(
+      describedObject<SignatureT>(object, settings.eppf.options(), input));
   pcl::PCLPointCloud2 cloud;
   pcl::toPCLPointCloud2(descriptor, cloud);
   saveCloud(output, cloud);
@@ -100,11 +91,7 @@ run(const Settings& settings, Progress& progress)
   const bool has_folders =
       !settings.input_folder.empty() || !settings.output_folder.empty();
   const auto bins = settings.eppf.options().bins.size();
-  const auto expected = optionsOf(settings.eppf.descriptor()).bins.size();
-  if (bins != expected)
-    throw ToolError("-bins: there must be " + std::to_string(expected) + " for " +
-                    descriptorName(settings.eppf.descriptor()) + ", not " +
-                    std::to_string(bins));
+  requireFittingBins(settings.eppf);
   if (has_folders) {
     if (settings.input_folder.empty() || settings.output_folder.empty() ||
         !settings.files.empty())

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "command_line/export_options.h"
 #include "command_line/options.h"
 #include "export/saved_scene.h"
 #include "export/scene_files.h"
@@ -31,19 +32,8 @@ makeParser(Options& options)
                   options.output,
                   "the file; of map.pgm also map.yaml, map_furnished.pgm, "
                   "map_furnished.yaml, map_route.geojson, and of storeys above the "
-                  "lowest map_storey1.pgm and so on")
-      .number("-epsg",
-              options.epsg,
-              "EPSG code of the coordinate system of the scan, 0 = not known; for .ifc "
-              "and .geojson",
-              "",
-              Range::between(0, 1e6))
-      .number("-resolution",
-              options.resolution,
-              "side of a cell of the maps",
-              "m",
-              Range::between(0.005, 1.0));
-  parser.expert({"-resolution"});
+                  "lowest map_storey1.pgm and so on");
+  addOptions(parser, options);
   return parser;
 }
 

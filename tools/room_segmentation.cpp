@@ -4,7 +4,6 @@
  */
 
 #include "command_line/options.h"
-#include "command_line/preset.h"
 #include "files/cloud_file.h"
 #include "files/sampled_surface.h"
 #include "pictures/plan_dxf.h"
@@ -140,11 +139,7 @@ segment(RoomSettings& options,
 int
 main(int argc, char** argv)
 {
-  RoomSettings options;
-  if (presetOf(argc, argv) == "thesis") {
-    options.rooms = pcl::indoor::thesisRoomOptions();
-    options.method = "field";
-  }
+  auto options = roomSettings(argc, argv);
   auto parser = roomParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {
     if (!options.check)
@@ -156,12 +151,7 @@ main(int argc, char** argv)
     printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 
-    options.rooms.map.method = options.method == "slab"
-                                   ? pcl::indoor::RoomMethod::CeilingSlab
-                                   : pcl::indoor::RoomMethod::PotentialField;
-    const auto problem = findProblem(options.rooms);
-    if (!problem.empty())
-      throw ToolError(options.input + ": " + problem);
+    settleMethod(options);
     const auto understood = understand(file, options.frame, file.points->size());
     progress.say(paragraphOf(file.path, understood));
     if (options.check) {

@@ -183,4 +183,15 @@ EPPFCommandLine::options() const
   return options;
 }
 
+void
+requireFittingBins(const EPPFCommandLine& options)
+{
+  const auto bins = options.options().bins.size();
+  const auto expected = optionsOf(options.descriptor()).bins.size();
+  if (bins != expected)
+    throw ToolError("-bins: there must be " + std::to_string(expected) + " for " +
+                    descriptorName(options.descriptor()) + ", not " +
+                    std::to_string(bins));
+}
+
 } // namespace pcl::indoor::tool

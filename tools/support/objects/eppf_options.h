@@ -59,4 +59,9 @@ private:
   std::string bins_;
 };
 
+/** \brief Find out that the bins are not as many as the descriptor has.
+ * \throws ToolError if they are not */
+void
+requireFittingBins(const EPPFCommandLine& options);
+
 } // namespace pcl::indoor::tool

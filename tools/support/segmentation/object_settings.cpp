@@ -5,9 +5,11 @@
 #include "segmentation/object_settings.h"
 
 #include "command_line/cloud_options.h"
+#include "command_line/preset.h"
 #include "command_line/scene_options.h"
 
 #include <sstream>
+#include <utility>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -190,6 +192,33 @@ addOthers(OptionParser& parser, ObjectSettings& settings)
 }
 
 } // namespace
+
+ObjectSettings
+objectSettings(int argc, const char* const* argv)
+{
+  ObjectSettings settings;
+  settings.others = presetOptions(presetOf(argc, argv), false);
+  settings.on_points = settings.others.on_points.value_or(settings.on_points);
+  return settings;
+}
+
+void
+requireFitting(const ObjectSettings& settings)
+{
+  if (settings.level < 0 && settings.level != -1)
+    throw ToolError("-level: must be -1 or from 0 to 1");
+  const bool as_thesis = settings.others.on_points.has_value();
+  const auto& on_points = settings.on_points;
+  const std::pair<const char*, double> of_thesis[] = {
+      {"-ransac_share", on_points.ransac_share},
+      {"-colour_weight", on_points.color_weight},
+      {"-fpfh_weight", on_points.fpfh_weight}};
+  for (const auto& [option, value] : of_thesis)
+    if (!as_thesis && value > 0)
+      throw ToolError(std::string(option) + ": needs -preset thesis or thesis_kinect");
+  if (as_thesis && settings.partition == "graph")
+    throw ToolError("-partition graph: the thesis's presets have no pieces");
+}
 
 void
 addOptions(OptionParser& parser, ObjectSettings& settings)

@@ -37,9 +37,18 @@ struct ObjectSettings {
   ScanFrame frame; // of which the unit counts
 };
 
+/** \brief The defaults, of the preset that the command line names. */
+ObjectSettings
+objectSettings(int argc, const char* const* argv);
+
 /** \brief All options. */
 void
 addOptions(OptionParser& parser, ObjectSettings& settings);
+
+/** \brief Find out that options do not go together.
+ * \throws ToolError naming one that does not */
+void
+requireFitting(const ObjectSettings& settings);
 
 /** \brief The options that a preset stands for.
  * \param[in] is_table what auto is for a table */

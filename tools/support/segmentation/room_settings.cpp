@@ -5,6 +5,7 @@
 #include "segmentation/room_settings.h"
 
 #include "command_line/cloud_options.h"
+#include "command_line/preset.h"
 #include "command_line/scene_options.h"
 
 namespace pcl::indoor::tool {
@@ -78,6 +79,27 @@ addInteriorOptions(OptionParser& parser, EnclosureWeights& weights)
 }
 
 } // namespace
+
+RoomSettings
+roomSettings(int argc, const char* const* argv)
+{
+  RoomSettings options;
+  if (presetOf(argc, argv) == "thesis") {
+    options.rooms = thesisRoomOptions();
+    options.method = "field";
+  }
+  return options;
+}
+
+void
+settleMethod(RoomSettings& options)
+{
+  options.rooms.map.method =
+      options.method == "slab" ? RoomMethod::CeilingSlab : RoomMethod::PotentialField;
+  const auto problem = findProblem(options.rooms);
+  if (!problem.empty())
+    throw ToolError(options.input + ": " + problem);
+}
 
 OptionParser
 roomParser(RoomSettings& options)

@@ -32,6 +32,15 @@ struct RoomSettings {
   bool check = false;
 };
 
+/** \brief The defaults, of the preset that the command line names. */
+RoomSettings
+roomSettings(int argc, const char* const* argv);
+
+/** \brief The options of the method that was chosen, checked.
+ * \throws ToolError naming the input, if one is none */
+void
+settleMethod(RoomSettings& options);
+
 /** \brief Its command line.
  * \param[in,out] options must outlive the parser */
 OptionParser

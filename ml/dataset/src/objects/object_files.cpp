@@ -181,6 +181,22 @@ estimateHoughNormals(PointCloud<PointNormal>& cloud)
 }
 
 PlacedObject
+placedObject(const CloudFile& file, int neighbor_count)
+{
+  auto object = pcl::make_shared<PointCloud<PointNormal>>();
+  copyPointCloud(*file.points, *object);
+  object->is_dense = file.finite_count == object->size();
+  if (!file.has_normals)
+    estimateNormals(*object, neighbor_count);
+  else {
+    const auto normals = readNormals(file);
+    for (std::size_t k = 0; k < object->size(); ++k)
+      (*object)[k].getNormalVector3fMap() = (*normals)[k].getNormalVector3fMap();
+  }
+  return {object, readPlace(file)};
+}
+
+PlacedObject
 loadPlacedObject(const std::string& path, int neighbor_count)
 {
   if (isMesh(path))
@@ -189,21 +205,9 @@ loadPlacedObject(const std::string& path, int neighbor_count)
   const auto mesh = plyMesh(file);
   if (!mesh.triangles.empty())
     return {sampledObject(mesh, path), {}};
-  auto object = pcl::make_shared<PointCloud<PointNormal>>();
-  copyPointCloud(*file.points, *object);
-  object->is_dense = file.finite_count == object->size();
-  file.points->is_dense = object->is_dense;
-  if (file.has_normals) {
-    const auto normals = readNormals(file);
-    for (std::size_t k = 0; k < object->size(); ++k)
-      (*object)[k].getNormalVector3fMap() = (*normals)[k].getNormalVector3fMap();
-  }
-  else {
-    if (hasNormals(file.cloud))
-      printNotes(file);
-    estimateNormals(*object, neighbor_count);
-  }
-  return {object, readPlace(file)};
+  if (!file.has_normals && hasNormals(file.cloud))
+    printNotes(file);
+  return placedObject(file, neighbor_count);
 }
 
 PointCloud<PointNormal>::Ptr

@@ -61,6 +61,10 @@ struct PlacedObject {
   ObjectPlace place; ///< as saveObject() has saved it, see readPlace()
 };
 
+/** \brief An object that was read; normals are estimated where it has none. */
+PlacedObject
+placedObject(const CloudFile& file, int neighbor_count);
+
 /** \brief As loadObject(), with the place. */
 PlacedObject
 loadPlacedObject(const std::string& path, int neighbor_count);
