@@ -1,4 +1,4 @@
-# Debian packages by cpack: the libraries, what programs are built with, the tools.
+# Debian packages by cpack: the libraries, what programs are built with, the tools, the Python package.
 set(runtime libpcl-indoor${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME pcl-indoor)
@@ -27,4 +27,13 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "openmpi-bin") # mpirun
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Libraries that find rooms and objects in point clouds, an add-on to PCL.")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers and CMake package of pcl_indoor, to build programs with.")
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Tools that turn a scan of a building into rooms, objects, plans and a report.")
+if(PCL_INDOOR_WITH_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-pcl-indoor)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  math(EXPR next_minor "${Python3_VERSION_MINOR} + 1") # the module is of one minor version
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${runtime} (= ${PROJECT_VERSION}), python3-numpy, \
+python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< ${Python3_VERSION_MAJOR}.${next_minor})")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python package pcl_indoor: rooms, objects and classes in NumPy arrays of points.")
+endif()
 include(CPack)

@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$1"
 
-find common features filters io ml model scene segmentation simulation -path '*/src/*.cpp' | sort | xargs awk '
+find common features filters io ml model python scene segmentation simulation -path '*/src/*.cpp' | sort | xargs awk '
   FNR == 1 { inside = 0 }
   /^namespace \{/ { inside = 1 }
   /^\} \/\/ namespace$/ { inside = 0 }

@@ -4,7 +4,7 @@
 #
 # try_packages.sh <folder with the packages> [installed]
 # Unpacks the Debian packages into a root of their own (or, with "installed", takes those that are installed), builds
-# the consumer project with what is there, runs it, and lets the tools describe a simulated flat.
+# the consumer project with what is there, runs it, and lets the tools and the Python package describe a simulated flat.
 set -euo pipefail
 packages=$1
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,7 +13,7 @@ trap 'rm -rf "$folder"' EXIT
 if [ "${2:-}" = installed ]; then
   usr=/usr
 else
-  for package in libpcl-indoor[0-9]* libpcl-indoor-dev pcl-indoor-tools; do
+  for package in libpcl-indoor[0-9]* libpcl-indoor-dev pcl-indoor-tools python3-pcl-indoor; do
     # shellcheck disable=SC2086 # a pattern
     dpkg -x "$packages"/${package}_*.deb "$folder/root"
   done
@@ -29,6 +29,9 @@ cmake --build "$folder/build" > "$folder/log" 2>&1 || { cat "$folder/log"; exit 
 "$usr/bin/pcl_indoor_pipeline" "$folder/flat.pcd" "$folder/flat" -quiet
 "$usr/bin/pcl_indoor_query" "$folder/flat/scene.json" -class door
 "$here/same_scene.sh" cmake "$usr"
+PYTHONPATH=$usr/lib/python3/dist-packages python3 -W ignore -c "import pcl_indoor, sys
+pcl_indoor.describe(sys.argv[1]).save(sys.argv[2])" "$folder/flat.pcd" "$folder/by_python.json"
+cmp "$folder/flat/scene.json" "$folder/by_python.json"
 for file in share/pcl_indoor/scene.schema.json share/man/man1/pcl_indoor_query.1 \
   share/bash-completion/completions/pcl_indoor_query; do
   [ -e "$usr/$file" ] || [ -e "$usr/$file.gz" ] || { echo "$file is missing"; exit 1; }
