@@ -95,26 +95,35 @@ def refuse_arrays(*arrays: Any) -> None:
         )
 
 
+def stations_of(stations: Union[str, "os.PathLike[str]", None], is_ignored: bool) -> List[str]:
+    """What is said of the places where the scanner stood."""
+    return words({"stations": stations, "ignore_stations": is_ignored})
+
+
 def scan_of(
     points: Points,
     messages: Optional[List[str]],
     point_normals: Optional[Reals] = None,
     point_colors: Optional[NDArray[np.uint8]] = None,
     viewpoint: Optional[Sequence[float]] = None,
+    stations: Sequence[str] = (),
 ) -> _core.Scan:
-    """The scan that a function was given."""
+    """The scan that a function was given; what is said of stations as stations_of() has it."""
     if isinstance(points, _core.Scan) or is_path(points):
         refuse_arrays(point_normals, point_colors, viewpoint)
     if isinstance(points, _core.Scan):
+        if stations:
+            raise _core.InputError(f"{stations[0][1:]} goes with load() where that was used")
         return points
     if is_path(points):
-        scan = _core.load(paths_of(points), words({"points_at_once": 0}))
+        scan = _core.load(paths_of(points), [*words({"points_at_once": 0}), *stations])
     else:
         scan = _core.scan_of(
             np.asarray(points),
             None if point_normals is None else np.asarray(point_normals),
             None if point_colors is None else np.asarray(point_colors),
             place("viewpoint", viewpoint),
+            stations,
         )
     tell([f"{scan.name}: {note}" for note in scan.notes], messages)
     return scan

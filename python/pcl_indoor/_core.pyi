@@ -41,6 +41,7 @@ def scan_of(
     normals: Optional[NDArray[Any]],
     colors: Optional[NDArray[Any]],
     viewpoint: Sequence[float],
+    options: Sequence[str],
 ) -> Scan: ...
 def segment_rooms(
     scan: Scan, options: Sequence[str], progress: Optional[Callable[[str, int, int], None]]

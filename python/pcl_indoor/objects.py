@@ -4,13 +4,14 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, List, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._call import Points, Reals, scan_of, tell, words
+from ._call import Points, Reals, scan_of, stations_of, tell, words
 
 
 def fill(name: str, array: Optional[NDArray[Any]], values: NDArray[Any]) -> None:
@@ -197,6 +198,8 @@ def estimate_normals(
     viewpoint: Optional[Sequence[float]] = None,
     radius: Optional[float] = None,
     k: Optional[int] = None,
+    stations: Union[str, "os.PathLike[str]", None] = None,
+    ignore_stations: bool = False,
     orientation: Optional[str] = None,
     threads: Optional[int] = None,
     sampling: Optional[str] = None,
@@ -220,9 +223,15 @@ def estimate_normals(
         of the neighbourhood; 0 = from the resolution of the cloud, m, at least 0 (default: 0)
     k : number
         neighbours instead of a radius; 0 = by radius, points, at least 0 (default: 0)
+    stations : text
+        file with the positions of the scanner, x y z in each line, in frame and unit of the scan;
+        without, as E57, PTX and VIEWPOINT of several files tell them (default: none)
+    ignore_stations : flag
+        do as if it were not known where the scanner stood
     orientation : viewpoint|graph|free_space
-        which way normals are turned: to the file's sensor origin, as their neighbours, or to the
-        free space between the surfaces (default: viewpoint)
+        which way normals are turned: to the station that measured the point, or the file's sensor
+        origin where that is not known, as their neighbours, or to the free space between the
+        surfaces (default: viewpoint)
     threads : number
         threads, 0 = automatic (default: 0)
     sampling : cubes|points
@@ -250,7 +259,8 @@ def estimate_normals(
     InputError
         A ValueError: what is given cannot be used, one line as the tool says it.
     """
-    scan = scan_of(points, messages, viewpoint=viewpoint)
+    said = stations_of(stations, ignore_stations)
+    scan = scan_of(points, messages, viewpoint=viewpoint, stations=said)
     options = {
         "radius": radius,
         "k": k,

@@ -4,13 +4,14 @@
 
 from __future__ import annotations
 
+import os
 from typing import List, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._call import Points, Progress, scan_of, tell, words
+from ._call import Points, Progress, scan_of, stations_of, tell, words
 
 
 def segment_rooms(
@@ -20,6 +21,8 @@ def segment_rooms(
     voxel_size: Optional[float] = None,
     min_area: Optional[float] = None,
     threads: Optional[int] = None,
+    stations: Union[str, "os.PathLike[str]", None] = None,
+    ignore_stations: bool = False,
     unit: Optional[str] = None,
     up: Union[str, Sequence[float], None] = None,
     min_width: Optional[float] = None,
@@ -61,6 +64,11 @@ def segment_rooms(
         smallest room, m^2, at least 0 (default: 0.5)
     threads : number
         threads, 0 = automatic, at least 0 (default: 0)
+    stations : text
+        file with the positions of the scanner, x y z in each line, in frame and unit of the scan;
+        without, as E57, PTX and VIEWPOINT of several files tell them (default: none)
+    ignore_stations : flag
+        do as if it were not known where the scanner stood
     unit : auto|m|cm|mm|ft|in
         unit of the coordinates; lengths of options and areas are in metres; auto: metres, but where
         rooms would be higher than 50 m (default: auto)
@@ -125,7 +133,7 @@ def segment_rooms(
     InputError
         A ValueError: what is given cannot be used, one line as the tool says it.
     """
-    scan = scan_of(points, messages)
+    scan = scan_of(points, messages, stations=stations_of(stations, ignore_stations))
     options = {
         "preset": preset,
         "voxel_size": voxel_size,

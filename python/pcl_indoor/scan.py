@@ -8,13 +8,15 @@ import os
 from typing import List, Optional, Sequence, Union
 
 from . import _core
-from ._call import paths_of, tell, words
+from ._call import paths_of, stations_of, tell, words
 
 
 def load(
     path: Union[str, "os.PathLike[str]", Sequence[Union[str, "os.PathLike[str]"]]],
     *,
     columns: Optional[str] = None,
+    stations: Union[str, "os.PathLike[str]", None] = None,
+    ignore_stations: bool = False,
     messages: Optional[List[str]] = None,
 ) -> _core.Scan:
     """Read the scan of a building, or of an object, whole.
@@ -27,6 +29,11 @@ def load(
     columns : text
         columns of a table (XYZ, CSV, PTS), such as x,y,z,_,r,g,b, of which _ is left out; without,
         as its header says, or by their number (default: none)
+    stations : text
+        file with the positions of the scanner, x y z in each line, in frame and unit of the scan;
+        without, as E57, PTX and VIEWPOINT of several files tell them (default: none)
+    ignore_stations : flag
+        do as if it were not known where the scanner stood
     messages : list or None
         Gets what is odd, a line each; without it, the lines are warnings (PclIndoorWarning).
 
@@ -41,6 +48,7 @@ def load(
         A ValueError: there is no such file, or it is no scan or damaged, one line as the tools
         say it.
     """
-    scan = _core.load(paths_of(path), words({"columns": columns, "points_at_once": 0}))
+    reading = words({"columns": columns, "points_at_once": 0})
+    scan = _core.load(paths_of(path), [*reading, *stations_of(stations, ignore_stations)])
     tell([f"{scan.name}: {note}" for note in scan.notes], messages)
     return scan

@@ -21,6 +21,7 @@ from ._call import (
     paths_of,
     refuse_arrays,
     scan_of,
+    stations_of,
     tell,
     words,
 )
@@ -74,6 +75,9 @@ class Room:
 
     number: int
     storey: int
+    name: str  #: what it is for, such as kitchen, or unknown
+    name_probability: float  #: 0 to 1
+    name_top: Tuple[Tuple[str, float], ...]  #: the likeliest, the first first
     points: int
     box: Optional[Box]  #: None without points
     centroid: Optional[Position]
@@ -258,6 +262,8 @@ def describe(
     remove_outliers: bool = False,
     threads: Optional[int] = None,
     columns: Optional[str] = None,
+    stations: Union[str, "os.PathLike[str]", None] = None,
+    ignore_stations: bool = False,
     unit: Optional[str] = None,
     up: Union[str, Sequence[float], None] = None,
     voxel_resolution: Optional[float] = None,
@@ -298,6 +304,11 @@ def describe(
     columns : text
         columns of a table (XYZ, CSV, PTS), such as x,y,z,_,r,g,b, of which _ is left out; without,
         as its header says, or by their number (default: none)
+    stations : text
+        file with the positions of the scanner, x y z in each line, in frame and unit of the scan;
+        without, as E57, PTX and VIEWPOINT of several files tell them (default: none)
+    ignore_stations : flag
+        do as if it were not known where the scanner stood
     unit : auto|m|cm|mm|ft|in
         unit of the coordinates; lengths of options and areas are in metres; auto: metres, but where
         rooms would be higher than 50 m (default: auto)
@@ -338,12 +349,13 @@ def describe(
     InputError
         A ValueError: what is given cannot be used, one line as the tool says it.
     """
+    said = stations_of(stations, ignore_stations)
     if is_path(points) or _are_paths(points):
         refuse_arrays(point_normals, point_colors)
         reading = {"columns": columns, "points_at_once": points_at_once}
-        scan = _core.load(paths_of(points), words(reading))
+        scan = _core.load(paths_of(points), [*words(reading), *said])
     else:
-        scan = scan_of(cast(Points, points), [], point_normals, point_colors)
+        scan = scan_of(cast(Points, points), [], point_normals, point_colors, stations=said)
     options = {
         "voxel_size": voxel_size,
         "min_area": min_area,
@@ -393,6 +405,9 @@ def _room(found: Dict[str, Any]) -> Room:
     return Room(
         number=found["room"],
         storey=found["storey"],
+        name=found.get("name", "unknown"),
+        name_probability=found.get("name_probability", 0.0),
+        name_top=tuple((one["name"], one["probability"]) for one in found.get("name_top", [])),
         points=found["points"],
         box=_box(found["box"]) if has_points else None,
         centroid=_position(found["centroid"]) if has_points else None,

@@ -33,11 +33,15 @@ scanOfFiles(const std::vector<std::string>& paths,
 {
   ScanOptions options;
   tool::TableColumns columns;
+  tool::StationChoice stations;
   tool::OptionParser parser("load", "");
   tool::addOption(parser, columns);
+  tool::addOptions(parser, stations);
   parser.number("-points_at_once", options.points_at_once, "0 = all", "points");
   Arguments(words).readBy(std::move(parser));
   options.columns = columns.names;
+  options.stations = stations.file;
+  options.ignore_stations = stations.is_ignored;
   return withoutLock([&] { return loadScan(paths, options); });
 }
 
@@ -45,14 +49,19 @@ Scan
 scanOf(const py::array& points,
        const py::object& normals,
        const py::object& colors,
-       const std::array<float, 3>& viewpoint)
+       const std::array<float, 3>& viewpoint,
+       const std::vector<std::string>& words)
 {
+  auto content = std::make_shared<ScanContent>();
+  tool::OptionParser parser("scan_of", "");
+  tool::addOptions(parser, content->stations);
+  Arguments(words).readBy(std::move(parser));
   auto cloud = cloudOf({points, normals, colors});
   return withoutLock([&] {
     tool::CloudFrame frame;
     frame.origin.head<3>() = Eigen::Vector3f(viewpoint.data());
-    auto content = std::make_shared<ScanContent>();
     content->file = tool::withPoints("points", std::move(cloud), frame);
+    tool::choose(content->stations, content->file);
     return Scan(std::move(content));
   });
 }

@@ -98,6 +98,32 @@ class Load(unittest.TestCase):
         np.testing.assert_array_equal(scan.fields["station"], [1] * 30 + [2] * 30)
         self.assertEqual([name for name, _ in scan.stations], ["station0.pcd", "station1.pcd"])
 
+    def test_positions_of_stations(self):
+        paths = []
+        for k in range(2):
+            paths.append(self.folder / f"station{k}.pcd")
+            xyz = np.random.default_rng(k).normal(size=(30, 3)).astype(np.float32)
+            flat.save(paths[-1], x=xyz[:, 0], y=xyz[:, 1], z=xyz[:, 2])
+        positions = self.folder / "positions.csv"
+        positions.write_text("0 0 1.5\n4 0 1.5\n")
+        scan = pcl_indoor.load(paths, stations=positions)
+        self.assertEqual([list(place) for _, place in scan.stations], [[0, 0, 1.5], [4, 0, 1.5]])
+        scan = pcl_indoor.load(paths, stations=positions, ignore_stations=True)
+        self.assertEqual([place for _, place in scan.stations], [None, None])
+        with self.assertRaisesRegex(pcl_indoor.InputError, "2 positions for the 3 stations"):
+            pcl_indoor.load([*paths, paths[0]], stations=positions)
+        with self.assertRaisesRegex(pcl_indoor.InputError, "goes with load"):
+            pcl_indoor.segment_rooms(scan, stations=positions)
+
+    def test_normals_look_at_the_station(self):
+        rng = np.random.default_rng(8)
+        plane = np.column_stack([rng.uniform(0, 1, (2000, 2)), np.zeros(2000)]).astype(np.float32)
+        positions = self.folder / "positions.csv"
+        for height in (2.0, -2.0):
+            positions.write_text(f"0.5 0.5 {height}\n")
+            normals = pcl_indoor.estimate_normals(plane, stations=positions, messages=[])
+            self.assertGreater(np.mean(normals[:, 2] * height > 0), 0.99)
+
     def test_a_file_that_is_none_is_told_as_the_tools_tell_it(self):
         cases = {"missing.pcd": None, "text.pcd": b"no cloud", "empty.ply": b""}
         for name, content in cases.items():

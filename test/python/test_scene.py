@@ -57,6 +57,10 @@ class Describe(unittest.TestCase):
         for room, found in zip(self.scene.rooms, self.expected["rooms"]):
             self.assertEqual(room.number, found["room"])
             self.assertEqual(room.area, found["area"])
+            self.assertEqual(room.name, found["name"])
+            self.assertEqual(room.name_probability, found["name_probability"])
+            self.assertEqual(len(room.name_top), len(found["name_top"]))
+            self.assertEqual(room.name_top[0][1], room.name_probability)
             self.assertEqual(list(room.objects), found["objects"])
             self.assertEqual(
                 [[list(place) for place in line] for line in room.footprint], found["footprint"]
