@@ -143,7 +143,7 @@ main(int argc, char** argv)
     folder.removeOutdated();
     RoomsInFiles store(folder);
     ProgressReport report(progress);
-    auto scene = findRooms(options, scan.file, understood, store, report);
+    auto scene = findRooms(options, scan, understood, store, report);
     work.setFrame(scene.building_pose, scene.report.metres_per_unit);
     options.frame.settle(scene.report);
     scene.understood = understood;

@@ -173,6 +173,26 @@ TEST(RoomSegmentationLayout, ProgressRisesFromZeroToOne)
     EXPECT_GT(shares[i], shares[i - 1]);
 }
 
+TEST(RoomSegmentationLayout, PointsMayBeElsewhereFromTheFirstCallOfProgressToTheLast)
+{
+  const auto cloud = cloudOf(twoRooms().points);
+  const auto all = cloud->points;
+  Labels expected, labels;
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloud);
+  segmentation.segment(expected);
+  segmentation.setProgressCallback([&](double share, const char*) {
+    if (share == 0.0)
+      cloud->points.clear();
+    if (share == 1.0)
+      cloud->points = all;
+    return true;
+  });
+  segmentation.segment(labels);
+  EXPECT_EQ(roomCount(labels), 2u);
+  EXPECT_EQ(labels, expected);
+}
+
 TEST(RoomSegmentationLayout, TheBuildingCanBeTakenAndTheRoomsStay)
 {
   Segmentation segmentation;

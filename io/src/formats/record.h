@@ -35,8 +35,13 @@ struct IsPlain<Eigen::Matrix<S, rows, columns>>
  * machine of the same kind: numbers, texts, pairs, vectors, fixed matrices, and structs
  * with a function exchange(record, value), which names their members and serves both
  * ways. */
-class RecordWriter {
+template <typename Bytes>
+class BasicRecordWriter {
 public:
+  explicit BasicRecordWriter(Bytes bytes = {})
+  : bytes_(std::move(bytes))
+  {}
+
   template <typename... Ts>
   void
   operator()(const Ts&... values)
@@ -44,10 +49,16 @@ public:
     (put(values), ...);
   }
 
-  const std::string&
-  bytes() const
+  const Bytes&
+  bytes() const&
   {
     return bytes_;
+  }
+
+  Bytes
+  bytes() &&
+  {
+    return std::move(bytes_);
   }
 
 private:
@@ -94,8 +105,43 @@ private:
     append(text.data(), text.size());
   }
 
-  std::string bytes_;
+  Bytes bytes_;
 };
+
+using RecordWriter = BasicRecordWriter<std::string>;
+
+/** \brief Takes bytes as a string does, and keeps their number only. */
+class ByteCount {
+public:
+  void
+  append(const char*, std::size_t size)
+  {
+    size_ += size;
+  }
+
+  std::size_t
+  size() const
+  {
+    return size_;
+  }
+
+private:
+  std::size_t size_ = 0;
+};
+
+/** \brief A value as bytes; they take no more memory than there are. */
+template <typename T>
+std::string
+recordOf(const T& value)
+{
+  BasicRecordWriter<ByteCount> count;
+  count(value);
+  std::string bytes;
+  bytes.reserve(count.bytes().size());
+  RecordWriter record(std::move(bytes));
+  record(value);
+  return std::move(record).bytes();
+}
 
 /** \brief Takes the values of a RecordWriter out again, in the same order.
  * Every function throws DamagedRecord if there are too few bytes. */

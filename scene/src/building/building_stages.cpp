@@ -4,6 +4,7 @@
  */
 #include "building/building_stages.h"
 
+#include "files/points_aside.h"
 #include "files/tool_error.h"
 #include "rooms/scene_record.h" // for dropGrids
 #include "scan/scan.h"
@@ -187,11 +188,12 @@ roomWork(const SceneOptions& options)
 
 Scene
 findRooms(const SceneOptions& options,
-          const CloudFile& file,
+          ScanContent& scan,
           const UnderstoodScan& understood,
           RoomStore& store,
           StageReport& report)
 {
+  const auto& file = scan.file;
   report.start("Segmenting rooms");
   if (auto scene = store.scene();
       scene && scene->room_of_point.size() == file.points->size()) {
@@ -203,7 +205,12 @@ findRooms(const SceneOptions& options,
   RoomSegmentation<PointXYZ> segmentation;
   segmentation.setOptions(options.rooms);
   segmentation.setNumberOfThreads(options.threads);
-  segmentation.setProgressCallback([&report](double share, const char*) {
+  std::optional<PointsAside> aside;
+  segmentation.setProgressCallback([&](double share, const char*) {
+    if (share == 0.0 && scan.sample && !store.pathAside().empty())
+      aside.emplace(*scan.sample->points(), store.pathAside());
+    if (share == 1.0 && aside)
+      aside->bringBack();
     report.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;
   });

@@ -38,10 +38,11 @@ drawSample(const SceneOptions& options,
 RoomWork
 roomWork(const SceneOptions& options);
 
-/** \brief Find the rooms of the scan, unless the store has them. */
+/** \brief Find the rooms of the scan, unless the store has them.
+ * \param[in,out] scan a sample waits in a file meanwhile, see PointsAside */
 Scene
 findRooms(const SceneOptions& options,
-          const CloudFile& file,
+          ScanContent& scan,
           const UnderstoodScan& understood,
           RoomStore& store,
           StageReport& report);

@@ -59,7 +59,7 @@ described(SceneOptions& options,
     in_files.emplace(files.emplace(options.work_folder).folder());
   auto& store = in_files ? static_cast<tool::RoomStore&>(*in_files) : in_memory;
   auto work = tool::roomWork(options);
-  auto scene = tool::findRooms(options, scan.file, understood, store, report);
+  auto scene = tool::findRooms(options, scan, understood, store, report);
   work.setFrame(scene.building_pose, scene.report.metres_per_unit);
   options.frame.settle(scene.report);
   scene.understood = understood;

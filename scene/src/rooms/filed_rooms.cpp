@@ -14,8 +14,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace pcl::indoor::tool {
@@ -110,27 +112,58 @@ extend(RoomExtent& room, const Eigen::Vector3f& point)
   room.sum += point.cast<double>();
 }
 
+/** Points of a strip of the building across x, and what is around it. The first one is
+ * none but the corner of the building, from which cells are counted in every strip. */
+struct Strip {
+  std::vector<std::size_t> points;
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<std::uint32_t> rooms;
+};
+
+/** \param[in] range of x, metres */
+Strip
+stripOf(const Scene& scene,
+        const PointCloud<PointXYZ>& standing,
+        const Eigen::Vector3f& corner,
+        const std::pair<float, float>& range)
+{
+  Strip strip = {{0}, {corner}, {0}};
+  for (std::size_t i = 0; i < standing.size(); ++i)
+    if (const auto& point = standing[i];
+        isFinite(point) && point.x >= range.first && point.x < range.second) {
+      strip.points.push_back(i);
+      strip.positions.emplace_back(point.getVector3fMap());
+      strip.rooms.push_back(scene.room_of_point[i]);
+    }
+  return strip;
+}
+
 /** The file of each point of the sample: 0 ... rooms for the rooms with what surrounds
- * them, the last for the others.
+ * them, the last for the others. Strip by strip: a large building has many points.
  * \param[in] standing points of the sample, z up, metres; not finite where outside */
 std::vector<std::uint32_t>
 filesOfSample(const Scene& scene, const PointCloud<PointXYZ>& standing)
 {
-  std::vector<std::size_t> used;
-  std::vector<Eigen::Vector3f> positions;
-  std::vector<std::uint32_t> rooms;
-  for (std::size_t i = 0; i < standing.size(); ++i)
-    if (isFinite(standing[i])) {
-      used.push_back(i);
-      positions.emplace_back(standing[i].getVector3fMap());
-      rooms.push_back(scene.room_of_point[i]);
+  constexpr float width = 64.0f; // metres
+  constexpr float around = 1.0f; // metres, more than withSurroundings() looks at
+  std::set<float> begins;        // of strips that have points
+  Eigen::AlignedBox3f box;
+  for (const auto& point : standing)
+    if (isFinite(point)) {
+      begins.insert(width * std::floor(point.x / width));
+      box.extend(point.getVector3fMap());
     }
-  rooms = withSurroundings(positions, std::move(rooms));
   const auto count = static_cast<std::uint32_t>(scene.rooms.size());
   std::vector<std::uint32_t> files(standing.size(), in_no_file);
-  for (std::size_t k = 0; k < used.size(); ++k)
-    files[used[k]] = (rooms[k] + count) % (count + 1) +
-                     (scene.room_of_point[used[k]] == 0 ? in_no_room : 0);
+  for (const float begin : begins) {
+    const auto strip =
+        stripOf(scene, standing, box.min(), {begin - around, begin + width + around});
+    const auto rooms = withSurroundings(strip.positions, strip.rooms);
+    for (std::size_t k = 1; k < rooms.size(); ++k)
+      if (const float x = strip.positions[k].x(); x >= begin && x < begin + width)
+        files[strip.points[k]] =
+            (rooms[k] + count) % (count + 1) + (strip.rooms[k] == 0 ? in_no_room : 0);
+  }
   return files;
 }
 

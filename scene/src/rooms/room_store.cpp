@@ -46,6 +46,12 @@ RoomsInMemory::await(const std::vector<std::size_t>&) const
 {}
 
 std::string
+RoomsInMemory::pathAside() const
+{
+  return {};
+}
+
+std::string
 RoomsInMemory::absence(std::size_t room) const
 {
   return "room " + std::to_string(room + 1) + " is not finished";
@@ -93,6 +99,12 @@ RoomsInFiles::await(const std::vector<std::size_t>& rooms) const
     for (; !std::filesystem::exists(folder_.path(roomFile(room))) && waited < longest;
          ++waited)
       std::this_thread::sleep_for(std::chrono::seconds(1));
+}
+
+std::string
+RoomsInFiles::pathAside() const
+{
+  return folder_.path("points_aside");
 }
 
 std::string

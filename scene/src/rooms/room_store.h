@@ -44,6 +44,11 @@ public:
   virtual void
   await(const std::vector<std::size_t>& rooms) const = 0;
 
+  /** \brief Where points may wait while others need the memory, see PointsAside; empty:
+   * they are to stay in memory. */
+  virtual std::string
+  pathAside() const = 0;
+
   /** \brief What to say of a room that is not there. */
   virtual std::string
   absence(std::size_t room) const = 0;
@@ -66,6 +71,9 @@ public:
 
   void
   await(const std::vector<std::size_t>& rooms) const override;
+
+  std::string
+  pathAside() const override;
 
   std::string
   absence(std::size_t room) const override;
@@ -95,6 +103,9 @@ public:
 
   void
   await(const std::vector<std::size_t>& rooms) const override;
+
+  std::string
+  pathAside() const override;
 
   std::string
   absence(std::size_t room) const override;

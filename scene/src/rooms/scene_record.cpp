@@ -130,15 +130,6 @@ exchange(Record& record, FinishedRoom& room)
 namespace {
 
 template <typename T>
-std::string
-bytesOf(const T& value)
-{
-  RecordWriter record;
-  record(value);
-  return record.bytes();
-}
-
-template <typename T>
 std::optional<T>
 valueOf(const std::string& bytes)
 {
@@ -183,7 +174,7 @@ dropGrids(BuildingRooms& building)
 std::string
 sceneBytes(const Scene& scene)
 {
-  return bytesOf(scene);
+  return recordOf(scene);
 }
 
 std::optional<Scene>
@@ -195,7 +186,7 @@ sceneOf(const std::string& bytes)
 std::string
 roomBytes(const FinishedRoom& room)
 {
-  return bytesOf(room);
+  return recordOf(room);
 }
 
 std::optional<FinishedRoom>

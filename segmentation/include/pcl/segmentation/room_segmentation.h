@@ -285,7 +285,8 @@ public:
   /** \brief Set whom segment() tells how far it is.
    * \param[in] callback given the share of the work, rising from 0 to 1, and the stage
    * that begins; if it returns false, segment() stops, prints nothing and leaves empty
-   * outputs (default none)
+   * outputs (default none). From the call with 0 to that with 1 the input cloud is not
+   * read: its points may be elsewhere meanwhile
    */
   void
   setProgressCallback(const indoor::ProgressCallback& callback)

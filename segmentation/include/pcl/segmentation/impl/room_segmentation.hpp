@@ -192,9 +192,12 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     return;
   }
   bool goes_on = true;
-  const auto progress = [&](double share, const char* stage) {
+  const auto tell = [&](double share, const char* stage) {
     goes_on = !progress_ || progress_(share, stage);
     return goes_on;
+  };
+  const auto progress = [&](double share, const char* stage) {
+    return share == 1.0 || tell(share, stage); // the end is told below
   };
   try {
     building_ = indoor::segmentBuilding(
@@ -205,8 +208,10 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     this->deinitCompute();
     return;
   }
+  std::vector<Eigen::Vector3f>().swap(points); // they may be many
+  if (goes_on && !tell(1.0, "done"))
+    building_ = indoor::BuildingRooms();
   if (goes_on) {
-    std::vector<Eigen::Vector3f>().swap(points); // they may be many
     const Indices all;
     describeInput(indices ? *indices : all);
     rooms_ = building_.rooms;
