@@ -6,6 +6,7 @@
 #include <pcl/exceptions.h>
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/model/building_model.h>
+#include <pcl/model/model_columns.h>
 #include <pcl/model/model_openings.h>
 #include <pcl/model/model_walls.h>
 #include <pcl/model/wall_holes.h>
@@ -91,6 +92,7 @@ buildingModel(const PointsOfRooms& points,
   model.walls = modelWalls(model.faces, pairs);
   model.openings = modelOpenings(model.faces, pairs, holes, openings);
   giveWalls(model);
+  model.columns = modelColumns(rooms, points);
   return model;
 }
 

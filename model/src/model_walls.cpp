@@ -75,17 +75,19 @@ pieceOf(const WallFace& face, double from, double to, double gap)
   return piece;
 }
 
-/** What of a side has no partner. */
+/** What of a side has no partner. Between two partners, or beside one, it may be where
+ * another wall meets this one from behind. */
 void
 addRest(const WallFace& face,
         std::vector<std::pair<double, double>> taken,
         std::vector<Piece>& pieces)
 {
+  const double least = taken.empty() ? least_piece : crossing;
   std::sort(taken.begin(), taken.end());
   taken.emplace_back(face.length(), face.length());
   double from = 0.0;
   for (const auto& [begin, end] : taken) {
-    if (begin - from >= least_piece)
+    if (begin - from >= least)
       pieces.push_back(pieceOf(face, from, begin, 0.0));
     from = std::max(from, end);
   }
@@ -265,6 +267,12 @@ modelWalls(const std::vector<WallFace>& faces, const std::vector<FacePair>& pair
     return a.storey < b.storey;
   });
   closeCorners(walls);
+  walls.erase(std::remove_if(walls.begin(),
+                             walls.end(),
+                             [](const auto& wall) {
+                               return (wall.end - wall.begin).norm() < least_piece;
+                             }),
+              walls.end());
   return walls;
 }
 

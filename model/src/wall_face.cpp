@@ -4,6 +4,7 @@
  */
 
 #include <pcl/indoor/parallel_for.h>
+#include <pcl/model/model_columns.h>
 #include <pcl/model/wall_face.h>
 
 #include <algorithm>
@@ -287,6 +288,8 @@ wallFaces(const std::vector<Room>& rooms, const PointsOfRooms& points, int threa
   std::vector<std::size_t> outlines; // first face of each
   for (const Room& room : rooms)
     for (const auto& line : room.footprint) {
+      if (isColumn(line))
+        continue;
       outlines.push_back(faces.size());
       Ring ring = straightRuns(line);
       bridgeNiches(ring);

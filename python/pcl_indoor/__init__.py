@@ -21,6 +21,7 @@ from .rooms import segment_rooms
 from .scan import load
 from .scene import (
     Box,
+    Column,
     Neighbour,
     Opening,
     Room,
@@ -36,6 +37,7 @@ from .scene import (
 __all__ = [
     "Box",
     "Classification",
+    "Column",
     "InputError",
     "Neighbour",
     "Opening",

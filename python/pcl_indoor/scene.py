@@ -109,6 +109,19 @@ class Wall:
 
 
 @dataclass(frozen=True)
+class Column:
+    """What stands in a room from its floor to its ceiling and is no wall."""
+
+    number: int
+    storey: int
+    room: int  #: that it stands in
+    position: Position  #: middle of its foot
+    size: Position  #: length >= width, and height, metres; of a round one two diameters
+    yaw_degrees: float  #: of the length, counter-clockwise seen from above from axes["x"]
+    round: bool
+
+
+@dataclass(frozen=True)
 class Opening:
     """A door, a window or a passage."""
 
@@ -151,8 +164,8 @@ class Scene:
 
     Attributes
     ----------
-    storeys, rooms, walls, openings, objects : lists
-        Of Storey, Room, Wall, Opening and SceneObject. Room and object k are at place k - 1.
+    storeys, rooms, walls, columns, openings, objects : lists
+        Of Storey, Room, Wall, Column, Opening and SceneObject. Room and object k are at place k - 1.
     room_of_point, object_of_point, structure_of_point : arrays or None
         N, uint32, in the order of the points; 0 = none. Structure is 1 floor, 2 wall, 3 ceiling, 4
         remainder (too small to be an object). None of scenes that were read from a file, and of
@@ -175,6 +188,7 @@ class Scene:
         self.storeys: List[Storey] = [_storey(one) for one in found["storeys"]]
         self.rooms: List[Room] = [_room(one) for one in found["rooms"]]
         self.walls: List[Wall] = [_wall(one) for one in found.get("walls", [])]
+        self.columns: List[Column] = [_column(one) for one in found.get("columns", [])]
         self.openings: List[Opening] = [_opening(one) for one in found.get("openings", [])]
         self.objects: List[SceneObject] = [_object(one) for one in found["objects"]]
         self.categories: List[str] = found.get("categories", [])
@@ -435,6 +449,18 @@ def _wall(found: Dict[str, Any]) -> Wall:
         end=_position(found["end"]),
         height=found["height"],
         thickness=found.get("thickness"),
+    )
+
+
+def _column(found: Dict[str, Any]) -> Column:
+    return Column(
+        number=found["column"],
+        storey=found["storey"],
+        room=found["room"],
+        position=_position(found["position"]),
+        size=_position(found["size"]),
+        yaw_degrees=found["yaw_degrees"],
+        round=found["round"],
     )
 
 

@@ -29,6 +29,19 @@ struct IfcPlace {
   double floor = 0.0; ///< height of the placement, metres
 };
 
+/** As many sides as look round. */
+PlanPolygon
+circle(double radius)
+{
+  constexpr int sides = 24;
+  PlanPolygon polygon;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2.0 * M_PI * k / sides;
+    polygon.outer.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return polygon;
+}
+
 /** Writes a scene, part by part. */
 class IfcWriter {
 public:
@@ -55,6 +68,9 @@ private:
 
   void
   addWall(const SavedWall& wall);
+
+  void
+  addColumn(const SavedColumn& column);
 
   void
   addMaterial(StepEntity wall, double thickness);
@@ -220,6 +236,29 @@ IfcWriter::addWall(const SavedWall& wall)
       entity, "pcl_indoor_Wall", {ifcFlag("ThicknessIsMeasured", is_known)});
 }
 
+void
+IfcWriter::addColumn(const SavedColumn& column)
+{
+  const auto& storey = storeys_[column.storey];
+  const auto& foot = column.foot;
+  const auto place = shapes_.placement(
+      storey.placement, {foot.x(), foot.y(), foot.z() - storey.floor}, column.yaw);
+  const auto shape =
+      column.is_round
+          ? shapes_.prism({circle(0.5 * column.size.x())}, 0.0, column.size.z())
+          : shapes_.box(Eigen::Vector3d::Zero(), column.size);
+  const auto entity = elements_.add({"IFCCOLUMN",
+                                     "column",
+                                     std::to_string(column.number),
+                                     "",
+                                     place,
+                                     shape,
+                                     {no_tag, ".COLUMN."}});
+  in_storey_[column.storey].push_back(entity);
+  elements_.addQuantities(
+      entity, "Qto_ColumnBaseQuantities", {ifcLength("Length", column.size.z())});
+}
+
 /** Where an opening's leaf stands, and of one in a wall its hole, from the foot of the
  * leaf; x goes along the wall. */
 IfcPlace
@@ -354,6 +393,8 @@ IfcWriter::text(int epsg)
   }
   for (const auto& wall : scene_.walls)
     addWall(wall);
+  for (const auto& column : scene_.columns)
+    addColumn(column);
   for (const auto& opening : scene_.openings)
     addOpening(opening);
   for (const auto& object : scene_.objects)

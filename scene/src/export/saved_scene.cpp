@@ -172,6 +172,22 @@ wallOf(const Json& json, const LevelFrame& frame, const SavedScene& scene)
   return wall;
 }
 
+SavedColumn
+columnOf(const Json& json, const LevelFrame& frame, const SavedScene& scene)
+{
+  SavedColumn column;
+  column.number = static_cast<std::uint32_t>(scene.columns.size() + 1);
+  column.storey = indexOf(json.at("storey"), "storey", scene.storeys.size());
+  column.foot = frame.place(json.at("position"));
+  column.size = vectorOf(json.at("size"));
+  column.yaw = frame.yaw(numberOf(json.at("yaw_degrees")) * M_PI / 180.0);
+  column.is_round = json.at("round").get<bool>();
+  if (!(column.size.minCoeff() >= 0.0))
+    throw ToolError("column " + std::to_string(column.number) +
+                    " has a side of less than 0 m");
+  return column;
+}
+
 ModelOpeningKind
 kindOf(const std::string& name)
 {
@@ -273,6 +289,9 @@ savedScene(const Json& json)
   if (scene.version > 1)
     for (const auto& wall : json.at("walls"))
       scene.walls.push_back(wallOf(wall, frame, scene));
+  if (json.contains("columns"))
+    for (const auto& column : json["columns"])
+      scene.columns.push_back(columnOf(column, frame, scene));
   for (const auto& opening : json.at("openings"))
     scene.openings.push_back(openingOf(opening, frame, scene));
   for (const auto& object : json.at("objects"))

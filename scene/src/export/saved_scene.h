@@ -51,6 +51,16 @@ struct SavedWall {
   double thickness = 0.0;     ///< metres; 0 = not known
 };
 
+/** \brief A column of a scene file. */
+struct SavedColumn {
+  std::uint32_t number = 0; ///< from 1
+  std::uint32_t storey = 0;
+  Eigen::Vector3d foot;  ///< middle of its foot
+  Eigen::Vector3d size;  ///< length, width, height, metres
+  double yaw = 0.0;      ///< of its length, radians
+  bool is_round = false; ///< its length and width are the diameter
+};
+
 /** \brief An opening of a scene file. */
 struct SavedOpening {
   std::uint32_t number = 0; ///< from 1
@@ -87,6 +97,7 @@ struct SavedScene {
   std::vector<SavedStorey> storeys;
   std::vector<SavedRoom> rooms; ///< room i + 1 is the i-th
   std::vector<SavedWall> walls; ///< none of version 1
+  std::vector<SavedColumn> columns;
   std::vector<SavedOpening> openings;
   std::vector<SavedObject> objects;
 };

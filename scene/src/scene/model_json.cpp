@@ -6,6 +6,8 @@
 
 #include "scene/room_json.h"
 
+#include <cmath>
+
 namespace pcl::indoor::tool {
 namespace {
 
@@ -62,6 +64,24 @@ wallsJson(const BuildingModel& model, const Eigen::Affine3d& to_file)
     walls.push_back(std::move(json));
   }
   return walls;
+}
+
+Json
+columnsJson(const BuildingModel& model, const Eigen::Affine3d& to_file)
+{
+  Json columns = Json::array();
+  for (const auto& column : model.columns) {
+    const Eigen::Vector3d foot(column.center.x(), column.center.y(), column.floor);
+    const Eigen::Vector3d size(column.size.x(), column.size.y(), column.height);
+    columns.push_back({{"column", columns.size() + 1},
+                       {"storey", column.storey},
+                       {"room", column.room},
+                       {"position", positionJson(to_file * foot)},
+                       {"size", positionJson(size)},
+                       {"yaw_degrees", rounded(column.yaw * 180.0 / M_PI)},
+                       {"round", column.is_round}});
+  }
+  return columns;
 }
 
 } // namespace pcl::indoor::tool

@@ -28,4 +28,10 @@ openingsJson(const BuildingModel& model, const Eigen::Affine3d& to_file);
 nlohmann::ordered_json
 wallsJson(const BuildingModel& model, const Eigen::Affine3d& to_file);
 
+/** \brief Columns, as scene.json has them.
+ * \param[in] to_file brings places of the building's frame into the file's
+ */
+nlohmann::ordered_json
+columnsJson(const BuildingModel& model, const Eigen::Affine3d& to_file);
+
 } // namespace pcl::indoor::tool

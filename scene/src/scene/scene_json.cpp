@@ -210,6 +210,7 @@ sceneJson(const Scene& scene)
   addObjectsToRooms(json["rooms"], scene);
   const auto to_file = fileFrame(scene);
   json["walls"] = wallsJson(scene.model, to_file);
+  json["columns"] = columnsJson(scene.model, to_file);
   json["openings"] = openingsJson(scene.model, to_file);
   json["objects"] = objectsJson(scene);
   return json;

@@ -34,6 +34,20 @@ enum class ModelOpeningKind {
   Passage ///< wider or up to the ceiling, without a leaf
 };
 
+/** \brief A column: what stands in a room from its floor to its ceiling, and is no
+ * wall. */
+struct ModelColumn {
+  std::uint32_t room = 0;   ///< that it stands in
+  std::uint32_t storey = 0; ///< that of the room
+  Eigen::Vector2d center;   ///< metres
+  Eigen::Vector2d size;     ///< length and width, the length not less; of a round one
+                            ///< both are the diameter, metres
+  double yaw = 0.0;         ///< of its length, counter-clockwise from +x, radians
+  double floor = 0.0;       ///< height of its foot, metres
+  double height = 0.0;      ///< metres
+  bool is_round = false;
+};
+
 /** \brief A hole in a wall, or what closes one. */
 struct ModelOpening {
   ModelOpeningKind kind = ModelOpeningKind::Door;
@@ -60,6 +74,7 @@ struct ModelOpening {
 struct BuildingModel {
   std::vector<WallFace> faces; ///< sides of walls, outline by outline
   std::vector<ModelWall> walls;
+  std::vector<ModelColumn> columns;   ///< room by room
   std::vector<ModelOpening> openings; ///< where one can pass, in the order given; then
                                       ///< all others, storey by storey
 };

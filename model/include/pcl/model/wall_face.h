@@ -48,7 +48,7 @@ struct WallFace {
 };
 
 /** \brief The outlines of all rooms in straight runs, each fitted to the points of its
- * wall.
+ * wall. Those of columns, see isColumn(), are left out.
  *
  * A run is moved and turned to where most points of the room lie beside it, from the
  * floor to the ceiling, and then fitted to these by least squares: the mean of a

@@ -1,0 +1,218 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include <pcl/model/model_columns.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+using Places = std::vector<Eigen::Vector2d>;
+
+constexpr double thickest = 1.0; // metres
+constexpr double near_side =
+    0.02;                      // metres: two standard deviations of a scanner's noise
+constexpr double reach = 0.15; // metres: outlines lie within 1.5 voxels of sides
+constexpr std::size_t enough_points = 20; // or it is as its outline
+
+Eigen::AlignedBox2d
+boxOf(const Places& places)
+{
+  Eigen::AlignedBox2d box;
+  for (const auto& place : places)
+    box.extend(place);
+  return box;
+}
+
+/** The points around a column, away from floor and ceiling; without enough of them its
+ * outline. */
+Places
+placesAround(const Places& outline, const Room& room, const PointsOfRooms& points)
+{
+  constexpr double from_slabs = 0.3; // metres: what stands around it, beams
+  const auto box = boxOf(outline);
+  const double radius = 0.5 * box.sizes().maxCoeff() + reach;
+  const Eigen::Vector2d side(radius, 0.0);
+  const FaceStretch stretch{
+      box.center() - side, box.center() + side, 0.0, radius, radius};
+  std::vector<WallPoint> near;
+  points.beside(stretch, room.label, false, near);
+  const double floor = room.footprint.front().front().z();
+  Places places;
+  for (const auto& point : near)
+    if (point.height > floor + from_slabs &&
+        point.height < floor + room.height - from_slabs)
+      places.emplace_back(stretch.begin + Eigen::Vector2d(point.along, point.before));
+  return places.size() < enough_points ? outline : places;
+}
+
+/** A value that a share of others is below. */
+double
+quantile(std::vector<double> values, double share)
+{
+  const auto place = static_cast<std::ptrdiff_t>(
+      std::lround(share * static_cast<double>(values.size() - 1)));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+/** A shape, and how many points lie on its sides. */
+struct Fit {
+  Eigen::Vector2d center, size;
+  double yaw = 0.0;
+  std::size_t on_sides = 0;
+};
+
+/** The rectangle of a direction. */
+Fit
+rectangleAlong(const Places& places, double yaw)
+{
+  constexpr double strays = 0.03; // share
+  const Eigen::Rotation2Dd turn(-yaw);
+  std::vector<double> u, v;
+  for (const auto& place : places) {
+    const Eigen::Vector2d turned = turn * place;
+    u.push_back(turned.x());
+    v.push_back(turned.y());
+  }
+  const Eigen::Vector2d low(quantile(u, strays), quantile(v, strays));
+  const Eigen::Vector2d high(quantile(u, 1.0 - strays), quantile(v, 1.0 - strays));
+  Fit fit{turn.inverse() * (0.5 * (low + high)), high - low, yaw};
+  for (std::size_t i = 0; i < u.size(); ++i)
+    fit.on_sides += std::min({std::abs(u[i] - low.x()),
+                              std::abs(u[i] - high.x()),
+                              std::abs(v[i] - low.y()),
+                              std::abs(v[i] - high.y())}) <= near_side;
+  return fit;
+}
+
+/** The rectangle on which most points lie. */
+Fit
+bestRectangle(const Places& places)
+{
+  Fit best;
+  for (int degrees = 0; degrees < 90; ++degrees) {
+    const auto fit = rectangleAlong(places, degrees * M_PI / 180.0);
+    if (fit.on_sides > best.on_sides || degrees == 0)
+      best = fit;
+  }
+  return best;
+}
+
+/** The circle of least squares. */
+std::optional<Fit>
+circleThrough(const Places& places)
+{
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  const Eigen::Vector2d middle = boxOf(places).center();
+  for (const auto& place : places) {
+    const Eigen::Vector2d from = place - middle;
+    const Eigen::Vector3d row(2.0 * from.x(), 2.0 * from.y(), 1.0);
+    a += row * row.transpose();
+    b += from.squaredNorm() * row;
+  }
+  const Eigen::FullPivLU<Eigen::Matrix3d> solver(a);
+  if (places.size() < enough_points || !solver.isInvertible())
+    return std::nullopt;
+  const Eigen::Vector3d found = solver.solve(b);
+  const double radius = std::sqrt(found.z() + found.head<2>().squaredNorm());
+  if (!(radius > 0.0 && radius <= 0.5 * thickest))
+    return std::nullopt;
+  return Fit{middle + found.head<2>(), Eigen::Vector2d::Constant(2.0 * radius)};
+}
+
+Places
+onCircle(const Fit& circle, const Places& places, double band)
+{
+  Places found;
+  for (const auto& place : places)
+    if (std::abs((place - circle.center).norm() - 0.5 * circle.size.x()) <= band)
+      found.push_back(place);
+  return found;
+}
+
+/** The same without what stands beside it. */
+std::optional<Fit>
+bestCircle(const Places& places)
+{
+  auto best = circleThrough(places);
+  for (const double band : {4.0 * near_side, 2.0 * near_side, near_side})
+    if (best)
+      best = circleThrough(onCircle(*best, places, band));
+  if (best)
+    best->on_sides = onCircle(*best, places, near_side).size();
+  return best;
+}
+
+ModelColumn
+columnOf(const Places& outline, const Room& room, const PointsOfRooms& points)
+{
+  const auto places = placesAround(outline, room, points);
+  auto fit = bestRectangle(places);
+  ModelColumn column;
+  if (const auto circle = bestCircle(places);
+      circle && circle->on_sides > fit.on_sides) {
+    fit = *circle;
+    column.is_round = true;
+  }
+  if (fit.size.y() > fit.size.x()) {
+    std::swap(fit.size.x(), fit.size.y());
+    fit.yaw += 0.5 * M_PI;
+  }
+  column.room = room.label;
+  column.storey = room.storey;
+  column.center = fit.center;
+  column.size = fit.size;
+  column.yaw = fit.yaw;
+  column.floor = room.footprint.front().front().z();
+  column.height = room.height;
+  return column;
+}
+
+} // namespace
+
+bool
+isColumn(const std::vector<Eigen::Vector3d>& line)
+{
+  Places outline;
+  double twice_area = 0.0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const auto &corner = line[i], &next = line[(i + 1) % line.size()];
+    outline.emplace_back(corner.head<2>());
+    twice_area += corner.x() * next.y() - corner.y() * next.x();
+  }
+  if (outline.empty() || twice_area >= 0.0) // outlines of rooms turn to the left
+    return false;
+  const auto size = bestRectangle(outline).size;
+  return size.maxCoeff() <= thickest;
+}
+
+std::vector<ModelColumn>
+modelColumns(const std::vector<Room>& rooms, const PointsOfRooms& points)
+{
+  std::vector<ModelColumn> columns;
+  for (const Room& room : rooms)
+    for (const auto& line : room.footprint) {
+      if (!isColumn(line))
+        continue;
+      Places outline;
+      for (const auto& corner : line)
+        outline.emplace_back(corner.head<2>());
+      columns.push_back(columnOf(outline, room, points));
+    }
+  return columns;
+}
+
+} // namespace indoor
+} // namespace pcl
