@@ -54,6 +54,15 @@ TEST(VoxelBits, EqualsBytes)
           count += bits.at(x, y, z);
         }
     EXPECT_EQ(bits.count(), count);
+    const auto bytes = bits.bytes();
+    EXPECT_EQ(bytes.shape, map.shape);
+    EXPECT_EQ(bytes.origin, map.origin);
+    EXPECT_EQ(bytes.voxel_size, map.voxel_size);
+    EXPECT_TRUE(std::equal(bytes.values.begin(),
+                           bytes.values.end(),
+                           map.values.begin(),
+                           map.values.end(),
+                           [](auto bit, auto value) { return bit == (value != 0); }));
   }
 }
 

@@ -81,7 +81,8 @@ votedVoxels(const StoreySpace& space, const RoomMap& map, int threads)
           1;
   VoxelLabelOptions options;
   options.threads = threads;
-  return labelVoxels(space.interior.occupancy, space.interior.inside, labels, options);
+  return labelVoxels(
+      space.interior.occupancy.bytes(), space.interior.inside.bytes(), labels, options);
 }
 
 /** Label the points of one storey by the voxels they lie in. */

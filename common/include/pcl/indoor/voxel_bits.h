@@ -72,9 +72,26 @@ public:
                           map.values.size() << " values do not fill a grid of "
                                             << map.shape.size() << " voxels.");
     reset(map.shape);
-    for (std::size_t v = 0; v < map.values.size(); ++v)
-      if (map.values[v] != 0)
-        setIn(v / shape.nz, static_cast<int>(v % shape.nz));
+    const auto* value = map.values.data();
+    for (std::size_t pixel = 0; pixel < columns(); ++pixel)
+      for (int z = 0; z < shape.nz; ++z, ++value)
+        words_[pixel * words_per_column_ + z / 64] |= std::uint64_t{*value != 0}
+                                                      << z % 64;
+  }
+
+  /** \brief The same as a byte per voxel, 1 where its bit is set. */
+  VoxelMap<std::uint8_t>
+  bytes() const
+  {
+    VoxelMap<std::uint8_t> map{shape, origin, voxel_size, {}};
+    map.values.resize(shape.size());
+    auto* value = map.values.data();
+    for (std::size_t pixel = 0; pixel < columns(); ++pixel) {
+      const auto bits = column(pixel);
+      for (int z = 0; z < shape.nz; ++z, ++value)
+        *value = bits[z];
+    }
+    return map;
   }
 
   /** \brief Set the shape, and all bits to 0. */

@@ -44,7 +44,7 @@ requireValid(const FieldRoomsOptions& options)
 VoxelMap<std::uint8_t>
 belowCeiling(const InteriorSpace& space)
 {
-  VoxelMap<std::uint8_t> inside = space.inside;
+  VoxelMap<std::uint8_t> inside = space.inside.bytes();
   const GridShape& shape = inside.shape;
   const auto ceiling = ceilingLayers(space.occupancy, {0, shape.nz}, {});
   for (int x = 0; x < shape.nx; ++x)
@@ -169,8 +169,9 @@ FieldRooms
 segmentFieldMap(const InteriorSpace& space, const FieldRoomsOptions& options)
 {
   requireValid(options);
-  const auto& occupancy = space.occupancy;
-  const auto interior = options.above_ceiling ? space.inside : belowCeiling(space);
+  const auto occupancy = space.occupancy.bytes();
+  const auto interior =
+      options.above_ceiling ? space.inside.bytes() : belowCeiling(space);
   FieldRooms rooms;
   rooms.potential = potentialField(occupancy, options.threads); // Sec. 3.2.2
   rooms.field = fieldMap(rooms.potential, interior);

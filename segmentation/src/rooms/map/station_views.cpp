@@ -43,7 +43,7 @@ isInside(const Eigen::Array3i& voxel, const InteriorSpace& interior)
   const int x = voxel.x() / interior.factor, y = voxel.y() / interior.factor,
             z = voxel.z() / interior.factor;
   return (voxel >= 0).all() && interior.inside.shape.contains(x, y, z) &&
-         interior.inside.at(x, y, z) != 0;
+         interior.inside.at(x, y, z);
 }
 
 /** The regions on both sides of each pixel of a wall, where they are two. */

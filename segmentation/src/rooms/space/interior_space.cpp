@@ -24,14 +24,20 @@ namespace {
 
 constexpr double gain_unit = 0.01; // of the energy, Eq. (3.2)
 
+GridShape
+coarseShape(const GridShape& fine, int factor)
+{
+  const auto groups = [&](int count) { return (count + factor - 1) / factor; };
+  return {groups(fine.nx), groups(fine.ny), groups(fine.nz)};
+}
+
 VoxelMap<std::uint8_t>
 coarser(const VoxelBits& fine, int factor)
 {
-  const auto groups = [&](int count) { return (count + factor - 1) / factor; };
   VoxelMap<std::uint8_t> coarse;
   coarse.origin = fine.origin;
   coarse.voxel_size = fine.voxel_size * factor;
-  coarse.shape = {groups(fine.shape.nx), groups(fine.shape.ny), groups(fine.shape.nz)};
+  coarse.shape = coarseShape(fine.shape, factor);
   coarse.values.assign(coarse.shape.size(), 0);
   for (int x = 0; x < fine.shape.nx; ++x)
     for (int y = 0; y < fine.shape.ny; ++y) {
@@ -91,17 +97,21 @@ sampledNormals(const std::vector<Eigen::Vector3f>& points,
 
 /** The gain of each voxel, by Eq. (3.1). What it is found from is as large as the grid
  * and not kept.
- * \param[in,out] space gets the sides that nobody has seen */
+ * \param[in,out] space gets the occupied voxels, and the sides that nobody has seen */
 CodedGains
 gainIn(InteriorSpace& space,
+       const OccupancyGrid& building,
        const std::vector<Eigen::Vector3d>& directions,
        const InteriorSpaceOptions& options)
 {
+  auto occupancy = coarser(building.grid, space.factor);
+  cleanUpVertically(occupancy, 1, options.threads);
+  space.occupancy = occupancy;
   const int count = static_cast<int>(directions.size());
-  auto bits = enclosureInSpace(space.occupancy, directions, options.threads);
-  space.unseen = findUnseenSides(space.occupancy, bits, count);
+  auto bits = enclosureInSpace(occupancy, directions, options.threads);
+  space.unseen = findUnseenSides(occupancy, bits, count);
   return codedInteriorGain(
-      space.occupancy, std::move(bits), count, options.weights, gain_unit);
+      occupancy, std::move(bits), count, options.weights, gain_unit);
 }
 
 } // namespace
@@ -187,17 +197,15 @@ interiorSpaceAlong(const OccupancyGrid& building,
     const Eigen::Vector2d heading = turned.back().head<2>();
     space.directions.push_back(direction.z() == 0.0 ? heading : heading.normalized());
   }
-  space.occupancy = coarser(building.grid, space.factor);
-  cleanUpVertically(space.occupancy, 1, options.threads);
-
-  const auto gain = gainIn(space, turned, options);
-  auto cut = cutGrid(space.occupancy.shape,
-                     gain,
-                     static_cast<int>(std::lround(options.smoothness / gain_unit)));
-  space.inside.shape = space.occupancy.shape;
-  space.inside.origin = space.occupancy.origin;
-  space.inside.voxel_size = space.occupancy.voxel_size;
-  space.inside.values = std::move(cut.inside);
+  VoxelMap<std::uint8_t> inside;
+  inside.values = cutGrid(coarseShape(building.grid.shape, space.factor),
+                          gainIn(space, building, turned, options),
+                          static_cast<int>(std::lround(options.smoothness / gain_unit)))
+                      .inside;
+  inside.shape = space.occupancy.shape;
+  inside.origin = space.occupancy.origin;
+  inside.voxel_size = space.occupancy.voxel_size;
+  space.inside = inside;
   return space;
 }
 

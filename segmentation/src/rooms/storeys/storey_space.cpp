@@ -72,33 +72,19 @@ shapeOf(const GridShape& grid, const ColumnRanges& ranges, int factor)
           (ranges.highest + factor - 1) / factor - ranges.lowest / factor};
 }
 
-/** The voxels within the ranges; the others are not set. */
+/** The voxels within the ranges; the others are not set.
+ * \param[in] factor how many layers of the ranges one of the grid is */
 VoxelBits
-cut(const VoxelBits& grid, const ColumnRanges& ranges)
-{
-  VoxelBits part;
-  part.voxel_size = grid.voxel_size;
-  part.origin = grid.origin + Eigen::Vector3d(0, 0, ranges.lowest * grid.voxel_size);
-  part.reset(shapeOf(grid.shape, ranges, 1));
-  forEachVoxel(grid.shape, ranges, 1, [&](int x, int y, int z) {
-    if (grid.at(x, y, z))
-      part.set(x, y, z - ranges.lowest);
-  });
-  return part;
-}
-
-/** The same of coarser voxels; the others are 0. */
-VoxelMap<std::uint8_t>
-cut(const VoxelMap<std::uint8_t>& grid, const ColumnRanges& ranges, int factor)
+cut(const VoxelBits& grid, const ColumnRanges& ranges, int factor)
 {
   const int first = ranges.lowest / factor;
-  VoxelMap<std::uint8_t> part;
+  VoxelBits part;
   part.voxel_size = grid.voxel_size;
   part.origin = grid.origin + Eigen::Vector3d(0, 0, first * grid.voxel_size);
-  part.shape = shapeOf(grid.shape, ranges, factor);
-  part.values.assign(part.shape.size(), 0);
+  part.reset(shapeOf(grid.shape, ranges, factor));
   forEachVoxel(grid.shape, ranges, factor, [&](int x, int y, int z) {
-    part.at(x, y, z - first) = grid.at(x, y, z);
+    if (grid.at(x, y, z))
+      part.set(x, y, z - first);
   });
   return part;
 }
@@ -113,7 +99,7 @@ storeySpace(const VoxelBits& occupancy,
 {
   const ColumnRanges ranges = columnRanges(occupancy, storeys, storey);
   StoreySpace space;
-  space.occupancy = cut(occupancy, ranges);
+  space.occupancy = cut(occupancy, ranges, 1);
   space.first_layer = ranges.lowest;
   const double floor = (storeys.heights[storey].floor - space.occupancy.origin.z()) /
                        occupancy.voxel_size;

@@ -26,18 +26,16 @@ InteriorSpace
 twoRooms(int door_width = 4)
 {
   InteriorSpace space;
-  auto& walls = space.occupancy;
-  walls.voxel_size = 0.2;
-  walls.shape = {45, 22, 15};
-  walls.values.assign(walls.shape.size(), 0);
-  space.inside = walls;
+  space.occupancy.voxel_size = space.inside.voxel_size = 0.2;
+  space.occupancy.reset({45, 22, 15});
+  space.inside.reset({45, 22, 15});
   for (int x = 0; x < 45; ++x)
     for (int y = 0; y < 22; ++y)
       for (int z = 0; z < 15; ++z) {
         const bool door = x == 25 && z <= 10 && y >= 8 && y < 8 + door_width;
         const bool wall = x == 0 || x == 44 || x == 25 || y == 0 || y == 21;
-        walls.at(x, y, z) = z == 0 || z == 14 || (wall && !door);
-        space.inside.at(x, y, z) = !walls.at(x, y, z);
+        const bool is_occupied = z == 0 || z == 14 || (wall && !door);
+        (is_occupied ? space.occupancy : space.inside).set(x, y, z);
       }
   return space;
 }
@@ -81,17 +79,17 @@ TEST(SegmentFieldMap, SpaceAboveTheCeilingJoinsNothing)
 {
   const InteriorSpace space = twoRooms();
   InteriorSpace higher = space;
-  higher.occupancy.shape.nz = higher.inside.shape.nz = 17;
-  higher.occupancy.values.assign(higher.occupancy.shape.size(), 0);
-  higher.inside.values.assign(higher.inside.shape.size(), 1);
+  higher.occupancy.reset({45, 22, 17});
+  higher.inside.reset({45, 22, 17});
   for (int x = 0; x < 45; ++x)
     for (int y = 0; y < 22; ++y)
-      for (int z = 0; z < 15; ++z) {
-        higher.occupancy.at(x, y, z) = space.occupancy.at(x, y, z);
-        higher.inside.at(x, y, z) = space.inside.at(x, y, z);
+      for (int z = 0; z < 17; ++z) {
+        const bool is_noise = x == 13 && y == 11 && z == 16;
+        if (is_noise || (z < 15 && space.occupancy.at(x, y, z)))
+          higher.occupancy.set(x, y, z);
+        else if (z >= 15 || space.inside.at(x, y, z))
+          higher.inside.set(x, y, z);
       }
-  higher.occupancy.at(13, 11, 16) = 1; // noise
-  higher.inside.at(13, 11, 16) = 0;
   EXPECT_EQ(segmentFieldMap(higher).labels.values,
             segmentFieldMap(space).labels.values);
 }

@@ -80,7 +80,7 @@ TEST_P(InteriorSpaceOfATurnedBuilding, SeparatesInsideFromOutside)
       for (int z = 0; z < shape.nz; ++z) {
         const Eigen::Vector3d center = space.inside.center(x, y, z);
         const double distance = distanceToWings(back * built.building.toCloud(center));
-        const bool is_inside = space.inside.at(x, y, z) != 0;
+        const bool is_inside = space.inside.at(x, y, z);
         inside += distance < -clearance;
         outside += distance > clearance;
         wrong_inside += distance > clearance && is_inside;
@@ -115,8 +115,8 @@ INSTANTIATE_TEST_SUITE_P(Yaw,
 TEST(InteriorSpace, TheNumberOfThreadsChangesNothing)
 {
   const auto one = build(0.3, 1), two = build(0.3, 2);
-  EXPECT_EQ(one.space.inside.values, two.space.inside.values);
-  EXPECT_EQ(one.space.occupancy.values, two.space.occupancy.values);
+  EXPECT_EQ(one.space.inside.bytes().values, two.space.inside.bytes().values);
+  EXPECT_EQ(one.space.occupancy.bytes().values, two.space.occupancy.bytes().values);
 }
 
 TEST(InteriorSpace, CoarseVoxelsKeepTheirPlace)
@@ -137,11 +137,11 @@ TEST(InteriorSpace, AFloorAloneHasNoInterior)
   floor.addRectangle({0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 1}, 1, 0.05f, 0.0f, rng);
   const auto building = occupancyGrid(floor.points, {});
   const auto space = interiorSpace(building, wallDirections(floor.points, building));
-  EXPECT_EQ(std::count(space.inside.values.begin(), space.inside.values.end(), 1), 0);
+  EXPECT_EQ(space.inside.count(), 0u);
 }
 
 TEST(InteriorSpace, NoPointsGiveAnEmptySpace)
 {
   const auto space = interiorSpace(occupancyGrid({}, {}), {}, {});
-  EXPECT_TRUE(space.inside.values.empty());
+  EXPECT_TRUE(space.inside.empty());
 }

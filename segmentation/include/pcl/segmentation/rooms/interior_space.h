@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_map.h>
+#include <pcl/indoor/voxel_bits.h>
 #include <pcl/segmentation/rooms/enclosure.h>
 #include <pcl/segmentation/rooms/occupancy_grid.h>
 
@@ -57,8 +57,8 @@ struct UnseenSides {
 struct InteriorSpace {
   int factor = 1;                          ///< map pixels per voxel, along each axis
   std::vector<Eigen::Vector2d> directions; ///< of the walls, in the frame of the grid
-  VoxelMap<std::uint8_t> occupancy;        ///< cleaned up; 1 = occupied
-  VoxelMap<std::uint8_t> inside;           ///< 1 = interior free space
+  VoxelBits occupancy;                     ///< cleaned up; set = occupied
+  VoxelBits inside;                        ///< set = interior free space
   UnseenSides unseen;                      ///< which floors and ceilings are missing
 };
 
