@@ -92,6 +92,7 @@ TEST(StoreyMaps, RefuseWhatIsNoScene)
   EXPECT_THROW(storeyMaps("", 0.05, false), InputError);
   EXPECT_THROW(storeyMaps("{}", 0.05, false), InputError);
   EXPECT_THROW(storeyMaps(SmallScene::json().dump(), 0.0, false), InputError);
+  EXPECT_THROW(storeyMaps(SmallScene::json().dump(), -0.05, false), InputError);
   EXPECT_THROW(storeyMaps(SmallScene::json().dump(), NAN, false), InputError);
   EXPECT_THROW(storeyMaps(SmallScene::json().dump(), 1e-7, false), InputError);
 }
