@@ -134,13 +134,13 @@ class Packages(unittest.TestCase):
             asked.pop(name, None)
         self.assertEqual(asked, expected(1))
 
-    def test_conda_licences_are_there(self):
+    def test_licences_are_those_of_the_files(self):
         about = conda()["about"]
         for path in about["license_file"]:
             self.assertTrue((SOURCE / path).exists(), path)
-        self.assertEqual(
-            set(about["license"].split(" AND ")), {path.stem for path in (SOURCE / "LICENSES").iterdir()}
-        )
+        texts = {path.stem for path in (SOURCE / "LICENSES").iterdir()}
+        for told in (about["license"], vcpkg()["license"]):
+            self.assertEqual(set(told.split(" AND ")), texts)
 
     def test_ros_asks_for_what_cmake_does(self):
         package = ros(".")

@@ -13,6 +13,7 @@ namespace pcl::indoor {
 
 /** \brief A scan of a cloud in memory, with the fields x, y and z of real numbers and
  * any others; bytes as this machine has them.
+ * \param[in] cloud is kept by the scan
  * \param[in] name what it is called in messages and in the scene
  * \throws InputError if fields and bytes do not fit together, or if fewer than two
  * points are finite
