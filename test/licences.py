@@ -90,7 +90,7 @@ def main(source):
     if sys.version_info < (3, 11):
         print("Python 3.11 reads TOML, this one is older")
         return SKIPPED
-    git = ["git", "-c", f"safe.directory={source}", "-C", str(source), "ls-files", "-z", "-c", "-o", "--exclude-standard"]
+    git = ["git", "-c", f"safe.directory={source}", "-C", str(source), "ls-files", "-z"]
     try:
         listed = subprocess.run(git, capture_output=True, check=True).stdout
     except (OSError, subprocess.CalledProcessError):

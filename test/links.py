@@ -7,7 +7,7 @@ import re
 import sys
 from pathlib import Path
 
-OUTSIDE = {"build", "demo"}
+OUTSIDE = re.compile(r"build|demo|(.*/)?node_modules/")  # as .gitignore has it
 
 
 def prose(page):
@@ -23,7 +23,7 @@ def headings(page):
 
 
 def problems_of(source):
-    pages = [page for page in source.rglob("*.md") if page.relative_to(source).parts[0] not in OUTSIDE]
+    pages = [page for page in source.rglob("*.md") if not OUTSIDE.match(str(page.relative_to(source)))]
     links = 0
     for page in sorted(pages):
         for link in re.findall(r"\]\(([^)\s]+)\)", prose(page)):
