@@ -3,7 +3,7 @@ set(runtime libpcl-indoor${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME pcl-indoor)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "the pcl_indoor contributors <pcl-indoor@example.org>")
+set(CPACK_PACKAGE_CONTACT "the pcl_indoor contributors") # reached at the home page, which cpack takes from the project
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Rooms, objects and classes in scans of buildings")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

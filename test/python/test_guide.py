@@ -3,7 +3,6 @@
 """The Python code of the guide runs."""
 
 import os
-import re
 import shutil
 import sys
 import tempfile
@@ -13,10 +12,13 @@ from pathlib import Path
 
 import flat
 
+sys.path.insert(0, str(Path(__file__).parents[1] / "support"))
+import pages
+
 
 class Guide(unittest.TestCase):
     def test_its_code_runs(self):
-        blocks = re.findall(r"^```python\n(.*?)^```", GUIDE.read_text(), re.MULTILINE | re.DOTALL)
+        blocks = [block.text for block in pages.blocks(GUIDE) if block.kind == "python"]
         self.assertGreater(len(blocks), 1)
         here = os.getcwd()
         with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():

@@ -94,8 +94,8 @@ public:
   }
 
   /** \brief Get the points near a stretch that a room sees.
-   * \param[in] with_none whether points of no room count, too
-   * \param[out] found those of the room first
+   *
+   * With \a with_none those of no room count, too; those of the room are the first.
    */
   void
   beside(const FaceStretch& stretch,

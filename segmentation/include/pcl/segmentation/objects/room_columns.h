@@ -47,7 +47,7 @@ public:
   };
 
   /** \brief Look at what is in the outline of two together, but in neither.
-   * \param[in] heights at which there may be something between the two */
+   * At the \a heights there may be something between the two. */
   Gap
   areaBetween(const OutlineReach& a, const OutlineReach& b, Heights heights) const;
 
