@@ -66,6 +66,19 @@ public:
     return scene;
   }
 
+  /** A column of json(), in its second room. */
+  static SceneJson
+  column(bool is_round)
+  {
+    return {{"column", 1},
+            {"storey", 0},
+            {"room", 2},
+            {"position", {105.75, 201.25, 10}},
+            {"size", {0.5, is_round ? 0.5 : 0.25, 2.5}},
+            {"yaw_degrees", 90.0},
+            {"round", is_round}};
+  }
+
   /** The same as version 1 has it. */
   static SceneJson
   versionOne()

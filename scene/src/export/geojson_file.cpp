@@ -105,6 +105,18 @@ openingFeature(const SavedScene& scene, const SavedOpening& opening)
 }
 
 Json
+columnFeature(const SavedScene& scene, const SavedColumn& column)
+{
+  const Coordinates at(scene, column.foot.z());
+  return geoFeature("Polygon",
+                    Json::array({at(outlineOf(column))}),
+                    {{"kind", "column"},
+                     {"column", column.number},
+                     {"storey", column.storey},
+                     {"height", rounded(column.size.z())}});
+}
+
+Json
 objectFeature(const SavedScene& scene, const SavedObject& object)
 {
   const auto& box = object.box;
@@ -147,6 +159,8 @@ geoJson(const SavedScene& scene, int epsg)
     features.push_back(roomFeature(scene, room));
   for (const auto& wall : scene.walls)
     features.push_back(wallFeature(scene, wall));
+  for (const auto& column : scene.columns)
+    features.push_back(columnFeature(scene, column));
   for (const auto& opening : scene.openings)
     features.push_back(openingFeature(scene, opening));
   for (const auto& object : scene.objects)

@@ -192,6 +192,23 @@ addWalls(GlbFile& file,
 }
 
 void
+addColumns(GlbFile& file,
+           const SavedScene& scene,
+           const std::vector<std::size_t>& storeys)
+{
+  for (const auto& column : scene.columns) {
+    SurfaceMesh mesh;
+    const double bottom = column.foot.z();
+    addPrism(mesh, outlineOf(column), bottom, bottom + column.size.z());
+    file.addChild(
+        storeys[column.storey],
+        file.addNode({{"name", "column " + std::to_string(column.number)},
+                      {"mesh", file.addMesh(mesh, Wall)},
+                      {"extras", {{"kind", "column"}, {"column", column.number}}}}));
+  }
+}
+
+void
 addThings(GlbFile& file,
           const SavedScene& scene,
           const std::vector<std::size_t>& storeys)
@@ -238,6 +255,7 @@ glbBytes(const SavedScene& scene)
   }
   addRooms(file, scene, storeys);
   addWalls(file, scene, storeys);
+  addColumns(file, scene, storeys);
   addThings(file, scene, storeys);
   return file.bytes();
 }

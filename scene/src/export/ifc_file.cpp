@@ -29,19 +29,6 @@ struct IfcPlace {
   double floor = 0.0; ///< height of the placement, metres
 };
 
-/** As many sides as look round. */
-PlanPolygon
-circle(double radius)
-{
-  constexpr int sides = 24;
-  PlanPolygon polygon;
-  for (int k = 0; k < sides; ++k) {
-    const double angle = 2.0 * M_PI * k / sides;
-    polygon.outer.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-  }
-  return polygon;
-}
-
 /** Writes a scene, part by part. */
 class IfcWriter {
 public:
@@ -240,13 +227,9 @@ void
 IfcWriter::addColumn(const SavedColumn& column)
 {
   const auto& storey = storeys_[column.storey];
-  const auto& foot = column.foot;
-  const auto place = shapes_.placement(
-      storey.placement, {foot.x(), foot.y(), foot.z() - storey.floor}, column.yaw);
-  const auto shape =
-      column.is_round
-          ? shapes_.prism({circle(0.5 * column.size.x())}, 0.0, column.size.z())
-          : shapes_.box(Eigen::Vector3d::Zero(), column.size);
+  const double bottom = column.foot.z() - storey.floor;
+  const auto place = shapes_.placement(storey.placement, Eigen::Vector3d::Zero());
+  const auto shape = shapes_.prism({{outlineOf(column), {}}}, bottom, column.size.z());
   const auto entity = elements_.add({"IFCCOLUMN",
                                      "column",
                                      std::to_string(column.number),

@@ -272,6 +272,23 @@ storeyAt(double height, const std::vector<SavedStorey>& storeys)
   return storey;
 }
 
+PlanRing
+outlineOf(const SavedColumn& column)
+{
+  constexpr int round_sides = 24;
+  PlanRing ring;
+  if (column.is_round)
+    for (int k = 0; k < round_sides; ++k)
+      ring.emplace_back(Eigen::Rotation2Dd(2.0 * M_PI * k / round_sides) *
+                        Eigen::Vector2d(0.5, 0.0));
+  else
+    ring = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
+  const Eigen::Rotation2Dd turn(column.yaw);
+  for (auto& corner : ring)
+    corner = column.foot.head<2>() + turn * corner.cwiseProduct(column.size.head<2>());
+  return ring;
+}
+
 SavedScene
 savedScene(const Json& json)
 {

@@ -107,6 +107,10 @@ struct SavedScene {
 std::uint32_t
 storeyAt(double height, const std::vector<SavedStorey>& storeys);
 
+/** \brief A column seen from above; a round one has 24 sides. */
+PlanRing
+outlineOf(const SavedColumn& column);
+
 /** \brief Take a scene apart, as readScene() gives it.
  * \throws nlohmann::json::exception if a field is missing or of another type
  * \throws ToolError if a number refers to nothing or is out of range

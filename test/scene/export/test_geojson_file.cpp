@@ -37,6 +37,21 @@ TEST(GeoJsonFile, RoomsHaveTheirNamesWhereTheyAreKnown)
   EXPECT_FALSE(json["features"][2]["properties"].contains("name"));
 }
 
+TEST(GeoJsonFile, ColumnsAreClosedRings)
+{
+  auto scene = SmallScene::json();
+  scene["columns"] = {SmallScene::column(true)};
+  for (const auto& feature : geoJson(savedScene(scene))["features"])
+    if (feature["properties"]["kind"] == "column") {
+      const auto& ring = feature["geometry"]["coordinates"][0];
+      EXPECT_EQ(ring.size(), 25u);
+      EXPECT_EQ(ring.front(), ring.back());
+      EXPECT_EQ(feature["properties"]["height"], 2.5);
+      return;
+    }
+  FAIL() << "there is no column";
+}
+
 TEST(GeoJsonFile, PlacesAreThoseOfTheFile)
 {
   const auto json = geoJson(savedScene(SmallScene::json()), 25832);

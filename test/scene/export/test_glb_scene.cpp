@@ -58,6 +58,19 @@ TEST(GlbScene, ThingsAreNodesWithClassAndConfidence)
   EXPECT_EQ(walls, 2u);
 }
 
+TEST(GlbScene, ColumnsAreNodes)
+{
+  auto scene = SmallScene::json();
+  scene["columns"] = {SmallScene::column(false), SmallScene::column(true)};
+  std::size_t columns = 0;
+  for (const auto& node : jsonOf(glbBytes(savedScene(scene)))["nodes"])
+    if (node.value("extras", SceneJson::object()).value("kind", "") == "column") {
+      ++columns;
+      EXPECT_TRUE(node.contains("mesh"));
+    }
+  EXPECT_EQ(columns, 2u);
+}
+
 TEST(GlbScene, BufferViewsLieInTheBuffer)
 {
   const auto bytes = glbBytes(savedScene(SmallScene::json()));

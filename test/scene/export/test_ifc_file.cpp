@@ -106,6 +106,20 @@ TEST(IfcFile, HasAsManyElementsAsTheScene)
     EXPECT_EQ(file.count(entity), count) << entity;
 }
 
+TEST(IfcFile, ColumnsStandOnTheirStorey)
+{
+  auto scene = SmallScene::json();
+  scene["columns"] = {SmallScene::column(false), SmallScene::column(true)};
+  const Step file(ifcText(savedScene(scene)));
+  EXPECT_EQ(file.count("IFCCOLUMN"), 2u);
+  const auto round = file.refOf("IFCCOLUMN", "column 2");
+  bool is_contained = false;
+  for (const auto& relation : file.all("IFCRELCONTAINEDINSPATIALSTRUCTURE"))
+    is_contained |= relation.find(round + ",") != std::string::npos ||
+                    relation.find(round + ")") != std::string::npos;
+  EXPECT_TRUE(is_contained);
+}
+
 TEST(IfcFile, LongNamesOfSpacesSayWhatTheyAreFor)
 {
   const auto spaces = smallFile().all("IFCSPACE");

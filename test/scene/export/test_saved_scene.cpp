@@ -60,6 +60,27 @@ TEST(SavedScene, HasWhatTheFileSays)
   EXPECT_EQ(scene.objects[3].name, "");
 }
 
+TEST(SavedScene, ColumnsAreSeenFromAbove)
+{
+  auto json = SmallScene::json();
+  json["columns"] = {SmallScene::column(false), SmallScene::column(true)};
+  const auto scene = savedScene(json);
+  ASSERT_EQ(scene.columns.size(), 2u);
+  EXPECT_EQ(scene.columns[1].number, 2u);
+  EXPECT_EQ(scene.columns[0].foot, Eigen::Vector3d(5.75, 1.25, 0.0));
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : outlineOf(scene.columns[0]))
+    box.extend(corner);
+  EXPECT_LT((box.min() - Eigen::Vector2d(5.625, 1.0)).norm(), 1e-9); // turned by 90
+  EXPECT_LT((box.max() - Eigen::Vector2d(5.875, 1.5)).norm(), 1e-9);
+  const auto round = outlineOf(scene.columns[1]);
+  EXPECT_EQ(round.size(), 24u);
+  for (const auto& corner : round)
+    EXPECT_NEAR((corner - Eigen::Vector2d(5.75, 1.25)).norm(), 0.25, 1e-9);
+  json["columns"][0]["size"][1] = -0.1;
+  EXPECT_THROW(savedScene(json), pcl::indoor::InputError);
+}
+
 TEST(SavedScene, VersionOneHasDoorsByTheirWidth)
 {
   auto json = SmallScene::versionOne();
