@@ -19,11 +19,11 @@ namespace {
 
 using Places = std::vector<Eigen::Vector2d>;
 
-constexpr double thickest = 1.0; // metres
+constexpr double widest_column = 1.0; // metres
 constexpr double near_side =
     0.02;                      // metres: two standard deviations of a scanner's noise
 constexpr double reach = 0.15; // metres: outlines lie within 1.5 voxels of sides
-constexpr std::size_t enough_points = 20; // or it is as its outline
+constexpr std::size_t enough_places = 20; // or it is as its outline
 
 Eigen::AlignedBox2d
 boxOf(const Places& places)
@@ -53,7 +53,7 @@ placesAround(const Places& outline, const Room& room, const PointsOfRooms& point
     if (point.height > floor + from_slabs &&
         point.height < floor + room.height - from_slabs)
       places.emplace_back(stretch.begin + Eigen::Vector2d(point.along, point.before));
-  return places.size() < enough_points ? outline : places;
+  return places.size() < enough_places ? outline : places;
 }
 
 /** A value that a share of others is below. */
@@ -123,11 +123,11 @@ circleThrough(const Places& places)
     b += from.squaredNorm() * row;
   }
   const Eigen::FullPivLU<Eigen::Matrix3d> solver(a);
-  if (places.size() < enough_points || !solver.isInvertible())
+  if (places.size() < enough_places || !solver.isInvertible())
     return std::nullopt;
   const Eigen::Vector3d found = solver.solve(b);
   const double radius = std::sqrt(found.z() + found.head<2>().squaredNorm());
-  if (!(radius > 0.0 && radius <= 0.5 * thickest))
+  if (!(radius > 0.0 && radius <= 0.5 * widest_column))
     return std::nullopt;
   return Fit{middle + found.head<2>(), Eigen::Vector2d::Constant(2.0 * radius)};
 }
@@ -195,7 +195,7 @@ isColumn(const std::vector<Eigen::Vector3d>& line)
   if (outline.empty() || twice_area >= 0.0) // outlines of rooms turn to the left
     return false;
   const auto size = bestRectangle(outline).size;
-  return size.maxCoeff() <= thickest;
+  return size.maxCoeff() <= widest_column;
 }
 
 std::vector<ModelColumn>

@@ -41,7 +41,8 @@ TEST(GeoJsonFile, ColumnsAreClosedRings)
 {
   auto scene = SmallScene::json();
   scene["columns"] = {SmallScene::column(true)};
-  for (const auto& feature : geoJson(savedScene(scene))["features"])
+  const auto json = geoJson(savedScene(scene));
+  for (const auto& feature : json["features"])
     if (feature["properties"]["kind"] == "column") {
       const auto& ring = feature["geometry"]["coordinates"][0];
       EXPECT_EQ(ring.size(), 25u);

@@ -62,8 +62,9 @@ TEST(GlbScene, ColumnsAreNodes)
 {
   auto scene = SmallScene::json();
   scene["columns"] = {SmallScene::column(false), SmallScene::column(true)};
+  const auto json = jsonOf(glbBytes(savedScene(scene)));
   std::size_t columns = 0;
-  for (const auto& node : jsonOf(glbBytes(savedScene(scene)))["nodes"])
+  for (const auto& node : json["nodes"])
     if (node.value("extras", SceneJson::object()).value("kind", "") == "column") {
       ++columns;
       EXPECT_TRUE(node.contains("mesh"));
