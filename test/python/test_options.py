@@ -56,7 +56,7 @@ class Keywords(unittest.TestCase):
                 continue
             for parameter in inspect.signature(function).parameters:
                 if len(inspect.signature(function).parameters) > 1:
-                    self.assertRegex(function.__doc__, rf"(?m)^    {parameter} : ")
+                    self.assertRegex(inspect.getdoc(function), rf"(?m)^{parameter} : ")
 
 
 if __name__ == "__main__":
