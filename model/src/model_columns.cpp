@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/indoor/quantile.h>
 #include <pcl/model/model_columns.h>
 
 #include <Eigen/Geometry>
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace pcl {
 namespace indoor {
@@ -20,10 +23,18 @@ namespace {
 using Places = std::vector<Eigen::Vector2d>;
 
 constexpr double widest_column = 1.0; // metres
-constexpr double near_side =
-    0.02;                      // metres: two standard deviations of a scanner's noise
-constexpr double reach = 0.15; // metres: outlines lie within 1.5 voxels of sides
+constexpr double near_side = 0.02;    // metres: two deviations of a scanner's noise
+constexpr double reach = 0.15;        // metres: outlines lie within 1.5 voxels of sides
 constexpr std::size_t enough_places = 20; // or it is as its outline
+
+Places
+placesOf(const std::vector<Eigen::Vector3d>& line)
+{
+  Places places;
+  for (const auto& corner : line)
+    places.emplace_back(corner.head<2>());
+  return places;
+}
 
 Eigen::AlignedBox2d
 boxOf(const Places& places)
@@ -56,16 +67,6 @@ placesAround(const Places& outline, const Room& room, const PointsOfRooms& point
   return places.size() < enough_places ? outline : places;
 }
 
-/** A value that a share of others is below. */
-double
-quantile(std::vector<double> values, double share)
-{
-  const auto place = static_cast<std::ptrdiff_t>(
-      std::lround(share * static_cast<double>(values.size() - 1)));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
-}
-
 /** A shape, and how many points lie on its sides. */
 struct Fit {
   Eigen::Vector2d center, size;
@@ -73,11 +74,21 @@ struct Fit {
   std::size_t on_sides = 0;
 };
 
+/** Where most values begin and end: a few are beyond. */
+std::pair<double, double>
+extentOf(std::vector<double> values)
+{
+  constexpr double strays = 0.03; // share, at each end
+  const auto last = values.size() - 1;
+  const auto rank = static_cast<std::size_t>(strays * static_cast<double>(last));
+  const double low = valueAtRank(values, rank);
+  return {low, valueAtRank(values, last - rank)};
+}
+
 /** The rectangle of a direction. */
 Fit
 rectangleAlong(const Places& places, double yaw)
 {
-  constexpr double strays = 0.03; // share
   const Eigen::Rotation2Dd turn(-yaw);
   std::vector<double> u, v;
   for (const auto& place : places) {
@@ -85,14 +96,15 @@ rectangleAlong(const Places& places, double yaw)
     u.push_back(turned.x());
     v.push_back(turned.y());
   }
-  const Eigen::Vector2d low(quantile(u, strays), quantile(v, strays));
-  const Eigen::Vector2d high(quantile(u, 1.0 - strays), quantile(v, 1.0 - strays));
-  Fit fit{turn.inverse() * (0.5 * (low + high)), high - low, yaw};
+  const auto [left, right] = extentOf(u);
+  const auto [front, back] = extentOf(v);
+  const Eigen::Vector2d center(0.5 * (left + right), 0.5 * (front + back));
+  Fit fit{turn.inverse() * center, {right - left, back - front}, yaw};
   for (std::size_t i = 0; i < u.size(); ++i)
-    fit.on_sides += std::min({std::abs(u[i] - low.x()),
-                              std::abs(u[i] - high.x()),
-                              std::abs(v[i] - low.y()),
-                              std::abs(v[i] - high.y())}) <= near_side;
+    fit.on_sides += std::min({std::abs(u[i] - left),
+                              std::abs(u[i] - right),
+                              std::abs(v[i] - front),
+                              std::abs(v[i] - back)}) <= near_side;
   return fit;
 }
 
@@ -185,11 +197,10 @@ columnOf(const Places& outline, const Room& room, const PointsOfRooms& points)
 bool
 isColumn(const std::vector<Eigen::Vector3d>& line)
 {
-  Places outline;
+  const auto outline = placesOf(line);
   double twice_area = 0.0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const auto &corner = line[i], &next = line[(i + 1) % line.size()];
-    outline.emplace_back(corner.head<2>());
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const auto &corner = outline[i], &next = outline[(i + 1) % outline.size()];
     twice_area += corner.x() * next.y() - corner.y() * next.x();
   }
   if (outline.empty() || twice_area >= 0.0) // outlines of rooms turn to the left
@@ -203,14 +214,9 @@ modelColumns(const std::vector<Room>& rooms, const PointsOfRooms& points)
 {
   std::vector<ModelColumn> columns;
   for (const Room& room : rooms)
-    for (const auto& line : room.footprint) {
-      if (!isColumn(line))
-        continue;
-      Places outline;
-      for (const auto& corner : line)
-        outline.emplace_back(corner.head<2>());
-      columns.push_back(columnOf(outline, room, points));
-    }
+    for (const auto& line : room.footprint)
+      if (isColumn(line))
+        columns.push_back(columnOf(placesOf(line), room, points));
   return columns;
 }
 

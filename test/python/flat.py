@@ -7,12 +7,16 @@ import io
 import os
 import struct
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
 
 import pcl_indoor
+
+sys.path.append(str(Path(__file__).parent.parent / "benchmark"))
+from room_quantities import unpacked  # noqa: E402
 
 FOLDER = Path(os.environ["PCL_INDOOR_FLAT"])
 TOOLS = Path(os.environ["PCL_INDOOR_TOOLS"])
@@ -90,29 +94,8 @@ def histogram_of(path):
     header, _, data = Path(path).read_bytes().partition(b"\nDATA ")
     kind, _, data = data.partition(b"\n")
     if kind == b"binary_compressed":
-        data = unpacked_lzf(data[8 : 8 + struct.unpack("<I", data[:4])[0]])
+        packed, size = struct.unpack("<II", data[:8])
+        data = unpacked(data[8 : 8 + packed], size)
     assert kind != b"ascii"
     count = int(header.partition(b"COUNT ")[2].split()[0])
     return np.frombuffer(data[: 4 * count], np.float32)
-
-
-def unpacked_lzf(packed):
-    """What PCL's own compression was made of."""
-    out = bytearray()
-    at = 0
-    while at < len(packed):
-        control = packed[at]
-        at += 1
-        if control < 32:
-            out += packed[at : at + control + 1]
-            at += control + 1
-            continue
-        length = control >> 5
-        if length == 7:
-            length += packed[at]
-            at += 1
-        start = len(out) - ((control & 31) << 8) - packed[at] - 1
-        at += 1
-        for k in range(length + 2):
-            out.append(out[start + k])
-    return bytes(out)
