@@ -235,6 +235,28 @@ TEST(NoiseResilientLCCPView, ATableIsATableFromFartherOff)
   EXPECT_GT(quality, 4 * 0.3);
 }
 
+TEST(NoiseResilientLCCPView, ThingsOnATableAreToldInWhateverFrameItStands)
+{
+  const Eigen::Quaternionf turn = Eigen::Quaternionf(3, -1, 2, 5).normalized();
+  double quality = 0;
+  for (std::uint32_t seed = 90001; seed <= 90004; ++seed) {
+    const auto building =
+        buildBuilding(randomPlan(seed, PlanKind::Table, PlanFilling::LivedIn));
+    const CameraPose pose{{0.9, 0.8, 1.6}, {0, 0, 0.7}};
+    const auto seen = viewOf(building, pose, seed);
+    auto view = withoutRows(*seen.cloud, seen.objects);
+    for (auto& point : *view.cloud)
+      point.getVector3fMap() = turn * point.getVector3fMap();
+    Segmentation segmentation;
+    segmentation.setUpAxis(turn * upSeenFrom(pose));
+    const auto labels = segmented(segmentation, view.cloud);
+    EXPECT_EQ(segmentation.getReport().view.capture, Capture::Scan) << "a larger scan";
+    EXPECT_FALSE(segmentation.getStructureIndices().empty()) << "floor and walls";
+    quality += scoreThings(view.objects, labels).panopticQuality();
+  }
+  EXPECT_GT(quality, 4 * 0.3);
+}
+
 TEST(NoiseResilientLCCPView, OnlyWhatWasSetIsChanged)
 {
   const auto view = viewOfTable(90001);

@@ -4,11 +4,14 @@
  */
 #include <pcl/segmentation/objects/object_report.h>
 
+#include "objects/extent_along.h"
 #include <pcl/segmentation/objects/table_top.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <cstdint>
 #include <sstream>
 
 namespace pcl {
@@ -16,7 +19,8 @@ namespace indoor {
 
 namespace {
 
-/** The segment with most points that is neither structure nor the remainder. */
+/** The segment with most points that is neither structure nor the remainder; the number
+ * of segments if there is none. */
 std::uint32_t
 largestThing(const ObjectSegmentation& result)
 {
@@ -25,8 +29,10 @@ largestThing(const ObjectSegmentation& result)
     if (segment != Supervoxels::none &&
         result.structure_of_segment[segment] == StructureKind::None)
       ++sizes[segment];
-  return static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) -
-                                    sizes.begin());
+  const auto largest = std::max_element(sizes.begin(), sizes.end());
+  const bool is_none = largest == sizes.end() || *largest == 0;
+  return is_none ? result.segment_count
+                 : static_cast<std::uint32_t>(largest - sizes.begin());
 }
 
 } // namespace
@@ -68,19 +74,52 @@ tableTopWarning(const ObjectSegmentation& result)
   if (result.options.pieces.scale == JoiningScale::View)
     return {};
   const auto largest = largestThing(result);
-  std::set<std::uint32_t> pieces;
+  std::vector<std::int64_t> balance; // of each piece: points within, less others
   std::vector<Eigen::Vector3f> points;
-  for (std::size_t i = 0; i < result.piece_of_point.size(); ++i)
-    if (result.segment_of_point[i] == largest) {
-      pieces.insert(result.piece_of_point[i]);
+  for (std::size_t i = 0; i < result.piece_of_point.size(); ++i) {
+    const auto piece = result.piece_of_point[i];
+    const bool is_within = result.segment_of_point[i] == largest;
+    if (piece >= balance.size())
+      balance.resize(piece + 1, 0);
+    balance[piece] += is_within ? 1 : -1;
+    if (is_within)
       points.push_back(result.scene.points[i]);
-    }
-  if (pieces.size() < many || !isTableTop(points, result.scene.up))
+  }
+  const auto pieces = static_cast<std::size_t>(std::count_if(
+      balance.begin(), balance.end(), [](auto value) { return value > 0; }));
+  if (pieces < many || !isTableTop(points, result.scene.up))
     return {};
   return "The largest segment is no larger than what stands on a table, but of " +
-         std::to_string(pieces.size()) +
+         std::to_string(pieces) +
          " pieces: if it is several things, cut them out of the scan, or set the "
          "options for small things (-preset single_view).";
+}
+
+std::string
+wideThingWarning(const ObjectSegmentation& result)
+{
+  constexpr float widest = 4; // metres, both ways; a corner sofa has 3
+  if (result.options.pieces.scale == JoiningScale::View)
+    return {};
+  const auto largest = largestThing(result);
+  std::vector<Eigen::Vector3f> points;
+  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i)
+    if (result.segment_of_point[i] == largest)
+      points.push_back(result.scene.points[i]);
+  if (points.empty())
+    return {};
+  const Eigen::Vector3f& up = result.scene.up;
+  const Eigen::Vector3f across = up.unitOrthogonal();
+  const float width = extentAlong(across, points),
+              depth = extentAlong(up.cross(across), points);
+  if (std::min(width, depth) <= widest)
+    return {};
+  std::ostringstream line;
+  line << "The largest thing, with " << points.size() << " points, is "
+       << std::round(10 * width) / 10 << " x " << std::round(10 * depth) / 10
+       << " m wide, as no furniture is: walls or floors were not told from things. If "
+          "the scan is of several rooms, pcl_indoor_pipeline finds them first.";
+  return line.str();
 }
 
 std::string

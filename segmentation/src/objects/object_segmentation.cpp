@@ -9,6 +9,7 @@
 #include "objects/graph/point_recovery.h"
 #include "objects/graph/scene_making.h"
 #include "objects/graph/supervoxel_joining.h"
+#include "objects/laden_tables.h"
 #include "objects/object_pieces.h"
 #include "objects/points/point_segmentation.h"
 #include "objects/segment_names.h"
@@ -29,6 +30,7 @@ namespace {
 
 using pcl::indoor::Capture;
 using pcl::indoor::DistinctPoints;
+using pcl::indoor::JoiningScale;
 using pcl::indoor::ObjectSegmentation;
 using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
@@ -191,6 +193,8 @@ segmentBySteps(ObjectSegmentationInput input,
     cutBodies(result);
   yieldEnclosed(result.scene, result.segment_of_point);
   nameSegments(options, result);
+  if (has_pieces && options.pieces.scale == JoiningScale::Objects)
+    clearLadenTables(options, result);
   if (stops(1, "done"))
     return {};
   return result; // moved: a conditional would copy all of it

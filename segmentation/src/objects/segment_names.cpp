@@ -15,30 +15,6 @@ namespace {
 using pcl::indoor::ObjectSegmentation;
 using pcl::indoor::ObjectSegmentationOptions;
 
-/** Which segments have fewer voxels or points. */
-std::vector<std::uint8_t>
-smallSegments(const ObjectSegmentation& result,
-              std::size_t segment_count,
-              double fewest_voxels,
-              std::uint32_t fewest_points)
-{
-  const auto& cells = result.scene.voxels.cells;
-  constexpr auto none = pcl::indoor::Supervoxels::none;
-  std::vector<std::uint32_t> voxels(segment_count, 0), points(segment_count, 0);
-  std::vector<std::uint32_t> last_voxel(segment_count, none);
-  for (std::uint32_t v = 0; v < cells.size(); ++v)
-    for (const auto point : cells.pointsOf(v)) {
-      const auto segment = result.segment_of_point[point];
-      ++points[segment];
-      voxels[segment] += std::exchange(last_voxel[segment], v) != v;
-    }
-  std::vector<std::uint8_t> small(segment_count);
-  for (std::size_t s = 0; s < segment_count; ++s)
-    small[s] =
-        static_cast<double>(voxels[s]) < fewest_voxels || points[s] < fewest_points;
-  return small;
-}
-
 /** Put segments that are too small to be told into one.
  * \return a point of it; none if there is none */
 std::optional<std::size_t>
@@ -49,11 +25,12 @@ gatherRemainder(const ObjectSegmentationOptions& options, ObjectSegmentation& re
   const auto remainder = highest == segments.end() ? 0 : *highest + 1;
   const double voxels_of_supervoxel =
       std::pow(options.seed_size / options.voxel_size, 2);
-  const auto small =
-      smallSegments(result, remainder, voxels_of_supervoxel, options.fewest_points);
+  const auto sizes = pcl::indoor::sizesOfSegments(result, remainder);
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < segments.size(); ++i)
-    if (small[segments[i]]) {
+    if (const auto s = segments[i];
+        static_cast<double>(sizes.voxels[s]) < voxels_of_supervoxel ||
+        sizes.points[s] < options.fewest_points) {
       segments[i] = remainder;
       first = first.value_or(i);
     }
@@ -86,6 +63,23 @@ structureOfSegments(const ObjectSegmentation& result)
 
 namespace pcl {
 namespace indoor {
+
+SegmentSizes
+sizesOfSegments(const ObjectSegmentation& result, std::size_t segment_count)
+{
+  const auto& cells = result.scene.voxels.cells;
+  SegmentSizes sizes;
+  sizes.voxels.assign(segment_count, 0);
+  sizes.points.assign(segment_count, 0);
+  std::vector<std::uint32_t> last_voxel(segment_count, Supervoxels::none);
+  for (std::uint32_t v = 0; v < cells.size(); ++v)
+    for (const auto point : cells.pointsOf(v)) {
+      const auto segment = result.segment_of_point[point];
+      ++sizes.points[segment];
+      sizes.voxels[segment] += std::exchange(last_voxel[segment], v) != v;
+    }
+  return sizes;
+}
 
 void
 numberSegments(ObjectSegmentation& result)

@@ -6,8 +6,21 @@
 
 #include <pcl/segmentation/object_segmentation.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 namespace pcl {
 namespace indoor {
+
+/** How many voxels hold points of each segment, and how many points each has. */
+struct SegmentSizes {
+  std::vector<std::uint32_t> voxels, points;
+};
+
+/** REQUIRES: every point has a segment, below the count. */
+SegmentSizes
+sizesOfSegments(const ObjectSegmentation& result, std::size_t segment_count);
 
 /** Number the segments from 0 in the order of their first points. */
 void

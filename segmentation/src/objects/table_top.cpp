@@ -4,34 +4,12 @@
  */
 #include <pcl/segmentation/objects/table_top.h>
 
+#include "objects/extent_along.h"
+
 #include <pcl/indoor/point_resolution.h>
 #include <pcl/segmentation/object_segmentation.h>
 
 #include <Eigen/Geometry>
-
-#include <algorithm>
-
-namespace {
-
-/** The length along a direction within which 98 % of the points lie. */
-float
-extentAlong(const Eigen::Vector3f& direction,
-            const std::vector<Eigen::Vector3f>& points)
-{
-  std::vector<float> places;
-  places.reserve(points.size());
-  for (const auto& point : points)
-    places.push_back(point.dot(direction));
-  const auto at = [&places](std::size_t rank) {
-    const auto place = places.begin() + static_cast<std::ptrdiff_t>(rank);
-    std::nth_element(places.begin(), place, places.end());
-    return *place;
-  };
-  const std::size_t strays = places.size() / 100; // at each end
-  return at(places.size() - 1 - strays) - at(strays);
-}
-
-} // namespace
 
 namespace pcl {
 namespace indoor {

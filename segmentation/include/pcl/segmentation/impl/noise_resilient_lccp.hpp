@@ -223,6 +223,8 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   report_.options = result_.options;
   const auto as_one = indoor::oneSegmentWarning(result_);
   warn(as_one.empty() ? indoor::tableTopWarning(result_) : as_one);
+  if (as_one.empty())
+    warn(indoor::wideThingWarning(result_));
   input_size_ = input_->size();
   labels.assign(input_size_, 0);
   std::vector<std::uint32_t> name_of_segment(result_.segment_count, 0);

@@ -35,6 +35,13 @@ oneSegmentWarning(const ObjectSegmentation& result);
 std::string
 tableTopWarning(const ObjectSegmentation& result);
 
+/** \brief Warn if the largest thing is more than 4 m wide both ways: probably several
+ * rooms, or one whose walls were not told from its things.
+ * \return one line; empty if not, and with JoiningScale::View
+ */
+std::string
+wideThingWarning(const ObjectSegmentation& result);
+
 /** \brief Warn that some points are so far from the others that they get no segment.
  * \return one line; empty if there are none
  */

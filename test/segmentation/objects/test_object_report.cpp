@@ -1,0 +1,53 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/objects/object_report.h>
+
+#include <gtest/gtest.h>
+
+using namespace pcl::indoor;
+
+namespace {
+
+/** One thing that is as wide and deep, beside a wall. */
+ObjectSegmentation
+resultWithThing(float width, float depth)
+{
+  ObjectSegmentation result;
+  for (float x = 0; x <= width; x += 0.05f)
+    for (float y = 0; y <= depth; y += 0.05f) {
+      result.scene.points.emplace_back(x, y, 0.5f);
+      result.segment_of_point.push_back(1);
+    }
+  for (int i = 0; i < 50000; ++i) {
+    result.scene.points.emplace_back(0, 0.001f * static_cast<float>(i), 1);
+    result.segment_of_point.push_back(0);
+  }
+  result.segment_count = 2;
+  result.structure_of_segment = {StructureKind::Wall, StructureKind::None};
+  return result;
+}
+
+} // namespace
+
+TEST(ObjectReport, AThingAsWideAsARoomIsSaid)
+{
+  const auto line = wideThingWarning(resultWithThing(7.0f, 5.0f));
+  EXPECT_NE(line.find("m wide, as no furniture is"), std::string::npos) << line;
+  EXPECT_EQ(wideThingWarning(resultWithThing(7.0f, 2.0f)), "") << "a row of cabinets";
+  EXPECT_EQ(wideThingWarning(resultWithThing(3.0f, 3.0f)), "") << "a corner sofa";
+}
+
+TEST(ObjectReport, WhatIsNoThingIsNotSaid)
+{
+  EXPECT_EQ(wideThingWarning({}), "");
+  auto result = resultWithThing(7, 5);
+  result.structure_of_segment[1] = StructureKind::Floor;
+  EXPECT_EQ(wideThingWarning(result), "");
+  result.segment_of_point.assign(result.segment_of_point.size(), 0);
+  EXPECT_EQ(wideThingWarning(result), "") << "a wall alone";
+  result = resultWithThing(7, 5);
+  result.options.pieces.scale = JoiningScale::View;
+  EXPECT_EQ(wideThingWarning(result), "");
+}
