@@ -99,19 +99,34 @@ addFields(const char* const (&names)[3], const Rows& rows, PCLPointCloud2& cloud
   return begin;
 }
 
+/** Copies with the size of a value known, so that no call is made for each. */
+template <typename Real>
 void
-copyReals(const Rows& rows, std::size_t begin, PCLPointCloud2& cloud)
+copyAs(const Rows& rows, std::size_t begin, PCLPointCloud2& cloud)
 {
   auto* to = cloud.data.data() + begin;
   const char* row = rows.bytes;
   for (std::size_t i = 0; i < rows.count; ++i) {
     for (int k = 0; k < 3; ++k)
-      std::memcpy(to + static_cast<std::size_t>(k) * rows.value_size,
+      std::memcpy(to + static_cast<std::size_t>(k) * sizeof(Real),
                   row + k * rows.column_stride,
-                  rows.value_size);
+                  sizeof(Real));
     to += cloud.point_step;
     row += rows.row_stride;
   }
+}
+
+void
+copyReals(const Rows& rows, std::size_t begin, PCLPointCloud2& cloud)
+{
+  const auto value = static_cast<py::ssize_t>(rows.value_size);
+  if (rows.column_stride == value && rows.row_stride == 3 * value &&
+      cloud.point_step == 3 * rows.value_size)
+    std::memcpy(cloud.data.data(), rows.bytes, cloud.data.size()); // as they lie
+  else if (rows.value_size == sizeof(float))
+    copyAs<float>(rows, begin, cloud);
+  else
+    copyAs<double>(rows, begin, cloud);
 }
 
 /** Colours as PCL has them: in the bits of a float. */
