@@ -3,10 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/filters/impl/scan_outlier_removal.hpp>
+#include <pcl/indoor/point_type_lists.h>
+
 #ifndef PCL_NO_PRECOMPILE
-#include <pcl/impl/instantiate.hpp>
-#include <pcl/point_types.h>
-PCL_INSTANTIATE(ScanOutlierRemoval,
-                (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZL)(pcl::PointXYZRGB)(
-                    pcl::PointXYZRGBA)(pcl::PointNormal))
+PCL_INSTANTIATE(ScanOutlierRemoval, PCL_INDOOR_SCAN_POINT_TYPES)
 #endif

@@ -3,10 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/indoor/point_type_lists.h>
 #include <pcl/segmentation/impl/room_segmentation.hpp>
 
 #ifndef PCL_NO_PRECOMPILE
-#include <pcl/impl/instantiate.hpp>
-#include <pcl/point_types.h>
-PCL_INSTANTIATE(RoomSegmentation, PCL_XYZ_POINT_TYPES)
+PCL_INSTANTIATE(RoomSegmentation, PCL_INDOOR_SCAN_POINT_TYPES)
 #endif

@@ -3,13 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/features/impl/hough_normals.hpp>
+#include <pcl/indoor/point_type_lists.h>
 
 #ifndef PCL_NO_PRECOMPILE
-#include <pcl/impl/instantiate.hpp>
-#include <pcl/point_types.h>
-
-PCL_INSTANTIATE_PRODUCT(
-    HoughNormalEstimation,
-    ((pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZL)(pcl::PointXYZRGB)(
-        pcl::PointXYZRGBA)(pcl::PointNormal))((pcl::Normal)(pcl::PointNormal)))
+PCL_INSTANTIATE_PRODUCT(HoughNormalEstimation,
+                        (PCL_INDOOR_SCAN_POINT_TYPES)(PCL_INDOOR_NORMAL_TYPES))
 #endif
