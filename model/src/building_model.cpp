@@ -3,6 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "face_evidence.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/model/building_model.h>
@@ -20,19 +22,38 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-/** What holes the image of a side shows. */
-std::vector<FaceHole>
-holesOf(const WallFace& face, const PointsOfRooms& points)
+/** Take what the image of a side shows: its holes, and where the wall is seen. */
+void
+lookAt(const WallFace& face,
+       const PointsOfRooms& points,
+       FaceHoles& holes,
+       SeenColumns& columns)
 {
   constexpr double least_length = 0.4, least_height = 1.0; // metres
   constexpr double behind = 0.5, before = 1.0; // metres: leaves and glass; furniture
   const double height = face.ceiling - face.floor;
-  if (!face.is_seen || face.length() < least_length || height < least_height)
-    return {};
+  if (!face.is_seen || face.length() < 0.5 * least_length || height < least_height)
+    return;
   std::vector<WallPoint> near;
   points.beside({face.begin, face.end, 0.0, behind, before}, face.room, true, near);
   const WallImage image = wallImage(near, face.length(), face.floor, height);
-  return wallHoles(image, near);
+  columns = seenColumns(image);
+  if (face.length() >= least_length)
+    holes.holes = wallHoles(image, near);
+}
+
+/** The walls that those sides make of which enough is seen. */
+std::vector<ModelWall>
+wallsOf(const std::vector<WallFace>& faces, const std::vector<FaceEvidence>& evidence)
+{
+  std::vector<WallFace> seen;
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (evidence[i].is_wall) {
+      seen.push_back(faces[i]);
+      depths.push_back(evidence[i].depth);
+    }
+  return modelWalls(seen, facePairs(seen), depths);
 }
 
 /** Tell each opening its wall: the nearest parallel one of a room that it joins. */
@@ -84,13 +105,15 @@ buildingModel(const PointsOfRooms& points,
                                   << points.roomCount() << " rooms");
   model.faces = wallFaces(rooms, points, threads);
   std::vector<FaceHoles> holes(model.faces.size());
+  std::vector<SeenColumns> columns(model.faces.size());
   parallelFor(
       static_cast<std::ptrdiff_t>(holes.size()), threads, 1, [&](std::ptrdiff_t i) {
-        holes[i].holes = holesOf(model.faces[i], points);
+        lookAt(model.faces[i], points, holes[i], columns[i]);
       });
   const auto pairs = facePairs(model.faces);
-  model.walls = modelWalls(model.faces, pairs);
   model.openings = modelOpenings(model.faces, pairs, holes, openings);
+  model.walls =
+      wallsOf(model.faces, faceEvidence(model.faces, columns, holes, model.openings));
   giveWalls(model);
   model.columns = modelColumns(rooms, points);
   return model;

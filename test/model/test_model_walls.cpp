@@ -9,6 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 using namespace pcl::indoor;
 
 namespace {
@@ -107,6 +111,93 @@ TEST(ModelWalls, PiecesOnOneLineAreOneWall)
   const auto* inner = wallOf(walls, {1, 2});
   ASSERT_NE(inner, nullptr);
   EXPECT_NEAR(std::max(inner->begin.y(), inner->end.y()), 4.1, 1e-9);
+}
+
+TEST(ModelWalls, ARestOfASideIsPartOfALongerWallOnItsLine)
+{
+  // the first room is longer than the second one, behind which nothing was seen
+  const auto faces =
+      exactFaces({rectangle(0.0, 0.0, 3.0, 4.0), rectangle(3.12, 0.0, 6.0, 2.6)});
+  const auto walls = modelWalls(faces, facePairs(faces));
+  const auto* wall = wallOf(walls, {1, 2});
+  ASSERT_NE(wall, nullptr);
+  EXPECT_NEAR(wall->thickness, 0.12, 1e-9);
+  EXPECT_NEAR((wall->end - wall->begin).norm(), 4.0, 1e-9);
+  EXPECT_NEAR(wall->begin.x(), 3.06, 1e-9);
+}
+
+TEST(ModelWalls, ARestThatIsLongerThanWhatWasSeenFromBothSidesIsAWallOfItsOwn)
+{
+  const auto faces =
+      exactFaces({rectangle(0.0, 0.0, 3.0, 4.0), rectangle(3.12, 0.0, 6.0, 1.5)});
+  const auto walls = modelWalls(faces, facePairs(faces));
+  double thick = 0.0, rest = 0.0;
+  for (const auto& wall : walls) {
+    if (wall.thickness > 0.0)
+      thick += (wall.end - wall.begin).norm();
+    else if (wall.rooms == std::vector<std::uint32_t>{1} &&
+             std::min(wall.begin.x(), wall.end.x()) > 2.9)
+      rest += (wall.end - wall.begin).norm();
+  }
+  EXPECT_NEAR(thick, 1.5, 1e-9);
+  EXPECT_NEAR(rest, 2.5, 1e-9);
+}
+
+TEST(ModelWalls, AWallGoesOnToHalfOfTheDepthOfWindowsInTheOneThatItMeets)
+{
+  const auto faces =
+      exactFaces({rectangle(0.0, 0.0, 3.0, 4.0), rectangle(3.12, 0.0, 6.0, 4.0)});
+  std::vector<double> depths(faces.size(), 0.0);
+  const auto ends = [&] {
+    const auto walls = modelWalls(faces, facePairs(faces), depths);
+    const auto* wall = wallOf(walls, {1, 2});
+    return wall ? std::pair(std::min(wall->begin.y(), wall->end.y()),
+                            std::max(wall->begin.y(), wall->end.y()))
+                : std::pair<double, double>(NAN, NAN);
+  };
+  EXPECT_NEAR(ends().first, 0.0, 1e-9);
+  EXPECT_NEAR(ends().second, 4.0, 1e-9);
+  depths[0] = 0.2; // the lower side of the first room
+  EXPECT_NEAR(ends().first, -0.1, 1e-9);
+  EXPECT_NEAR(ends().second, 4.1, 1e-9) << "the middle of the storey";
+  depths[2] = 0.3; // its upper side
+  EXPECT_NEAR(ends().second, 4.15, 1e-9);
+}
+
+TEST(ModelWalls, OneSideEndsOnTheSideOfTheWallThatItMeets)
+{
+  const auto faces =
+      exactFaces({rectangle(0.0, 0.0, 3.0, 4.0), rectangle(3.12, 0.0, 6.0, 2.6)});
+  const auto walls = modelWalls(faces, facePairs(faces));
+  const ModelWall* upper = nullptr; // of the second room
+  for (const auto& wall : walls)
+    if (wall.rooms == std::vector<std::uint32_t>{2} &&
+        std::min(wall.begin.y(), wall.end.y()) > 2.5)
+      upper = &wall;
+  ASSERT_NE(upper, nullptr);
+  EXPECT_NEAR(upper->end.x(), 3.12, 1e-9); // not on the axis, 3.06
+  EXPECT_NEAR(upper->begin.x(), 6.0, 1e-9);
+}
+
+TEST(ModelWalls, TheLineOfAWallIsThatOfAllItsPieces)
+{
+  auto faces = exactFaces({rectangle(0.0, 0.0, 5.8, 3.0),
+                           rectangle(5.9, 0.0, 12.0, 3.0),
+                           rectangle(0.0, 3.2, 5.8, 6.0),
+                           rectangle(5.9, 3.2, 12.0, 6.0)});
+  // both sides of the longer piece are turned by half a degree
+  faces[6].begin.y() += 0.06;
+  faces[12].end.y() += 0.06;
+  const auto walls = modelWalls(faces, facePairs(faces));
+  const auto* wall = wallOf(walls, {1, 2, 3, 4});
+  ASSERT_NE(wall, nullptr);
+  const bool is_turned = wall->begin.x() > wall->end.x();
+  const auto& left = is_turned ? wall->end : wall->begin;
+  const auto& right = is_turned ? wall->begin : wall->end;
+  // 1 cm off, not 4, as the line of the longer piece is
+  EXPECT_NEAR(left.y(), 3.1, 0.02);
+  EXPECT_NEAR(right.y(), 3.16, 0.02);
+  EXPECT_NEAR(right.x() - left.x(), 12.0, 0.01);
 }
 
 TEST(ModelWalls, WithoutSidesThereAreNone)

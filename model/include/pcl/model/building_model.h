@@ -24,7 +24,7 @@ struct ModelWall {
                               ///< was seen this is that side, the room on the left
   double floor = 0.0;         ///< height of its foot, metres
   double height = 0.0;        ///< metres
-  double thickness = 0.0;     ///< metres; 0 = only one side was seen
+  double thickness = 0.0;     ///< where both sides were seen, metres; 0 = only one was
   std::vector<std::uint32_t> rooms; ///< that it bounds, ascending
 };
 
@@ -82,10 +82,11 @@ struct BuildingModel {
 /** \brief Make walls, doors and windows from rooms and points.
  *
  * Outlines of rooms are divided in straight sides, which are fitted to the points
- * (wallFaces()); sides of two rooms that face each other are one wall (modelWalls());
- * each side is seen as an image (wallImage()), in which openings are rectangles without
- * the wall's face (wallHoles()); both sides together, and the places where one can
- * pass, say what they are (modelOpenings()). Needs no normals and no classes.
+ * (wallFaces()); sides of two rooms that face each other, and are seen, are one wall
+ * (modelWalls()); each side is seen as an image (wallImage()), in which openings are
+ * rectangles without the wall's face (wallHoles()); both sides together, and the places
+ * where one can pass, say what they are (modelOpenings()). Needs no normals and no
+ * classes.
  *
  * \param[in] points of the rooms, in their frame
  * \param[in] openings where one can pass between rooms

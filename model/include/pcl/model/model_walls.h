@@ -30,10 +30,18 @@ facePairs(const std::vector<WallFace>& faces);
 
 /** \brief Make walls of sides and their pairs: of each pair one, of each rest of a side
  * one with one side. Pieces on one line, of one thickness, with no more than a crossing
- * wall between them are one wall. Walls end on the axes of walls that they meet.
+ * wall between them are one wall; a rest of a side is part of a longer wall on one side
+ * of which it lies. Walls end on the axes of walls that they meet. The axis of a wall
+ * with one side is not known, but it is not nearer to this side than half of the depth
+ * of its windows; a wall with two sides goes on to there.
+ * \param[in] depths per side, how far behind it the windows and outer doors in it are,
+ * metres; 0 = not known; sides without any are as those of their storey; none at all =
+ * none is known
  */
 std::vector<ModelWall>
-modelWalls(const std::vector<WallFace>& faces, const std::vector<FacePair>& pairs);
+modelWalls(const std::vector<WallFace>& faces,
+           const std::vector<FacePair>& pairs,
+           const std::vector<double>& depths = {});
 
 } // namespace indoor
 } // namespace pcl
