@@ -77,9 +77,10 @@ borderOf(const VoxelBits& occupancy,
   return border;
 }
 
-/** \brief The most frequent lowest and highest occupied voxel of the columns. */
+/** \brief The most frequent lowest and highest occupied voxel of the columns that are
+ * at least so high. */
 std::pair<int, int>
-outerLevels(const VoxelBits& occupancy)
+outerLevelsOf(const VoxelBits& occupancy, int least_height)
 {
   const int nz = occupancy.shape.nz;
   std::vector<int> lowest(nz + 1, 0);
@@ -94,6 +95,8 @@ outerLevels(const VoxelBits& occupancy)
     int high = nz - 1;
     while (!column[high])
       --high;
+    if (high - low < least_height)
+      continue;
     ++lowest[low];
     ++highest[high];
   }
@@ -102,6 +105,21 @@ outerLevels(const VoxelBits& occupancy)
                             counts.begin());
   };
   return {mode(lowest), mode(highest)};
+}
+
+/** \brief Floor and ceiling of all storeys together, in layers. Where most of the floor
+ * was not seen, the lowest voxel of most columns is the ceiling: then those tell it
+ * that have both, or a wall. */
+std::pair<int, int>
+outerLevels(const VoxelBits& occupancy, double min_clearance)
+{
+  const int clearance =
+      static_cast<int>(std::lround(min_clearance / occupancy.voxel_size));
+  const auto levels = outerLevelsOf(occupancy, 0);
+  if (levels.second - levels.first >= clearance)
+    return levels;
+  const auto of_high = outerLevelsOf(occupancy, clearance);
+  return of_high.second > of_high.first ? of_high : levels; // if there are any
 }
 
 /** \brief The middle of the emptiest stretch between the two surfaces of a slab, in
@@ -165,7 +183,7 @@ findStoreys(const VoxelBits& occupancy, const StoreyOptions& options)
   const auto heightOf = [&](double voxel) {
     return occupancy.origin.z() + (voxel + 0.5) * occupancy.voxel_size;
   };
-  const auto [lowest, highest] = outerLevels(occupancy);
+  const auto [lowest, highest] = outerLevels(occupancy, options.min_clearance);
   Storey storey;
   storey.floor = heightOf(lowest);
   for (const SlabLevel& level : levels) {

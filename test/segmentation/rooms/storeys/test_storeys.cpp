@@ -157,6 +157,19 @@ TEST(FindStoreys, OneStorey)
   EXPECT_EQ(split.at(3, 3, 2.5), 0);
 }
 
+TEST(FindStoreys, AFloorOfWhichMostIsMissing)
+{
+  Building building;
+  building.addRoom({0, 0, 0}, {6, 8, 2.6});
+  building.addRoom({6.2, 0, 0}, {12, 8, 2.6});
+  building.clear({2, 0.1, -0.1}, {5.9, 7.9, 0.1});
+  building.clear({6.3, 0.1, -0.1}, {11.9, 7.9, 0.1});
+  const Split split(building); // most columns hold the ceiling alone
+  ASSERT_EQ(split.count(), 1u);
+  EXPECT_NEAR(split.storeys.heights[0].floor, 0.0, 0.1);
+  EXPECT_NEAR(split.storeys.heights[0].ceiling, 2.6, 0.1);
+}
+
 TEST(FindStoreys, TwoStoreysAndTheSlabBetweenThemAtAnyYaw)
 {
   for (const double yaw : {0.0, 0.3, 0.8}) {
