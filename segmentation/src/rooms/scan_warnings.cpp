@@ -79,6 +79,19 @@ directionText(const Eigen::Vector3f& direction)
   return text.str();
 }
 
+/** The share of the rooms' borders, by their areas, where a wall or another room was
+ * seen; 1 without rooms. */
+double
+closedShare(const std::vector<Room>& rooms)
+{
+  double area = 0.0, closed = 0.0;
+  for (const Room& room : rooms) {
+    area += room.area;
+    closed += room.area * room.seen;
+  }
+  return area > 0.0 ? closed / area : 1.0;
+}
+
 /** Both ends belong to it. */
 bool
 isBetween(double low, double value, double high)
@@ -119,7 +132,8 @@ unitWarning(const Vertical& vertical, double metres_per_unit)
   if (metres_per_unit == 1.0 && vertical.is_furnished &&
       isBetween(2.0, foot * height, 3.5))
     return unitLine(foot, height);
-  if (vertical.has_rooms && height < lowest_room)
+  if ((vertical.has_rooms && height < lowest_room) ||
+      (metres_per_unit == 1.0 && vertical.is_furnished && foot * height > 3.5))
     return "The scale of the scan is probably wrong: its rooms seem to be " +
            heightText(height) + " high; scale the points, or set the unit (-unit).";
   return {};
@@ -241,6 +255,12 @@ unseenWarnings(const BuildingRooms& building)
   else if (!ceiling)
     lines.emplace_back("No ceilings were seen: rooms are told by their walls and "
                        "floors, and they end where the walls do.");
+  constexpr double hardly = 0.6; // of the borders, as of a single room
+  if (const double closed = closedShare(building.rooms); closed < hardly)
+    lines.push_back("Walls were seen on only " +
+                    std::to_string(static_cast<int>(100.0 * closed)) +
+                    " % of the borders of the rooms: elsewhere these end where the "
+                    "scan does, or where a passage seems to be.");
   if (building.hardly_seen > 0)
     lines.push_back(std::to_string(building.hardly_seen) +
                     (building.hardly_seen == 1 ? " space is" : " spaces are") +

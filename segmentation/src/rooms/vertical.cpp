@@ -59,7 +59,8 @@ struct Candidate {
   double along = 0.0;  ///< share of walls
   double uprightness = 0.0;
   double room_height = 0.0;
-  bool has_rooms = false;
+  bool is_covered = false; ///< most columns have something below and above
+  bool has_rooms = false;  ///< the same, as far apart as floors and ceilings
 
   /** Sine of the angle to +z or -z. */
   double
@@ -207,15 +208,13 @@ roomShare(const FreeSpace& space)
                                   static_cast<double>(space.columns);
 }
 
-/** There are floors and ceilings, as far apart as in rooms. */
+/** A free length is the height of rooms in one of the units. */
 bool
-hasRooms(const FreeSpace& space)
+isRoomHeight(double length)
 {
-  constexpr double enough = 0.3;          // of the columns
   constexpr double low = 1.9, high = 6.0; // metres
-  const double length = space.length();
   const double height = length * likelyMetresPerUnit(length);
-  return roomShare(space) > enough && low <= height && height <= high;
+  return low <= height && height <= high;
 }
 
 /** Floors and ceilings lie in few planes with little space between them, so the
@@ -226,7 +225,8 @@ measure(const Pieces& pieces,
         double cell_size,
         std::vector<Candidate>& candidates)
 {
-  constexpr double least = 0.5; // of the first; rooms had to be three times as low
+  constexpr double least = 0.5;  // of the first; rooms had to be three times as low
+  constexpr double enough = 0.3; // of the columns
   double share_of_first = 0.0;
   for (auto& candidate : candidates) {
     const double share = planeShare(pieces, candidate.direction, 0.25 * cell_size);
@@ -234,8 +234,9 @@ measure(const Pieces& pieces,
     if (share < least * share_of_first)
       continue;
     const auto space = freeSpaceAlong(sample, candidate.direction, cell_size);
-    candidate.has_rooms = hasRooms(space);
     candidate.room_height = space.length();
+    candidate.is_covered = roomShare(space) > enough;
+    candidate.has_rooms = candidate.is_covered && isRoomHeight(candidate.room_height);
     if (candidate.room_height > 0.0)
       candidate.uprightness = share / candidate.room_height;
   }
@@ -286,7 +287,7 @@ chooseEnd(const Points& sample,
   constexpr int views = 4; // furniture stands at angles to the columns
   const bool is_near_z = isNearZ(candidate);
   ThingsAtEnds things;
-  for (int view = 0; view < views && candidate.has_rooms; ++view) {
+  for (int view = 0; view < views && candidate.is_covered; ++view) {
     const double yaw = 0.5 * M_PI * view / views;
     things += thingsAtEnds(freeSpaceAlong(sample, candidate.direction, cell_size, yaw));
     if (is_near_z && things.low >= things.high)
@@ -295,17 +296,17 @@ chooseEnd(const Points& sample,
   // Scans that lie upside down are rare, and real ones that stand upright have up
   // to 1.9 times as many things at their ceilings.
   constexpr double certainly = 3.0;
-  const int end = things.clearEnd();
+  const int end = candidate.has_rooms ? things.clearEnd() : 0;
   int axis = 0; // that the direction is most along
   candidate.direction.cwiseAbs().maxCoeff(&axis);
   const bool is_turned =
-      is_near_z ? things.clearEnd(certainly) == 1
+      is_near_z ? candidate.has_rooms && things.clearEnd(certainly) == 1
                 : end == 1 || (end == 0 && candidate.direction[axis] < 0.0);
   vertical.direction = candidate.direction.cast<float>();
   if (is_turned)
     vertical.direction = -vertical.direction;
   vertical.is_end_known = is_near_z ? end != 1 || is_turned : end != 0;
-  vertical.is_furnished = end != 0;
+  vertical.is_furnished = things.clearEnd() != 0; // of halls, too
 }
 
 /** 0 if the points are too few for floors and ceilings. */

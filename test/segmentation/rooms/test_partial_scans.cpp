@@ -106,6 +106,16 @@ TEST(PartialScans, WallsAlone)
                  "Neither floors nor ceilings");
 }
 
+TEST(PartialScans, WithoutWallsTheBordersOfRoomsAreDoubted)
+{
+  const auto building = segmentBuilding(
+      partOfTwoRooms([](float z) { return isFloor(z) || isCeiling(z); }));
+  ASSERT_FALSE(building.rooms.empty());
+  const auto warnings = unseenWarnings(building);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("Walls were seen on only"), std::string::npos);
+}
+
 TEST(PartialScans, ABlockBetweenCorridorsIsNoPlaceWithoutCeiling)
 {
   const std::vector<test::RoomBox> ring = {{{0, 0, 0}, {12, 1.6f, 2.5f}, 1},

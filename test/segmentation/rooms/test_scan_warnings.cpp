@@ -98,6 +98,10 @@ TEST(ScanWarnings, AScaleThatIsNoUnit)
 {
   EXPECT_TRUE(holds(unitWarning(upright(1.25), 1.0), "scale"));
   EXPECT_TRUE(holds(unitWarning(upright(0.25), 1.0), "0.3 m high"));
+  auto decimetres = upright(26.0);
+  EXPECT_EQ(unitWarning(decimetres, 1.0), ""); // a hall
+  decimetres.is_furnished = true;              // with things of eight metres
+  EXPECT_TRUE(holds(unitWarning(decimetres, 1.0), "scale"));
   auto parts = upright(1.25); // such as gaps below tables
   parts.has_rooms = false;
   EXPECT_EQ(unitWarning(parts, 1.0), "");
