@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -25,6 +26,8 @@ constexpr std::size_t least_different = 4;
 double
 commonDivisor(double a, double b, double least)
 {
+  if (a < b)
+    std::swap(a, b);
   const double whole = a;
   do {
     const double rest = std::fmod(a, b);

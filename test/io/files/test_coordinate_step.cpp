@@ -60,6 +60,20 @@ TEST(CoordinateStep, OfDoublesThatWereFloatsIsThatOfFloats)
   EXPECT_NEAR(commonStep(values), 0.5, 1e-6);
 }
 
+TEST(CoordinateStep, AFarValueDoesNotHideIt)
+{
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    auto values = inSteps(anyValues(20000, 3.0, seed), 0.125, 0.0);
+    for (std::size_t i = 0; i < values.size(); i += 9)
+      values[i] = -10000.0; // where nothing was measured
+    EXPECT_DOUBLE_EQ(commonStep(values), 0.125) << seed;
+    auto any = anyValues(20000, 3.0, seed);
+    for (std::size_t i = 0; i < any.size(); i += 9)
+      any[i] = -10000.0;
+    EXPECT_EQ(commonStep(any), 0.0) << seed;
+  }
+}
+
 TEST(CoordinateStep, ThereIsNoneBetweenAnyValues)
 {
   for (unsigned seed = 1; seed <= 50; ++seed) {
