@@ -32,24 +32,17 @@ const std::map<std::string, TableColumn> known_names = {
     {"_", {"", Kind::Skipped}}};
 
 /** Other words of these, small letters and digits alone. */
-const std::map<std::string, std::string> other_words = {{"red", "r"},
-                                                        {"green", "g"},
-                                                        {"blue", "b"},
-                                                        {"rf", "r"},
-                                                        {"gf", "g"},
-                                                        {"bf", "b"}, // CloudCompare
-                                                        {"colorred", "r"},
-                                                        {"colorgreen", "g"},
-                                                        {"colorblue", "b"}, // E57
-                                                        {"diffusered", "r"},
-                                                        {"diffusegreen", "g"},
-                                                        {"diffuseblue", "b"},
-                                                        {"normalx", "nx"},
-                                                        {"normaly", "ny"},
-                                                        {"normalz", "nz"},
-                                                        {"normalsx", "nx"},
-                                                        {"normalsy", "ny"},
-                                                        {"normalsz", "nz"}};
+const std::map<std::string, std::string> other_words = {
+    {"red", "r"},        {"green", "g"},        {"blue", "b"},
+    {"rf", "r"},         {"gf", "g"},           {"bf", "b"}, // CloudCompare
+    {"rot", "r"},        {"gruen", "g"},        {"grn", "g"},
+    {"blau", "b"},       {"rouge", "r"},        {"vert", "g"},
+    {"bleu", "b"},       {"rojo", "r"},         {"verde", "g"},
+    {"azul", "b"},       {"rosso", "r"},        {"blu", "b"},
+    {"colorred", "r"},   {"colorgreen", "g"},   {"colorblue", "b"}, // E57
+    {"diffusered", "r"}, {"diffusegreen", "g"}, {"diffuseblue", "b"},
+    {"normalx", "nx"},   {"normaly", "ny"},     {"normalz", "nz"},
+    {"normalsx", "nx"},  {"normalsy", "ny"},    {"normalsz", "nz"}};
 
 /** What exporters call x, y and z. */
 const std::map<std::string, std::string> axis_words = {
@@ -58,6 +51,12 @@ const std::map<std::string, std::string> axis_words = {
     {"height", "z"},     {"h", "z"},           {"altitude", "z"},    {"alt", "z"},
     {"up", "z"},         {"rechtswert", "x"},  {"hochwert", "y"},    {"hoehe", "z"},
     {"hhe", "z"}, // its umlaut is no letter
+
+    {"ost", "x"},        {"est", "x"},         {"este", "x"},        {"oost", "x"},
+    {"nord", "y"},       {"norte", "y"},       {"noord", "y"},       {"abscisse", "x"},
+    {"ordonne", "y"}, // its accent is no letter, either
+
+    {"hauteur", "z"},    {"cota", "z"},        {"quota", "z"},       {"hoogte", "z"},
 
     {"points0", "x"},    {"points1", "y"},                           // ParaView
     {"points2", "z"},    {"pointsmxyz0", "x"}, {"pointsmxyz1", "y"}, // VeloView
@@ -130,7 +129,12 @@ axisOf(const std::string& name)
   auto key = keyOf(name);
   if (const auto word = axis_words.find(key); word != axis_words.end())
     return word->second;
-  for (const char* more : {"coordinates",
+  for (const char* more : {"koordinate",
+                           "coordonne", // without its accent
+                           "coordenada",
+                           "coordinata",
+                           "coordinaat",
+                           "coordinates",
                            "coordinate",
                            "coord",
                            "position",

@@ -13,6 +13,8 @@ namespace {
 
 using Kind = TableColumn::Kind;
 
+constexpr std::size_t enough_rows = 10; // to tell what a column counts
+
 /** Three columns of a table, by their places in a row. */
 struct Triple {
   const std::vector<double>& values;
@@ -109,11 +111,37 @@ layoutOf(const std::vector<double>& values,
 bool
 countsRows(const std::vector<double>& values, std::size_t width, std::size_t place)
 {
-  constexpr std::size_t enough = 10;
   for (std::size_t at = place + width; at < values.size(); at += width)
     if (values[at] != values[at - width] + 1 || values[at] != std::floor(values[at]))
       return false;
-  return values.size() >= enough * width;
+  return values.size() >= enough_rows * width;
+}
+
+/** How many columns of whole numbers stand before coordinates with fractions: numbers
+ * of scans, rows and columns of a scanner, colours. Three of them are coordinates, such
+ * as millimetres, where normals or colours of 0 to 1 follow. */
+std::size_t
+wholeColumnsBefore(const std::vector<double>& values,
+                   std::size_t width,
+                   const std::vector<std::size_t>& places)
+{
+  const auto isWholeColumn = [&](std::size_t place) {
+    for (std::size_t at = place; at < values.size(); at += width)
+      if (values[at] != std::floor(values[at]))
+        return false;
+    return true;
+  };
+  std::size_t count = 0;
+  while (count + 3 < places.size() && isWholeColumn(places[count]))
+    ++count;
+  if (count == 0 || values.size() < enough_rows * width)
+    return 0;
+  const Triple next{
+      values, width, {places[count], places[count + 1], places[count + 2]}};
+  const bool are_places = std::none_of(next.places, next.places + 3, isWholeColumn) &&
+                          !areNormals(next) &&
+                          colorRange(next, false) != ColorRange::Fractions;
+  return are_places ? count : 0;
 }
 
 } // namespace
@@ -132,6 +160,10 @@ columnsByValues(const std::vector<TableColumn>& columns,
     result[places[0]].kind = Kind::Skipped;
     places.erase(places.begin());
   }
+  const auto before = wholeColumnsBefore(values, width, places);
+  for (std::size_t k = 0; k < before; ++k)
+    result[places[k]].kind = Kind::Skipped;
+  places.erase(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(before));
   for (std::size_t axis = 0; axis < 3; ++axis)
     result[places[axis]] = {std::string(1, static_cast<char>('x' + axis)),
                             Kind::Coordinate};

@@ -104,11 +104,13 @@ TableRows::refusePlace(const Header& header, const std::vector<bool>& are_number
   const auto problem = placeProblem(columns);
   const bool is_angle = problem.find("angles") != problem.npos;
   const auto proposal = columnsProposal(columns, are_numbers);
-  throw ToolError(place(header.line) + problem +
-                  (is_angle ? ""
-                   : proposal.empty()
-                       ? ", nor other numbers that could be it"
-                       : "; name them, for example -columns " + proposal));
+  throw ToolError(
+      place(header.line) + problem +
+      (is_angle ? ""
+       : proposal.empty()
+           ? ", nor other numbers that could be it; blanks, tabs, commas or "
+             "semicolons part them"
+           : "; name them, for example -columns " + proposal));
 }
 
 /** Bytes that are no text stand in a number or in place of a separator. */
@@ -222,7 +224,7 @@ TableRows::chooseColumns()
   const auto count = words_.size();
   if (count > most_columns)
     refuse(" has " + std::to_string(count) + " values, at most " +
-           std::to_string(most_columns) + " are read");
+           std::to_string(most_columns) + " are read; lines end in a line feed");
   if (!option_names_.empty())
     takeOption();
   else if (!header_.names.empty())

@@ -201,6 +201,11 @@ TEST_F(Tables, OtherWordsNameTheColumns)
                              "Pos_X Pos_Y Pos_Z",
                              "Points:0 Points:1 Points:2",
                              "cartesianX cartesianY cartesianZ",
+                             "Ost Nord H\303\266he",
+                             "Est Nord Hauteur",
+                             "Abscisse Ordonn\303\251e Altitude",
+                             "Este Norte Cota",
+                             "X-Koordinate Y-Koordinate Z-Koordinate",
                              "x_m y_m z_m"}) {
     const auto file = load(header + ("\n" + rows));
     EXPECT_EQ(fieldsOf(file), "x y z") << header;
@@ -220,6 +225,11 @@ TEST_F(Tables, OtherWordsNameTheColumns)
                           "1\t2\t3\t4\t5\t6\t7\t8\n")),
             "x y z rgb normal_x reflectance");
   EXPECT_EQ(fieldsOf(load("X Y Z Rf Gf Bf\n1 2 3 0.5 0.2 0.1\n")), "x y z rgb");
+  for (const char* colours :
+       {"Rot Gr\303\274n Blau", "Rouge Vert Bleu", "Rosso Verde Blu"})
+    EXPECT_EQ(fieldsOf(load(std::string("X Y Z ") + colours + "\n1 2 3 4 5 6\n")),
+              "x y z rgb")
+        << colours;
 }
 
 TEST_F(Tables, UnitsOfAHeaderAreSaid)
@@ -262,6 +272,21 @@ TEST_F(Tables, NamesOfRowsAreLeftOut)
   EXPECT_EQ(fieldsOf(load(counted)), "x y z");
   EXPECT_EQ(valuesOf<double>(load(counted), "x")[7], 0.5);
   EXPECT_EQ(valuesOf<double>(load(whole), "x")[7], 7); // else there is no place
+  std::string scanner, millimetres, grid;
+  for (int i = 0; i < 12; ++i) {
+    const auto row = std::to_string(i / 4) + " " + std::to_string(i % 4);
+    const auto place = std::to_string(i) + ".5 0.25 0.125";
+    scanner += row + " " + place + " 200 30 40\n";
+    millimetres += row + " 7 0.6 0.8 0.01\n";
+    grid += row + " 0." + std::to_string(i) + " 0.5\n";
+  }
+  EXPECT_EQ(fieldsOf(load(scanner)), "x y z rgb");
+  EXPECT_EQ(valuesOf<double>(load(scanner), "x")[7], 7.5);
+  EXPECT_EQ(notesOf(load(scanner)),
+            "its columns are taken as _,_,x,y,z,r,g,b; -columns says otherwise, for "
+            "example _,_,y,x,z,r,g,b where northing comes first");
+  EXPECT_EQ(fieldsOf(load(millimetres)), "x y z normal_x normal_y normal_z");
+  EXPECT_EQ(fieldsOf(load(grid)), "x y z intensity"); // two are no place
   // a column of unknown name may lack values
   EXPECT_EQ(fieldsOf(load("x,y,z,code,time\n1,2,3,,5\n1,2,3,A,5\n")), "x y z time");
 }
@@ -377,7 +402,8 @@ TEST_F(Tables, MessagesNameTheColumnsThatWouldDo)
             "line 1 names no column 'z'; name them, for example -columns x,y,z");
   EXPECT_EQ(complaint("1 2 b\n"), none + "x,y,z");
   EXPECT_EQ(complaint("x,y\n1,2\n"),
-            "line 1 names no column 'z', nor other numbers that could be it");
+            "line 1 names no column 'z', nor other numbers that could be it; blanks, "
+            "tabs, commas or semicolons part them");
   EXPECT_EQ(
       complaint("Latitude,Longitude,Height\n48.1,11.5,3\n"),
       "line 1 names the column 'latitude': angles are no coordinates, project them "
