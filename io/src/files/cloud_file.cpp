@@ -270,7 +270,8 @@ withPoints(const std::string& path,
   file.frame = frame;
   for (const char* name : axes)
     if (!isRealField(file.cloud, name))
-      throw ToolError(path + ": the file has no floating-point field '" + name + "'");
+      throw ToolError(path + ": the file has no floating-point field '" + name +
+                      "', its fields are: " + printable(getFieldsList(file.cloud)));
   if (pointCount(file.cloud) == 0)
     throw ToolError(path + ": the cloud is empty (0 points)");
   if (file.cloud.data.size() < pointCount(file.cloud) * file.cloud.point_step)

@@ -11,6 +11,7 @@
 #include "formats/file_ending.h"
 #include "formats/foreign_format.h"
 #include "formats/mesh_file.h"
+#include "formats/table_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,6 +21,16 @@ namespace pcl::indoor::tool {
 namespace {
 
 namespace fs = std::filesystem;
+
+/** A text by its ending, such as notes beside the scans, without a row of a table. */
+bool
+isOtherText(const std::string& path)
+{
+  constexpr std::size_t longest_header = 1 << 16; // bytes
+  const auto& endings = tableEndings();
+  return std::count(endings.begin(), endings.end(), fileEnding(path)) > 0 &&
+         tablePointCount(path, beginningOf(path, longest_header)) == 0;
+}
 
 /** What is in a folder, by name, without hidden files. */
 struct FolderContent {
@@ -47,7 +58,7 @@ contentOf(const std::string& folder)
     if (entry.is_directory(unknown))
       content.folders.push_back(entry.path().filename().string());
     else if (entry.is_regular_file(unknown) &&
-             (hasCloudEnding(path) || hasPackedEnding(path)))
+             (hasCloudEnding(path) || hasPackedEnding(path)) && !isOtherText(path))
       content.scans.push_back(path);
     else if (entry.is_regular_file(unknown))
       content.others[fileEnding(path)].push_back(path);
@@ -94,6 +105,7 @@ whyLeftOut(const std::vector<std::string>& paths)
   const auto more = paths.size() - 1;
   return nameOf(paths[0]) + (more > 0 ? " and " + std::to_string(more) + " more" : "") +
          (!format.empty()                   ? ": " + format
+          : isOtherText(paths[0])           ? ": a text without rows of points"
           : meshFormat(paths[0], beginning) ? ": a mesh, read where it is named itself"
                                             : ": not read by this ending");
 }

@@ -224,6 +224,22 @@ TEST_F(CloudFiles, AnAppendedFieldReplacesItsNamesakeOfAnyType)
   EXPECT_THROW(appendField(file.cloud, "object", {1, 2}), ToolError);
 }
 
+TEST_F(CloudFiles, WithoutCoordinatesTheFieldsAreNamed)
+{
+  const auto file = write(
+      "in.pcd",
+      "VERSION 0.7\nFIELDS position normal\nSIZE 4 4\nTYPE F F\nCOUNT 3 3\nWIDTH 1\n"
+      "HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 1\nDATA ascii\n1 2 3 0 0 1\n");
+  try {
+    loadCloud(file);
+    FAIL();
+  } catch (const ToolError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              file + ": the file has no floating-point field 'x', its fields are: "
+                     "position normal");
+  }
+}
+
 TEST_F(CloudFiles, LabelsMustBeWholeNumbers)
 {
   pcl::io::savePCDFileBinary(path("in.pcd"), organisedCloud());
@@ -339,6 +355,13 @@ TEST_F(CloudFiles, OtherFormatsAreNamedWithTheCommandThatConvertsThem)
   EXPECT_EQ(messageFor("a.dxf", "0\nSECTION\n2\nHEADER\n").substr(0, 9), "a drawing");
   EXPECT_EQ(messageFor("a.bin", "CCB2").substr(0, 23), "a file of CloudCompare;");
   EXPECT_EQ(messageFor("a.FBX", "what is this").substr(0, 12), "an FBX scene");
+  EXPECT_EQ(messageFor("b.ply", "version https://git-lfs.github.com/spec/v1\n"),
+            "a pointer of Git LFS; fetch the file that it stands for: git lfs pull");
+  EXPECT_EQ(messageFor("b.pcd", "<!DOCTYPE html><html>404").substr(0, 11),
+            "a web page;");
+  EXPECT_EQ(messageFor("a.vtp", "<?xml version=\"1.0\"?>").substr(0, 13),
+            "a file of VTK");
+  EXPECT_EQ(messageFor("a.xlsx", "PK\x03\x04").substr(0, 13), "a spreadsheet");
   EXPECT_NE(messageFor("a b.csv", std::string("\xff\xfex\0,\0", 6))
                 .find("iconv -f UTF-16 -t UTF-8 '" + path("a b.csv") + "' -o '" +
                       path("a b.txt") + "'"),

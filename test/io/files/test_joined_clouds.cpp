@@ -210,8 +210,9 @@ using ScanFilesTest = pcl::indoor::test::FolderTest;
 TEST_F(ScanFilesTest, OfAFolderAllCloudsByName)
 {
   fs::create_directory(path("stations"));
-  for (const char* name : {"b.las", "a.PCD", "c.csv", "notes.md", "d.json"})
-    write(std::string("stations/") + name, "x");
+  for (const char* name : {"b.las", "a.PCD", "readme.txt", "notes.md", "d.json"})
+    write(std::string("stations/") + name, "x of 2026\n3 floors\n");
+  write("stations/c.csv", "// " + std::string(5000, '-') + "\nx,y,z\n1,2,3\n");
   fs::create_directory(path("stations/e.pcd"));
   const auto folder = path("stations");
   const auto found = scanFiles({folder, "other.ply"});
@@ -220,7 +221,9 @@ TEST_F(ScanFilesTest, OfAFolderAllCloudsByName)
                 folder + "/a.PCD", folder + "/b.las", folder + "/c.csv", "other.ply"}));
   EXPECT_EQ(found.notes,
             (std::vector<std::string>{"left out: d.json: not read by this ending",
-                                      "left out: notes.md: not read by this ending"}));
+                                      "left out: notes.md: not read by this ending",
+                                      "left out: readme.txt: a text without rows of "
+                                      "points"}));
   EXPECT_EQ(nameOfScan({folder + "/"}, found.paths), folder);
   EXPECT_EQ(nameOfScan({"a.pcd", "b.pcd", "c.pcd"}, {"a.pcd", "b.pcd", "c.pcd"}),
             "a.pcd and 2 more");
