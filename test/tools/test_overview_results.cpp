@@ -161,6 +161,29 @@ TEST_F(OverviewResults, AResultWithoutRoomsSaysWhy)
   EXPECT_TRUE(has(jsonOf("rooms.json")["warnings"], line));
 }
 
+TEST_F(OverviewResults, DegreesAndFeetAreGuessedWhereNoRoomIsFound)
+{
+  pcl::PointCloud<pcl::PointXYZ> degrees, feet;
+  for (const auto& p : pcl::indoor::test::twoRooms().points) {
+    degrees.emplace_back(p.x() / 75000.0f, p.y() / 111000.0f, p.z());
+    if (p.z() < 0.03f || p.z() > 2.47f) // no walls
+      feet.emplace_back(p.x() / 0.3048f, p.y() / 0.3048f, p.z() / 0.3048f);
+  }
+  pcl::io::savePCDFileBinary(path("degrees.pcd"), degrees);
+  ASSERT_EQ(run("pcl_room_segmentation", path("degrees.pcd") + " " + path("rooms.pcd")),
+            0);
+  EXPECT_TRUE(says("no room was found: x and y extend over less than a hundredth of "
+                   "the height, as longitude and latitude in degrees do"))
+      << said();
+  pcl::io::savePCDFileBinary(path("feet.pcd"), feet);
+  ASSERT_EQ(run("pcl_room_segmentation",
+                path("feet.pcd") + " " + path("rooms.pcd") + " -min_area 500"),
+            0);
+  EXPECT_TRUE(says("no room was found: Its rooms seem to be 8.2 m high, in feet they "
+                   "would be 2.5 m: if they are, set -unit ft."))
+      << said();
+}
+
 TEST_F(OverviewResults, WarningsOfTheFileReachTheSceneAlsoOfAnotherRun)
 {
   const auto scan = save(

@@ -21,6 +21,7 @@ namespace {
 constexpr double hardly = 0.3, mostly = 0.7; // shares that were seen
 constexpr double slice = 1.0;                // metres of height
 constexpr double few_duplicates = 0.005;     // share that is chance
+constexpr double highest_rooms = 6.0;        // metres, of most buildings
 constexpr double degree = M_PI / 180.0;
 
 /** For example "1,204,331". */
@@ -94,8 +95,11 @@ findFrame(const std::vector<Eigen::Vector3f>& points,
   scan.unit = unitName(scan.frame.metres_per_unit);
   if (unitWarning(scan.frame.vertical, scan.frame.metres_per_unit).empty())
     return;
-  const auto likely = unitName(likelyMetresPerUnit(scan.frame.vertical.room_height));
-  scan.likely_unit = likely == scan.unit ? "" : likely;
+  const double height = scan.frame.vertical.room_height;
+  const double likely = likelyMetresPerUnit(height);
+  const bool is_none = height * likely > highest_rooms; // else the scale is wrong
+  scan.likely_unit =
+      is_none || likely == scan.frame.metres_per_unit ? "" : unitName(likely);
 }
 
 NormalsFrom
@@ -193,6 +197,32 @@ partText(const char* surface, double share)
          " was seen: elsewhere heights are those of the walls.";
 }
 
+/** Degrees are a hundred thousand times as long as metres; buildings are less than a
+ * thousand times as wide as high, and less than a degree wide. */
+bool
+mayBeDegrees(const UnderstoodScan& scan)
+{
+  constexpr double far_too_narrow = 0.01, wide = 1.0;
+  const double width = scan.overview.extent.head<2>().maxCoeff();
+  return scan.unit == "m" && width < wide &&
+         width < far_too_narrow * scan.overview.extent.z();
+}
+
+/** Of rooms that seem to be higher than most, in metres that nobody told. */
+std::string
+heightText(const UnderstoodScan& scan)
+{
+  constexpr double foot = 0.3048, least = 2.0, most = 3.5; // of what people build
+  const double height = scan.frame.vertical.room_height;
+  if (scan.unit != "m" || !scan.likely_unit.empty() || foot * height < least)
+    return {};
+  return "Its rooms seem to be " + fixedText(height, 1) + " m high" +
+         (foot * height <= most
+              ? ", in feet they would be " + fixedText(foot * height, 1) +
+                    " m: if they are, set -unit ft."
+              : ": if they are not, set the unit (-unit).");
+}
+
 /** What lacks of floor, ceiling and walls. */
 void
 addSurfaces(const ScanOverview& overview, std::vector<std::string>& lines)
@@ -263,7 +293,10 @@ consequencesOf(const UnderstoodScan& scan)
     lines.push_back("The unit is likely " + scan.likely_unit + ": set -unit " +
                     scan.likely_unit + ".");
   const double longest = overview.extent.maxCoeff();
-  if (longest < room)
+  if (mayBeDegrees(scan))
+    lines.push_back("x and y extend over less than a hundredth of the height, as "
+                    "longitude and latitude in degrees do: project them to metres.");
+  else if (longest < room)
     lines.push_back("The scan is " + lengthText(longest) +
                     " large: a thing or a table, or its unit is another one (-unit).");
   else if (overview.extent.z() < slice)
@@ -328,7 +361,9 @@ emptinessOf(const UnderstoodScan& scan, std::size_t rooms, std::uint64_t in_room
           : 0.0;
   if (rooms > 0 && share >= 0.5)
     return {};
-  const auto why = consequencesOf(scan);
+  auto why = consequencesOf(scan);
+  if (const auto height = heightText(scan); !height.empty())
+    why.insert(why.begin(), height);
   const auto& overview = scan.overview;
   const auto reason = !why.empty() ? why.front()
                       : overview.open_area > overview.area
