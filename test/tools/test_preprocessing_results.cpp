@@ -6,6 +6,7 @@
 #include "files/cloud_file.h"
 #include "support/folder_test.h"
 #include "support/labelled_points.h"
+#include "support/synthetic_scenes.h"
 
 #include <pcl/io/pcd_io.h>
 
@@ -131,6 +132,25 @@ TEST_F(Preprocessing, OrientationIsAnOption)
   for (const std::string way : {"auto", "viewpoint", "graph", "free_space"})
     EXPECT_EQ(run("pcl_noise_resilient_lccp", "-orientation " + way), 0) << way;
   EXPECT_NE(run("pcl_noise_resilient_lccp", "-orientation up"), 0);
+}
+
+TEST_F(Preprocessing, TheUnitOfRoomsIsSaid)
+{
+  pcl::PointCloud<pcl::PointXYZ> rooms;
+  for (const auto& p : test::twoRooms().points)
+    rooms.emplace_back(1000 * p.x(), 1000 * p.y(), 1000 * p.z()); // millimetres
+  pcl::io::savePCDFileBinary(path("scene.pcd"), rooms);
+  const auto said = [&] {
+    std::ifstream file(path("said"));
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  ASSERT_EQ(run("pcl_noise_resilient_lccp", ""), 0);
+  EXPECT_NE(said().find("The scan is probably in millimetres"), std::string::npos)
+      << said();
+  ASSERT_EQ(run("pcl_noise_resilient_lccp", "-unit mm"), 0);
+  EXPECT_EQ(said().find("millimetres"), std::string::npos) << said();
+  ASSERT_EQ(run("pcl_noise_resilient_lccp", "-unit mm -up z -preset objects"), 0);
+  EXPECT_EQ(said().find("millimetres"), std::string::npos) << said();
 }
 
 TEST_F(Preprocessing, TheUnitOfAViewIsSaidAndTaken)

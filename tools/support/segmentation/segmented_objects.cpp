@@ -38,23 +38,50 @@ pointsInMetres(const CloudFile& file, double metres_per_unit)
   return points;
 }
 
-/** Whether a cloud is a table: one camera's view of it, or a scan from any side, which
- * a line says. */
-bool
-isTable(const ObjectSettings& settings, const Cloud::ConstPtr& cloud, const Say& warn)
+/** One line if rooms cannot be so high in the unit: nothing would be found in its size.
+ * \param[in] vertical of the points in metres
+ * \param[in] said what was said of the points already; a camera's view tells its unit
+ */
+std::string
+unitLine(const ObjectSettings& settings,
+         Vertical vertical,
+         const std::vector<std::string>& said)
 {
-  if (settings.preset != "auto")
-    return false;
-  if (isTableView(cloud))
+  constexpr double room = 2.0; // metres; lower is what stands on a table
+  const bool is_told = std::any_of(said.begin(), said.end(), [](const auto& line) {
+    return line.find("(-unit") != std::string::npos;
+  });
+  if (is_told || vertical.room_height < room)
+    return {};
+  const double unit = settings.frame.metresPerUnit();
+  vertical.room_height /= unit;
+  return unitWarning(vertical, unit);
+}
+
+/** Whether a cloud is a table: one camera's view of it, or a scan from any side, which
+ * a line says.
+ * \param[out] vertical of anything but a view
+ */
+bool
+isTable(const ObjectSettings& settings,
+        const Cloud::ConstPtr& cloud,
+        Vertical& vertical,
+        const Say& warn)
+{
+  const bool is_auto = settings.preset == "auto";
+  if (is_auto && isTableView(cloud))
     return true;
   std::vector<Eigen::Vector3f> points;
   for (const auto& point : *cloud)
     if (isUsablePoint(point))
       points.push_back(point.getVector3fMap());
   moveToMiddle(points);
-  const auto up = settings.frame.up == "auto" ? findVertical(points).upAxis()
+  vertical = settings.frame.up == "auto"
+                 ? findVertical(points)
+                 : verticalAlong(settings.frame.upAxis(), points);
+  const auto up = settings.frame.up == "auto" ? vertical.upAxis()
                                               : settings.frame.upAxis().normalized();
-  if (!isTableTop(points, up))
+  if (!is_auto || !isTableTop(points, up))
     return false;
   warn(settings.input +
        ": The scan is no larger than what stands on a table: small things are "
@@ -82,10 +109,12 @@ NoiseResilientLCCP<PointXYZ>
 segmentationOf(const ObjectSettings& settings,
                const CloudFile& file,
                const Cloud::ConstPtr& points,
+               Vertical& vertical,
                const Say& warn)
 {
   NoiseResilientLCCP<PointXYZ> segmentation;
-  segmentation.setOptions(chosenOptions(settings, isTable(settings, points, warn)));
+  const bool is_table = isTable(settings, points, vertical, warn);
+  segmentation.setOptions(chosenOptions(settings, is_table));
   if (settings.frame.up != "auto")
     segmentation.setUpAxis(settings.frame.upAxis());
   if (settings.camera != "auto")
@@ -110,15 +139,19 @@ SegmentedObjects
 segmentObjects(const ObjectSettings& settings, const CloudFile& file, const Say& warn)
 {
   const double metres = settings.frame.metresPerUnit();
+  Vertical vertical;
   auto segmentation =
-      segmentationOf(settings, file, pointsInMetres(file, metres), warn);
+      segmentationOf(settings, file, pointsInMetres(file, metres), vertical, warn);
   SegmentedObjects found;
   const auto step = stepWarning(file.coordinate_step * metres,
                                 withSizes(segmentation.getOptions()).voxel_size);
   if (!step.empty())
     warn(file.path + ": " + step);
   const auto problem = problemOf([&] { segmentation.segment(found.object_of_point); });
-  for (const auto& line : segmentation.getReport().warnings)
+  auto lines = segmentation.getReport().warnings;
+  if (const auto line = unitLine(settings, vertical, lines); !line.empty())
+    lines.push_back(line);
+  for (const auto& line : lines)
     warn(file.path + ": " + line);
   if (found.object_of_point.empty())
     throw ToolError(file.path + ": " + problem);
