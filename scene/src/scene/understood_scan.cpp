@@ -21,7 +21,8 @@ namespace {
 constexpr double hardly = 0.3, mostly = 0.7; // shares that were seen
 constexpr double slice = 1.0;                // metres of height
 constexpr double few_duplicates = 0.005;     // share that is chance
-constexpr double highest_rooms = 6.0;        // metres, of most buildings
+constexpr double lowest_rooms = 1.5;  // metres, a person cannot stand in lower ones
+constexpr double highest_rooms = 6.0; // metres, of most buildings
 constexpr double degree = M_PI / 180.0;
 
 /** For example "1,204,331". */
@@ -97,9 +98,11 @@ findFrame(const std::vector<Eigen::Vector3f>& points,
     return;
   const double height = scan.frame.vertical.room_height;
   const double likely = likelyMetresPerUnit(height);
-  const bool is_none = height * likely > highest_rooms; // else the scale is wrong
-  scan.likely_unit =
-      is_none || likely == scan.frame.metres_per_unit ? "" : unitName(likely);
+  const bool is_room =
+      lowest_rooms <= height * likely && height * likely <= highest_rooms;
+  scan.likely_unit = is_room && likely != scan.frame.metres_per_unit
+                         ? unitName(likely)
+                         : ""; // the scale is another one
 }
 
 NormalsFrom

@@ -255,8 +255,7 @@ unseenWarnings(const BuildingRooms& building)
   else if (!ceiling)
     lines.emplace_back("No ceilings were seen: rooms are told by their walls and "
                        "floors, and they end where the walls do.");
-  constexpr double hardly = 0.6; // of the borders, as of a single room
-  if (const double closed = closedShare(building.rooms); closed < hardly)
+  if (const double closed = closedShare(building.rooms); closed < 0.5) // most are none
     lines.push_back("Walls were seen on only " +
                     std::to_string(static_cast<int>(100.0 * closed)) +
                     " % of the borders of the rooms: elsewhere these end where the "
