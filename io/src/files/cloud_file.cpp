@@ -87,9 +87,11 @@ fillPoints(CloudFile& file)
   file.finite_count = placed.finite_count;
   file.copy_count = placed.copy_count;
   file.left_out = placed.left_out;
+  std::vector<std::uint64_t> counts;
   for (const auto& place : file.left_out)
-    file.notes.push_back(
-        leftOutNote(place, countAt(file.cloud, place), pointCount(file.cloud)));
+    counts.push_back(countAt(file.cloud, place));
+  for (const auto& line : leftOutNotes(file.left_out, counts, pointCount(file.cloud)))
+    file.notes.push_back(line);
   const auto note = copiesNote(file.copy_count, file.finite_count);
   if (!note.empty())
     file.notes.push_back(note);

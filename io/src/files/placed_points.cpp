@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -115,14 +116,33 @@ countAt(const PCLPointCloud2& cloud, const Eigen::Vector3d& place)
   return count;
 }
 
-std::string
-leftOutNote(const Eigen::Vector3d& place, std::uint64_t count, std::uint64_t all)
+std::vector<std::string>
+leftOutNotes(const std::vector<Eigen::Vector3d>& places,
+             const std::vector<std::uint64_t>& counts,
+             std::uint64_t all)
 {
-  char text[80];
-  std::snprintf(
-      text, sizeof(text), "%.10g %.10g %.10g", place.x(), place.y(), place.z());
-  return std::to_string(count) + " of " + std::to_string(all) + " points lie at " +
-         text + ", as if nothing had been measured: they are left out";
+  constexpr std::size_t most = 3;
+  const auto note = [all](std::uint64_t count, const std::string& where) {
+    return std::to_string(count) + " of " + std::to_string(all) + " points lie at " +
+           where + ", as if nothing had been measured: they are left out";
+  };
+  const auto single = places.size() > most ? most - 1 : places.size();
+  std::vector<std::string> notes;
+  for (std::size_t k = 0; k < single; ++k) {
+    char text[80];
+    std::snprintf(text,
+                  sizeof(text),
+                  "%.10g %.10g %.10g",
+                  places[k].x(),
+                  places[k].y(),
+                  places[k].z());
+    notes.push_back(note(counts[k], text));
+  }
+  const auto rest = counts.begin() + static_cast<std::ptrdiff_t>(single);
+  if (single < places.size())
+    notes.push_back(note(std::accumulate(rest, counts.end(), std::uint64_t{0}),
+                         std::to_string(places.size() - single) + " more places"));
+  return notes;
 }
 
 std::string

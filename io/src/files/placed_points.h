@@ -35,9 +35,15 @@ placedPoints(const PCLPointCloud2& cloud, bool in_rows);
 std::size_t
 countAt(const PCLPointCloud2& cloud, const Eigen::Vector3d& place);
 
-/** \brief One line on a place that was left out. */
-std::string
-leftOutNote(const Eigen::Vector3d& place, std::uint64_t count, std::uint64_t all);
+/** \brief A line on each place that was left out; of more than three, such as the
+ * stations of a large scan, one on the others together.
+ * \param[in] counts points at each place
+ * \param[in] all points of the cloud
+ */
+std::vector<std::string>
+leftOutNotes(const std::vector<Eigen::Vector3d>& places,
+             const std::vector<std::uint64_t>& counts,
+             std::uint64_t all);
 
 /** \brief One line on the copies of points; empty if there are few. */
 std::string

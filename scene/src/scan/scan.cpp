@@ -113,8 +113,8 @@ drawSample(ScanContent& scan,
         sample.add((*points)[i].getVector3fMap(), first + i);
     report(first + points->size(), stream.pointCount());
   });
-  for (std::size_t k = 0; k < counts.size(); ++k)
-    scan.file.notes.push_back(leftOutNote(left_out[k], counts[k], stream.pointCount()));
+  for (const auto& line : leftOutNotes(left_out, counts, stream.pointCount()))
+    scan.file.notes.push_back(line);
   if (scan.file.finite_count < 2)
     throw ToolError(scan.file.path + ": " + std::to_string(scan.file.finite_count) +
                     " finite points are too few, 2 are needed");

@@ -76,6 +76,20 @@ TEST(PlacedPoints, ThousandsAtOnePlaceAreNone)
                 "measured: they are left out"}));
 }
 
+TEST(PlacedPoints, ManyPlacesTakeFewLines)
+{
+  auto cloud = walls(20000);
+  for (int station = 0; station < 7; ++station)
+    add(cloud, 300, Eigen::Vector3f(2, 0.5f * static_cast<float>(station), 2));
+  const auto file = fileOf(cloud);
+  EXPECT_EQ(file.finite_count, 20000u);
+  EXPECT_EQ(file.left_out.size(), 7u);
+  ASSERT_EQ(file.notes.size(), 3u);
+  EXPECT_EQ(file.notes.back(),
+            "1500 of 22100 points lie at 5 more places, as if nothing had been "
+            "measured: they are left out");
+}
+
 TEST(PlacedPoints, MostOfThemMayBeNone)
 { // and the middle is that of the others
   auto cloud = walls(5000);
