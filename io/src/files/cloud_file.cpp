@@ -272,8 +272,11 @@ withPoints(const std::string& path,
   file.frame = frame;
   for (const char* name : axes)
     if (!isRealField(file.cloud, name))
-      throw ToolError(path + ": the file has no floating-point field '" + name +
-                      "', its fields are: " + printable(getFieldsList(file.cloud)));
+      throw ToolError(
+          path + ": the file has no floating-point field '" + name + "', " +
+          (file.cloud.fields.empty()
+               ? "nor any other"
+               : "its fields are: " + printable(getFieldsList(file.cloud))));
   if (pointCount(file.cloud) == 0)
     throw ToolError(path + ": the cloud is empty (0 points)");
   if (file.cloud.data.size() < pointCount(file.cloud) * file.cloud.point_step)

@@ -240,6 +240,19 @@ TEST_F(CloudFiles, WithoutCoordinatesTheFieldsAreNamed)
   }
 }
 
+TEST_F(CloudFiles, PointsWithoutAnyFieldAreRefused)
+{
+  const auto file = write(
+      "in.ply", "ply\nformat binary_big_endian 1.0\nelement vertex 4\nend_header\n");
+  try {
+    loadCloud(file);
+    FAIL();
+  } catch (const ToolError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              file + ": the file has no floating-point field 'x', nor any other");
+  }
+}
+
 TEST_F(CloudFiles, LabelsMustBeWholeNumbers)
 {
   pcl::io::savePCDFileBinary(path("in.pcd"), organisedCloud());
