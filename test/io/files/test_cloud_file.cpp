@@ -242,8 +242,10 @@ TEST_F(CloudFiles, WithoutCoordinatesTheFieldsAreNamed)
 
 TEST_F(CloudFiles, PointsWithoutAnyFieldAreRefused)
 {
-  const auto file = write(
-      "in.ply", "ply\nformat binary_big_endian 1.0\nelement vertex 4\nend_header\n");
+  const auto file =
+      write("in.ply",
+            "ply\nformat ascii 1.0\nelement vertex 2\nproperty list uchar "
+            "int near\nend_header\n1 7\n1 8\n");
   try {
     loadCloud(file);
     FAIL();
