@@ -281,7 +281,8 @@ TEST_F(RoomResults, CoarseFloatsAreWarnedOf)
   pcl::toPCLPointCloud2(cloud, bytes);
   saveCloud(path("utm.pcd"), bytes);
   ASSERT_EQ(run("pcl_room_segmentation", path("utm.pcd") + " " + path("out.pcd")), 0);
-  EXPECT_EQ(count(bytesOf(path("said")), "\n"), 1u) << bytesOf(path("said"));
+  EXPECT_EQ(count(bytesOf(path("said")), "\n"), 2u) << bytesOf(path("said"));
   EXPECT_EQ(count(bytesOf(path("said")), "steps of 0.5 m"), 1u);
+  EXPECT_EQ(count(bytesOf(path("said")), "Walls were seen on only"), 1u);
   EXPECT_EQ(count(bytesOf(path("said")), "no room was found"), 0u);
 }
