@@ -241,8 +241,9 @@ TEST_F(QuietInput, CoarseCoordinatesAreWarnedOf)
     point.y() += 5.8e6f; // a northing
   Labels labels;
   const auto report = segmentation(points, labels).getReport();
-  ASSERT_EQ(report.warnings.size(), 1u);
-  EXPECT_NE(report.warnings[0].find("steps of 0.5 m"), std::string::npos);
+  ASSERT_EQ(report.warnings.size(), 2u);
+  EXPECT_NE(report.warnings[0].find("Walls were seen on only"), std::string::npos);
+  EXPECT_NE(report.warnings[1].find("steps of 0.5 m"), std::string::npos);
 }
 
 TEST_F(QuietInput, SparsePointsHaveTheSameRooms)
