@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/indoor/quantile.h>
 #include <pcl/model/model_walls.h>
 
 #include "wall_pieces.h"
@@ -57,11 +58,10 @@ depthsOf(const std::vector<WallFace>& faces, std::vector<double> depths)
     if (depths[i] > 0.0)
       of_storeys[faces[i].storey].push_back(depths[i]);
   for (auto& [storey, known] : of_storeys) {
-    const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
-    std::nth_element(known.begin(), middle, known.end());
+    const double middle = median(known);
     for (std::size_t i = 0; i < faces.size(); ++i)
       if (faces[i].storey == storey && depths[i] == 0.0)
-        depths[i] = *middle;
+        depths[i] = middle;
   }
   return depths;
 }
