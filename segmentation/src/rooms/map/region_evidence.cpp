@@ -193,9 +193,8 @@ closedBorders(const RoomMap& map, double pixel_size)
 std::size_t
 dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
 {
-  constexpr double hardly = 0.6;   // of what bounds it: walls decide
-  constexpr double little = 2.0;   // m^2: of more, a room was seen in part
-  constexpr double no_level = 0.2; // shares of floor and ceiling together: tree tops
+  constexpr double hardly = 0.6; // of what bounds it: walls decide
+  constexpr double little = 2.0; // m^2: of more, a room was seen in part
   const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
   const std::vector<double> walls = closedBorders(map, space.occupancy.voxel_size);
   const std::vector<LevelSides> levels = levelSides(space.occupancy, map);
@@ -213,10 +212,7 @@ dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
         (4.0 * walls[label] + level_seen / static_cast<double>(level.all)) /
         (4 + has_floors + has_ceilings);
     const double area = static_cast<double>(level.all) * pixel_area;
-    const bool has_level = !has_floors || !has_ceilings ||
-                           level_seen >= no_level * static_cast<double>(level.all);
-    is_dropped[label] =
-        seen < hardly && (seen * area < little || !has_level) && level.all < largest;
+    is_dropped[label] = seen < hardly && seen * area < little && level.all < largest;
   }
   return dropRegions(is_dropped, map);
 }

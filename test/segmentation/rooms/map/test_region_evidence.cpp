@@ -126,11 +126,3 @@ TEST(RegionEvidence, ALargeRegionIsARoomThatWasSeenInPart)
   EXPECT_FALSE(SquareRoom({0.1, 0.5, 0.1}, 30).isKept());
   EXPECT_TRUE(SquareRoom({0.1, 0.5, 0.1}, 40).isKept()); // 0.17 of 16 m^2
 }
-
-TEST(RegionEvidence, WithoutWallsFloorAndCeilingItIsNoneHoweverLarge)
-{
-  EXPECT_FALSE(SquareRoom({0.4, 0.05, 0.1}, 40).isKept()); // the top of a tree
-  EXPECT_TRUE(SquareRoom({0.4, 0.05, 0.2}, 40).isKept());
-  EXPECT_TRUE(SquareRoom({0.95, 0.05, 0.1}, 40).isKept()); // full of things
-  EXPECT_TRUE(SquareRoom({0.4, 0.0, 0.0}, 40).withWallsOnly().isKept());
-}
