@@ -8,6 +8,7 @@
 #include <pcl/PCLPointField.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 
@@ -52,15 +53,17 @@ bitsField(const std::string& name, std::size_t at, unsigned shift, unsigned mask
           }};
 }
 
-/** \param[in] shift of 16 bits to 8 */
 LasField
-colorField(std::size_t at, unsigned shift)
+colorField(std::size_t at, const LasColors& colors)
 {
   return {"rgb", PCLPointField::FLOAT32, 4, [=](const char* point, char* target) {
+            std::array<std::uint16_t, 3> channels;
+            std::memcpy(channels.data(), point + at, sizeof(channels));
+            const auto most = *std::max_element(channels.begin(), channels.end());
+            const unsigned shift = colors.are_mixed && most <= 255 ? 0 : colors.shift;
             std::uint32_t rgb = 0;
-            for (std::size_t channel = 0; channel < 3; ++channel)
-              rgb = rgb << 8 |
-                    (numberAt<std::uint16_t>(point + at + 2 * channel) >> shift & 0xff);
+            for (const auto channel : channels)
+              rgb = rgb << 8 | (channel >> shift & 0xff);
             std::memcpy(target, &rgb, sizeof(rgb));
           }};
 }
@@ -228,7 +231,7 @@ addRayFields(const LasHeader& header, std::vector<LasField>& fields)
 void
 addColorFields(std::size_t at, const LasColors& colors, std::vector<LasField>& fields)
 {
-  fields.push_back(colorField(at, colors.shift));
+  fields.push_back(colorField(at, colors));
   if (colors.are_fine)
     for (const char* name : {"red_16", "green_16", "blue_16"}) {
       fields.push_back(plainField<std::uint16_t>(name, PCLPointField::UINT16, at));

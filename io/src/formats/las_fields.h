@@ -26,6 +26,7 @@ struct LasField {
 struct LasColors {
   unsigned shift; ///< to 8 bits
   bool are_fine;  ///< they have fields of their own with all their bits, too
+  bool are_mixed; ///< those of which no channel exceeds 255 have 8 bits already
 };
 
 /** \brief The fields of the points of a LAS file, x, y and z as doubles first.

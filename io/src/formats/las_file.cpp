@@ -25,7 +25,23 @@ constexpr std::size_t points_at_once = 1 << 18; // a few chunks of a LAZ file
 struct LasLook {
   std::uint64_t withheld = 0;
   std::uint16_t largest_color = 0;
-  bool has_fine_colors = false; ///< of which 8 bits are not all
+  bool has_fine_colors = false;    ///< of which 8 bits are not all
+  std::uint64_t narrow_colors = 0; ///< of points: no channel exceeds 255, one exceeds 0
+
+  bool
+  hasWideColors() const
+  {
+    return largest_color > 255;
+  }
+
+  /** Colours of 8 bits and of 16; the darkest of 16 bits are fewer. */
+  bool
+  hasMixedColors(std::uint64_t points) const
+  {
+    constexpr double clearly = 0.05;
+    return hasWideColors() &&
+           static_cast<double>(narrow_colors) > clearly * static_cast<double>(points);
+  }
 };
 
 /** Look at some records. */
@@ -35,12 +51,15 @@ lookAt(const std::string& records, const LasHeader& header, LasLook& look)
   const auto colors = header.places().colors;
   for (std::size_t at = 0; at < records.size(); at += header.step) {
     look.withheld += header.isWithheld(&records[at]);
+    std::uint16_t largest = 0;
     for (std::size_t channel = 0; channel < 3 && colors > 0; ++channel) {
       const auto value = numberAt<std::uint16_t>(&records[at + colors + 2 * channel]);
       const unsigned low = value & 0xffu, high = value >> 8;
-      look.largest_color = std::max(look.largest_color, value);
+      largest = std::max(largest, value);
       look.has_fine_colors = look.has_fine_colors || (low != 0 && low != high);
     }
+    look.largest_color = std::max(look.largest_color, largest);
+    look.narrow_colors += largest > 0 && largest <= 255;
   }
 }
 
@@ -98,12 +117,16 @@ layOut(const std::vector<LasField>& fields,
 }
 
 void
-addLookNotes(const LasLook& look, std::vector<std::string>& notes)
+addLookNotes(const LasLook& look, std::uint64_t points, std::vector<std::string>& notes)
 {
   if (look.largest_color > 0 && look.largest_color <= 255)
     notes.emplace_back(
         "its colours have 8 bits in fields of 16, none exceeds 255: they "
         "are taken as they are");
+  if (look.hasMixedColors(points))
+    notes.push_back("its colours have 8 bits in " + std::to_string(look.narrow_colors) +
+                    " points, of which none exceeds 255, and 16 in others: they are "
+                    "taken so");
   if (look.withheld > 0)
     notes.push_back("points that are flagged as withheld are left out: " +
                     std::to_string(look.withheld));
@@ -114,12 +137,15 @@ LasRecords
 recordsOf(OpenLas file, const LasLook& look)
 {
   LasRecords records;
-  const bool are_wide = look.largest_color > 255;
+  const bool are_wide = look.hasWideColors();
+  const auto points = file.header.points;
   const auto fields = lasFields(file.bytes,
                                 file.header,
-                                {are_wide ? 8u : 0u, are_wide && look.has_fine_colors},
+                                {are_wide ? 8u : 0u,
+                                 are_wide && look.has_fine_colors,
+                                 look.hasMixedColors(points)},
                                 file.notes);
-  addLookNotes(look, file.notes);
+  addLookNotes(look, points, file.notes);
   layOut(fields, file.header, records.layout);
   records.record_size = file.header.step;
   records.copy = copierOf(fields, look, file.header);

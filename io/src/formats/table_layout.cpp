@@ -117,6 +117,25 @@ countsRows(const std::vector<double>& values, std::size_t width, std::size_t pla
   return values.size() >= enough_rows * width;
 }
 
+/** Does a column rise and never fall, as times do? */
+bool
+onlyRises(const std::vector<double>& values, std::size_t width, std::size_t place)
+{
+  for (std::size_t at = place + width; at < values.size(); at += width)
+    if (!(values[at] >= values[at - width]))
+      return false;
+  return values.size() >= enough_rows * width &&
+         values[values.size() - width + place] > values[place];
+}
+
+/** Seconds since 1970 or 1980 are larger than coordinates, those of the Earth, too. */
+bool
+isClock(const std::vector<double>& values, std::size_t width, std::size_t place)
+{
+  constexpr double largest_coordinate = 1e8;
+  return onlyRises(values, width, place) && values[place] > largest_coordinate;
+}
+
 /** How many columns of whole numbers stand before coordinates with fractions: numbers
  * of scans, rows and columns of a scanner, colours. Three of them are coordinates, such
  * as millimetres, where normals or colours of 0 to 1 follow. */
@@ -156,7 +175,8 @@ columnsByValues(const std::vector<TableColumn>& columns,
     if (columns[c].kind != Kind::Skipped)
       places.push_back(c);
   auto result = columns;
-  if (places.size() > 3 && countsRows(values, width, places[0])) {
+  if (places.size() > 3 &&
+      (countsRows(values, width, places[0]) || isClock(values, width, places[0]))) {
     result[places[0]].kind = Kind::Skipped;
     places.erase(places.begin());
   }
@@ -178,6 +198,15 @@ columnsByValues(const std::vector<TableColumn>& columns,
         : layout[k] == 'i' ? TableColumn{"intensity", Kind::Real}
                            : TableColumn{numberedName(places[k]), Kind::Real};
   return result;
+}
+
+bool
+isFirstLikeTime(const std::vector<TableColumn>& columns,
+                const std::vector<double>& values)
+{
+  return columns.size() > 3 && columns[0].kind == Kind::Coordinate &&
+         columns[3].kind == Kind::Real && columns[3].field != "normal_x" &&
+         onlyRises(values, columns.size(), 0);
 }
 
 std::string

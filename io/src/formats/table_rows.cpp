@@ -380,6 +380,14 @@ TableRows::makeNotes(const std::string& scaled)
                  : ""));
   else if (!scaled.empty())
     notes_.push_back("it has " + scaled);
+  if (option_names_.empty() && !has_names_ && isFirstLikeTime(columns_, values_)) {
+    auto timed = columns_;
+    std::rotate(timed.begin(), timed.begin() + 3, timed.begin() + 4);
+    timed[0] = {"", Kind::Skipped};
+    notes_.push_back("its first column rises and never falls: if it is a time, set "
+                     "-columns " +
+                     listOf(timed));
+  }
   if (!left_out_.empty())
     notes_.push_back("columns without numbers are left out: " +
                      boost::algorithm::join(left_out_, ", "));

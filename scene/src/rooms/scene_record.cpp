@@ -41,6 +41,7 @@ void
 exchange(Record& record, RoomOpening& opening)
 {
   record(opening.room_a, opening.room_b, opening.position, opening.width, opening.area);
+  record(opening.rise);
 }
 
 template <typename Record>

@@ -172,6 +172,8 @@ frameText(const UnderstoodScan& scan)
   else if (scan.frame.up_axis.cwiseAbs().maxCoeff() < 1.0f)
     text +=
         ", " + fixedText(scan.frame.vertical.tilt() / degree, 1) + " degrees from z";
+  if (!scan.frame.vertical.is_furnished)
+    text += "; no furniture tells floors from ceilings";
   return text + ".";
 }
 

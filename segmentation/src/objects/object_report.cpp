@@ -132,14 +132,14 @@ straysWarning(std::size_t strays, std::size_t all)
 }
 
 std::string
-cameraNote(const CameraView& view, bool is_organized)
+cameraNote(const CameraView& view)
 {
-  if (view.capture == Capture::Scan || (is_organized && !view.is_turned))
+  if (view.capture == Capture::Scan)
     return {};
   const std::string axes = view.is_turned ? "-z, with y up" : "z, with y down";
   const std::string what = view.capture == Capture::TableView ? "a table" : "a room";
   return "The points are taken as what one camera sees of " + what +
-         ", looking along " + axes + '.';
+         ", looking along " + axes + "; if y points the other way, turn its sign.";
 }
 
 std::string

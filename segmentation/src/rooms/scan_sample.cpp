@@ -6,7 +6,6 @@
 #include <pcl/segmentation/rooms/scan_sample.h>
 
 #include <pcl/indoor/point_hash.h>
-#include <pcl/indoor/quantile.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -104,6 +103,35 @@ pieceOf(const std::vector<Eigen::Vector3d>& points)
   return SurfacePiece{solver.eigenvectors().col(0), mean};
 }
 
+/** From the lowest hundredth to the highest one of what is left without the values that
+ * lie nine times as far away as these reach, such as -10000 for nothing. */
+std::pair<double, double>
+rangeOfMost(std::vector<float>& values)
+{
+  constexpr double far = 9.0;
+  if (values.empty())
+    return {0.0, 0.0};
+  std::sort(values.begin(), values.end());
+  std::size_t first = values.size() / 100, last = values.size() - 1 - first;
+  const auto range = static_cast<double>(values[last]) - values[first];
+  const auto end = values.begin() + static_cast<std::ptrdiff_t>(last);
+  const auto gap =
+      std::adjacent_find(values.begin() + static_cast<std::ptrdiff_t>(first),
+                         end + 1,
+                         [&](float a, float b) {
+                           const double between = static_cast<double>(b) - a;
+                           return between > far * (range - between);
+                         });
+  if (gap < end) { // there is one at most
+    const auto before = static_cast<std::size_t>(gap - values.begin());
+    if (2 * before >= first + last)
+      last = before;
+    else
+      first = before + 1;
+  }
+  return {values[first], values[last]};
+}
+
 } // namespace
 
 bool
@@ -145,9 +173,7 @@ cubeAround(const Points& sample, double cell_size)
     std::transform(sample.begin(), sample.end(), values.begin(), [axis](const auto& p) {
       return p[axis];
     });
-    const std::size_t hundredth = values.size() / 100;
-    low[axis] = valueAtRank(values, hundredth);
-    high[axis] = valueAtRank(values, values.size() - 1 - hundredth);
+    std::tie(low[axis], high[axis]) = rangeOfMost(values);
   }
   cells.edge = 1.1 * (high - low).maxCoeff(); // the outermost surfaces are inside
   cells.origin = 0.5 * (low + high) - Eigen::Vector3d::Constant(0.5 * cells.edge);

@@ -200,6 +200,26 @@ verticalNote(const Vertical& vertical)
   return line.str();
 }
 
+std::string
+endWarning(const std::vector<RoomOpening>& openings, const Eigen::Vector3f& up_axis)
+{
+  constexpr double clear = 0.1; // metres; a lintel of 0.2 m
+  constexpr int several = 2;
+  const auto count = [&](double sign) {
+    return std::count_if(openings.begin(), openings.end(), [&](const auto& opening) {
+      return sign * opening.rise > clear;
+    });
+  };
+  const auto hanging = count(1.0), standing = count(-1.0);
+  if (hanging < several || hanging <= 3 * standing)
+    return {};
+  return "The scan may be upside down: " + std::to_string(hanging) + " of " +
+         std::to_string(hanging + standing) +
+         " passages between rooms reach the ceiling, not the floor; if it is, set "
+         "-up " +
+         directionText(-up_axis) + ".";
+}
+
 double
 floatStep(double value)
 {

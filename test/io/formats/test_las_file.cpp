@@ -227,12 +227,14 @@ TEST_F(LasFiles, ColoursOfEightBitsAreTakenAsTheyAre)
   file = loadCloud(write("scan.las", maker.file()));
   EXPECT_EQ(colorOf(file), 0u);
   EXPECT_TRUE(file.notes.empty());
-  // one point alone tells it, also in parts
+  // some among others of 16 bits, also in parts
   maker.color = 85;
   auto bytes = maker.file();
-  put<std::uint16_t>(bytes, bytes.size() - 2, 256);
+  put<std::uint16_t>(bytes, bytes.size() - 2, 0xff00);
   file = loadCloud(write("scan.las", bytes));
-  EXPECT_EQ(colorOf(file), 0u);
+  EXPECT_EQ(colorOf(file), 0x55aaffu);
+  ASSERT_EQ(file.notes.size(), 1u);
+  EXPECT_NE(file.notes[0].find("8 bits in 2 points"), std::string::npos);
   const auto first = CloudStream::open(path("scan.las"))->read(0, 1);
   EXPECT_TRUE(
       std::equal(first.data.begin(), first.data.end(), file.cloud.data.begin()));

@@ -160,6 +160,24 @@ TEST_F(Tables, ColumnsAreNormalsOnlyIfTheirLengthIsOne)
   EXPECT_EQ(fieldsOf(load(mirrors)), "x y z column_4 column_5 column_6");
 }
 
+TEST_F(Tables, TimesBeforeThePlaceAreNoPlace)
+{
+  std::string seconds, of_week;
+  for (int i = 0; i < 12; ++i) {
+    const auto row =
+        " " + std::to_string(i % 3) + ".5 2.25 " + std::to_string(i % 2) + ".75\n";
+    seconds += std::to_string(1600000000 + i / 2) + ".125" + row;
+    of_week += std::to_string(300000 + i / 2) + ".125" + row;
+  }
+  const auto clock = load(seconds);
+  EXPECT_EQ(clock.cloud.fields.size(), 3u);
+  EXPECT_EQ(valuesOf<double>(clock, "y"), Doubles(12, 2.25));
+  const auto unclear = load(of_week); // may be an easting
+  EXPECT_EQ(valuesOf<double>(unclear, "z"), Doubles(12, 2.25));
+  ASSERT_EQ(unclear.notes.size(), 2u);
+  EXPECT_NE(unclear.notes[1].find("set -columns _,x,y,z"), std::string::npos);
+}
+
 TEST_F(Tables, ColoursAreTakenByTheirRange)
 {
   const auto rgb = [this](const std::string& text, const std::string& columns = "") {

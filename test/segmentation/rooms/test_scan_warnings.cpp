@@ -121,6 +121,24 @@ TEST(ScanWarnings, FeetShowInRoomsAndDoors)
   EXPECT_EQ(feetWarning(mixed, doorsOf(5, 6.6), 1.0), "");
 }
 
+TEST(ScanWarnings, PassagesWithSillsHangFromCeilings)
+{
+  const auto passages = [](const std::vector<double>& rises) {
+    std::vector<RoomOpening> openings(rises.size());
+    for (std::size_t i = 0; i < rises.size(); ++i)
+      openings[i].rise = rises[i];
+    return openings;
+  };
+  const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  const auto line = endWarning(passages({0.25, 0.0, 0.3}), up);
+  EXPECT_TRUE(holds(line, "2 of 2 passages"));
+  EXPECT_TRUE(holds(line, "set -up -z"));
+  EXPECT_EQ(endWarning(passages({0.25}), up), ""); // one may be a serving hatch
+  EXPECT_EQ(endWarning(passages({0.25, 0.3, -0.25}), up), "");
+  EXPECT_EQ(endWarning(passages({0.05, 0.05, 0.05}), up), ""); // as high as the room
+  EXPECT_EQ(endWarning({}, up), "");
+}
+
 TEST(ScanWarnings, HowAScanWasStoodUpright)
 {
   EXPECT_EQ(verticalNote(Vertical()), "");

@@ -147,6 +147,16 @@ TEST(Vertical, WithoutFurnitureTheEndNearerToZIsUp)
   EXPECT_EQ(lying.upAxis(), Eigen::Vector3f::UnitY());
 }
 
+TEST(Vertical, HeightsThatStandForNothingDoNoHarm)
+{
+  auto points = house();
+  const auto height = findVertical(points).room_height;
+  const auto count = points.size();
+  for (std::size_t i = 0; i < count; i += 7)
+    points.emplace_back(points[i].x(), points[i].y(), -10000.0f);
+  EXPECT_NEAR(findVertical(points).room_height, height, 0.05);
+}
+
 TEST(Vertical, FollowsTheUnit)
 {
   const auto points = house();

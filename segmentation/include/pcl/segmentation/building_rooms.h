@@ -91,6 +91,9 @@ struct RoomOpening {
   Eigen::Vector3d position; ///< its middle, on the storey's floor, metres
   double width = 0.0;       ///< metres
   double area = 0.0;        ///< m^2
+  /** Its middle over the middle between floor and ceiling, metres: below 0 under a
+   * lintel. */
+  double rise = 0.0;
 };
 
 /** \brief The rooms of a building and every step on the way to them. */

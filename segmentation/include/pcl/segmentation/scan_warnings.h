@@ -60,6 +60,13 @@ feetWarning(const std::vector<Room>& rooms,
             const std::vector<RoomOpening>& openings,
             double metres_per_unit);
 
+/** \brief Warn if passages have sills and no lintels, so that floors seem to be
+ * ceilings. \param[in] up_axis that the rooms were found with \return one line; empty
+ * if fewer than two do, or others have lintels
+ */
+std::string
+endWarning(const std::vector<RoomOpening>& openings, const Eigen::Vector3f& up_axis);
+
 /** \brief Say how a scan stands that was stood upright, or that it might lie on its
  * side. \return one line; empty if it is level
  */

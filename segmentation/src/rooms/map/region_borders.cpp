@@ -34,6 +34,13 @@ enum class BorderTop {
 
 using RegionPair = std::pair<std::int32_t, std::int32_t>;
 
+/** The way from one pixel to another, in layers. */
+struct Section {
+  int height = 0; ///< from floor to ceiling
+  int open = 0;
+  double rise = 0.0; ///< mean of the open ones over the middle
+};
+
 /** Looks across the border between two pixels. */
 class BorderSection {
 public:
@@ -48,9 +55,8 @@ public:
   , closed_(occupancy.shape.nz)
   {}
 
-  /** Measure how many layers are open on the straight way between two pixels.
-   * \return {layers from floor to ceiling, layers that are open} */
-  std::pair<int, int>
+  /** Measure which layers are open on the straight way between two pixels. */
+  Section
   measure(int x0, int y0, int x1, int y1)
   {
     const auto [lower, higher] = std::minmax(ceiling_.at(x0, y0), ceiling_.at(x1, y1));
@@ -66,10 +72,18 @@ public:
     }
     const int bottom = storey_.begin + 1; // above the floor
     if (top <= bottom)
-      return {0, 0};
-    const int open = static_cast<int>(
-        std::count(closed_.begin() + bottom, closed_.begin() + top, 0));
-    return {top - bottom, open};
+      return {};
+    Section section;
+    section.height = top - bottom;
+    double sum = 0.0;
+    for (int z = bottom; z < top; ++z)
+      if (!closed_[z]) {
+        ++section.open;
+        sum += z + 0.5;
+      }
+    if (section.open > 0)
+      section.rise = sum / section.open - 0.5 * (bottom + top);
+    return section;
   }
 
 private:
@@ -80,8 +94,8 @@ private:
   std::vector<std::uint8_t> closed_;
 };
 
-/** Call piece(p, q, layers, open layers) for each side between a pixel p and the next
- * one, q, along x or y if they are of different regions. */
+/** Call piece(p, q, section) for each side between a pixel p and the next one, q, along
+ * x or y if they are of different regions. */
 template <typename Piece>
 void
 walkBorders(const VoxelBits& occupancy,
@@ -106,8 +120,7 @@ walkBorders(const VoxelBits& occupancy,
     if (from < 0 || to < 0)
       return; // nothing is free anywhere
     const int ny = labels.ny;
-    const auto [height, open] = section.measure(from / ny, from % ny, to / ny, to % ny);
-    piece(p, q, height, open);
+    piece(p, q, section.measure(from / ny, from % ny, to / ny, to % ny));
   };
   for (int x = 0; x < labels.nx; ++x)
     for (int y = 0; y < labels.ny; ++y) {
@@ -123,6 +136,7 @@ struct OpenPiece {
   double x = 0.0, y = 0.0; ///< its middle, pixels
   bool across_x = false;   ///< one passes it along x
   int open = 0;            ///< open layers
+  double rise = 0.0;       ///< of these, layers
 };
 
 /** The pieces of one opening as one. */
@@ -136,10 +150,12 @@ joinPieces(const std::vector<OpenPiece>& pieces, double size)
     opening.y += piece.y;
     across_x += piece.across_x;
     open += piece.open;
+    opening.rise += size * piece.rise;
   }
   const double count = static_cast<double>(pieces.size());
   opening.x /= count;
   opening.y /= count;
+  opening.rise /= count;
   // a border that is no line of the grid goes in stairs; this is the way past them
   opening.width = size * std::hypot(across_x, count - across_x);
   opening.area = opening.width * size * open / count;
@@ -306,12 +322,12 @@ regionBorders(const VoxelBits& occupancy,
   const double size = occupancy.voxel_size;
   const auto ny = static_cast<std::size_t>(labels.ny);
   std::map<RegionPair, RegionBorder> borders;
-  const auto add = [&](std::size_t p, std::size_t q, int height, int open) {
+  const auto add = [&](std::size_t p, std::size_t q, const Section& section) {
     RegionBorder& border = borders[std::minmax(labels.values[p], labels.values[q])];
-    border.border_area += size * size * height;
-    border.open_area += size * size * open;
-    if (open * size >= passage_height) {
-      border.opening_area += size * size * height;
+    border.border_area += size * size * section.height;
+    border.open_area += size * size * section.open;
+    if (section.open * size >= passage_height) {
+      border.opening_area += size * size * section.height;
       border.opening_run[p / ny == q / ny] += size;
     }
   };
@@ -337,14 +353,15 @@ regionOpenings(const VoxelBits& occupancy,
   const double size = occupancy.voxel_size;
   const auto ny = static_cast<std::size_t>(labels.ny);
   std::map<RegionPair, std::vector<OpenPiece>> pieces;
-  const auto add = [&](std::size_t p, std::size_t q, int, int open) {
-    if (open * size < passage_height)
+  const auto add = [&](std::size_t p, std::size_t q, const Section& section) {
+    if (section.open * size < passage_height)
       return;
     OpenPiece piece;
     piece.x = 0.5 * static_cast<double>(p / ny + q / ny) + 0.5;
     piece.y = 0.5 * static_cast<double>(p % ny + q % ny) + 0.5;
     piece.across_x = p / ny != q / ny;
-    piece.open = open;
+    piece.open = section.open;
+    piece.rise = section.rise;
     pieces[std::minmax(labels.values[p], labels.values[q])].push_back(piece);
   };
   walkBorders(

@@ -175,6 +175,7 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
     opening.position = on_floor(middle.x(), middle.y());
     opening.width = along + against;
     opening.area = found[k].area * opening.width / found[k].width;
+    opening.rise = found[k].rise;
     building.openings.push_back(opening);
   }
 }

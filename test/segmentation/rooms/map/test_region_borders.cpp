@@ -124,6 +124,17 @@ TEST(RegionOpenings, TwoDoorsAndAGapInClosedForm)
   EXPECT_NEAR(openings[1].y, 20.0, 1e-9);
   EXPECT_NEAR(openings[1].width, 1.0, 1e-9);
   EXPECT_NEAR(openings[1].area, 2.1, 1e-9);
+  EXPECT_NEAR(openings[0].rise, 0.5 * (2.0 - 2.5), 1e-9); // below lintels of 0.5
+  EXPECT_NEAR(openings[1].rise, 0.5 * (2.1 - 2.5), 1e-9); // and 0.4 m
+}
+
+TEST(RegionOpenings, OverASillTheyRise)
+{
+  TwoSpaces spaces({30});
+  spaces.set(30, 30, 10, 18, 6, 25, 0); // from 0.5 m above the floor to the ceiling
+  const auto openings = spaces.openings();
+  ASSERT_EQ(openings.size(), 1u);
+  EXPECT_NEAR(openings[0].rise, 0.25, 1e-9);
 }
 
 TEST(RegionOpenings, AWindowIsNone)

@@ -199,7 +199,7 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   const bool is_table = input.capture == indoor::Capture::TableView;
   const auto& options = is_table ? table_options_ : options_;
   if (camera_ == Camera::Automatic)
-    warn(indoor::cameraNote(report_.view, input_->height > 1));
+    warn(indoor::cameraNote(report_.view));
   warn(indoor::farViewWarning(input));
   bool goes_on = true;
   const auto progress = [&](double share, const char* stage) {

@@ -167,6 +167,7 @@ RoomSegmentation<PointT>::describeInput(const Indices& indices)
     return; // what follows would be no wonder
   warn(indoor::feetWarning(
       building_.rooms, building_.openings, report_.metres_per_unit));
+  warn(indoor::endWarning(building_.openings, report_.up_axis));
   warn(indoor::outsideWarning(report_.outside.size(), all));
   for (const std::string& line : indoor::unseenWarnings(building_))
     warn(line);

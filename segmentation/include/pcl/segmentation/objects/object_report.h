@@ -48,12 +48,12 @@ wideThingWarning(const ObjectSegmentation& result);
 std::string
 straysWarning(std::size_t strays, std::size_t all);
 
-/** \brief Say that a camera was found where rows of points do not show one that looks
- * along z.
- * \return one line; empty if nothing was assumed
+/** \brief Say that the points are taken as what a camera sees, and how it looks: from y
+ * up and z ahead, as engines for games have it, floors would be ceilings.
+ * \return one line; empty for a scan
  */
 std::string
-cameraNote(const CameraView& view, bool is_organized);
+cameraNote(const CameraView& view);
 
 /** \brief Warn if what a camera looks at is farther off than a depth camera sees.
  * \param[in] input a view; of others nothing is known

@@ -57,6 +57,9 @@ struct RegionOpening {
   Eigen::Vector2d along = Eigen::Vector2d::UnitX(); ///< of the border, a unit vector
   double width = 0.0;                               ///< metres
   double area = 0.0;                                ///< of what is open, m^2
+  /** Its middle over the middle between floor and ceiling, metres: below 0 under a
+   * lintel. */
+  double rise = 0.0;
 };
 
 /** \brief Find the openings in the borders between regions.
