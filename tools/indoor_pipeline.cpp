@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "command_line/huge_pages.h"
 #include "command_line/options.h"
 #include "command_line/preset.h"
 #include "command_line/progress_report.h"
@@ -124,6 +125,7 @@ help(Ranks& ranks, int argc, char** argv)
 int
 main(int argc, char** argv)
 {
+  useHugePages(argv);
   Ranks ranks(isGiven(argc, argv, single_process_option));
   if (!ranks.isFirst())
     return help(ranks, argc, argv);
