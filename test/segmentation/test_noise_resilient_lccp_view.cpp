@@ -10,7 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 using namespace pcl::indoor;
 
@@ -55,6 +57,16 @@ segmented(Segmentation& segmentation,
   segmentation.setInputCloud(cloud);
   segmentation.segment(labels);
   return labels;
+}
+
+/** Whether a line of the last run holds some words. */
+bool
+says(const Segmentation& segmentation, const std::string& words)
+{
+  const auto& lines = segmentation.getReport().warnings;
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    return line.find(words) != std::string::npos;
+  });
 }
 
 /** The points with depth in a row, and their labels. */
@@ -193,7 +205,8 @@ TEST(NoiseResilientLCCPView, ItsFrameAndItsRowsDoNotMatter)
   const auto view = viewOfTable(90001);
   Segmentation segmentation;
   const auto expected = segmented(segmentation, view.cloud);
-  EXPECT_TRUE(segmentation.getReport().warnings.empty());
+  ASSERT_EQ(segmentation.getReport().warnings.size(), 1u);
+  EXPECT_TRUE(says(segmentation, "along z, with y down"));
   auto turned = view;
   for (auto& point : *turned.cloud)
     point = pcl::PointXYZ(point.x, -point.y, -point.z);
@@ -285,13 +298,9 @@ TEST(NoiseResilientLCCPView, OneSegmentAndMillimetresAreSaid)
   Segmentation segmentation;
   segmentation.setVoxelResolution(0.3);
   segmented(segmentation, view.cloud);
-  ASSERT_EQ(segmentation.getReport().warnings.size(), 1u);
-  EXPECT_NE(segmentation.getReport().warnings[0].find("one segment"),
-            std::string::npos);
+  EXPECT_TRUE(says(segmentation, "one segment"));
   for (auto& point : *view.cloud)
     point.getVector3fMap() *= 1000;
   segmented(segmentation, view.cloud);
-  ASSERT_FALSE(segmentation.getReport().warnings.empty());
-  EXPECT_NE(segmentation.getReport().warnings[0].find("millimetres"),
-            std::string::npos);
+  EXPECT_TRUE(says(segmentation, "millimetres"));
 }
