@@ -6,6 +6,7 @@
 #include <pcl/segmentation/rooms/scan_sample.h>
 
 #include <pcl/indoor/point_hash.h>
+#include <pcl/indoor/quantile.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -108,28 +109,26 @@ pieceOf(const std::vector<Eigen::Vector3d>& points)
 std::pair<double, double>
 rangeOfMost(std::vector<float>& values)
 {
-  constexpr double far = 9.0;
   if (values.empty())
     return {0.0, 0.0};
-  std::sort(values.begin(), values.end());
-  std::size_t first = values.size() / 100, last = values.size() - 1 - first;
-  const auto range = static_cast<double>(values[last]) - values[first];
-  const auto end = values.begin() + static_cast<std::ptrdiff_t>(last);
-  const auto gap =
-      std::adjacent_find(values.begin() + static_cast<std::ptrdiff_t>(first),
-                         end + 1,
-                         [&](float a, float b) {
-                           const double between = static_cast<double>(b) - a;
-                           return between > far * (range - between);
-                         });
-  if (gap < end) { // there is one at most
-    const auto before = static_cast<std::size_t>(gap - values.begin());
-    if (2 * before >= first + last)
-      last = before;
+  const std::size_t hundredth = values.size() / 100;
+  float low = valueAtRank(values, hundredth);
+  float high = valueAtRank(values, values.size() - 1 - hundredth);
+  const float middle = median(values);
+  const float spread = 0.1f * (high - low); // of all values but those far away
+  const bool are_high = high - middle <= spread;
+  if (!are_high && middle - low > spread)
+    return {low, high};
+  const float between = are_high ? high - spread : low + spread;
+  float below = low, above = high; // the ends of the gap
+  for (const float value : values)
+    if (value < between)
+      below = std::max(below, value);
     else
-      first = before + 1;
-  }
-  return {values[first], values[last]};
+      above = std::min(above, value);
+  if (above - below > 9.0f * spread)
+    (are_high ? low : high) = are_high ? above : below;
+  return {low, high};
 }
 
 } // namespace
