@@ -10,22 +10,42 @@ endif()
 
 set(PCL_ADDON_INCLUDE_DIR "${CMAKE_INSTALL_INCLUDEDIR}/${PROJECT_NAME}-${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 
-# Stop if the compiler flags change Eigen's alignment against the packaged PCL.
-function(pcl_addon_refuse_native_architecture)
+# Whether PCL was built with AVX, as its pcl_config.h tells from 1.15 on; packaged ones are not.
+function(pcl_addon_pcl_has_avx result)
+  set(${result} FALSE PARENT_SCOPE)
+  foreach(folder IN LISTS PCL_INCLUDE_DIRS)
+    if(EXISTS "${folder}/pcl/pcl_config.h")
+      file(STRINGS "${folder}/pcl/pcl_config.h" aligned REGEX "define PCL_USES_EIGEN_HANDMADE_ALIGNED_MALLOC +1")
+      if(aligned)
+        set(${result} TRUE PARENT_SCOPE)
+      endif()
+    endif()
+  endforeach()
+endfunction()
+
+# Stop if the compiler flags align Eigen's memory otherwise than PCL's do. To be called when PCL is found.
+function(pcl_addon_refuse_other_alignment)
   if(PCL_INDOOR_ALLOW_NATIVE)
     return()
   endif()
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
   set(flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${CMAKE_C_FLAGS}")
+  unset(PCL_INDOOR_FLAGS_WITHOUT_AVX CACHE)
+  check_cxx_source_compiles("#ifdef __AVX__\n#error\n#endif\nint main() {}" PCL_INDOOR_FLAGS_WITHOUT_AVX)
+  pcl_addon_pcl_has_avx(pcl_has_avx)
+  if(pcl_has_avx)
+    if(PCL_INDOOR_FLAGS_WITHOUT_AVX)
+      message(FATAL_ERROR
+        "The compiler flags do not turn on AVX, with which this PCL was built: Eigen's memory alignment would differ and "
+        "corrupt memory. Add -mavx, or configure with -DPCL_INDOOR_ALLOW_NATIVE=ON.")
+    endif()
+    return()
+  endif()
   set(problem "")
   if(flags MATCHES "-m(arch|cpu)=native|-mavx[^ ]*")
     set(problem "contain ${CMAKE_MATCH_0}")
-  else() # -march=haswell and its like
-    unset(PCL_INDOOR_FLAGS_WITHOUT_AVX CACHE)
-    check_cxx_source_compiles("#ifdef __AVX__\n#error\n#endif\nint main() {}" PCL_INDOOR_FLAGS_WITHOUT_AVX)
-    if(NOT PCL_INDOOR_FLAGS_WITHOUT_AVX)
-      set(problem "turn on AVX")
-    endif()
+  elseif(NOT PCL_INDOOR_FLAGS_WITHOUT_AVX) # -march=haswell and its like
+    set(problem "turn on AVX")
   endif()
   if(problem)
     message(FATAL_ERROR
