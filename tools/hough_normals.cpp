@@ -37,7 +37,7 @@ appendNormals(const pcl::PointCloud<pcl::Normal>& normals, pcl::PCLPointCloud2& 
 int
 main(int argc, char** argv)
 {
-  useHugePages(argv);
+  useHugePages(argc, argv);
   NormalSettings settings;
   auto parser = normalParser(settings);
   return parser.run(argc, argv, [&](Progress& progress) {

@@ -125,7 +125,7 @@ help(Ranks& ranks, int argc, char** argv)
 int
 main(int argc, char** argv)
 {
-  useHugePages(argv);
+  useHugePages(argc, argv);
   Ranks ranks(isGiven(argc, argv, single_process_option));
   if (!ranks.isFirst())
     return help(ranks, argc, argv);

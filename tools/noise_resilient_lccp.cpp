@@ -24,7 +24,7 @@ constexpr double bytes_per_point = 350; // that are in use at once, measured
 int
 main(int argc, char** argv)
 {
-  useHugePages(argv);
+  useHugePages(argc, argv);
   auto settings = objectSettings(argc, argv);
   OptionParser parser("pcl_noise_resilient_lccp",
                       "Segment the scan of a room into objects with "

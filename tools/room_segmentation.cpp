@@ -140,7 +140,7 @@ segment(RoomSettings& options,
 int
 main(int argc, char** argv)
 {
-  useHugePages(argv);
+  useHugePages(argc, argv);
   auto options = roomSettings(argc, argv);
   auto parser = roomParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {

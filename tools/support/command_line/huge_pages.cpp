@@ -31,16 +31,13 @@ firstLineOf(const std::string& path)
 } // namespace
 
 void
-useHugePages(char** argv)
+useHugePages(int argc, char** argv)
 {
-  char** end = argv;
-  while (*end != nullptr)
-    ++end;
-  if (std::getenv(variable) != nullptr ||
-      std::none_of(
-          argv + std::min<std::ptrdiff_t>(end - argv, 1),
-          end,
-          [](const char* argument) { return sizeOfInput(argument) >= large; }) ||
+  const auto is_large = [](const char* argument) {
+    return sizeOfInput(argument) >= large;
+  };
+  if (argc < 2 || std::getenv(variable) != nullptr ||
+      std::none_of(argv + 1, argv + argc, is_large) ||
       !areHugePagesOnRequest(
           firstLineOf("/sys/kernel/mm/transparent_hugepage/enabled")))
     return;

@@ -15,11 +15,10 @@ namespace pcl::indoor::tool {
  * is read when a program starts: so the program is started again, with that setting in
  * the environment. Nothing is done if no argument names a file of 8 MB or a folder with
  * as much, if GLIBC_TUNABLES is set, or if the system gives such pages to all or none.
- * To be called first in main().
- * \param[in] argv ends with a null pointer
+ * To be called first in main(), with its parameters.
  */
 void
-useHugePages(char** argv);
+useHugePages(int argc, char** argv);
 
 /** \brief Whether the system gives huge pages to those who ask, and to no others.
  * \param[in] choice the content of /sys/kernel/mm/transparent_hugepage/enabled
