@@ -272,6 +272,7 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
       stations, building.occupancy, building.interior, building.storeys);
   building.stations = views.placed();
   std::uint32_t room_count = 0;
+  OpenGround ground;
   const bool by_vote = options.point_rooms == PointRooms::Vote;
   std::vector<VoxelMap<int>> votes; // per storey
   const std::size_t storeys = building.storeys.heights.size();
@@ -281,7 +282,8 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
       return {};
     const auto space = storeySpace(grid, building.interior, building.storeys, s);
     building.maps.push_back(segmentRoomMap(space, options.map));
-    dropOutdoors(space, building.maps.back());
+    dropStreets(space, building.maps.back());
+    dropOutdoors(space, ground, building.maps.back());
     building.hardly_seen += dropSeenThroughOpenings(space, building.maps.back());
     building.hardly_seen += dropHardlySeen(
         space, pointsOfColumns(storey_of, s, building.occupancy), building.maps.back());

@@ -19,9 +19,24 @@ namespace {
 
 /** Whether something lies above the heads of people in a column. */
 bool
-isCovered(const VoxelBits& occupancy, std::size_t pixel, int headroom)
+isCovered(const VoxelBits& occupancy, const VerticalRange& range, std::size_t pixel)
 {
-  return occupancy.column(pixel).any(headroom, occupancy.shape.nz);
+  constexpr double person = 1.8; // metres, as the least height of a ceiling
+  const int heads =
+      range.begin + static_cast<int>(std::lround(person / occupancy.voxel_size));
+  return occupancy.column(pixel).any(std::min(heads, occupancy.shape.nz),
+                                     occupancy.shape.nz);
+}
+
+/** Whether a column has something near the level of the floors, and nothing above. */
+bool
+isGround(const VoxelBits& occupancy, const VerticalRange& range, std::size_t pixel)
+{
+  constexpr double slope = 0.5; // metres
+  const int reach = static_cast<int>(std::lround(slope / occupancy.voxel_size));
+  return !isCovered(occupancy, range, pixel) &&
+         occupancy.column(pixel).any(std::max(range.begin - reach, 0),
+                                     std::min(range.begin + reach, occupancy.shape.nz));
 }
 
 /** What a share of the area exceeds, or is equal to; 0 without area. */
@@ -86,6 +101,13 @@ struct LevelSides {
   std::size_t floor = 0;   ///< in which one is seen
   std::size_t ceiling = 0; ///< the same
   std::size_t all = 0;
+
+  /** How much of the ceiling is seen. */
+  double
+  ceilingShare() const
+  {
+    return static_cast<double>(ceiling) / static_cast<double>(all);
+  }
 };
 
 std::vector<LevelSides>
@@ -149,35 +171,6 @@ occupiedHeight(const VoxelBits& occupancy)
   return occupancy.voxel_size * static_cast<double>(high - low + 1);
 }
 
-void
-dropOutdoors(const StoreySpace& space, RoomMap& map)
-{
-  constexpr double person = 1.8;      // metres, as the least height of a ceiling
-  constexpr double least_cover = 0.1; // share of the area
-  constexpr double most_open = 0.1;   // share of the border: more than a gate
-  constexpr double large = 50.0;      // m^2: ceilings of rooms may be hidden, too
-  if (!space.interior.unseen.ceilingIsSeen())
-    return;
-  const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
-  const int headroom =
-      map.range.begin +
-      static_cast<int>(std::lround(person / space.occupancy.voxel_size));
-  std::vector<std::size_t> area(map.room_count + 1, 0), covered = area;
-  for (std::size_t i = 0; i < map.free_labels.size(); ++i)
-    if (const std::int32_t label = map.free_labels.values[i]; label > 0) {
-      ++area[label];
-      covered[label] += isCovered(space.occupancy, i, headroom);
-    }
-  const std::vector<RegionSides> sides = sidesOf(map, 1);
-  std::vector<std::uint8_t> is_outdoors(area.size(), 0);
-  for (std::size_t label = 1; label < area.size(); ++label)
-    is_outdoors[label] =
-        static_cast<double>(area[label]) * pixel_area >= large &&
-        static_cast<double>(covered[label]) < least_cover * area[label] &&
-        static_cast<double>(sides[label].open) > most_open * sides[label].all;
-  dropRegions(is_outdoors, map);
-}
-
 std::vector<double>
 closedBorders(const RoomMap& map, double pixel_size)
 {
@@ -188,6 +181,59 @@ closedBorders(const RoomMap& map, double pixel_size)
     closed.push_back(static_cast<double>(sides.all - sides.open) /
                      static_cast<double>(std::max<std::size_t>(1, sides.all)));
   return closed;
+}
+
+void
+dropStreets(const StoreySpace& space, RoomMap& map)
+{
+  constexpr double least_cover = 0.1; // share of the area
+  constexpr double most_open = 0.1;   // share of the border: more than a gate
+  constexpr double large = 50.0;      // m^2: ceilings of rooms may be hidden, too
+  if (!space.interior.unseen.ceilingIsSeen())
+    return;
+  const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
+  std::vector<std::size_t> area(map.room_count + 1, 0), covered = area;
+  for (std::size_t i = 0; i < map.free_labels.size(); ++i)
+    if (const std::int32_t label = map.free_labels.values[i]; label > 0) {
+      ++area[label];
+      covered[label] += isCovered(space.occupancy, map.range, i);
+    }
+  const std::vector<RegionSides> sides = sidesOf(map, 1);
+  std::vector<std::uint8_t> is_street(area.size(), 0);
+  for (std::size_t label = 1; label < area.size(); ++label)
+    is_street[label] =
+        static_cast<double>(area[label]) * pixel_area >= large &&
+        static_cast<double>(covered[label]) < least_cover * area[label] &&
+        static_cast<double>(sides[label].open) > most_open * sides[label].all;
+  dropRegions(is_street, map);
+}
+
+void
+dropOutdoors(const StoreySpace& space, OpenGround& ground, RoomMap& map)
+{
+  constexpr double enclosed = 0.8; // share of a border with walls: most of four
+  const std::vector<double> walls = closedBorders(map, space.occupancy.voxel_size);
+  const std::vector<LevelSides> levels = levelSides(space.occupancy, map);
+  std::vector<double> ceilings, area; // of enclosed regions
+  for (std::size_t label = 1; label < walls.size(); ++label)
+    if (walls[label] >= enclosed) {
+      ceilings.push_back(levels[label].ceilingShare());
+      area.push_back(static_cast<double>(levels[label].all));
+      ground.enclosed += levels[label].all;
+    }
+  for (std::size_t i = 0; i < map.free_labels.size(); ++i)
+    ground.open +=
+        map.free_labels.values[i] == 0 && isGround(space.occupancy, map.range, i);
+  ground.usual_ceiling =
+      std::max(ground.usual_ceiling, exceededBy(0.5, ceilings, area));
+  if (!space.interior.unseen.ceilingIsSeen() || ground.open <= ground.enclosed ||
+      ground.usual_ceiling == 0.0)
+    return;
+  std::vector<std::uint8_t> is_outdoors(walls.size(), 0);
+  for (std::size_t label = 1; label < walls.size(); ++label)
+    is_outdoors[label] =
+        walls[label] + levels[label].ceilingShare() / ground.usual_ceiling < enclosed;
+  dropRegions(is_outdoors, map);
 }
 
 std::size_t

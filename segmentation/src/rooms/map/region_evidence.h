@@ -31,13 +31,6 @@ occupiedHeight(const VoxelBits& occupancy);
 std::size_t
 dropRegions(const std::vector<std::uint8_t>& is_dropped, RoomMap& map);
 
-/** \brief Drop the regions without a ceiling whose border is open to the outside, such
- * as streets and gardens, where a scan shows ceilings elsewhere.
- * \param[in,out] map its labels are 1 ... n again
- */
-void
-dropOutdoors(const StoreySpace& space, RoomMap& map);
-
 /** \brief The share of each region's border with a wall or another region beyond it; 0
  * for no region. Where nothing is, the region may go on: nobody looked there.
  * \param[in] pixel_size metres
@@ -45,6 +38,29 @@ dropOutdoors(const StoreySpace& space, RoomMap& map);
  */
 std::vector<double>
 closedBorders(const RoomMap& map, double pixel_size);
+
+/** \brief Drop the large regions without a ceiling whose border is open, such as
+ * streets, where a scan shows ceilings elsewhere.
+ * \param[in,out] map its labels are 1 ... n again
+ */
+void
+dropStreets(const StoreySpace& space, RoomMap& map);
+
+/** What a storey and those below show of the ground around a building. */
+struct OpenGround {
+  std::size_t open = 0;       ///< pixels of no region, without anything above
+  std::size_t enclosed = 0;   ///< pixels of the regions that walls enclose
+  double usual_ceiling = 0.0; ///< the share of the ceiling that is seen in these
+};
+
+/** \brief Drop the regions under trees and eaves: where a scan has more of open ground
+ * than of rooms, a region needs walls around it or a ceiling above it, together as much
+ * as four fifths of either.
+ * \param[in,out] ground that of the storeys below; that of this one is added
+ * \param[in,out] map its labels are 1 ... n again
+ */
+void
+dropOutdoors(const StoreySpace& space, OpenGround& ground, RoomMap& map);
 
 /** \brief Drop the regions of whose walls, floor and ceiling little was seen, and of
  * whose area no more than 2 m^2: nobody was there, something was seen through a door or

@@ -126,3 +126,110 @@ TEST(RegionEvidence, ALargeRegionIsARoomThatWasSeenInPart)
   EXPECT_FALSE(SquareRoom({0.1, 0.5, 0.1}, 30).isKept());
   EXPECT_TRUE(SquareRoom({0.1, 0.5, 0.1}, 40).isKept()); // 0.17 of 16 m^2
 }
+
+namespace {
+
+/** A room of 2 x 2 m with walls, floor and ceiling on a square of ground, voxels of 0.1
+ * m, and beside it a region of 1.5 x 1.5 m. */
+class Garden {
+public:
+  /** \param[in] region what bounds the region; its floor does not count
+   * \param[in] ground how much of the square has any
+   */
+  explicit Garden(const Seen& region, double ground = 1.0)
+  {
+    constexpr int n = 100;
+    space_.occupancy.voxel_size = 0.1;
+    space_.occupancy.reset({n, n, 60});
+    space_.range = {2, 50};
+    space_.interior.unseen.ceiling_seen = 1.0;
+    map_.range = space_.range;
+    map_.ceiling = {n, n, std::vector<int>(n * n, 26)};
+    map_.blocked = {n, n, std::vector<std::uint8_t>(n * n, 0)};
+    map_.free_labels = {n, n, std::vector<std::int32_t>(n * n, 0)};
+    map_.room_count = 2;
+    for (int x = 0; x < ground * n; ++x)
+      for (int y = 0; y < n; ++y)
+        space_.occupancy.set(n - 1 - x, y, 2);
+    add(1, 2, 20, {1.0, 1.0, 1.0});
+    add(2, 30, 15, region);
+    map_.labels = map_.free_labels;
+  }
+
+  Garden&
+  withoutCeilings()
+  {
+    space_.interior.unseen.ceiling_seen = 0.0;
+    return *this;
+  }
+
+  /** The room is, always. */
+  bool
+  isRegionKept() const
+  {
+    RoomMap map = map_;
+    OpenGround ground;
+    dropOutdoors(space_, ground, map);
+    EXPECT_EQ(map.free_labels.at(2, 2), 1);
+    EXPECT_EQ(map.free_labels.at(30, 2), map.room_count - 1 > 0 ? 2 : 0);
+    return map.room_count == 2;
+  }
+
+  /** Of an upper storey, where nothing is but the region, without ground. */
+  bool
+  isKeptAbove() const
+  {
+    RoomMap below = map_, map = map_;
+    OpenGround ground;
+    dropOutdoors(space_, ground, below);
+    for (auto& label : map.free_labels.values)
+      label = label == 2;
+    map.labels = map.free_labels;
+    map.room_count = 1;
+    dropOutdoors(space_, ground, map);
+    return map.room_count == 1;
+  }
+
+private:
+  void
+  add(std::int32_t label, int begin, int side, const Seen& seen)
+  {
+    for (int x = 0; x < side; ++x) {
+      for (int y = 0; y < side; ++y) {
+        map_.free_labels.at(begin + x, 2 + y) = label;
+        if (x < seen.ceiling * side)
+          space_.occupancy.set(begin + x, 2 + y, 26);
+      }
+      if (x < seen.walls * side)
+        for (const int across : {-1, side}) {
+          map_.blocked.at(begin + across, 2 + x) = 1;
+          map_.blocked.at(begin + x, 2 + across) = 1;
+        }
+    }
+  }
+
+  StoreySpace space_;
+  RoomMap map_;
+};
+
+} // namespace
+
+TEST(RegionEvidence, UnderATreeIsOutdoors)
+{
+  EXPECT_FALSE(Garden({0.4, 1.0, 0.2}).isRegionKept());
+  EXPECT_FALSE(Garden({0.0, 1.0, 0.6}).isRegionKept()); // under eaves
+  EXPECT_FALSE(Garden({0.4, 1.0, 0.2}).isKeptAbove());  // its top
+}
+
+TEST(RegionEvidence, WallsOrACeilingAreEnoughInAGarden)
+{
+  EXPECT_TRUE(Garden({0.9, 1.0, 0.0}).isRegionKept()); // a shed whose roof was not seen
+  EXPECT_TRUE(Garden({0.3, 1.0, 1.0}).isRegionKept());
+  EXPECT_TRUE(Garden({0.5, 1.0, 0.5}).isRegionKept());
+}
+
+TEST(RegionEvidence, WithoutOpenGroundRoomsMayBeSeenInPart)
+{
+  EXPECT_TRUE(Garden({0.4, 1.0, 0.2}, 0.03).isRegionKept());
+  EXPECT_TRUE(Garden({0.4, 1.0, 0.2}).withoutCeilings().isRegionKept());
+}
