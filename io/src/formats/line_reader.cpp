@@ -31,8 +31,8 @@ LineReader::seek(const Place& place)
 bool
 LineReader::refill()
 {
-  constexpr std::size_t at_once = 1 << 18;
-  constexpr std::size_t longest_line = 1 << 16;
+  constexpr std::size_t at_once = 1 << 16; // bytes
+  constexpr std::size_t longest_line = 1 << 16; // bytes
   buffer_.erase(0, at_);
   at_ = 0;
   if (buffer_.size() > longest_line)
