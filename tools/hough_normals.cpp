@@ -3,7 +3,6 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "command_line/huge_pages.h"
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 #include "normals/normal_settings.h"
@@ -37,7 +36,6 @@ appendNormals(const pcl::PointCloud<pcl::Normal>& normals, pcl::PCLPointCloud2& 
 int
 main(int argc, char** argv)
 {
-  useHugePages(argc, argv);
   NormalSettings settings;
   auto parser = normalParser(settings);
   return parser.run(argc, argv, [&](Progress& progress) {

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "command_line/huge_pages.h"
 #include "command_line/options.h"
 #include "command_line/preset.h"
 #include "command_line/progress_report.h"
@@ -125,7 +124,6 @@ help(Ranks& ranks, int argc, char** argv)
 int
 main(int argc, char** argv)
 {
-  useHugePages(argc, argv);
   Ranks ranks(isGiven(argc, argv, single_process_option));
   if (!ranks.isFirst())
     return help(ranks, argc, argv);

@@ -3,7 +3,6 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "command_line/huge_pages.h"
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 #include "files/sampled_surface.h"
@@ -24,7 +23,6 @@ constexpr double bytes_per_point = 350; // that are in use at once, measured
 int
 main(int argc, char** argv)
 {
-  useHugePages(argc, argv);
   auto settings = objectSettings(argc, argv);
   OptionParser parser("pcl_noise_resilient_lccp",
                       "Segment the scan of a room into objects with "

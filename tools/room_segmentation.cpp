@@ -3,7 +3,6 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "command_line/huge_pages.h"
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 #include "files/sampled_surface.h"
@@ -140,7 +139,6 @@ segment(RoomSettings& options,
 int
 main(int argc, char** argv)
 {
-  useHugePages(argc, argv);
   auto options = roomSettings(argc, argv);
   auto parser = roomParser(options);
   return parser.run(argc, argv, [&](Progress& progress) {

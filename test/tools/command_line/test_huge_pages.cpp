@@ -2,34 +2,54 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "command_line/huge_pages.h"
-
-#include "support/folder_test.h"
+// The operators of tools/support/command_line/huge_pages.cpp are this program's own
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <vector>
 
-using namespace pcl::indoor::tool;
+namespace {
 
-using HugePages = pcl::indoor::test::FolderTest;
+constexpr std::size_t huge_page = std::size_t{1} << 21;
+volatile std::size_t too_much = std::numeric_limits<std::size_t>::max() / 4;
 
-TEST_F(HugePages, AreAskedForWhereTheSystemGivesThemOnRequest)
+} // namespace
+
+#if !defined(__SANITIZE_ADDRESS__)
+
+TEST(HugePages, LargeBlocksBeginWithOne)
 {
-  EXPECT_TRUE(areHugePagesOnRequest("always [madvise] never"));
-  EXPECT_FALSE(areHugePagesOnRequest("[always] madvise never"));
-  EXPECT_FALSE(areHugePagesOnRequest("always madvise [never]"));
-  EXPECT_FALSE(areHugePagesOnRequest("")); // no such kernel
+  for (const std::size_t size : {huge_page, huge_page + 1, 5 * huge_page + 12345}) {
+    std::vector<char> block(size, 'a');
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(block.data()) % huge_page, 0u) << size;
+    block.resize(2 * size, 'b'); // moved
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(block.data()) % huge_page, 0u) << size;
+    EXPECT_EQ(block[size - 1], 'a');
+    EXPECT_EQ(block[size], 'b');
+  }
 }
 
-TEST_F(HugePages, FilesAndFoldersHaveASize)
+TEST(HugePages, TheHandlerIsAskedUntilItGivesUp)
 {
-  EXPECT_EQ(sizeOfInput(write("a.pcd", std::string(1000, 'a'))), 1000.0);
-  write("b.pcd", std::string(234, 'b'));
-  std::filesystem::create_directory(path("inner"));
-  EXPECT_EQ(sizeOfInput(path("")), 1234.0);
-  EXPECT_EQ(sizeOfInput(path("inner")), 0.0);
-  EXPECT_EQ(sizeOfInput(path("none")), 0.0);
-  EXPECT_EQ(sizeOfInput("-quiet"), 0.0);
-  EXPECT_EQ(sizeOfInput(""), 0.0);
+  static int asked = 0;
+  std::set_new_handler([] {
+    if (++asked == 3)
+      std::set_new_handler(nullptr);
+  });
+  EXPECT_THROW(::operator delete(::operator new(too_much)), std::bad_alloc);
+  EXPECT_EQ(asked, 3);
+}
+
+#endif
+
+TEST(HugePages, NothingAndTooMuchAreAskedForAsEver)
+{
+  void* nothing = ::operator new(0);
+  EXPECT_NE(nothing, nullptr);
+  ::operator delete(nothing);
+  EXPECT_THROW(::operator delete(::operator new(too_much)), std::bad_alloc);
+  EXPECT_EQ(::operator new(too_much, std::nothrow), nullptr);
 }

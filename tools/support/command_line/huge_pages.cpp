@@ -2,73 +2,61 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "command_line/huge_pages.h"
 
-#include <unistd.h>
+// The memory of tools that work on millions of points: what is large lies in pages of
+// 2 MiB in place of 4 KiB, where the system gives such pages to those who ask. These
+// operators take the place of the C++ library's in each program that this file is
+// compiled into, and in the libraries that it loads. Sanitizers bring operators of
+// their own.
+#if !defined(__SANITIZE_ADDRESS__)
 
-#include <algorithm>
+#include <sys/mman.h>
+
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
+#include <new>
 
-namespace pcl::indoor::tool {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr const char* variable = "GLIBC_TUNABLES";
-constexpr double large = 8e6; // bytes; below, to start again takes as long as is won
-
-std::string
-firstLineOf(const std::string& path)
+void*
+allocate(std::size_t size)
 {
-  std::string line;
-  std::ifstream file(path);
-  std::getline(file, line);
-  return line;
+  constexpr std::size_t huge_page = std::size_t{1} << 21; // bytes
+  if (size < huge_page)
+    return std::malloc(size > 0 ? size : 1);
+  void* memory = nullptr;
+  if (posix_memalign(&memory, huge_page, size) != 0)
+    return nullptr;
+#ifdef MADV_HUGEPAGE
+  madvise(memory, size, MADV_HUGEPAGE); // a wish: without, it is as slow as ever
+#endif
+  return memory;
 }
 
 } // namespace
 
-void
-useHugePages(int argc, char** argv)
+void*
+operator new(std::size_t size)
 {
-  const auto is_large = [](const char* argument) {
-    return sizeOfInput(argument) >= large;
-  };
-  if (argc < 2 || std::getenv(variable) != nullptr ||
-      std::none_of(argv + 1, argv + argc, is_large) ||
-      !areHugePagesOnRequest(
-          firstLineOf("/sys/kernel/mm/transparent_hugepage/enabled")))
-    return;
-  std::error_code error;
-  const auto program = fs::read_symlink("/proc/self/exe", error);
-  if (error || setenv(variable, "glibc.malloc.hugetlb=1", 0) != 0)
-    return;
-  execv(program.c_str(), argv);
-  unsetenv(variable); // it goes on as it is
-}
-
-bool
-areHugePagesOnRequest(const std::string& choice)
-{
-  return choice.find("[madvise]") != std::string::npos;
-}
-
-double
-sizeOfInput(const std::string& path)
-{
-  std::error_code error;
-  if (fs::is_regular_file(path, error))
-    return static_cast<double>(fs::file_size(path, error));
-  double sum = 0.0;
-  for (fs::directory_iterator file(path, error), end; !error && file != end;
-       file.increment(error)) {
-    std::error_code ignored;
-    if (file->is_regular_file(ignored))
-      sum += static_cast<double>(file->file_size(ignored));
+  for (;;) {
+    if (void* memory = allocate(size))
+      return memory;
+    const std::new_handler handler = std::get_new_handler();
+    if (handler == nullptr)
+      throw std::bad_alloc();
+    handler();
   }
-  return sum;
 }
 
-} // namespace pcl::indoor::tool
+void
+operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+
+void
+operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+#endif
