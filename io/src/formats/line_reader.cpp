@@ -31,7 +31,7 @@ LineReader::seek(const Place& place)
 bool
 LineReader::refill()
 {
-  constexpr std::size_t at_once = 1 << 16; // bytes
+  constexpr std::size_t at_once = 1 << 16;      // bytes
   constexpr std::size_t longest_line = 1 << 16; // bytes
   buffer_.erase(0, at_);
   at_ = 0;
