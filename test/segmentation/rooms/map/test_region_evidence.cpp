@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 using namespace pcl::indoor;
 
 namespace {
@@ -15,6 +17,33 @@ namespace {
 struct Seen {
   double walls, floor, ceiling;
 };
+
+/** Add a square room with its corner at begin, in pixels. */
+void
+addRoom(std::int32_t label,
+        const std::array<int, 2>& begin,
+        int side,
+        const Seen& seen,
+        StoreySpace& space,
+        RoomMap& map)
+{
+  const auto [left, low] = begin;
+  const auto part = [&](double share) { return share * side; };
+  for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < side; ++y) {
+      map.free_labels.at(left + x, low + y) = label;
+      if (x < part(seen.floor))
+        space.occupancy.set(left + x, low + y, 1);
+      if (x < part(seen.ceiling))
+        space.occupancy.set(left + x, low + y, 26);
+    }
+    if (x < part(seen.walls))
+      for (const int across : {-1, side}) {
+        map.blocked.at(left + across, low + x) = 1;
+        map.blocked.at(left + x, low + across) = 1;
+      }
+  }
+}
 
 /** A square room of voxels of 0.1 m and a larger one, the hall, and their map. */
 class SquareRoom {
@@ -30,8 +59,8 @@ public:
     map_.blocked = {nx, ny, std::vector<std::uint8_t>(nx * ny, 0)};
     map_.free_labels = {nx, ny, std::vector<std::int32_t>(nx * ny, 0)};
     map_.room_count = 2;
-    addRoom(1, margin, side, seen);
-    addRoom(2, side + 2 * margin, hall, {0.0, 0.0, 0.0});
+    addRoom(1, {margin, margin}, side, seen, space_, map_);
+    addRoom(2, {side + 2 * margin, margin}, hall, {0.0, 0.0, 0.0}, space_, map_);
     map_.labels = map_.free_labels;
   }
 
@@ -64,26 +93,6 @@ public:
 
 private:
   static constexpr int margin = 5, hall = 50;
-
-  void
-  addRoom(std::int32_t label, int begin, int side, const Seen& seen)
-  {
-    const auto part = [&](double share) { return share * side; };
-    for (int x = 0; x < side; ++x) {
-      for (int y = 0; y < side; ++y) {
-        map_.free_labels.at(begin + x, margin + y) = label;
-        if (x < part(seen.floor))
-          space_.occupancy.set(begin + x, margin + y, 1);
-        if (x < part(seen.ceiling))
-          space_.occupancy.set(begin + x, margin + y, 26);
-      }
-      if (x < part(seen.walls))
-        for (const int across : {-1, side}) {
-          map_.blocked.at(begin + across, margin + x) = 1;
-          map_.blocked.at(begin + x, margin + across) = 1;
-        }
-    }
-  }
 
   StoreySpace space_;
   RoomMap map_;
@@ -129,8 +138,8 @@ TEST(RegionEvidence, ALargeRegionIsARoomThatWasSeenInPart)
 
 namespace {
 
-/** A room of 2 x 2 m with walls, floor and ceiling on a square of ground, voxels of 0.1
- * m, and beside it a region of 1.5 x 1.5 m. */
+/** A room of 2 x 2 m with walls and ceiling and a region of 1.5 x 1.5 m in a square of
+ * 10 x 10 m, voxels of 0.1 m. */
 class Garden {
 public:
   /** \param[in] region what bounds the region; its floor does not count
@@ -151,8 +160,8 @@ public:
     for (int x = 0; x < ground * n; ++x)
       for (int y = 0; y < n; ++y)
         space_.occupancy.set(n - 1 - x, y, 2);
-    add(1, 2, 20, {1.0, 1.0, 1.0});
-    add(2, 30, 15, region);
+    addRoom(1, {2, 2}, 20, {1.0, 1.0, 1.0}, space_, map_);
+    addRoom(2, {30, 2}, 15, region, space_, map_);
     map_.labels = map_.free_labels;
   }
 
@@ -175,13 +184,13 @@ public:
     return map.room_count == 2;
   }
 
-  /** Of an upper storey, where nothing is but the region, without ground. */
+  /** Of an upper storey, without ground, that has the region alone. */
   bool
-  isKeptAbove() const
+  isKeptAbove(const Garden& below) const
   {
-    RoomMap below = map_, map = map_;
+    RoomMap map_below = below.map_, map = map_;
     OpenGround ground;
-    dropOutdoors(space_, ground, below);
+    dropOutdoors(below.space_, ground, map_below);
     for (auto& label : map.free_labels.values)
       label = label == 2;
     map.labels = map.free_labels;
@@ -191,23 +200,6 @@ public:
   }
 
 private:
-  void
-  add(std::int32_t label, int begin, int side, const Seen& seen)
-  {
-    for (int x = 0; x < side; ++x) {
-      for (int y = 0; y < side; ++y) {
-        map_.free_labels.at(begin + x, 2 + y) = label;
-        if (x < seen.ceiling * side)
-          space_.occupancy.set(begin + x, 2 + y, 26);
-      }
-      if (x < seen.walls * side)
-        for (const int across : {-1, side}) {
-          map_.blocked.at(begin + across, 2 + x) = 1;
-          map_.blocked.at(begin + x, 2 + across) = 1;
-        }
-    }
-  }
-
   StoreySpace space_;
   RoomMap map_;
 };
@@ -218,7 +210,9 @@ TEST(RegionEvidence, UnderATreeIsOutdoors)
 {
   EXPECT_FALSE(Garden({0.4, 1.0, 0.2}).isRegionKept());
   EXPECT_FALSE(Garden({0.0, 1.0, 0.6}).isRegionKept()); // under eaves
-  EXPECT_FALSE(Garden({0.4, 1.0, 0.2}).isKeptAbove());  // its top
+  const Seen tree{0.4, 1.0, 0.2};
+  EXPECT_FALSE(Garden(tree, 0.0).isKeptAbove(Garden(tree))); // its top
+  EXPECT_TRUE(Garden(tree, 0.0).isKeptAbove(Garden(tree, 0.0)));
 }
 
 TEST(RegionEvidence, WallsOrACeilingAreEnoughInAGarden)
