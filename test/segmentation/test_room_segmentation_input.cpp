@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 using namespace pcl::indoor::test;
@@ -53,6 +54,14 @@ scaled(const Points& points, double factor)
   for (const auto& point : points)
     result.push_back((point.cast<double>() * factor).cast<float>());
   return result;
+}
+
+Points
+upsideDown(Points points)
+{
+  for (auto& point : points)
+    point.tail<2>() *= -1.0f; // turned about x
+  return points;
 }
 
 std::size_t
@@ -158,6 +167,60 @@ TEST_F(QuietInput, AScanOnItsSideIsStoodUprightAndSaidOnce)
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_NE(report.warnings[0].find("-up y"), std::string::npos);
   EXPECT_LT(differing(labels, expected), points.size() / 100);
+}
+
+TEST_F(QuietInput, AnEmptyBuildingUpsideDownIsTurnedByItsDoorsAndSaidOnce)
+{
+  const auto points = bentCorridorWithThreeRooms().points;
+  Labels expected, labels, as_set;
+  const auto upright = segmentation(points, expected);
+  const auto hanging = upsideDown(points);
+  const auto turned = segmentation(hanging, labels);
+  EXPECT_EQ(turned.getReport().up_axis, -Eigen::Vector3f::UnitZ());
+  ASSERT_EQ(turned.getReport().warnings.size(), 1u);
+  EXPECT_NE(turned.getReport().warnings[0].find("upside down"), std::string::npos);
+  EXPECT_NE(turned.getReport().warnings[0].find("3 of 3 passages"), std::string::npos);
+  EXPECT_LT(differing(labels, expected), points.size() / 1000);
+  ASSERT_EQ(turned.getRooms().size(), upright.getRooms().size());
+  for (std::size_t i = 0; i < turned.getRooms().size(); ++i) {
+    const Eigen::Vector3d at = upright.getRooms()[i].centroid;
+    EXPECT_LT(
+        (turned.getRooms()[i].centroid - Eigen::Vector3d(at.x(), -at.y(), -at.z()))
+            .norm(),
+        0.01);
+  }
+
+  Segmentation set; // is never overruled
+  set.setInputCloud(cloudOf(hanging));
+  set.setUpAxis(Eigen::Vector3f::UnitZ());
+  set.segment(as_set);
+  EXPECT_EQ(set.getReport().up_axis, Eigen::Vector3f::UnitZ());
+  ASSERT_EQ(set.getReport().warnings.size(), 1u);
+  EXPECT_NE(set.getReport().warnings[0].find("may be upside down"), std::string::npos);
+}
+
+TEST_F(QuietInput, TurningAScanGoesOnWithItsProgressAndCanBeStopped)
+{
+  Segmentation rooms;
+  rooms.setInputCloud(cloudOf(upsideDown(bentCorridorWithThreeRooms().points)));
+  std::vector<double> shares;
+  std::size_t most = 1000;
+  rooms.setProgressCallback([&](double share, const char*) {
+    shares.push_back(share);
+    return shares.size() < most;
+  });
+  Labels labels;
+  rooms.segment(labels);
+  EXPECT_EQ(roomCount(labels), 4u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(std::count(shares.begin(), shares.end(), 0.0), 1);
+  EXPECT_EQ(std::count(shares.begin(), shares.end(), 1.0), 1);
+  most = shares.size() - 1; // the last stage of the second search
+  shares.clear();
+  rooms.segment(labels);
+  EXPECT_EQ(shares.size(), most);
+  EXPECT_TRUE(labels.empty());
+  EXPECT_TRUE(rooms.getBuilding().maps.empty());
 }
 
 TEST_F(QuietInput, AFrameThatWasFoundBeforeIsTakenUntilAnotherIsSet)

@@ -92,6 +92,28 @@ closedShare(const std::vector<Room>& rooms)
   return area > 0.0 ? closed / area : 1.0;
 }
 
+/** Passages that begin at one end of the rooms and not at the other one. */
+struct Passages {
+  explicit Passages(const std::vector<RoomOpening>& openings)
+  {
+    constexpr double clear = 0.1; // metres; a lintel of 0.2 m
+    for (const RoomOpening& opening : openings) {
+      hanging += opening.rise > clear;
+      standing += opening.rise < -clear;
+    }
+  }
+
+  /** What is odd about those that hang. */
+  std::string
+  text() const
+  {
+    return std::to_string(hanging) + " of " + std::to_string(hanging + standing) +
+           " passages between rooms reach the ceiling, not the floor";
+  }
+
+  int hanging = 0, standing = 0;
+};
+
 /** Both ends belong to it. */
 bool
 isBetween(double low, double value, double high)
@@ -200,24 +222,34 @@ verticalNote(const Vertical& vertical)
   return line.str();
 }
 
+int
+endOfPassages(const std::vector<RoomOpening>& openings)
+{
+  const Passages passages(openings);
+  const auto several = [](int most, int others) {
+    return most >= 2 && most > 3 * others;
+  };
+  return several(passages.hanging, passages.standing)   ? 1
+         : several(passages.standing, passages.hanging) ? -1
+                                                        : 0;
+}
+
 std::string
 endWarning(const std::vector<RoomOpening>& openings, const Eigen::Vector3f& up_axis)
 {
-  constexpr double clear = 0.1; // metres; a lintel of 0.2 m
-  constexpr int several = 2;
-  const auto count = [&](double sign) {
-    return std::count_if(openings.begin(), openings.end(), [&](const auto& opening) {
-      return sign * opening.rise > clear;
-    });
-  };
-  const auto hanging = count(1.0), standing = count(-1.0);
-  if (hanging < several || hanging <= 3 * standing)
+  if (endOfPassages(openings) != 1)
     return {};
-  return "The scan may be upside down: " + std::to_string(hanging) + " of " +
-         std::to_string(hanging + standing) +
-         " passages between rooms reach the ceiling, not the floor; if it is, set "
-         "-up " +
-         directionText(-up_axis) + ".";
+  return "The scan may be upside down: " + Passages(openings).text() +
+         "; if it is, set -up " + directionText(-up_axis) + ".";
+}
+
+std::string
+reversedNote(const std::vector<RoomOpening>& openings, const Vertical& vertical)
+{
+  const auto note = verticalNote(vertical.reversed());
+  return note.empty() ? note
+                      : note + " Taken along " + directionText(vertical.upAxis()) +
+                            ", " + Passages(openings).text() + ".";
 }
 
 double

@@ -137,6 +137,17 @@ TEST(ScanWarnings, PassagesWithSillsHangFromCeilings)
   EXPECT_EQ(endWarning(passages({0.25, 0.3, -0.25}), up), "");
   EXPECT_EQ(endWarning(passages({0.05, 0.05, 0.05}), up), ""); // as high as the room
   EXPECT_EQ(endWarning({}, up), "");
+  EXPECT_EQ(endOfPassages(passages({0.25, 0.0, 0.3})), 1);
+  EXPECT_EQ(endOfPassages(passages({-0.25, 0.0, -0.3})), -1);
+  EXPECT_EQ(endOfPassages(passages({-0.25, 0.0, 0.3})), 0);
+  const auto turned = reversedNote(passages({0.25, 0.0, 0.3}), Vertical());
+  EXPECT_TRUE(holds(turned, "upside down: taken as upright along -z (-up -z)."));
+  EXPECT_TRUE(holds(turned, "Taken along z, 2 of 2 passages"));
+  EXPECT_EQ(reversedNote(passages({0.25, 0.3}), along({0.0f, 0.0f, -1.0f})), "");
+  auto unclear = along({1.0f, 0.0f, 0.0f});
+  unclear.is_end_known = false;
+  const auto lying = reversedNote(passages({0.25, 0.0, 0.3}), unclear);
+  EXPECT_TRUE(holds(lying, "upright along -x (-up -x). Taken along x, 2 of 2"));
 }
 
 TEST(ScanWarnings, HowAScanWasStoodUpright)

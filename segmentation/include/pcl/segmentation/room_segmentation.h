@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -219,8 +220,9 @@ public:
 
   /** \brief Set which direction of the cloud points up, of any length. If it is not
    * set, floors, ceilings and walls tell it (indoor::findVertical()): +z where the
-   * cloud is level within 1 degree or where they do not tell it; getReport() has what
-   * was used.
+   * cloud is level within 1 degree or where they do not tell it. If the passages
+   * between the rooms hang from ceilings then, the rooms are found once more the other
+   * way up. getReport() has what was used.
    */
   void
   setUpAxis(const Eigen::Vector3f& axis)
@@ -401,6 +403,15 @@ private:
    * \param[in] indices of the points; none: those of the cloud */
   indoor::ScanStations
   stationsOfBuilding(const Indices& indices) const;
+
+  /** \brief Take the scan the other way up if passages hang from ceilings, and stand on
+   * floors then; not if the up axis is set.
+   * \param[in,out] points in the building's frame, which is turned
+   * \param[in] find the rooms of these points
+   */
+  void
+  turnIfPassagesHang(std::vector<Eigen::Vector3f>& points,
+                     const std::function<indoor::BuildingRooms()>& find);
 
   /** \brief Report what was shown of the points; no indices: those of the cloud. */
   void

@@ -60,12 +60,26 @@ feetWarning(const std::vector<Room>& rooms,
             const std::vector<RoomOpening>& openings,
             double metres_per_unit);
 
+/** \brief Which end of the rooms their passages begin at, as doors do at the floor.
+ * \return -1 = the lower one, 1 = the upper one; 0 if fewer than two begin at one of
+ * them only, or a quarter of these at the other one
+ */
+int
+endOfPassages(const std::vector<RoomOpening>& openings);
+
 /** \brief Warn if passages have sills and no lintels, so that floors seem to be
  * ceilings. \param[in] up_axis that the rooms were found with \return one line; empty
- * if fewer than two do, or others have lintels
+ * if endOfPassages() is not the upper one
  */
 std::string
 endWarning(const std::vector<RoomOpening>& openings, const Eigen::Vector3f& up_axis);
+
+/** \brief Say that the scan was taken the other way up for its passages.
+ * \param[in] openings that were found before \param[in] vertical that was taken then
+ * \return one line, in place of verticalNote(); empty if the scan is level now
+ */
+std::string
+reversedNote(const std::vector<RoomOpening>& openings, const Vertical& vertical);
 
 /** \brief Say how a scan stands that was stood upright, or that it might lie on its
  * side. \return one line; empty if it is level

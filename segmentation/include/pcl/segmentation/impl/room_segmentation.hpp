@@ -175,6 +175,31 @@ RoomSegmentation<PointT>::describeInput(const Indices& indices)
 
 template <typename PointT>
 void
+RoomSegmentation<PointT>::turnIfPassagesHang(
+    std::vector<Eigen::Vector3f>& points,
+    const std::function<indoor::BuildingRooms()>& find)
+{
+  if (up_axis_ || indoor::endOfPassages(building_.openings) != 1 ||
+      !indoor::unitWarning(report_.vertical, report_.metres_per_unit).empty())
+    return;
+  const auto pose = pose_;
+  pose_ = pose * indoor::moveIntoBuildingFrame(points, -Eigen::Vector3f::UnitZ());
+  auto turned = find();
+  if (indoor::endOfPassages(turned.openings) != -1) {
+    pose_ = pose;
+    return;
+  }
+  auto& lines = report_.warnings;
+  const auto note = indoor::verticalNote(report_.vertical);
+  lines.erase(std::remove(lines.begin(), lines.end(), note), lines.end());
+  warn(indoor::reversedNote(building_.openings, report_.vertical));
+  report_.vertical = report_.vertical.reversed();
+  report_.up_axis = -report_.up_axis;
+  building_ = std::move(turned);
+}
+
+template <typename PointT>
+void
 RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
 {
   labels.clear();
@@ -193,16 +218,22 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     return;
   }
   bool goes_on = true;
+  double done = 0.0;
   const auto tell = [&](double share, const char* stage) {
-    goes_on = !progress_ || progress_(share, stage);
+    done = std::max(done, share); // rooms may be found twice
+    goes_on = !progress_ || progress_(done, stage);
     return goes_on;
   };
   const auto progress = [&](double share, const char* stage) {
     return share == 1.0 || tell(share, stage); // the end is told below
   };
-  try {
-    building_ = indoor::segmentBuilding(
+  const auto find = [&] {
+    return indoor::segmentBuilding(
         points, options_, progress, stationsOfBuilding(indices ? *indices : Indices()));
+  };
+  try {
+    building_ = find();
+    turnIfPassagesHang(points, find);
   } catch (const BadArgumentException& error) { // such as far too many voxels
     PCL_ERROR("[pcl::RoomSegmentation::segment] %s\n",
               indoor::plainMessage(error).c_str());
@@ -210,7 +241,7 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     return;
   }
   std::vector<Eigen::Vector3f>().swap(points); // they may be many
-  if (goes_on && !tell(1.0, "done"))
+  if (!goes_on || !tell(1.0, "done"))
     building_ = indoor::BuildingRooms();
   if (goes_on) {
     const Indices all;

@@ -38,6 +38,17 @@ struct Vertical {
    */
   Eigen::Vector3f
   upAxis() const;
+
+  /** \brief The same with its other end up, which is known to be so. */
+  Vertical
+  reversed() const
+  {
+    Vertical vertical = *this;
+    vertical.direction = -direction;
+    vertical.is_found = vertical.is_end_known = true;
+    vertical.doubtful.setZero();
+    return vertical;
+  }
 };
 
 /** \brief Find the vertical from floors, ceilings and walls.
