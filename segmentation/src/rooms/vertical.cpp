@@ -296,11 +296,12 @@ chooseEnd(const Points& sample,
   // Scans that lie upside down are rare, and real ones that stand upright have up
   // to 1.9 times as many things at their ceilings.
   constexpr double certainly = 3.0;
-  const int end = candidate.has_rooms ? things.clearEnd() : 0;
+  const int certain_end = things.clearEnd(certainly);
+  const int end = candidate.has_rooms ? things.clearEnd() : certain_end;
   int axis = 0; // that the direction is most along
   candidate.direction.cwiseAbs().maxCoeff(&axis);
   const bool is_turned =
-      is_near_z ? candidate.has_rooms && things.clearEnd(certainly) == 1
+      is_near_z ? candidate.has_rooms && certain_end == 1
                 : end == 1 || (end == 0 && candidate.direction[axis] < 0.0);
   vertical.direction = candidate.direction.cast<float>();
   if (is_turned)

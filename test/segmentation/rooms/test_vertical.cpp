@@ -127,6 +127,18 @@ TEST(Vertical, FurnitureTellsFloorsFromCeilings)
     }
 }
 
+TEST(Vertical, ThingsAtTheCeilingsOfLowRoomsRaiseADoubt)
+{
+  for (const double turn : {0.0, 180.0}) {
+    auto points = turned(house(), turnAbout(Eigen::Vector3d::UnitX(), turn));
+    for (auto& point : points)
+      point *= 0.6f; // 1.5 m: no rooms in any unit, as in scans that show little
+    const auto vertical = findVertical(points);
+    EXPECT_EQ(vertical.upAxis(), Eigen::Vector3f::UnitZ()) << turn;
+    EXPECT_EQ(vertical.is_end_known, turn == 0.0) << turn;
+  }
+}
+
 TEST(Vertical, MoreThingsAtACeilingAreNoProof)
 {
   EXPECT_EQ((ThingsAtEnds{110, 210, 1800}.clearEnd()), 1); // a real map that is upright
