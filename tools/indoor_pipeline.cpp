@@ -147,6 +147,7 @@ main(int argc, char** argv)
     work.setFrame(scene.building_pose, scene.report.metres_per_unit);
     options.frame.settle(scene.report);
     scene.understood = understood;
+    scene.understood.settle(scene.report);
     const auto standing = standingPoints(scan.file, work, scene);
     findWalls(options, *standing, scene, report);
     const ObjectSearch search = {

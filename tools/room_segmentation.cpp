@@ -125,6 +125,7 @@ segment(RoomSettings& options,
       segmentRooms(file, options.frame, understood.frame, segmentation, printWarning),
       understood};
   options.frame.settle(found.report);
+  found.understood.settle(found.report);
   progress.done(summaryOf(segmentation));
   sayIfEmpty(file.path, segmentation, found);
   appendField(file.cloud, "room", found.room_of_point);

@@ -145,6 +145,31 @@ TEST_F(OverviewResults, AMissingCeilingIsSaid)
   EXPECT_EQ(jsonOf("rooms.json")["overview"], overview);
 }
 
+TEST_F(OverviewResults, AnEmptyBuildingUpsideDownIsTurnedAndSaid)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (const auto& p : pcl::indoor::test::bentCorridorWithThreeRooms().points)
+    cloud.emplace_back(p.x(), -p.y(), -p.z());
+  const auto scan = path("hanging.pcd");
+  pcl::io::savePCDFileBinary(scan, cloud);
+  const std::string line =
+      "The scan is upside down: taken as upright along -z (-up -z). "
+      "Taken along z, 3 of 3 passages";
+  const auto isTurned = [&](const Json& json) {
+    EXPECT_TRUE(says(line)) << said();
+    EXPECT_TRUE(has(json["warnings"], line));
+    EXPECT_EQ(json["overview"]["up"], Json({0.0, 0.0, -1.0}));
+    EXPECT_EQ(json["rooms"].size(), 4u);
+  };
+  ASSERT_EQ(run("pcl_room_segmentation",
+                scan + " " + path("rooms.pcd") + " -json " + path("rooms.json")),
+            0);
+  isTurned(jsonOf("rooms.json"));
+  ASSERT_EQ(run("pcl_indoor_pipeline", scan + " " + path("result") + " -model none"),
+            0);
+  isTurned(jsonOf("result/scene.json"));
+}
+
 TEST_F(OverviewResults, AResultWithoutRoomsSaysWhy)
 {
   const auto scan = save("slice.pcd", isNoSlice);

@@ -63,6 +63,7 @@ described(SceneOptions& options,
   work.setFrame(scene.building_pose, scene.report.metres_per_unit);
   options.frame.settle(scene.report);
   scene.understood = understood;
+  scene.understood.settle(scene.report);
   const auto standing = tool::standingPoints(scan.file, work, scene);
   tool::findWalls(options, *standing, scene, report);
   const tool::ObjectSearch search = {

@@ -14,6 +14,21 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+
+namespace pcl::indoor {
+
+void
+UnderstoodScan::settle(const ScanReport& report)
+{
+  if (report.up_axis.dot(frame.up_axis) >= 0.0f)
+    return;
+  frame.up_axis = report.up_axis;
+  frame.vertical = frame.vertical.reversed();
+  std::swap(overview.floor_seen, overview.ceiling_seen);
+}
+
+} // namespace pcl::indoor
 
 namespace pcl::indoor::tool {
 namespace {

@@ -56,6 +56,10 @@ struct UnderstoodScan {
   NormalsFrom normals = NormalsFrom::NoneInFile;
   bool has_colors = false;
   std::size_t stations = 1;
+
+  /** \brief Stand it the other way up if the rooms were found so. */
+  void
+  settle(const ScanReport& report);
 };
 
 /** \brief The scan that a scene was found in. */
