@@ -11,8 +11,11 @@
 namespace pcl {
 namespace indoor {
 
+namespace {
+
+/** \brief Beside the library as it is installed, or built. */
 std::string
-bundledModelFile()
+dataFile(const char* name)
 {
   namespace fs = std::filesystem;
   Dl_info info{};
@@ -23,9 +26,23 @@ bundledModelFile()
   const auto folder = library.parent_path();
   const auto installed = folder / PCL_INDOOR_DATA_FROM_LIBRARIES;
   const auto built = folder.parent_path() / "share" / "pcl_indoor";
-  return ((fs::exists(installed, error) ? installed : built) / "indoor_objects.model")
+  return ((fs::exists(installed, error) ? installed : built) / name)
       .lexically_normal()
       .string();
+}
+
+} // namespace
+
+std::string
+bundledModelFile()
+{
+  return dataFile("indoor_objects.model");
+}
+
+std::string
+bundledNetworkFile()
+{
+  return dataFile("indoor_voxels.network");
 }
 
 } // namespace indoor

@@ -273,6 +273,7 @@ def describe(
     voxel_size: Optional[float] = None,
     min_area: Optional[float] = None,
     model: Union[str, "os.PathLike[str]", None] = None,
+    network: Optional[str] = None,
     remove_outliers: bool = False,
     threads: Optional[int] = None,
     columns: Optional[str] = None,
@@ -311,6 +312,9 @@ def describe(
     model : text
         file of a classifier that pcl_eppf_train has made; bundled = furniture, doors and windows,
         none = no classes (default: bundled)
+    network : auto|all|none
+        where a network of voxels votes on what is floor, wall or ceiling and on names of the
+        bundled model; auto: in rooms whose ceiling was not seen (default: auto)
     remove_outliers : flag
         leave out points of a room that lie alone (pcl::ScanOutlierRemoval); their object is 0
     threads : number
@@ -374,6 +378,7 @@ def describe(
         "voxel_size": voxel_size,
         "min_area": min_area,
         "model": model,
+        "network": network,
         "remove_outliers": remove_outliers,
         "threads": threads,
         "unit": unit,

@@ -11,11 +11,13 @@
 #include "scene/object_classes.h"
 #include "scene/scan_frame.h"
 
+#include <pcl/ml/bundled_model.h>
 #include <pcl/model/building_model.h>
 #include <pcl/segmentation/room_segmentation.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -139,6 +141,7 @@ checkedOptions(SceneOptions options)
 {
   requireOneOf("unit", options.frame.unit, {"auto", "m", "cm", "mm", "ft", "in"});
   requireOneOf("partition", options.partition, {"graph", "lccp"});
+  requireOneOf("network", options.network, {"auto", "all", "none"});
   requireOneOf(
       "normals", options.preparation.normals, {"voxels", "rrht", "multi_scale"});
   options.frame.upAxis(); // throws
@@ -183,6 +186,11 @@ roomWork(const SceneOptions& options)
     work.options.partition = Partition::Lccp;
   work.options.threads = 1; // the threads are busy with the rooms
   work.naming = namingOf(options);
+  if (options.network != "none")
+    work.network = {
+        std::make_shared<const VoxelNetwork>(loadVoxelNetwork(bundledNetworkFile())),
+        options.network == "all",
+        options.model == "bundled" && !options.naming.classify};
   return work;
 }
 

@@ -112,6 +112,7 @@ thesisSceneOptions()
 {
   SceneOptions options;
   options.preset = "thesis";
+  options.network = "none";
   options.rooms = thesisRoomOptions();
   options.objects = thesisOptions();
   return options;

@@ -44,6 +44,7 @@ settingsOf(const SceneOptions& options,
       text("-preset", options.preset),
       text("-partition", options.partition),
       text("-model", options.naming.classify ? "function" : options.model),
+      text("-network", options.network),
       text("-report", "folder")};
   if (points_at_once > 0)
     settings.push_back(number("-points_at_once", points_at_once, "points"));

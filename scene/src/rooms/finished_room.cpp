@@ -4,6 +4,8 @@
  */
 #include "rooms/finished_room.h"
 
+#include "rooms/object_votes.h"
+
 #include <utility>
 
 namespace pcl::indoor::tool {
@@ -24,10 +26,18 @@ finishRoom(RoomPoints room, const RoomWork& work)
   FinishedRoom finished;
   finished.objects = segmentRoomObjects(std::move(room), work.options);
   putBack(removed, finished.objects);
+  ObjectVotes votes;
+  if (work.network.network &&
+      (work.network.in_all_rooms || !hasCeiling(finished.objects))) {
+    votes = votesOf(standing, finished.objects.object_of_point, *work.network.network);
+    nameStructure(votes, finished.objects);
+    if (!work.network.names_things)
+      votes = {};
+  }
   finished.measures = measureObjects(positions, standing, finished.objects);
   if (work.naming)
     finished.classes =
-        classesOf(finished.objects.surfaces, finished.measures, *work.naming);
+        classesOf(finished.objects.surfaces, finished.measures, *work.naming, votes);
   if (!work.keeps_surfaces)
     finished.objects.surfaces = {};
   return finished;

@@ -7,23 +7,33 @@
 #include "rooms/room_preparation.h"
 #include "scene/object_classes.h"
 
+#include <pcl/ml/voxel_network.h>
 #include <pcl/segmentation/room_objects.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace pcl::indoor::tool {
+
+/** \brief A network whose voxels vote on what objects are. */
+struct VotingNetwork {
+  std::shared_ptr<const VoxelNetwork> network; ///< or none
+  bool in_all_rooms = false;                   ///< also where a ceiling was seen
+  bool names_things = false;                   ///< beside telling building from things
+};
 
 /** \brief What the rooms of a scan have in common. */
 struct RoomWork {
   RoomPreparation preparation;
   ObjectSegmentationOptions options;
   std::optional<ObjectNaming> naming; ///< without it there are no classes
-  bool keeps_surfaces = false;        ///< of the objects, to learn classes from
-  bool is_standing = true;            ///< z is up and the unit is the metre
+  VotingNetwork network;
+  bool keeps_surfaces = false; ///< of the objects, to learn classes from
+  bool is_standing = true;     ///< z is up and the unit is the metre
   double metres_per_unit = 1.0;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< of the building
 

@@ -12,6 +12,7 @@
 #include <pcl/ml/object_classifier.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numeric>
 
@@ -45,6 +46,33 @@ likeliest(const std::vector<float>& probabilities)
   result.category = result.top.front().first;
   result.confidence = result.top.front().second;
   return result;
+}
+
+/** \brief The weighted geometric mean of a model's probabilities and an object's
+ * votes. */
+std::vector<float>
+withVotes(std::vector<float> probabilities,
+          const std::vector<std::string>& names,
+          const ObjectVotes& votes,
+          std::size_t object)
+{
+  constexpr float weight = 0.75f, least = 1e-3f; // of the votes; of what is never sure
+  float sum = 0;
+  for (std::size_t c = 0; c < probabilities.size(); ++c) {
+    const auto at = std::find(votes.classes.begin(), votes.classes.end(), names[c]);
+    const float vote =
+        at == votes.classes.end()
+            ? 0.0f
+            : votes.of_object[object]
+                             [static_cast<std::size_t>(at - votes.classes.begin())];
+    auto& probability = probabilities[c];
+    probability =
+        std::pow(probability + least, 1 - weight) * std::pow(vote + least, weight);
+    sum += probability;
+  }
+  for (auto& probability : probabilities)
+    probability /= sum;
+  return probabilities;
 }
 
 } // namespace
@@ -83,7 +111,8 @@ classNames(const ObjectNaming& naming)
 std::vector<ObjectClass>
 classesOf(const std::vector<ObjectSurface>& surfaces,
           const std::vector<ObjectMeasures>& measures,
-          const ObjectNaming& naming)
+          const ObjectNaming& naming,
+          const ObjectVotes& votes)
 {
   const auto undescribed = withoutDescription(classNames(naming));
   std::vector<ObjectClass> classes(surfaces.size());
@@ -104,8 +133,10 @@ classesOf(const std::vector<ObjectSurface>& surfaces,
     throw ToolError("the naming of objects gives " + std::to_string(found.size()) +
                     " results for " + std::to_string(objects.size()) + " objects");
   for (std::size_t k = 0; k < found.size(); ++k)
-    if (!found[k].probabilities.empty())
-      classes[numbers[k]] = likeliest(found[k].probabilities);
+    if (const auto& own = found[k].probabilities; !own.empty())
+      classes[numbers[k]] = likeliest(
+          votes.of_object.empty() ? own
+                                  : withVotes(own, naming.classes, votes, numbers[k]));
   return classes;
 }
 

@@ -14,6 +14,12 @@
 
 namespace pcl::indoor::tool {
 
+/** \brief How probably objects are of the classes of a network. */
+struct ObjectVotes {
+  std::vector<std::string> classes; ///< of the network: floor, wall, ceiling, others
+  std::vector<std::vector<float>> of_object; ///< a value per class; empty: no votes
+};
+
 /** \brief The file of the model that was asked for; empty if none was. */
 std::string
 modelFile(const SceneOptions& options);
@@ -30,10 +36,13 @@ classNames(const ObjectNaming& naming);
 /** \brief Name things, each for itself; floors, walls and ceilings have no class.
  * \param[in] surfaces one per object, see objectSurfaces()
  * \param[in] measures of the same objects
+ * \param[in] votes of the same objects, or none: then a name's probability is the
+ * geometric mean of both, three quarters of it the votes'
  */
 std::vector<ObjectClass>
 classesOf(const std::vector<ObjectSurface>& surfaces,
           const std::vector<ObjectMeasures>& measures,
-          const ObjectNaming& naming);
+          const ObjectNaming& naming,
+          const ObjectVotes& votes = {});
 
 } // namespace pcl::indoor::tool

@@ -14,6 +14,8 @@
 #include "scan/scan.h"
 #include "scene/object_classes.h" // for modelFile
 
+#include <pcl/ml/bundled_model.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -91,6 +93,8 @@ keyOfRun(const PipelineOptions& options, const std::vector<Setting>& settings)
   const auto model = modelFile(options);
   if (!model.empty())
     text += std::to_string(digestOfFile(model)) + "\n";
+  if (options.network != "none")
+    text += std::to_string(digestOfFile(bundledNetworkFile())) + "\n";
   std::uint64_t key = 0;
   for (const auto& file : scanFiles(options.inputs).paths) {
     text += std::filesystem::path(file).filename().string() + "\n";

@@ -14,5 +14,10 @@ namespace indoor {
 std::string
 bundledModelFile();
 
+/** \brief The same of the voxel network that tells things from the building where no
+ * ceiling was seen. */
+std::string
+bundledNetworkFile();
+
 } // namespace indoor
 } // namespace pcl

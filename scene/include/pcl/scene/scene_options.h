@@ -73,6 +73,9 @@ struct SceneOptions {
   /** File of a classifier, "bundled" = the one that comes with this library, "none" =
    * no classes. */
   std::string model = "bundled";
+  /** Where the bundled voxel network votes on what is building and, with the bundled
+   * model, on names: "auto" = in rooms whose ceiling was not seen, "all" or "none". */
+  std::string network = "auto";
   ObjectNaming naming;     ///< used in place of the model, if it has a function
   int threads = 0;         ///< 0 = automatic; the result does not depend on it
   std::string work_folder; ///< where large scans are divided into their rooms; empty:

@@ -1,0 +1,76 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Rows of weights and what is added, for each output. */
+struct VoxelLayer {
+  std::size_t inputs = 0;
+  std::size_t outputs = 0;
+  std::vector<float> weights; ///< of each tap inputs x outputs, row by row
+  std::vector<float> bias;    ///< one per output
+};
+
+/** \brief A sparse voxel U-net: what each voxel of a room is part of, by the shapes
+ * around it.
+ *
+ * Submanifold sparse convolutions (Graham et al., CVPR 2018) on five levels of voxels,
+ * from 5 to 80 cm. No part of the thesis. docs/method/voxel_network.md
+ */
+struct VoxelNetwork {
+  std::vector<std::string> classes;      ///< floor, wall, ceiling, then those of things
+  std::vector<std::size_t> widths;       ///< values of a voxel, by level
+  double voxel_size = 0.0;               ///< of the first level, metres
+  VoxelLayer stem;                       ///< of the neighbours, from the inputs
+  std::vector<VoxelLayer> first, second; ///< of the neighbours, by level
+  std::vector<VoxelLayer> down, up;      ///< of the eight children, by level but one
+  std::vector<VoxelLayer> joined;        ///< of the neighbours, after going up
+  VoxelLayer last;                       ///< one output per class
+};
+
+/** \brief The network of a file.
+ * \throws pcl::IOException that says in one line what is wrong with it: not a network,
+ * damaged, cut off, or not there
+ */
+VoxelNetwork
+loadVoxelNetwork(const std::string& path);
+
+/** \brief What each voxel was taken for. */
+struct VoxelClasses {
+  std::vector<std::uint32_t> voxel_of_point;
+  std::size_t class_count = 0;
+  /** class_count per voxel, their sum is 1; of what is wider than 40 m per point */
+  std::vector<float> probabilities;
+
+  /** \brief Those of a point. */
+  const float*
+  of(std::size_t point) const
+  {
+    return probabilities.data() + voxel_of_point[point] * class_count;
+  }
+};
+
+/** \brief What the points of a room are part of.
+ *
+ * Time is linear in the voxels: about 0.2 million multiplications for each. Memory is
+ * 1 kB for each, at most for those of 24 x 24 m, which wide clouds are gone through in.
+ * The result does not depend on the order of the points but for rounding.
+ * \param[in] points finite, metres, z up; of a room, or of a few
+ * \throws pcl::BadArgumentException if they are more than 262,080 voxels high
+ */
+VoxelClasses
+classifyVoxels(const std::vector<Eigen::Vector3f>& points, const VoxelNetwork& network);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,115 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "rooms/object_votes.h"
+
+#include <pcl/ml/bundled_model.h>
+#include <pcl/segmentation/objects/room_structure.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+using namespace pcl::indoor;
+using namespace pcl::indoor::tool;
+
+namespace {
+
+constexpr auto floor_kind = static_cast<std::uint32_t>(StructureKind::Floor);
+constexpr auto wall_kind = static_cast<std::uint32_t>(StructureKind::Wall);
+constexpr auto ceiling_kind = static_cast<std::uint32_t>(StructureKind::Ceiling);
+constexpr auto remainder_kind = static_cast<std::uint32_t>(StructureKind::Remainder);
+
+TEST(ObjectVotes, ceilings_of_half_the_floor_count)
+{
+  RoomObjects objects;
+  EXPECT_FALSE(hasCeiling(objects));
+  objects.structure_of_point = {floor_kind, floor_kind, floor_kind, ceiling_kind};
+  EXPECT_FALSE(hasCeiling(objects));
+  objects.structure_of_point.push_back(ceiling_kind);
+  EXPECT_TRUE(hasCeiling(objects));
+}
+
+TEST(ObjectVotes, most_votes_make_structure_of_things_alone)
+{
+  RoomObjects objects;
+  objects.object_of_point = {1, 2, 3, 4, 0, 1};
+  objects.structure_of_point = {0, 0, 0, ceiling_kind, remainder_kind, 0};
+  ObjectVotes votes;
+  votes.of_object = {{0.2f, 0.5f, 0.0f, 0.3f},
+                     {0.3f, 0.2f, 0.0f, 0.5f},
+                     {0.9f, 0.0f, 0.0f, 0.1f},
+                     {0.9f, 0.1f, 0.0f, 0.0f}};
+  nameStructure(votes, objects);
+  const std::vector<std::uint32_t> expected = {
+      wall_kind, 0, floor_kind, ceiling_kind, remainder_kind, wall_kind};
+  EXPECT_EQ(objects.structure_of_point, expected);
+}
+
+/** A room of 4 x 3 m without a ceiling, and a table: objects 1 to 5. */
+class SimpleRoom : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    constexpr float step = 0.03f;
+    for (float u = 0; u < 4; u += step)
+      for (float v = 0; v < 3; v += step) {
+        add(1, u, v, 0);
+        if (v < 2.4f) {
+          add(2, u, 0, v);
+          add(3, u, 3, v);
+          if (u < 3)
+            add(4, 0, u, v);
+        }
+      }
+    for (float u = 0; u < 1.4f; u += step)
+      for (float v = 0; v < 0.8f; v += step)
+        add(5, 1.5f + u, 1.2f + v, 0.74f);
+    for (float z = 0; z < 0.74f; z += step)
+      for (const float x : {1.5f, 2.85f})
+        for (const float y : {1.2f, 1.95f})
+          for (const float side : {0.0f, 0.04f})
+            add(5, x + side, y, z);
+  }
+
+  void
+  add(std::uint32_t object, float x, float y, float z)
+  {
+    points.emplace_back(x, y, z);
+    objects.push_back(object);
+  }
+
+  std::vector<Eigen::Vector3f> points;
+  std::vector<std::uint32_t> objects;
+};
+
+TEST_F(SimpleRoom, bundled_network_knows_it)
+{
+  const auto network = loadVoxelNetwork(bundledNetworkFile());
+  const auto votes = votesOf(points, objects, network);
+  ASSERT_EQ(votes.of_object.size(), 5u);
+  const auto likeliest = [&](std::size_t object) {
+    const auto& of = votes.of_object[object - 1];
+    return votes.classes[static_cast<std::size_t>(
+        std::max_element(of.begin(), of.end()) - of.begin())];
+  };
+  EXPECT_EQ(likeliest(1), "floor");
+  for (std::size_t wall = 2; wall <= 4; ++wall)
+    EXPECT_EQ(likeliest(wall), "wall") << wall;
+  EXPECT_TRUE(likeliest(5) == "table" || likeliest(5) == "desk") << likeliest(5);
+  for (const auto& of : votes.of_object)
+    EXPECT_NEAR(std::accumulate(of.begin(), of.end(), 0.0f), 1.0f, 1e-3f);
+}
+
+TEST_F(SimpleRoom, points_of_no_object_have_no_vote)
+{
+  const auto network = loadVoxelNetwork(bundledNetworkFile());
+  std::fill(objects.begin(), objects.end(), 0u);
+  EXPECT_TRUE(votesOf(points, objects, network).of_object.empty());
+  EXPECT_TRUE(votesOf({}, {}, network).of_object.empty());
+}
+
+} // namespace
