@@ -25,6 +25,7 @@
 #include <pcl/console/print.h>
 #include <pcl/exceptions.h>
 #include <pcl/ml/model_file.h>
+#include <pcl/ml/voxel_network.h>
 #include <pcl/segmentation/objects/boosted_trees.h>
 #include <pcl/simulation/building.h>
 #include <pcl/simulation/plan.h>
@@ -140,6 +141,19 @@ repairModel(std::string& bytes)
   put(end + 4, weights, end);
 }
 
+/** The checksum at the end fits. */
+void
+repairNetwork(std::string& bytes)
+{
+  if (bytes.size() < 4)
+    return;
+  const std::size_t end = bytes.size() - 4;
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), end);
+  for (unsigned k = 0; k < 4; ++k)
+    bytes[end + k] = static_cast<char>(crc.checksum() >> 8 * k);
+}
+
 std::vector<Reader>
 allReaders()
 {
@@ -155,6 +169,11 @@ allReaders()
       {"names", [](const auto& path) { tool::readCategoryNames(path); }},
       {"classes", [](const auto& path) { tool::readClassMap(path); }},
       {"model", readModelFile, repairModel},
+      {"network",
+       [](const auto& path) {
+         classifyVoxels({{0, 0, 0}}, loadVoxelNetwork(path));
+       },
+       repairNetwork},
       {"joining", readJoining},
       {"las", readCloud},
       {"laz", readCloud},
