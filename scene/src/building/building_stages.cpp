@@ -17,7 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <future>
 #include <string>
 #include <utility>
 
@@ -187,10 +187,10 @@ roomWork(const SceneOptions& options)
   work.options.threads = 1; // the threads are busy with the rooms
   work.naming = namingOf(options);
   if (options.network != "none")
-    work.network = {
-        std::make_shared<const VoxelNetwork>(loadVoxelNetwork(bundledNetworkFile())),
-        options.network == "all",
-        options.model == "bundled" && !options.naming.classify};
+    work.network = {std::async(std::launch::deferred,
+                               [] { return loadVoxelNetwork(bundledNetworkFile()); }),
+                    options.network == "all",
+                    options.model == "bundled" && !options.naming.classify};
   return work;
 }
 

@@ -27,9 +27,10 @@ finishRoom(RoomPoints room, const RoomWork& work)
   finished.objects = segmentRoomObjects(std::move(room), work.options);
   putBack(removed, finished.objects);
   ObjectVotes votes;
-  if (work.network.network &&
+  if (work.network.network.valid() &&
       (work.network.in_all_rooms || !hasCeiling(finished.objects))) {
-    votes = votesOf(standing, finished.objects.object_of_point, *work.network.network);
+    votes =
+        votesOf(standing, finished.objects.object_of_point, work.network.network.get());
     nameStructure(votes, finished.objects);
     if (!work.network.names_things)
       votes = {};

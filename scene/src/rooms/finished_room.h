@@ -13,7 +13,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <memory>
+#include <future>
 #include <optional>
 #include <vector>
 
@@ -21,9 +21,9 @@ namespace pcl::indoor::tool {
 
 /** \brief A network whose voxels vote on what objects are. */
 struct VotingNetwork {
-  std::shared_ptr<const VoxelNetwork> network; ///< or none
-  bool in_all_rooms = false;                   ///< also where a ceiling was seen
-  bool names_things = false;                   ///< beside telling building from things
+  std::shared_future<VoxelNetwork> network; ///< read when it is needed; or none
+  bool in_all_rooms = false;                ///< also where a ceiling was seen
+  bool names_things = false;                ///< beside telling building from things
 };
 
 /** \brief What the rooms of a scan have in common. */
