@@ -367,6 +367,8 @@ TEST_F(VoxelNetworkFile, what_is_wrong_is_said)
   has(damaged, "damaged");
   has(bytes().substr(0, 5000), "damaged or cut off");
   has(bytes("[]"), "header");
+  has(bytes(R"({"classes":["a","b","c"],"widths":[16,1e308],"voxel_size":0.05})"),
+      "header");
   has(bytes(R"({"classes":["a","b","c"],"widths":[16,20],"voxel_size":0.05})"),
       "header");
   has(bytes(R"({"classes":["a","b","c"],"widths":[16,16,16],"voxel_size":0.05})"),

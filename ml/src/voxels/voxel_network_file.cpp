@@ -125,7 +125,9 @@ readHeader(const std::string& path, const std::string& line)
   try {
     const auto header = nlohmann::json::parse(line);
     header.at("classes").get_to(network.classes);
-    header.at("widths").get_to(network.widths);
+    for (const auto& width : header.at("widths")) // 1e308 is no whole number
+      network.widths.push_back(width.is_number_unsigned() ? width.get<std::size_t>()
+                                                          : 0);
     header.at("voxel_size").get_to(network.voxel_size);
   } catch (const nlohmann::json::exception&) {
     refuse(path, "has a header that is none");
