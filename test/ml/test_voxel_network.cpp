@@ -259,8 +259,10 @@ TEST(VoxelNetwork, no_points_and_points_far_apart)
   const auto network = randomNetwork();
   EXPECT_TRUE(classifyVoxels({}, network).probabilities.empty());
   EXPECT_EQ(classifyVoxels({{1, 2, 3}}, network).probabilities.size(), classes);
-  EXPECT_THROW(classifyVoxels({{0, 0, 0}, {0, 0, 40000}}, network),
-               pcl::BadArgumentException);
+  const auto far = classifyVoxels({{0, 0, 0}, {0, 0, 40000}, {9e8f, 0, 0}}, network);
+  ASSERT_EQ(far.voxel_of_point.size(), 3u);
+  for (std::size_t c = 0; c < classes; ++c) // each is alone
+    EXPECT_TRUE(std::isfinite(far.of(1)[c]));
 }
 
 TEST(VoxelNetwork, wide_clouds_are_as_if_their_parts_were_alone)

@@ -7,9 +7,8 @@
 
 #include <pcl/ml/voxel_network.h>
 
-#include <pcl/exceptions.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -23,7 +22,6 @@ namespace {
 using Rows = std::vector<float>;
 
 constexpr double margin = 32; // voxels before the first: even, and one on all levels
-constexpr double extent = 1 << 18;
 constexpr double most_at_once = 40;     // m; what is wider is gone through in tiles
 constexpr double tile = 16, around = 4; // m, about what an output depends on
 constexpr double low_share =
@@ -59,17 +57,9 @@ lowLevel(const std::vector<Eigen::Vector3f>& points)
 std::vector<std::uint64_t>
 keysOf(const std::vector<Eigen::Vector3f>& points, double voxel_size)
 {
-  Eigen::Vector3d least = cellOf(points.front(), voxel_size), most = least;
-  for (const auto& point : points) {
-    const Eigen::Vector3d cell = cellOf(point, voxel_size);
-    least = least.cwiseMin(cell);
-    most = most.cwiseMax(cell);
-  }
-  if (!((most - least).maxCoeff() < extent - 2 * margin))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The points are " << (most - least).maxCoeff()
-                                          << " voxels apart, at most "
-                                          << extent - 2 * margin << " are possible.");
+  Eigen::Vector3d least = cellOf(points.front(), voxel_size);
+  for (const auto& point : points)
+    least = least.cwiseMin(cellOf(point, voxel_size));
   std::vector<std::uint64_t> keys;
   keys.reserve(points.size());
   for (const auto& point : points) {
@@ -263,16 +253,18 @@ classifyAtOnce(const std::vector<Eigen::Vector3f>& points,
   return classes;
 }
 
-using Tiles = std::map<std::pair<int, int>, std::vector<std::uint32_t>>;
+using Tile = std::array<int, 3>;
+using Tiles = std::map<Tile, std::vector<std::uint32_t>>;
 
-/** \brief The points of each square tile. */
+/** \brief The points of each cube. */
 Tiles
 tilesOf(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& corner)
 {
   Tiles tiles;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d place = (points[i] - corner).cast<double>() / tile;
-    tiles[{static_cast<int>(place.x()), static_cast<int>(place.y())}].push_back(i);
+    const Eigen::Vector3i place =
+        ((points[i] - corner).cast<double>() / tile).cast<int>();
+    tiles[{place.x(), place.y(), place.z()}].push_back(i);
   }
   return tiles;
 }
@@ -284,22 +276,22 @@ withSurroundings(const Tiles::value_type& own,
                  const std::vector<Eigen::Vector3f>& points,
                  const Eigen::Vector3f& corner)
 {
-  const auto [column, row] = own.first;
-  const Eigen::Array2d least = Eigen::Array2d(column, row) * tile;
+  const auto& place = own.first;
+  const Eigen::Array3d least = Eigen::Array3d(place[0], place[1], place[2]) * tile;
   std::vector<Eigen::Vector3f> local;
   for (const auto i : own.second)
     local.push_back(points[i]);
-  for (int x = column - 1; x <= column + 1; ++x)
-    for (int y = row - 1; y <= row + 1; ++y) {
-      const auto other = tiles.find({x, y});
-      if (other == tiles.end() || other->first == own.first)
-        continue;
-      for (const auto i : other->second) {
-        const Eigen::Array2d place = (points[i] - corner).head<2>().cast<double>();
-        if ((place >= least - around).all() && (place <= least + tile + around).all())
-          local.push_back(points[i]);
-      }
+  for (int n = 0; n < 27; ++n) {
+    const auto other = tiles.find(
+        {place[0] + n % 3 - 1, place[1] + n / 3 % 3 - 1, place[2] + n / 9 - 1});
+    if (other == tiles.end() || other->first == place)
+      continue;
+    for (const auto i : other->second) {
+      const Eigen::Array3d point = (points[i] - corner).cast<double>();
+      if ((point >= least - around).all() && (point <= least + tile + around).all())
+        local.push_back(points[i]);
     }
+  }
   return local;
 }
 
@@ -343,7 +335,7 @@ classifyVoxels(const std::vector<Eigen::Vector3f>& points, const VoxelNetwork& n
     most = most.cwiseMax(point);
   }
   const double low = lowLevel(points);
-  return (most - least).head<2>().maxCoeff() <= most_at_once
+  return (most - least).maxCoeff() <= most_at_once
              ? classifyAtOnce(points, network, low)
              : classifyInTiles(points, network, least, low);
 }

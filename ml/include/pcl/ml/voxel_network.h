@@ -50,7 +50,7 @@ loadVoxelNetwork(const std::string& path);
 struct VoxelClasses {
   std::vector<std::uint32_t> voxel_of_point;
   std::size_t class_count = 0;
-  /** class_count per voxel, their sum is 1; of what is wider than 40 m per point */
+  /** class_count per voxel, their sum is 1; of what is larger than 40 m per point */
   std::vector<float> probabilities;
 
   /** \brief Those of a point. */
@@ -64,10 +64,10 @@ struct VoxelClasses {
 /** \brief What the points of a room are part of.
  *
  * Time is linear in the voxels: about 0.2 million multiplications for each. Memory is
- * 1 kB for each, at most for those of 24 x 24 m, which wide clouds are gone through in.
+ * 1 kB for each, at most for those of cubes of 24 m, which larger clouds are gone
+ * through in.
  * The result does not depend on the order of the points but for rounding.
  * \param[in] points finite, metres, z up; of a room, or of a few
- * \throws pcl::BadArgumentException if they are more than 262,080 voxels high
  */
 VoxelClasses
 classifyVoxels(const std::vector<Eigen::Vector3f>& points, const VoxelNetwork& network);
