@@ -4,13 +4,12 @@
  */
 #include <pcl/ml/model_file.h>
 
+#include "file_bytes.h"
 #include "model_header.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/plain_message.h>
 #include <pcl/indoor/require_valid.h>
-
-#include <boost/crc.hpp>
 
 #include <Eigen/Core> // for Eigen::half
 
@@ -42,14 +41,6 @@ refuse(std::string problem)
   PCL_THROW_EXCEPTION(IOException, problem);
 }
 
-std::uint32_t
-checksum(const char* bytes, std::size_t count)
-{
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes, count);
-  return crc.checksum();
-}
-
 /** \brief Append an unsigned number, the lowest byte first. */
 template <typename T>
 void
@@ -57,17 +48,6 @@ append(std::string& bytes, T number)
 {
   for (std::size_t k = 0; k < sizeof(T); ++k)
     bytes.push_back(static_cast<char>(number >> (8 * k) & 0xff));
-}
-
-template <typename T>
-T
-numberAt(const char* bytes)
-{
-  T number = 0;
-  for (std::size_t k = 0; k < sizeof(T); ++k)
-    number =
-        static_cast<T>(number | T(static_cast<unsigned char>(bytes[k])) << (8 * k));
-  return number;
 }
 
 /** \brief Whether a layer's weights may be stored in 16 bits. Scale and BatchNorm may

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "file_bytes.h"
 #include "voxels/row_sums.h"
 
 #include <pcl/ml/voxel_network.h>
@@ -9,8 +10,6 @@
 #include <pcl/exceptions.h>
 
 #include <nlohmann/json.hpp>
-
-#include <boost/crc.hpp>
 
 #include <cmath>
 #include <cstring>
@@ -39,14 +38,6 @@ contentOf(const std::string& path)
   if (!file)
     refuse(path, "cannot be read");
   return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::uint32_t
-checksum(const char* bytes, std::size_t count)
-{
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes, count);
-  return crc.checksum();
 }
 
 /** \brief Reads layers one after the other: for each output a factor and a bias, both
@@ -102,9 +93,7 @@ private:
     const char* const taken = take(4 * count);
     std::vector<float> values(count);
     for (std::size_t i = 0; i < count; ++i) {
-      std::uint32_t bits = 0;
-      for (unsigned k = 0; k < 4; ++k)
-        bits |= std::uint32_t(static_cast<unsigned char>(taken[4 * i + k])) << 8 * k;
+      const auto bits = numberAt<std::uint32_t>(taken + 4 * i);
       std::memcpy(&values[i], &bits, 4);
       if (!std::isfinite(values[i]))
         refuse(path_, "has a weight that is no number");
@@ -154,10 +143,7 @@ loadVoxelNetwork(const std::string& path)
   if (header_end == std::string::npos || content.size() < header_end + 1 + 4)
     refuse(path, "is cut off");
   const std::size_t size = content.size() - 4;
-  std::uint32_t expected = 0;
-  for (unsigned k = 0; k < 4; ++k)
-    expected |= std::uint32_t(static_cast<unsigned char>(content[size + k])) << 8 * k;
-  if (checksum(content.data(), size) != expected)
+  if (checksum(content.data(), size) != numberAt<std::uint32_t>(content.data() + size))
     refuse(path, "is damaged or cut off");
   auto network = readHeader(
       path, content.substr(first_line.size(), header_end - first_line.size()));
