@@ -191,6 +191,8 @@ function(pcl_addon_add_tests folder)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/test ${PROJECT_SOURCE_DIR}/${module}/src)
     target_link_libraries(${target} PRIVATE GTest::gtest_main ${ARG_LINK})
     target_link_options(${target} PRIVATE LINKER:--as-needed)
+    target_compile_options(${target} PRIVATE -fPIC -O1) # as test_headers has them
+    target_precompile_headers(${target} REUSE_FROM test_headers)
     gtest_discover_tests(${target} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60)
   endforeach()
 endfunction()
