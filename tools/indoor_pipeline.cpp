@@ -61,8 +61,10 @@ workFolder(const Options& options)
 UnderstoodScan
 understand(const Options& options, const ScanContent& scan, Progress& progress)
 {
-  auto understood =
-      understand(scan.file, options.frame, scan.pointCount(), options.ignore_normals);
+  auto understood = understand(scan.file,
+                               options.frame,
+                               scan.pointCount(),
+                               {options.ignore_normals, options.network == "none"});
   progress.say(paragraphOf(scan.file.path, understood));
   return understood;
 }

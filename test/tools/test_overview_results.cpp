@@ -5,6 +5,7 @@
 // Runs pcl_indoor_pipeline and pcl_room_segmentation on scans that lack something and
 // looks at what is said, on stderr and in the JSON files.
 #include "support/folder_test.h"
+#include "support/room_with_chairs.h"
 #include "support/synthetic_scenes.h"
 
 #include <pcl/io/pcd_io.h>
@@ -168,6 +169,38 @@ TEST_F(OverviewResults, AnEmptyBuildingUpsideDownIsTurnedAndSaid)
   ASSERT_EQ(run("pcl_indoor_pipeline", scan + " " + path("result") + " -model none"),
             0);
   isTurned(jsonOf("result/scene.json"));
+}
+
+TEST_F(OverviewResults, AFewChairsTellWhichEndIsUp)
+{
+  const auto saveCloud = [&](const std::string& name,
+                             const std::vector<Eigen::Vector3f>& points) {
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    for (const auto& point : points)
+      cloud.emplace_back(point.x(), point.y(), point.z());
+    pcl::io::savePCDFileBinary(path(name), cloud);
+    return path(name);
+  };
+  const auto points = pcl::indoor::test::roomWithChairs({0.0f, 0.0f, 0.0f});
+  const auto upright = saveCloud("upright.pcd", points);
+  const auto hanging = saveCloud("hanging.pcd", pcl::indoor::test::upsideDown(points));
+  for (const std::string tool : {"pcl_indoor_pipeline", "pcl_room_segmentation"}) {
+    ASSERT_EQ(run(tool, upright + " -check"), 0);
+    EXPECT_TRUE(says("Up: z, by floors and walls; things are recognised")) << said();
+    ASSERT_EQ(run(tool, hanging + " -check"), 0);
+    EXPECT_TRUE(says("Up: -z, by floors and walls; things are recognised")) << said();
+  }
+  ASSERT_EQ(run("pcl_indoor_pipeline", hanging + " -check -network none"), 0);
+  EXPECT_TRUE(says("Up: z, by floors and walls; no furniture")) << said();
+  ASSERT_EQ(run("pcl_room_segmentation",
+                hanging + " " + path("rooms.pcd") + " -json " + path("rooms.json")),
+            0);
+  const auto rooms = jsonOf("rooms.json");
+  EXPECT_TRUE(has(rooms["warnings"],
+                  "The scan is upside down: taken as upright along -z (-up -z)."));
+  EXPECT_EQ(rooms["overview"]["up"], Json({0.0, 0.0, -1.0}));
+  ASSERT_EQ(run("pcl_room_segmentation", hanging + " " + path("r.pcd") + " -up z"), 0);
+  EXPECT_TRUE(says("Up: z, as set.")) << said();
 }
 
 TEST_F(OverviewResults, AResultWithoutRoomsSaysWhy)

@@ -4,10 +4,12 @@
  */
 #include "scene/understood_scan.h"
 
+#include "scene/recognised_end.h"
 #include "scene/room_json.h" // for positionJson
 #include "text/printable.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/ml/bundled_model.h>
 #include <pcl/segmentation/rooms/scan_unit.h>
 #include <pcl/segmentation/scan_warnings.h>
 
@@ -120,6 +122,26 @@ findFrame(const std::vector<Eigen::Vector3f>& points,
                          : ""; // the scale is another one
 }
 
+/** Where furniture does not clearly tell which end is up, what can be recognised does.
+ */
+void
+findEnd(std::vector<Eigen::Vector3f> points, UnderstoodScan& scan)
+{
+  const auto& vertical = scan.frame.vertical;
+  if (scan.up_is_set || !vertical.is_found ||
+      (vertical.is_end_known && vertical.is_furnished))
+    return;
+  moveIntoBuildingFrame(points, scan.frame.up_axis, scan.frame.metres_per_unit);
+  takeOutFarPoints(points);
+  const int end = recognisedEnd(points, loadVoxelNetwork(bundledNetworkFile()));
+  if (end < 0) {
+    scan.frame.up_axis = -scan.frame.up_axis;
+    scan.frame.vertical = vertical.reversed();
+  }
+  if (end != 0)
+    scan.frame.vertical.is_end_known = scan.end_is_recognised = true;
+}
+
 NormalsFrom
 normalsFrom(const CloudFile& file, bool ignores_normals)
 {
@@ -187,7 +209,9 @@ frameText(const UnderstoodScan& scan)
   else if (scan.frame.up_axis.cwiseAbs().maxCoeff() < 1.0f)
     text +=
         ", " + fixedText(scan.frame.vertical.tilt() / degree, 1) + " degrees from z";
-  if (!scan.frame.vertical.is_furnished)
+  if (scan.end_is_recognised)
+    text += "; things are recognised with this end up";
+  else if (!scan.frame.vertical.is_furnished)
     text += "; no furniture tells floors from ceilings";
   return text + ".";
 }
@@ -274,17 +298,19 @@ UnderstoodScan
 understand(const CloudFile& file,
            const ScanFrame& frame,
            std::uint64_t points,
-           bool ignores_normals)
+           const OverlookedParts& overlooked)
 {
   UnderstoodScan scan;
   scan.points = points;
   scan.finite_points = file.finite_count;
   scan.is_sample = points > file.points->size();
-  scan.normals = normalsFrom(file, ignores_normals);
+  scan.normals = normalsFrom(file, overlooked.normals);
   scan.has_colors = hasField(file.cloud, "rgb") || hasField(file.cloud, "rgba");
   scan.stations = std::max<std::size_t>(1, file.stations.size());
   const auto finite = finitePointsOf(file);
   findFrame(finite, frame, scan);
+  if (!overlooked.things)
+    findEnd(finite, scan);
   ScanFrame likely;
   likely.unit = scan.likely_unit.empty() ? scan.unit : scan.likely_unit;
   scan.overview = scanOverview(finite, scan.frame.up_axis, likely.metresPerUnit());

@@ -18,14 +18,21 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief Look at a scan, in well under a second.
+/** \brief What of a scan is not looked at. */
+struct OverlookedParts {
+  bool normals = false;
+  bool things = false; ///< by the bundled voxel network, for which end is up
+};
+
+/** \brief Look at a scan, in well under a second; in some two where furniture does not
+ * clearly tell which end is up.
  * \param[in] points of the whole scan, of which the file has them all or a sample
  */
 UnderstoodScan
 understand(const CloudFile& file,
            const ScanFrame& frame,
            std::uint64_t points,
-           bool ignores_normals = false);
+           const OverlookedParts& overlooked = {});
 
 /** \brief What there is, a sentence or two each: points, unit and vertical, what was
  * seen. */

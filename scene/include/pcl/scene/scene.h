@@ -52,7 +52,8 @@ struct UnderstoodScan {
   std::string unit;                            ///< that is used
   std::string likely_unit; ///< that the height of the rooms suggests; empty if no other
   UprightFrame frame;
-  bool up_is_set = false; ///< by the user
+  bool up_is_set = false;         ///< by the user
+  bool end_is_recognised = false; ///< by things that are recognised with it up
   NormalsFrom normals = NormalsFrom::NoneInFile;
   bool has_colors = false;
   std::size_t stations = 1;

@@ -1,0 +1,101 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include "scene/recognised_end.h"
+
+#include <pcl/indoor/point_cells.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <future>
+#include <utility>
+
+namespace pcl::indoor::tool {
+namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
+
+/** The squares that show most surface, of so many cells in all. */
+std::vector<Points>
+mostSurface(const Points& points, double cell_size)
+{
+  constexpr double side = 5.0;           // metres
+  constexpr std::size_t enough = 50'000; // cells
+  Points flat;
+  flat.reserve(points.size());
+  for (const auto& point : points)
+    flat.emplace_back(point.x(), point.y(), 0.0f);
+  const auto squares = groupByCell(flat, side);
+  std::vector<std::pair<std::size_t, Points>> by_cells;
+  for (std::size_t square = 0; square < squares.size(); ++square) {
+    Points own;
+    for (const auto point : squares.pointsOf(square))
+      own.push_back(points[point]);
+    const auto cells = groupByCell(own, cell_size).size();
+    by_cells.emplace_back(cells, std::move(own));
+  }
+  std::stable_sort(by_cells.begin(), by_cells.end(), [](const auto& a, const auto& b) {
+    return a.first > b.first;
+  });
+  std::vector<Points> most;
+  std::size_t all = 0;
+  for (auto& [cells, own] : by_cells) {
+    if (all >= enough)
+      break;
+    most.push_back(std::move(own));
+    all += cells;
+  }
+  return most;
+}
+
+/** Voxels, and those of them that are a thing of some class. */
+struct Recognised {
+  std::size_t things = 0, all = 0;
+
+  void
+  add(const Points& points, const VoxelNetwork& network)
+  {
+    constexpr float clearly = 0.8f;
+    constexpr std::ptrdiff_t building = 3; // the first classes: floor, wall, ceiling
+    const auto voxels = classifyVoxels(points, network);
+    const auto count = static_cast<std::ptrdiff_t>(voxels.class_count);
+    for (auto row = voxels.probabilities.begin(); row != voxels.probabilities.end();
+         row += count, ++all) {
+      const auto best = std::max_element(row + building, row + count);
+      things += *best > clearly &&
+                network.classes[static_cast<std::size_t>(best - row)] != "other";
+    }
+  }
+
+  double
+  share() const
+  {
+    return all > 0 ? static_cast<double>(things) / static_cast<double>(all) : 0.0;
+  }
+};
+
+} // namespace
+
+int
+recognisedEnd(const Points& points, const VoxelNetwork& network)
+{
+  constexpr double little = 0.01, clearly_more = 2.0;
+  const auto squares = mostSurface(points, network.voxel_size);
+  const auto lookAt = [&](float up) {
+    Recognised recognised;
+    for (auto square : squares) {
+      for (auto& point : square)
+        point = {point.x(), up * point.y(), up * point.z()};
+      recognised.add(square, network);
+    }
+    return recognised.share();
+  };
+  auto turned = std::async(std::launch::async, lookAt, -1.0f);
+  const double up = lookAt(1.0f), down = turned.get();
+  if (up > little && up > clearly_more * down)
+    return 1;
+  return down > little && down > clearly_more * up ? -1 : 0;
+}
+
+} // namespace pcl::indoor::tool

@@ -1,0 +1,25 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <pcl/ml/voxel_network.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl::indoor::tool {
+
+/** \brief With which end up more things are recognised.
+ *
+ * Looks at the squares of 5 m that show most surface: takes a second or two.
+ * \param[in] points metres, the vertical along z
+ * \return 1: as they are; -1: the other way up; 0: there is little to recognise, or
+ * hardly more than the other way up
+ */
+int
+recognisedEnd(const std::vector<Eigen::Vector3f>& points, const VoxelNetwork& network);
+
+} // namespace pcl::indoor::tool
