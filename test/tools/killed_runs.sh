@@ -23,13 +23,13 @@ fail() { echo "$*"; ls -l now; exit 1; }
 pipeline() { # old|new
   local options=(-model none -colour none)
   [ "$1" = old ] || options=(-colour height)
-  exec "$tools"/pcl_indoor_pipeline scan.pcd now -threads 1 "${options[@]}"
+  exec "$tools"/pcl_indoor_pipeline scan.pcd now -up z -threads 1 "${options[@]}"
 }
 
 rooms() { # old|new
   local colour=room
   [ "$1" = old ] || colour=height
-  exec "$tools"/pcl_room_segmentation scan.pcd now/cloud.ply -map now/map -json now/rooms.json -threads 1 -colour $colour
+  exec "$tools"/pcl_room_segmentation scan.pcd now/cloud.ply -up z -map now/map -json now/rooms.json -threads 1 -colour $colour
 }
 
 is_of() { cmp -s "now/$2" "$1/$2"; } # old|new <file>

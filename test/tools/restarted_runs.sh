@@ -18,7 +18,7 @@ fail() { echo "$*"; ls -lAR now; exit 1; }
 "$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.12 -quiet || exit 1
 "$tools"/pcl_scan_simulation "$plan" other.pcd -leaf 0.12 -seed 2 -quiet || exit 1
 
-run() { exec "$tools"/pcl_indoor_pipeline "${scan:-scan.pcd}" now -quiet "$@"; } # in a process of its own
+run() { exec "$tools"/pcl_indoor_pipeline "${scan:-scan.pcd}" now -up z -quiet "$@"; } # in a process of its own
 
 as_new() { # <when>: now holds the results of an undisturbed run, and no more
   diff -rq -x '*.part*' now expected > differences || fail "$1: $(cat differences)"

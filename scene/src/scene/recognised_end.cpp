@@ -16,34 +16,40 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
+Points
+pointsAt(const NumberRange& places, const Points& points)
+{
+  Points some;
+  for (const auto place : places)
+    some.push_back(points[place]);
+  return some;
+}
+
 /** The squares that show most surface, of so many cells in all. */
 std::vector<Points>
 mostSurface(const Points& points, double cell_size)
 {
   constexpr double side = 5.0;           // metres
   constexpr std::size_t enough = 50'000; // cells
-  Points flat;
-  flat.reserve(points.size());
-  for (const auto& point : points)
-    flat.emplace_back(point.x(), point.y(), 0.0f);
+  auto flat = points;
+  for (auto& point : flat)
+    point.z() = 0.0f;
   const auto squares = groupByCell(flat, side);
-  std::vector<std::pair<std::size_t, Points>> by_cells;
-  for (std::size_t square = 0; square < squares.size(); ++square) {
-    Points own;
-    for (const auto point : squares.pointsOf(square))
-      own.push_back(points[point]);
-    const auto cells = groupByCell(own, cell_size).size();
-    by_cells.emplace_back(cells, std::move(own));
-  }
+  Points().swap(flat); // they may be many
+  std::vector<std::pair<std::size_t, std::size_t>> by_cells;
+  for (std::size_t square = 0; square < squares.size(); ++square)
+    by_cells.emplace_back(
+        groupByCell(pointsAt(squares.pointsOf(square), points), cell_size).size(),
+        square);
   std::stable_sort(by_cells.begin(), by_cells.end(), [](const auto& a, const auto& b) {
     return a.first > b.first;
   });
   std::vector<Points> most;
   std::size_t all = 0;
-  for (auto& [cells, own] : by_cells) {
+  for (const auto& [cells, square] : by_cells) {
     if (all >= enough)
       break;
-    most.push_back(std::move(own));
+    most.push_back(pointsAt(squares.pointsOf(square), points));
     all += cells;
   }
   return most;
