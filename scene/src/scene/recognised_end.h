@@ -14,7 +14,7 @@ namespace pcl::indoor::tool {
 
 /** \brief With which end up more things are recognised.
  *
- * Looks at the squares of 5 m that show most surface: takes a second or two.
+ * Looks at the squares of 5 m that show most surface: takes one to three seconds.
  * \param[in] points metres, the vertical along z
  * \return 1: as they are; -1: the other way up; 0: there is little to recognise, or
  * hardly more than the other way up

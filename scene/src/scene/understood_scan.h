@@ -24,9 +24,9 @@ struct OverlookedParts {
   bool things = false; ///< by the bundled voxel network, for which end is up
 };
 
-/** \brief Look at a scan, in well under a second; in some two where furniture does not
- * clearly tell which end is up.
- * \param[in] points of the whole scan, of which the file has them all or a sample
+/** \brief Look at a scan, in well under a second; in one to three more where furniture
+ * does not clearly tell which end is up. \param[in] points of the whole scan, of which
+ * the file has them all or a sample
  */
 UnderstoodScan
 understand(const CloudFile& file,
