@@ -13,7 +13,8 @@ namespace pcl {
 namespace indoor {
 namespace test {
 
-/** The faces of a box, a point per 3 cm. */
+/** All six faces of a box, a point per 3 cm; LabelledPoints::addBox() has no lower one.
+ */
 inline void
 addFaces(const Eigen::Vector3f& low,
          const Eigen::Vector3f& size,

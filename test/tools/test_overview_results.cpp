@@ -5,6 +5,7 @@
 // Runs pcl_indoor_pipeline and pcl_room_segmentation on scans that lack something and
 // looks at what is said, on stderr and in the JSON files.
 #include "support/folder_test.h"
+#include "support/labelled_cloud.h"
 #include "support/room_with_chairs.h"
 #include "support/synthetic_scenes.h"
 
@@ -173,17 +174,11 @@ TEST_F(OverviewResults, AnEmptyBuildingUpsideDownIsTurnedAndSaid)
 
 TEST_F(OverviewResults, AFewChairsTellWhichEndIsUp)
 {
-  const auto saveCloud = [&](const std::string& name,
-                             const std::vector<Eigen::Vector3f>& points) {
-    pcl::PointCloud<pcl::PointXYZ> cloud;
-    for (const auto& point : points)
-      cloud.emplace_back(point.x(), point.y(), point.z());
-    pcl::io::savePCDFileBinary(path(name), cloud);
-    return path(name);
-  };
+  using pcl::indoor::test::cloudOf;
   const auto points = pcl::indoor::test::roomWithChairs({0.0f, 0.0f, 0.0f});
-  const auto upright = saveCloud("upright.pcd", points);
-  const auto hanging = saveCloud("hanging.pcd", pcl::indoor::test::upsideDown(points));
+  const auto upright = path("upright.pcd"), hanging = path("hanging.pcd");
+  pcl::io::savePCDFileBinary(upright, *cloudOf(points));
+  pcl::io::savePCDFileBinary(hanging, *cloudOf(pcl::indoor::test::upsideDown(points)));
   for (const std::string tool : {"pcl_indoor_pipeline", "pcl_room_segmentation"}) {
     ASSERT_EQ(run(tool, upright + " -check"), 0);
     EXPECT_TRUE(says("Up: z, by floors and walls; things are recognised")) << said();

@@ -121,9 +121,10 @@ readHeader(const std::string& path, const std::string& line)
   } catch (const nlohmann::json::exception&) {
     refuse(path, "has a header that is none");
   }
-  bool fits = network.classes.size() >= 3 && network.classes.size() <= most_classes &&
-              network.voxel_size > 0 && std::isfinite(network.voxel_size) &&
-              network.widths.size() >= 2 && network.widths.size() <= most_levels;
+  bool fits = network.classes.size() >= building_classes &&
+              network.classes.size() <= most_classes && network.voxel_size > 0 &&
+              std::isfinite(network.voxel_size) && network.widths.size() >= 2 &&
+              network.widths.size() <= most_levels;
   for (const auto width : network.widths)
     fits = fits && width > 0 && width <= widest && width % row_lanes == 0;
   if (!fits)

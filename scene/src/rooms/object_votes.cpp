@@ -12,8 +12,7 @@
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr float share_of_structure = 0.6f;    // more than half costs fewer things
-constexpr std::ptrdiff_t structure_kinds = 3; // the first classes: floor, wall, ceiling
+constexpr float share_of_structure = 0.6f; // more than half costs fewer things
 
 } // namespace
 
@@ -64,7 +63,7 @@ nameStructure(const ObjectVotes& votes, RoomObjects& objects)
   std::vector<std::uint32_t> kinds(votes.of_object.size(), 0);
   for (std::size_t object = 0; object < kinds.size(); ++object) {
     const auto first = votes.of_object[object].begin();
-    const auto end = first + structure_kinds;
+    const auto end = first + building_classes;
     if (first[0] + first[1] + first[2] > share_of_structure)
       kinds[object] = static_cast<std::uint32_t>(std::max_element(first, end) - first) +
                       static_cast<std::uint32_t>(StructureKind::Floor);

@@ -63,12 +63,11 @@ struct Recognised {
   add(const Points& points, const VoxelNetwork& network)
   {
     constexpr float clearly = 0.8f;
-    constexpr std::ptrdiff_t building = 3; // the first classes: floor, wall, ceiling
     const auto voxels = classifyVoxels(points, network);
     const auto count = static_cast<std::ptrdiff_t>(voxels.class_count);
     for (auto row = voxels.probabilities.begin(); row != voxels.probabilities.end();
          row += count, ++all) {
-      const auto best = std::max_element(row + building, row + count);
+      const auto best = std::max_element(row + building_classes, row + count);
       things += *best > clearly &&
                 network.classes[static_cast<std::size_t>(best - row)] != "other";
     }

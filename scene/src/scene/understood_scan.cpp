@@ -125,12 +125,13 @@ findFrame(const std::vector<Eigen::Vector3f>& points,
 /** Where furniture does not clearly tell which end is up, what can be recognised does.
  */
 void
-findEnd(std::vector<Eigen::Vector3f> points, UnderstoodScan& scan)
+findEnd(const std::vector<Eigen::Vector3f>& finite, UnderstoodScan& scan)
 {
   const auto& vertical = scan.frame.vertical;
   if (scan.up_is_set || !vertical.is_found ||
       (vertical.is_end_known && vertical.is_furnished))
     return;
+  auto points = finite;
   moveIntoBuildingFrame(points, scan.frame.up_axis, scan.frame.metres_per_unit);
   takeOutFarPoints(points);
   const int end = recognisedEnd(points, loadVoxelNetwork(bundledNetworkFile()));

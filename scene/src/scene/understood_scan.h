@@ -25,8 +25,8 @@ struct OverlookedParts {
 };
 
 /** \brief Look at a scan, in well under a second; in one to three more where furniture
- * does not clearly tell which end is up. \param[in] points of the whole scan, of which
- * the file has them all or a sample
+ * does not clearly tell which end is up.
+ * \param[in] points of the whole scan, of which the file has them all or a sample
  */
 UnderstoodScan
 understand(const CloudFile& file,

@@ -22,6 +22,9 @@ struct VoxelLayer {
   std::vector<float> bias;    ///< one per output
 };
 
+/** \brief The first classes of a network are of the building: floor, wall, ceiling. */
+constexpr std::size_t building_classes = 3;
+
 /** \brief A sparse voxel U-net: what each voxel of a room is part of, by the shapes
  * around it.
  *
