@@ -151,7 +151,7 @@ findObjects(const Options& options, const CloudFile& file, Progress& progress)
   pcl::RoomSegmentation<pcl::PointXYZ> rooms;
   rooms.setNumberOfThreads(options.threads);
   const auto room_of_point =
-      segmentRooms(file, {}, {}, rooms, printWarning).room_of_point;
+      segmentRooms(file, {}, {}, false, rooms, printWarning).room_of_point;
   progress.done(summaryOf(rooms));
 
   progress.start("Segmenting objects");

@@ -61,10 +61,11 @@ workFolder(const Options& options)
 UnderstoodScan
 understand(const Options& options, const ScanContent& scan, Progress& progress)
 {
-  auto understood = understand(scan.file,
-                               options.frame,
-                               scan.pointCount(),
-                               {options.ignore_normals, options.network == "none"});
+  auto understood =
+      understand(scan.file,
+                 options.frame,
+                 scan.pointCount(),
+                 {options.ignore_normals, !options.check || options.network == "none"});
   progress.say(paragraphOf(scan.file.path, understood));
   return understood;
 }

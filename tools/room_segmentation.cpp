@@ -122,7 +122,8 @@ segment(RoomSettings& options,
     return true;
   });
   FoundRooms found{
-      segmentRooms(file, options.frame, understood.frame, segmentation, printWarning),
+      segmentRooms(
+          file, options.frame, understood.frame, true, segmentation, printWarning),
       understood};
   options.frame.settle(found.report);
   found.understood.settle(found.report);
@@ -153,7 +154,8 @@ main(int argc, char** argv)
     progress.done(std::to_string(file.points->size()) + " points");
 
     settleMethod(options);
-    const auto understood = understand(file, options.frame, file.points->size());
+    const auto understood =
+        understand(file, options.frame, file.points->size(), {false, !options.check});
     progress.say(paragraphOf(file.path, understood));
     if (options.check) {
       const auto lacks = consequencesOf(understood);

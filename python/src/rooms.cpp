@@ -33,7 +33,8 @@ foundRooms(const tool::RoomSettings& options,
            const tool::CloudFile& file,
            Listener& listener)
 {
-  const auto understood = tool::understand(file, options.frame, file.points->size());
+  const auto understood =
+      tool::understand(file, options.frame, file.points->size(), {false, true});
   Segmentation segmentation;
   segmentation.setOptions(options.rooms);
   segmentation.setProgressCallback([&listener](double share, const char*) {
@@ -41,7 +42,7 @@ foundRooms(const tool::RoomSettings& options,
     return true;
   });
   auto found = tool::segmentRooms(
-      file, options.frame, understood.frame, segmentation, [&](const auto& line) {
+      file, options.frame, understood.frame, true, segmentation, [&](const auto& line) {
         listener.say(line);
       });
   const auto in_none =

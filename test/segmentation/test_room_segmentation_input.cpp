@@ -5,6 +5,7 @@
 
 // What may be wrong with the cloud: its unit, its up axis, far points, sparse points.
 #include "support/room_labels.h"
+#include "support/room_with_chairs.h"
 
 #include <pcl/console/print.h>
 #include <pcl/indoor/usable_point.h>
@@ -54,14 +55,6 @@ scaled(const Points& points, double factor)
   for (const auto& point : points)
     result.push_back((point.cast<double>() * factor).cast<float>());
   return result;
-}
-
-Points
-upsideDown(Points points)
-{
-  for (auto& point : points)
-    point.tail<2>() *= -1.0f; // turned about x
-  return points;
 }
 
 std::size_t
@@ -197,6 +190,56 @@ TEST_F(QuietInput, AnEmptyBuildingUpsideDownIsTurnedByItsDoorsAndSaidOnce)
   EXPECT_EQ(set.getReport().up_axis, Eigen::Vector3f::UnitZ());
   ASSERT_EQ(set.getReport().warnings.size(), 1u);
   EXPECT_NE(set.getReport().warnings[0].find("may be upside down"), std::string::npos);
+}
+
+TEST_F(QuietInput, WhereNothingTellsWhichEndIsUpTheFinderIsAsked)
+{
+  const auto points = emptyRoom({0.0f, 0.0f, 0.0f});
+  for (const int end : {1, 0, -1}) {
+    std::size_t asked = 0;
+    Segmentation rooms;
+    rooms.setInputCloud(cloudOf(points));
+    rooms.setEndFinder([&](const Points& standing) {
+      asked += standing.size() == points.size();
+      return end;
+    });
+    Labels labels;
+    rooms.segment(labels);
+    EXPECT_EQ(asked, 1u);
+    EXPECT_EQ(roomCount(labels), 1u) << end;
+    const auto& report = rooms.getReport();
+    const float up = end < 0 ? -1.0f : 1.0f;
+    EXPECT_EQ(report.up_axis, up * Eigen::Vector3f::UnitZ());
+    EXPECT_EQ(rooms.getBuildingPose().linear()(2, 2), up);
+    EXPECT_EQ(report.end_is_recognised, end != 0);
+    const auto said = report.warnings.empty() ? std::string() : report.warnings[0];
+    EXPECT_EQ(report.warnings.size(), end > 0 ? 0u : 1u);
+    EXPECT_EQ(said.find("The scan is upside down") == 0, end < 0) << said;
+    EXPECT_EQ(said.find("Neither furniture nor passages tell") == 0, end == 0) << said;
+  }
+}
+
+TEST_F(QuietInput, TheFinderIsNotAskedWherePassagesOrTheUserTell)
+{
+  Labels labels;
+  const auto never = [](const Points&) -> int {
+    ADD_FAILURE() << "asked";
+    return 0;
+  };
+  Segmentation set;
+  set.setInputCloud(cloudOf(emptyRoom({0.0f, 0.0f, 0.0f})));
+  set.setUpAxis(Eigen::Vector3f::UnitZ());
+  set.setEndFinder(never);
+  set.segment(labels);
+  Segmentation with_doors;
+  with_doors.setEndFinder(never);
+  with_doors.setInputCloud(cloudOf(bentCorridorWithThreeRooms().points));
+  with_doors.segment(labels);
+  Segmentation stopped;
+  stopped.setEndFinder(never);
+  stopped.setInputCloud(cloudOf(emptyRoom({0.0f, 0.0f, 0.0f})));
+  stopped.setProgressCallback([](double share, const char*) { return share < 0.1; });
+  stopped.segment(labels);
 }
 
 TEST_F(QuietInput, TurningAScanGoesOnWithItsProgressAndCanBeStopped)

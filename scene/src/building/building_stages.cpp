@@ -41,10 +41,13 @@ segmentScene(const SceneOptions& options,
              StageReport& report)
 {
   Scene scene;
-  auto segmented = segmentRooms(
-      file, options.frame, found, segmentation, [&report](const std::string& line) {
-        report.warn(line);
-      });
+  auto segmented =
+      segmentRooms(file,
+                   options.frame,
+                   found,
+                   options.network != "none",
+                   segmentation,
+                   [&report](const std::string& line) { report.warn(line); });
   scene.room_of_point = std::move(segmented.room_of_point);
   scene.report = std::move(segmented.report);
   scene.rooms = segmentation.getRooms();

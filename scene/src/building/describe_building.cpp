@@ -90,11 +90,10 @@ describeBuilding(const Scan& scan, const SceneOptions& given)
     report.start("Reading in parts");
     tool::drawSample(options, content.points_at_once, content, report);
   }
-  const auto understood =
-      tool::understand(content.file,
-                       options.frame,
-                       content.pointCount(),
-                       {options.ignore_normals, options.network == "none"});
+  const auto understood = tool::understand(content.file,
+                                           options.frame,
+                                           content.pointCount(),
+                                           {options.ignore_normals, true});
   auto scene = described(options, content, understood, report);
   const auto emptiness =
       tool::emptinessOf(understood, scene.rooms.size(), scene.counts.in_rooms);

@@ -89,7 +89,7 @@ exchange(Record& record, Scene& scene)
          scene.building_pose.matrix());
   auto& report = scene.report;
   record(report.warnings, report.voxel_size, report.outside);
-  record(report.up_axis, report.metres_per_unit);
+  record(report.up_axis, report.metres_per_unit, report.end_is_recognised);
   record(report.vertical.direction,
          report.vertical.is_found,
          report.vertical.is_end_known,

@@ -5,6 +5,8 @@
 #include "scene/recognised_end.h"
 
 #include <pcl/indoor/point_cells.h>
+#include <pcl/ml/bundled_model.h>
+#include <pcl/ml/voxel_network.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -83,8 +85,9 @@ struct Recognised {
 } // namespace
 
 int
-recognisedEnd(const Points& points, const VoxelNetwork& network)
+recognisedEnd(const Points& points)
 {
+  const auto network = loadVoxelNetwork(bundledNetworkFile());
   constexpr double little = 0.01, clearly_more = 2.0;
   const auto squares = mostSurface(points, network.voxel_size);
   const auto lookAt = [&](float up) {

@@ -4,15 +4,13 @@
  */
 #pragma once
 
-#include <pcl/ml/voxel_network.h>
-
 #include <Eigen/Core>
 
 #include <vector>
 
 namespace pcl::indoor::tool {
 
-/** \brief With which end up more things are recognised.
+/** \brief With which end up the bundled voxel network recognises more things.
  *
  * Looks at the squares of 5 m that show most surface: takes one to three seconds.
  * \param[in] points metres, the vertical along z
@@ -20,6 +18,6 @@ namespace pcl::indoor::tool {
  * hardly more than the other way up
  */
 int
-recognisedEnd(const std::vector<Eigen::Vector3f>& points, const VoxelNetwork& network);
+recognisedEnd(const std::vector<Eigen::Vector3f>& points);
 
 } // namespace pcl::indoor::tool

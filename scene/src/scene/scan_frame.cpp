@@ -6,6 +6,7 @@
 
 #include "files/tool_error.h"
 #include "scene/cloud_stations.h"
+#include "scene/recognised_end.h"
 #include "text/pcl_errors.h"
 #include "text/place_text.h"
 #include "text/printable.h"
@@ -104,6 +105,7 @@ SegmentedRooms
 segmentRooms(const CloudFile& file,
              const ScanFrame& frame,
              const std::optional<UprightFrame>& found,
+             bool looks_at_things,
              RoomSegmentation<PointXYZ>& segmentation,
              const std::function<void(const std::string& line)>& warn)
 {
@@ -113,6 +115,8 @@ segmentRooms(const CloudFile& file,
     segmentation.setMetresPerUnit(frame.metresPerUnit());
   if (found)
     segmentation.setUprightFrame(*found);
+  if (looks_at_things)
+    segmentation.setEndFinder(recognisedEnd);
   segmentation.setStations(scanStations(file));
   segmentation.setInputCloud(file.points);
   SegmentedRooms rooms;

@@ -36,6 +36,8 @@ struct SegmentedRooms {
 
 /** \brief Find the rooms.
  * \param[in] found of the file's points and this frame, if it is known
+ * \param[in] looks_at_things by the bundled voxel network, where neither furniture nor
+ * passages clearly tell which end is up
  * \param[in,out] segmentation its parameters are set; frame and input are set here
  * \param[in] warn is told what is implausible, a line each
  * \throws ToolError if no point has been looked at
@@ -44,6 +46,7 @@ SegmentedRooms
 segmentRooms(const CloudFile& file,
              const ScanFrame& frame,
              const std::optional<UprightFrame>& found,
+             bool looks_at_things,
              RoomSegmentation<PointXYZ>& segmentation,
              const std::function<void(const std::string& line)>& warn);
 

@@ -9,7 +9,6 @@
 #include "text/printable.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
-#include <pcl/ml/bundled_model.h>
 #include <pcl/segmentation/rooms/scan_unit.h>
 #include <pcl/segmentation/scan_warnings.h>
 
@@ -23,6 +22,7 @@ namespace pcl::indoor {
 void
 UnderstoodScan::settle(const ScanReport& report)
 {
+  end_is_recognised |= report.end_is_recognised;
   if (report.up_axis.dot(frame.up_axis) >= 0.0f)
     return;
   frame.up_axis = report.up_axis;
@@ -134,7 +134,7 @@ findEnd(const std::vector<Eigen::Vector3f>& finite, UnderstoodScan& scan)
   auto points = finite;
   moveIntoBuildingFrame(points, scan.frame.up_axis, scan.frame.metres_per_unit);
   takeOutFarPoints(points);
-  const int end = recognisedEnd(points, loadVoxelNetwork(bundledNetworkFile()));
+  const int end = recognisedEnd(points);
   if (end < 0) {
     scan.frame.up_axis = -scan.frame.up_axis;
     scan.frame.vertical = vertical.reversed();

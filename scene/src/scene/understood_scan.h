@@ -21,7 +21,9 @@ namespace pcl::indoor::tool {
 /** \brief What of a scan is not looked at. */
 struct OverlookedParts {
   bool normals = false;
-  bool things = false; ///< by the bundled voxel network, for which end is up
+  /** By the bundled voxel network, for which end is up; segmentRooms() can do it where
+   * rooms are found. */
+  bool things = false;
 };
 
 /** \brief Look at a scan, in well under a second; in one to three more where furniture

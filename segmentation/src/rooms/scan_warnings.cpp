@@ -234,6 +234,13 @@ endOfPassages(const std::vector<RoomOpening>& openings)
                                                         : 0;
 }
 
+bool
+allPassagesStand(const std::vector<RoomOpening>& openings)
+{
+  const Passages passages(openings);
+  return passages.standing >= 2 && passages.hanging == 0;
+}
+
 std::string
 endWarning(const std::vector<RoomOpening>& openings, const Eigen::Vector3f& up_axis)
 {
@@ -241,6 +248,15 @@ endWarning(const std::vector<RoomOpening>& openings, const Eigen::Vector3f& up_a
     return {};
   return "The scan may be upside down: " + Passages(openings).text() +
          "; if it is, set -up " + directionText(-up_axis) + ".";
+}
+
+std::string
+unclearEndNote(const Eigen::Vector3f& up_axis)
+{
+  return "Neither furniture nor passages tell which end of the scan is up, taken "
+         "along " +
+         directionText(up_axis) + ": if floors come out on top, set -up " +
+         directionText(-up_axis) + ".";
 }
 
 std::string

@@ -5,8 +5,6 @@
 #include "scene/recognised_end.h"
 #include "support/room_with_chairs.h"
 
-#include <pcl/ml/bundled_model.h>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,36 +18,29 @@ using pcl::indoor::test::upsideDown;
 
 namespace {
 
-const VoxelNetwork&
-bundledNetwork()
-{
-  static const auto network = loadVoxelNetwork(bundledNetworkFile());
-  return network;
-}
-
 TEST(RecognisedEnd, is_that_with_which_chairs_stand)
 {
   auto points = roomWithChairs({20.0f, -3.0f, 5.0f});
-  EXPECT_EQ(recognisedEnd(points, bundledNetwork()), 1);
-  EXPECT_EQ(recognisedEnd(upsideDown(points), bundledNetwork()), -1);
+  EXPECT_EQ(recognisedEnd(points), 1);
+  EXPECT_EQ(recognisedEnd(upsideDown(points)), -1);
   std::shuffle(points.begin(), points.end(), std::mt19937(1));
-  EXPECT_EQ(recognisedEnd(points, bundledNetwork()), 1);
+  EXPECT_EQ(recognisedEnd(points), 1);
 }
 
 TEST(RecognisedEnd, is_that_of_the_square_that_shows_most)
 {
   auto points = roomWithChairs({0.0f, 0.0f, 0.0f});
   points.insert(points.end(), 100, Eigen::Vector3f(500.0f, 0.0f, 900.0f));
-  EXPECT_EQ(recognisedEnd(points, bundledNetwork()), 1);
-  EXPECT_EQ(recognisedEnd(upsideDown(points), bundledNetwork()), -1);
+  EXPECT_EQ(recognisedEnd(points), 1);
+  EXPECT_EQ(recognisedEnd(upsideDown(points)), -1);
 }
 
 TEST(RecognisedEnd, is_not_known_of_an_empty_room)
 {
-  EXPECT_EQ(recognisedEnd({}, bundledNetwork()), 0);
+  EXPECT_EQ(recognisedEnd({}), 0);
   const auto points = emptyRoom({0.0f, 0.0f, 0.0f});
-  EXPECT_EQ(recognisedEnd(points, bundledNetwork()), 0);
-  EXPECT_EQ(recognisedEnd(upsideDown(points), bundledNetwork()), 0);
+  EXPECT_EQ(recognisedEnd(points), 0);
+  EXPECT_EQ(recognisedEnd(upsideDown(points)), 0);
 }
 
 } // namespace

@@ -140,6 +140,9 @@ TEST(ScanWarnings, PassagesWithSillsHangFromCeilings)
   EXPECT_EQ(endOfPassages(passages({0.25, 0.0, 0.3})), 1);
   EXPECT_EQ(endOfPassages(passages({-0.25, 0.0, -0.3})), -1);
   EXPECT_EQ(endOfPassages(passages({-0.25, 0.0, 0.3})), 0);
+  EXPECT_TRUE(allPassagesStand(passages({-0.25, 0.0, -0.3})));
+  EXPECT_FALSE(allPassagesStand(passages({-0.25, 0.0})));
+  EXPECT_FALSE(allPassagesStand(passages({-0.25, -0.3, -0.3, -0.3, 0.3})));
   const auto turned = reversedNote(passages({0.25, 0.0, 0.3}), Vertical());
   EXPECT_TRUE(holds(turned, "upside down: taken as upright along -z (-up -z)."));
   EXPECT_TRUE(holds(turned, "Taken along z, 2 of 2 passages"));

@@ -222,7 +222,7 @@ public:
    * set, floors, ceilings and walls tell it (indoor::findVertical()): +z where the
    * cloud is level within 1 degree or where they do not tell it. If the passages
    * between the rooms hang from ceilings then, the rooms are found once more the other
-   * way up. getReport() has what was used.
+   * way up; see also setEndFinder(). getReport() has what was used.
    */
   void
   setUpAxis(const Eigen::Vector3f& axis)
@@ -265,6 +265,16 @@ public:
   setUprightFrame(const indoor::UprightFrame& frame)
   {
     upright_frame_ = frame;
+  }
+
+  /** \brief Set who is asked which end is up where neither furniture nor passages
+   * tell it beyond doubt and no axis is set; after the rooms were found, which are
+   * found once more if it is the other one. \param[in] finder (default none)
+   */
+  void
+  setEndFinder(const indoor::EndFinder& finder)
+  {
+    end_finder_ = finder;
   }
 
   /** \brief Give where the scanner stood, and as far as it is known from where it
@@ -404,14 +414,25 @@ private:
   indoor::ScanStations
   stationsOfBuilding(const Indices& indices) const;
 
-  /** \brief Take the scan the other way up if passages hang from ceilings, and stand on
-   * floors then; not if the up axis is set.
+  using FindRooms = std::function<indoor::BuildingRooms()>; ///< of the points
+
+  /** \brief Take the scan the other way up if passages hang from ceilings now and stand
+   * on floors then, or if the end finder says so; not if the up axis is set.
    * \param[in,out] points in the building's frame, which is turned
-   * \param[in] find the rooms of these points
    */
   void
-  turnIfPassagesHang(std::vector<Eigen::Vector3f>& points,
-                     const std::function<indoor::BuildingRooms()>& find);
+  turnIfUpsideDown(std::vector<Eigen::Vector3f>& points, const FindRooms& find);
+
+  void
+  turnIfPassagesStand(std::vector<Eigen::Vector3f>& points, const FindRooms& find);
+
+  /** \brief Ask the end finder, and turn the scan if it says so. */
+  void
+  askEndFinder(std::vector<Eigen::Vector3f>& points, const FindRooms& find);
+
+  /** \brief The note in place of that on the vertical as it was found. */
+  void
+  replaceVerticalNote(const std::string& note);
 
   /** \brief Report what was shown of the points; no indices: those of the cloud. */
   void
@@ -423,6 +444,7 @@ private:
   std::optional<indoor::UprightFrame> upright_frame_; ///< found before
   indoor::ScanStations stations_;
   indoor::ProgressCallback progress_;
+  indoor::EndFinder end_finder_;
   indoor::ScanReport report_;
   indoor::BuildingRooms building_;
   std::vector<indoor::Room> rooms_;

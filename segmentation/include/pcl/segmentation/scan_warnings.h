@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,13 @@ struct ScanReport {
   Vertical vertical; ///< as the points tell it; not looked for where it was set
   Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ(); ///< that was used, unit length
   double metres_per_unit = 1.0;                       ///< that was used
+  bool end_is_recognised = false; ///< the upper one, by an EndFinder
   Indices outside; ///< points beyond the extent of the building, in no room; ascending
 };
+
+/** \brief Tells which end of a scan is up, of points in metres, the vertical along z.
+ * Returns 1: as they are; -1: the other way up; 0: not known */
+using EndFinder = std::function<int(const std::vector<Eigen::Vector3f>& points)>;
 
 /** \brief The unit of a scan that no one has told.
  * \param[in] room_height in the unit of the points; 0 = not known
@@ -67,12 +73,22 @@ feetWarning(const std::vector<Room>& rooms,
 int
 endOfPassages(const std::vector<RoomOpening>& openings);
 
+/** \brief Whether two passages or more begin at the lower end, and none at the upper
+ * one. */
+bool
+allPassagesStand(const std::vector<RoomOpening>& openings);
+
 /** \brief Warn if passages have sills and no lintels, so that floors seem to be
  * ceilings. \param[in] up_axis that the rooms were found with \return one line; empty
  * if endOfPassages() is not the upper one
  */
 std::string
 endWarning(const std::vector<RoomOpening>& openings, const Eigen::Vector3f& up_axis);
+
+/** \brief Say that nothing tells which end is up.
+ * \param[in] up_axis that was taken \return one line */
+std::string
+unclearEndNote(const Eigen::Vector3f& up_axis);
 
 /** \brief Say that the scan was taken the other way up for its passages.
  * \param[in] openings that were found before \param[in] vertical that was taken then

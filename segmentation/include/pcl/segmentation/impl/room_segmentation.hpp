@@ -175,13 +175,19 @@ RoomSegmentation<PointT>::describeInput(const Indices& indices)
 
 template <typename PointT>
 void
-RoomSegmentation<PointT>::turnIfPassagesHang(
-    std::vector<Eigen::Vector3f>& points,
-    const std::function<indoor::BuildingRooms()>& find)
+RoomSegmentation<PointT>::replaceVerticalNote(const std::string& note)
 {
-  if (up_axis_ || indoor::endOfPassages(building_.openings) != 1 ||
-      !indoor::unitWarning(report_.vertical, report_.metres_per_unit).empty())
-    return;
+  auto& lines = report_.warnings;
+  const auto old = indoor::verticalNote(report_.vertical);
+  lines.erase(std::remove(lines.begin(), lines.end(), old), lines.end());
+  warn(note);
+}
+
+template <typename PointT>
+void
+RoomSegmentation<PointT>::turnIfPassagesStand(std::vector<Eigen::Vector3f>& points,
+                                              const FindRooms& find)
+{
   const auto pose = pose_;
   pose_ = pose * indoor::moveIntoBuildingFrame(points, -Eigen::Vector3f::UnitZ());
   auto turned = find();
@@ -189,13 +195,51 @@ RoomSegmentation<PointT>::turnIfPassagesHang(
     pose_ = pose;
     return;
   }
-  auto& lines = report_.warnings;
-  const auto note = indoor::verticalNote(report_.vertical);
-  lines.erase(std::remove(lines.begin(), lines.end(), note), lines.end());
-  warn(indoor::reversedNote(building_.openings, report_.vertical));
+  replaceVerticalNote(indoor::reversedNote(building_.openings, report_.vertical));
   report_.vertical = report_.vertical.reversed();
   report_.up_axis = -report_.up_axis;
   building_ = std::move(turned);
+}
+
+template <typename PointT>
+void
+RoomSegmentation<PointT>::askEndFinder(std::vector<Eigen::Vector3f>& points,
+                                       const FindRooms& find)
+{
+  const int end = end_finder_(points);
+  if (end == 0) {
+    if (report_.vertical.is_end_known) // else it was said
+      warn(indoor::unclearEndNote(report_.up_axis));
+    return;
+  }
+  auto vertical = end > 0 ? report_.vertical : report_.vertical.reversed();
+  vertical.is_end_known = report_.end_is_recognised = true;
+  replaceVerticalNote(indoor::verticalNote(vertical));
+  report_.vertical = vertical;
+  if (end > 0)
+    return;
+  report_.up_axis = -report_.up_axis;
+  pose_ = pose_ * indoor::moveIntoBuildingFrame(points, -Eigen::Vector3f::UnitZ());
+  building_ = find();
+}
+
+template <typename PointT>
+void
+RoomSegmentation<PointT>::turnIfUpsideDown(std::vector<Eigen::Vector3f>& points,
+                                           const FindRooms& find)
+{
+  const auto& vertical = report_.vertical;
+  if (up_axis_ || !indoor::unitWarning(vertical, report_.metres_per_unit).empty())
+    return;
+  if (indoor::endOfPassages(building_.openings) == 1) {
+    turnIfPassagesStand(points, find);
+    return;
+  }
+  const bool is_clear =
+      vertical.is_end_known &&
+      (vertical.is_furnished || indoor::allPassagesStand(building_.openings));
+  if (end_finder_ && vertical.is_found && !is_clear)
+    askEndFinder(points, find);
 }
 
 template <typename PointT>
@@ -233,7 +277,8 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
   };
   try {
     building_ = find();
-    turnIfPassagesHang(points, find);
+    if (goes_on)
+      turnIfUpsideDown(points, find);
   } catch (const BadArgumentException& error) { // such as far too many voxels
     PCL_ERROR("[pcl::RoomSegmentation::segment] %s\n",
               indoor::plainMessage(error).c_str());
