@@ -10,6 +10,8 @@
 #include "text/printable.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
+#include <pcl/ml/bundled_model.h>
+#include <pcl/ml/voxel_network.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ struct Settings {
   std::string room_field = "room", object_field = "object";
   std::string part_field = "part", part_categories, category_field = "category", names;
   std::string model;
-  bool things = false;
+  bool things = false, votes = false;
   double share = 0.5;
   std::uint32_t seed = 1;
 };
@@ -66,9 +68,11 @@ makeParser(Settings& settings)
             "trees that join; without them what is one thing is joined, in random "
             "order")
       .flag("-things", settings.things, "save things instead of pairs; needs -model")
+      .flag("-votes", settings.votes, "ask the bundled voxel network, in all rooms")
       .number("-share", settings.share, "of the pairs saved", "", Range::between(0, 1))
       .number("-seed", settings.seed, "of the order and of what is saved");
-  parser.expert({"-part_categories", "-part_field", "-things", "-share", "-seed"});
+  parser.expert(
+      {"-part_categories", "-part_field", "-things", "-votes", "-share", "-seed"});
   return parser;
 }
 
@@ -298,8 +302,23 @@ saveThings(const ObjectSegmentation& pieces,
   }
 }
 
+/** The bundled voxel network, if it is to be asked. */
+VoxelVoter
+voterOf(const Settings& settings)
+{
+  if (!settings.votes)
+    return {};
+  const auto network =
+      std::make_shared<VoxelNetwork>(loadVoxelNetwork(bundledNetworkFile()));
+  return {[network](const std::vector<Eigen::Vector3f>& points) {
+            return classifyVoxels(points, *network);
+          },
+          true};
+}
+
 void
 saveExamples(const Room& room,
+             const VoxelVoter& voter,
              LearnedCriterion* learned,
              const Settings& settings,
              std::ostream& examples)
@@ -307,6 +326,7 @@ saveExamples(const Room& room,
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
   segmentation.setInputCloud(room.points);
   segmentation.setUseSingleCameraTransform(room.is_view);
+  segmentation.setVoxelVoter(voter);
   std::vector<std::uint32_t> labels;
   const auto problem = problemOf([&] { segmentation.segment(labels); });
   if (labels.empty())
@@ -342,8 +362,9 @@ main(int argc, char** argv)
     progress.done(std::to_string(rooms.size()) + " rooms");
     progress.start("Joining pieces");
     std::ostringstream examples;
+    const auto voter = voterOf(settings);
     for (std::size_t r = 0; r < rooms.size(); ++r) {
-      saveExamples(rooms[r], learned.get(), settings, examples);
+      saveExamples(rooms[r], voter, learned.get(), settings, examples);
       progress.update(r + 1, rooms.size());
     }
     const auto bytes = examples.str();

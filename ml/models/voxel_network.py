@@ -10,8 +10,7 @@ used if there is one: 7,600 steps take 16 minutes on an H100. Without one a step
 
 Convolutions are gathers and products: the rows of the neighbours that a voxel has, times one matrix (submanifold sparse
 convolution, Graham et al., CVPR 2018). Rooms are changed at random in each step, as real ones differ from simulated ones.
-Beside the classes the network learns where the middle of each voxel's thing is, which makes its features better; that
-output is not written.
+Beside the classes the network learns where the middle of each voxel's thing is.
 """
 import argparse
 import json
@@ -326,7 +325,7 @@ def network_bytes(network, names):
         put_layer(f"down.{k}")
         put_layer(f"up.{k}", 8)
         put_layer(f"joined.{k}")
-    put(state["last.weight"][:len(names)].T, state["last.bias"][:len(names)])
+    put(state["last.weight"].T, state["last.bias"])
     content = b"".join(parts)
     return content + zlib.crc32(content).to_bytes(4, "little")
 

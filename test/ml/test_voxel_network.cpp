@@ -132,8 +132,8 @@ public:
     CellRows scores;
     for (const auto& [cell, row] : values) {
       add(network_.last, 0, row, scores[cell]);
-      for (std::size_t c = 0; c < classes; ++c)
-        scores[cell][c] += network_.last.bias[c];
+      for (std::size_t o = 0; o < classes + 3; ++o)
+        scores[cell][o] += network_.last.bias[o];
     }
     return scores;
   }
@@ -233,6 +233,9 @@ TEST(VoxelNetwork, is_what_its_definition_says)
       sum += std::exp(row[c]);
     for (std::size_t c = 0; c < classes; ++c)
       ASSERT_NEAR(found.of(i)[c], std::exp(row[c]) / sum, 1e-3) << i << ' ' << c;
+    const auto& to_middle = found.to_middle[found.voxel_of_point[i]];
+    for (std::size_t k = 0; k < 3; ++k)
+      ASSERT_NEAR(to_middle[k], row[classes + k], 1e-3) << i << ' ' << k;
   }
 }
 
@@ -275,6 +278,7 @@ TEST(VoxelNetwork, wide_clouds_are_as_if_their_parts_were_alone)
     both.push_back(point + Eigen::Vector3f(51.2f, 0, 0));
   const auto found = classifyVoxels(both, network);
   ASSERT_EQ(found.voxel_of_point.size(), both.size());
+  ASSERT_EQ(found.to_middle.size(), both.size());
   std::size_t other = 0; // on the border of two voxels
   for (std::size_t i = 0; i < both.size(); ++i)
     for (std::size_t c = 0; c < classes; ++c)
@@ -325,7 +329,7 @@ protected:
     for (int k = 0; k < 4; ++k)
       content += layer(27, 16, 16);
     content +=
-        layer(8, 16, 16) + layer(8, 16, 16) + layer(27, 32, 16) + layer(1, 16, 3);
+        layer(8, 16, 16) + layer(8, 16, 16) + layer(27, 32, 16) + layer(1, 16, 3 + 3);
     content += std::string(surplus, '\0');
     boost::crc_32_type crc;
     crc.process_bytes(content.data(), content.size());

@@ -249,6 +249,9 @@ classifyAtOnce(const std::vector<Eigen::Vector3f>& points,
   const auto scores = scoresOf(network, std::move(levels), voxels.inputs);
   classes.probabilities =
       probabilitiesOf(scores, network.last.outputs, classes.class_count);
+  for (auto row = scores.data(); row != scores.data() + scores.size();
+       row += network.last.outputs)
+    classes.to_middle.emplace_back(row + classes.class_count);
   classes.voxel_of_point = std::move(voxels.voxel_of_point);
   return classes;
 }
@@ -312,6 +315,7 @@ classifyInTiles(const std::vector<Eigen::Vector3f>& points,
     for (std::size_t k = 0; k < own.second.size(); ++k) {
       all.voxel_of_point[own.second[k]] =
           static_cast<std::uint32_t>(all.probabilities.size() / all.class_count);
+      all.to_middle.push_back(classes.to_middle[classes.voxel_of_point[k]]);
       all.probabilities.insert(
           all.probabilities.end(), classes.of(k), classes.of(k) + all.class_count);
     }

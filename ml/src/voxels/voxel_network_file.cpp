@@ -160,7 +160,7 @@ loadVoxelNetwork(const std::string& path)
     network.up.push_back(reader.read(8, widths[k + 1], widths[k]));
     network.joined.push_back(reader.read(27, 2 * widths[k], widths[k]));
   }
-  network.last = reader.read(1, widths[0], network.classes.size());
+  network.last = reader.read(1, widths[0], network.classes.size() + 3);
   reader.requireEnd();
   return network;
 }

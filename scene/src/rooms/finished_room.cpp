@@ -9,6 +9,21 @@
 #include <utility>
 
 namespace pcl::indoor::tool {
+namespace {
+
+VoxelVoter
+voterOf(const VotingNetwork& voting)
+{
+  VoxelVoter voter;
+  if (voting.network.valid())
+    voter.classify = [&voting](const std::vector<Eigen::Vector3f>& points) {
+      return classifyVoxels(points, voting.network.get());
+    };
+  voter.in_all_rooms = voting.in_all_rooms;
+  return voter;
+}
+
+} // namespace
 
 FinishedRoom
 finishRoom(RoomPoints room, const RoomWork& work)
@@ -24,16 +39,18 @@ finishRoom(RoomPoints room, const RoomWork& work)
   const auto standing = room.positions;
   const auto removed = prepareRoom(work.preparation, room);
   FinishedRoom finished;
-  finished.objects = segmentRoomObjects(std::move(room), work.options);
+  finished.objects =
+      segmentRoomObjects(std::move(room), work.options, voterOf(work.network));
   putBack(removed, finished.objects);
   ObjectVotes votes;
-  if (work.network.network.valid() &&
-      (work.network.in_all_rooms || !hasCeiling(finished.objects))) {
-    votes =
-        votesOf(standing, finished.objects.object_of_point, work.network.network.get());
+  if (finished.objects.votes.class_count > 0) {
+    votes = votesOf(finished.objects);
     nameStructure(votes, finished.objects);
-    if (!work.network.names_things)
+    if (work.network.names_things)
+      votes.classes = work.network.network.get().classes;
+    else
       votes = {};
+    finished.objects.votes = {};
   }
   finished.measures = measureObjects(positions, standing, finished.objects);
   if (work.naming)

@@ -16,28 +16,14 @@ constexpr float share_of_structure = 0.6f; // more than half costs fewer things
 
 } // namespace
 
-bool
-hasCeiling(const RoomObjects& objects)
-{
-  const auto& structure = objects.structure_of_point;
-  const auto count = [&](StructureKind kind) {
-    return std::count(
-        structure.begin(), structure.end(), static_cast<std::uint32_t>(kind));
-  };
-  const auto ceiling = count(StructureKind::Ceiling);
-  return ceiling > 0 && 2 * ceiling >= count(StructureKind::Floor);
-}
-
 ObjectVotes
-votesOf(const std::vector<Eigen::Vector3f>& points,
-        const std::vector<std::uint32_t>& object_of_point,
-        const VoxelNetwork& network)
+votesOf(const RoomObjects& objects)
 {
   ObjectVotes votes;
+  const auto& object_of_point = objects.object_of_point;
   if (object_of_point.empty())
     return votes;
-  const auto voxels = classifyVoxels(points, network);
-  votes.classes = network.classes;
+  const auto& voxels = objects.votes;
   votes.of_object.resize(
       *std::max_element(object_of_point.begin(), object_of_point.end()),
       std::vector<float>(voxels.class_count, 0.0f));

@@ -128,6 +128,8 @@ putBack(const std::vector<std::uint8_t>& removed, RoomObjects& objects)
   }
   spread(objects.object_of_point);
   spread(objects.structure_of_point);
+  if (objects.votes.class_count > 0)
+    spread(objects.votes.voxel_of_point);
 }
 
 } // namespace pcl::indoor::tool

@@ -49,7 +49,7 @@ worthOf(const JoinTree& tree,
   std::vector<std::size_t> points(result.segment_count, 0);
   for (const auto piece : result.piece_of_point)
     ++points[piece];
-  auto worth = expectedFits(tree, options.pieces.scale);
+  auto worth = expectedFits(tree, options.pieces.scale, result.pieces.has_votes);
   for (std::size_t i = 0; i < worth.size(); ++i) {
     auto piece = i;
     if (i >= result.segment_count) {
@@ -106,9 +106,10 @@ joinToThings(const ObjectSegmentationOptions& options,
                               piece_of_voxel,
                               result.segment_count,
                               result.supervoxels,
-                              result.edges},
+                              result.edges,
+                              result.votes},
                              frame);
-  LearnedCriterion criterion(options.pieces.scale);
+  LearnedCriterion criterion(options.pieces.scale, result.pieces.has_votes);
   auto tree = joinPieces(result.pieces, criterion);
   const auto segment_of_piece = thingsOf(tree, options, result);
   result.joins = std::move(tree.joins);

@@ -14,6 +14,7 @@
 #include "objects/points/point_segmentation.h"
 #include "objects/segment_names.h"
 #include "objects/structure/enclosed_structure.h"
+#include "objects/voxel_votes.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/features/unit_normals.h>
@@ -36,6 +37,7 @@ using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::Partition;
 using pcl::indoor::Supervoxels;
+using pcl::indoor::VoxelVoter;
 
 void
 requireFitting(const ObjectSegmentationInput& input,
@@ -156,16 +158,38 @@ spreadToCopies(const DistinctPoints& places, ObjectSegmentation& result)
   scene.voxels.cells.cell_of_point = places.forAll(scene.voxels.cells.cell_of_point);
   pcl::indoor::listPoints(scene.voxels.cells);
   result.piece_of_point = places.forAll(result.piece_of_point);
+  result.votes.voxel_of_point = places.forAll(result.votes.voxel_of_point);
   result.segment_of_point = places.forAll(result.segment_of_point);
+}
+
+/** The sizes to look for objects with where voxels are voted on: votes tell what small
+ * pieces are part of. Voxels are smaller where they were raised, which leaves 1.75
+ * times the spacing of the points. */
+void
+refineSizes(ObjectSegmentationOptions& options)
+{
+  constexpr double share = 0.7, seed_voxels = 3;
+  const auto least = pcl::indoor::withSizes(ObjectSegmentationOptions());
+  options.voxel_size = std::max(least.voxel_size, share * options.voxel_size);
+  options.seed_size = std::max(least.seed_size, seed_voxels * options.voxel_size);
 }
 
 ObjectSegmentation
 segmentBySteps(ObjectSegmentationInput input,
-               const ObjectSegmentationOptions& options,
+               ObjectSegmentationOptions options,
+               bool sizes_are_given,
                const pcl::indoor::ProgressCallback& progress)
 {
-  if (options.on_points)
-    return segmentOnPoints(std::move(input), options, progress);
+  const auto voter =
+      input.capture == Capture::Scan ? std::move(input.voter) : VoxelVoter();
+  if (options.on_points) {
+    auto result = segmentOnPoints(std::move(input), options, progress);
+    result.options = options;
+    if (!result.segment_of_point.empty())
+      result.votes =
+          votesFor(result.scene.points, result.scene.planes, result.scene.up, voter);
+    return result;
+  }
   const auto stops = [&progress](double share, const char* stage) {
     return progress && !progress(share, stage);
   };
@@ -176,7 +200,12 @@ segmentBySteps(ObjectSegmentationInput input,
   ObjectSegmentation result;
   if (stops(0, "voxels and structure"))
     return {};
-  result.scene = makeObjectScene(std::move(input), options);
+  auto raw = makeRawScene(input, options);
+  result.votes = votesFor(input.points, raw.planes, raw.up, voter);
+  if (result.votes.class_count > 0 && has_pieces && !sizes_are_given &&
+      options.pieces.scale == JoiningScale::Objects)
+    refineSizes(options);
+  result.scene = makeObjectScene(std::move(input), std::move(raw), options);
   if (stops(0.5, "supervoxels"))
     return {};
   const auto segment_of_voxel = partitionVoxels(options, result);
@@ -195,6 +224,7 @@ segmentBySteps(ObjectSegmentationInput input,
   nameSegments(options, result);
   if (has_pieces && options.pieces.scale == JoiningScale::Objects)
     clearLadenTables(options, result);
+  result.options = options;
   if (stops(1, "done"))
     return {};
   return result; // moved: a conditional would copy all of it
@@ -214,9 +244,9 @@ segmentDistinct(ObjectSegmentationInput input,
   if (!areUnitNormals(input.normals))
     input.normals.clear(); // they are estimated
   const auto options = sizedOptions(input, given_options);
-  auto result = segmentBySteps(std::move(input), options, progress);
-  result.options = options;
-  return result;
+  const bool sizes_are_given =
+      given_options.voxel_size > 0 || given_options.seed_size > 0;
+  return segmentBySteps(std::move(input), options, sizes_are_given, progress);
 }
 
 ObjectSegmentation

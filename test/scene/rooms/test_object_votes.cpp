@@ -5,6 +5,7 @@
 #include "rooms/object_votes.h"
 
 #include <pcl/ml/bundled_model.h>
+#include <pcl/ml/voxel_network.h>
 #include <pcl/segmentation/objects/room_structure.h>
 
 #include <gtest/gtest.h>
@@ -21,16 +22,6 @@ constexpr auto floor_kind = static_cast<std::uint32_t>(StructureKind::Floor);
 constexpr auto wall_kind = static_cast<std::uint32_t>(StructureKind::Wall);
 constexpr auto ceiling_kind = static_cast<std::uint32_t>(StructureKind::Ceiling);
 constexpr auto remainder_kind = static_cast<std::uint32_t>(StructureKind::Remainder);
-
-TEST(ObjectVotes, ceilings_of_half_the_floor_count)
-{
-  RoomObjects objects;
-  EXPECT_FALSE(hasCeiling(objects));
-  objects.structure_of_point = {floor_kind, floor_kind, floor_kind, ceiling_kind};
-  EXPECT_FALSE(hasCeiling(objects));
-  objects.structure_of_point.push_back(ceiling_kind);
-  EXPECT_TRUE(hasCeiling(objects));
-}
 
 TEST(ObjectVotes, most_votes_make_structure_of_things_alone)
 {
@@ -82,14 +73,25 @@ protected:
     objects.push_back(object);
   }
 
+  ObjectVotes
+  votes() const
+  {
+    const auto network = loadVoxelNetwork(bundledNetworkFile());
+    RoomObjects room;
+    room.object_of_point = objects;
+    room.votes = classifyVoxels(points, network);
+    auto votes = votesOf(room);
+    votes.classes = network.classes;
+    return votes;
+  }
+
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint32_t> objects;
 };
 
 TEST_F(SimpleRoom, bundled_network_knows_it)
 {
-  const auto network = loadVoxelNetwork(bundledNetworkFile());
-  const auto votes = votesOf(points, objects, network);
+  const auto votes = this->votes();
   ASSERT_EQ(votes.of_object.size(), 5u);
   const auto likeliest = [&](std::size_t object) {
     const auto& of = votes.of_object[object - 1];
@@ -106,10 +108,9 @@ TEST_F(SimpleRoom, bundled_network_knows_it)
 
 TEST_F(SimpleRoom, points_of_no_object_have_no_vote)
 {
-  const auto network = loadVoxelNetwork(bundledNetworkFile());
   std::fill(objects.begin(), objects.end(), 0u);
-  EXPECT_TRUE(votesOf(points, objects, network).of_object.empty());
-  EXPECT_TRUE(votesOf({}, {}, network).of_object.empty());
+  EXPECT_TRUE(votes().of_object.empty());
+  EXPECT_TRUE(votesOf({}).of_object.empty());
 }
 
 } // namespace

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/voxel_classes.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -22,9 +24,6 @@ struct VoxelLayer {
   std::vector<float> bias;    ///< one per output
 };
 
-/** \brief The first classes of a network are of the building: floor, wall, ceiling. */
-constexpr std::size_t building_classes = 3;
-
 /** \brief A sparse voxel U-net: what each voxel of a room is part of, by the shapes
  * around it.
  *
@@ -39,7 +38,7 @@ struct VoxelNetwork {
   std::vector<VoxelLayer> first, second; ///< of the neighbours, by level
   std::vector<VoxelLayer> down, up;      ///< of the eight children, by level but one
   std::vector<VoxelLayer> joined;        ///< of the neighbours, after going up
-  VoxelLayer last;                       ///< one output per class
+  VoxelLayer last; ///< one output per class, then three: to the middle of the thing
 };
 
 /** \brief The network of a file.
@@ -48,21 +47,6 @@ struct VoxelNetwork {
  */
 VoxelNetwork
 loadVoxelNetwork(const std::string& path);
-
-/** \brief What each voxel was taken for. */
-struct VoxelClasses {
-  std::vector<std::uint32_t> voxel_of_point;
-  std::size_t class_count = 0;
-  /** class_count per voxel, their sum is 1; of what is larger than 40 m per point */
-  std::vector<float> probabilities;
-
-  /** \brief Those of a point. */
-  const float*
-  of(std::size_t point) const
-  {
-    return probabilities.data() + voxel_of_point[point] * class_count;
-  }
-};
 
 /** \brief What the points of a room are part of.
  *

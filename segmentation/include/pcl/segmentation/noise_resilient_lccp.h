@@ -242,6 +242,15 @@ public:
   bool
   getUseSingleCameraTransform() const;
 
+  /** \brief Set who is asked what the points are part of, as classifyVoxels() tells it:
+   * pieces are joined by that, too, with JoiningScale::Objects; not for views.
+   * \param[in] voter (default nobody) */
+  void
+  setVoxelVoter(const indoor::VoxelVoter& voter)
+  {
+    voter_ = voter;
+  }
+
   /** \brief Set the number of threads; the result does not depend on it.
    * \param[in] threads 0 = as many as the machine offers (default 0) */
   void
@@ -397,6 +406,7 @@ private:
   indoor::ObjectSegmentationOptions table_options_ = indoor::singleViewOptions();
   Eigen::Vector3f up_ = Eigen::Vector3f::UnitZ();
   bool up_chosen_ = false;
+  indoor::VoxelVoter voter_;
   indoor::ProgressCallback progress_;
   indoor::NamedSupervoxels given_;
   std::map<std::uint32_t, std::uint32_t> segment_of_supervoxel_;

@@ -6,6 +6,7 @@
 
 #include <pcl/features/normal_orientation.h>
 #include <pcl/indoor/progress_callback.h>
+#include <pcl/indoor/voxel_classes.h>
 #include <pcl/segmentation/objects/camera_view.h>
 #include <pcl/segmentation/objects/object_joining.h>
 #include <pcl/segmentation/objects/object_scene.h>
@@ -68,7 +69,7 @@ struct PointOptions {
 /** \brief Parameters of the noise-resilient object segmentation (Sec. 4.2). */
 struct ObjectSegmentationOptions {
   /** R_voxel, metres (>= 0); 0 = as withSizes() has it. If both sizes are 0, they are
-   * raised where points are too sparse, see raisedToResolution() */
+   * raised where points are too sparse, see raisedToResolution() and VoxelVoter */
   double voxel_size = 0;
   double seed_size = 0; ///< R_seed, metres (>= voxel_size); 0 = four voxels
   /** which way estimated normals are turned */
@@ -112,6 +113,15 @@ thesisOptions();
 ObjectSegmentationOptions
 thesisKinectOptions();
 
+/** \brief Who is asked what the points of a scene are part of, before objects are
+ * looked for. With JoiningScale::Objects pieces are joined by these votes, too, and
+ * sizes that were raised are then 0.7 of that for voxels, and three voxels for seeds.
+ */
+struct VoxelVoter {
+  ClassifyVoxels classify;   ///< empty: nobody
+  bool in_all_rooms = false; ///< also where a ceiling was seen
+};
+
 /** \brief What the segmentation works on, points in a local frame. */
 struct ObjectSegmentationInput {
   std::vector<Eigen::Vector3f> points; ///< finite, metres
@@ -125,6 +135,7 @@ struct ObjectSegmentationInput {
   /** views need the camera's place as viewpoint. Of a table, voxels grow with the
    * distance along z; of a room, the direction up does not count, see upOfView() */
   Capture capture = Capture::Scan;
+  VoxelVoter voter; ///< for a Capture::Scan
 };
 
 /** \brief Options for a single view of a table with small objects, as from a Kinect at
@@ -142,6 +153,7 @@ struct ObjectSegmentation {
   std::vector<SurfaceEdge> edges;            ///< between supervoxels
   std::vector<std::uint32_t> piece_of_point; ///< for Partition::Pieces, else empty
   PieceGraph pieces;                         ///< those of the planes have no voxels
+  VoxelClasses votes; ///< of the points; empty if nobody was asked
   /** joins of pieces, the most probable first; those of at least a level give a
    * segmentation, see segmentsAtLevel() */
   std::vector<PieceJoin> joins;

@@ -35,6 +35,8 @@ struct RoomObjects {
   std::vector<std::uint32_t> structure_of_point; ///< one per point: a StructureKind
   std::vector<ObjectSurface> surfaces;           ///< object i + 1 is the i-th
   double voxel_size = 0.0; ///< that was used, metres; 0 = there are no points
+  /** what the points of objects were taken for; empty if nobody was asked */
+  VoxelClasses votes;
 };
 
 /** \brief Segment the points of one room, or those in no room, into objects.
@@ -45,10 +47,13 @@ struct RoomObjects {
  * objects
  * \param[in] options for any partition what has less than fewest_points is the
  * remainder, see separateRemainder()
+ * \param[in] voter what the points are part of, also in given objects
  * \throws pcl::BadArgumentException if an option is out of range, or sizes differ
  */
 RoomObjects
-segmentRoomObjects(RoomPoints room, const ObjectSegmentationOptions& options = {});
+segmentRoomObjects(RoomPoints room,
+                   const ObjectSegmentationOptions& options = {},
+                   const VoxelVoter& voter = {});
 
 /** \brief Make what is too small to be an object the remainder of its room: segments of
  * fewer points, and those that are smaller than a supervoxel.

@@ -22,6 +22,7 @@ using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::SurfaceVoxels;
 
 constexpr unsigned normal_rings = 1; // reach of normals and curvature, voxels
+constexpr unsigned fewer_votes = 4;  // enough for the sides of large planes
 
 /** Voxels whose points have no normals have those that were estimated, turned as their
  * neighbours. */
@@ -68,6 +69,14 @@ findNormals(const ObjectSegmentationInput& input,
                              input.viewpoint,
                              free_space,
                              voxels.normals);
+}
+
+bool
+mayHaveStructure(const ObjectSegmentationInput& input,
+                 const ObjectSegmentationOptions& options)
+{
+  return options.pieces.scale != pcl::indoor::JoiningScale::View &&
+         input.capture != pcl::indoor::Capture::TableView;
 }
 
 } // namespace
@@ -119,41 +128,56 @@ gridPoints(const ObjectSegmentationInput& input)
   return grid_points;
 }
 
+RawScene
+makeRawScene(const ObjectSegmentationInput& input,
+             const ObjectSegmentationOptions& options)
+{
+  RawScene raw;
+  raw.up = input.up;
+  raw.voxel_size = options.voxel_size;
+  raw.voxels = surfaceVoxels(input.points, gridPoints(input), options.voxel_size);
+  const bool has_structure = mayHaveStructure(input, options);
+  findNormals(input, options, has_structure ? fewer_votes : 1, raw.voxels);
+  if (input.capture == Capture::RoomView)
+    raw.up = upOfView(raw.voxels.normals);
+  if (has_structure)
+    raw.planes =
+        findRoomStructure(raw.voxels, options.voxel_size, raw.up, input.capture);
+  return raw;
+}
+
 ObjectScene
-makeObjectScene(ObjectSegmentationInput input, const ObjectSegmentationOptions& options)
+makeObjectScene(ObjectSegmentationInput input,
+                RawScene raw,
+                const ObjectSegmentationOptions& options)
 {
   ObjectScene scene;
-  scene.up = input.up;
+  scene.up = raw.up;
   scene.voxel_size = options.voxel_size;
   scene.threads = options.threads;
-  scene.voxels = surfaceVoxels(input.points, gridPoints(input), options.voxel_size);
-  // Normals for the sides of large planes need fewer votes.
-  const bool separate =
-      options.pieces.scale != JoiningScale::View && input.capture != Capture::TableView;
-  findNormals(input, options, separate ? 4 : 1, scene.voxels);
-  if (input.capture == Capture::RoomView)
-    scene.up = upOfView(scene.voxels.normals);
-  scene.plane_of_voxel.assign(scene.voxels.size(), 0);
-  if (separate)
-    scene.planes =
-        findRoomStructure(scene.voxels, options.voxel_size, scene.up, input.capture);
-  if (!scene.planes.empty()) {
-    const auto surroundings = std::move(scene.voxels);
-    const auto plane_of_point =
-        pointsOfStructure(input.points, surroundings, scene.planes, options.voxel_size);
-    scene.voxels = separateVoxels(
-        input.points, plane_of_point, options.voxel_size, scene.plane_of_voxel);
-    findNormals(input, options, 1, scene.voxels);
+  scene.planes = std::move(raw.planes);
+  if (scene.planes.empty()) {
+    scene.voxels = std::move(raw.voxels);
+    if (options.voxel_size != raw.voxel_size) {
+      scene.voxels = surfaceVoxels(input.points, gridPoints(input), options.voxel_size);
+      findNormals(input, options, 1, scene.voxels);
+    }
+    scene.plane_of_voxel.assign(scene.voxels.size(), 0);
     scene.points = std::move(input.points);
-    const double seed_voxels = options.seed_size / options.voxel_size;
-    constexpr double largest = 1e9; // voxels, more than there are
-    const auto patch =
-        static_cast<std::size_t>(std::min(seed_voxels * seed_voxels, largest));
-    returnIslands(patch, options.min_segment_size * patch, scene);
-    yieldContacts(surroundings, scene);
     return scene;
   }
+  const auto plane_of_point =
+      pointsOfStructure(input.points, raw.voxels, scene.planes, raw.voxel_size);
+  scene.voxels = separateVoxels(
+      input.points, plane_of_point, options.voxel_size, scene.plane_of_voxel);
+  findNormals(input, options, 1, scene.voxels);
   scene.points = std::move(input.points);
+  const double seed_voxels = options.seed_size / options.voxel_size;
+  constexpr double largest = 1e9; // voxels, more than there are
+  const auto patch =
+      static_cast<std::size_t>(std::min(seed_voxels * seed_voxels, largest));
+  returnIslands(patch, options.min_segment_size * patch, scene);
+  yieldContacts(raw.voxels, scene);
   return scene;
 }
 

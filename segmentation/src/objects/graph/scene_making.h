@@ -19,10 +19,25 @@ namespace indoor {
 std::vector<Eigen::Vector3f>
 gridPoints(const ObjectSegmentationInput& input);
 
-/** \brief Gather the points into voxels with normals, and keep floor, walls and
- * ceiling apart from all else. */
+/** \brief All points of a scene in voxels with normals, and the floor, walls and
+ * ceiling that are among them. */
+struct RawScene {
+  Eigen::Vector3f up;
+  double voxel_size = 0; ///< metres
+  SurfaceVoxels voxels;
+  std::vector<StructurePlane> planes;
+};
+
+RawScene
+makeRawScene(const ObjectSegmentationInput& input,
+             const ObjectSegmentationOptions& options);
+
+/** \brief Gather the points into voxels that keep floor, walls and ceiling apart from
+ * all else. \param[in] options whose voxels may be smaller than those of the raw scene
+ */
 ObjectScene
 makeObjectScene(ObjectSegmentationInput input,
+                RawScene raw,
                 const ObjectSegmentationOptions& options);
 
 } // namespace indoor

@@ -9,9 +9,46 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace pcl {
 namespace indoor {
+namespace {
+
+/** What the voxels of a piece were taken for, in the mean. */
+struct VoteSummary {
+  std::vector<double> shares; ///< of each class
+  double building = 0;        ///< of floor, wall and ceiling together
+  double most = 0;            ///< of a class of things
+  Eigen::Vector3d middle;     ///< of the things
+  double spread;              ///< of the middles, metres
+
+  explicit VoteSummary(const Piece& piece)
+  : shares(piece.votes.classes)
+  , middle(piece.votes.middles.mean())
+  , spread(std::sqrt(std::max(0.0, piece.votes.middles.covariance().trace())))
+  {
+    for (auto& share : shares)
+      share /= std::max(1.0, piece.positions.count);
+    const auto things = shares.begin() + building_classes;
+    building = std::accumulate(shares.begin(), things, 0.0);
+    if (things != shares.end())
+      most = *std::max_element(things, shares.end());
+  }
+};
+
+/** Bhattacharyya's coefficient: 1 if they are the same. */
+double
+likenessOf(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double sum = 0;
+  for (std::size_t c = 0; c < a.size(); ++c)
+    sum += std::sqrt(std::max(0.0, a[c] * b[c]));
+  return sum;
+}
+
+} // namespace
 
 /** Features in their order. */
 class PairDescription::FeatureList {
@@ -30,6 +67,12 @@ public:
   putLog(double value, double least)
   {
     put(std::log(std::max(value, least)));
+  }
+
+  void
+  putNothing(std::size_t count)
+  {
+    next_ = std::fill_n(next_, count, 0.0f);
   }
 
   const float*
@@ -119,7 +162,19 @@ joiningFeatureNames()
         "open gap",
         "filled gap",
         "floor below, a",
-        "floor below, b"}};
+        "floor below, b",
+        "likeness of votes",
+        "same vote",
+        "votes for the building, a",
+        "votes for the building, b",
+        "most votes for a thing, a",
+        "most votes for a thing, b",
+        "distance of middles",
+        "distance of middles over their spreads",
+        "spread of middles, a",
+        "spread of middles, b",
+        "middles of a off b",
+        "middles of b off a"}};
   return names;
 }
 
@@ -150,7 +205,13 @@ thingFeatureNames()
        "probability of its join",
        "least probability within",
        "probability of the next join",
-       "log area of what it joins with, over its own"}};
+       "log area of what it joins with, over its own",
+       "votes for the building",
+       "most votes for a thing",
+       "evenness of votes",
+       "spread of middles",
+       "spread of middles over size",
+       "middles off the thing"}};
   return names;
 }
 
@@ -361,6 +422,47 @@ PairDescription::putOutlines(const PairSide& a,
     list.put(side->shape.floor_area / std::max(least_area, side->shape.outline_area));
 }
 
+void
+PairDescription::putVotes(const PairSide& a, const PairSide& b, FeatureList& list) const
+{
+  if (a.piece.votes.classes.empty()) {
+    list.putNothing(12);
+    return;
+  }
+  const VoteSummary of_a(a.piece), of_b(b.piece);
+  list.put(likenessOf(of_a.shares, of_b.shares));
+  list.put(std::inner_product(
+      of_a.shares.begin(), of_a.shares.end(), of_b.shares.begin(), 0.0));
+  list.put(of_a.building);
+  list.put(of_b.building);
+  list.put(of_a.most);
+  list.put(of_b.most);
+  const double distance = (of_a.middle - of_b.middle).norm();
+  list.put(distance);
+  list.put(distance / (of_a.spread + of_b.spread + voxel_size_));
+  list.put(of_a.spread);
+  list.put(of_b.spread);
+  list.put((of_a.middle - b.shape.mean).norm());
+  list.put((of_b.middle - a.shape.mean).norm());
+}
+
+void
+PairDescription::putVotes(const PairSide& thing, FeatureList& list) const
+{
+  if (thing.piece.votes.classes.empty()) {
+    list.putNothing(6);
+    return;
+  }
+  const VoteSummary votes(thing.piece);
+  list.put(votes.building);
+  list.put(votes.most);
+  list.put(std::inner_product(
+      votes.shares.begin(), votes.shares.end(), votes.shares.begin(), 0.0));
+  list.put(votes.spread);
+  list.put(votes.spread / (thing.shape.deviations.norm() + voxel_size_));
+  list.put((votes.middle - thing.shape.mean).norm());
+}
+
 JoiningFeatures
 PairDescription::describe(const PairSide& side_a,
                           const PairSide& side_b,
@@ -386,6 +488,7 @@ PairDescription::describe(const PairSide& side_a,
   list.put(side_b.contacts);
   list.put(voxel_size_);
   putOutlines(side_a, side_b, outlines, list);
+  putVotes(side_a, side_b, list);
   assert(list.end() == features.data() + features.size());
   return features;
 }
@@ -415,6 +518,7 @@ PairDescription::describeThing(const PairSide& thing,
   list.put(level);
   list.put(0); // nothing takes it up
   list.put(0);
+  putVotes(thing, list);
   assert(list.end() == features.data() + features.size());
   return features;
 }

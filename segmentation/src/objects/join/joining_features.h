@@ -82,6 +82,12 @@ private:
   putHeights(const PairSide& a, const PairSide& b, FeatureList& list) const;
 
   void
+  putVotes(const PairSide& a, const PairSide& b, FeatureList& list) const;
+
+  void
+  putVotes(const PairSide& thing, FeatureList& list) const;
+
+  void
   putOutlines(const PairSide& a,
               const PairSide& b,
               const PairOutlines& outlines,

@@ -32,16 +32,24 @@ readTrees(const std::string& scale)
 }
 
 const BoostedTrees&
-bundledTrees(JoiningScale scale)
+bundledTrees(JoiningScale scale, bool has_votes)
 {
+  if (has_votes && scale == JoiningScale::Objects) {
+    static const auto voted = readTrees("voted");
+    return voted;
+  }
   static const std::array<BoostedTrees, 3> trees{
       readTrees("parts"), readTrees("objects"), readTrees("view")};
   return trees.at(static_cast<std::size_t>(scale));
 }
 
 const BoostedTrees&
-bundledFits(JoiningScale scale)
+bundledFits(JoiningScale scale, bool has_votes)
 {
+  if (has_votes && scale == JoiningScale::Objects) {
+    static const auto voted = readTrees("fit_of_voted");
+    return voted;
+  }
   static const std::array<BoostedTrees, 2> trees{readTrees("fit_of_parts"),
                                                  readTrees("fit_of_objects")};
   if (scale == JoiningScale::View)
@@ -55,8 +63,8 @@ bundledFits(JoiningScale scale)
 namespace pcl {
 namespace indoor {
 
-LearnedCriterion::LearnedCriterion(JoiningScale scale)
-: LearnedCriterion(bundledTrees(scale))
+LearnedCriterion::LearnedCriterion(JoiningScale scale, bool has_votes)
+: LearnedCriterion(bundledTrees(scale, has_votes))
 {}
 
 LearnedCriterion::LearnedCriterion(BoostedTrees trees)
@@ -85,9 +93,9 @@ levelOf(JoiningScale scale)
 }
 
 std::vector<float>
-expectedFits(const JoinTree& tree, JoiningScale scale)
+expectedFits(const JoinTree& tree, JoiningScale scale, bool has_votes)
 {
-  const auto& trees = bundledFits(scale);
+  const auto& trees = bundledFits(scale, has_votes);
   std::vector<float> fits;
   for (const auto& thing : tree.things)
     fits.push_back(trees.probability(thing.data()));

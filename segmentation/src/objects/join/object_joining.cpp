@@ -25,8 +25,7 @@ using pcl::indoor::PieceShape;
 using pcl::indoor::ThingFeatures;
 
 /** What becomes of a thing. */
-constexpr std::size_t next_probability = std::tuple_size<ThingFeatures>::value - 2;
-constexpr std::size_t next_size = next_probability + 1;
+constexpr std::size_t next_probability = 22, next_size = 23;
 
 /** A piece with more contacts, as a floor that was not told from the things on it, is
  * described anew only when it has grown by a share: else n joins with it would describe

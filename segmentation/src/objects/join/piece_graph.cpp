@@ -5,7 +5,6 @@
 #include <pcl/segmentation/objects/piece_graph.h>
 
 #include <pcl/indoor/point_cells.h>
-
 #include <pcl/indoor/quantile.h>
 
 #include <Eigen/Geometry>
@@ -96,6 +95,33 @@ describePieces(const PieceSurface& surface, const LooseVoxels& loose, double vox
       pieces[p].outline = outlineOf(positions_of[p], margin);
     }
   return pieces;
+}
+
+/** What the points of each voxel were taken for, in the mean. */
+void
+addVotes(const PieceSurface& surface,
+         const LooseVoxels& loose,
+         const Eigen::Matrix3f& axes,
+         std::vector<Piece>& pieces)
+{
+  const auto& votes = surface.votes;
+  for (auto& piece : pieces)
+    piece.votes.classes.assign(votes.class_count, 0.0);
+  for (std::size_t i = 0; i < loose.voxels.size(); ++i) {
+    auto& own = pieces[loose.pieces[i]].votes;
+    const auto points = surface.scene.voxels.cells.pointsOf(loose.voxels[i]);
+    const double share = 1.0 / static_cast<double>(points.size());
+    Eigen::Vector3d middle(0.0, 0.0, 0.0);
+    for (const auto point : points) {
+      const float* const probabilities = votes.of(point);
+      for (std::size_t c = 0; c < votes.class_count; ++c)
+        own.classes[c] += share * probabilities[c];
+      middle += share * (axes * (surface.scene.points[point] +
+                                 votes.to_middle[votes.voxel_of_point[point]]))
+                            .cast<double>();
+    }
+    own.middles.add(middle);
+  }
 }
 
 /** Where voxels of two pieces are neighbours. */
@@ -261,6 +287,15 @@ VectorMoments::covariance() const
   return squares / count - middle * middle.transpose();
 }
 
+PieceVotes&
+PieceVotes::operator+=(const PieceVotes& other)
+{
+  for (std::size_t c = 0; c < classes.size(); ++c)
+    classes[c] += other.classes[c];
+  middles += other.middles;
+  return *this;
+}
+
 Piece&
 Piece::operator+=(const Piece& other)
 {
@@ -269,6 +304,7 @@ Piece::operator+=(const Piece& other)
   reach = hullOfBoth(reach, other.reach);
   outline = outlineOfBoth(outline, other.outline);
   parts += other.parts;
+  votes += other.votes;
   return *this;
 }
 
@@ -305,6 +341,9 @@ pieceGraph(const PieceSurface& surface, const PieceFrame& frame)
   if (!places.empty())
     graph.columns = {places, frame.floor, frame.voxel_size};
   graph.pieces = describePieces(surface, loose, frame.voxel_size);
+  graph.has_votes = surface.votes.class_count > 0;
+  if (graph.has_votes)
+    addVotes(surface, loose, axes, graph.pieces);
   ContactMap contacts;
   addTouching(surface, loose, contacts);
   addNear(loose, frame.voxel_size, contacts);

@@ -48,18 +48,21 @@ requireSizes(const RoomPoints& room)
 }
 
 ObjectSegmentationInput
-localInput(RoomPoints& room)
+localInput(RoomPoints& room, const VoxelVoter& voter)
 {
   ObjectSegmentationInput input;
   moveToMiddle(room.positions);
   input.points = std::move(room.positions);
   input.normals = std::move(room.normals);
+  input.voter = voter;
   return input;
 }
 
 /** The objects of a room whose points have no copies, or are in given objects. */
 RoomObjects
-objectsOf(RoomPoints room, const ObjectSegmentationOptions& options)
+objectsOf(RoomPoints room,
+          const ObjectSegmentationOptions& options,
+          const VoxelVoter& voter)
 {
   RoomObjects objects;
   if (room.positions.empty())
@@ -68,8 +71,8 @@ objectsOf(RoomPoints room, const ObjectSegmentationOptions& options)
   takeOut(strays, room.positions);
   takeOut(strays, room.normals);
   takeOut(strays, room.given);
-  const auto result = room.given.empty() ? segmentDistinct(localInput(room), options)
-                                         : segmentObjects(localInput(room), options);
+  auto result = room.given.empty() ? segmentDistinct(localInput(room, voter), options)
+                                   : segmentObjects(localInput(room, voter), options);
   objects.voxel_size = result.scene.voxel_size;
   constexpr auto none = Supervoxels::none;
   const auto& segments = result.segment_of_point;
@@ -85,27 +88,33 @@ objectsOf(RoomPoints room, const ObjectSegmentationOptions& options)
   for (auto& number : numbers)
     --number; // 0, no object, becomes a number beyond all objects
   objects.surfaces = objectSurfaces(result, numbers, count);
+  objects.votes = std::move(result.votes);
   separateRemainder(objects, options.fewest_points);
   putBack(strays, 0, objects.object_of_point);
   putBack(strays, 0, objects.structure_of_point);
+  if (objects.votes.class_count > 0)
+    putBack(strays, 0, objects.votes.voxel_of_point);
   return objects;
 }
 
 } // namespace
 
 RoomObjects
-segmentRoomObjects(RoomPoints room, const ObjectSegmentationOptions& options)
+segmentRoomObjects(RoomPoints room,
+                   const ObjectSegmentationOptions& options,
+                   const VoxelVoter& voter)
 {
   requireSizes(room);
   const auto places =
       room.given.empty() ? placesOfCopies(room.positions) : std::nullopt;
   if (!places)
-    return objectsOf(std::move(room), options);
+    return objectsOf(std::move(room), options, voter);
   room.positions = places->once(room.positions);
   room.normals = places->least(room.normals);
-  auto objects = objectsOf(std::move(room), options);
+  auto objects = objectsOf(std::move(room), options, voter);
   objects.object_of_point = places->forAll(objects.object_of_point);
   objects.structure_of_point = places->forAll(objects.structure_of_point);
+  objects.votes.voxel_of_point = places->forAll(objects.votes.voxel_of_point);
   return objects;
 }
 

@@ -40,11 +40,12 @@ struct Scene : ObjectScene {
   Supervoxels supervoxels;
   std::vector<SurfaceEdge> edges;
   std::uint32_t piece_count = 0;
+  VoxelClasses votes;
 
   PieceGraph
   graph() const
   {
-    return pieceGraph({*this, piece_of_voxel, piece_count, supervoxels, edges},
+    return pieceGraph({*this, piece_of_voxel, piece_count, supervoxels, edges, votes},
                       roomFrame(*this));
   }
 

@@ -273,6 +273,39 @@ TEST(JoiningFeatures, BendsAndGapsAreMeans)
                   {"near in line", 0.25}});
 }
 
+TEST(JoiningFeatures, VotesAreComparedPerVoxel)
+{
+  Pair pair{box({0, 0, 0}, {1, 1, 1}), box({2, 0, 0}, {3, 1, 1})};
+  const auto without = pair.features();
+  for (auto i = indexOf("likeness of votes"); i <= indexOf("middles of b off a"); ++i)
+    EXPECT_EQ(without[i], 0) << joiningFeatureNames()[i];
+  const double voxels = pair.a.positions.count, others = pair.b.positions.count;
+  const auto share = [](std::vector<double> classes, double count) {
+    for (auto& sum : classes)
+      sum *= count;
+    return classes;
+  };
+  pair.a.votes.classes = share({0.1, 0.1, 0, 0.64, 0.16}, voxels);
+  pair.b.votes.classes = share({0, 0.2, 0.2, 0.36, 0.24}, others);
+  for (const double x : {0.4, 0.6}) // spread by 0.1 about their mean
+    pair.a.votes.middles.add({x, 0.5, 0.5});
+  pair.b.votes.middles.add({1.5, 0.5, 0.5});
+  expectFeatures(pair.features(),
+                 {{"likeness of votes",
+                   std::sqrt(0.02) + std::sqrt(0.64 * 0.36) + std::sqrt(0.16 * 0.24)},
+                  {"same vote", 0.02 + 0.64 * 0.36 + 0.16 * 0.24},
+                  {"votes for the building, a", 0.2},
+                  {"votes for the building, b", 0.4},
+                  {"most votes for a thing, a", 0.64},
+                  {"most votes for a thing, b", 0.36},
+                  {"distance of middles", 1},
+                  {"distance of middles over their spreads", 1 / (0.1 + voxel_size)},
+                  {"spread of middles, a", 0.1},
+                  {"spread of middles, b", 0},
+                  {"middles of a off b", 2},
+                  {"middles of b off a", 1}});
+}
+
 TEST(JoiningFeatures, OutlinesLieWithinARectangle)
 {
   // Squares along a diagonal: together a hexagon of 5 square metres, in a rectangle of

@@ -128,6 +128,46 @@ TEST(PieceGraph, PiecesAreTheSumsOfTheirVoxels)
   EXPECT_GT(large, 0u) << "some have outliers";
 }
 
+TEST(PieceGraph, VotesAreTheSumsOfThoseOfTheVoxels)
+{
+  auto scene = twoBoxes(leaning);
+  scene.setPieces(6, [](std::uint32_t supervoxel) { return supervoxel * 7 % 6; });
+  EXPECT_FALSE(scene.graph().has_votes);
+  EXPECT_TRUE(scene.graph().pieces[0].votes.classes.empty());
+  const Eigen::Vector3f middle(0.3f, 0.2f, 0.1f);
+  scene.points = scene.voxels.centroids; // twice, with votes that differ
+  scene.votes.class_count = 4;
+  auto& cells = scene.voxels.cells.cell_of_point;
+  cells.clear();
+  for (const bool is_thing : {false, true})
+    for (std::uint32_t v = 0; v < scene.voxels.size(); ++v) {
+      if (is_thing)
+        scene.points.push_back(scene.points[v]);
+      cells.push_back(v);
+      scene.votes.voxel_of_point.push_back(
+          static_cast<std::uint32_t>(scene.votes.to_middle.size()));
+      scene.votes.to_middle.push_back(middle - scene.points[v]);
+      const std::vector<float> probabilities = {
+          0.0f, is_thing ? 0.0f : 1.0f, 0.0f, is_thing ? 1.0f : 0.0f};
+      scene.votes.probabilities.insert(
+          scene.votes.probabilities.end(), probabilities.begin(), probabilities.end());
+    }
+  listPoints(scene.voxels.cells);
+  auto graph = scene.graph();
+  EXPECT_TRUE(graph.has_votes);
+  const Eigen::Vector3d expected = (frameOf(scene) * middle).cast<double>();
+  graph.pieces[0] += graph.pieces[1];
+  for (const std::uint32_t p : {0, 2, 3}) {
+    const auto& piece = graph.pieces[p];
+    const double half = 0.5 * piece.positions.count;
+    EXPECT_GT(half, 0.0);
+    EXPECT_EQ(piece.votes.classes, (std::vector<double>{0.0, half, 0.0, half}));
+    EXPECT_EQ(piece.votes.middles.count, piece.positions.count);
+    EXPECT_LT((piece.votes.middles.mean() - expected).norm(), 1e-5);
+    EXPECT_LT(piece.votes.middles.covariance().norm(), 1e-5);
+  }
+}
+
 TEST(PieceGraph, TheFloorIsBelowAllButTheLowestVoxels)
 {
   auto scene = twoBoxes(leaning);

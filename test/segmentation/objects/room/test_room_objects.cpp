@@ -72,6 +72,80 @@ TEST(RoomObjects, AreTheSegmentsOfTheRoomAlone)
   EXPECT_EQ(objects.surfaces.size(), *std::max_element(labels.begin(), labels.end()));
 }
 
+TEST(RoomObjects, TheVoterIsAskedWhereNoCeilingWasSeen)
+{
+  const Building building;
+  const auto with_ceiling = room(building, 1);
+  auto without = with_ceiling;
+  without.normals.clear();
+  float high = 0.0f;
+  for (const auto& position : without.positions)
+    high = std::max(high, position.z());
+  auto& positions = without.positions;
+  positions.erase(
+      std::remove_if(positions.begin(),
+                     positions.end(),
+                     [&](const Eigen::Vector3f& p) { return p.z() > high - 0.3f; }),
+      positions.end());
+  const auto count = positions.size();
+  for (std::size_t i = 0; i < count; ++i) // merged with itself
+    positions.push_back(Eigen::Vector3f(positions[i]));
+  positions.emplace_back(1e7f, 0.0f, 0.0f); // a stray
+  std::size_t asked = 0;
+  VoxelVoter voter;
+  voter.classify = [&asked](const std::vector<Eigen::Vector3f>& points) {
+    ++asked;
+    VoxelClasses votes;
+    votes.class_count = 4;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      votes.voxel_of_point.push_back(i);
+      votes.probabilities.insert(votes.probabilities.end(), {0.1f, 0.1f, 0.1f, 0.7f});
+      votes.to_middle.emplace_back(-points[i]);
+    }
+    return votes;
+  };
+  EXPECT_EQ(segmentRoomObjects(with_ceiling, {}, voter).votes.class_count, 0u);
+  EXPECT_EQ(asked, 0u);
+  const auto objects = segmentRoomObjects(without, {}, voter);
+  EXPECT_EQ(asked, 1u);
+  EXPECT_EQ(objects.votes.voxel_of_point.size(), positions.size());
+  EXPECT_EQ(objects.votes.voxel_of_point[5], objects.votes.voxel_of_point[count + 5]);
+  voter.in_all_rooms = true;
+  EXPECT_EQ(segmentRoomObjects(with_ceiling, {}, voter).votes.class_count, 4u);
+  auto given = without;
+  given.given.assign(positions.size(), 1);
+  EXPECT_EQ(segmentRoomObjects(given, {}, voter).votes.voxel_of_point.size(),
+            positions.size());
+  EXPECT_EQ(asked, 3u);
+}
+
+TEST(RoomObjects, SparsePointsAreSeenMoreFinelyWithVotes)
+{
+  const Building building;
+  const auto points = room(building, 1);
+  const auto alone = segmentRoomObjects(points);
+  VoxelVoter voter;
+  voter.in_all_rooms = true;
+  voter.classify = [](const std::vector<Eigen::Vector3f>& positions) {
+    VoxelClasses votes;
+    votes.class_count = 4;
+    votes.voxel_of_point.assign(positions.size(), 0);
+    votes.probabilities = {0.0f, 0.0f, 0.0f, 1.0f};
+    votes.to_middle.emplace_back(0.0f, 0.0f, 0.0f);
+    return votes;
+  };
+  const auto voted = segmentRoomObjects(points, {}, voter);
+  EXPECT_GT(alone.voxel_size, 0.05);
+  EXPECT_NEAR(voted.voxel_size, 0.7 * alone.voxel_size, 1e-9);
+  EXPECT_EQ(voted.object_of_point.size(), points.positions.size());
+  ObjectSegmentationOptions given;
+  given.voxel_size = 0.06;
+  EXPECT_EQ(segmentRoomObjects(points, given, voter).voxel_size, 0.06);
+  auto lccp = ObjectSegmentationOptions();
+  lccp.partition = Partition::Lccp;
+  EXPECT_EQ(segmentRoomObjects(points, lccp, voter).voxel_size, alone.voxel_size);
+}
+
 TEST(RoomObjects, AScanThatWasMergedWithItselfHasThoseOfTheScan)
 {
   const Building building;

@@ -171,6 +171,7 @@ NoiseResilientLCCP<PointT>::localInput()
     local.viewpoint.assign(1, (sensor - origin).template cast<float>());
   if (local.capture == indoor::Capture::RoomView && up_chosen_)
     local.capture = indoor::Capture::Scan; // but for the viewpoint
+  local.voter = voter_;
   return local;
 }
 

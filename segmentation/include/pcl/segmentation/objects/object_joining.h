@@ -16,7 +16,7 @@ namespace indoor {
 
 /** \brief What is known of two pieces that may be one thing, see joiningFeatureNames().
  */
-using JoiningFeatures = std::array<float, 74>;
+using JoiningFeatures = std::array<float, 86>;
 
 /** \brief Get what each of the features is. */
 const std::array<const char*, std::tuple_size<JoiningFeatures>::value>&
@@ -24,7 +24,7 @@ joiningFeatureNames();
 
 /** \brief What is known of a piece, or of a union of pieces, that may be a whole thing,
  * see thingFeatureNames(). */
-using ThingFeatures = std::array<float, 24>;
+using ThingFeatures = std::array<float, 30>;
 
 /** \brief Get what each of the features is. */
 const std::array<const char*, std::tuple_size<ThingFeatures>::value>&
@@ -73,8 +73,10 @@ public:
  * learned criterion as the way on, Sec. 4.3.5). */
 class LearnedCriterion : public JoiningCriterion {
 public:
-  /** \brief Use the bundled trees. */
-  explicit LearnedCriterion(JoiningScale scale);
+  /** \brief Use the bundled trees.
+   * \param[in] has_votes as PieceGraph has it; there are such trees for
+   * JoiningScale::Objects only */
+  explicit LearnedCriterion(JoiningScale scale, bool has_votes = false);
 
   /** \brief Use others.
    * \throws pcl::BadArgumentException if they are not for JoiningFeatures */
@@ -116,11 +118,12 @@ levelOf(JoiningScale scale);
 /** \brief Get how well each piece and each union is expected to fit a true thing, as
  * learned from simulated scans.
  * \param[in] scale not JoiningScale::View, for which nothing was learned
+ * \param[in] has_votes as for LearnedCriterion
  * \return intersection over union, 0 where that is at most 0.5; one for each of
  * JoinTree::things
  * \throws pcl::BadArgumentException for JoiningScale::View */
 std::vector<float>
-expectedFits(const JoinTree& tree, JoiningScale scale);
+expectedFits(const JoinTree& tree, JoiningScale scale, bool has_votes = false);
 
 /** \brief Cut a tree of joins so that the sum of what its segments are worth is
  * greatest. Where two unions stay apart though their join has at least the level, that

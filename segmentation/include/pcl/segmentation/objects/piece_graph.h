@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/voxel_classes.h>
 #include <pcl/segmentation/objects/direction_hull.h>
 #include <pcl/segmentation/objects/object_scene.h>
 #include <pcl/segmentation/objects/outline_reach.h>
@@ -42,6 +43,15 @@ struct VectorMoments {
   covariance() const;
 };
 
+/** \brief What the voxels of a piece were taken for. */
+struct PieceVotes {
+  std::vector<double> classes; ///< of each, the sum of the probabilities of its voxels
+  VectorMoments middles;       ///< of the things its voxels are part of, metres
+
+  PieceVotes&
+  operator+=(const PieceVotes& other);
+};
+
 /** \brief What is known of a connected piece of surface, or of several that were
  * joined. Two of them can be added. In a PieceFrame: z is up. */
 struct Piece {
@@ -50,6 +60,7 @@ struct Piece {
   HullReach reach{};
   OutlineReach outline{};
   double parts = 1; ///< pieces that were joined
+  PieceVotes votes; ///< empty if nobody voted
 
   Piece&
   operator+=(const Piece& other);
@@ -75,9 +86,10 @@ struct PieceContact {
 
 /** \brief Pieces of a scanned room and all pairs of them that are near. */
 struct PieceGraph {
-  double voxel_size = 0; ///< metres
-  double floor = 0;      ///< height of the floor, metres
-  RoomColumns columns;   ///< of all voxels, also those of planes
+  double voxel_size = 0;  ///< metres
+  double floor = 0;       ///< height of the floor, metres
+  RoomColumns columns;    ///< of all voxels, also those of planes
+  bool has_votes = false; ///< of VoxelClasses
   std::vector<Piece> pieces;
   std::vector<PieceContact> contacts; ///< first < second, ascending
 };
@@ -90,6 +102,7 @@ struct PieceSurface {
   std::uint32_t piece_count = 0;
   const Supervoxels& supervoxels;
   const std::vector<SurfaceEdge>& edges; ///< between supervoxels
+  const VoxelClasses& votes;             ///< of the points; empty if nobody voted
 };
 
 /** \brief Describe the pieces of a room and their contacts. Pieces touch where their
