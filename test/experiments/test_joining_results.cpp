@@ -27,7 +27,7 @@ namespace {
 
 using pcl::indoor::test::bytesOf;
 
-constexpr std::size_t feature_count = 74;
+constexpr std::size_t feature_count = 86;
 
 /** A pair of pieces. */
 struct Example {
@@ -138,7 +138,7 @@ soundOnes(const std::vector<Example>& examples)
 
 TEST_F(JoiningResults, ExamplesAreSound)
 {
-  const auto all = examples("-share 1");
+  const auto all = examples("-share 1 -votes");
   ASSERT_GT(all.size(), 200u);
   const auto ones = soundOnes(all);
   EXPECT_GT(ones, 50u);
@@ -209,9 +209,23 @@ TEST_F(JoiningResults, PartsOfChosenCategoriesCountAsThings)
   EXPECT_GT(soundOnes(parts), 0u);
 }
 
+TEST_F(JoiningResults, VotesAreAskedForIfWanted)
+{
+  constexpr std::size_t likeness = 74; // the first of those on votes
+  for (const bool asked : {false, true}) {
+    const auto pairs = examples(asked ? "-votes" : "");
+    ASSERT_FALSE(pairs.empty());
+    EXPECT_EQ(
+        std::any_of(pairs.begin(),
+                    pairs.end(),
+                    [](const Example& pair) { return pair.features[likeness] > 0.0f; }),
+        asked);
+  }
+}
+
 TEST_F(JoiningResults, ThingsAreSavedWithTheirFits)
 {
-  constexpr std::size_t row = 2 + 24;
+  constexpr std::size_t row = 2 + 30;
   const auto bytes =
       saved("-things -model " + saveTrees("yes.txt", feature_count, 2.0));
   ASSERT_EQ(bytes.size() % (row * sizeof(float)), 0u);
