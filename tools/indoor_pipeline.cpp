@@ -65,7 +65,7 @@ understand(const Options& options, const ScanContent& scan, Progress& progress)
       understand(scan.file,
                  options.frame,
                  scan.pointCount(),
-                 {options.ignore_normals, !options.check || options.network == "none"});
+                 {options.ignore_normals, options.check && options.network != "none"});
   progress.say(paragraphOf(scan.file.path, understood));
   return understood;
 }

@@ -155,7 +155,7 @@ main(int argc, char** argv)
 
     settleMethod(options);
     const auto understood =
-        understand(file, options.frame, file.points->size(), {false, !options.check});
+        understand(file, options.frame, file.points->size(), {false, options.check});
     progress.say(paragraphOf(file.path, understood));
     if (options.check) {
       const auto lacks = consequencesOf(understood);

@@ -313,8 +313,8 @@ def describe(
         file of a classifier that pcl_eppf_train has made; bundled = furniture, doors and windows,
         none = no classes (default: bundled)
     network : auto|all|none
-        where a network of voxels votes on what is floor, wall or ceiling and on names of the
-        bundled model; auto: in rooms whose ceiling was not seen (default: auto)
+        where a network of voxels votes on what is floor, wall or ceiling, on what is one thing and
+        on names of the bundled model; auto: in rooms whose ceiling was not seen (default: auto)
     remove_outliers : flag
         leave out points of a room that lie alone (pcl::ScanOutlierRemoval); their object is 0
     threads : number

@@ -33,8 +33,7 @@ foundRooms(const tool::RoomSettings& options,
            const tool::CloudFile& file,
            Listener& listener)
 {
-  const auto understood =
-      tool::understand(file, options.frame, file.points->size(), {false, true});
+  const auto understood = tool::understand(file, options.frame, file.points->size());
   Segmentation segmentation;
   segmentation.setOptions(options.rooms);
   segmentation.setProgressCallback([&listener](double share, const char*) {

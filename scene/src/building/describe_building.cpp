@@ -90,10 +90,8 @@ describeBuilding(const Scan& scan, const SceneOptions& given)
     report.start("Reading in parts");
     tool::drawSample(options, content.points_at_once, content, report);
   }
-  const auto understood = tool::understand(content.file,
-                                           options.frame,
-                                           content.pointCount(),
-                                           {options.ignore_normals, true});
+  const auto understood = tool::understand(
+      content.file, options.frame, content.pointCount(), {options.ignore_normals});
   auto scene = described(options, content, understood, report);
   const auto emptiness =
       tool::emptinessOf(understood, scene.rooms.size(), scene.counts.in_rooms);

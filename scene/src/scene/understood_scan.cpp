@@ -299,18 +299,18 @@ UnderstoodScan
 understand(const CloudFile& file,
            const ScanFrame& frame,
            std::uint64_t points,
-           const OverlookedParts& overlooked)
+           const ScanLook& look)
 {
   UnderstoodScan scan;
   scan.points = points;
   scan.finite_points = file.finite_count;
   scan.is_sample = points > file.points->size();
-  scan.normals = normalsFrom(file, overlooked.normals);
+  scan.normals = normalsFrom(file, look.ignores_normals);
   scan.has_colors = hasField(file.cloud, "rgb") || hasField(file.cloud, "rgba");
   scan.stations = std::max<std::size_t>(1, file.stations.size());
   const auto finite = finitePointsOf(file);
   findFrame(finite, frame, scan);
-  if (!overlooked.things)
+  if (look.at_things)
     findEnd(finite, scan);
   ScanFrame likely;
   likely.unit = scan.likely_unit.empty() ? scan.unit : scan.likely_unit;

@@ -18,12 +18,12 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief What of a scan is not looked at. */
-struct OverlookedParts {
-  bool normals = false;
-  /** By the bundled voxel network, for which end is up; segmentRooms() can do it where
-   * rooms are found. */
-  bool things = false;
+/** \brief How a scan is looked at. */
+struct ScanLook {
+  bool ignores_normals = false;
+  /** By the bundled voxel network, for which end is up; where rooms are found,
+   * segmentRooms() does so. */
+  bool at_things = false;
 };
 
 /** \brief Look at a scan, in well under a second; in one to three more where furniture
@@ -34,7 +34,7 @@ UnderstoodScan
 understand(const CloudFile& file,
            const ScanFrame& frame,
            std::uint64_t points,
-           const OverlookedParts& overlooked = {});
+           const ScanLook& look = {});
 
 /** \brief What there is, a sentence or two each: points, unit and vertical, what was
  * seen. */

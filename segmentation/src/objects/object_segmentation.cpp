@@ -64,6 +64,12 @@ requireFitting(const ObjectSegmentationInput& input,
                             << input.up.norm() << '.');
 }
 
+bool
+hasAutomaticSizes(const ObjectSegmentationOptions& given)
+{
+  return given.voxel_size == 0 && given.seed_size == 0;
+}
+
 /** The options to work with. */
 ObjectSegmentationOptions
 sizedOptions(const ObjectSegmentationInput& input,
@@ -71,7 +77,7 @@ sizedOptions(const ObjectSegmentationInput& input,
 {
   auto options = withSizes(given);
   options.threads = std::min(given.threads, 1024u); // each needs memory for its stack
-  if (given.voxel_size == 0 && given.seed_size == 0) {
+  if (hasAutomaticSizes(given)) {
     const auto grid_points = pcl::indoor::gridPoints(input);
     const double size = options.voxel_size;
     options.voxel_size = pcl::indoor::raisedToResolution(
@@ -177,7 +183,7 @@ refineSizes(ObjectSegmentationOptions& options)
 ObjectSegmentation
 segmentBySteps(ObjectSegmentationInput input,
                ObjectSegmentationOptions options,
-               bool sizes_are_given,
+               bool has_automatic_sizes,
                const pcl::indoor::ProgressCallback& progress)
 {
   const auto voter =
@@ -202,7 +208,7 @@ segmentBySteps(ObjectSegmentationInput input,
     return {};
   auto raw = makeRawScene(input, options);
   result.votes = votesFor(input.points, raw.planes, raw.up, voter);
-  if (result.votes.class_count > 0 && has_pieces && !sizes_are_given &&
+  if (result.votes.class_count > 0 && has_pieces && has_automatic_sizes &&
       options.pieces.scale == JoiningScale::Objects)
     refineSizes(options);
   result.scene = makeObjectScene(std::move(input), std::move(raw), options);
@@ -244,9 +250,8 @@ segmentDistinct(ObjectSegmentationInput input,
   if (!areUnitNormals(input.normals))
     input.normals.clear(); // they are estimated
   const auto options = sizedOptions(input, given_options);
-  const bool sizes_are_given =
-      given_options.voxel_size > 0 || given_options.seed_size > 0;
-  return segmentBySteps(std::move(input), options, sizes_are_given, progress);
+  return segmentBySteps(
+      std::move(input), options, hasAutomaticSizes(given_options), progress);
 }
 
 ObjectSegmentation

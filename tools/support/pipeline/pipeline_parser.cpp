@@ -83,8 +83,9 @@ pipelineParser(PipelineOptions& options)
             "doors and windows, none = no classes")
       .text("-network",
             options.network,
-            "where a network of voxels votes on what is floor, wall or ceiling and on "
-            "names of the bundled model; auto: in rooms whose ceiling was not seen",
+            "where a network of voxels votes on what is floor, wall or ceiling, on "
+            "what is one thing and on names of the bundled model; auto: in rooms whose "
+            "ceiling was not seen",
             {"auto", "all", "none"})
       .text("-report",
             options.report,
