@@ -238,6 +238,9 @@ requireFormat(const std::string& path)
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     throw ToolError(path + ": no such file");
+  if (std::filesystem::is_directory(path, error))
+    throw ToolError(path + ": a folder; give one of its files, or the folder to "
+                           "pcl_indoor_pipeline, which takes all scans in it");
   if (!std::filesystem::is_regular_file(path, error))
     throw ToolError(path + ": not a file");
   if (!std::ifstream(path, std::ios::binary))

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <future>
+#include <system_error>
 #include <utility>
 
 namespace pcl::indoor::tool {
@@ -87,6 +89,9 @@ struct Recognised {
 int
 recognisedEnd(const Points& points)
 {
+  std::error_code error;
+  if (!std::filesystem::exists(bundledNetworkFile(), error))
+    return 0; // rooms can be had without it
   const auto network = loadVoxelNetwork(bundledNetworkFile());
   constexpr double little = 0.01, clearly_more = 2.0;
   const auto squares = mostSurface(points, network.voxel_size);

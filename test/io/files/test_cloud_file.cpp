@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <random>
@@ -339,6 +340,18 @@ TEST_F(CloudFiles, CoordinatesTooLargeToComputeWithAreLeftOut)
   EXPECT_TRUE(std::isnan((*file.points)[2].x));
   EXPECT_THROW(loadCloud(write("all.pcd", header + "1e20 0 0\n-1e20 0 0\n0 1e19 0\n")),
                ToolError);
+}
+
+TEST_F(CloudFiles, AFolderIsToldFromAFile)
+{
+  const auto folder = std::filesystem::path(path("a.pcd")).parent_path().string();
+  try {
+    loadCloud(folder);
+    FAIL();
+  } catch (const ToolError& error) {
+    EXPECT_EQ(std::string(error.what()).substr(0, folder.size() + 10),
+              folder + ": a folder");
+  }
 }
 
 TEST_F(CloudFiles, OtherFormatsAreNamedWithTheCommandThatConvertsThem)
