@@ -45,7 +45,6 @@ finishRoom(RoomPoints room, const RoomWork& work)
   ObjectVotes votes;
   if (finished.objects.votes.class_count > 0) {
     votes = votesOf(finished.objects);
-    nameStructure(votes, finished.objects);
     if (work.network.names_things)
       votes.classes = work.network.network.get().classes;
     else

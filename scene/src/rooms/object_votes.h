@@ -15,9 +15,4 @@ namespace pcl::indoor::tool {
 ObjectVotes
 votesOf(const RoomObjects& objects);
 
-/** \brief Objects that are floor, wall or ceiling by three fifths of their votes become
- * structure. What is structure remains it. */
-void
-nameStructure(const ObjectVotes& votes, RoomObjects& objects);
-
 } // namespace pcl::indoor::tool

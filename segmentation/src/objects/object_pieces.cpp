@@ -5,6 +5,7 @@
 #include "objects/object_pieces.h"
 
 #include "objects/segment_names.h"
+#include "objects/structure/voted_structure.h"
 #include "objects/structure/wall_casings.h"
 
 #include "objects/split/flat_things.h"
@@ -13,6 +14,7 @@
 
 #include <pcl/indoor/most_frequent.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace {
@@ -21,6 +23,8 @@ using pcl::indoor::JoiningScale;
 using pcl::indoor::JoinTree;
 using pcl::indoor::ObjectSegmentation;
 using pcl::indoor::ObjectSegmentationOptions;
+using pcl::indoor::PieceGraph;
+using pcl::indoor::StructureKind;
 
 /** The piece of most points of each voxel. */
 std::vector<std::uint32_t>
@@ -75,6 +79,33 @@ thingsOf(const JoinTree& tree,
   return bestCut(tree.joins, worthOf(tree, options, result), levelOf(scale));
 }
 
+/** Takes out the contacts of what is part of the building: it is joined to nothing. */
+void
+leaveAlone(const std::vector<StructureKind>& kinds, PieceGraph& graph)
+{
+  const auto is_building = [&](std::uint32_t piece) {
+    return kinds[piece] != StructureKind::None;
+  };
+  graph.contacts.erase(std::remove_if(graph.contacts.begin(),
+                                      graph.contacts.end(),
+                                      [&](const auto& contact) {
+                                        return is_building(contact.first) ||
+                                               is_building(contact.second);
+                                      }),
+                       graph.contacts.end());
+}
+
+/** One segment for all that is of the same kind of structure. */
+void
+gatherByKind(const std::vector<StructureKind>& kinds,
+             std::vector<std::uint32_t>& segment_of_piece)
+{
+  const auto first = static_cast<std::uint32_t>(segment_of_piece.size());
+  for (std::size_t p = 0; p < kinds.size(); ++p)
+    if (kinds[p] != StructureKind::None)
+      segment_of_piece[p] = first + static_cast<std::uint32_t>(kinds[p]);
+}
+
 } // namespace
 
 namespace pcl {
@@ -109,9 +140,12 @@ joinToThings(const ObjectSegmentationOptions& options,
                               result.edges,
                               result.votes},
                              frame);
+  const auto kinds = votedStructure(result.pieces);
+  leaveAlone(kinds, result.pieces);
   LearnedCriterion criterion(options.pieces.scale, result.pieces.has_votes);
   auto tree = joinPieces(result.pieces, criterion);
-  const auto segment_of_piece = thingsOf(tree, options, result);
+  auto segment_of_piece = thingsOf(tree, options, result);
+  gatherByKind(kinds, segment_of_piece);
   result.joins = std::move(tree.joins);
   for (auto& segment : result.segment_of_point)
     segment = segment_of_piece[segment];

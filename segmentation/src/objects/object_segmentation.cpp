@@ -211,7 +211,8 @@ segmentBySteps(ObjectSegmentationInput input,
   if (result.votes.class_count > 0 && has_pieces && has_automatic_sizes &&
       options.pieces.scale == JoiningScale::Objects)
     refineSizes(options);
-  result.scene = makeObjectScene(std::move(input), std::move(raw), options);
+  result.scene =
+      makeObjectScene(std::move(input), std::move(raw), result.votes, options);
   if (stops(0.5, "supervoxels"))
     return {};
   const auto segment_of_voxel = partitionVoxels(options, result);

@@ -4,6 +4,8 @@
  */
 #include "objects/segment_names.h"
 
+#include "objects/structure/voted_structure.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -35,6 +37,17 @@ gatherRemainder(const ObjectSegmentationOptions& options, ObjectSegmentation& re
       first = first.value_or(i);
     }
   return first;
+}
+
+/** What the segments of pieces are that were voted to be of the building. */
+void
+nameVoted(ObjectSegmentation& result)
+{
+  const auto kinds = pcl::indoor::votedStructure(result.pieces);
+  for (std::size_t i = 0; i < result.piece_of_point.size(); ++i)
+    if (const auto kind = kinds[result.piece_of_point[i]];
+        kind != pcl::indoor::StructureKind::None)
+      result.structure_of_segment[result.segment_of_point[i]] = kind;
 }
 
 /** What the segments of most points of the planes are. */
@@ -104,6 +117,8 @@ nameSegments(const ObjectSegmentationOptions& options, ObjectSegmentation& resul
                              : std::nullopt;
   numberSegments(result);
   result.structure_of_segment = structureOfSegments(result);
+  if (result.pieces.has_votes)
+    nameVoted(result);
   if (remainder)
     result.structure_of_segment[result.segment_of_point[*remainder]] =
         StructureKind::Remainder;

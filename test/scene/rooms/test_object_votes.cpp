@@ -6,7 +6,6 @@
 
 #include <pcl/ml/bundled_model.h>
 #include <pcl/ml/voxel_network.h>
-#include <pcl/segmentation/objects/room_structure.h>
 
 #include <gtest/gtest.h>
 
@@ -17,27 +16,6 @@ using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
 
 namespace {
-
-constexpr auto floor_kind = static_cast<std::uint32_t>(StructureKind::Floor);
-constexpr auto wall_kind = static_cast<std::uint32_t>(StructureKind::Wall);
-constexpr auto ceiling_kind = static_cast<std::uint32_t>(StructureKind::Ceiling);
-constexpr auto remainder_kind = static_cast<std::uint32_t>(StructureKind::Remainder);
-
-TEST(ObjectVotes, most_votes_make_structure_of_things_alone)
-{
-  RoomObjects objects;
-  objects.object_of_point = {1, 2, 3, 4, 0, 1};
-  objects.structure_of_point = {0, 0, 0, ceiling_kind, remainder_kind, 0};
-  ObjectVotes votes;
-  votes.of_object = {{0.2f, 0.5f, 0.0f, 0.3f},
-                     {0.3f, 0.2f, 0.0f, 0.5f},
-                     {0.9f, 0.0f, 0.0f, 0.1f},
-                     {0.9f, 0.1f, 0.0f, 0.0f}};
-  nameStructure(votes, objects);
-  const std::vector<std::uint32_t> expected = {
-      wall_kind, 0, floor_kind, ceiling_kind, remainder_kind, wall_kind};
-  EXPECT_EQ(objects.structure_of_point, expected);
-}
 
 /** A room of 4 x 3 m without a ceiling, and a table: objects 1 to 5. */
 class SimpleRoom : public testing::Test {

@@ -6,6 +6,7 @@
 
 #include "objects/structure/structure_contacts.h"
 #include "objects/structure/structure_islands.h"
+#include "objects/structure/voted_structure.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_orientation.h>
@@ -149,6 +150,7 @@ makeRawScene(const ObjectSegmentationInput& input,
 ObjectScene
 makeObjectScene(ObjectSegmentationInput input,
                 RawScene raw,
+                const VoxelClasses& votes,
                 const ObjectSegmentationOptions& options)
 {
   ObjectScene scene;
@@ -166,8 +168,10 @@ makeObjectScene(ObjectSegmentationInput input,
     scene.points = std::move(input.points);
     return scene;
   }
-  const auto plane_of_point =
+  auto plane_of_point =
       pointsOfStructure(input.points, raw.voxels, scene.planes, raw.voxel_size);
+  if (votes.class_count > 0)
+    yieldToVotes(votes, plane_of_point);
   scene.voxels = separateVoxels(
       input.points, plane_of_point, options.voxel_size, scene.plane_of_voxel);
   findNormals(input, options, 1, scene.voxels);

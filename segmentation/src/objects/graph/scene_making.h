@@ -33,11 +33,14 @@ makeRawScene(const ObjectSegmentationInput& input,
              const ObjectSegmentationOptions& options);
 
 /** \brief Gather the points into voxels that keep floor, walls and ceiling apart from
- * all else. \param[in] options whose voxels may be smaller than those of the raw scene
+ * all else.
+ * \param[in] votes of the points; empty if nobody was asked
+ * \param[in] options whose voxels may be smaller than those of the raw scene
  */
 ObjectScene
 makeObjectScene(ObjectSegmentationInput input,
                 RawScene raw,
+                const VoxelClasses& votes,
                 const ObjectSegmentationOptions& options);
 
 } // namespace indoor
