@@ -80,11 +80,12 @@ describe(const RoomSettings& options,
     const auto save = [&](const std::string& name, const std::string& bytes) {
       files.push_back(writtenBeside(options.map + name, bytes));
     };
+    const auto svg = planSvg(plan);
+    auto drawn = planPicture(svg); // meanwhile
     save("_rooms.png", pngBytes(drawRooms(building)));
     save("_field.png", pngBytes(drawPotentialField(building)));
-    const auto svg = planSvg(plan);
     save("_rooms.svg", svg);
-    if (const auto picture = planPicture(svg))
+    if (const auto picture = drawn.get())
       save("_plan.png", *picture);
   }
   return files;
@@ -167,7 +168,8 @@ main(int argc, char** argv)
     file.points.reset(); // saving a large cloud needs the memory
 
     progress.start("Saving " + options.output);
-    files.push_back(cloudBeside(options.output, file.cloud, file.frame));
+    files.push_back(
+        cloudBeside(options.output, file.cloud, file.frame, options.rooms.threads));
     commitTogether(files);
     Progress::conclude([&] {
       progress.done();

@@ -385,54 +385,55 @@ removeField(PCLPointCloud2& cloud, const std::string& name)
       cloud.fields.end());
 }
 
-namespace {
+NewField::NewField(std::string its_name, const std::vector<std::uint32_t>& labels)
+: name(std::move(its_name))
+, datatype(PCLPointField::UINT32)
+, values(labels.data())
+, count(labels.size())
+{}
 
-template <typename T>
+NewField::NewField(std::string its_name, const std::vector<float>& reals)
+: name(std::move(its_name))
+, datatype(PCLPointField::FLOAT32)
+, values(reals.data())
+, count(reals.size())
+{}
+
 void
-appendValues(PCLPointCloud2& cloud,
-             const std::string& name,
-             const std::vector<T>& values,
-             std::uint8_t datatype)
+appendFields(PCLPointCloud2& cloud, const std::vector<NewField>& fields)
 {
-  if (values.size() != pointCount(cloud))
-    throw ToolError("field '" + name + "': " + std::to_string(values.size()) +
-                    " values for " + std::to_string(pointCount(cloud)) + " points");
-  removeField(cloud, name);
+  constexpr std::size_t size = 4; // bytes of a value
+  const auto count = pointCount(cloud);
   const std::size_t old_step = cloud.point_step;
-  const std::size_t new_step = old_step + sizeof(T);
-  // in place, from the end: the vector grows for several fields at once
-  cloud.data.resize(values.size() * new_step);
-  for (std::size_t i = values.size(); i-- > 0;) {
-    std::uint8_t* const point = cloud.data.data() + i * new_step;
-    std::memmove(point, cloud.data.data() + i * old_step, old_step);
-    std::memcpy(point + old_step, &values[i], sizeof(T));
+  for (const auto& field : fields) {
+    if (field.count != count)
+      throw ToolError("field '" + field.name + "': " + std::to_string(field.count) +
+                      " values for " + std::to_string(count) + " points");
+    removeField(cloud, field.name);
+    PCLPointField added;
+    added.name = field.name;
+    added.offset = cloud.point_step;
+    added.datatype = field.datatype;
+    added.count = 1;
+    cloud.fields.push_back(added);
+    cloud.point_step += size;
   }
-  PCLPointField field;
-  field.name = name;
-  field.offset = static_cast<std::uint32_t>(old_step);
-  field.datatype = datatype;
-  field.count = 1;
-  cloud.fields.push_back(field);
-  cloud.point_step = static_cast<std::uint32_t>(new_step);
   cloud.row_step = cloud.point_step * cloud.width;
-}
-
-} // namespace
-
-void
-appendField(PCLPointCloud2& cloud,
-            const std::string& name,
-            const std::vector<std::uint32_t>& values)
-{
-  appendValues(cloud, name, values, PCLPointField::UINT32);
-}
-
-void
-appendRealField(PCLPointCloud2& cloud,
-                const std::string& name,
-                const std::vector<float>& values)
-{
-  appendValues(cloud, name, values, PCLPointField::FLOAT32);
+  const std::size_t new_step = cloud.point_step;
+  // in place, from the end; with room for more, which costs nothing before it is used
+  if (cloud.data.capacity() < count * new_step)
+    cloud.data.reserve(count * (new_step + 4 * size));
+  cloud.data.resize(count * new_step);
+  for (std::size_t i = count; i-- > 0;) {
+    std::uint8_t* value = cloud.data.data() + i * new_step;
+    std::memmove(value, cloud.data.data() + i * old_step, old_step);
+    value += old_step;
+    for (const auto& field : fields) {
+      std::memcpy(
+          value, static_cast<const std::uint8_t*>(field.values) + i * size, size);
+      value += size;
+    }
+  }
 }
 
 } // namespace pcl::indoor::tool

@@ -179,17 +179,37 @@ readNumbers(const CloudFile& file, const std::string& name);
 void
 removeField(PCLPointCloud2& cloud, const std::string& name);
 
-/** \brief Append a field of unsigned integers or floats; a field of that name is
- * replaced.
- * \param[in] values one per point
- */
+/** \brief A field to be appended: labels or real numbers, one per point, which have to
+ * outlive it. */
+struct NewField {
+  NewField(std::string its_name, const std::vector<std::uint32_t>& labels);
+  NewField(std::string its_name, const std::vector<float>& reals);
+
+  std::string name;
+  std::uint8_t datatype;
+  const void* values;
+  std::size_t count;
+};
+
+/** \brief Append fields, in one pass over the points; fields of these names are
+ * replaced. */
 void
+appendFields(PCLPointCloud2& cloud, const std::vector<NewField>& fields);
+
+inline void
 appendField(PCLPointCloud2& cloud,
             const std::string& name,
-            const std::vector<std::uint32_t>& values);
-void
+            const std::vector<std::uint32_t>& labels)
+{
+  appendFields(cloud, {{name, labels}});
+}
+
+inline void
 appendRealField(PCLPointCloud2& cloud,
                 const std::string& name,
-                const std::vector<float>& values);
+                const std::vector<float>& reals)
+{
+  appendFields(cloud, {{name, reals}});
+}
 
 } // namespace pcl::indoor::tool

@@ -45,6 +45,8 @@ readPcd(const CheckedPcd& checked, CloudFile& file)
   header.exceptions(std::ios::badbit); // PCL would wait for the end for ever
   int version = 0, encoding = 0;       // 0: ASCII, 2: compressed
   unsigned int body_begin = 0;
+  // with room for the fields that tools add, which costs nothing before it is used
+  file.cloud.data.reserve(checked.bytes + checked.bytes / 2);
   if (reader.readHeader(header,
                         file.cloud,
                         file.frame.origin,

@@ -43,13 +43,14 @@ requireWritableCloud(const std::string& path, bool pcd_only)
 OutputFile
 cloudBeside(const std::string& path,
             const PCLPointCloud2& cloud,
-            const CloudFrame& frame)
+            const CloudFrame& frame,
+            int threads)
 {
   OutputFile file(path);
   if (extensionOf(path) == ".ply")
     writePly(file, path, cloud, frame);
   else
-    writePcd(file, cloud, frame);
+    writePcd(file, cloud, frame, threads);
   file.close();
   return file;
 }

@@ -36,13 +36,15 @@ requireWritableCloud(const std::string& path, bool pcd_only = false);
  * shrink or is above 4 GB).
  *
  * The fields have the names and types that PCL's readers give them back as.
- * \throws ToolError if it cannot be written, or if a field has integers of 64 bits,
- * which PLY has not
+ * \param[in] threads that compress, 0 = as many as the machine offers; the file does
+ * not depend on it \throws ToolError if it cannot be written, or if a field has
+ * integers of 64 bits, which PLY has not
  */
 OutputFile
 cloudBeside(const std::string& path,
             const PCLPointCloud2& cloud,
-            const CloudFrame& frame);
+            const CloudFrame& frame,
+            int threads = 1);
 
 /** \brief Write a cloud and put it in place. */
 void

@@ -7,6 +7,7 @@
 #include "formats/file_header.h" // for numberText
 
 #include <pcl/common/io.h> // for getFieldSize, getFieldType
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/io/lzf.h>
 
 #include <algorithm>
@@ -21,6 +22,15 @@ std::size_t
 byteCount(const PCLPointField& field)
 {
   return static_cast<std::size_t>(getFieldSize(field.datatype)) * field.count;
+}
+
+std::size_t
+sizeOf(const std::vector<std::vector<std::uint8_t>>& blocks)
+{
+  std::size_t size = 0;
+  for (const auto& block : blocks)
+    size += block.size();
+  return size;
 }
 
 std::string
@@ -50,38 +60,67 @@ headerOf(const PCLPointCloud2& cloud,
          "\nDATA " + encoding + "\n";
 }
 
-/** The values of one field of all points, then those of the next. */
-std::vector<std::uint8_t>
-fieldByField(const PCLPointCloud2& cloud, const std::vector<PCLPointField>& fields)
+/** Some values of one field. */
+struct FieldBlock {
+  const PCLPointField* field;
+  std::size_t first, count; ///< points
+};
+
+/** All values of one field, then those of the next. Blocks are compressed by
+ * themselves: one after the other they are what all together would unpack to, and each
+ * fits into the caches. */
+std::vector<FieldBlock>
+blocksOf(const std::vector<PCLPointField>& fields, std::size_t point_count)
 {
-  const auto point_count = static_cast<std::size_t>(cloud.width) * cloud.height;
-  std::size_t bytes_per_point = 0;
-  for (const auto& field : fields)
-    bytes_per_point += byteCount(field);
-  std::vector<std::uint8_t> bytes(point_count * bytes_per_point);
-  auto* next = bytes.data();
-  for (const auto& field : fields)
-    for (std::size_t i = 0; i < point_count; ++i) {
-      std::memcpy(
-          next, &cloud.data[i * cloud.point_step + field.offset], byteCount(field));
-      next += byteCount(field);
-    }
-  return bytes;
+  constexpr std::size_t block_bytes = 1 << 19;
+  std::vector<FieldBlock> blocks;
+  for (const auto& field : fields) {
+    const auto most = std::max<std::size_t>(block_bytes / byteCount(field), 1);
+    for (std::size_t first = 0; first < point_count; first += most)
+      blocks.push_back({&field, first, std::min(most, point_count - first)});
+  }
+  return blocks;
 }
 
-/** Nothing if the bytes do not shrink or are too many for the format. */
 std::vector<std::uint8_t>
-compressed(const std::vector<std::uint8_t>& bytes)
+compressed(const PCLPointCloud2& cloud, const FieldBlock& block)
 {
-  const std::size_t largest = bytes.size() + bytes.size() / 16 + 64; // at 1 in 32 more
-  if (largest > std::numeric_limits<std::uint32_t>::max())
-    return {};
-  std::vector<std::uint8_t> smaller(largest);
+  const auto size = byteCount(*block.field);
+  std::vector<std::uint8_t> bytes(block.count * size);
+  const auto* value =
+      cloud.data.data() + block.first * cloud.point_step + block.field->offset;
+  for (std::size_t at = 0; at < bytes.size(); at += size, value += cloud.point_step)
+    std::memcpy(&bytes[at], value, size);
+  std::vector<std::uint8_t> smaller(bytes.size() + bytes.size() / 16 +
+                                    64); // at most 1 in 32 more
   smaller.resize(lzfCompress(bytes.data(),
                              static_cast<std::uint32_t>(bytes.size()),
                              smaller.data(),
-                             static_cast<std::uint32_t>(largest)));
-  return smaller.size() < bytes.size() ? smaller : std::vector<std::uint8_t>();
+                             static_cast<std::uint32_t>(smaller.size())));
+  smaller.shrink_to_fit();
+  return smaller;
+}
+
+/** Nothing if the bytes do not shrink or are too many for the format. */
+std::vector<std::vector<std::uint8_t>>
+compressedBlocks(const PCLPointCloud2& cloud,
+                 const std::vector<PCLPointField>& fields,
+                 std::size_t all_bytes,
+                 int threads)
+{
+  if (all_bytes > std::numeric_limits<std::uint32_t>::max())
+    return {};
+  const auto blocks =
+      blocksOf(fields, static_cast<std::size_t>(cloud.width) * cloud.height);
+  std::vector<std::vector<std::uint8_t>> smaller(blocks.size());
+  parallelFor(
+      static_cast<std::ptrdiff_t>(blocks.size()), threads, 1, [&](std::ptrdiff_t k) {
+        smaller[static_cast<std::size_t>(k)] =
+            compressed(cloud, blocks[static_cast<std::size_t>(k)]);
+      });
+  if (sizeOf(smaller) >= all_bytes)
+    smaller.clear();
+  return smaller;
 }
 
 /** Those that are written. */
@@ -120,21 +159,27 @@ writePointByPoint(OutputFile& file,
 } // namespace
 
 void
-writePcd(OutputFile& file, const PCLPointCloud2& cloud, const CloudFrame& frame)
+writePcd(OutputFile& file,
+         const PCLPointCloud2& cloud,
+         const CloudFrame& frame,
+         int threads)
 {
   const auto fields = fieldsOf(cloud);
-  const auto bytes = fieldByField(cloud, fields);
-  const auto smaller = compressed(bytes);
+  std::size_t all_bytes = 0;
+  for (const auto& field : fields)
+    all_bytes += byteCount(field) * cloud.width * cloud.height;
+  const auto smaller = compressedBlocks(cloud, fields, all_bytes, threads);
   if (smaller.empty()) {
     file.write(headerOf(cloud, fields, frame, "binary"));
     writePointByPoint(file, cloud, fields);
     return;
   }
-  const std::uint32_t sizes[] = {static_cast<std::uint32_t>(smaller.size()),
-                                 static_cast<std::uint32_t>(bytes.size())};
+  const std::uint32_t sizes[] = {static_cast<std::uint32_t>(sizeOf(smaller)),
+                                 static_cast<std::uint32_t>(all_bytes)};
   file.write(headerOf(cloud, fields, frame, "binary_compressed"));
   file.write(sizes, sizeof(sizes));
-  file.write(smaller.data(), smaller.size());
+  for (const auto& block : smaller)
+    file.write(block.data(), block.size());
 }
 
 void

@@ -13,7 +13,10 @@ namespace pcl::indoor::tool {
  * PCL's writer maps the file into memory: a full disk ends the program by a signal.
  */
 void
-writePcd(OutputFile& file, const PCLPointCloud2& cloud, const CloudFrame& frame);
+writePcd(OutputFile& file,
+         const PCLPointCloud2& cloud,
+         const CloudFrame& frame,
+         int threads);
 
 /** \brief Begin a PCD that is not compressed, whose points follow part by part.
  * \param[in] layout width, height and fields of the whole

@@ -19,21 +19,25 @@ struct PointLabels {
   std::vector<std::uint32_t> room, object, structure;
 };
 
-/** Fields that tell each point the class of its object, and how sure that is. */
-void
-appendClasses(const std::vector<ObjectClass>& classes,
-              const std::vector<std::uint32_t>& object_of_point,
-              PCLPointCloud2& cloud)
+/** The class of each point's object, and how sure that is. */
+struct PointClasses {
+  std::vector<std::uint32_t> category;
+  std::vector<float> confidence;
+};
+
+PointClasses
+pointClasses(const std::vector<ObjectClass>& classes,
+             const std::vector<std::uint32_t>& object_of_point)
 {
-  std::vector<std::uint32_t> categories(object_of_point.size(), 0);
-  std::vector<float> confidences(object_of_point.size(), 0.0f);
-  for (std::size_t i = 0; i < categories.size(); ++i)
+  PointClasses of_point;
+  of_point.category.assign(object_of_point.size(), 0);
+  of_point.confidence.assign(object_of_point.size(), 0.0f);
+  for (std::size_t i = 0; i < object_of_point.size(); ++i)
     if (const auto object = object_of_point[i]; object > 0) {
-      categories[i] = classes[object - 1].category;
-      confidences[i] = classes[object - 1].confidence;
+      of_point.category[i] = classes[object - 1].category;
+      of_point.confidence[i] = classes[object - 1].confidence;
     }
-  appendField(cloud, "category", categories);
-  appendRealField(cloud, "confidence", confidences);
+  return of_point;
 }
 
 /** Add what was found to a cloud, or to a part of one.
@@ -46,11 +50,16 @@ complete(const CloudLook& look,
          const std::string& output,
          CloudFile& file)
 {
-  appendField(file.cloud, "room", labels.room);
-  appendField(file.cloud, "object", labels.object);
-  appendField(file.cloud, "structure", labels.structure);
-  if (!classes.names.empty())
-    appendClasses(classes.objects, labels.object, file.cloud);
+  std::vector<NewField> fields = {{"room", labels.room},
+                                  {"object", labels.object},
+                                  {"structure", labels.structure}};
+  PointClasses of_point;
+  if (!classes.names.empty()) {
+    of_point = pointClasses(classes.objects, labels.object);
+    fields.emplace_back("category", of_point.category);
+    fields.emplace_back("confidence", of_point.confidence);
+  }
+  appendFields(file.cloud, fields);
   const auto other = static_cast<std::uint32_t>(
       std::find(classes.names.begin(), classes.names.end(), other_class) -
       classes.names.begin());
@@ -81,7 +90,7 @@ completeCloud(const std::string& path,
   const PointLabels labels = {
       scene.room_of_point, scene.object_of_point, scene.structure_of_point};
   complete(look, labels, scene.classes, nullptr, path, file);
-  return cloudBeside(path, file.cloud, file.frame);
+  return cloudBeside(path, file.cloud, file.frame, look.threads);
 }
 
 OutputFile

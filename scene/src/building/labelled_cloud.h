@@ -18,6 +18,7 @@ struct CloudLook {
   PointColors colors;
   PointCoordinates coordinates;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< direction of heights
+  int threads = 0;                               ///< 0 = automatic
 };
 
 /** \brief Add what was found to the cloud, as it is to be written beside its place. */

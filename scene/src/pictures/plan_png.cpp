@@ -7,6 +7,8 @@
 #include "files/tool_error.h"
 #include "text/printable.h"
 
+#include <memory>
+
 #ifdef PCL_INDOOR_HAS_RSVG
 
 #include <librsvg/rsvg.h>
@@ -21,7 +23,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <memory>
+#include <utility>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -142,6 +144,54 @@ readAll(int file)
   return bytes;
 }
 
+/** Draws while this process goes on. */
+class DrawingProcess {
+public:
+  DrawingProcess(const std::string& svg, int most_pixels)
+  {
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+      return;
+    number_ = fork();
+    if (number_ == 0)
+      drawAndEnd(svg, most_pixels, ends[1]);
+    close(ends[1]);
+    file_ = ends[0];
+  }
+
+  DrawingProcess(const DrawingProcess&) = delete;
+  DrawingProcess&
+  operator=(const DrawingProcess&) = delete;
+
+  ~DrawingProcess() { end(); }
+
+  /** Waits for it. */
+  std::string
+  picture()
+  {
+    auto bytes = number_ > 0 ? readAll(file_) : "";
+    if (end() != 0)
+      throw ToolError("The plan cannot be drawn as PNG");
+    return bytes;
+  }
+
+private:
+  /** Its exit status, once. */
+  int
+  end()
+  {
+    int status = EXIT_FAILURE;
+    if (file_ >= 0)
+      close(std::exchange(file_, -1));
+    if (number_ > 0)
+      waitpid(std::exchange(number_, -1), &status, 0);
+    return status;
+  }
+
+  pid_t number_ = -1;
+  int file_ = -1;
+};
+
 } // namespace
 
 bool
@@ -150,32 +200,11 @@ canDrawPlans()
   return true;
 }
 
-std::string
+std::future<std::string>
 drawnAsPng(const std::string& svg, int most_pixels)
 {
-  const char* problem = "The plan cannot be drawn as PNG";
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    throw ToolError(problem);
-  const pid_t process = fork();
-  if (process == 0)
-    drawAndEnd(svg, most_pixels, ends[1]);
-  close(ends[1]);
-  std::string bytes;
-  try {
-    bytes = process > 0 ? readAll(ends[0]) : "";
-  } catch (...) {
-    close(ends[0]);
-    waitpid(process, nullptr, 0);
-    throw;
-  }
-  close(ends[0]);
-  int status = EXIT_FAILURE;
-  if (process > 0)
-    waitpid(process, &status, 0);
-  if (status != 0)
-    throw ToolError(problem);
-  return bytes;
+  const auto drawing = std::make_shared<DrawingProcess>(svg, most_pixels);
+  return std::async([drawing] { return drawing->picture(); });
 }
 
 } // namespace pcl::indoor::tool
@@ -190,10 +219,10 @@ canDrawPlans()
   return false;
 }
 
-std::string
+std::future<std::string>
 drawnAsPng(const std::string& /*svg*/, int /*most_pixels*/)
 {
-  return "";
+  return std::async(std::launch::deferred, [] { return std::string(); });
 }
 
 } // namespace pcl::indoor::tool
@@ -202,17 +231,21 @@ drawnAsPng(const std::string& /*svg*/, int /*most_pixels*/)
 
 namespace pcl::indoor::tool {
 
-std::optional<std::string>
+std::future<std::optional<std::string>>
 planPicture(const std::string& svg)
 {
-  if (!canDrawPlans())
+  const auto drawn = std::make_shared<std::future<std::string>>(drawnAsPng(svg));
+  const auto result = [drawn]() -> std::optional<std::string> {
+    if (!canDrawPlans())
+      return {};
+    try {
+      return drawn->get();
+    } catch (const ToolError& error) {
+      printWarning(messageOf(error) + "; it is left out");
+    }
     return {};
-  try {
-    return drawnAsPng(svg);
-  } catch (const ToolError& error) {
-    printWarning(messageOf(error) + "; it is left out");
-  }
-  return {};
+  };
+  return std::async(std::launch::deferred, result);
 }
 
 } // namespace pcl::indoor::tool

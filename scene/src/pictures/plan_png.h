@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <future>
 #include <optional>
 #include <string>
 
@@ -13,20 +14,21 @@ namespace pcl::indoor::tool {
 bool
 canDrawPlans();
 
-/** \brief Draw an SVG drawing, with its fonts, as a PNG file: at twice its size, or
- * smaller if it would be wider or higher than \a most_pixels.
+/** \brief Begin to draw an SVG drawing, with its fonts, as a PNG file: at twice its
+ * size, or smaller if it would be wider or higher than \a most_pixels.
  *
- * A process of its own draws: libraries for fonts end theirs where memory lacks.
+ * A process of its own draws, while this one goes on: libraries for fonts end theirs
+ * where memory lacks.
  * \param[in] svg as planSvg() gives it
- * \return the bytes of the file; empty unless canDrawPlans()
- * \throws ToolError if it cannot be drawn
+ * \return the bytes of the file; empty unless canDrawPlans(); a ToolError if it cannot
+ * be drawn
  */
-std::string
+std::future<std::string>
 drawnAsPng(const std::string& svg, int most_pixels = 10000);
 
 /** \brief The same for results that hold without a picture: nothing unless
  * canDrawPlans(), and where it cannot be drawn, which a warning says. */
-std::optional<std::string>
+std::future<std::optional<std::string>>
 planPicture(const std::string& svg);
 
 } // namespace pcl::indoor::tool

@@ -28,10 +28,14 @@ packed(Color color)
 std::vector<float>
 colorsOfLabels(const std::vector<std::uint32_t>& labels, std::uint32_t other)
 {
-  std::vector<float> colors;
+  constexpr std::uint32_t few = 4096; // labels whose colours are kept
+  std::vector<float> palette, colors;
+  for (std::uint32_t label = 0; label < few; ++label)
+    palette.push_back(packed(labelColor(label == other ? 0 : label)));
   colors.reserve(labels.size());
   for (const auto label : labels)
-    colors.push_back(packed(labelColor(label == other ? 0 : label)));
+    colors.push_back(label < few ? palette[label]
+                                 : packed(labelColor(label == other ? 0 : label)));
   return colors;
 }
 

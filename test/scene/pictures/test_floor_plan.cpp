@@ -231,7 +231,7 @@ TEST(FloorPlan, IsDrawnAsPng)
       "height=\"40\"><rect width=\"60\" height=\"40\" fill=\"white\"/><rect x=\"10\" "
       "y=\"10\" width=\"20\" height=\"5\" fill=\"red\"/><text x=\"35\" y=\"30\" "
       "font-family=\"sans-serif\" font-size=\"14\">88</text></svg>";
-  const auto twice = readPng(drawnAsPng(svg));
+  const auto twice = readPng(drawnAsPng(svg).get());
   ASSERT_EQ(twice.width, 120);
   ASSERT_EQ(twice.height, 80);
   EXPECT_EQ(twice.at(40, 25), 0xFF0000u);
@@ -243,18 +243,18 @@ TEST(FloorPlan, IsDrawnAsPng)
   EXPECT_GT(dark, 100) << "no letters";
   EXPECT_LT(dark, 800);
 
-  const auto small = readPng(drawnAsPng(svg, 30));
+  const auto small = readPng(drawnAsPng(svg, 30).get());
   EXPECT_EQ(small.width, 30);
   EXPECT_EQ(small.height, 20);
   EXPECT_EQ(small.at(10, 6), 0xFF0000u);
-  EXPECT_THROW(drawnAsPng("<svg"), ToolError);
+  EXPECT_THROW(drawnAsPng("<svg").get(), ToolError);
 }
 
 TEST(FloorPlan, PngShowsTheWallsOfTheSvg)
 {
   if (!canDrawPlans())
     GTEST_SKIP() << "built without librsvg";
-  const auto drawing = readPng(drawnAsPng(planSvg(floorPlan(twoRooms()))));
+  const auto drawing = readPng(drawnAsPng(planSvg(floorPlan(twoRooms()))).get());
   int walls = 0;
   for (int y = 0; y < drawing.height; ++y)
     for (int x = 0; x < drawing.width; ++x)

@@ -18,11 +18,15 @@
 #include "scene/scene_json.h"
 #include "text/printable.h"
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/scene/room_names.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <iterator>
+#include <vector>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -83,6 +87,15 @@ knownNames(const Scene& scene)
   return names;
 }
 
+void
+inParallel(int threads, const std::vector<std::function<void()>>& tasks)
+{
+  parallelFor(static_cast<std::ptrdiff_t>(tasks.size()),
+              threads,
+              1,
+              [&](std::ptrdiff_t k) { tasks[static_cast<std::size_t>(k)](); });
+}
+
 /** Results of an earlier run that this one need not replace. */
 std::vector<std::string>
 outdatedResults(const std::string& folder)
@@ -127,25 +140,37 @@ describe(const PipelineOptions& options,
   const auto add = [&](const std::string& name, const std::string& bytes) {
     files.emplace_back(options.folder + "/" + name, bytes);
   };
-  const auto field = drawPotentialField(scene.building);
-  add("rooms.png", pngBytes(drawRooms(scene.building)));
-  add("potential_field.png", pngBytes(field));
-  if (!scene.classes.names.empty())
-    add("classes.png", pngBytes(drawClasses(scene, points)));
   auto plan = floorPlan(scene.building, thingsFromAbove(scene));
   addModel(scene.model, plan);
   addNames(knownNames(scene), plan);
   plan.origin = originOf(scene.input.offset, scene.frame, scene.building_pose);
   const auto svg = planSvg(plan);
+  auto drawn = planPicture(svg); // meanwhile
+  const auto json = sceneJson(scene);
+  const auto field = drawPotentialField(scene.building);
+  std::string report, classes, rooms, field_bytes;
+  inParallel(
+      options.threads,
+      {[&] {
+         if (options.report != "none")
+           report = reportPage({scene, json, plan, field, points, scene.input.offset});
+       },
+       [&] {
+         if (!scene.classes.names.empty())
+           classes = pngBytes(drawClasses(scene, points));
+       },
+       [&] { rooms = pngBytes(drawRooms(scene.building)); },
+       [&] { field_bytes = pngBytes(field); }});
+  add("rooms.png", rooms);
+  add("potential_field.png", field_bytes);
+  if (!classes.empty())
+    add("classes.png", classes);
   add("plan.svg", svg);
-  if (const auto picture = planPicture(svg))
+  if (const auto picture = drawn.get())
     add("plan.png", *picture);
   add("plan.dxf", planDxf(plan));
-  const auto json = sceneJson(scene);
-  if (options.report != "none")
-    files.emplace_back(
-        options.reportFile(),
-        reportPage({scene, json, plan, field, points, scene.input.offset}));
+  if (!report.empty())
+    files.emplace_back(options.reportFile(), report);
   addExports(options, json, files);
   add("scene.json", jsonText(json));
   return files;

@@ -124,7 +124,8 @@ completedCloud(const PipelineOptions& options,
     findObjects(search, scan.file, standing, scene);
   report.start("Completing the cloud");
   const auto path = options.folder + "/cloud.pcd";
-  const CloudLook look = {options.colors, options.coordinates, options.frame.upAxis()};
+  const CloudLook look = {
+      options.colors, options.coordinates, options.frame.upAxis(), options.threads};
   const auto is_done = [&](std::size_t done, std::size_t all) {
     report.update(done, all);
   };
