@@ -5,6 +5,8 @@
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 #include "files/output_file.h"
+#include "objects/join/object_joining.h"
+#include "objects/object_steps.h"
 #include "scene/category_names.h"
 #include "text/pcl_errors.h"
 #include "text/printable.h"
@@ -207,7 +209,7 @@ public:
   : learned_(learned)
   , share_(settings.share)
   , random_(settings.seed + 1000 * room)
-  , truth_(pieces.pieces.pieces.size())
+  , truth_(stepsOf(pieces).pieces.pieces.size())
   , examples_(examples)
   {
     for (std::size_t i = 0; i < truth.size(); ++i)
@@ -267,7 +269,8 @@ saveThings(const ObjectSegmentation& pieces,
            const JoinTree& tree,
            std::ostream& examples)
 {
-  const auto piece_count = pieces.pieces.pieces.size();
+  const auto& graph = stepsOf(pieces).pieces;
+  const auto piece_count = graph.pieces.size();
   std::vector<PieceTruth> unions(piece_count);
   PieceTruth all;
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -284,7 +287,7 @@ saveThings(const ObjectSegmentation& pieces,
     }
     const double size = unions[piece].size();
     if (size < ObjectSegmentationOptions().fewest_points ||
-        !(pieces.pieces.pieces[piece].positions.count > 0))
+        !(graph.pieces[piece].positions.count > 0))
       continue;
     double fit = 0; // in more than half of the union of both there is one thing at most
     for (const auto& [thing, count] : unions[piece].counts)
@@ -332,12 +335,13 @@ saveExamples(const Room& room,
   if (labels.empty())
     throw ToolError(settings.input + ": " + problem);
   const auto& pieces = segmentation.getResult();
+  const auto& graph = stepsOf(pieces).pieces;
   if (settings.things) {
-    saveThings(pieces, room.truth, joinPieces(pieces.pieces, *learned), examples);
+    saveThings(pieces, room.truth, joinPieces(graph, *learned), examples);
     return;
   }
   Teacher teacher(pieces, room.truth, learned, settings, room.number, examples);
-  joinPieces(pieces.pieces, teacher);
+  joinPieces(graph, teacher);
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 
-#include <pcl/segmentation/average_precision.h>
 #include <pcl/segmentation/segmentation_metrics.h>
 
 #include <nlohmann/json.hpp>

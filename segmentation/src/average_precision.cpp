@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/average_precision.h>
+#include <pcl/segmentation/segmentation_metrics.h>
 
 #include <pcl/exceptions.h>
 

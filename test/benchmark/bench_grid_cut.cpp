@@ -4,11 +4,10 @@
  */
 
 #include "office_floor.h"
+#include "rooms/space/enclosure.h"
+#include "rooms/space/grid_cut.h"
 #include "support/boost_grid_cut.h"
 #include "support/hard_cuts.h"
-
-#include "rooms/space/grid_cut.h"
-#include <pcl/segmentation/rooms/enclosure.h>
 
 #include <benchmark/benchmark.h>
 

@@ -3,12 +3,12 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "floor_map.h"
+#include "rooms/field/map_clustering.h"
+
 #include <pcl/segmentation/hdbscan.h>
-#include <pcl/segmentation/rooms/map_clustering.h>
 
 #include <benchmark/benchmark.h>
-
-#include "floor_map.h"
 
 #include <cmath>
 #include <fstream>

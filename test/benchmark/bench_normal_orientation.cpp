@@ -8,8 +8,9 @@
  *
  *   bench_normal_orientation plan.json ... */
 
+#include "objects/graph/surface_voxels.h"
+
 #include <pcl/features/normal_orientation.h>
-#include <pcl/segmentation/objects/surface_voxels.h>
 #include <pcl/simulation/building.h>
 #include <pcl/simulation/plan.h>
 #include <pcl/simulation/range_sensor.h>

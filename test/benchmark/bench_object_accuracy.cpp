@@ -22,7 +22,6 @@
 #include "scene/table_view.h"
 
 #include <pcl/io/pcd_io.h>
-#include <pcl/segmentation/average_precision.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/segmentation_metrics.h>
 

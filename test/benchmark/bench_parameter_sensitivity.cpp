@@ -15,6 +15,8 @@
 
 #include "pictures/line_plot.h"
 
+#include "objects/object_steps.h"
+
 #include <pcl/common/point_tests.h>
 #include <pcl/filters/non_convex_points.h>
 #include <pcl/io/pcd_io.h>
@@ -57,8 +59,7 @@ loadRoom(const std::string& path, bool labelled_alone, Room& room)
 
 /** The most frequent label of each supervoxel's points, 0 left out. */
 std::vector<std::uint32_t>
-labelsOfSupervoxels(const ObjectSegmentation& result,
-                    const std::vector<std::uint32_t>& labels)
+labelsOfSupervoxels(const ObjectSteps& result, const std::vector<std::uint32_t>& labels)
 {
   std::vector<std::map<std::uint32_t, std::size_t>> counts(result.supervoxels.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -103,7 +104,7 @@ touchingCells(const ObjectScene& scene, bool on_points)
 /** Count the edges of the graph of all supervoxels that are left: those that have
  * voxels, or points, that were not removed, in one cell or in two that touch. */
 EdgeCount
-countEdges(const ObjectSegmentation& graph,
+countEdges(const ObjectSteps& graph,
            const TouchingCells& cells,
            const std::vector<std::uint32_t>& labels,
            const std::vector<std::uint8_t>& removed)
@@ -135,11 +136,11 @@ countEdges(const ObjectSegmentation& graph,
  * graph, or the voxels' own way. */
 std::vector<std::uint8_t>
 removedWith(const ObjectSegmentationOptions& options,
-            const ObjectSegmentation& graph,
+            const ObjectSteps& graph,
             const Room& room)
 {
   if (!options.on_points)
-    return segmentObjects(room.input, options).removed;
+    return stepsOf(segmentObjects(room.input, options)).removed;
   const auto& surface = graph.scene.voxels;
   NonConvexityOptions removal;
   removal.radius = options.on_points->removal_radius;
@@ -173,7 +174,8 @@ measure(const std::vector<Room>& rooms, bool on_points)
     if (on_points)
       options.on_points->ransac_share = 0;
     options.curvature_threshold = 1.0f / 3; // nothing is removed
-    const auto graph = segmentObjects(room.input, options);
+    const auto segmentation = segmentObjects(room.input, options);
+    const auto& graph = stepsOf(segmentation);
     const auto labels = labelsOfSupervoxels(graph, room.labels);
     const auto cells = touchingCells(graph.scene, on_points);
     const auto before = countEdges(graph, cells, labels, graph.removed);
@@ -213,7 +215,8 @@ printGraphsAnew(const std::vector<Room>& rooms, float ratio_threshold)
       options.on_points->ransac_share = 0;
       options.curvature_threshold = curvature_threshold;
       options.ratio_threshold = ratio_threshold;
-      const auto graph = segmentObjects(room.input, options);
+      const auto segmentation = segmentObjects(room.input, options);
+      const auto& graph = stepsOf(segmentation);
       const auto labels = labelsOfSupervoxels(graph, room.labels);
       for (const auto& edge : graph.edges)
         if (labels[edge.source] != 0 && labels[edge.target] != 0)

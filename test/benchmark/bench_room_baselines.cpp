@@ -15,9 +15,10 @@
 #include "command_line/options.h"
 #include "comparison/measured_segmentation.h"
 #include "files/cloud_file.h"
+#include "rooms/map/ceiling_slab.h"
+#include "rooms/space/occupancy_grid.h"
 
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/rooms/ceiling_slab.h>
 #include <pcl/segmentation/segmentation_metrics.h>
 
 #include <algorithm>

@@ -3,15 +3,14 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "floor_map.h"
+#include "rooms/field/field_connectivity.h"
 #include "rooms/field/map_labels.h"
 #include "rooms/field/map_random_walker.h"
-#include "rooms/field/potential_field.h"
-#include <pcl/segmentation/rooms/field_connectivity.h>
-#include <pcl/segmentation/rooms/visibility.h>
+#include "rooms/field/visibility.h"
+#include "rooms/space/potential_field.h"
 
 #include <benchmark/benchmark.h>
-
-#include "floor_map.h"
 
 namespace {
 

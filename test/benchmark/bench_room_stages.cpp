@@ -4,14 +4,14 @@
  */
 
 #include "office_floor.h"
-
 #include "rooms/space/dominant_directions.h"
+#include "rooms/space/enclosure.h"
+#include "rooms/space/occupancy_grid.h"
 #include "rooms/space/vertical_cleanup.h"
 #include "rooms/space/voxel_normals.h"
+#include "rooms/storeys/storeys.h"
+
 #include <pcl/filters/voxel_grid.h>
-#include <pcl/segmentation/rooms/enclosure.h>
-#include <pcl/segmentation/rooms/occupancy_grid.h>
-#include <pcl/segmentation/rooms/storeys.h>
 
 #include <pcl/point_types.h>
 

@@ -5,9 +5,9 @@
 
 #pragma once
 
-#include "rooms/field/potential_field.h"
-#include <pcl/segmentation/rooms/field_connectivity.h>
-#include <pcl/segmentation/rooms/visibility.h>
+#include "rooms/field/field_connectivity.h"
+#include "rooms/field/visibility.h"
+#include "rooms/space/potential_field.h"
 
 #include <random>
 

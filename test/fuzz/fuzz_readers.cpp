@@ -17,6 +17,7 @@
 #include "formats/mesh_file.h"
 #include "formats/ply_file.h"
 #include "mutation.h"
+#include "objects/join/boosted_trees.h"
 #include "scene/category_names.h"
 #include "support/e57_writer.h"
 #include "support/folder_test.h" // for bytesOf
@@ -26,7 +27,6 @@
 #include <pcl/exceptions.h>
 #include <pcl/ml/model_file.h>
 #include <pcl/ml/voxel_network.h>
-#include <pcl/segmentation/objects/boosted_trees.h>
 #include <pcl/simulation/building.h>
 #include <pcl/simulation/plan.h>
 

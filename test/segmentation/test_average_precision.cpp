@@ -4,7 +4,7 @@
  */
 
 #include <pcl/exceptions.h>
-#include <pcl/segmentation/average_precision.h>
+#include <pcl/segmentation/segmentation_metrics.h>
 
 #include <gtest/gtest.h>
 

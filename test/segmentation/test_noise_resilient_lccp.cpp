@@ -5,6 +5,8 @@
 
 #include "segmentation/objects/segmented_scene.h"
 
+#include "objects/object_steps.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -35,7 +37,7 @@ TEST(NoiseResilientLCCP, TurnsNormalsIntoARoomByItself)
   segmentation.setInputCloud(cloudOf(scene.points));
   Labels labels;
   segmentation.segment(labels);
-  const auto& voxels = segmentation.getResult().scene.voxels;
+  const auto& voxels = stepsOf(segmentation.getResult()).scene.voxels;
   std::size_t right = 0;
   for (std::size_t i = 0; i < scene.points.size(); ++i)
     right += voxels.normals[voxels.cells.cell_of_point[i]].dot(scene.normals[i]) > 0;
@@ -243,7 +245,7 @@ TEST(NoiseResilientLCCP, TheFirstPointIsLikeAllOthers)
     segmentation.setInputCloud(cloudOf(cloud));
     Labels labels;
     segmentation.segment(labels);
-    return segmentation.getResult().scene.voxels.cells.keys;
+    return stepsOf(segmentation.getResult()).scene.voxels.cells.keys;
   };
   const auto voxels = voxelsOf(points);
   EXPECT_GT(voxels.size(), 100u);
@@ -276,11 +278,12 @@ TEST(NoiseResilientLCCP, RaisesItsVoxelsForSparseClouds)
   segmentation.setInputNormals(normalsOf(scene));
   Labels labels;
   segmentation.segment(labels);
-  EXPECT_NEAR(segmentation.getResult().scene.voxel_size, 0.125, 0.02); // 2.5 spacings
+  EXPECT_NEAR(
+      stepsOf(segmentation.getResult()).scene.voxel_size, 0.125, 0.02); // 2.5 spacings
   EXPECT_EQ(scoreDetections(countOverlaps(scene.objects, labels)).right_count, 3u);
   segmentation.setVoxelResolution(0.03); // what is given holds
   segmentation.segment(labels);
-  EXPECT_NEAR(segmentation.getResult().scene.voxel_size, 0.03, 1e-6);
+  EXPECT_NEAR(stepsOf(segmentation.getResult()).scene.voxel_size, 0.03, 1e-6);
 }
 
 TEST(NoiseResilientLCCP, OrganisedCloudsAreSeenFromTheirSensor)
@@ -308,11 +311,11 @@ TEST(NoiseResilientLCCP, OrganisedCloudsAreSeenFromTheirSensor)
   for (const auto& point : output)
     labels.push_back(point.label);
   EXPECT_EQ(agreement(truth, labels), 1);
-  EXPECT_LT(segmentation.getResult().scene.voxel_size, 0.02)
+  EXPECT_LT(stepsOf(segmentation.getResult()).scene.voxel_size, 0.02)
       << "of a single view, as nothing was chosen";
   segmentation.setVoxelResolution(0.02);
   segmentation.segment(output);
-  EXPECT_DOUBLE_EQ(segmentation.getResult().scene.voxel_size, 0.02);
+  EXPECT_DOUBLE_EQ(stepsOf(segmentation.getResult()).scene.voxel_size, 0.02);
 }
 
 TEST(NoiseResilientLCCP, NormalsThatAreNoneAreEstimated)

@@ -5,6 +5,8 @@
 
 #include "support/labelled_points.h"
 
+#include "objects/object_steps.h"
+
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
 #include <gtest/gtest.h>
@@ -33,7 +35,7 @@ wall()
 double
 shareForwards(const Segmentation& segmentation)
 {
-  const auto& normals = segmentation.getResult().scene.voxels.normals;
+  const auto& normals = stepsOf(segmentation.getResult()).scene.voxels.normals;
   std::size_t forwards = 0;
   for (const auto& normal : normals)
     forwards += normal.y() > 0;

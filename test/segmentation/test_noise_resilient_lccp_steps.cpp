@@ -5,6 +5,8 @@
 
 #include "segmentation/objects/segmented_scene.h"
 
+#include "objects/object_steps.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -98,7 +100,7 @@ TEST(NoiseResilientLCCPSteps, KeepsFloorCeilingAndWallsOutOfTheGraph)
   Labels labels;
   segmentation.segment(labels);
   const auto planes = [&] {
-    const auto& of_voxels = segmentation.getResult().scene.plane_of_voxel;
+    const auto& of_voxels = stepsOf(segmentation.getResult()).scene.plane_of_voxel;
     return of_voxels.empty() ? 0
                              : *std::max_element(of_voxels.begin(), of_voxels.end());
   };
@@ -133,8 +135,7 @@ TEST(NoiseResilientLCCPSteps, JoinsThePiecesUpToItsLevel)
     if (pieces.empty())
       pieces = result.piece_of_point;
     EXPECT_EQ(result.piece_of_point, pieces) << "the level has no influence on them";
-    const auto joined =
-        segmentsAtLevel(result.pieces.pieces.size(), result.joins, level);
+    const auto joined = segmentsAtLevel(result, level);
     const auto count = std::set<std::uint32_t>(joined.begin(), joined.end()).size();
     EXPECT_GE(count, most) << "higher levels join less";
     most = count;
@@ -143,9 +144,9 @@ TEST(NoiseResilientLCCPSteps, JoinsThePiecesUpToItsLevel)
       expected.push_back(joined[piece] + 1);
     EXPECT_GT(agreement(expected, labels), 0.95); // bodies may be cut afterwards
   }
-  const auto& result = segmentation.getResult();
+  const auto& steps = stepsOf(segmentation.getResult());
   for (const auto index : segmentation.getStructureIndices())
-    EXPECT_EQ(result.pieces.pieces[pieces[index]].positions.count, 0)
+    EXPECT_EQ(steps.pieces.pieces[pieces[index]].positions.count, 0)
         << "the planes' have no voxels";
 }
 
@@ -160,7 +161,7 @@ TEST(NoiseResilientLCCPSteps, OtherPartitionsHaveNoPieces)
     segmentation.segment(labels);
     EXPECT_EQ(labels.size(), scene.points.size());
     EXPECT_TRUE(segmentation.getResult().piece_of_point.empty());
-    EXPECT_TRUE(segmentation.getResult().pieces.pieces.empty());
+    EXPECT_TRUE(stepsOf(segmentation.getResult()).pieces.pieces.empty());
     EXPECT_TRUE(segmentation.getResult().joins.empty());
   }
 }

@@ -5,6 +5,9 @@
 
 #include "segmentation/objects/segmented_scene.h"
 
+#include "objects/join/object_joining.h"
+#include "objects/object_steps.h"
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -214,7 +217,7 @@ TEST(NoiseResilientLCCPUse, OtherLevelsAndStructureFitTheSegments)
     ASSERT_EQ(segments.size(), labels.size());
     EXPECT_EQ(segments[7], 0u);
     const auto names = segmentsAtLevel(
-        segmentation.getResult().pieces.pieces.size(), hierarchy, level);
+        stepsOf(segmentation.getResult()).pieces.pieces.size(), hierarchy, level);
     std::set<std::uint32_t> found;
     for (std::size_t i = 0; i < segments.size(); ++i)
       if (i != 7)

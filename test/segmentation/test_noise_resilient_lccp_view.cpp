@@ -3,6 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 // Views of a depth camera, with simulated tables that no criterion was learned from.
+#include "objects/object_steps.h"
+
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/segmentation_metrics.h>
 #include <pcl/simulation/depth_camera.h>
@@ -133,7 +135,7 @@ TEST(NoiseResilientLCCPView, ARoomIsSegmentedAsARoom)
     Labels labels;
     segmentation.segment(labels);
     ASSERT_EQ(labels.size(), view.objects.size());
-    EXPECT_GT(segmentation.getResult().scene.up.dot(upSeenFrom(pose)), 0.996)
+    EXPECT_GT(stepsOf(segmentation.getResult()).scene.up.dot(upSeenFrom(pose)), 0.996)
         << "5 degrees off, seed " << seed;
     EXPECT_FALSE(segmentation.getStructureIndices().empty()) << "no wall, no floor";
     quality += scoreThings(view.objects, labels).panopticQuality();
@@ -156,7 +158,7 @@ TEST(NoiseResilientLCCPView, TheDirectionUpThatWasSetIsTaken)
   segmentation.setUpAxis({0, -1, 0});
   Labels labels;
   segmentation.segment(labels);
-  EXPECT_EQ(segmentation.getResult().scene.up, Eigen::Vector3f(0, -1, 0));
+  EXPECT_EQ(stepsOf(segmentation.getResult()).scene.up, Eigen::Vector3f(0, -1, 0));
 }
 
 TEST(NoiseResilientLCCPView, PointsBesideAndBehindTheCameraAreNoHarm)
@@ -196,8 +198,8 @@ TEST(NoiseResilientLCCPView, TheOrderOfJoiningIsATreeAsInRooms)
   ASSERT_FALSE(result.joins.empty());
   for (std::size_t i = 1; i < result.joins.size(); ++i)
     EXPECT_LE(result.joins[i].level, result.joins[i - 1].level);
-  EXPECT_GT(result.pieces.pieces.size(), result.segment_count);
-  EXPECT_TRUE(result.scene.planes.empty()) << "nothing is taken for a wall";
+  EXPECT_GT(stepsOf(result).pieces.pieces.size(), result.segment_count);
+  EXPECT_TRUE(stepsOf(result).scene.planes.empty()) << "nothing is taken for a wall";
 }
 
 TEST(NoiseResilientLCCPView, ItsFrameAndItsRowsDoNotMatter)

@@ -9,7 +9,7 @@
 
 #include <pcl/console/print.h>
 #include <pcl/indoor/usable_point.h>
-#include <pcl/segmentation/rooms/building_frame.h>
+#include <pcl/segmentation/building_frame.h>
 
 #include <gtest/gtest.h>
 

@@ -37,7 +37,7 @@ someScene()
   scene.rooms[0].label = 1;
   scene.rooms[0].area = 12.5;
   scene.rooms[0].footprint = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {}};
-  scene.building.storeys.heights = {{0.0, 2.5}};
+  scene.building.heights = {{0.0, 2.5}};
   scene.building.maps.resize(1);
   scene.building.maps[0].labels = {1, 2, {1, -1}};
   scene.building.room_of = {{0, 1}};

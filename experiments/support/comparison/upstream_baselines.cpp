@@ -4,9 +4,10 @@
  */
 #include "comparison/upstream_baselines.h"
 
+#include "clustering/graph_segmentation.h"
+
 #include <pcl/indoor/point_cells.h>
 #include <pcl/indoor/usable_point.h>
-#include <pcl/segmentation/objects/graph_segmentation.h>
 
 #include <pcl/common/common.h>
 #include <pcl/features/fpfh_omp.h>

@@ -4,12 +4,12 @@
  */
 #include "pictures/comparison_picture.h"
 
+#include "objects/graph/surface_voxels.h"
 #include "pictures/cloud_picture.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/features/normal_orientation.h>
 #include <pcl/indoor/point_resolution.h>
-#include <pcl/segmentation/objects/surface_voxels.h>
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include "pictures/plan_polygon.h"
 
 #include <pcl/model/building_model.h>
-#include <pcl/segmentation/upright_box.h>
+#include <pcl/segmentation/room_objects.h>
 
 #include <nlohmann/json.hpp>
 

@@ -52,7 +52,7 @@ widestPlace(const BuildingRooms& building,
         widths.push_back(map.field.at(x, y));
       }
   if (pixels.empty())
-    return building.occupancy.toCloud(Eigen::Vector3d::Zero()).head<2>();
+    return building.grid.toCloud(Eigen::Vector3d::Zero()).head<2>();
   const float enough = about * *std::max_element(widths.begin(), widths.end());
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   std::size_t count = 0;
@@ -69,9 +69,9 @@ widestPlace(const BuildingRooms& building,
       nearest = (pixels[i] - mean).squaredNorm();
       place = pixels[i];
     }
-  const auto center = building.occupancy.grid.center(
-      static_cast<int>(place.x()), static_cast<int>(place.y()), 0);
-  return building.occupancy.toCloud(center).head<2>();
+  const auto center =
+      building.grid.center(static_cast<int>(place.x()), static_cast<int>(place.y()));
+  return building.grid.toCloud(center).head<2>();
 }
 
 PlanRoom

@@ -40,11 +40,11 @@ shownSection(const BuildingRooms& building)
           }
     return box;
   };
-  auto box =
-      box_of([](const RoomMap& map, int x, int y) { return map.labels.at(x, y) > 0; });
+  auto box = box_of(
+      [](const MappedRooms& map, int x, int y) { return map.labels.at(x, y) > 0; });
   if (box.end_x < 0)
     box = box_of(
-        [](const RoomMap& map, int x, int y) { return map.blocked.at(x, y) != 0; });
+        [](const MappedRooms& map, int x, int y) { return map.blocked.at(x, y) != 0; });
   if (box.end_x < 0)
     return {};
   constexpr int margin = 6;
@@ -82,7 +82,7 @@ drawMap(const Section& section, int scale, const std::function<Color(int, int)>&
 /** A room's number stands where the room is widest. */
 void
 drawNumbers(Picture& picture,
-            const RoomMap& map,
+            const MappedRooms& map,
             const std::vector<std::uint32_t>& room_of,
             const Section& section,
             int scale)
@@ -114,13 +114,13 @@ drawOpenings(Picture& picture,
              const Section& section,
              int scale)
 {
-  const auto& grid = building.occupancy.grid;
+  const auto& grid = building.grid;
   const int radius = std::max(3, static_cast<int>(0.2 / grid.voxel_size * scale));
   for (const auto& opening : building.openings) {
     if (building.rooms[opening.room_a - 1].storey != storey)
       continue;
     const Eigen::Vector3d place =
-        (building.occupancy.toGrid(opening.position) - grid.origin) / grid.voxel_size;
+        (grid.toGrid(opening.position) - grid.origin) / grid.voxel_size;
     const int x = static_cast<int>(std::lround((place.x() - section.begin_x) * scale));
     const int y = static_cast<int>(std::lround((section.end_y - place.y()) * scale));
     for (int dx = -radius; dx <= radius; ++dx)
@@ -173,7 +173,7 @@ stack(const std::vector<Picture>& storeys, double pixels_per_metre)
 double
 pixelsPerMetre(const BuildingRooms& building, int scale)
 {
-  return scale / building.occupancy.grid.voxel_size;
+  return scale / building.grid.voxel_size;
 }
 
 } // namespace
@@ -204,11 +204,10 @@ drawPotentialField(const BuildingRooms& building)
 {
   const auto section = shownSection(building);
   const int scale = scaleOf(section);
-  const int factor = building.interior.factor;
-  const auto fieldAt = [factor](const RoomMap& map, int x, int y) {
-    const auto& of_thesis = map.field_rooms.field; // empty with the other method
-    return of_thesis.size() > 0 ? of_thesis.at(x / factor, y / factor)
-                                : map.field.at(x, y);
+  const auto fieldAt = [](const MappedRooms& map, int x, int y) {
+    const int factor = map.potential_factor;
+    return map.potential.size() > 0 ? map.potential.at(x / factor, y / factor)
+                                    : map.field.at(x, y);
   };
   float highest = 0.0f;
   for (const auto& map : building.maps)

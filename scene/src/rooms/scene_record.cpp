@@ -46,14 +46,10 @@ exchange(Record& record, RoomOpening& opening)
 
 template <typename Record>
 void
-exchange(Record& record, RoomMap& map)
+exchange(Record& record, MappedRooms& map)
 {
-  record(map.blocked,
-         map.field,
-         map.free_labels,
-         map.labels,
-         map.field_rooms.field,
-         map.room_count);
+  record(map.blocked, map.field, map.free_labels, map.labels, map.room_count);
+  record(map.potential, map.potential_factor);
 }
 
 template <typename Record>
@@ -67,11 +63,8 @@ template <typename Record>
 void
 exchange(Record& record, BuildingRooms& building)
 {
-  auto& grid = building.occupancy.grid;
-  record(grid.shape.nx, grid.shape.ny, grid.shape.nz, grid.origin, grid.voxel_size);
-  record(building.occupancy.yaw,
-         building.interior.factor,
-         building.storeys.heights,
+  record(building.grid.yaw, building.grid.origin, building.grid.voxel_size);
+  record(building.heights,
          building.maps,
          building.room_of,
          building.rooms,
@@ -150,26 +143,10 @@ valueOf(const std::string& bytes)
 void
 dropGrids(BuildingRooms& building)
 {
-  BuildingRooms kept;
-  kept.occupancy.grid.shape = building.occupancy.grid.shape;
-  kept.occupancy.grid.origin = building.occupancy.grid.origin;
-  kept.occupancy.grid.voxel_size = building.occupancy.grid.voxel_size;
-  kept.occupancy.yaw = building.occupancy.yaw;
-  kept.interior.factor = building.interior.factor;
-  kept.storeys.heights = std::move(building.storeys.heights);
-  kept.room_of = std::move(building.room_of);
-  kept.rooms = std::move(building.rooms);
-  kept.openings = std::move(building.openings);
-  for (auto& map : building.maps) {
-    auto& own = kept.maps.emplace_back();
-    own.blocked = std::move(map.blocked);
-    own.field = std::move(map.field);
-    own.free_labels = std::move(map.free_labels);
-    own.labels = std::move(map.labels);
-    own.field_rooms.field = std::move(map.field_rooms.field);
-    own.room_count = map.room_count;
-  }
-  building = std::move(kept);
+  building.steps.reset();
+  std::vector<std::uint32_t>().swap(building.point_labels);
+  std::vector<std::size_t>().swap(building.outside);
+  building.stations.clear();
 }
 
 std::string

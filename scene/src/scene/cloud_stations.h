@@ -6,7 +6,7 @@
 
 #include "files/cloud_file.h"
 
-#include <pcl/segmentation/rooms/scan_stations.h>
+#include <pcl/segmentation/building_rooms.h>
 
 namespace pcl::indoor::tool {
 

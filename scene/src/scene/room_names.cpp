@@ -84,7 +84,7 @@ addThings(const Scene& scene, std::vector<RoomEvidence>& rooms)
     const auto storey = rooms[object.room - 1].storey;
     auto thing = thingOf(scene.classes.objects[i], scene.classes.names);
     thing.foot = object.upright.center.z() - 0.5 * object.upright.size.z() - origin -
-                 scene.building.storeys.heights.at(storey).floor;
+                 scene.building.heights.at(storey).floor;
     rooms[object.room - 1].things.push_back(std::move(thing));
   }
 }

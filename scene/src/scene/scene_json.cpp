@@ -61,7 +61,7 @@ storeysJson(const Scene& scene, double offset_up)
       offset_up;
   Json storeys = Json::array();
   for (std::size_t s = 0; s < scene.building.maps.size(); ++s) {
-    const auto& heights = scene.building.storeys.heights.at(s);
+    const auto& heights = scene.building.heights.at(s);
     Json rooms = Json::array();
     double area = 0.0;
     for (const auto& room : scene.rooms)

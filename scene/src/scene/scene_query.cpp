@@ -10,7 +10,7 @@
 #include "text/printable.h"
 
 #include <pcl/model/room_names.h>
-#include <pcl/segmentation/upright_box.h>
+#include <pcl/segmentation/room_objects.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "text/printable.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
-#include <pcl/segmentation/rooms/scan_unit.h>
+#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>

@@ -4,6 +4,7 @@
  */
 
 #include "clustering/single_linkage.h"
+
 #include <pcl/indoor/disjoint_sets.h>
 
 #include <pcl/exceptions.h>

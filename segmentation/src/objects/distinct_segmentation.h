@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/object_segmentation.h>
+#include "objects/object_steps.h"
 
 namespace pcl {
 namespace indoor {
@@ -12,7 +12,7 @@ namespace indoor {
 /** \brief segmentObjects() of points of which nobody asks again whether some are
  * copies.
  */
-ObjectSegmentation
+DetailedSegmentation
 segmentDistinct(ObjectSegmentationInput input,
                 const ObjectSegmentationOptions& options,
                 const ProgressCallback& progress = {});

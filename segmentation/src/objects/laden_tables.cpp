@@ -5,9 +5,9 @@
 #include "objects/laden_tables.h"
 
 #include "objects/distinct_segmentation.h"
+#include "objects/graph/segment_members.h"
 #include "objects/segment_names.h"
 #include "objects/split/laden_top.h"
-#include "objects/split/segment_members.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace {
 
+using pcl::indoor::DetailedSegmentation;
 using pcl::indoor::ObjectScene;
-using pcl::indoor::ObjectSegmentation;
 using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::SegmentMembers;
@@ -51,7 +51,7 @@ pointsOf(const SegmentMembers& members, const std::vector<Eigen::Vector3f>& poin
  * raisedToResolution() a voxel of a surface holds four points or more, and one of twice
  * the size four times as many. */
 std::vector<std::uint32_t>
-denseThings(const ObjectSegmentation& result)
+denseThings(const DetailedSegmentation& result)
 {
   constexpr std::uint32_t fewest_per_voxel = 16;
   const auto sizes = pcl::indoor::sizesOfSegments(result, result.segment_count);
@@ -81,7 +81,7 @@ isSmall(const SegmentMembers& thing, const ObjectScene& scene)
  * larger ones with more than a fifth of it: those are parts of one larger thing, such
  * as cushions, boards and leaves */
 std::vector<SegmentMembers>
-smallThings(const TopLevel& top, const ObjectSegmentation& small)
+smallThings(const TopLevel& top, const DetailedSegmentation& small)
 {
   const auto& scene = small.scene;
   SegmentMembers all(scene.points.size());
@@ -113,7 +113,7 @@ smallThings(const TopLevel& top, const ObjectSegmentation& small)
 void
 clearTable(const SegmentMembers& members,
            const ObjectSegmentationOptions& options,
-           ObjectSegmentation& result)
+           DetailedSegmentation& result)
 {
   const auto& scene = result.scene;
   const auto points = pointsOf(members, scene.points);
@@ -144,7 +144,7 @@ namespace pcl {
 namespace indoor {
 
 void
-clearLadenTables(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
+clearLadenTables(const ObjectSegmentationOptions& options, DetailedSegmentation& result)
 {
   const auto dense = denseThings(result);
   if (dense.empty())

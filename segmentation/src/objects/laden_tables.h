@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/object_segmentation.h>
+#include "objects/object_steps.h"
 
 namespace pcl {
 namespace indoor {
@@ -22,7 +22,8 @@ namespace indoor {
  * \param[in,out] result with names of segments; new ones follow those that were there
  */
 void
-clearLadenTables(const ObjectSegmentationOptions& options, ObjectSegmentation& result);
+clearLadenTables(const ObjectSegmentationOptions& options,
+                 DetailedSegmentation& result);
 
 } // namespace indoor
 } // namespace pcl

@@ -4,31 +4,29 @@
  */
 #include "objects/object_pieces.h"
 
+#include "objects/join/building_pieces.h"
+#include "objects/join/object_joining.h"
 #include "objects/segment_names.h"
-#include "objects/structure/voted_structure.h"
-#include "objects/structure/wall_casings.h"
-
 #include "objects/split/flat_things.h"
 #include "objects/split/object_gaps.h"
 #include "objects/split/object_seams.h"
+#include "objects/structure/wall_casings.h"
 
 #include <pcl/indoor/most_frequent.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace {
 
+using pcl::indoor::DetailedSegmentation;
 using pcl::indoor::JoiningScale;
 using pcl::indoor::JoinTree;
-using pcl::indoor::ObjectSegmentation;
 using pcl::indoor::ObjectSegmentationOptions;
-using pcl::indoor::PieceGraph;
 using pcl::indoor::StructureKind;
 
 /** The piece of most points of each voxel. */
 std::vector<std::uint32_t>
-piecesOfVoxels(const ObjectSegmentation& result)
+piecesOfVoxels(const DetailedSegmentation& result)
 {
   const auto& cells = result.scene.voxels.cells;
   std::vector<std::uint32_t> piece_of_voxel(result.scene.voxels.size(), 0), pieces;
@@ -47,7 +45,7 @@ piecesOfVoxels(const ObjectSegmentation& result)
 std::vector<float>
 worthOf(const JoinTree& tree,
         const ObjectSegmentationOptions& options,
-        const ObjectSegmentation& result)
+        const DetailedSegmentation& result)
 {
   constexpr float price = 0.38f;
   std::vector<std::size_t> points(result.segment_count, 0);
@@ -70,29 +68,13 @@ worthOf(const JoinTree& tree,
 std::vector<std::uint32_t>
 thingsOf(const JoinTree& tree,
          const ObjectSegmentationOptions& options,
-         const ObjectSegmentation& result)
+         const DetailedSegmentation& result)
 {
   const auto [scale, level] = options.pieces;
   if (level || scale == JoiningScale::View)
     return segmentsAtLevel(
         result.segment_count, tree.joins, level.value_or(levelOf(scale)));
   return bestCut(tree.joins, worthOf(tree, options, result), levelOf(scale));
-}
-
-/** Takes out the contacts of what is part of the building: it is joined to nothing. */
-void
-leaveAlone(const std::vector<StructureKind>& kinds, PieceGraph& graph)
-{
-  const auto is_building = [&](std::uint32_t piece) {
-    return kinds[piece] != StructureKind::None;
-  };
-  graph.contacts.erase(std::remove_if(graph.contacts.begin(),
-                                      graph.contacts.end(),
-                                      [&](const auto& contact) {
-                                        return is_building(contact.first) ||
-                                               is_building(contact.second);
-                                      }),
-                       graph.contacts.end());
 }
 
 /** One segment for all that is of the same kind of structure. */
@@ -112,7 +94,8 @@ namespace pcl {
 namespace indoor {
 
 void
-cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& result)
+cutPieces(const std::vector<std::uint32_t>& piece_of_voxel,
+          DetailedSegmentation& result)
 {
   const auto& scene = result.scene;
   result.segment_of_point = partFlatThings(scene, piece_of_voxel);
@@ -125,7 +108,7 @@ cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& 
 void
 joinToThings(const ObjectSegmentationOptions& options,
              const std::optional<Eigen::Vector3f>& camera,
-             ObjectSegmentation& result)
+             DetailedSegmentation& result)
 {
   numberSegments(result);
   result.piece_of_point = result.segment_of_point;
@@ -140,7 +123,7 @@ joinToThings(const ObjectSegmentationOptions& options,
                               result.edges,
                               result.votes},
                              frame);
-  const auto kinds = votedStructure(result.pieces);
+  const auto kinds = buildingPieces(result.pieces);
   leaveAlone(kinds, result.pieces);
   LearnedCriterion criterion(options.pieces.scale, result.pieces.has_votes);
   auto tree = joinPieces(result.pieces, criterion);
@@ -152,7 +135,7 @@ joinToThings(const ObjectSegmentationOptions& options,
 }
 
 void
-cutBodies(ObjectSegmentation& result)
+cutBodies(DetailedSegmentation& result)
 {
   const auto left_out = flagStructureAndCasings(result.scene, result.segment_of_point);
   partAtSeams(result.scene, left_out, result.segment_of_point);

@@ -4,8 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/object_segmentation.h>
-#include <pcl/segmentation/objects/room_structure.h>
+#include "objects/object_steps.h"
 
 #include <cstdint>
 #include <optional>
@@ -19,18 +18,19 @@ namespace indoor {
  * points.
  */
 void
-cutPieces(const std::vector<std::uint32_t>& piece_of_voxel, ObjectSegmentation& result);
+cutPieces(const std::vector<std::uint32_t>& piece_of_voxel,
+          DetailedSegmentation& result);
 
 /** Take the segments for pieces, and join those that are probably one thing.
  * \param[in] camera where it was, if the points are a camera's view */
 void
 joinToThings(const ObjectSegmentationOptions& options,
              const std::optional<Eigen::Vector3f>& camera,
-             ObjectSegmentation& result);
+             DetailedSegmentation& result);
 
 /** Part objects at seams between bodies that stand against each other. */
 void
-cutBodies(ObjectSegmentation& result);
+cutBodies(DetailedSegmentation& result);
 
 } // namespace indoor
 } // namespace pcl

@@ -2,10 +2,11 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/object_report.h>
+#include <pcl/segmentation/object_segmentation.h>
 
 #include "objects/extent_along.h"
-#include <pcl/segmentation/objects/table_top.h>
+#include "objects/object_steps.h"
+#include "objects/structure/camera_view.h"
 
 #include <Eigen/Geometry>
 
@@ -26,7 +27,7 @@ largestThing(const ObjectSegmentation& result)
 {
   std::vector<std::size_t> sizes(result.segment_count, 0);
   for (const auto segment : result.segment_of_point)
-    if (segment != Supervoxels::none &&
+    if (segment != ObjectSegmentation::none &&
         result.structure_of_segment[segment] == StructureKind::None)
       ++sizes[segment];
   const auto largest = std::max_element(sizes.begin(), sizes.end());
@@ -44,7 +45,7 @@ oneSegmentWarning(const ObjectSegmentation& result)
   constexpr double nearly_all = 0.95; // beside a few that stray
   std::vector<std::size_t> sizes(result.segment_count, 0);
   for (const auto segment : result.segment_of_point)
-    if (segment != Supervoxels::none)
+    if (segment != ObjectSegmentation::none)
       ++sizes[segment];
   const auto count = result.segment_of_point.size();
   const auto largest = std::max_element(sizes.begin(), sizes.end());
@@ -83,11 +84,11 @@ tableTopWarning(const ObjectSegmentation& result)
       balance.resize(piece + 1, 0);
     balance[piece] += is_within ? 1 : -1;
     if (is_within)
-      points.push_back(result.scene.points[i]);
+      points.push_back(stepsOf(result).scene.points[i]);
   }
   const auto pieces = static_cast<std::size_t>(std::count_if(
       balance.begin(), balance.end(), [](auto value) { return value > 0; }));
-  if (pieces < many || !isTableTop(points, result.scene.up))
+  if (pieces < many || !isTableTop(points, stepsOf(result).scene.up))
     return {};
   return "The largest segment is no larger than what stands on a table, but of " +
          std::to_string(pieces) +
@@ -105,10 +106,10 @@ wideThingWarning(const ObjectSegmentation& result)
   std::vector<Eigen::Vector3f> points;
   for (std::size_t i = 0; i < result.segment_of_point.size(); ++i)
     if (result.segment_of_point[i] == largest)
-      points.push_back(result.scene.points[i]);
+      points.push_back(stepsOf(result).scene.points[i]);
   if (points.empty())
     return {};
-  const Eigen::Vector3f& up = result.scene.up;
+  const Eigen::Vector3f& up = stepsOf(result).scene.up;
   const Eigen::Vector3f across = up.unitOrthogonal();
   const float width = extentAlong(across, points),
               depth = extentAlong(up.cross(across), points);

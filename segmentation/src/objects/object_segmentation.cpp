@@ -5,15 +5,15 @@
 #include <pcl/segmentation/object_segmentation.h>
 
 #include "objects/distinct_segmentation.h"
-#include "objects/graph/non_convex_voxels.h"
 #include "objects/graph/point_recovery.h"
-#include "objects/graph/scene_making.h"
 #include "objects/graph/supervoxel_joining.h"
 #include "objects/laden_tables.h"
+#include "objects/non_convex_voxels.h"
 #include "objects/object_pieces.h"
-#include "objects/points/point_segmentation.h"
+#include "objects/point_segmentation.h"
 #include "objects/segment_names.h"
 #include "objects/structure/enclosed_structure.h"
+#include "objects/structure/scene_making.h"
 #include "objects/voxel_votes.h"
 
 #include <pcl/exceptions.h>
@@ -30,9 +30,9 @@
 namespace {
 
 using pcl::indoor::Capture;
+using pcl::indoor::DetailedSegmentation;
 using pcl::indoor::DistinctPoints;
 using pcl::indoor::JoiningScale;
-using pcl::indoor::ObjectSegmentation;
 using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::Partition;
@@ -92,7 +92,7 @@ sizedOptions(const ObjectSegmentationInput& input,
 std::vector<std::uint32_t>
 segmentsOfVoxels(const std::vector<std::uint32_t>& segment_of_supervoxel,
                  std::uint32_t min_segment_size,
-                 const ObjectSegmentation& result)
+                 const DetailedSegmentation& result)
 {
   std::vector<std::uint32_t> size(segment_of_supervoxel.size(), 0);
   for (const auto segment : segment_of_supervoxel)
@@ -114,7 +114,7 @@ segmentsOfVoxels(const std::vector<std::uint32_t>& segment_of_supervoxel,
 
 /** The segment of every voxel: that of its supervoxel, recovered, or its plane. */
 std::vector<std::uint32_t>
-partitionVoxels(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
+partitionVoxels(const ObjectSegmentationOptions& options, DetailedSegmentation& result)
 {
   const auto distance = distanceOf(options);
   const auto& scene = result.scene;
@@ -157,7 +157,7 @@ keepDistinct(const DistinctPoints& places, ObjectSegmentationInput& input)
 
 /** Give the copies of points what their places have. */
 void
-spreadToCopies(const DistinctPoints& places, ObjectSegmentation& result)
+spreadToCopies(const DistinctPoints& places, DetailedSegmentation& result)
 {
   auto& scene = result.scene;
   scene.points = places.forAll(scene.points);
@@ -180,7 +180,7 @@ refineSizes(ObjectSegmentationOptions& options)
   options.seed_size = std::max(least.seed_size, seed_voxels * options.voxel_size);
 }
 
-ObjectSegmentation
+DetailedSegmentation
 segmentBySteps(ObjectSegmentationInput input,
                ObjectSegmentationOptions options,
                bool has_automatic_sizes,
@@ -203,7 +203,7 @@ segmentBySteps(ObjectSegmentationInput input,
   std::optional<Eigen::Vector3f> camera;
   if (input.capture == Capture::TableView)
     camera = input.viewpoint.front();
-  ObjectSegmentation result;
+  DetailedSegmentation result;
   if (stops(0, "voxels and structure"))
     return {};
   auto raw = makeRawScene(input, options);
@@ -242,7 +242,7 @@ segmentBySteps(ObjectSegmentationInput input,
 namespace pcl {
 namespace indoor {
 
-ObjectSegmentation
+DetailedSegmentation
 segmentDistinct(ObjectSegmentationInput input,
                 const ObjectSegmentationOptions& given_options,
                 const ProgressCallback& progress)
@@ -263,12 +263,12 @@ segmentObjects(ObjectSegmentationInput input,
   requireFitting(input, options);
   const auto places = placesOfCopies(input.points);
   if (!places)
-    return segmentDistinct(std::move(input), options, progress);
+    return published(segmentDistinct(std::move(input), options, progress));
   keepDistinct(*places, input);
   auto result = segmentDistinct(std::move(input), options, progress);
   if (!result.segment_of_point.empty())
     spreadToCopies(*places, result);
-  return result;
+  return published(std::move(result));
 }
 
 } // namespace indoor

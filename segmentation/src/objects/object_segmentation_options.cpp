@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/object_segmentation.h>
+#include <pcl/segmentation/object_segmentation_options.h>
 
 #include <cmath>
 #include <sstream>

@@ -4,6 +4,8 @@
  */
 #include <pcl/segmentation/object_surfaces.h>
 
+#include "objects/object_steps.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/indoor/quantile.h>
 
@@ -112,7 +114,7 @@ objectSurfaces(const ObjectSegmentation& room,
                const std::vector<std::uint32_t>& object_of_point,
                std::uint32_t object_count)
 {
-  const auto& voxels = room.scene.voxels;
+  const auto& voxels = stepsOf(room).scene.voxels;
   if (object_of_point.size() != voxels.cells.cell_of_point.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         object_of_point.size()

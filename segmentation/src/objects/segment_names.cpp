@@ -4,7 +4,7 @@
  */
 #include "objects/segment_names.h"
 
-#include "objects/structure/voted_structure.h"
+#include "objects/join/building_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,13 @@
 
 namespace {
 
-using pcl::indoor::ObjectSegmentation;
+using pcl::indoor::DetailedSegmentation;
 using pcl::indoor::ObjectSegmentationOptions;
 
 /** Put segments that are too small to be told into one.
  * \return a point of it; none if there is none */
 std::optional<std::size_t>
-gatherRemainder(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
+gatherRemainder(const ObjectSegmentationOptions& options, DetailedSegmentation& result)
 {
   auto& segments = result.segment_of_point;
   const auto highest = std::max_element(segments.begin(), segments.end());
@@ -41,9 +41,9 @@ gatherRemainder(const ObjectSegmentationOptions& options, ObjectSegmentation& re
 
 /** What the segments of pieces are that were voted to be of the building. */
 void
-nameVoted(ObjectSegmentation& result)
+nameVoted(DetailedSegmentation& result)
 {
-  const auto kinds = pcl::indoor::votedStructure(result.pieces);
+  const auto kinds = pcl::indoor::buildingPieces(result.pieces);
   for (std::size_t i = 0; i < result.piece_of_point.size(); ++i)
     if (const auto kind = kinds[result.piece_of_point[i]];
         kind != pcl::indoor::StructureKind::None)
@@ -52,7 +52,7 @@ nameVoted(ObjectSegmentation& result)
 
 /** What the segments of most points of the planes are. */
 std::vector<pcl::indoor::StructureKind>
-structureOfSegments(const ObjectSegmentation& result)
+structureOfSegments(const DetailedSegmentation& result)
 {
   const auto& planes = result.scene.planes;
   std::vector<std::map<std::uint32_t, std::size_t>> counts(planes.size());
@@ -78,7 +78,7 @@ namespace pcl {
 namespace indoor {
 
 SegmentSizes
-sizesOfSegments(const ObjectSegmentation& result, std::size_t segment_count)
+sizesOfSegments(const DetailedSegmentation& result, std::size_t segment_count)
 {
   const auto& cells = result.scene.voxels.cells;
   SegmentSizes sizes;
@@ -95,7 +95,7 @@ sizesOfSegments(const ObjectSegmentation& result, std::size_t segment_count)
 }
 
 void
-numberSegments(ObjectSegmentation& result)
+numberSegments(DetailedSegmentation& result)
 {
   const auto highest =
       std::max_element(result.segment_of_point.begin(), result.segment_of_point.end());
@@ -110,7 +110,7 @@ numberSegments(ObjectSegmentation& result)
 }
 
 void
-nameSegments(const ObjectSegmentationOptions& options, ObjectSegmentation& result)
+nameSegments(const ObjectSegmentationOptions& options, DetailedSegmentation& result)
 {
   const auto remainder = options.partition == Partition::Pieces
                              ? gatherRemainder(options, result)

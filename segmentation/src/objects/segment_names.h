@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/object_segmentation.h>
+#include "objects/object_steps.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,17 +20,17 @@ struct SegmentSizes {
 
 /** REQUIRES: every point has a segment, below the count. */
 SegmentSizes
-sizesOfSegments(const ObjectSegmentation& result, std::size_t segment_count);
+sizesOfSegments(const DetailedSegmentation& result, std::size_t segment_count);
 
 /** Number the segments from 0 in the order of their first points. */
 void
-numberSegments(ObjectSegmentation& result);
+numberSegments(DetailedSegmentation& result);
 
 /** Number the segments, and say which are floor, wall or ceiling. Those of pieces that
  * are too small to be told become one segment, the remainder, see
  * ObjectSegmentationOptions::fewest_points. */
 void
-nameSegments(const ObjectSegmentationOptions& options, ObjectSegmentation& result);
+nameSegments(const ObjectSegmentationOptions& options, DetailedSegmentation& result);
 
 } // namespace indoor
 } // namespace pcl

@@ -2,12 +2,11 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/table_top.h>
+#include <pcl/segmentation/object_segmentation.h>
 
 #include "objects/extent_along.h"
 
 #include <pcl/indoor/point_resolution.h>
-#include <pcl/segmentation/object_segmentation.h>
 
 #include <Eigen/Geometry>
 

@@ -4,9 +4,10 @@
  */
 #pragma once
 
+#include "objects/structure/room_structure.h"
+
 #include <pcl/indoor/voxel_classes.h>
 #include <pcl/segmentation/object_segmentation.h>
-#include <pcl/segmentation/objects/room_structure.h>
 
 #include <Eigen/Core>
 

@@ -3,7 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/building_frame.h>
+#include <pcl/segmentation/building_frame.h>
+
 #include <pcl/segmentation/scan_warnings.h> // for metresPerUnit
 
 #include <pcl/indoor/quantile.h>

@@ -4,16 +4,22 @@
  */
 
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/rooms/storey_space.h>
 
 #include "rooms/field/map_labels.h"
+#include "rooms/map/building_steps.h"
 #include "rooms/map/region_evidence.h"
+#include "rooms/map/room_map.h"
 #include "rooms/map/station_views.h"
 #include "rooms/outline/room_layout.h"
+#include "rooms/outline/storey_labels.h"
 #include "rooms/space/closed_surfaces.h"
+#include "rooms/space/interior_space.h"
+#include "rooms/space/occupancy_grid.h"
 #include "rooms/space/surface_triangles.h"
 #include "rooms/space/unseen_sides.h"
-#include "rooms/storeys/storey_labels.h"
+#include "rooms/storeys/storey_space.h"
+#include "rooms/storeys/storeys.h"
+
 #include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/threads.h>
 
@@ -32,7 +38,7 @@ namespace {
 /** The storey of each point; points outside the grid have none that matters. */
 std::vector<std::uint8_t>
 storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
-                const BuildingRooms& building,
+                const DetailedBuilding& building,
                 int threads)
 {
   const VoxelBits& grid = building.occupancy.grid;
@@ -90,11 +96,11 @@ void
 labelByVote(const VoxelMap<int>& votes,
             std::size_t storey,
             const std::vector<std::uint8_t>& storey_of,
-            BuildingRooms& building)
+            DetailedBuilding& building)
 {
   const VoxelBits& grid = building.occupancy.grid;
   const int factor = building.interior.factor;
-  const int first = building.maps[storey].first_layer / factor;
+  const int first = building.room_maps[storey].first_layer / factor;
   for (std::size_t i = 0; i < storey_of.size(); ++i) {
     const std::int32_t cell = building.occupancy.cells[i];
     if (cell < 0 || storey_of[i] != storey)
@@ -108,13 +114,14 @@ labelByVote(const VoxelMap<int>& votes,
 }
 
 std::vector<Room>
-describeRooms(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
+describeRooms(const std::vector<Eigen::Vector3f>& points,
+              const DetailedBuilding& building)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double size = building.occupancy.grid.voxel_size;
   std::vector<Room> rooms;
-  for (std::size_t s = 0; s < building.maps.size(); ++s) {
-    const RoomMap& map = building.maps[s];
+  for (std::size_t s = 0; s < building.room_maps.size(); ++s) {
+    const RoomMap& map = building.room_maps[s];
     for (const std::uint32_t label : building.room_of[s])
       if (label > rooms.size()) {
         Room room;
@@ -210,16 +217,16 @@ gridOf(const std::vector<Eigen::Vector3f>& points,
 
 /** The rooms in which the stations of a storey stand. */
 void
-placeStations(const StationViews& views, std::size_t storey, BuildingRooms& building)
+placeStations(const StationViews& views, std::size_t storey, DetailedBuilding& building)
 {
-  const auto regions = views.regionsOf(building.maps[storey], storey);
+  const auto regions = views.regionsOf(building.room_maps[storey], storey);
   for (std::size_t k = 0; k < regions.size(); ++k)
     if (regions[k] > 0)
       building.stations[k].room = building.room_of[storey][regions[k]];
 }
 
 /** The rooms of points that have no copies. */
-BuildingRooms
+DetailedBuilding
 segmentDistinct(const std::vector<Eigen::Vector3f>& points,
                 BuildingRoomsOptions options,
                 const ProgressCallback& progress,
@@ -234,7 +241,7 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   };
   if (points.empty())
     return {};
-  BuildingRooms building;
+  DetailedBuilding building;
   OccupancyGridOptions grid_options;
   grid_options.threads = options.threads;
   if (stopped(0.0, "occupancy grid"))
@@ -281,30 +288,32 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     if (stopped(0.5 + 0.3 * part, "rooms of a storey"))
       return {};
     const auto space = storeySpace(grid, building.interior, building.storeys, s);
-    building.maps.push_back(segmentRoomMap(space, options.map));
-    dropStreets(space, building.maps.back());
-    dropOutdoors(space, ground, building.maps.back());
-    building.hardly_seen += dropSeenThroughOpenings(space, building.maps.back());
-    building.hardly_seen += dropHardlySeen(
-        space, pointsOfColumns(storey_of, s, building.occupancy), building.maps.back());
-    views.joinMirrored({storey_of, s}, building.maps.back());
+    building.room_maps.push_back(segmentRoomMap(space, options.map));
+    dropStreets(space, building.room_maps.back());
+    dropOutdoors(space, ground, building.room_maps.back());
+    building.hardly_seen += dropSeenThroughOpenings(space, building.room_maps.back());
+    building.hardly_seen +=
+        dropHardlySeen(space,
+                       pointsOfColumns(storey_of, s, building.occupancy),
+                       building.room_maps.back());
+    views.joinMirrored({storey_of, s}, building.room_maps.back());
     building.never_entered +=
-        views.dropNeverEntered({storey_of, s}, building.maps.back());
+        views.dropNeverEntered({storey_of, s}, building.room_maps.back());
     auto& room_of = building.room_of.emplace_back();
-    for (std::int32_t label = 0; label <= building.maps.back().room_count; ++label)
+    for (std::int32_t label = 0; label <= building.room_maps.back().room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
     placeStations(views, s, building);
     addOpenings(points, space, building);
     if (by_vote)
-      votes.push_back(votedVoxels(space, building.maps.back(), options.threads));
+      votes.push_back(votedVoxels(space, building.room_maps.back(), options.threads));
   }
   if (stopped(0.8, "rooms of the points"))
     return {};
   building.point_labels.assign(points.size(), 0);
   for (std::size_t s = 0; s < votes.size(); ++s)
     labelByVote(votes[s], s, storey_of, building);
-  for (std::size_t s = 0; s < building.maps.size() && !by_vote; ++s)
-    StoreyLabels(points, building.occupancy, building.maps[s], options)
+  for (std::size_t s = 0; s < building.room_maps.size() && !by_vote; ++s)
+    StoreyLabels(points, building.occupancy, building.room_maps[s], options)
         .assign(storey_of,
                 static_cast<std::uint8_t>(s),
                 building.room_of[s],
@@ -325,7 +334,7 @@ stationsOnce(const ScanStations& stations, const DistinctPoints& places)
 
 /** Give the copies of points what their places have. */
 void
-spreadToCopies(const DistinctPoints& places, BuildingRooms& building)
+spreadToCopies(const DistinctPoints& places, DetailedBuilding& building)
 {
   auto& cells = building.occupancy.cells;
   cells = places.forAll(cells);
@@ -355,14 +364,14 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                                                  << " points.");
   const auto places = placesOfCopies(points);
   if (!places)
-    return segmentDistinct(points, std::move(options), progress, stations);
+    return published(segmentDistinct(points, std::move(options), progress, stations));
   auto building = segmentDistinct(places->once(points),
                                   std::move(options),
                                   progress,
                                   stationsOnce(stations, *places));
   if (!building.point_labels.empty())
     spreadToCopies(*places, building);
-  return building;
+  return published(std::move(building));
 }
 
 } // namespace indoor

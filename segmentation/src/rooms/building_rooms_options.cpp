@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/building_rooms_options.h>
 
 #include <cmath>
 #include <limits>

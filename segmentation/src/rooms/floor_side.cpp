@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/floor_side.h>
+#include "rooms/floor_side.h"
 
 #include <algorithm>
 #include <cmath>

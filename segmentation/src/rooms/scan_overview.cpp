@@ -3,14 +3,16 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/building_frame.h>
-#include <pcl/segmentation/rooms/occupancy_grid.h>
-#include <pcl/segmentation/rooms/storeys.h>
 #include <pcl/segmentation/scan_overview.h>
 
 #include "rooms/space/block_extent.h"
 #include "rooms/space/closed_surfaces.h"
+#include "rooms/space/occupancy_grid.h"
 #include "rooms/storeys/storey_plan.h"
+#include "rooms/storeys/storeys.h"
+
+#include <pcl/segmentation/building_frame.h>
+
 #include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/point_hash.h>
 #include <pcl/indoor/quantile.h>

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/scan_sample.h>
+#include "rooms/scan_sample.h"
 
 #include <pcl/indoor/point_hash.h>
 #include <pcl/indoor/quantile.h>

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/scan_unit.h>
+#include <pcl/segmentation/building_frame.h>
 
 #include <cmath>
 #include <initializer_list>

@@ -3,10 +3,12 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/scan_unit.h>
 #include <pcl/segmentation/scan_warnings.h>
 
+#include "rooms/map/building_steps.h"
 #include "rooms/map/region_evidence.h"
+
+#include <pcl/segmentation/building_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -302,7 +304,7 @@ std::vector<std::string>
 unseenWarnings(const BuildingRooms& building)
 {
   std::vector<std::string> lines;
-  const double height = occupiedHeight(building.occupancy.grid);
+  const double height = occupiedHeight(stepsOf(building).occupancy.grid);
   if (!building.maps.empty() && height < least_storey_height) {
     std::ostringstream line;
     line << "All points lie within " << 0.01 * std::round(100.0 * height)
@@ -311,7 +313,7 @@ unseenWarnings(const BuildingRooms& building)
          << least_storey_height << " m.";
     return {line.str()};
   }
-  const UnseenSides& unseen = building.interior.unseen;
+  const UnseenSides& unseen = stepsOf(building).interior.unseen;
   const bool floor = unseen.floorIsSeen(), ceiling = unseen.ceilingIsSeen();
   if (!floor && !ceiling)
     lines.emplace_back("Neither floors nor ceilings were seen: rooms are told by their "

@@ -3,11 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/building_frame.h> // for turnUpright
-#include <pcl/segmentation/rooms/floor_side.h>
-#include <pcl/segmentation/rooms/scan_sample.h>
-#include <pcl/segmentation/rooms/scan_unit.h>
-#include <pcl/segmentation/rooms/vertical.h>
+#include "rooms/floor_side.h"
+#include "rooms/scan_sample.h"
+
+#include <pcl/segmentation/building_frame.h> // for turnUpright
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

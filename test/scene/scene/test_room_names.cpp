@@ -54,9 +54,9 @@ threeRooms()
   scene.building_pose.translation() = Eigen::Vector3d(5.0, 6.0, 100.0);
   scene.building.rooms = {
       rectangle(1, 0, 4.0, 3.0), rectangle(2, 0, 6.0, 1.5), rectangle(3, 1, 2.0, 2.0)};
-  scene.building.storeys.heights.resize(2);
-  scene.building.storeys.heights[0].floor = 0.5;
-  scene.building.storeys.heights[1].floor = 3.5;
+  scene.building.heights.resize(2);
+  scene.building.heights[0].floor = 0.5;
+  scene.building.heights[1].floor = 3.5;
   scene.model.openings = {opening(ModelOpeningKind::Door, 1, 2, 0.9),
                           opening(ModelOpeningKind::Window, 1, 0, 1.5),
                           opening(ModelOpeningKind::Door, 3, 0, 2.0),

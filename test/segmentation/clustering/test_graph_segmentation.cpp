@@ -3,10 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "clustering/graph_segmentation.h"
 #include "support/labelled_points.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/segmentation/objects/graph_segmentation.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/objects/object_scene.h>
+#include "objects/structure/object_scene.h"
 
 #include <vector>
 

@@ -2,7 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/object_report.h>
+#include <pcl/segmentation/object_segmentation.h>
+
+#include "objects/object_steps.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +16,7 @@ namespace {
 ObjectSegmentation
 resultWithThing(float width, float depth)
 {
-  ObjectSegmentation result;
+  DetailedSegmentation result;
   for (float x = 0; x <= width; x += 0.05f)
     for (float y = 0; y <= depth; y += 0.05f) {
       result.scene.points.emplace_back(x, y, 0.5f);
@@ -26,7 +28,7 @@ resultWithThing(float width, float depth)
   }
   result.segment_count = 2;
   result.structure_of_segment = {StructureKind::Wall, StructureKind::None};
-  return result;
+  return published(std::move(result));
 }
 
 } // namespace

@@ -65,7 +65,7 @@ check(const char* what,
     ASSERT_EQ(result.segment_of_point.size(), input.points.size());
     for (const auto segment : result.segment_of_point)
       ASSERT_TRUE(segment < result.segment_count ||
-                  (options.on_points && segment == Supervoxels::none));
+                  (options.on_points && segment == ObjectSegmentation::none));
   }
   for (const double value : illegal) {
     SCOPED_TRACE(testing::Message() << what << ' ' << value);

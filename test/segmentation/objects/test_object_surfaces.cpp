@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "objects/object_steps.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/segmentation/object_surfaces.h>
 
@@ -40,10 +42,10 @@ public:
   ObjectSegmentation
   segmentation() const
   {
-    ObjectSegmentation result;
+    DetailedSegmentation result;
     result.scene.voxels = surfaceVoxels(points_, {}, 0.4 * step);
     averageNormals(normals_, result.scene.voxels);
-    return result;
+    return published(std::move(result));
   }
 
   std::vector<std::uint32_t> objects;
@@ -127,7 +129,7 @@ TEST(ObjectSurfaces, TheFloorIsTheLowestVoxelAroundAColumn)
                 {0, 0, 1});
     const auto room = scene.segmentation();
     const auto surfaces = objectSurfaces(room, scene.objects, 300);
-    const auto& places = room.scene.voxels.centroids;
+    const auto& places = stepsOf(room).scene.voxels.centroids;
     Eigen::Vector3f corner = places.front();
     for (const auto& place : places)
       corner = corner.cwiseMin(place);

@@ -16,12 +16,12 @@ using namespace pcl::indoor;
 namespace {
 
 /** Points that are in voxels and segments of these numbers. */
-ObjectSegmentation
+DetailedSegmentation
 segmentationOf(const std::vector<std::uint32_t>& voxel_of_point,
                std::uint32_t voxel_count,
                const std::vector<std::uint32_t>& segment_of_point)
 {
-  ObjectSegmentation result;
+  DetailedSegmentation result;
   auto& cells = result.scene.voxels.cells;
   cells.keys.resize(voxel_count);
   cells.cell_of_point = voxel_of_point;

@@ -6,6 +6,8 @@
 /* Supervoxels and graph with colour and FPFH, Eq. (2.18) and (2.19): two parts of one
  * plane that nothing else tells apart. */
 
+#include "objects/object_steps.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
@@ -113,8 +115,9 @@ expectOnlyTheWeightParts(const ObjectSegmentationInput& input,
 {
   EXPECT_EQ(segmentObjects(input, without).segment_count, 1u);
   const auto two = segmentObjects(input, with);
-  EXPECT_TRUE(labelsOfParts(input.points, two.supervoxels.label_of_voxel, border_width)
-                  .areApart());
+  EXPECT_TRUE(
+      labelsOfParts(input.points, stepsOf(two).supervoxels.label_of_voxel, border_width)
+          .areApart());
   const auto parts = labelsOfParts(input.points, two.segment_of_point, border_width);
   EXPECT_TRUE(parts.areApart());
   EXPECT_EQ(parts.first.size(), 1u);
@@ -179,13 +182,15 @@ TEST(SurfaceAppearance, OnlyTheColorTellsTwoPartsApart)
 {
   expectOnlyTheWeightParts(twoColors(), optionsWith(0, 0), optionsWith(1, 0));
   const auto blind = segmentObjects(twoColors(), optionsWith(0, 0));
-  EXPECT_FALSE(
-      labelsOfParts(plate().points, blind.supervoxels.label_of_voxel).areApart());
+  EXPECT_FALSE(labelsOfParts(plate().points, stepsOf(blind).supervoxels.label_of_voxel)
+                   .areApart());
   const auto result = segmentObjects(twoColors(), optionsWith(1, 0));
-  const auto& looks = result.supervoxels.appearance.colors;
-  ASSERT_EQ(looks.cols(), static_cast<Eigen::Index>(result.supervoxels.size()));
+  const auto& looks = stepsOf(result).supervoxels.appearance.colors;
+  ASSERT_EQ(looks.cols(),
+            static_cast<Eigen::Index>(stepsOf(result).supervoxels.size()));
   for (Eigen::Index s = 0; s < looks.cols(); ++s) {
-    const float x = result.supervoxels.centroids[static_cast<std::size_t>(s)].x();
+    const float x =
+        stepsOf(result).supervoxels.centroids[static_cast<std::size_t>(s)].x();
     if (std::abs(x - border) > 0.06f) { // PCL has whole numbers
       EXPECT_LT((looks.col(s) - labOfRgb(x < border ? red : blue)).norm(), 1.8f);
     }
@@ -223,7 +228,8 @@ TEST(SurfaceAppearance, TheSameForAnyNumberOfThreads)
   const auto one = segmentObjects(twoShapes(), options);
   options.threads = 7;
   const auto seven = segmentObjects(twoShapes(), options);
-  EXPECT_EQ(seven.supervoxels.label_of_voxel, one.supervoxels.label_of_voxel);
+  EXPECT_EQ(stepsOf(seven).supervoxels.label_of_voxel,
+            stepsOf(one).supervoxels.label_of_voxel);
   EXPECT_EQ(seven.segment_of_point, one.segment_of_point);
 }
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/table_top.h>
+#include <pcl/segmentation/object_segmentation.h>
 
 #include <Eigen/Geometry>
 

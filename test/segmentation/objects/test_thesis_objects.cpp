@@ -8,6 +8,8 @@
 
 #include "support/labelled_points.h"
 
+#include "objects/object_steps.h"
+
 #include <pcl/segmentation/lccp_segmentation.h>
 #include <pcl/segmentation/object_segmentation.h>
 #include <pcl/segmentation/supervoxel_clustering.h>
@@ -284,10 +286,10 @@ expectAsDefined(const ObjectSegmentationOptions& given, unsigned seed)
   const auto result = segmentObjects(inputOf(points), options);
   const DenseObjects dense(points, options, options.on_points->removal_radius);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    ASSERT_NEAR(result.scene.voxels.curvatures[i], dense.curvatures[i], 1e-5);
-    ASSERT_GT(result.scene.voxels.normals[i].dot(dense.normals[i]), 0.999f);
+    ASSERT_NEAR(stepsOf(result).scene.voxels.curvatures[i], dense.curvatures[i], 1e-5);
+    ASSERT_GT(stepsOf(result).scene.voxels.normals[i].dot(dense.normals[i]), 0.999f);
   }
-  EXPECT_EQ(result.removed, dense.removed);
+  EXPECT_EQ(stepsOf(result).removed, dense.removed);
   EXPECT_GT(std::count(dense.removed.begin(), dense.removed.end(), 1), 20);
   std::map<std::uint32_t, std::uint32_t> name, back;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -347,7 +349,7 @@ TEST(ThesisObjects, LccpOfAWideFloorNeedsNoDeepStack)
   ASSERT_EQ(pthread_create(&thread, &attributes, segment, &work), 0);
   pthread_join(thread, nullptr);
   pthread_attr_destroy(&attributes);
-  EXPECT_GT(work.result.supervoxels.size(), 2000u);
+  EXPECT_GT(stepsOf(work.result).supervoxels.size(), 2000u);
   std::map<std::uint32_t, std::size_t> sizes;
   std::size_t largest = 0;
   for (const auto one : work.result.segment_of_point)
@@ -378,7 +380,7 @@ TEST(ThesisObjects, ASingleCameraMayStandAnywhere)
   options.edges.graph_scale = 0.3f;
   options.on_points->removal_radius = 0.06;
   const auto here = segmentObjects(input, options);
-  EXPECT_LT(here.supervoxels.size(), 300u);
+  EXPECT_LT(stepsOf(here).supervoxels.size(), 300u);
   EXPECT_GT(here.segment_count, 1u);
   const Eigen::Vector3f moved(4, -2, 8); // whole numbers: nothing is rounded
   for (auto& point : input.points)
@@ -386,9 +388,9 @@ TEST(ThesisObjects, ASingleCameraMayStandAnywhere)
   input.viewpoint = {moved};
   const auto there = segmentObjects(input, options);
   EXPECT_NEAR(there.segment_count, here.segment_count, 2);
-  EXPECT_NEAR(static_cast<double>(there.supervoxels.size()),
-              static_cast<double>(here.supervoxels.size()),
-              0.1 * static_cast<double>(here.supervoxels.size()));
+  EXPECT_NEAR(static_cast<double>(stepsOf(there).supervoxels.size()),
+              static_cast<double>(stepsOf(here).supervoxels.size()),
+              0.1 * static_cast<double>(stepsOf(here).supervoxels.size()));
 }
 
 TEST(ThesisObjects, TheSameForAnyNumberOfThreads)
@@ -414,13 +416,13 @@ TEST(ThesisObjects, RansacTakesFloorAndWallsOff)
   auto options = thesisOptions();
   options.on_points->ransac_share = 0.2;
   const auto result = segmentObjects(inputOf(room.points), options);
-  ASSERT_EQ(result.scene.planes.size(), 2u);
+  ASSERT_EQ(stepsOf(result).scene.planes.size(), 2u);
   std::map<StructureKind, std::set<std::uint32_t>> segments;
   for (std::size_t i = 0; i < room.points.size(); ++i) {
     // every point within R_voxel of a plane is its, and no other
-    const auto plane = result.scene.plane_of_voxel[i];
+    const auto plane = stepsOf(result).scene.plane_of_voxel[i];
     double nearest = 9;
-    for (const auto& candidate : result.scene.planes)
+    for (const auto& candidate : stepsOf(result).scene.planes)
       nearest = std::min(nearest,
                          std::abs(candidate.heightOf(room.points[i].cast<double>())));
     ASSERT_EQ(plane != 0, nearest <= options.voxel_size) << i;
@@ -429,7 +431,7 @@ TEST(ThesisObjects, RansacTakesFloorAndWallsOff)
       segments[result.structure_of_segment[segment]].insert(segment);
     if (plane != 0) {
       ASSERT_EQ(result.structure_of_segment[segment],
-                std::abs(result.scene.planes[plane - 1].normal.z()) > 0.9
+                std::abs(stepsOf(result).scene.planes[plane - 1].normal.z()) > 0.9
                     ? StructureKind::Floor
                     : StructureKind::Wall);
     }
@@ -438,7 +440,8 @@ TEST(ThesisObjects, RansacTakesFloorAndWallsOff)
   EXPECT_EQ(segments[StructureKind::Wall].size(), 1u);
   EXPECT_GE(segments[StructureKind::None].size(), 1u);
   options.on_points->ransac_share = 0.9;
-  EXPECT_TRUE(segmentObjects(inputOf(room.points), options).scene.planes.empty());
+  EXPECT_TRUE(
+      stepsOf(segmentObjects(inputOf(room.points), options)).scene.planes.empty());
 }
 
 TEST(ThesisObjects, BadOptionsAreRefusedAndFewPointsAreNone)

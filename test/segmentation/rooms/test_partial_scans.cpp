@@ -3,10 +3,11 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "rooms/map/building_steps.h"
+#include "support/synthetic_scenes.h"
+
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/scan_warnings.h>
-
-#include "support/synthetic_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -135,7 +136,7 @@ TEST(PartialScans, ABlockBetweenCorridorsIsNoPlaceWithoutCeiling)
                                         (p.x() > 1.7f && p.y() > 1.7f));
                               }),
                points.end());
-  const auto unseen = segmentBuilding(points).interior.unseen;
+  const auto unseen = stepsOf(segmentBuilding(points)).interior.unseen;
   EXPECT_FALSE(unseen.floorIsSeen());
   EXPECT_TRUE(unseen.ceilingIsSeen()) << unseen.ceiling_seen;
 }
@@ -193,7 +194,7 @@ TEST(PartialScans, GroundAroundAHouseIsNoRoom)
   Points points = test::twoRooms().points;
   addGround(12.0f, 0.3f, points);
   const auto building = segmentBuilding(points);
-  EXPECT_EQ(building.occupancy.grid.voxel_size, 0.1); // not that of the ground
+  EXPECT_EQ(building.grid.voxel_size, 0.1); // not that of the ground
   ASSERT_EQ(building.rooms.size(), 2u);
   EXPECT_NEAR(building.rooms[0].area, 12.0, 0.6);
   EXPECT_TRUE(unseenWarnings(building).empty());

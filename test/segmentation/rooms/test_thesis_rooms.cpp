@@ -7,11 +7,13 @@
  * and no sparse solver. The interior space is that of the library, whose cut has a test
  * of its own. */
 
+#include "rooms/field/field_connectivity.h"
+#include "rooms/map/building_steps.h"
+#include "rooms/storeys/storey_space.h"
 #include "segmentation/clustering/hdbscan_brute_force.h"
 #include "support/synthetic_scenes.h"
 
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/rooms/storey_space.h>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -340,13 +342,14 @@ expectAsDefined(const std::vector<Eigen::Vector3f>& points, std::size_t least_ro
   const auto building = segmentBuilding(points, options);
   ASSERT_EQ(building.maps.size(), 1u);
   EXPECT_GE(building.rooms.size(), least_rooms);
-  EXPECT_EQ(building.occupancy.yaw, 0.0);
-  EXPECT_EQ(building.interior.factor, 1);
+  const auto& steps = stepsOf(building);
+  EXPECT_EQ(steps.occupancy.yaw, 0.0);
+  EXPECT_EQ(steps.interior.factor, 1);
   const auto space =
-      storeySpace(building.occupancy.grid, building.interior, building.storeys, 0);
+      storeySpace(steps.occupancy.grid, steps.interior, steps.storeys, 0);
   const DenseRooms dense(space.interior, options.map.field_rooms);
 
-  const auto& found = building.maps.front().field_rooms;
+  const auto& found = steps.room_maps.front().field_rooms;
   std::map<int, int> name; // of the dense version's labels
   for (int x = 0; x < found.clusters.nx; ++x)
     for (int y = 0; y < found.clusters.ny; ++y) {
@@ -361,11 +364,11 @@ expectAsDefined(const std::vector<Eigen::Vector3f>& points, std::size_t least_ro
                 found.labels.at(x, y));
     }
 
-  const auto& grid = building.occupancy.grid;
+  const auto& grid = steps.occupancy.grid;
   std::map<std::int32_t, int> voted;
   std::map<int, std::uint32_t> room_of;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::int32_t cell = building.occupancy.cells[i];
+    const std::int32_t cell = steps.occupancy.cells[i];
     if (voted.count(cell) == 0) {
       const int pixel = cell / grid.shape.nz;
       voted[cell] = dense.labelOf({pixel / grid.shape.ny,

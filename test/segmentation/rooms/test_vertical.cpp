@@ -3,11 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "rooms/floor_side.h"
 #include "support/synthetic_scenes.h"
 
-#include <pcl/segmentation/rooms/floor_side.h>
-#include <pcl/segmentation/rooms/scan_unit.h>
-#include <pcl/segmentation/rooms/vertical.h>
+#include <pcl/segmentation/building_frame.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@
 #include "scene/point_colors.h"
 
 #include <pcl/scene/scene_options.h> // for ScanFrame
-#include <pcl/segmentation/object_segmentation.h>
+#include <pcl/segmentation/object_segmentation_options.h>
 
 #include <cstdint>
 #include <string>

@@ -12,7 +12,7 @@
 #include "scene/point_colors.h"
 
 #include <pcl/scene/scene_options.h> // for ScanFrame
-#include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/building_rooms_options.h>
 
 #include <string>
 

@@ -11,9 +11,9 @@
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/indoor/middle_point.h>
 #include <pcl/indoor/usable_point.h>
+#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
-#include <pcl/segmentation/objects/table_top.h>
-#include <pcl/segmentation/rooms/vertical.h>
+#include <pcl/segmentation/object_segmentation.h>
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>

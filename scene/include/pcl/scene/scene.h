@@ -8,9 +8,9 @@
 #include <pcl/io/station.h>
 #include <pcl/model/building_model.h>
 #include <pcl/scene/scene_options.h> // for ScanFrame
+#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/room_objects.h>
-#include <pcl/segmentation/rooms/building_frame.h>
 #include <pcl/segmentation/scan_overview.h>
 #include <pcl/segmentation/scan_warnings.h>
 

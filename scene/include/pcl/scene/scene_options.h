@@ -5,8 +5,8 @@
 #pragma once
 
 #include <pcl/ml/object_classifier.h>
-#include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/object_segmentation.h>
+#include <pcl/segmentation/building_rooms_options.h>
+#include <pcl/segmentation/object_segmentation_options.h>
 
 #include <Eigen/Core>
 

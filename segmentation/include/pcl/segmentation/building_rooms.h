@@ -6,61 +6,89 @@
 #pragma once
 
 #include <pcl/indoor/progress_callback.h>
-#include <pcl/segmentation/rooms/interior_space.h>
-#include <pcl/segmentation/rooms/occupancy_grid.h>
-#include <pcl/segmentation/rooms/room_map.h>
-#include <pcl/segmentation/rooms/scan_stations.h>
-#include <pcl/segmentation/rooms/storeys.h>
-#include <pcl/segmentation/rooms/wall_sides.h>
+#include <pcl/indoor/voxel_map.h>
+#include <pcl/segmentation/building_rooms_options.h>
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
-#include <string>
+#include <memory>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
 
-constexpr double smallest_automatic_voxel = 0.1; ///< metres
-constexpr double largest_automatic_voxel = 0.4;  ///< metres: half as wide as a door
+/** \brief A frame that is turned about the vertical. */
+struct TurnedFrame {
+  double yaw = 0.0; ///< it is the frame of the points turned by -yaw
 
-/** \brief How points at walls get their room. */
-enum class PointRooms {
-  WallSides, ///< by the side of the wall that they are on
-  Vote       ///< by most of the ten nearest free voxels, Sec. 3.2.3
+  /** \brief Turns horizontal places in the frame of the points into the grid's. */
+  Eigen::Matrix2d
+  turn() const;
+
+  /** \brief Turn a point of the cloud's frame into the frame of the grid. */
+  Eigen::Vector3d
+  toGrid(const Eigen::Vector3d& point) const;
+
+  /** \brief Turn a point or direction of the grid's frame into the frame of the cloud.
+   */
+  Eigen::Vector3d
+  toCloud(const Eigen::Vector3d& point) const;
 };
 
-/** \brief All parameters of the way from a building's points to its rooms. */
-struct BuildingRoomsOptions {
-  double voxel_size = 0.0; ///< side of a voxel and of a map pixel, metres (>= 0); 0 =
-                           ///< automatic: 0.1, up to 0.4 where the points are so sparse
-                           ///< that their surfaces would have holes
-  InteriorSpaceOptions interior;
-  StoreyOptions storeys;
-  RoomMapOptions map;
-  WallSideOptions walls;
-  PointRooms point_rooms =
-      PointRooms::WallSides; ///< how points at walls get their room
-  bool align_grid = true;    ///< whether voxels lie along the best supported walls
-  int threads = 0; ///< of all stages, 0 = automatic; the result does not depend on it
+/** \brief Where the pixels of a building's maps lie. */
+struct MapGrid : TurnedFrame {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< corner of the first, metres
+  double voxel_size = 0.0;                          ///< side of a pixel, metres
+
+  /** \brief The middle of a pixel, in the turned frame. */
+  Eigen::Vector3d
+  center(int x, int y) const
+  {
+    return origin + voxel_size * Eigen::Vector3d(x + 0.5, y + 0.5, 0.5);
+  }
 };
 
-/** \brief The thesis's own way from points to rooms (Sec. 3.2) and no more: voxels of
- * 20 cm along the axes, two dominant directions in space, the potential field, each
- * pixel a landmark of visibility, and the vote of ten neighbours. Of the weights of Eq.
- * (3.1) it changed w1 (interior.weights.below) to 0.5 where floors are hidden, and w2
- * (interior.weights.above) to 1.5 where ceilings are not. docs/method/thesis.md lists
- * what the thesis leaves open.
- */
-BuildingRoomsOptions
-thesisRoomOptions();
+/** \brief The rooms of a storey on its map. */
+struct MappedRooms {
+  PixelMap<std::uint8_t> blocked;     ///< 1 = wall or lintel below the ceiling
+  PixelMap<float> field;              ///< distance to the next wall, metres; 0 = wall
+  PixelMap<std::int32_t> free_labels; ///< room of each free pixel, 1 ... n; 0 = none
+  PixelMap<std::int32_t> labels;      ///< the same, carried into the walls
+  std::int32_t room_count = 0;
+  PixelMap<float> potential; ///< of RoomMethod::PotentialField, else empty
+  int potential_factor = 1;  ///< pixels of the map per pixel of it, along each axis
+};
 
-/** \brief What is wrong with the options: one sentence with the value and the range.
- * \return empty if all are in range
- */
-std::string
-findProblem(const BuildingRoomsOptions& options);
+/** \brief A storey's typical heights in the frame of the grid, metres. */
+struct Storey {
+  double floor = 0.0;
+  double ceiling = 0.0;
+};
+
+/** \brief Where the scanner stood, and from where it measured which point. */
+struct ScanStations {
+  /** All of them, in the frame and unit of the points: what is seen from others would
+   * seem to be seen from nowhere. If one is not finite, none tells anything. */
+  std::vector<Eigen::Vector3d> positions;
+  /** The station of each point, from 1; 0 = not known. Empty: of no point is it known.
+   */
+  std::vector<std::uint32_t> of_point;
+
+  bool
+  empty() const
+  {
+    return positions.empty();
+  }
+};
+
+/** \brief A station within a building. */
+struct PlacedStation {
+  Eigen::Vector3d position; ///< in the building's frame, metres
+  int storey = -1;          ///< -1 = beyond the building's extent
+  std::uint32_t room = 0;   ///< in which it stands; 0 = in none
+};
 
 /** \brief One room of a building. */
 struct Room {
@@ -96,15 +124,17 @@ struct RoomOpening {
   double rise = 0.0;
 };
 
-/** \brief The rooms of a building and every step on the way to them. */
+struct BuildingSteps; // private
+
+/** \brief The rooms of a building. */
 struct BuildingRooms {
-  OccupancyGrid occupancy; ///< its voxel size is the one that was used
-  InteriorSpace interior;
-  Storeys storeys;           ///< heights of the storeys
-  std::vector<RoomMap> maps; ///< per storey; each has its own labels 1 ... n
+  MapGrid grid;                  ///< of the maps; its voxel size is that of all steps
+  std::vector<Storey> heights;   ///< per storey, the lowest first
+  std::vector<MappedRooms> maps; ///< per storey; each has its own labels 1 ... n
   std::vector<std::vector<std::uint32_t>> room_of; ///< per storey and label: the room
   std::vector<std::uint32_t> point_labels;         ///< room per point, 0 = none
-  std::vector<Room> rooms;                         ///< in the order of their labels
+  std::vector<std::size_t> outside;  ///< points beyond the building's extent, ascending
+  std::vector<Room> rooms;           ///< in the order of their labels
   std::vector<RoomOpening> openings; ///< storey by storey, in the order of the rooms
   /** Spaces that are no rooms: far fewer points show them than others, as mirror images
    * behind glass, or hardly a wall, as what is seen through a door. */
@@ -112,7 +142,8 @@ struct BuildingRooms {
   /** Spaces that are no rooms: no station stands in them, and none looked into them but
    * through walls and panes. */
   std::size_t never_entered = 0;
-  std::vector<PlacedStation> stations; ///< those that were given, in their order
+  std::vector<PlacedStation> stations;        ///< those that were given, in their order
+  std::shared_ptr<const BuildingSteps> steps; ///< null if there are no points
 };
 
 /** \brief Find the rooms of a building.

@@ -9,7 +9,6 @@
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 #include <pcl/segmentation/object_segmentation.h>
-#include <pcl/segmentation/objects/object_report.h>
 
 #include <cstdint>
 #include <map>
@@ -303,9 +302,8 @@ public:
     given_.adjacency = adjacency;
     for (const auto& [label, supervoxel] : supervoxels) {
       given_.names.push_back(label);
-      given_.supervoxels.centroids.push_back(supervoxel->centroid_.getVector3fMap());
-      given_.supervoxels.normals.push_back(supervoxel->normal_.getNormalVector3fMap());
-      given_.supervoxels.voxel_counts.push_back(1);
+      given_.centroids.push_back(supervoxel->centroid_.getVector3fMap());
+      given_.normals.push_back(supervoxel->normal_.getNormalVector3fMap());
     }
   }
 
@@ -362,8 +360,7 @@ public:
   std::multimap<std::uint32_t, std::uint32_t>
   getSupervoxelAdjacency() const;
 
-  /** \brief Get all intermediate results of the last segment(), in a local frame; of a
-   * view in the frame of its camera, with y down. */
+  /** \brief Get the result of the last segment(), of the points that have segments. */
   const indoor::ObjectSegmentation&
   getResult() const;
 

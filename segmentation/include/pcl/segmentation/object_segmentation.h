@@ -4,114 +4,70 @@
  */
 #pragma once
 
-#include <pcl/features/normal_orientation.h>
 #include <pcl/indoor/progress_callback.h>
 #include <pcl/indoor/voxel_classes.h>
-#include <pcl/segmentation/objects/camera_view.h>
-#include <pcl/segmentation/objects/object_joining.h>
-#include <pcl/segmentation/objects/object_scene.h>
-#include <pcl/segmentation/objects/surface_graph.h>
+#include <pcl/segmentation/object_segmentation_options.h>
 
 #include <Eigen/Core>
 
 #include <cstdint>
 #include <map>
-#include <optional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
 
-/** \brief How supervoxels are joined into segments. */
-enum class Partition {
-  Pieces, ///< to pieces, by the mean bend of whole borders; pieces by joinPieces()
-  FelzenszwalbHuttenlocher, ///< on the weights of Eq. (4.3), as the thesis does
-  Lccp ///< over all convex edges, as LCCP does ("Proposed + LCCP" of Table 4.1)
+/** \brief How points were taken. */
+enum class Capture {
+  Scan,      ///< in any way; which direction is up is known
+  TableView, ///< by one camera that looks along z, at about 1 m: things on a table
+  RoomView   ///< by one camera that looks along z, with y down, from farther off
 };
 
-/** \brief Parameters of Partition::Pieces. */
-struct PieceOptions {
-  JoiningScale scale = JoiningScale::Objects; ///< what the pieces are joined to
-  /** least probability that two pieces are one thing for them to be joined (0 to 1);
-   * higher gives smaller segments. None: they are joined where that gives whole things,
-   * see bestCut(); for JoiningScale::View from levelOf() on */
-  std::optional<float> joining_level;
+/** \brief How a camera's view lies in the frame of its points. */
+struct CameraView {
+  Capture capture = Capture::Scan;
+  /** the camera looks along -z with y up, as in OpenGL, ARKit and the RealSense viewer:
+   * halfTurned() gives points as a camera has them that looks along z with y down */
+  bool is_turned = false;
 };
 
-/** \brief Parameters of the partitions by single edges of the graph:
- * Partition::FelzenszwalbHuttenlocher and Partition::Lccp. */
-struct EdgeOptions {
-  float concavity_tolerance_degrees = 10; ///< of LCCP's criterion (0 to 180)
-  float concavity_weight = 0.25f;         ///< a of Eq. (4.3) (0 to 1)
-  float graph_scale = 3; ///< k, for Partition::FelzenszwalbHuttenlocher (>= 0)
-};
+/** \brief Tell how points were taken and where their camera looks: captureOf(), along z
+ * or else along -z.
+ * \param[in] is_organized they lie in rows; else only arePixels() tells that a camera
+ * took them
+ */
+CameraView
+cameraView(const std::vector<Eigen::Vector3f>& points,
+           const Eigen::Vector3f& camera,
+           bool is_organized);
 
-/** \brief Parameters of the thesis's way on points instead of voxels, as Sec. 4.2 has
- * it: removal and recovery on points within a radius, supervoxels of
- * pcl::SupervoxelClustering, and Partition::Lccp by pcl::LCCPSegmentation; points that
- * no round of Algorithm 1 reaches have no segment. Not for Partition::Pieces. */
-struct PointOptions {
-  /** R of Eq. (4.2), also of normals and curvatures, metres (>= 0); 0 = that of Eq.
-   * (2.9) */
-  double removal_radius = 0;
-  /** least share of all points that a plane holds that RANSAC takes off before all else
-   * (0 to 1); 0 = none is */
-  double ransac_share = 0;
-  /** w_c of Eq. (2.19), in supervoxels and in the graph (0 to 10^6); 0 = no colours, as
-   * in Eq. (4.4). Needs colours */
-  float color_weight = 0;
-  /** of FPFH, Eq. (2.18), in supervoxels and in the graph (0 to 10^6); 0 = none. Else
-   * the supervoxels and Partition::Lccp are our own, as PCL's have no such term */
-  float fpfh_weight = 0;
-};
+/** \brief Turn by 180 degrees about x. */
+inline Eigen::Vector3f
+halfTurned(const Eigen::Vector3f& v)
+{
+  return {v.x(), -v.y(), -v.z()};
+}
 
-/** \brief Parameters of the noise-resilient object segmentation (Sec. 4.2). */
-struct ObjectSegmentationOptions {
-  /** R_voxel, metres (>= 0); 0 = as withSizes() has it. If both sizes are 0, they are
-   * raised where points are too sparse, see raisedToResolution() and VoxelVoter */
-  double voxel_size = 0;
-  double seed_size = 0; ///< R_seed, metres (>= voxel_size); 0 = four voxels
-  /** which way estimated normals are turned */
-  NormalOrientation orientation = NormalOrientation::Automatic;
-  float curvature_threshold = 0.03f; ///< theta_t (0 to 1/3)
-  float ratio_threshold = 0.2f;      ///< alpha_t (0 to 1)
-  float spatial_weight = 0.2f;       ///< w_s of Eq. (4.4) (0 to 10^6)
-  float normal_weight = 0.5f;        ///< w_n of Eq. (4.4) (0 to 10^6)
-  Partition partition = Partition::Pieces;
-  PieceOptions pieces; ///< for Partition::Pieces
-  EdgeOptions edges;   ///< for the others
-  /** C: smaller segments are joined to a neighbour, or taken up in the recovery;
-   * supervoxels */
-  std::uint32_t min_segment_size = 4;
-  /** segments of fewer points, or of fewer voxels than a supervoxel has, are too small
-   * to be told: together they are the remainder, one segment; for Partition::Pieces */
-  std::uint32_t fewest_points = 100;
-  std::optional<PointOptions> on_points; ///< for the others; none = on voxels
-  unsigned threads = 0; ///< 0 = automatic; the result does not depend on it
-};
+/** \brief Whether most points have a smaller z than the camera. */
+bool
+areBehind(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& camera);
 
-/** \brief The sizes to work with where points are dense enough: those that are 0 follow
- * from the other, or are 3 and 12 cm, with JoiningScale::View 5 mm and 2 cm. */
-ObjectSegmentationOptions
-withSizes(ObjectSegmentationOptions options);
-
-/** \brief Parts of things, as the seat and the back of a chair, instead of whole
- * things: JoiningScale::Parts. */
-ObjectSegmentationOptions
-partsOptions();
-
-/** \brief The thesis's own method (Sec. 4.2) with its parameters for laser scans, and
- * no more: planes of 5 % of the points or more are taken off; then on points, its graph
- * segmentation; k = 3, C = 3, R = 5 cm, R_voxel = 3 cm, R_seed = 12 cm. */
-ObjectSegmentationOptions
-thesisOptions();
-
-/** \brief The same with its parameters for the Kinect (Sec. 4.3.3): theta_t = 0.02, k =
- * 5, R_seed = 16 cm; R of Eq. (2.9), as points are closer than in laser scans; no
- * planes are taken off. */
-ObjectSegmentationOptions
-thesisKinectOptions();
+/** \brief Whether a scan is no larger than what stands on a table: 98 % of the points
+ * lie within 0.7 m of height, less than a chair's with its back, and within 1.5 m both
+ * ways across it; and they are dense enough for smaller voxels than a room's, see
+ * raisedToResolution().
+ *
+ * What is joined to whole furniture in rooms joins such things to one;
+ * singleViewOptions() keep them apart, from whichever sides they were seen.
+ * \param[in] points finite, metres, local frame; fewer than 1,000 do not tell
+ * \param[in] up unit length
+ */
+bool
+isTableTop(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& up);
 
 /** \brief Who is asked what the points of a scene are part of, before objects are
  * looked for. With JoiningScale::Objects pieces are joined by these votes, too, and
@@ -138,31 +94,39 @@ struct ObjectSegmentationInput {
   VoxelVoter voter; ///< for a Capture::Scan
 };
 
-/** \brief Options for a single view of a table with small objects, as from a Kinect at
- * about one metre: voxel and seed size are those at 1 m and grow with the distance.
- */
-ObjectSegmentationOptions
-singleViewOptions();
+/** \brief Whether a segment is a thing, or what else it is. */
+enum class StructureKind : std::uint8_t {
+  None = 0, ///< a thing
+  Floor = 1,
+  Wall = 2,
+  Ceiling = 3,
+  Remainder = 4 ///< all that is too small to be told, as one segment
+};
+
+/** \brief Two pieces became one. */
+struct PieceJoin {
+  /** numbers of the two pieces: the union keeps the first, the second is gone */
+  std::uint32_t kept = 0, gone = 0;
+  float level = 0; ///< least probability of this and all joins before it
+};
+
+struct ObjectSteps; // private
 
 /** \brief Segments and what led to them. */
 struct ObjectSegmentation {
-  ObjectSegmentationOptions options; ///< that were used, with their sizes
-  ObjectScene scene; ///< with the points of the input and the voxel size that was used
-  std::vector<std::uint8_t> removed; ///< per voxel: non-convex, taken out and recovered
-  Supervoxels supervoxels; ///< of the voxels that are in no plane and not removed
-  std::vector<SurfaceEdge> edges;            ///< between supervoxels
+  static constexpr std::uint32_t none = 0xffffffffu; ///< no segment, or supervoxel
+  ObjectSegmentationOptions options;         ///< that were used, with their sizes
   std::vector<std::uint32_t> piece_of_point; ///< for Partition::Pieces, else empty
-  PieceGraph pieces;                         ///< those of the planes have no voxels
   VoxelClasses votes; ///< of the points; empty if nobody was asked
   /** joins of pieces, the most probable first; those of at least a level give a
    * segmentation, see segmentsAtLevel() */
   std::vector<PieceJoin> joins;
-  /** 0 ... segment_count - 1, or Supervoxels::none where PointOptions leave one without
-   */
+  /** 0 ... segment_count - 1, or none where PointOptions leave one without */
   std::vector<std::uint32_t> segment_of_point;
   std::uint32_t segment_count = 0;
   std::vector<StructureKind>
       structure_of_segment; ///< floor, wall, ceiling, remainder, or none
+  std::shared_ptr<const ObjectSteps> steps; ///< null if nothing was segmented
 };
 
 /** \brief Segment a scanned scene into objects or their parts (Sec. 4.2).
@@ -184,10 +148,34 @@ segmentObjects(ObjectSegmentationInput input,
                const ObjectSegmentationOptions& options,
                const ProgressCallback& progress = {});
 
+/** \brief Which points were taken out and recovered: one flag per point. */
+std::vector<std::uint8_t>
+removedPoints(const ObjectSegmentation& segmentation);
+
+/** \brief Which points are in the planes of floor, ceiling and walls: one flag per
+ * point. */
+std::vector<std::uint8_t>
+structurePoints(const ObjectSegmentation& segmentation);
+
+/** \brief The supervoxel of each point, or ObjectSegmentation::none of points in planes
+ * and of those that were taken out. */
+std::vector<std::uint32_t>
+supervoxelsOfPoints(const ObjectSegmentation& segmentation);
+
+/** \brief The pairs of supervoxels that touch, the smaller number first. */
+std::vector<std::pair<std::uint32_t, std::uint32_t>>
+touchingSupervoxels(const ObjectSegmentation& segmentation);
+
+/** \brief The segment of each piece when all joins of at least a level are made: the
+ * number of one of its pieces. */
+std::vector<std::uint32_t>
+segmentsAtLevel(const ObjectSegmentation& segmentation, float level);
+
 /** \brief Supervoxels of another segmentation, by names of its own. */
 struct NamedSupervoxels {
-  std::vector<std::uint32_t> names; ///< ascending
-  Supervoxels supervoxels; ///< centroids and normals, in the order of the names
+  std::vector<std::uint32_t> names;                      ///< ascending
+  std::vector<Eigen::Vector3f> centroids;                ///< in the order of the names
+  std::vector<Eigen::Vector3f> normals;                  ///< unit length or zero
   std::multimap<std::uint32_t, std::uint32_t> adjacency; ///< both ways
 };
 
@@ -200,11 +188,54 @@ std::map<std::uint32_t, std::uint32_t>
 segmentSupervoxels(const NamedSupervoxels& given,
                    const ObjectSegmentationOptions& options);
 
-/** \brief Find what is wrong with the options.
- * \return one sentence with parameter, value and unit; empty if nothing is
+/** \brief What was found out about the points of an object segmentation. */
+struct ObjectReport {
+  std::vector<std::string> warnings; ///< a line each: what is odd, and what mends it
+  ObjectSegmentationOptions options; ///< that were used, with their sizes
+  CameraView view;                   ///< how the points were taken
+  /** The direction up that was used, of unit length; not of a camera's view. */
+  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ();
+};
+
+/** \brief Warn if nearly all points, of many, are one segment: right for one thing.
+ * \return one line; empty if not
  */
 std::string
-findProblem(const ObjectSegmentationOptions& options);
+oneSegmentWarning(const ObjectSegmentation& result);
+
+/** \brief Warn if the largest thing is no larger than what stands on a table, see
+ * isTableTop(), but of ten pieces or more: probably it is many small things.
+ * \return one line; empty if not, and with JoiningScale::View, which is for such things
+ */
+std::string
+tableTopWarning(const ObjectSegmentation& result);
+
+/** \brief Warn if the largest thing is more than 4 m wide both ways: probably several
+ * rooms, or one whose walls were not told from its things.
+ * \return one line; empty if not, and with JoiningScale::View
+ */
+std::string
+wideThingWarning(const ObjectSegmentation& result);
+
+/** \brief Warn that some points are so far from the others that they get no segment.
+ * \return one line; empty if there are none
+ */
+std::string
+straysWarning(std::size_t strays, std::size_t all);
+
+/** \brief Say that the points are taken as what a camera sees, and how it looks: from y
+ * up and z ahead, as engines for games have it, floors would be ceilings.
+ * \return one line; empty for a scan
+ */
+std::string
+cameraNote(const CameraView& view);
+
+/** \brief Warn if what a camera looks at is farther off than a depth camera sees.
+ * \param[in] input a view; of others nothing is known
+ * \return one line; empty if not
+ */
+std::string
+farViewWarning(const ObjectSegmentationInput& input);
 
 } // namespace indoor
 } // namespace pcl

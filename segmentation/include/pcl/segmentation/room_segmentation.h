@@ -5,8 +5,8 @@
 
 #pragma once
 
+#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/rooms/building_frame.h>
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <pcl/pcl_base.h>
@@ -363,7 +363,7 @@ public:
     return openings_;
   }
 
-  /** \brief Every intermediate result of the last run, in the building's frame: z up,
+  /** \brief The rooms of the last run with their maps, in the building's frame: z up,
    * the origin near the points. */
   const indoor::BuildingRooms&
   getBuilding() const

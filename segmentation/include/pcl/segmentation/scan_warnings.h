@@ -5,8 +5,8 @@
 
 #pragma once
 
+#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/rooms/vertical.h>
 #include <pcl/types.h> // for Indices
 
 #include <Eigen/Core>

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/objects/supervoxel_growing.h> // for Supervoxels::none
+#include "objects/graph/supervoxel_growing.h" // for Supervoxels::none
 
 #include <Eigen/Core>
 

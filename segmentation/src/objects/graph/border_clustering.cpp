@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/objects/border_clustering.h>
+#include "objects/graph/border_clustering.h"
 
 #include <pcl/exceptions.h>
 

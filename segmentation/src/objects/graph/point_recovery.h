@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/objects/supervoxel_growing.h>
+#include "objects/graph/supervoxel_growing.h"
 
 #include <cstdint>
 #include <limits>

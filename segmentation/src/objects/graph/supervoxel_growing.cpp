@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/supervoxel_growing.h>
+#include "objects/graph/supervoxel_growing.h"
 
 #include "objects/graph/average_columns.h"
 

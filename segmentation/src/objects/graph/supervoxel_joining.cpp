@@ -49,7 +49,11 @@ segmentSupervoxels(const NamedSupervoxels& given,
                    const ObjectSegmentationOptions& given_options)
 {
   const auto options = withSizes(given_options);
-  const auto& [names, supervoxels, adjacency] = given;
+  const auto& [names, centroids, normals, adjacency] = given;
+  Supervoxels supervoxels;
+  supervoxels.centroids = centroids;
+  supervoxels.normals = normals;
+  supervoxels.voxel_counts.assign(names.size(), 1);
   const auto number = [&names = names](std::uint32_t name) {
     return static_cast<std::uint32_t>(
         std::lower_bound(names.begin(), names.end(), name) - names.begin());

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/surface_graph.h>
+#include "objects/graph/surface_graph.h"
 
 #include <pcl/indoor/disjoint_sets.h>
 

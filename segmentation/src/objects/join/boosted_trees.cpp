@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/boosted_trees.h>
+#include "objects/join/boosted_trees.h"
 
 #include <pcl/exceptions.h>
 

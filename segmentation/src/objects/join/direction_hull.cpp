@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/direction_hull.h>
+#include "objects/join/direction_hull.h"
 
 #include <pcl/indoor/quantile.h>
 

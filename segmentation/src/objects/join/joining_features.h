@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/objects/object_joining.h>
+#include "objects/join/object_joining.h"
 
 namespace pcl {
 namespace indoor {

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/object_joining.h>
+#include "objects/join/object_joining.h"
 
 #include "objects/join/joining_features.h"
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/piece_frame.h>
+#include "objects/join/piece_frame.h"
 
 #include <pcl/indoor/ground_frame.h>
 #include <pcl/indoor/quantile.h>

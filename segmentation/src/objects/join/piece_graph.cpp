@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/piece_graph.h>
+#include "objects/join/piece_graph.h"
 
 #include <pcl/indoor/point_cells.h>
 #include <pcl/indoor/quantile.h>

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/room_columns.h>
+#include "objects/join/room_columns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,9 @@
  */
 #pragma once
 
+#include "objects/graph/surface_voxels.h"
+
 #include <pcl/indoor/point_cells.h>
-#include <pcl/segmentation/objects/surface_voxels.h>
 
 #include <Eigen/Core>
 

@@ -5,8 +5,8 @@
 #include "objects/points/shape_supervoxels.h"
 
 #include "objects/graph/average_columns.h"
-#include "objects/graph/scene_making.h" // for gridPoints
 #include "objects/graph/supervoxel_joining.h"
+#include "objects/structure/scene_making.h" // for gridPoints
 
 #include <pcl/features/fpfh.h>
 #include <pcl/point_cloud.h>

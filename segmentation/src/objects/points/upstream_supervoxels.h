@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "objects/graph/surface_graph.h"
+
 #include <pcl/segmentation/object_segmentation.h>
 
 #include <cstdint>

@@ -71,10 +71,11 @@ objectsOf(RoomPoints room,
   takeOut(strays, room.positions);
   takeOut(strays, room.normals);
   takeOut(strays, room.given);
-  auto result = room.given.empty() ? segmentDistinct(localInput(room, voter), options)
-                                   : segmentObjects(localInput(room, voter), options);
-  objects.voxel_size = result.scene.voxel_size;
-  constexpr auto none = Supervoxels::none;
+  auto result = room.given.empty()
+                    ? published(segmentDistinct(localInput(room, voter), options))
+                    : segmentObjects(localInput(room, voter), options);
+  objects.voxel_size = stepsOf(result).scene.voxel_size;
+  constexpr auto none = ObjectSegmentation::none;
   const auto& segments = result.segment_of_point;
   objects.object_of_point = room.given.empty() ? numbered(segments, {{none, 0}})
                                                : numbered(room.given, {{0, 0}});

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/upright_box.h>
+#include <pcl/segmentation/room_objects.h>
 
 #include <Eigen/Geometry>
 

@@ -4,8 +4,8 @@
  */
 #include "objects/split/flat_things.h"
 
+#include "objects/graph/segment_members.h"
 #include "objects/split/height_map.h"
-#include "objects/split/segment_members.h"
 #include <pcl/indoor/ground_frame.h>
 #include <pcl/indoor/quantile.h>
 

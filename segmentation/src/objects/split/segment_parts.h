@@ -4,10 +4,11 @@
  */
 #pragma once
 
-#include "objects/split/segment_members.h"
+#include "objects/graph/segment_members.h"
+#include "objects/structure/object_scene.h"
+
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
-#include <pcl/segmentation/objects/object_scene.h>
 
 #include <cstdint>
 #include <iterator>

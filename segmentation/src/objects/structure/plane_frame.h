@@ -5,8 +5,7 @@
 #pragma once
 
 #include "objects/structure/plane_shadow.h"
-
-#include <pcl/segmentation/objects/room_structure.h>
+#include "objects/structure/room_structure.h"
 
 #include <Eigen/Geometry>
 

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/objects/room_structure.h>
+#include "objects/structure/room_structure.h"
 
 namespace pcl {
 namespace indoor {

@@ -4,9 +4,8 @@
  */
 #pragma once
 
-#include "objects/split/segment_members.h"
-
-#include <pcl/segmentation/objects/object_scene.h>
+#include "objects/graph/segment_members.h"
+#include "objects/structure/object_scene.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/objects/room_structure.h>
+#include "objects/structure/room_structure.h"
 
 #include "objects/structure/plane_growing.h"
 #include "objects/structure/plane_raster.h"

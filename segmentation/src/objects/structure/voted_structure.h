@@ -5,8 +5,6 @@
 #pragma once
 
 #include <pcl/indoor/voxel_classes.h>
-#include <pcl/segmentation/objects/piece_graph.h>
-#include <pcl/segmentation/objects/room_structure.h>
 
 #include <cstdint>
 #include <vector>
@@ -15,15 +13,11 @@ namespace pcl {
 namespace indoor {
 
 /** \brief Take the points that hardly anybody takes for the building out of their
- * planes: curtains, cabinets and doors in the planes of walls.
+ * planes: curtains, cabinets and doors in the planes of walls. A plane is evidence,
+ * too: what lies in one needs fewer votes than a piece of surface that lies in none.
  * \param[in,out] plane_of_point from 1, 0 = none */
 void
 yieldToVotes(const VoxelClasses& votes, std::vector<std::uint32_t>& plane_of_point);
-
-/** \brief What the building's pieces are by the votes of their voxels: patches of walls
- * and floors that are part of no plane. All None if nobody voted. */
-std::vector<StructureKind>
-votedStructure(const PieceGraph& graph);
 
 } // namespace indoor
 } // namespace pcl

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/rooms/map_clustering.h>
+#include "rooms/field/map_clustering.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/map_clustering.h>
+#include "rooms/field/map_clustering.h"
 
 #include <pcl/exceptions.h>
 

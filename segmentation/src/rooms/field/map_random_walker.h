@@ -5,8 +5,9 @@
 
 #pragma once
 
+#include "rooms/field/field_connectivity.h"
+
 #include <pcl/indoor/voxel_map.h>
-#include <pcl/segmentation/rooms/field_connectivity.h>
 
 #include <cstdint>
 

@@ -5,10 +5,11 @@
 
 #include "rooms/field/map_blocks.h"
 
+#include "rooms/field/map_clustering.h"
+
 #include <pcl/indoor/disjoint_sets.h>
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
-#include <pcl/segmentation/rooms/map_clustering.h>
 
 #include <algorithm>
 #include <atomic>

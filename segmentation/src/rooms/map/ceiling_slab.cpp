@@ -3,9 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/ceiling_slab.h>
+#include "rooms/map/ceiling_slab.h"
 
-#include "rooms/map/map_regions.h"
+#include "rooms/space/map_regions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "rooms/map/inner_walls.h"
 
-#include "rooms/map/map_regions.h"
+#include "rooms/space/map_regions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/open_plan.h>
-#include <pcl/segmentation/rooms/visibility.h>
+#include "rooms/map/open_plan.h"
+#include "rooms/field/visibility.h"
 
 #include <algorithm>
 #include <vector>

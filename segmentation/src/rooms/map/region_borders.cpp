@@ -3,9 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/region_borders.h>
+#include "rooms/map/region_borders.h"
 
-#include "rooms/map/nearest_sites.h"
+#include "rooms/space/nearest_sites.h"
+
 #include <pcl/indoor/disjoint_sets.h>
 
 #include <Eigen/Eigenvalues>

@@ -5,7 +5,7 @@
 
 #include "rooms/map/region_evidence.h"
 
-#include <pcl/segmentation/rooms/region_borders.h>
+#include "rooms/map/region_borders.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,11 @@
 
 #pragma once
 
+#include "rooms/map/room_map.h"
+#include "rooms/storeys/storey_space.h"
+
 #include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
-#include <pcl/segmentation/rooms/room_map.h>
-#include <pcl/segmentation/rooms/storey_space.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,16 +3,18 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/room_map.h>
+#include "rooms/map/room_map.h"
 
-#include "rooms/field/potential_field.h"
-#include "rooms/map/nearest_sites.h"
+#include "rooms/map/ceiling_slab.h"
+#include "rooms/map/field_rooms.h"
+#include "rooms/map/inner_walls.h"
+#include "rooms/map/open_plan.h"
 #include "rooms/map/persistent_basins.h"
+#include "rooms/map/region_borders.h"
 #include "rooms/map/region_evidence.h"
 #include "rooms/map/wall_lean.h"
-#include <pcl/segmentation/rooms/open_plan.h>
-
-#include "rooms/map/inner_walls.h"
+#include "rooms/space/nearest_sites.h"
+#include "rooms/space/potential_field.h"
 
 #include <algorithm>
 #include <cmath>

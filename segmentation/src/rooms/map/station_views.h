@@ -5,12 +5,13 @@
 
 #pragma once
 
+#include "rooms/map/room_map.h"
+#include "rooms/space/interior_space.h"
+#include "rooms/space/occupancy_grid.h"
+#include "rooms/storeys/storeys.h"
+
 #include <pcl/indoor/voxel_map.h>
-#include <pcl/segmentation/rooms/interior_space.h>
-#include <pcl/segmentation/rooms/occupancy_grid.h>
-#include <pcl/segmentation/rooms/room_map.h>
-#include <pcl/segmentation/rooms/scan_stations.h>
-#include <pcl/segmentation/rooms/storeys.h>
+#include <pcl/segmentation/building_rooms.h>
 
 #include <Eigen/Core>
 

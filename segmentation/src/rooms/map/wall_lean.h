@@ -5,9 +5,10 @@
 
 #pragma once
 
+#include "rooms/map/ceiling_slab.h"
+
 #include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
-#include <pcl/segmentation/rooms/ceiling_slab.h>
 
 #include <Eigen/Core>
 

@@ -5,9 +5,9 @@
 
 #pragma once
 
-#include <pcl/segmentation/rooms/occupancy_grid.h>
-#include <pcl/segmentation/rooms/region_borders.h>
-#include <pcl/segmentation/rooms/room_map.h>
+#include "rooms/map/region_borders.h"
+#include "rooms/map/room_map.h"
+#include "rooms/space/occupancy_grid.h"
 
 #include <Eigen/Core>
 

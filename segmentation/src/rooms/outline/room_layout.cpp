@@ -80,12 +80,12 @@ struct SlabPoints {
 /** Where the points of each room lie in the slab below the ceiling, where nearly all
  * that is seen is wall. */
 SlabPoints
-slabPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
+slabPoints(const std::vector<Eigen::Vector3f>& points, const DetailedBuilding& building)
 {
   const VoxelBits& grid = building.occupancy.grid;
   const Eigen::Matrix2d turn = building.occupancy.turn();
   std::vector<PixelMap<std::uint8_t>> upright;
-  for (const RoomMap& map : building.maps)
+  for (const RoomMap& map : building.room_maps)
     upright.push_back(uprightColumns(building.occupancy, map));
   SlabPoints places;
   places.walls.resize(building.rooms.size() + 1);
@@ -95,7 +95,7 @@ slabPoints(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& buil
     if (label == 0)
       continue;
     const std::uint32_t storey = building.rooms[label - 1].storey;
-    const RoomMap& map = building.maps[storey];
+    const RoomMap& map = building.room_maps[storey];
     const std::int32_t cell = building.occupancy.cells[i];
     const std::int32_t pixel = cell / grid.shape.nz;
     const int below =
@@ -154,9 +154,9 @@ isFreeOfOthers(const std::vector<Eigen::Vector2d>& part,
 void
 addOpenings(const std::vector<Eigen::Vector3f>& points,
             const StoreySpace& space,
-            BuildingRooms& building)
+            DetailedBuilding& building)
 {
-  const RoomMap& map = building.maps.back();
+  const RoomMap& map = building.room_maps.back();
   const double size = building.occupancy.grid.voxel_size;
   const auto& room_of = building.room_of.back();
   const FloorPlane on_floor(building.occupancy, map);
@@ -181,15 +181,15 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
 }
 
 void
-addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& building)
+addFootprints(const std::vector<Eigen::Vector3f>& points, DetailedBuilding& building)
 {
   constexpr double tolerance = 1.5; // pixels: straight walls at any angle become lines
   constexpr double reach = 1.0;     // metres: cupboards and ducts are hardly deeper
   const double size = building.occupancy.grid.voxel_size;
   const auto levels = roomLevels(points, building);
   const SlabPoints places = slabPoints(points, building);
-  for (std::size_t s = 0; s < building.maps.size(); ++s) {
-    const RoomMap& map = building.maps[s];
+  for (std::size_t s = 0; s < building.room_maps.size(); ++s) {
+    const RoomMap& map = building.room_maps[s];
     const FloorPlane on_floor(building.occupancy, map);
     const auto outlines = traceOutlines(map.free_labels, map.room_count);
     for (std::int32_t label = 1; label <= map.room_count; ++label) {

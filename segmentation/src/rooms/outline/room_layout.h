@@ -5,8 +5,8 @@
 
 #pragma once
 
-#include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/rooms/storey_space.h>
+#include "rooms/map/building_steps.h"
+#include "rooms/storeys/storey_space.h"
 
 #include <Eigen/Core>
 
@@ -21,14 +21,14 @@ namespace indoor {
 void
 addOpenings(const std::vector<Eigen::Vector3f>& points,
             const StoreySpace& space,
-            BuildingRooms& building);
+            DetailedBuilding& building);
 
 /** \brief Add the footprints of all rooms, and measure their heights; areas and volumes
  * follow.
  * \param[in] points those of the building; their labels are known
  */
 void
-addFootprints(const std::vector<Eigen::Vector3f>& points, BuildingRooms& building);
+addFootprints(const std::vector<Eigen::Vector3f>& points, DetailedBuilding& building);
 
 } // namespace indoor
 } // namespace pcl

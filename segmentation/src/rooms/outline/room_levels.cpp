@@ -18,7 +18,7 @@ namespace indoor {
 namespace {
 
 double
-heightOfLayer(const BuildingRooms& building, double layer)
+heightOfLayer(const DetailedBuilding& building, double layer)
 {
   const VoxelBits& grid = building.occupancy.grid;
   return grid.origin.z() + grid.voxel_size * layer;
@@ -42,9 +42,9 @@ struct ColumnTop {
  * many points of the room share, and elsewhere, as below a slope, what is lowest. */
 class Ceilings {
 public:
-  Ceilings(const BuildingRooms& building, std::size_t storey)
+  Ceilings(const DetailedBuilding& building, std::size_t storey)
   : building_(building)
-  , map_(building.maps[storey])
+  , map_(building.room_maps[storey])
   , room_of_(building.room_of[storey])
   , place_of_(map_.free_labels.size(), 0)
   {
@@ -145,7 +145,7 @@ private:
     }
   }
 
-  const BuildingRooms& building_;
+  const DetailedBuilding& building_;
   const RoomMap& map_;
   const std::vector<std::uint32_t>& room_of_; ///< of each label of the map
   std::vector<ColumnTop> tops_;               ///< of the columns of rooms, few of all
@@ -157,12 +157,12 @@ private:
 /** Set how much of the floors was seen. */
 void
 measureFloors(const std::vector<Eigen::Vector3f>& points,
-              const BuildingRooms& building,
+              const DetailedBuilding& building,
               std::vector<RoomLevels>& levels)
 {
   const double size = building.occupancy.grid.voxel_size;
   std::vector<std::vector<std::uint8_t>> seen; // per storey and pixel
-  for (const RoomMap& map : building.maps)
+  for (const RoomMap& map : building.room_maps)
     seen.emplace_back(map.labels.size(), 0);
   std::vector<double> floors;
   for (const auto& level : levels)
@@ -173,10 +173,10 @@ measureFloors(const std::vector<Eigen::Vector3f>& points,
       seen[building.rooms[label - 1].storey]
           [building.occupancy.cells[i] / building.occupancy.grid.shape.nz] = 1;
   std::vector<std::size_t> columns(levels.size(), 0), with_floor = columns;
-  for (std::size_t s = 0; s < building.maps.size(); ++s)
+  for (std::size_t s = 0; s < building.room_maps.size(); ++s)
     for (std::size_t i = 0; i < seen[s].size(); ++i) {
       const std::uint32_t room =
-          building.room_of[s][building.maps[s].free_labels.values[i]];
+          building.room_of[s][building.room_maps[s].free_labels.values[i]];
       ++columns[room];
       with_floor[room] += seen[s][i];
     }
@@ -189,7 +189,7 @@ measureFloors(const std::vector<Eigen::Vector3f>& points,
  * the outermost hundredths. */
 void
 takeEndsOfWalls(const std::vector<Eigen::Vector3f>& points,
-                const BuildingRooms& building,
+                const DetailedBuilding& building,
                 std::vector<RoomLevels>& levels)
 {
   const UnseenSides& unseen = building.interior.unseen;
@@ -217,13 +217,13 @@ takeEndsOfWalls(const std::vector<Eigen::Vector3f>& points,
 } // namespace
 
 std::vector<RoomLevels>
-roomLevels(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building)
+roomLevels(const std::vector<Eigen::Vector3f>& points, const DetailedBuilding& building)
 {
   const double size = building.occupancy.grid.voxel_size;
   std::vector<RoomLevels> levels(building.rooms.size() + 1);
   std::vector<PlaceProfile> floors(1, {0.0, 0.0, crowd});
   for (const Room& room : building.rooms) {
-    const RoomMap& map = building.maps[room.storey];
+    const RoomMap& map = building.room_maps[room.storey];
     // what is above the middle of the room is no floor
     levels[room.label].floor =
         heightOfLayer(building, map.first_layer + map.range.begin + 0.5);
@@ -232,7 +232,7 @@ roomLevels(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& buil
                         crowd);
   }
   // Storey by storey, so that high buildings need no more memory than others.
-  for (std::size_t s = 0; s < building.maps.size(); ++s) {
+  for (std::size_t s = 0; s < building.room_maps.size(); ++s) {
     Ceilings ceilings(building, s);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::uint32_t label = building.point_labels[i];

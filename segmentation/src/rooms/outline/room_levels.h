@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/building_rooms.h>
+#include "rooms/map/building_steps.h"
 
 #include <Eigen/Core>
 
@@ -27,7 +27,8 @@ struct RoomLevels {
  * \return per label of a room; index 0 is unused
  */
 std::vector<RoomLevels>
-roomLevels(const std::vector<Eigen::Vector3f>& points, const BuildingRooms& building);
+roomLevels(const std::vector<Eigen::Vector3f>& points,
+           const DetailedBuilding& building);
 
 } // namespace indoor
 } // namespace pcl

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/wall_sides.h>
+#include "rooms/outline/wall_sides.h"
 
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>

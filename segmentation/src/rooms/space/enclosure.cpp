@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/enclosure.h>
+#include "rooms/space/enclosure.h"
 
 #include "rooms/space/interior_gain.h"
 

@@ -5,9 +5,8 @@
 
 #pragma once
 
+#include "rooms/space/enclosure.h"
 #include "rooms/space/grid_cut.h"
-
-#include <pcl/segmentation/rooms/enclosure.h>
 
 namespace pcl {
 namespace indoor {

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/interior_space.h>
+#include "rooms/space/interior_space.h"
 
 #include "rooms/space/dominant_directions.h"
 #include "rooms/space/grid_cut.h"

@@ -3,9 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/occupancy_grid.h>
+#include "rooms/space/occupancy_grid.h"
 
 #include "rooms/space/block_extent.h"
+
 #include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
@@ -154,7 +155,7 @@ fill(const std::vector<Eigen::Vector3f>& points,
 } // namespace
 
 Eigen::Matrix2d
-OccupancyGrid::turn() const
+TurnedFrame::turn() const
 {
   const Turn turn(yaw);
   Eigen::Matrix2d matrix;
@@ -164,13 +165,13 @@ OccupancyGrid::turn() const
 }
 
 Eigen::Vector3d
-OccupancyGrid::toGrid(const Eigen::Vector3d& point) const
+TurnedFrame::toGrid(const Eigen::Vector3d& point) const
 {
   return yaw == 0.0 ? point : Turn(yaw)(point);
 }
 
 Eigen::Vector3d
-OccupancyGrid::toCloud(const Eigen::Vector3d& point) const
+TurnedFrame::toCloud(const Eigen::Vector3d& point) const
 {
   return yaw == 0.0 ? point : Turn(-yaw)(point);
 }

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/rooms/occupancy_grid.h>
+#include "rooms/space/occupancy_grid.h"
 
 #include <Eigen/Core>
 

@@ -5,7 +5,8 @@
 
 #include "rooms/space/unseen_sides.h"
 
-#include "rooms/map/nearest_sites.h"
+#include "rooms/space/enclosure.h"
+#include "rooms/space/nearest_sites.h"
 
 #include <algorithm>
 #include <cmath>

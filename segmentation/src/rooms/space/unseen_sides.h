@@ -5,9 +5,10 @@
 
 #pragma once
 
+#include "rooms/space/interior_space.h"
+
 #include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
-#include <pcl/segmentation/rooms/interior_space.h>
 
 #include <cstdint>
 

@@ -5,7 +5,7 @@
 
 #include "rooms/storeys/slab_levels.h"
 
-#include "rooms/map/map_regions.h"
+#include "rooms/space/map_regions.h"
 #include <pcl/indoor/quantile.h>
 #include <pcl/indoor/threads.h>
 

@@ -5,8 +5,9 @@
 
 #pragma once
 
+#include "rooms/storeys/storeys.h"
+
 #include <pcl/indoor/voxel_bits.h>
-#include <pcl/segmentation/rooms/storeys.h>
 
 #include <vector>
 

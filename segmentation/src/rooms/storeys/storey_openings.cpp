@@ -5,7 +5,7 @@
 
 #include "rooms/storeys/storey_openings.h"
 
-#include "rooms/map/map_regions.h"
+#include "rooms/space/map_regions.h"
 #include "rooms/storeys/rectangle_sums.h"
 
 #include <algorithm>

@@ -5,9 +5,10 @@
 
 #pragma once
 
+#include "rooms/storeys/storeys.h"
+
 #include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
-#include <pcl/segmentation/rooms/storeys.h>
 
 #include <cstdint>
 

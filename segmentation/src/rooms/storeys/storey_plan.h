@@ -4,8 +4,9 @@
  */
 #pragma once
 
+#include "rooms/storeys/storeys.h"
+
 #include <pcl/indoor/voxel_bits.h>
-#include <pcl/segmentation/rooms/storeys.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/storey_space.h>
+#include "rooms/storeys/storey_space.h"
 
 #include <algorithm>
 #include <cmath>

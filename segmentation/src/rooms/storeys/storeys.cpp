@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/storeys.h>
+#include "rooms/storeys/storeys.h"
 
 #include "rooms/storeys/rectangle_sums.h"
 #include "rooms/storeys/slab_levels.h"

@@ -3,10 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "objects/graph/border_clustering.h"
 #include "support/labelled_points.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/segmentation/objects/border_clustering.h>
 
 #include <gtest/gtest.h>
 

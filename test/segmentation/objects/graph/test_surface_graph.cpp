@@ -3,12 +3,12 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "objects/graph/surface_graph.h"
 #include "support/labelled_points.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/point_types.h>
 #include <pcl/segmentation/lccp_segmentation.h>
-#include <pcl/segmentation/objects/surface_graph.h>
 #include <pcl/segmentation/supervoxel_clustering.h>
 
 #include <Eigen/Eigenvalues>

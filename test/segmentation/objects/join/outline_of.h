@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl/segmentation/objects/outline_reach.h>
+#include "objects/join/outline_reach.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,8 @@
  */
 #pragma once
 
+#include "objects/join/piece_graph.h"
 #include "support/labelled_points.h"
-
-#include <pcl/segmentation/objects/piece_graph.h>
 
 #include <Eigen/Geometry>
 

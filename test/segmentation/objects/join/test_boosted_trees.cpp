@@ -3,8 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "objects/join/boosted_trees.h"
+
 #include <pcl/exceptions.h>
-#include <pcl/segmentation/objects/boosted_trees.h>
 
 #include <gtest/gtest.h>
 

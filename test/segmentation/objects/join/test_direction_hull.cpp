@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/objects/direction_hull.h>
+#include "objects/join/direction_hull.h"
 
 #include <gtest/gtest.h>
 

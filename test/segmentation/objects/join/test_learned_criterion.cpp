@@ -3,10 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "objects/join/object_joining.h"
 #include "segmentation/objects/join/piece_pair.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/segmentation/objects/object_joining.h>
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "objects/join/room_columns.h"
 #include "segmentation/objects/join/outline_of.h"
-
-#include <pcl/segmentation/objects/room_columns.h>
 
 #include <gtest/gtest.h>
 

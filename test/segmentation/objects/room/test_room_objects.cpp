@@ -2,12 +2,12 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "objects/object_steps.h"
+#include "support/furnished_building.h"
+
 #include <pcl/exceptions.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
-#include <pcl/segmentation/objects/room_structure.h> // for StructureKind
 #include <pcl/segmentation/room_objects.h>
-
-#include "support/furnished_building.h"
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(RoomObjects, AreTheSegmentsOfTheRoomAlone)
   segmentation.segment(labels);
   EXPECT_EQ(objects.object_of_point, labels);
   EXPECT_EQ(objects.structure_of_point, segmentation.getStructure());
-  EXPECT_EQ(objects.voxel_size, segmentation.getResult().scene.voxel_size);
+  EXPECT_EQ(objects.voxel_size, stepsOf(segmentation.getResult()).scene.voxel_size);
   EXPECT_EQ(objects.surfaces.size(), *std::max_element(labels.begin(), labels.end()));
 }
 

@@ -3,11 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "support/labelled_points.h"
-
+#include "objects/structure/room_structure.h"
 #include "objects/structure/structure_islands.h"
-
-#include <pcl/segmentation/objects/room_structure.h>
+#include "support/labelled_points.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_orientation.h>

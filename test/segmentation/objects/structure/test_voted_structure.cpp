@@ -25,25 +25,6 @@ TEST(VotedStructure, WhatHardlyAnybodyTakesForTheBuildingLeavesItsPlane)
   EXPECT_EQ(planes, (std::vector<std::uint32_t>{0, 1, 0, 2}));
 }
 
-TEST(VotedStructure, PiecesAreWhatTheirVoxelsAreMostlyTakenFor)
-{
-  PieceGraph graph;
-  graph.pieces.resize(5);
-  graph.pieces[0].votes.classes = {0.0, 3.0, 1.0, 4.0}; // half of all: a wall
-  graph.pieces[1].votes.classes = {0.0, 3.0, 0.0, 7.0};
-  graph.pieces[2].votes.classes = {5.0, 0.0, 0.0, 1.0};
-  graph.pieces[3].votes.classes = {0.0, 0.0, 1.0, 0.0};
-  graph.pieces[4].votes.classes = {0.0, 0.0, 0.0, 0.0}; // one of a plane
-  EXPECT_EQ(votedStructure(graph), std::vector<StructureKind>(5, StructureKind::None));
-  graph.has_votes = true;
-  EXPECT_EQ(votedStructure(graph),
-            (std::vector<StructureKind>{StructureKind::Wall,
-                                        StructureKind::None,
-                                        StructureKind::Floor,
-                                        StructureKind::Ceiling,
-                                        StructureKind::None}));
-}
-
 /** A floor, two boards of a wall that is no plane of the room, and a box. */
 class ScanOfParts : public testing::Test {
 protected:

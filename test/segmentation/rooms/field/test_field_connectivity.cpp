@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/field_connectivity.h>
+#include "rooms/field/field_connectivity.h"
 
 #include <pcl/exceptions.h>
 

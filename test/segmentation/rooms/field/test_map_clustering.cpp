@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/field/potential_field.h"
-#include <pcl/segmentation/rooms/map_clustering.h>
+#include "rooms/field/map_clustering.h"
+#include "rooms/space/potential_field.h"
 
 #include <pcl/exceptions.h>
 

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/visibility.h>
+#include "rooms/field/visibility.h"
 
 #include <pcl/exceptions.h>
 

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/ceiling_slab.h>
+#include "rooms/map/ceiling_slab.h"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "rooms/field/visibility.h"
+#include "rooms/map/open_plan.h"
+#include "rooms/space/potential_field.h"
 #include "support/room_labels.h"
-
-#include "rooms/field/potential_field.h"
-#include <pcl/segmentation/rooms/open_plan.h>
-#include <pcl/segmentation/rooms/visibility.h>
 
 #include <gtest/gtest.h>
 

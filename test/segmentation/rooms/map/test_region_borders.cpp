@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/region_borders.h>
+#include "rooms/map/region_borders.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "rooms/space/enclosure.h"
 #include "rooms/space/grid_cut.h"
-#include <pcl/segmentation/rooms/enclosure.h>
 
 #include <pcl/exceptions.h>
 

@@ -3,9 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "rooms/space/interior_space.h"
 #include "support/synthetic_scenes.h"
-
-#include <pcl/segmentation/rooms/interior_space.h>
 
 #include <gtest/gtest.h>
 

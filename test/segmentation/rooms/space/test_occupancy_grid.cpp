@@ -3,8 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/rooms/occupancy_grid.h>
-
+#include "rooms/space/occupancy_grid.h"
 #include "support/bits_of.h"
 
 #include <pcl/exceptions.h>

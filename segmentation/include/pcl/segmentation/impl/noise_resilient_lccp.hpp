@@ -229,12 +229,13 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   input_size_ = input_->size();
   labels.assign(input_size_, 0);
   std::vector<std::uint32_t> name_of_segment(result_.segment_count, 0);
-  std::vector<std::uint32_t> segment_of_point(input_size_, indoor::Supervoxels::none);
+  std::vector<std::uint32_t> segment_of_point(input_size_,
+                                              indoor::ObjectSegmentation::none);
   for (std::size_t i = 0; i < finite_.size(); ++i)
     segment_of_point[finite_[i]] = result_.segment_of_point[i];
   std::uint32_t names = 0;
   for (std::size_t i = 0; i < input_size_; ++i) {
-    if (segment_of_point[i] == indoor::Supervoxels::none)
+    if (segment_of_point[i] == indoor::ObjectSegmentation::none)
       continue;
     auto& name = name_of_segment[segment_of_point[i]];
     if (name == 0)
@@ -296,9 +297,10 @@ template <typename PointT>
 Indices
 NoiseResilientLCCP<PointT>::getRemovedIndices() const
 {
+  const auto is_removed = indoor::removedPoints(result_);
   Indices removed;
   for (std::size_t i = 0; i < finite_.size(); ++i)
-    if (result_.removed[result_.scene.voxels.cells.cell_of_point[i]])
+    if (is_removed[i])
       removed.push_back(finite_[i]);
   return removed;
 }
@@ -307,9 +309,10 @@ template <typename PointT>
 Indices
 NoiseResilientLCCP<PointT>::getStructureIndices() const
 {
+  const auto is_structure = indoor::structurePoints(result_);
   Indices structure;
   for (std::size_t i = 0; i < finite_.size(); ++i)
-    if (result_.scene.planeOfPoint(i) != 0)
+    if (is_structure[i])
       structure.push_back(finite_[i]);
   return structure;
 }
@@ -320,7 +323,7 @@ NoiseResilientLCCP<PointT>::getStructure() const
 {
   std::vector<std::uint32_t> structure(input_size_, 0);
   for (std::size_t i = 0; i < finite_.size(); ++i)
-    if (result_.segment_of_point[i] != indoor::Supervoxels::none)
+    if (result_.segment_of_point[i] != indoor::ObjectSegmentation::none)
       structure[finite_[i]] = static_cast<std::uint32_t>(
           result_.structure_of_segment[result_.segment_of_point[i]]);
   return structure;
@@ -332,8 +335,7 @@ NoiseResilientLCCP<PointT>::getSegmentsAtLevel(float level) const
 {
   if (result_.piece_of_point.empty())
     return {};
-  const auto segments =
-      indoor::segmentsAtLevel(result_.pieces.pieces.size(), result_.joins, level);
+  const auto segments = indoor::segmentsAtLevel(result_, level);
   std::vector<std::uint32_t> labels(input_size_, 0);
   for (std::size_t i = 0; i < finite_.size(); ++i)
     labels[finite_[i]] = segments[result_.piece_of_point[i]] + 1;
@@ -351,13 +353,11 @@ template <typename PointT>
 std::vector<std::uint32_t>
 NoiseResilientLCCP<PointT>::getSupervoxelLabels() const
 {
+  const auto supervoxels = indoor::supervoxelsOfPoints(result_);
   std::vector<std::uint32_t> labels(input_size_, 0);
-  for (std::size_t i = 0; i < finite_.size(); ++i) {
-    const auto label =
-        result_.supervoxels.label_of_voxel[result_.scene.voxels.cells.cell_of_point[i]];
-    if (label != indoor::Supervoxels::none)
-      labels[finite_[i]] = label + 1;
-  }
+  for (std::size_t i = 0; i < finite_.size(); ++i)
+    if (supervoxels[i] != indoor::ObjectSegmentation::none)
+      labels[finite_[i]] = supervoxels[i] + 1;
   return labels;
 }
 
@@ -366,9 +366,9 @@ std::multimap<std::uint32_t, std::uint32_t>
 NoiseResilientLCCP<PointT>::getSupervoxelAdjacency() const
 {
   std::multimap<std::uint32_t, std::uint32_t> adjacency;
-  for (const auto& edge : result_.edges) {
-    adjacency.emplace(edge.source + 1, edge.target + 1);
-    adjacency.emplace(edge.target + 1, edge.source + 1);
+  for (const auto& [one, other] : indoor::touchingSupervoxels(result_)) {
+    adjacency.emplace(one + 1, other + 1);
+    adjacency.emplace(other + 1, one + 1);
   }
   return adjacency;
 }

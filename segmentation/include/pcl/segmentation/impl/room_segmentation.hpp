@@ -11,8 +11,8 @@
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/indoor/labelled_outputs.h>
 #include <pcl/indoor/plain_message.h>
+#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/room_segmentation.h>
-#include <pcl/segmentation/rooms/building_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -156,12 +156,10 @@ template <typename PointT>
 void
 RoomSegmentation<PointT>::describeInput(const Indices& indices)
 {
-  report_.voxel_size = building_.occupancy.grid.voxel_size;
-  const auto& cells = building_.occupancy.cells;
-  const std::size_t all = cells.size() + report_.outside.size();
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (cells[i] < 0)
-      report_.outside.push_back(indices.empty() ? static_cast<index_t>(i) : indices[i]);
+  report_.voxel_size = building_.grid.voxel_size;
+  const std::size_t all = building_.point_labels.size() + report_.outside.size();
+  for (const std::size_t i : building_.outside)
+    report_.outside.push_back(indices.empty() ? static_cast<index_t>(i) : indices[i]);
   std::sort(report_.outside.begin(), report_.outside.end());
   if (!indoor::unitWarning(report_.vertical, report_.metres_per_unit).empty())
     return; // what follows would be no wonder

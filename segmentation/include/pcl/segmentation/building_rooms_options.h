@@ -1,0 +1,211 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace pcl {
+namespace indoor {
+
+constexpr double smallest_automatic_voxel = 0.1; ///< metres
+constexpr double largest_automatic_voxel = 0.4;  ///< metres: half as wide as a door
+
+/** \brief The weights of the evidence for interior space, Eq. (3.1). */
+struct EnclosureWeights {
+  double below = 1.5;      ///< w1: occupied below
+  double above = 0.5;      ///< w2: occupied above
+  double vertical = 0.5;   ///< w3: occupied below and above
+  double horizontal = 1.0; ///< w4 + w5: shared equally by all horizontal directions
+  double exterior = 1.5;   ///< evidence that exterior space has without any enclosure;
+                           ///< larger sends more voxels outside
+};
+
+/** \brief How interior free space is told from exterior (Sec. 3.2.1). */
+struct InteriorSpaceOptions {
+  double voxel_size = 0.2; ///< metres; rounded to a multiple of the input's voxels
+  EnclosureWeights weights;
+  double smoothness = 0.6;        ///< E_{v,u} of Eq. (3.2) where labels differ (>= 0)
+  std::size_t max_directions = 4; ///< of enclosure, the best supported ones
+  double min_direction_support = 0.02; ///< see HorizontalDirection
+  double max_lean = 0.5; ///< of a wall, radians from the vertical; farther it is a roof
+  bool upright_walls = true; ///< walls count by where they head; false: enclosure is
+                             ///< looked for along their normals in space
+  int threads = 0;           ///< 0 = automatic
+};
+
+struct StoreyOptions {
+  double min_clearance =
+      1.5;               ///< least free height above and below a slab, metres (> 0)
+  double max_slab = 1.1; ///< greatest height of a slab with what stands on it and
+                         ///< hangs under it, metres (>= 0)
+  double min_slab_area = 10.0; ///< least area of a slab, m^2 (> 0); larger ignores
+                               ///< galleries
+  double bridge = 1.5; ///< openings in a slab that are at most twice this wide, as of
+                       ///< stairs, are cut at the slab's height, metres (>= 0)
+  double min_opening_area = 12.0; ///< a larger opening is a hall, m^2 (>= 0); it
+                                  ///< belongs to the storey of its floor
+  int threads = 0;                ///< 0 = automatic; the result does not depend on it
+};
+
+/** \brief Where the walls of a storey are looked for: in a slab right below the
+ * ceiling.
+ *
+ * Furniture seldom reaches the ceiling; walls and the lintels over doorways do. So the
+ * slab shows the rooms closed, where a map of the whole height shows them cluttered and
+ * joined by their doors.
+ */
+struct CeilingSlabOptions {
+  double window =
+      1.0;           ///< side of the square in which the ceiling is looked for, metres
+  double step = 0.6; ///< how far a column's own top may lie below the highest top in
+                     ///< the window and still be its ceiling, metres
+  double level_share =
+      0.3;                 ///< or share of the columns there that are as high as itself
+  double min_height = 1.8; ///< a ceiling is at least so high above the floor, metres
+  double gap = 0.15;       ///< least distance from the ceiling to the slab, metres
+  double max_gap = 0.6;    ///< greatest distance, where noise blurs the ceiling, metres
+  double min_wall = 0.5;   ///< shorter things in the slab are no walls, metres
+  double depth = 0.3;      ///< height of the slab, metres
+};
+
+/** \brief Which regions are one room. */
+struct MergeOptions {
+  double open_share = 0.55; ///< the open area is more than this share of the border and
+                            ///< of the smaller region's section, 0 ... 1; larger gives
+                            ///< more rooms
+  double door_width = 0.0;  ///< narrower openings are doors, also without a lintel,
+                            ///< metres (>= 0)
+  double door_share = 0.75; ///< spaces with a door between them are joined above this
+                            ///< open share only, 0 ... 1
+  double open_height = 0.9; ///< the opening reaches over at least this share of the
+                            ///< height: beams may be above it, lintels not, 0 ... 1;
+                            ///< larger gives more rooms
+};
+
+/** \brief When two spaces without a door between them are two rooms. */
+struct OpenPlanOptions {
+  /** Smallest floor area of each, m^2. Building codes ask 6.5 of a habitable room
+   * (International Residential Code, R304.1); infinity joins all open spaces. */
+  double habitable_area = 6.5;
+  double max_elongation = 2.5;  ///< a space with a larger area over the square of its
+                                ///< width is a corridor; its arms stay one room
+  double persistence = 0.85;    ///< two spaces may be two rooms if the passage between
+                                ///< them is at most this share of the width of the
+                                ///< narrower one, 0 ... 1
+  double min_wall_share = 0.4;  ///< a wall within a room parts it if it fills at least
+                                ///< this share of the straight line that it lies on,
+                                ///< 0 ... 1; larger gives fewer rooms
+  double max_shared_view = 0.7; ///< two spaces are two rooms if at most this share of
+                                ///< the straight lines between them is free, 0 ... 1
+};
+
+/** \brief Weights and scales of the distance between pixels. */
+struct MapDistanceOptions {
+  double visibility_weight = 0.05; ///< w_vis (0 or more)
+  double euclidean_weight = 0.7;   ///< w_eucl (0 or more)
+  double field_weight = 0.25;      ///< w_PF (0 or more)
+  double euclidean_scale = 0.0;    ///< the distance that counts as 1, pixels; 0 = the
+                                   ///< largest distance between two of the pixels
+};
+
+/** \brief How peaks of a histogram are found. */
+struct HistogramPeakOptions {
+  int bins = 64;            ///< number of bins from 0 to the largest value (at least 1)
+  int smoothing = 1;        ///< half-width of the moving average, bins (at least 0)
+  double prominence = 0.01; ///< smallest fall on both sides of a peak before a higher
+                            ///< one, as a fraction of the fullest bin (0 or more)
+};
+
+/** \brief How a field map is divided into rooms (Sec. 3.2.3). */
+struct FieldRoomsOptions {
+  MapDistanceOptions distance;   ///< weights of Eq. (3.4)
+  HistogramPeakOptions peaks;    ///< thresholds of Eq. (3.3)
+  double dbscan_distance = 0.0;  ///< 0 = HDBSCAN finds the clusters; else DBSCAN*, with
+                                 ///< this distance of Eq. (3.4) (>= 0)
+  double min_cluster_area = 2.0; ///< smallest cluster, m^2 (> 0)
+  double sample_area = 0.4;      ///< neighbourhood of its core distance, m^2 (> 0)
+  double landmark_spacing = 1.0; ///< between the landmarks of visibility, metres (>=
+                                 ///< 0); 0 = every pixel is one, in time O(pixels^2)
+  bool allow_single_cluster = false; ///< whether HDBSCAN may find one room only
+  bool above_ceiling = false;   ///< whether interior space above the ceiling takes part
+  bool peaks_on_slopes = false; ///< whether a peak that a cluster left out is a room
+                                ///< although it lies on that one's slope
+  double beta = 100.0;          ///< of the random walker, Eq. (2.11), for a field in
+                                ///< [0, 1] (>= 0)
+  int threads = 0;              ///< 0 = automatic
+};
+
+/** \brief How the rooms of a storey are told apart. */
+enum class RoomMethod {
+  CeilingSlab, ///< in a slab below the ceiling, where walls and lintels close the rooms
+  PotentialField ///< by the potential field and HDBSCAN: the thesis's own, Sec. 3.2.3
+};
+
+/** \brief How a storey's map is divided into rooms. */
+struct RoomMapOptions {
+  RoomMethod method = RoomMethod::CeilingSlab;
+  FieldRoomsOptions field_rooms; ///< of RoomMethod::PotentialField
+  CeilingSlabOptions slab;
+  double persistence = 0.5;  ///< see BasinOptions
+  double door_width = 1.15;  ///< narrower passages are doors, also without a lintel,
+                             ///< metres (>= 0); see BasinOptions, MergeOptions
+  MergeOptions merging;      ///< see mergeOpenRegions()
+  OpenPlanOptions open_plan; ///< which open spaces are two rooms
+  double min_width = 0.5;    ///< narrower spaces are no rooms, metres
+  double min_area = 0.5;     ///< smaller spaces are no rooms, m^2
+  bool merge_open = true;    ///< whether rooms with an open border between them are one
+  double reach = 0.6; ///< how far a room's label is carried into its walls, metres
+  int threads = 0;    ///< 0 = automatic
+};
+
+/** \brief How the two faces of a wall are told apart. */
+struct WallSideOptions {
+  double window = 0.5;        ///< side of the square in which a wall is fitted, metres
+  double max_thickness = 0.3; ///< thicker things are not taken for one wall, metres
+  double reach = 0.5; ///< how far from the wall its rooms are looked for, metres
+  std::size_t min_points = 8; ///< fewer points make no wall (>= 2)
+  int threads = 0;            ///< 0 = automatic; the result does not depend on it
+};
+
+/** \brief How points at walls get their room. */
+enum class PointRooms {
+  WallSides, ///< by the side of the wall that they are on
+  Vote       ///< by most of the ten nearest free voxels, Sec. 3.2.3
+};
+
+/** \brief All parameters of the way from a building's points to its rooms. */
+struct BuildingRoomsOptions {
+  double voxel_size = 0.0; ///< side of a voxel and of a map pixel, metres (>= 0); 0 =
+                           ///< automatic: 0.1, up to 0.4 where the points are so sparse
+                           ///< that their surfaces would have holes
+  InteriorSpaceOptions interior;
+  StoreyOptions storeys;
+  RoomMapOptions map;
+  WallSideOptions walls;
+  PointRooms point_rooms =
+      PointRooms::WallSides; ///< how points at walls get their room
+  bool align_grid = true;    ///< whether voxels lie along the best supported walls
+  int threads = 0; ///< of all stages, 0 = automatic; the result does not depend on it
+};
+
+/** \brief The thesis's own way from points to rooms (Sec. 3.2) and no more: voxels of
+ * 20 cm along the axes, two dominant directions in space, the potential field, each
+ * pixel a landmark of visibility, and the vote of ten neighbours. Of the weights of Eq.
+ * (3.1) it changed w1 (interior.weights.below) to 0.5 where floors are hidden, and w2
+ * (interior.weights.above) to 1.5 where ceilings are not. docs/method/thesis.md lists
+ * what the thesis leaves open.
+ */
+BuildingRoomsOptions
+thesisRoomOptions();
+
+/** \brief What is wrong with the options: one sentence with the value and the range.
+ * \return empty if all are in range
+ */
+std::string
+findProblem(const BuildingRoomsOptions& options);
+
+} // namespace indoor
+} // namespace pcl

@@ -1,0 +1,41 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include "rooms/scan_sample.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Things that stand at the ends of the free space of rooms.
+ *
+ * Where one end of the space is nearer to the middle than beside it, is level as far as
+ * furniture is wide, and the other end stays where it is, a thing stands on the first
+ * end. Lintels are narrower, pitched roofs are not level.
+ */
+struct ThingsAtEnds {
+  int low = 0, high = 0;   ///< columns at the sides of things
+  std::size_t columns = 0; ///< of rooms
+
+  ThingsAtEnds&
+  operator+=(const ThingsAtEnds& other);
+
+  /** \brief There is furniture, and most of it at one end: -1 = low, 1 = high; else 0.
+   * \param[in] times as much as at the other end, at least
+   */
+  int
+  clearEnd(double times = 1.5) const;
+};
+
+/** \param[in] space along a direction that is the vertical or points down */
+ThingsAtEnds
+thingsAtEnds(const FreeSpace& space);
+
+} // namespace indoor
+} // namespace pcl

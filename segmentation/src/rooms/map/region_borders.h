@@ -1,0 +1,106 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include "rooms/storeys/storey_space.h" // for VerticalRange
+
+#include <pcl/indoor/voxel_bits.h>
+#include <pcl/indoor/voxel_map.h>
+#include <pcl/segmentation/building_rooms_options.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief The border between two adjacent regions of a room map, seen as a wall. */
+struct RegionBorder {
+  std::int32_t a = 0;       ///< the smaller label
+  std::int32_t b = 0;       ///< the larger label
+  double border_area = 0.0; ///< length of the border times the height there, m^2
+  double open_area = 0.0;   ///< the part of it through which one region sees the other
+  double opening_area =
+      0.0; ///< area from floor to ceiling where a person can pass, m^2
+  /** length of the border where a person can pass: of its pieces along y, and of those
+   * along x, metres */
+  Eigen::Vector2d opening_run = Eigen::Vector2d::Zero();
+};
+
+/** \brief Find the borders between regions and how far they are open.
+ *
+ * A piece of border is open at a height if no voxel is occupied there between the free
+ * space of the one region and that of the other: hollow walls are closed.
+ * \param[in] labels a label for every pixel of the regions and of the walls between
+ * them, 0 = none
+ * \param[in] free_labels the same labels on the free pixels alone
+ * \param[in] ceiling as ceilingLayers() gives it
+ * \return one entry per pair of regions that touch, in the order of (a, b)
+ */
+std::vector<RegionBorder>
+regionBorders(const VoxelBits& occupancy,
+              const VerticalRange& storey,
+              const PixelMap<int>& ceiling,
+              const PixelMap<std::int32_t>& labels,
+              const PixelMap<std::int32_t>& free_labels);
+
+/** \brief A place where a person can pass from one region to another. */
+struct RegionOpening {
+  std::int32_t a = 0; ///< the smaller label
+  std::int32_t b = 0; ///< the larger label
+  double x = 0.0;     ///< its middle, grid frame, pixels; pixel 0 covers 0 ... 1
+  double y = 0.0;     ///< its middle, grid frame, pixels
+  Eigen::Vector2d along = Eigen::Vector2d::UnitX(); ///< of the border, a unit vector
+  double width = 0.0;                               ///< metres
+  double area = 0.0;                                ///< of what is open, m^2
+  /** Its middle over the middle between floor and ceiling, metres: below 0 under a
+   * lintel. */
+  double rise = 0.0;
+};
+
+/** \brief Find the openings in the borders between regions.
+ *
+ * Parameters as for regionBorders(). Pieces of border that a person can pass and that
+ * are at most two pixels apart are one opening: two doors between the same two regions
+ * are two.
+ * \param[in] min_width narrower gaps are left out, metres
+ * \return in the order of (a, b), then of their first pixel
+ */
+std::vector<RegionOpening>
+regionOpenings(const VoxelBits& occupancy,
+               const VerticalRange& storey,
+               const PixelMap<int>& ceiling,
+               const PixelMap<std::int32_t>& labels,
+               const PixelMap<std::int32_t>& free_labels,
+               double min_width = 0.3);
+
+/** \brief Whether two spaces are two rooms however open the border between them is;
+ * each is given by the labels of its regions. */
+using StayApart = std::function<bool(const std::vector<std::int32_t>& a,
+                                     const std::vector<std::int32_t>& b)>;
+
+/** \brief Join regions between which the passage is wide and high, the widest first.
+ *
+ * A room ends where the passage to the next space is small compared with the spaces
+ * themselves (Sec. 3.1): at a door, not below a beam.
+ * \param[in] borders as regionBorders() gives them
+ * \param[in] section per label (index 0 unused): area of the widest vertical section
+ * through the region, m^2 (> 0)
+ * \param[in] stay_apart asked before two spaces are joined, and again after one of them
+ * has grown; empty: never
+ * \return the new label of each old one, that of the smallest member; 0 stays 0
+ */
+std::vector<std::int32_t>
+mergeOpenRegions(const std::vector<RegionBorder>& borders,
+                 const std::vector<double>& section,
+                 const MergeOptions& options = {},
+                 const StayApart& stay_apart = {});
+
+} // namespace indoor
+} // namespace pcl

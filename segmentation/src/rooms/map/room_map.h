@@ -1,0 +1,35 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include "rooms/map/ceiling_slab.h"
+#include "rooms/map/field_rooms.h"
+#include "rooms/storeys/storey_space.h"
+
+#include <pcl/indoor/voxel_map.h>
+#include <pcl/segmentation/building_rooms.h>
+
+#include <Eigen/Core>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief The map of one storey and every step on the way to it. */
+struct RoomMap : MappedRooms {
+  int first_layer = 0;            ///< layer of the building's grid that is layer 0
+  VerticalRange range;            ///< layers from floor to ceiling
+  PixelMap<int> ceiling;          ///< layer of the ceiling, -1 = none
+  SlabLayers slab;                ///< where the walls were looked for
+  PixelMap<Eigen::Vector2f> lean; ///< see leanMap(); empty if all walls are upright
+  FieldRooms field_rooms;         ///< filled by RoomMethod::PotentialField
+};
+
+/** \brief Divide a storey into rooms on its map. */
+RoomMap
+segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options);
+
+} // namespace indoor
+} // namespace pcl

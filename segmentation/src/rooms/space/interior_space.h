@@ -1,0 +1,93 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include "rooms/space/occupancy_grid.h"
+
+#include <pcl/indoor/voxel_bits.h>
+#include <pcl/segmentation/building_rooms_options.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Floors and ceilings that a scan does not show, as those of a slice or of a
+ * camera that was never tilted. */
+struct UnseenSides {
+  double floor_seen = 1.0;   ///< share of the space between walls with a floor below
+  double ceiling_seen = 1.0; ///< share of it with a ceiling above
+  std::vector<std::size_t> floor, ceiling; ///< where they are missing: voxels of the
+                                           ///< space, at the ends of the walls
+
+  bool
+  floorIsSeen() const
+  {
+    return floor_seen >= least_seen;
+  }
+
+  bool
+  ceilingIsSeen() const
+  {
+    return ceiling_seen >= least_seen;
+  }
+
+  static constexpr double least_seen = 0.3; ///< furniture hides the rest
+};
+
+/** \brief The interior free space of a building, on coarser voxels than the map's. */
+struct InteriorSpace {
+  int factor = 1;                          ///< map pixels per voxel, along each axis
+  std::vector<Eigen::Vector2d> directions; ///< of the walls, in the frame of the grid
+  VoxelBits occupancy;                     ///< cleaned up; set = occupied
+  VoxelBits inside;                        ///< set = interior free space
+  UnseenSides unseen;                      ///< which floors and ceilings are missing
+};
+
+/** \brief Find the directions of a building's walls (Sec. 3.2.1.2), the best supported
+ * one first.
+ * \param[in] points the points that the grid was made of
+ * \param[in] building their occupancy grid
+ * \return horizontal unit vectors in the frame of the points, at right angles or not
+ */
+std::vector<Eigen::Vector2d>
+wallDirections(const std::vector<Eigen::Vector3f>& points,
+               const OccupancyGrid& building,
+               const InteriorSpaceOptions& options = {});
+
+/** \brief Find the dominant directions of a building in space, the best supported one
+ * first: normals of its planes that are nearer to the horizontal than to the vertical,
+ * dom1 and dom2 of Eq. (3.1). They need not be level, nor at right angles.
+ * \return at least two unit vectors in the frame of the points, at most
+ * options.max_directions; level ones at right angles stand in for those that are
+ * missing
+ */
+std::vector<Eigen::Vector3d>
+dominantDirections(const std::vector<Eigen::Vector3f>& points,
+                   const OccupancyGrid& building,
+                   const InteriorSpaceOptions& options = {});
+
+/** \brief Find the interior free space (Sec. 3.2.1): isolated voxels removed, evidence
+ * of enclosure (Eq. 3.1), minimum cut (Eq. 3.2).
+ * \param[in] building occupancy grid
+ * \param[in] directions of the walls, in the frame of the points
+ */
+InteriorSpace
+interiorSpace(const OccupancyGrid& building,
+              const std::vector<Eigen::Vector2d>& directions,
+              const InteriorSpaceOptions& options = {});
+
+/** \brief The same with directions that need not be level. */
+InteriorSpace
+interiorSpaceAlong(const OccupancyGrid& building,
+                   const std::vector<Eigen::Vector3d>& directions,
+                   const InteriorSpaceOptions& options = {});
+
+} // namespace indoor
+} // namespace pcl
