@@ -109,26 +109,30 @@ function(pcl_addon_describe_library module)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 endfunction()
 
-# pcl_addon_add_library(module SOURCES ... PUBLIC_LINK ... PRIVATE_LINK ...)
+# pcl_addon_add_library(module SOURCES ... PUBLIC_LINK ... PRIVATE_LINK ...): shared, or static with BUILD_SHARED_LIBS=OFF
 function(pcl_addon_add_library module)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
   set(target ${PROJECT_NAME}_${module})
-  add_library(${target} SHARED ${ARG_SOURCES})
+  add_library(${target} ${ARG_SOURCES})
   add_library(${PROJECT_NAME}::${module} ALIAS ${target})
   pcl_addon_set_defaults(${target})
   pcl_addon_group_by_folder(${target} ${ARG_SOURCES})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${module} VERSION ${PROJECT_VERSION}
-    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN")
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN"
+    POSITION_INDEPENDENT_CODE ON)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${PCL_ADDON_INCLUDE_DIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC_LINK} PRIVATE ${ARG_PRIVATE_LINK})
-  install(TARGETS ${target} EXPORT ${PROJECT_NAME}Targets LIBRARY
-    DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT dev)
+  install(TARGETS ${target} EXPORT ${PROJECT_NAME}Targets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT dev
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
   if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/include)
     install(DIRECTORY include/ DESTINATION ${PCL_ADDON_INCLUDE_DIR} COMPONENT dev)
   endif()
-  pcl_addon_describe_library(${module} ${ARG_PUBLIC_LINK})
+  if(BUILD_SHARED_LIBS) # else programs link what the libraries are made of, which CMake alone knows
+    pcl_addon_describe_library(${module} ${ARG_PUBLIC_LINK})
+  endif()
 endfunction()
 
 # pcl_addon_add_tools(name ... LINK ...): name.cpp becomes pcl_name; the target pcl_indoor_programs stands for all of them
