@@ -15,6 +15,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -407,6 +408,39 @@ mergeOpenRegions(const std::vector<RegionBorder>& borders,
     for (const auto region : regions_of[space])
       label[region] = static_cast<std::int32_t>(space);
   return label;
+}
+
+std::vector<std::int32_t>
+mergeNiches(const std::vector<RegionOpening>& openings,
+            std::vector<double> area,
+            std::vector<double> volume)
+{
+  constexpr double all_width = 0.85; // of the side of a square as large
+  constexpr double least_rise = 0.1; // of the ceiling, metres
+  constexpr double largest = 4.0;    // m^2
+  std::vector<std::int32_t> room_of(area.size());
+  std::iota(room_of.begin(), room_of.end(), 0);
+  const auto height = [&](std::int32_t region) {
+    return volume[region] / area[region];
+  };
+  for (bool has_joined = true; has_joined;) {
+    has_joined = false;
+    for (const RegionOpening& opening : openings) {
+      auto niche = room_of[opening.a], room = room_of[opening.b];
+      if (niche == room)
+        continue;
+      if (height(niche) < height(room))
+        std::swap(niche, room);
+      if (area[niche] > largest || height(niche) < height(room) + least_rise ||
+          opening.width < all_width * std::sqrt(area[niche]))
+        continue;
+      area[room] += area[niche];
+      volume[room] += volume[niche];
+      std::replace(room_of.begin(), room_of.end(), niche, room);
+      has_joined = true;
+    }
+  }
+  return room_of;
 }
 
 } // namespace indoor

@@ -102,5 +102,19 @@ mergeOpenRegions(const std::vector<RegionBorder>& borders,
                  const MergeOptions& options = {},
                  const StayApart& stay_apart = {});
 
+/** \brief Join niches to the rooms that they are part of: small regions that are open
+ * to a lower one over all their width.
+ *
+ * A ceiling that mirrors feigns a higher one in parts of a room. What would be the
+ * lintel before such a part is the ceiling of the room; doors are narrower than what
+ * lies behind them.
+ * \param[in] area, volume per label (index 0 unused), m^2 and m^3
+ * \return the new label of each old one, that of a member; 0 stays 0
+ */
+std::vector<std::int32_t>
+mergeNiches(const std::vector<RegionOpening>& openings,
+            std::vector<double> area,
+            std::vector<double> volume);
+
 } // namespace indoor
 } // namespace pcl

@@ -192,6 +192,27 @@ numbersOf(const PixelMap<std::int32_t>& labels, const std::vector<std::int32_t>&
   return number;
 }
 
+/** Join niches to the rooms that they are part of. */
+void
+joinNiches(const VoxelBits& occupancy, RoomMap& map)
+{
+  const double size = occupancy.voxel_size;
+  const auto count = static_cast<std::size_t>(map.room_count) + 1;
+  std::vector<double> area(count, 0.0), volume(count, 0.0);
+  for (std::size_t i = 0; i < map.free_labels.size(); ++i) {
+    area[map.free_labels.values[i]] += size * size;
+    volume[map.free_labels.values[i]] +=
+        size * size * size * (map.ceiling.values[i] - map.range.begin);
+  }
+  const auto openings =
+      regionOpenings(occupancy, map.range, map.ceiling, map.labels, map.free_labels);
+  const auto number = numbersOf(map.labels, mergeNiches(openings, area, volume));
+  for (auto* labels : {&map.free_labels, &map.labels})
+    for (auto& label : labels->values)
+      label = number[label];
+  map.room_count = *std::max_element(number.begin(), number.end());
+}
+
 /** The pieces of the rooms that lie in different basins: a number per pixel, and the
  * room of each number. */
 PixelMap<std::int32_t>
@@ -356,6 +377,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
     map.labels = map.free_labels;
     growLabels(map.labels, options.reach / size);
     divideOpenPlans(space, options, map);
+    joinNiches(occupancy, map);
   }
   return map;
 }

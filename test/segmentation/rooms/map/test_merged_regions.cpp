@@ -79,6 +79,46 @@ mergedSlowly(std::vector<RegionBorder> borders,
   }
 }
 
+RegionOpening
+openingOf(std::int32_t a, std::int32_t b, double width)
+{
+  RegionOpening opening;
+  opening.a = a;
+  opening.b = b;
+  opening.width = width;
+  return opening;
+}
+
+TEST(MergedNiches, AreSmallHigherAndOpenOverAllTheirWidth)
+{
+  const auto merged = [](double width, double niche_height, double niche_area) {
+    const auto labels = mergeNiches({openingOf(1, 2, width)},
+                                    {0.0, niche_area, 100.0},
+                                    {0.0, niche_area * niche_height, 250.0});
+    EXPECT_EQ(labels[0], 0);
+    EXPECT_EQ(labels[2], 2);
+    return labels[1] == 2;
+  };
+  EXPECT_TRUE(merged(0.9, 3.0, 1.0));
+  EXPECT_FALSE(merged(0.8, 3.0, 1.0)) << "a door";
+  EXPECT_FALSE(merged(0.9, 2.5, 1.0)) << "as high";
+  EXPECT_FALSE(merged(0.9, 2.3, 1.0)) << "lower";
+  EXPECT_FALSE(merged(1.6, 3.0, 3.9));
+  EXPECT_TRUE(merged(1.7, 3.0, 3.9));
+  EXPECT_FALSE(merged(9.0, 3.0, 4.1)) << "large";
+}
+
+TEST(MergedNiches, OneBehindTheOther)
+{
+  const std::vector<RegionOpening> openings = {openingOf(1, 2, 1.0),
+                                               openingOf(2, 3, 1.3)};
+  // 2 is higher than 1, and both together are higher than 3
+  EXPECT_EQ(mergeNiches(openings, {0, 1, 1, 50}, {0, 2.8, 3.0, 125}),
+            (std::vector<std::int32_t>{0, 3, 3, 3}));
+  EXPECT_EQ(mergeNiches({}, {0, 1, 1}, {0, 3, 2}),
+            (std::vector<std::int32_t>{0, 1, 2}));
+}
+
 } // namespace
 
 TEST(MergedRegions, EqualsBruteForceWithSpacesThatStayApart)
