@@ -405,10 +405,11 @@ appendFields(PCLPointCloud2& cloud, const std::vector<NewField>& fields)
   constexpr std::size_t size = 4; // bytes of a value
   const auto count = pointCount(cloud);
   const std::size_t old_step = cloud.point_step;
-  for (const auto& field : fields) {
+  for (const auto& field : fields)
     if (field.count != count)
       throw ToolError("field '" + field.name + "': " + std::to_string(field.count) +
                       " values for " + std::to_string(count) + " points");
+  for (const auto& field : fields) {
     removeField(cloud, field.name);
     PCLPointField added;
     added.name = field.name;

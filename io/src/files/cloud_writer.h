@@ -35,10 +35,11 @@ requireWritableCloud(const std::string& path, bool pcd_only = false);
  * the name ends in .ply, otherwise compressed PCD (not compressed if it does not
  * shrink or is above 4 GB).
  *
- * The fields have the names and types that PCL's readers give them back as.
- * \param[in] threads that compress, 0 = as many as the machine offers; the file does
- * not depend on it \throws ToolError if it cannot be written, or if a field has
- * integers of 64 bits, which PLY has not
+ * The fields have the names and types that PCL's readers give them back as. The file
+ * does not depend on the number of threads.
+ * \param[in] threads that compress, 0 = as many as the machine offers
+ * \throws ToolError if it cannot be written, or if a field has integers of 64 bits,
+ * which PLY has not
  */
 OutputFile
 cloudBeside(const std::string& path,

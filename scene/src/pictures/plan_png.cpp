@@ -7,8 +7,6 @@
 #include "files/tool_error.h"
 #include "text/printable.h"
 
-#include <memory>
-
 #ifdef PCL_INDOOR_HAS_RSVG
 
 #include <librsvg/rsvg.h>
@@ -23,6 +21,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <memory>
 #include <utility>
 
 namespace pcl::indoor::tool {
@@ -203,8 +202,9 @@ canDrawPlans()
 std::future<std::string>
 drawnAsPng(const std::string& svg, int most_pixels)
 {
-  const auto drawing = std::make_shared<DrawingProcess>(svg, most_pixels);
-  return std::async([drawing] { return drawing->picture(); });
+  return std::async([drawing = std::make_unique<DrawingProcess>(svg, most_pixels)] {
+    return drawing->picture();
+  });
 }
 
 } // namespace pcl::indoor::tool
@@ -234,18 +234,15 @@ namespace pcl::indoor::tool {
 std::future<std::optional<std::string>>
 planPicture(const std::string& svg)
 {
-  const auto drawn = std::make_shared<std::future<std::string>>(drawnAsPng(svg));
-  const auto result = [drawn]() -> std::optional<std::string> {
-    if (!canDrawPlans())
-      return {};
+  using Picture = std::optional<std::string>;
+  return std::async(std::launch::deferred, [drawn = drawnAsPng(svg)]() mutable {
     try {
-      return drawn->get();
+      return canDrawPlans() ? Picture(drawn.get()) : Picture();
     } catch (const ToolError& error) {
       printWarning(messageOf(error) + "; it is left out");
+      return Picture();
     }
-    return {};
-  };
-  return std::async(std::launch::deferred, result);
+  });
 }
 
 } // namespace pcl::indoor::tool

@@ -27,7 +27,7 @@ std::future<std::string>
 drawnAsPng(const std::string& svg, int most_pixels = 10000);
 
 /** \brief The same for results that hold without a picture: nothing unless
- * canDrawPlans(), and where it cannot be drawn, which a warning says. */
+ * canDrawPlans(), and nothing but a warning where it cannot be drawn. */
 std::future<std::optional<std::string>>
 planPicture(const std::string& svg);
 

@@ -146,6 +146,27 @@ TEST_F(CloudWriter, PclsReadersUnderstandBothFormats)
   }
 }
 
+TEST_F(CloudWriter, ManyBlocksAreOneToOtherReaders)
+{
+  auto cloud = manyFields();
+  const auto few = cloud.data;
+  cloud.width = 200000; // several blocks of half a MiB per field
+  cloud.height = 1;
+  cloud.data.resize(cloud.width * cloud.point_step);
+  for (std::size_t i = 0; i < cloud.data.size(); ++i)
+    cloud.data[i] = static_cast<std::uint8_t>(few[i % few.size()] + i / 1000000);
+  for (const int threads : {1, 3}) {
+    cloudBeside(path("out.pcd"), cloud, {}, threads).commit();
+    const auto bytes = bytesOf(path("out.pcd"));
+    EXPECT_NE(bytes.find("\nDATA binary_compressed\n"), std::string::npos);
+    pcl::PCLPointCloud2 again;
+    ASSERT_EQ(pcl::PCDReader().read(path("out.pcd"), again), 0);
+    expectSameFields(cloud, again);
+    saveCloud(path("one.pcd"), cloud);
+    EXPECT_TRUE(bytes == bytesOf(path("one.pcd")));
+  }
+}
+
 TEST_F(CloudWriter, BytesThatDoNotShrinkAreWrittenAsTheyAre)
 {
   std::mt19937 random(1);

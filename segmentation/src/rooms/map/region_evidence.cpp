@@ -132,6 +132,15 @@ levelSides(const VoxelBits& occupancy, const RoomMap& map)
 
 } // namespace
 
+void
+relabel(const std::vector<std::int32_t>& number, RoomMap& map)
+{
+  for (auto* labels : {&map.free_labels, &map.labels})
+    for (auto& label : labels->values)
+      label = number[label];
+  map.room_count = *std::max_element(number.begin(), number.end());
+}
+
 std::size_t
 dropRegions(const std::vector<std::uint8_t>& is_dropped, RoomMap& map)
 {
@@ -140,13 +149,11 @@ dropRegions(const std::vector<std::uint8_t>& is_dropped, RoomMap& map)
   if (count == 0)
     return 0;
   std::vector<std::int32_t> number(is_dropped.size(), 0);
-  map.room_count = 0;
+  std::int32_t last = 0;
   for (std::size_t label = 1; label < number.size(); ++label)
     if (!is_dropped[label])
-      number[label] = ++map.room_count;
-  for (auto* labels : {&map.free_labels, &map.labels})
-    for (auto& label : labels->values)
-      label = number[label];
+      number[label] = ++last;
+  relabel(number, map);
   return count;
 }
 

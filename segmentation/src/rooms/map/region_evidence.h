@@ -25,6 +25,11 @@ constexpr double least_storey_height = 1.5; ///< metres, as the clearance of sto
 double
 occupiedHeight(const VoxelBits& occupancy);
 
+/** \brief Give the regions of a map other labels.
+ * \param[in] number the new label, 0 ... n, of each label from 0 on */
+void
+relabel(const std::vector<std::int32_t>& number, RoomMap& map);
+
 /** \brief Take regions out of a map and number the others anew.
  * \param[in] is_dropped one per label from 0 on
  * \return how many were dropped

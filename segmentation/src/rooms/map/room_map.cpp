@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -206,11 +207,11 @@ joinNiches(const VoxelBits& occupancy, RoomMap& map)
   }
   const auto openings =
       regionOpenings(occupancy, map.range, map.ceiling, map.labels, map.free_labels);
-  const auto number = numbersOf(map.labels, mergeNiches(openings, area, volume));
-  for (auto* labels : {&map.free_labels, &map.labels})
-    for (auto& label : labels->values)
-      label = number[label];
-  map.room_count = *std::max_element(number.begin(), number.end());
+  const auto merged = mergeNiches(openings, area, volume);
+  std::vector<std::int32_t> as_before(count);
+  std::iota(as_before.begin(), as_before.end(), 0);
+  if (merged != as_before)
+    relabel(numbersOf(map.labels, merged), map);
 }
 
 /** The pieces of the rooms that lie in different basins: a number per pixel, and the
@@ -360,12 +361,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
       regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
       sectionAreas(map.free_labels, map.field, map, size),
       merging);
-  const auto number = numbersOf(map.labels, merged);
-  for (auto& label : map.free_labels.values)
-    label = number[label];
-  for (auto& label : map.labels.values)
-    label = number[label];
-  map.room_count = *std::max_element(number.begin(), number.end());
+  relabel(numbersOf(map.labels, merged), map);
   if (options.method == RoomMethod::CeilingSlab) {
     constexpr double thickest_wall = 0.5; // metres
     divideAtInnerWalls(map.free_labels,
@@ -377,7 +373,8 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
     map.labels = map.free_labels;
     growLabels(map.labels, options.reach / size);
     divideOpenPlans(space, options, map);
-    joinNiches(occupancy, map);
+    if (options.merge_open)
+      joinNiches(occupancy, map);
   }
   return map;
 }

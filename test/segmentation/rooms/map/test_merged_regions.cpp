@@ -4,6 +4,9 @@
  */
 
 #include "rooms/map/region_borders.h"
+#include "support/room_labels.h"
+
+#include <pcl/segmentation/building_rooms.h>
 
 #include <gtest/gtest.h>
 
@@ -117,6 +120,18 @@ TEST(MergedNiches, OneBehindTheOther)
             (std::vector<std::int32_t>{0, 3, 3, 3}));
   EXPECT_EQ(mergeNiches({}, {0, 1, 1}, {0, 3, 2}),
             (std::vector<std::int32_t>{0, 1, 2}));
+}
+
+TEST(MergedNiches, UnderACeilingThatMirrorsAreOneRoomWithTheCorridor)
+{
+  const Eigen::AlignedBox3f opening(Eigen::Vector3f(5.9f, 0.05f, -1.0f),
+                                    Eigen::Vector3f(6.1f, 1.55f, 2.45f));
+  const auto scene = test::rooms(
+      {{{0, 0, 0}, {6, 1.6f, 2.5f}, 1}, {{6, 0, 0}, {7.5f, 1.6f, 3.1f}, 2}}, {opening});
+  EXPECT_EQ(segmentBuilding(scene.points).rooms.size(), 1u);
+  BuildingRoomsOptions options;
+  options.map.merge_open = false;
+  EXPECT_EQ(segmentBuilding(scene.points, options).rooms.size(), 2u);
 }
 
 } // namespace
