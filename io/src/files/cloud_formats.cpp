@@ -15,6 +15,7 @@
 #include "formats/foreign_format.h"
 #include "formats/las_file.h"
 #include "formats/mesh_file.h"
+#include "formats/pcd_body.h"
 #include "formats/pcd_header.h"
 #include "formats/ply_file.h"
 #include "formats/ptx_file.h"
@@ -24,6 +25,7 @@
 #include <pcl/io/pcd_io.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <new>
@@ -56,12 +58,16 @@ readPcd(const CheckedPcd& checked, CloudFile& file)
                         body_begin) != 0 ||
       file.cloud.data.size() != checked.bytes || body_begin != text.size())
     return false;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(content.data());
+  if (encoding == 2) {
+    std::uint32_t packed =
+        0; // bytes, which checkPcdFile() found; then the unpacked ones
+    std::memcpy(&packed, bytes + body, sizeof(packed));
+    return unpackPoints(bytes + body + 2 * sizeof(packed), packed, file.cloud);
+  }
   if (encoding != 0)
-    return reader.readBodyBinary(reinterpret_cast<const unsigned char*>(content.data()),
-                                 file.cloud,
-                                 version,
-                                 encoding == 2,
-                                 static_cast<unsigned int>(body)) == 0;
+    return reader.readBodyBinary(
+               bytes, file.cloud, version, false, static_cast<unsigned int>(body)) == 0;
   MemoryStream points(content.data() + body, content.size() - body);
   points.exceptions(std::ios::badbit);
   return reader.readBodyASCII(points, file.cloud, version) == 0;
