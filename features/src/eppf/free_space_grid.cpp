@@ -123,41 +123,46 @@ FreeSpaceGrid::sees(const Eigen::Vector3f& from, const Eigen::Vector3f& to) cons
     return true;
   const Eigen::Vector3d way = (end - start) / length;
   const double block_speed = way.lpNorm<1>(); // city-block distance per length
-  Eigen::Vector3i cell;
-  Eigen::Vector3d next; // where the line leaves the cell, per axis
-  double at = 0;        // where it entered the cell
-  const auto enter = [&] {
+  const Eigen::Vector3d per_cell = way.cwiseAbs().cwiseInverse();
+  std::ptrdiff_t step[3] = {
+      static_cast<std::ptrdiff_t>(shape_.y()) * shape_.z(), shape_.z(), 1};
+  for (int axis = 0; axis < 3; ++axis)
+    if (way[axis] <= 0)
+      step[axis] = -step[axis];
+  double at = 0; // where the line entered the cell
+  for (bool is_first = true;;) {
     const Eigen::Vector3d place = start + at * way;
-    cell = cellAt(place);
-    for (int axis = 0; axis < 3; ++axis)
-      next[axis] = way[axis] != 0
-                       ? at + (cell[axis] + (way[axis] > 0) - place[axis]) / way[axis]
-                       : std::numeric_limits<double>::infinity();
-  };
-  enter();
-  for (bool first = true;; first = false) {
+    const Eigen::Vector3i cell = cellAt(place);
     // Outside of the box, which the line does not enter again, there is nothing.
     if (!contains(cell))
       return true;
-    const auto clearance = clearances_[index(cell)];
-    if (clearance == 0 && !first)
-      return false;
+    double next[3]; // where the line leaves the cell, per axis
+    int left[3];    // cells before it leaves the grid
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool rises = way[axis] > 0;
+      next[axis] = way[axis] != 0 ? at + (cell[axis] + rises - place[axis]) / way[axis]
+                                  : std::numeric_limits<double>::infinity();
+      left[axis] = rises ? shape_[axis] - 1 - cell[axis] : cell[axis];
+    }
     // On a way of d, the cell changes by less than d + 1 along each axis.
     constexpr int rounding = 4, worthwhile = 7;
-    if (clearance >= worthwhile) {
-      at += (clearance - rounding) / block_speed;
-      if (at >= stop)
+    const auto* clearance = &clearances_[index(cell)];
+    for (; *clearance < worthwhile; is_first = false) {
+      if (*clearance == 0 && !is_first)
+        return false;
+      const bool is_x = next[0] < next[1]; // no branches, which nothing could predict
+      const double nearest = is_x ? next[0] : next[1];
+      const int axis = nearest < next[2] ? 1 - is_x : 2;
+      at = next[axis];
+      if (at >= stop || left[axis]-- == 0)
         return true;
-      enter();
-      continue;
+      clearance += step[axis];
+      next[axis] += per_cell[axis];
     }
-    const int axis = next.x() < next.y() ? (next.x() < next.z() ? 0 : 2)
-                                         : (next.y() < next.z() ? 1 : 2);
-    at = next[axis];
+    is_first = false;
+    at += (*clearance - rounding) / block_speed;
     if (at >= stop)
       return true;
-    cell[axis] += way[axis] > 0 ? 1 : -1;
-    next[axis] += 1 / std::abs(way[axis]);
   }
 }
 

@@ -82,7 +82,9 @@ private:
   cellAt(const Eigen::Vector3d& place) const
   {
     const Eigen::Array3d highest = shape_.array().cast<double>();
-    return place.array().floor().max(-1.0).min(highest).matrix().cast<int>();
+    const Eigen::Array3d inside = place.array().max(-1.0).min(highest);
+    const Eigen::Array3i towards_zero = inside.cast<int>();
+    return (towards_zero - (towards_zero.cast<double>() > inside).cast<int>()).matrix();
   }
 
   bool
