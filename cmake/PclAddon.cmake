@@ -73,6 +73,8 @@ set(pcl_addon_known_compilers "^GNU 1[24]\\.")
 function(pcl_addon_set_defaults target)
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wno-unknown-pragmas)
+  # Functions may be inlined within their library, as Clang does: nobody puts others in their place.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   set(strict ${PCL_INDOOR_WARNINGS_AS_ERRORS})
   if(strict STREQUAL "KNOWN")
     string(REGEX MATCH "${pcl_addon_known_compilers}" strict "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")

@@ -21,6 +21,7 @@
 #include "rooms/storeys/storeys.h"
 
 #include <pcl/indoor/distinct_points.h>
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <pcl/indoor/require_valid.h>
@@ -215,6 +216,38 @@ gridOf(const std::vector<Eigen::Vector3f>& points,
   return grid;
 }
 
+/** A storey's part of the building, and its map before anything is dropped. */
+struct MappedStorey {
+  StoreySpace space;
+  RoomMap map;
+};
+
+/** How many storeys are mapped at once: mostly a map has one thread, and it takes some
+ * hundred bytes per pixel. */
+std::size_t
+mapsAtOnce(std::size_t pixels, int threads)
+{
+  constexpr std::size_t enough = 4000000; // pixels
+  return std::clamp<std::size_t>(
+      enough / std::max<std::size_t>(pixels, 1), 1, threadCount(threads));
+}
+
+std::vector<MappedStorey>
+mapStoreys(const DetailedBuilding& building,
+           std::size_t first,
+           std::size_t end,
+           const RoomMapOptions& options)
+{
+  std::vector<MappedStorey> mapped(end - first);
+  const auto count = static_cast<std::ptrdiff_t>(mapped.size());
+  parallelFor(count, static_cast<int>(count), 1, [&](std::ptrdiff_t k) {
+    mapped[k].space = storeySpace(
+        building.occupancy.grid, building.interior, building.storeys, first + k);
+    mapped[k].map = segmentRoomMap(mapped[k].space, options);
+  });
+  return mapped;
+}
+
 /** The rooms in which the stations of a storey stand. */
 void
 placeStations(const StationViews& views, std::size_t storey, DetailedBuilding& building)
@@ -283,30 +316,33 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   const bool by_vote = options.point_rooms == PointRooms::Vote;
   std::vector<VoxelMap<int>> votes; // per storey
   const std::size_t storeys = building.storeys.heights.size();
+  const std::size_t at_once = mapsAtOnce(grid.columns(), options.threads);
+  std::vector<MappedStorey> mapped;
   for (std::size_t s = 0; s < storeys; ++s) {
     const double part = static_cast<double>(s) / static_cast<double>(storeys);
     if (stopped(0.5 + 0.3 * part, "rooms of a storey"))
       return {};
-    const auto space = storeySpace(grid, building.interior, building.storeys, s);
-    building.room_maps.push_back(segmentRoomMap(space, options.map));
-    dropStreets(space, building.room_maps.back());
-    dropOutdoors(space, ground, building.room_maps.back());
-    building.hardly_seen += dropSeenThroughOpenings(space, building.room_maps.back());
+    if (s % at_once == 0)
+      mapped = mapStoreys(building, s, std::min(storeys, s + at_once), options.map);
+    const StoreySpace& space = mapped[s % at_once].space;
+    RoomMap& map = building.room_maps.emplace_back();
+    map = std::move(mapped[s % at_once].map);
+    dropStreets(space, map);
+    dropOutdoors(space, ground, map);
+    building.hardly_seen += dropSeenThroughOpenings(space, map);
     building.hardly_seen +=
-        dropHardlySeen(space,
-                       pointsOfColumns(storey_of, s, building.occupancy),
-                       building.room_maps.back());
-    views.joinMirrored({storey_of, s}, building.room_maps.back());
-    building.never_entered +=
-        views.dropNeverEntered({storey_of, s}, building.room_maps.back());
+        dropHardlySeen(space, pointsOfColumns(storey_of, s, building.occupancy), map);
+    views.joinMirrored({storey_of, s}, map);
+    building.never_entered += views.dropNeverEntered({storey_of, s}, map);
     auto& room_of = building.room_of.emplace_back();
-    for (std::int32_t label = 0; label <= building.room_maps.back().room_count; ++label)
+    for (std::int32_t label = 0; label <= map.room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);
     placeStations(views, s, building);
-    addOpenings(points, space, building);
+    addOpenings(points, space, options.threads, building);
     if (by_vote)
-      votes.push_back(votedVoxels(space, building.room_maps.back(), options.threads));
+      votes.push_back(votedVoxels(space, map, options.threads));
   }
+  mapped.clear();
   if (stopped(0.8, "rooms of the points"))
     return {};
   building.point_labels.assign(points.size(), 0);
@@ -319,7 +355,7 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
                 building.room_of[s],
                 building.point_labels);
   building.rooms = describeRooms(points, building);
-  addFootprints(points, building);
+  addFootprints(points, options.threads, building);
   if (stopped(1.0, "done"))
     return {};
   return building;

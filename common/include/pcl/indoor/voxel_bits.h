@@ -50,6 +50,20 @@ public:
       return false;
     }
 
+    /** \brief Call visit(z) for each bit that is set in the layers begin ... end - 1,
+     * the lowest first. */
+    template <typename Visit>
+    void
+    forEachSet(int begin, int end, const Visit& visit) const
+    {
+      for (int z = begin; z < end; z = (z / 64 + 1) * 64) {
+        const int count = std::min(end - z, 64 - z % 64);
+        auto bits = words_[z / 64] >> z % 64 << (64 - count) >> (64 - count);
+        for (; bits != 0; bits &= bits - 1)
+          visit(z + __builtin_ctzll(bits));
+      }
+    }
+
   private:
     const std::uint64_t* words_;
   };

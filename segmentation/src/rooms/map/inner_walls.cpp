@@ -24,22 +24,26 @@ public:
   LineWalker(const Rooms& rooms, const Eigen::Vector2d& direction)
   : rooms_(rooms)
   , along_x_(std::abs(direction.x()) >= std::abs(direction.y()))
-  , slope_(along_x_ ? direction.y() / direction.x() : direction.x() / direction.y())
-  {}
+  {
+    const double slope =
+        along_x_ ? direction.y() / direction.x() : direction.x() / direction.y();
+    for (int step = 0; step < (along_x_ ? rooms.nx : rooms.ny); ++step)
+      shift_.push_back(static_cast<int>(std::floor(step * slope + 0.5)));
+  }
 
   /** \brief Call visit(pixels of a line) for each line. */
   template <typename Visitor>
   void
   forEach(const Visitor& visit) const
   {
-    const int steps = along_x_ ? rooms_.nx : rooms_.ny;
+    const int steps = static_cast<int>(shift_.size());
     const int width = along_x_ ? rooms_.ny : rooms_.nx;
-    const int last = shift(steps - 1);
+    const int last = shift_.empty() ? 0 : shift_.back();
     std::vector<std::size_t> line;
     for (int start = -std::max(last, 0); start < width - std::min(last, 0); ++start) {
       line.clear();
       for (int i = 0; i < steps; ++i) {
-        const int across = start + shift(i);
+        const int across = start + shift_[i];
         if (across >= 0 && across < width)
           line.push_back(along_x_ ? rooms_.index(i, across) : rooms_.index(across, i));
       }
@@ -47,37 +51,36 @@ public:
     }
   }
 
-  /** \brief The room on both sides of a pixel, across the line; 0 if they differ or one
-   * is farther than a wall is thick. */
-  std::int32_t
-  roomOnBothSides(std::size_t pixel, int thickness) const
+  /** \brief The rooms, with what separates two parts of one, across the lines, by no
+   * more than a wall is thick. */
+  Rooms
+  overWalls(int thickness) const
   {
-    int gap = 1;
-    const auto look = [&](int sign) {
-      for (int k = 1; k <= thickness; ++k, ++gap) {
-        const int x = static_cast<int>(pixel / rooms_.ny) + (along_x_ ? 0 : sign * k);
-        const int y = static_cast<int>(pixel % rooms_.ny) + (along_x_ ? sign * k : 0);
-        if (!rooms_.contains(x, y))
-          return 0;
-        if (const std::int32_t room = rooms_.at(x, y))
-          return room;
+    Rooms over = rooms_;
+    const int steps = static_cast<int>(shift_.size());
+    const int width = along_x_ ? rooms_.ny : rooms_.nx;
+    for (int i = 0; i < steps; ++i) {
+      const auto at = [&](int across) {
+        return along_x_ ? rooms_.index(i, across) : rooms_.index(across, i);
+      };
+      int last = -1; // pixel of a room before this one
+      for (int k = 0; k < width; ++k) {
+        const std::int32_t room = rooms_.values[at(k)];
+        if (room == 0)
+          continue;
+        if (last >= 0 && k - last - 1 <= thickness && rooms_.values[at(last)] == room)
+          for (int wall = last + 1; wall < k; ++wall)
+            over.values[at(wall)] = room;
+        last = k;
       }
-      return 0;
-    };
-    const std::int32_t left = look(-1), right = look(1);
-    return left == right && gap <= thickness ? left : 0;
+    }
+    return over;
   }
 
 private:
-  int
-  shift(int step) const
-  {
-    return static_cast<int>(std::floor(step * slope_ + 0.5));
-  }
-
   const Rooms& rooms_;
   bool along_x_;
-  double slope_;
+  std::vector<int> shift_; ///< across, per step along
 };
 
 /** \brief Take the lines on which an inner wall goes on out of the rooms. */
@@ -89,17 +92,14 @@ cutAlong(const Eigen::Vector2d& direction,
          Rooms& cut)
 {
   const LineWalker lines(rooms, direction);
-  std::vector<std::int32_t> owner;
+  const Rooms owner = lines.overWalls(thickness);
   lines.forEach([&](const std::vector<std::size_t>& line) {
-    owner.resize(line.size());
-    for (std::size_t i = 0; i < line.size(); ++i)
-      owner[i] = rooms.values[line[i]] != 0 ? rooms.values[line[i]]
-                                            : lines.roomOnBothSides(line[i], thickness);
     for (std::size_t begin = 0, end = 0; begin < line.size(); begin = end) {
+      const std::int32_t room = owner.values[line[begin]];
       std::size_t wall = 0;
-      for (end = begin; end < line.size() && owner[end] == owner[begin]; ++end)
+      for (end = begin; end < line.size() && owner.values[line[end]] == room; ++end)
         wall += rooms.values[line[end]] == 0;
-      if (owner[begin] == 0 ||
+      if (room == 0 ||
           static_cast<double>(wall) < min_share * static_cast<double>(end - begin))
         continue;
       for (std::size_t i = begin; i < end; ++i)

@@ -190,17 +190,23 @@ straightenedColumns(const VoxelBits& occupancy,
   columns.values.assign(columns.size(), 0);
   const GridShape& shape = occupancy.shape;
   for (int x = 0; x < shape.nx; ++x)
-    for (int y = 0; y < shape.ny; ++y)
-      for (int z = 0; z < shape.nz; ++z) {
-        if (!occupancy.at(x, y, z))
-          continue;
+    for (int y = 0; y < shape.ny; ++y) {
+      const auto column = occupancy.column(x, y);
+      if (!column.any(0, shape.nz))
+        continue;
+      if (lean.at(x, y).isZero(0.0f)) {
+        columns.at(x, y) = 1;
+        continue;
+      }
+      column.forEachSet(0, shape.nz, [&](int z) {
         const Eigen::Vector2d place =
             straightened(lean, slab, Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5));
         const int u = static_cast<int>(std::floor(place.x()));
         const int v = static_cast<int>(std::floor(place.y()));
         if (columns.contains(u, v))
           columns.at(u, v) = 1;
-      }
+      });
+    }
   return columns;
 }
 

@@ -161,11 +161,9 @@ double
 occupiedHeight(const VoxelBits& occupancy)
 {
   std::vector<std::size_t> counts(occupancy.shape.nz, 0); // per layer
-  for (std::size_t pixel = 0; pixel < occupancy.columns(); ++pixel) {
-    const auto column = occupancy.column(pixel);
-    for (std::size_t z = 0; z < counts.size(); ++z)
-      counts[z] += column[static_cast<int>(z)];
-  }
+  for (std::size_t pixel = 0; pixel < occupancy.columns(); ++pixel)
+    occupancy.column(pixel).forEachSet(
+        0, occupancy.shape.nz, [&](int z) { ++counts[z]; });
   const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
   if (all == 0)
     return 0.0;

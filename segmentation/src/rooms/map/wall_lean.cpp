@@ -98,10 +98,9 @@ sectionAt(const VoxelBits& occupancy,
       const double least = (std::abs(across) - thickness) / slope; // depth in reach
       const int end =
           std::min(top, static_cast<int>(std::floor(slab - std::max(0.0, least))));
-      const auto column = occupancy.column(x, y);
-      for (int z = floor; z <= end; ++z)
-        if (column[z])
-          section.push_back({static_cast<float>(across), static_cast<float>(slab - z)});
+      occupancy.column(x, y).forEachSet(floor, end + 1, [&](int z) {
+        section.push_back({static_cast<float>(across), static_cast<float>(slab - z)});
+      });
     }
 }
 

@@ -102,6 +102,19 @@ OpeningPosts::wall(const Seen& seen) const
   return {*one, -*other};
 }
 
+void
+OpeningPosts::add(const OpeningPosts& other)
+{
+  const auto append = [](const auto& from, auto& to) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (std::size_t k = 0; k < seen_.size(); ++k) {
+    append(other.seen_[k].lintel, seen_[k].lintel);
+    for (std::size_t side = 0; side < seen_[k].posts.size(); ++side)
+      append(other.seen_[k].posts[side], seen_[k].posts[side]);
+  }
+}
+
 std::pair<double, double>
 OpeningPosts::ends(std::size_t opening) const
 {

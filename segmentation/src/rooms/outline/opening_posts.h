@@ -36,6 +36,10 @@ public:
   void
   add(const Eigen::Vector3f& point, std::int32_t cell);
 
+  /** \brief Take over what another one of the same openings has seen. */
+  void
+  add(const OpeningPosts& other);
+
   /** \brief Get the ends of an opening, metres from its middle along it and against
    * it; where no post is seen, that of the voxels. */
   std::pair<double, double>

@@ -6,7 +6,6 @@
 #include "rooms/outline/place_profile.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl {
 namespace indoor {
@@ -25,7 +24,7 @@ PlaceProfile::PlaceProfile(double begin, double end, double width)
 void
 PlaceProfile::add(double place)
 {
-  const double bin = std::floor((place - begin_) / bin_);
+  const double bin = (place - begin_) / bin_;
   if (bin >= 0.0 && bin < static_cast<double>(counts_.size()))
     ++counts_[static_cast<std::size_t>(bin)];
 }

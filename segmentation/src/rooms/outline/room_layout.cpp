@@ -11,6 +11,9 @@
 #include "rooms/outline/room_footprint.h"
 #include "rooms/outline/room_outline.h"
 
+#include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/threads.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -154,6 +157,7 @@ isFreeOfOthers(const std::vector<Eigen::Vector2d>& part,
 void
 addOpenings(const std::vector<Eigen::Vector3f>& points,
             const StoreySpace& space,
+            int threads,
             DetailedBuilding& building)
 {
   const RoomMap& map = building.room_maps.back();
@@ -163,8 +167,15 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
   const auto found = regionOpenings(
       space.occupancy, map.range, map.ceiling, map.labels, map.free_labels);
   OpeningPosts posts(found, building.occupancy, map);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    posts.add(points[i], building.occupancy.cells[i]);
+  parallelFor(
+      static_cast<std::ptrdiff_t>(points.size()),
+      usefulThreads(threads, points.size(), 100000),
+      10000,
+      [&] { return OpeningPosts(posts); },
+      [&](OpeningPosts& own, std::ptrdiff_t i) {
+        own.add(points[i], building.occupancy.cells[i]);
+      },
+      [&](const OpeningPosts& own) { posts.add(own); });
   for (std::size_t k = 0; k < found.size(); ++k) {
     const auto [along, against] = posts.ends(k);
     const Eigen::Vector2d middle = Eigen::Vector2d(found[k].x, found[k].y) +
@@ -181,13 +192,21 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
 }
 
 void
-addFootprints(const std::vector<Eigen::Vector3f>& points, DetailedBuilding& building)
+addFootprints(const std::vector<Eigen::Vector3f>& points,
+              int threads,
+              DetailedBuilding& building)
 {
   constexpr double tolerance = 1.5; // pixels: straight walls at any angle become lines
   constexpr double reach = 1.0;     // metres: cupboards and ducts are hardly deeper
   const double size = building.occupancy.grid.voxel_size;
-  const auto levels = roomLevels(points, building);
-  const SlabPoints places = slabPoints(points, building);
+  std::vector<RoomLevels> levels;
+  SlabPoints places;
+  parallelFor(2, std::min(2, threadCount(threads)), 1, [&](std::ptrdiff_t task) {
+    if (task == 0)
+      levels = roomLevels(points, building);
+    else
+      places = slabPoints(points, building);
+  });
   for (std::size_t s = 0; s < building.room_maps.size(); ++s) {
     const RoomMap& map = building.room_maps[s];
     const FloorPlane on_floor(building.occupancy, map);

@@ -6,14 +6,15 @@
 #include "rooms/outline/storey_labels.h"
 
 #include "rooms/map/wall_lean.h"
-#include "rooms/outline/wall_sides.h"
 #include "rooms/space/potential_field.h"
 
+#include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace indoor {
@@ -52,6 +53,7 @@ StoreyLabels::StoreyLabels(const std::vector<Eigen::Vector3f>& points,
 , map_(map)
 , options_(options)
 , turn_(occupancy.turn())
+, radius_(0.5 * options.walls.window / occupancy.grid.voxel_size + 2.0)
 {
   if (!map.lean.values.empty())
     slab_ = slabHeights(map.range, map.ceiling, map.slab);
@@ -63,53 +65,52 @@ StoreyLabels::assign(const std::vector<std::uint8_t>& storey_of,
                      const std::vector<std::uint32_t>& room_of,
                      std::vector<std::uint32_t>& point_labels) const
 {
-  // Only near borders are there sides to choose, and walls to fit in the slab around.
-  const auto to_border =
-      squaredDistanceMap(borderPixels(map_.labels), options_.threads);
-  const double radius = 0.5 * options_.walls.window / occupancy_.grid.voxel_size + 2.0;
-  const double reach = 2.0 * radius * radius; // to the corner of the window, squared
-  const auto count = static_cast<std::ptrdiff_t>(points_.size());
-  const int threads = threadCount(options_.threads);
-  std::vector<std::uint8_t> is_near(points_.size(), 0);
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    if (occupancy_.cells[i] < 0 || storey_of[i] != storey)
-      continue;
-    const std::size_t pixel = pixelOf(i);
-    if (to_border.values[pixel] <= (inSlab(i, pixel) ? 4 * reach : reach))
-      is_near[i] = 1;
-    else
-      point_labels[i] = room_of[map_.labels.values[pixel]];
-  }
-  std::vector<std::uint32_t> first(map_.labels.nx + 1, 0); // per row of pixels
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    if (is_near[i])
-      ++first[pixelOf(i) / map_.labels.ny + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<std::uint32_t> near(first.back());
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    if (is_near[i])
-      near[next[pixelOf(i) / map_.labels.ny]++] = static_cast<std::uint32_t>(i);
-  std::vector<std::uint8_t>().swap(is_near);
+  auto near = labelFarPoints(storey_of, storey, room_of, point_labels);
 
   // Strip by strip, so that large buildings need no more memory than others.
   constexpr std::uint32_t enough = 1 << 22; // points
-  const int margin = static_cast<int>(std::ceil(radius));
+  const auto& first = near.first;
+  const int margin = static_cast<int>(std::ceil(radius_));
   for (int begin = 0, end = 0; begin < map_.labels.nx; begin = end) {
     while (end < map_.labels.nx && first[end] <= first[begin] + enough)
       ++end;
     const int from = std::max(0, begin - margin);
     const int to = std::min(map_.labels.nx, end + margin);
-    const auto labels = wallLabels(near.data() + first[from], near.data() + first[to]);
+    const auto strip = sortByPixels(from, to, near);
+    std::vector<std::int32_t> labels(strip.places.size());
+    for (std::size_t pixel = 0; pixel + 1 < strip.first.size(); ++pixel)
+      std::fill(labels.begin() + strip.first[pixel],
+                labels.begin() + strip.first[pixel + 1],
+                map_.labels.values[map_.labels.index(from, 0) + pixel]);
+    assignWallSides(strip,
+                    occupancy_.grid.voxel_size,
+                    map_.labels,
+                    map_.free_labels,
+                    options_.walls,
+                    labels);
     for (std::uint32_t k = first[begin]; k < first[end]; ++k)
-      point_labels[near[k]] = room_of[labels[k - first[from]]];
+      point_labels[near.points[k]] = room_of[labels[k - first[from]]];
   }
+}
+
+StoreyLabels::Voxel
+StoreyLabels::voxelOf(std::size_t i) const
+{
+  const std::int32_t cell = occupancy_.cells[i], nz = occupancy_.grid.shape.nz;
+  const std::int32_t column = cell / nz;
+  return {column, cell - column * nz};
+}
+
+/** Whether walls do not lean there. */
+bool
+StoreyLabels::isUpright(const Voxel& voxel) const
+{
+  return map_.lean.values.empty() || map_.lean.values[voxel.column].isZero(0.0f);
 }
 
 /** Where a point lies on the map, pixels. */
 Eigen::Vector2d
-StoreyLabels::placeOf(std::size_t i) const
+StoreyLabels::placeOf(std::size_t i, const Voxel& voxel) const
 {
   const VoxelBits& grid = occupancy_.grid;
   const Eigen::Vector3d point = points_[i].cast<double>();
@@ -117,7 +118,7 @@ StoreyLabels::placeOf(std::size_t i) const
   place << turn_ * point.head<2>(), point.z();
   place = (place - grid.origin) / grid.voxel_size;
   place.z() -= map_.first_layer;
-  if (map_.lean.values.empty())
+  if (isUpright(voxel))
     return place.head<2>();
   // The places at the border of the map stand for those beyond it.
   return straightened(map_.lean, slab_, place)
@@ -125,46 +126,140 @@ StoreyLabels::placeOf(std::size_t i) const
       .cwiseMin(Eigen::Vector2d(map_.labels.nx - 0.5, map_.labels.ny - 0.5));
 }
 
-std::size_t
-StoreyLabels::pixelOf(std::size_t i) const
+std::int32_t
+StoreyLabels::pixelOf(std::size_t i, const Voxel& voxel) const
 {
-  const std::size_t pixel = occupancy_.cells[i] / occupancy_.grid.shape.nz;
-  if (map_.lean.values.empty() || map_.lean.values[pixel].isZero(0.0f))
-    return pixel;
-  const Eigen::Vector2d place = placeOf(i);
-  return map_.labels.index(static_cast<int>(place.x()), static_cast<int>(place.y()));
+  if (isUpright(voxel))
+    return voxel.column;
+  const Eigen::Vector2d place = placeOf(i, voxel);
+  return static_cast<std::int32_t>(
+      map_.labels.index(static_cast<int>(place.x()), static_cast<int>(place.y())));
 }
 
 bool
-StoreyLabels::inSlab(std::size_t i, std::size_t pixel) const
+StoreyLabels::inSlab(const Voxel& voxel, std::int32_t pixel) const
 {
-  const int layer = occupancy_.cells[i] % occupancy_.grid.shape.nz;
-  const int below = map_.ceiling.values[pixel] + map_.first_layer - layer;
+  const int below = map_.ceiling.values[pixel] + map_.first_layer - voxel.layer;
   return below >= map_.slab.first && below <= map_.slab.last;
 }
 
-/** Labels on the map of some of the points, told apart by the faces of walls. */
-std::vector<std::int32_t>
-StoreyLabels::wallLabels(const std::uint32_t* begin, const std::uint32_t* end) const
+/** Label the points by the map alone where there are no sides to choose and no walls
+ * around to be fitted.
+ * \return the others */
+StoreyLabels::NearPoints
+StoreyLabels::labelFarPoints(const std::vector<std::uint8_t>& storey_of,
+                             std::uint8_t storey,
+                             const std::vector<std::uint32_t>& room_of,
+                             std::vector<std::uint32_t>& point_labels) const
 {
-  const double size = occupancy_.grid.voxel_size;
-  const std::ptrdiff_t count = end - begin;
-  const int threads = threadCount(options_.threads);
-  std::vector<Eigen::Vector2f> position(count);
-  std::vector<std::uint8_t> is_wall(count);
-  std::vector<std::int32_t> labels(count);
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::ptrdiff_t k = 0; k < count; ++k) {
-    const std::uint32_t i = begin[k];
-    const std::size_t pixel = pixelOf(i);
-    position[k] = (size * placeOf(i)).cast<float>();
-    // The top of a wardrobe may lie in the slab, but it does not go on to the ceiling.
-    is_wall[k] = map_.blocked.values[pixel] != 0 && inSlab(i, pixel);
-    labels[k] = map_.labels.values[pixel];
+  const auto to_border =
+      squaredDistanceMap(borderPixels(map_.labels), options_.threads);
+  const double reach = 2.0 * radius_ * radius_; // to the corner of the window, squared
+  const std::size_t count = points_.size();
+  const int parts = usefulThreads(options_.threads, count, 100000);
+  const std::int32_t rows = map_.labels.nx, ny = map_.labels.ny;
+  struct Part {
+    std::vector<std::uint32_t> points, next; // per row: how many, then where they go
+  };
+  std::vector<Part> part(parts);
+  const auto rowOf = [&](std::size_t i) { return pixelOf(i, voxelOf(i)) / ny; };
+  parallelFor(parts, parts, 1, [&](std::ptrdiff_t p) {
+    part[p].next.assign(rows, 0);
+    for (std::size_t i = count * p / parts; i < count * (p + 1) / parts; ++i) {
+      if (storey_of[i] != storey || occupancy_.cells[i] < 0)
+        continue;
+      const Voxel voxel = voxelOf(i);
+      const std::int32_t pixel = pixelOf(i, voxel);
+      if (to_border.values[pixel] > (inSlab(voxel, pixel) ? 4 * reach : reach)) {
+        point_labels[i] = room_of[map_.labels.values[pixel]];
+        continue;
+      }
+      part[p].points.push_back(static_cast<std::uint32_t>(i));
+      ++part[p].next[pixel / ny];
+    }
+  });
+  NearPoints near;
+  near.first.assign(1, 0);
+  std::uint32_t sum = 0;
+  for (std::int32_t row = 0; row < rows; ++row) {
+    for (Part& each : part)
+      sum += std::exchange(each.next[row], sum);
+    near.first.push_back(sum);
   }
-  assignWallSides(
-      position, is_wall, size, map_.labels, map_.free_labels, options_.walls, labels);
-  return labels;
+  near.points.resize(sum);
+  parallelFor(parts, parts, 1, [&](std::ptrdiff_t p) {
+    for (const std::uint32_t i : part[p].points)
+      near.points[part[p].next[rowOf(i)]++] = i;
+    std::vector<std::uint32_t>().swap(part[p].points);
+  });
+  return near;
+}
+
+/** Those of a row lie anywhere in memory: ask for them some steps before their turn. */
+void
+StoreyLabels::fetchAhead(const std::vector<std::uint32_t>& row, std::size_t k) const
+{
+  constexpr std::size_t steps = 16;
+  if (k + steps >= row.size())
+    return;
+  __builtin_prefetch(&points_[row[k + steps]]);
+  __builtin_prefetch(&occupancy_.cells[row[k + steps]]);
+}
+
+/** Bring the points of some rows into the order of their pixels. */
+PixelPoints
+StoreyLabels::sortByPixels(int begin_row, int end_row, NearPoints& near) const
+{
+  const std::int32_t ny = map_.labels.ny;
+  const std::uint32_t before = near.first[begin_row];
+  PixelPoints sorted;
+  sorted.begin_row = begin_row;
+  sorted.end_row = end_row;
+  sorted.places.resize(near.first[end_row] - before);
+  sorted.walls_end.resize(static_cast<std::size_t>(end_row - begin_row) * ny);
+  sorted.first.resize(sorted.walls_end.size() + 1, near.first[end_row] - before);
+  struct State { // of a row
+    std::vector<std::uint32_t> points, group, next;
+    std::vector<Eigen::Vector2f> places;
+  };
+  const auto sortRow = [&](State& state, std::ptrdiff_t row) {
+    const std::uint32_t begin = near.first[begin_row + row];
+    const std::uint32_t end = near.first[begin_row + row + 1];
+    state.points.assign(near.points.begin() + begin, near.points.begin() + end);
+    state.group.clear(); // two per pixel: at walls, and others
+    state.places.clear();
+    state.next.assign(2 * static_cast<std::size_t>(ny) + 1, 0);
+    for (std::size_t k = 0; k < state.points.size(); ++k) {
+      const std::uint32_t i = state.points[k];
+      fetchAhead(state.points, k);
+      const Voxel voxel = voxelOf(i);
+      const std::int32_t pixel = pixelOf(i, voxel);
+      // The top of a wardrobe may lie in the slab, but it does not go on to the
+      // ceiling.
+      const bool is_wall = map_.blocked.values[pixel] != 0 && inSlab(voxel, pixel);
+      state.group.push_back(2 * (pixel % ny) + !is_wall);
+      state.places.push_back(placeOf(i, voxel).cast<float>());
+      ++state.next[state.group.back() + 1];
+    }
+    std::partial_sum(state.next.begin(), state.next.end(), state.next.begin());
+    for (std::int32_t y = 0; y < ny; ++y) {
+      const std::size_t pixel = static_cast<std::size_t>(row) * ny + y;
+      sorted.first[pixel] = begin - before + state.next[2 * y];
+      sorted.walls_end[pixel] = begin - before + state.next[2 * y + 1];
+    }
+    for (std::size_t k = 0; k < state.points.size(); ++k) {
+      const std::uint32_t to = begin + state.next[state.group[k]]++;
+      near.points[to] = state.points[k];
+      sorted.places[to - before] = state.places[k];
+    }
+  };
+  parallelFor(
+      end_row - begin_row,
+      threadCount(options_.threads),
+      4,
+      [] { return State(); },
+      sortRow);
+  return sorted;
 }
 
 } // namespace indoor

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "rooms/map/room_map.h"
+#include "rooms/outline/wall_sides.h"
 #include "rooms/space/occupancy_grid.h"
 
 #include <pcl/segmentation/building_rooms.h>
@@ -41,17 +42,44 @@ public:
          std::vector<std::uint32_t>& point_labels) const;
 
 private:
-  Eigen::Vector2d
-  placeOf(std::size_t i) const;
+  /** A point's voxel in the building's grid. */
+  struct Voxel {
+    std::int32_t column = 0;
+    std::int32_t layer = 0;
+  };
 
-  std::size_t
-  pixelOf(std::size_t i) const;
+  /** Points near borders between rooms, by the rows of the map they lie in. */
+  struct NearPoints {
+    std::vector<std::uint32_t> first; ///< per row, and the end
+    std::vector<std::uint32_t> points;
+  };
+
+  Voxel
+  voxelOf(std::size_t i) const;
 
   bool
-  inSlab(std::size_t i, std::size_t pixel) const;
+  isUpright(const Voxel& voxel) const;
 
-  std::vector<std::int32_t>
-  wallLabels(const std::uint32_t* begin, const std::uint32_t* end) const;
+  Eigen::Vector2d
+  placeOf(std::size_t i, const Voxel& voxel) const;
+
+  std::int32_t
+  pixelOf(std::size_t i, const Voxel& voxel) const;
+
+  bool
+  inSlab(const Voxel& voxel, std::int32_t pixel) const;
+
+  NearPoints
+  labelFarPoints(const std::vector<std::uint8_t>& storey_of,
+                 std::uint8_t storey,
+                 const std::vector<std::uint32_t>& room_of,
+                 std::vector<std::uint32_t>& point_labels) const;
+
+  void
+  fetchAhead(const std::vector<std::uint32_t>& row, std::size_t k) const;
+
+  PixelPoints
+  sortByPixels(int begin_row, int end_row, NearPoints& near) const;
 
   const std::vector<Eigen::Vector3f>& points_;
   const OccupancyGrid& occupancy_;
@@ -59,6 +87,7 @@ private:
   const BuildingRoomsOptions& options_;
   const Eigen::Matrix2d turn_; ///< into the frame of the grid
   PixelMap<float> slab_;       ///< its height, if walls lean
+  const double radius_;        ///< of the windows in which walls are fitted, pixels
 };
 
 } // namespace indoor

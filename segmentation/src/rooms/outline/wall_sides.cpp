@@ -13,73 +13,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
 namespace {
-
-/** The rows begin ... end - 1 of the map: what there are points in. */
-struct Rows {
-  int begin = 0, end = 0;
-};
-
-Rows
-rowsOf(const std::vector<std::int32_t>& pixel_of, int ny)
-{
-  Rows rows{std::numeric_limits<int>::max(), 0};
-  for (const auto pixel : pixel_of)
-    if (pixel >= 0) {
-      rows.begin = std::min(rows.begin, pixel / ny);
-      rows.end = std::max(rows.end, pixel / ny + 1);
-    }
-  return rows.end > 0 ? rows : Rows{};
-}
-
-/** Points in the order of their pixels, of which only those of some rows are kept. */
-class PixelPoints {
-public:
-  PixelPoints(const std::vector<std::int32_t>& pixel_of,
-              const std::vector<std::uint8_t>* chosen,
-              const Rows& rows,
-              int ny)
-  : offset_(static_cast<std::size_t>(rows.begin) * ny)
-  , first_(static_cast<std::size_t>(rows.end - rows.begin) * ny + 1, 0)
-  {
-    const auto counts = [&](std::size_t i) {
-      return pixel_of[i] >= 0 && (!chosen || (*chosen)[i]);
-    };
-    for (std::size_t i = 0; i < pixel_of.size(); ++i)
-      if (counts(i))
-        ++first_[pixel_of[i] - offset_ + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    index_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < pixel_of.size(); ++i)
-      if (counts(i))
-        index_[next[pixel_of[i] - offset_]++] = static_cast<std::uint32_t>(i);
-  }
-
-  /** The points of a pixel of these rows. */
-  const std::uint32_t*
-  begin(std::size_t pixel) const
-  {
-    return index_.data() + first_[pixel - offset_];
-  }
-
-  const std::uint32_t*
-  end(std::size_t pixel) const
-  {
-    return index_.data() + first_[pixel - offset_ + 1];
-  }
-
-private:
-  std::size_t offset_;               // the first pixel
-  std::vector<std::uint32_t> first_; // per pixel, and one past the end
-  std::vector<std::uint32_t> index_; // into the points
-};
 
 /** A vertical plane between the two faces of a wall, or in its only one, seen from
  * above. */
@@ -123,17 +62,22 @@ fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& optio
   double middle = 0.0;
   double apart = 0.0;
   for (int iteration = 0; iteration < 4; ++iteration) {
-    double sum[2] = {0.0, 0.0};
-    std::size_t count[2] = {0, 0};
-    for (const double t : offsets) {
-      sum[t > middle] += t;
-      ++count[t > middle];
+    double below = 0.0, above = 0.0; // sums
+    std::size_t count = 0;           // above
+    for (const double t : offsets) { // without branches
+      const bool is_above = t > middle;
+      below += is_above ? 0.0 : t;
+      above += is_above ? t : 0.0;
+      count += is_above;
     }
-    if (count[0] == 0 || count[1] == 0)
+    if (count == 0 || count == offsets.size())
       break;
-    const double faces[2] = {sum[0] / count[0], sum[1] / count[1]};
-    middle = 0.5 * (faces[0] + faces[1]);
-    apart = faces[1] - faces[0];
+    below /= static_cast<double>(offsets.size() - count);
+    above /= static_cast<double>(count);
+    apart = above - below;
+    if (middle == 0.5 * (below + above))
+      break;
+    middle = 0.5 * (below + above);
   }
   // Splitting the noise of one face puts the two means 2.7 (Gaussian) to 3.5 (uniform)
   // standard deviations within each half apart; those of two faces lie farther apart.
@@ -225,28 +169,18 @@ nearOtherRoom(const PixelMap<std::int32_t>& labels, int x, int y, int radius)
 } // namespace
 
 void
-assignWallSides(const std::vector<Eigen::Vector2f>& points,
-                const std::vector<std::uint8_t>& is_wall,
+assignWallSides(const PixelPoints& points,
                 double pixel_size,
                 const PixelMap<std::int32_t>& labels,
                 const PixelMap<std::int32_t>& free_labels,
                 const WallSideOptions& options,
                 std::vector<std::int32_t>& point_labels)
 {
-  const auto scaled = [&](std::size_t i) {
-    return Eigen::Vector2d(points[i].cast<double>() / pixel_size);
+  const std::size_t first_pixel =
+      static_cast<std::size_t>(points.begin_row) * labels.ny;
+  const auto place = [&](std::uint32_t k) -> Eigen::Vector2d {
+    return points.places[k].cast<double>();
   };
-  std::vector<std::int32_t> pixel_of(points.size(), -1);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector2d p = scaled(i);
-    const int x = static_cast<int>(std::floor(p.x()));
-    const int y = static_cast<int>(std::floor(p.y()));
-    if (labels.contains(x, y))
-      pixel_of[i] = static_cast<std::int32_t>(labels.index(x, y));
-  }
-  const Rows rows = rowsOf(pixel_of, labels.ny);
-  const PixelPoints all(pixel_of, nullptr, rows, labels.ny);
-  const PixelPoints wall(pixel_of, &is_wall, rows, labels.ny);
   const int radius =
       std::max(1, static_cast<int>(std::lround(0.5 * options.window / pixel_size)));
   const double reach = options.reach / pixel_size;
@@ -254,30 +188,29 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
   in_pixels.max_thickness /= pixel_size;
 
   const int threads = threadCount(options.threads);
-  parallelFor(rows.end - rows.begin, threads, 8, [&](std::ptrdiff_t row) {
-    const int x = rows.begin + static_cast<int>(row);
+  parallelFor(points.end_row - points.begin_row, threads, 8, [&](std::ptrdiff_t row) {
+    const int x = points.begin_row + static_cast<int>(row);
     std::vector<Eigen::Vector2d> window;
     for (int y = 0; y < labels.ny; ++y) {
-      const std::size_t pixel = labels.index(x, y);
-      if (all.begin(pixel) == all.end(pixel) || !nearOtherRoom(labels, x, y, radius))
+      const std::size_t pixel = labels.index(x, y) - first_pixel;
+      const std::uint32_t begin = points.first[pixel], end = points.first[pixel + 1];
+      if (begin == end || !nearOtherRoom(labels, x, y, radius))
         continue;
       window.clear();
-      const int last_u = std::min(rows.end - 1, x + radius);
+      const int last_u = std::min(points.end_row - 1, x + radius);
       const int last_v = std::min(labels.ny - 1, y + radius);
-      for (int u = std::max(rows.begin, x - radius); u <= last_u; ++u)
+      for (int u = std::max(points.begin_row, x - radius); u <= last_u; ++u)
         for (int v = std::max(0, y - radius); v <= last_v; ++v) {
-          const std::size_t at = labels.index(u, v);
-          for (const auto* k = wall.begin(at); k != wall.end(at); ++k)
-            window.push_back(scaled(*k));
+          const std::size_t at = labels.index(u, v) - first_pixel;
+          for (std::uint32_t k = points.first[at]; k < points.walls_end[at]; ++k)
+            window.push_back(place(k));
         }
       if (window.size() < options.min_points)
         continue;
       const auto line = fitWall(window, in_pixels);
       if (!line) { // a corner
-        for (const auto* k = all.begin(pixel); k != all.end(pixel); ++k) {
-          std::int32_t& label = point_labels[*k];
-          label = nearestRoom(free_labels, scaled(*k), reach, label);
-        }
+        for (std::uint32_t k = begin; k < end; ++k)
+          point_labels[k] = nearestRoom(free_labels, place(k), reach, point_labels[k]);
         continue;
       }
       const Eigen::Vector2d center(x + 0.5, y + 0.5);
@@ -293,13 +226,12 @@ assignWallSides(const std::vector<Eigen::Vector2f>& points,
         below.label = above.label;
       else if (above.label == 0 || nearer_only)
         above.label = below.label;
-      for (const auto* k = all.begin(pixel); k != all.end(pixel); ++k) {
-        const std::uint32_t i = *k;
-        const double side = line->side(scaled(i));
+      for (std::uint32_t k = begin; k < end; ++k) {
+        const double side = line->side(place(k));
         if (std::abs(side) > line->half_thickness + 1.0) // another wall's
-          point_labels[i] = nearestRoom(free_labels, scaled(i), reach, point_labels[i]);
+          point_labels[k] = nearestRoom(free_labels, place(k), reach, point_labels[k]);
         else
-          point_labels[i] = side > 0 ? above.label : below.label;
+          point_labels[k] = side > 0 ? above.label : below.label;
       }
     }
   });

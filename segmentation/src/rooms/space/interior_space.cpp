@@ -41,12 +41,9 @@ coarser(const VoxelBits& fine, int factor)
   coarse.values.assign(coarse.shape.size(), 0);
   for (int x = 0; x < fine.shape.nx; ++x)
     for (int y = 0; y < fine.shape.ny; ++y) {
-      const auto from = fine.column(x, y);
-      if (!from.any(0, fine.shape.nz))
-        continue;
       auto* to = &coarse.values[coarse.shape.index(x / factor, y / factor, 0)];
-      for (int z = 0; z < fine.shape.nz; ++z)
-        to[z / factor] |= from[z];
+      fine.column(x, y).forEachSet(
+          0, fine.shape.nz, [&](int z) { to[z / factor] = 1; });
     }
   return coarse;
 }
@@ -68,13 +65,15 @@ someTiles(const std::vector<Eigen::Vector3f>& points,
   part.grid.origin = building.grid.origin;
   part.grid.voxel_size = building.grid.voxel_size;
   part.yaw = building.yaw;
+  std::vector<std::uint8_t> is_chosen; // per pixel
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y) {
+      const unsigned u = x / tile, v = y / tile;
+      is_chosen.push_back((u * 73856093u ^ v * 19349663u) / 16 % one_in == 0);
+    }
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::int32_t cell = building.cells[i];
-    if (cell < 0)
-      continue;
-    const unsigned x = static_cast<unsigned>(cell / shape.nz / shape.ny / tile);
-    const unsigned y = static_cast<unsigned>(cell / shape.nz % shape.ny / tile);
-    if ((x * 73856093u ^ y * 19349663u) / 16 % one_in != 0)
+    if (cell < 0 || !is_chosen[cell / shape.nz])
       continue;
     chosen.push_back(points[i]);
     part.cells.push_back(cell);

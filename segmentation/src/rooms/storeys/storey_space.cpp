@@ -45,24 +45,6 @@ columnRanges(const VoxelBits& grid, const Storeys& storeys, std::size_t k)
   return ranges;
 }
 
-/** Call take(x, y, z) for all voxels within the ranges. */
-template <typename Take>
-void
-forEachVoxel(const GridShape& shape,
-             const ColumnRanges& ranges,
-             int factor,
-             const Take& take)
-{
-  for (int x = 0; x < shape.nx; ++x)
-    for (int y = 0; y < shape.ny; ++y) {
-      const int u = std::min(x * factor, ranges.begin.nx - 1);
-      const int v = std::min(y * factor, ranges.begin.ny - 1);
-      const int end = (ranges.end.at(u, v) + factor - 1) / factor;
-      for (int z = ranges.begin.at(u, v) / factor; z < end; ++z)
-        take(x, y, z);
-    }
-}
-
 /** The layers that the ranges reach. */
 GridShape
 shapeOf(const GridShape& grid, const ColumnRanges& ranges, int factor)
@@ -82,10 +64,15 @@ cut(const VoxelBits& grid, const ColumnRanges& ranges, int factor)
   part.voxel_size = grid.voxel_size;
   part.origin = grid.origin + Eigen::Vector3d(0, 0, first * grid.voxel_size);
   part.reset(shapeOf(grid.shape, ranges, factor));
-  forEachVoxel(grid.shape, ranges, factor, [&](int x, int y, int z) {
-    if (grid.at(x, y, z))
-      part.set(x, y, z - first);
-  });
+  for (int x = 0; x < grid.shape.nx; ++x)
+    for (int y = 0; y < grid.shape.ny; ++y) {
+      const int u = std::min(x * factor, ranges.begin.nx - 1);
+      const int v = std::min(y * factor, ranges.begin.ny - 1);
+      const int end = (ranges.end.at(u, v) + factor - 1) / factor;
+      grid.column(x, y).forEachSet(ranges.begin.at(u, v) / factor, end, [&](int z) {
+        part.set(x, y, z - first);
+      });
+    }
   return part;
 }
 

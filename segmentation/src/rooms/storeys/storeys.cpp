@@ -217,9 +217,9 @@ refineBorders(const std::vector<Eigen::Vector3f>& points,
       if (grid.cells[i] < 0)
         continue;
       const double from = border.values[grid.cells[i] / shape.nz];
-      const double height = std::floor((points[i].z() - from) / bin);
+      const double height = (points[i].z() - from) / bin;
       if (height >= -half && height < half) // not where the border is infinite
-        ++counts[static_cast<int>(height) + half];
+        ++counts[static_cast<int>(std::floor(height)) + half];
     }
     const auto shift = static_cast<float>((valley(counts) - half) * bin);
     for (float& value : border.values)

@@ -7,8 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
+#include <utility>
 
 using namespace pcl::indoor;
 using Labels = std::vector<std::int32_t>;
@@ -82,8 +85,36 @@ struct Wall {
   Labels
   assigned(const WallSideOptions& options = {}) const
   {
-    Labels result = mapLabels();
-    assignWallSides(points, is_wall, pixel, labels, free_labels, options, result);
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return std::make_pair(pixelOf(points[a]), !is_wall[a]) <
+             std::make_pair(pixelOf(points[b]), !is_wall[b]);
+    });
+    PixelPoints sorted;
+    sorted.end_row = labels.nx;
+    for (std::size_t at = 0, k = 0; at < labels.size(); ++at) {
+      sorted.first.push_back(static_cast<std::uint32_t>(k));
+      const auto place = [&] {
+        sorted.places.push_back(points[order[k++]] / static_cast<float>(pixel));
+      };
+      const auto isHere = [&] {
+        return k < order.size() && pixelOf(points[order[k]]) == at;
+      };
+      while (isHere() && is_wall[order[k]])
+        place();
+      sorted.walls_end.push_back(static_cast<std::uint32_t>(k));
+      while (isHere())
+        place();
+    }
+    sorted.first.push_back(static_cast<std::uint32_t>(order.size()));
+    const Labels before = mapLabels();
+    Labels in_order, result(before.size());
+    for (const std::size_t i : order)
+      in_order.push_back(before[i]);
+    assignWallSides(sorted, pixel, labels, free_labels, options, in_order);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      result[order[k]] = in_order[k];
     return result;
   }
 
@@ -201,22 +232,9 @@ TEST(WallSides, FarFromBordersNothingChanges)
   EXPECT_EQ(result, Labels(result.size(), 5));
 }
 
-TEST(WallSides, EmptyInputAndPointsOutsideTheMap)
+TEST(WallSides, EmptyInput)
 {
   Labels none;
-  assignWallSides({}, {}, pixel, {}, {}, {}, none);
+  assignWallSides({}, pixel, {}, {}, {}, none);
   EXPECT_TRUE(none.empty());
-  Wall wall(0.0, 0.08, 0.015);
-  const auto expected = wall.assigned();
-  wall.points.emplace_back(-0.05f, 2.0f);
-  wall.points.emplace_back(2.0f, 4.01f);
-  wall.is_wall.insert(wall.is_wall.end(), 2, 1);
-  Labels result = expected;
-  result.push_back(7);
-  result.push_back(8);
-  assignWallSides(
-      wall.points, wall.is_wall, pixel, wall.labels, wall.free_labels, {}, result);
-  EXPECT_EQ(Labels(result.begin(), result.end() - 2), expected);
-  EXPECT_EQ(result[result.size() - 2], 7);
-  EXPECT_EQ(result.back(), 8);
 }
