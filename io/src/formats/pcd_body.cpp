@@ -146,6 +146,8 @@ bool
 unpackPoints(const std::uint8_t* packed, std::size_t size, PCLPointCloud2& cloud)
 {
   const auto count = static_cast<std::size_t>(cloud.width) * cloud.height;
+  if (cloud.data.size() < count * cloud.point_step)
+    return false;
   LzfReader reader(packed, size, cloud.point_step);
   cloud.is_dense = true;
   for (const auto& field : cloud.fields) {

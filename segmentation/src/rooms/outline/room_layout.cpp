@@ -166,12 +166,13 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
   const FloorPlane on_floor(building.occupancy, map);
   const auto found = regionOpenings(
       space.occupancy, map.range, map.ceiling, map.labels, map.free_labels);
-  OpeningPosts posts(found, building.occupancy, map);
+  const OpeningPosts unseen(found, building.occupancy, map);
+  OpeningPosts posts = unseen;
   parallelFor(
       static_cast<std::ptrdiff_t>(points.size()),
       usefulThreads(threads, points.size(), 100000),
       10000,
-      [&] { return OpeningPosts(posts); },
+      [&] { return unseen; },
       [&](OpeningPosts& own, std::ptrdiff_t i) {
         own.add(points[i], building.occupancy.cells[i]);
       },
