@@ -158,13 +158,12 @@ StoreyLabels::labelFarPoints(const std::vector<std::uint8_t>& storey_of,
   const std::size_t count = points_.size();
   const int parts = usefulThreads(options_.threads, count, 100000);
   const std::int32_t rows = map_.labels.nx, ny = map_.labels.ny;
-  struct Part {
-    std::vector<std::uint32_t> points, next; // per row: how many, then where they go
-  };
-  std::vector<Part> part(parts);
+  std::vector<std::uint8_t> is_near(count, 0);
+  // Per part of the points and row: how many, then where they go.
+  std::vector<std::vector<std::uint32_t>> next(parts);
   const auto rowOf = [&](std::size_t i) { return pixelOf(i, voxelOf(i)) / ny; };
   parallelFor(parts, parts, 1, [&](std::ptrdiff_t p) {
-    part[p].next.assign(rows, 0);
+    next[p].assign(rows, 0);
     for (std::size_t i = count * p / parts; i < count * (p + 1) / parts; ++i) {
       if (storey_of[i] != storey || occupancy_.cells[i] < 0)
         continue;
@@ -174,23 +173,23 @@ StoreyLabels::labelFarPoints(const std::vector<std::uint8_t>& storey_of,
         point_labels[i] = room_of[map_.labels.values[pixel]];
         continue;
       }
-      part[p].points.push_back(static_cast<std::uint32_t>(i));
-      ++part[p].next[pixel / ny];
+      is_near[i] = 1;
+      ++next[p][pixel / ny];
     }
   });
   NearPoints near;
   near.first.assign(1, 0);
   std::uint32_t sum = 0;
   for (std::int32_t row = 0; row < rows; ++row) {
-    for (Part& each : part)
-      sum += std::exchange(each.next[row], sum);
+    for (auto& of_part : next)
+      sum += std::exchange(of_part[row], sum);
     near.first.push_back(sum);
   }
   near.points.resize(sum);
   parallelFor(parts, parts, 1, [&](std::ptrdiff_t p) {
-    for (const std::uint32_t i : part[p].points)
-      near.points[part[p].next[rowOf(i)]++] = i;
-    std::vector<std::uint32_t>().swap(part[p].points);
+    for (std::size_t i = count * p / parts; i < count * (p + 1) / parts; ++i)
+      if (is_near[i])
+        near.points[next[p][rowOf(i)]++] = static_cast<std::uint32_t>(i);
   });
   return near;
 }
