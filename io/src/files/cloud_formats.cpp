@@ -60,8 +60,8 @@ readPcd(const CheckedPcd& checked, CloudFile& file)
     return false;
   const auto* bytes = reinterpret_cast<const unsigned char*>(content.data());
   if (encoding == 2) {
-    std::uint32_t packed =
-        0; // bytes, which checkPcdFile() found; then the unpacked ones
+    // Two counts of bytes, packed and not, which checkPcdFile() found right.
+    std::uint32_t packed = 0;
     std::memcpy(&packed, bytes + body, sizeof(packed));
     return unpackPoints(bytes + body + 2 * sizeof(packed), packed, file.cloud);
   }

@@ -4,13 +4,24 @@
  */
 #pragma once
 
+#include <pcl/common/io.h> // for getFieldSize
 #include <pcl/PCLPointField.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 
 namespace pcl::indoor::tool {
+
+/** \brief Bytes of a field in a point; a count of 0, by old converters, is 1. */
+inline std::size_t
+byteCount(const PCLPointField& field)
+{
+  return static_cast<std::size_t>(getFieldSize(field.datatype)) *
+         std::max(field.count, 1u);
+}
 
 /** \brief A field's value of one point as a double; every type a PCD can have. */
 inline double

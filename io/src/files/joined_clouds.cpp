@@ -7,7 +7,7 @@
 #include "files/field_value.h"
 #include "files/tool_error.h"
 
-#include <pcl/common/io.h> // for getFieldIndex, getFieldSize
+#include <pcl/common/io.h> // for getFieldIndex
 
 #include <boost/algorithm/string/join.hpp>
 
@@ -34,13 +34,6 @@ fieldOf(const PCLPointCloud2& layout, const std::string& name)
 {
   const int index = getFieldIndex(layout, name);
   return index < 0 ? nullptr : &layout.fields[static_cast<std::size_t>(index)];
-}
-
-std::size_t
-sizeOf(const PCLPointField& field)
-{
-  return static_cast<std::size_t>(getFieldSize(field.datatype)) *
-         std::max(field.count, 1u);
 }
 
 /** The notes of several scans, those that are the same as one. */
@@ -163,7 +156,7 @@ private:
     const auto* own = fieldOf(scan.layout(), field.name);
     const bool fits =
         own != nullptr && (isAxis(field.name) || (own->datatype == field.datatype &&
-                                                  sizeOf(*own) == sizeOf(field)));
+                                                  byteCount(*own) == byteCount(field)));
     return fits ? own : nullptr;
   }
 
@@ -185,7 +178,7 @@ private:
   {
     const auto append = [this](PCLPointField field) {
       field.offset = layout_.point_step;
-      layout_.point_step += static_cast<std::uint32_t>(sizeOf(field));
+      layout_.point_step += static_cast<std::uint32_t>(byteCount(field));
       layout_.fields.push_back(std::move(field));
     };
     const auto real =
@@ -244,7 +237,7 @@ private:
         }
         const auto* from = &points.data[i * points.point_step + own->offset];
         if (!converts) {
-          std::memcpy(to, from, sizeOf(field));
+          std::memcpy(to, from, byteCount(field));
           continue;
         }
         const double value = valueAt(from, own->datatype) + shift[field.name[0] - 'x'];

@@ -7,8 +7,6 @@
 #include "files/cloud_sample.h" // for sampleBlocks
 #include "files/field_value.h"
 
-#include <pcl/common/io.h> // for getFieldSize
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -42,14 +40,6 @@ bool
 isReal(std::uint8_t type)
 {
   return type == PCLPointField::FLOAT32 || type == PCLPointField::FLOAT64;
-}
-
-/** Bytes of a field in a point. */
-std::size_t
-sizeOf(const PCLPointField& field)
-{
-  return static_cast<std::size_t>(getFieldSize(field.datatype)) *
-         std::max(field.count, 1u);
 }
 
 /** Bytes of a point that stay as they are, those that follow each other together. */
@@ -160,7 +150,7 @@ UsualFields::UsualFields(const PCLPointCloud2& layout,
   std::uint32_t offset = 0;
   for (auto& part : parts_) {
     part.field.offset = offset;
-    offset += static_cast<std::uint32_t>(sizeOf(part.field));
+    offset += static_cast<std::uint32_t>(byteCount(part.field));
   }
 }
 
@@ -298,7 +288,7 @@ UsualFields::of(PCLPointCloud2 cloud) const
   for (const auto& part : parts_) {
     named.fields.push_back(part.field);
     if (!only_names_)
-      named.point_step += static_cast<std::uint32_t>(sizeOf(part.field));
+      named.point_step += static_cast<std::uint32_t>(byteCount(part.field));
   }
   named.row_step = named.point_step * named.width;
   if (only_names_)
@@ -310,7 +300,7 @@ UsualFields::of(PCLPointCloud2 cloud) const
     for (const auto& part : parts_)
       if (const auto& first = part.from.front();
           part.scale == 0.0 && first.datatype == part.field.datatype)
-        spans.add(first.offset, part.field.offset, sizeOf(first));
+        spans.add(first.offset, part.field.offset, byteCount(first));
       else if (first.datatype == PCLPointField::UINT8 && part.scale == 1.0)
         for (std::size_t k = 0; k < part.from.size(); ++k)
           spans.add(part.from[k].offset, part.field.offset + k, 1);

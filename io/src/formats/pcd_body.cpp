@@ -4,7 +4,7 @@
  */
 #include "formats/pcd_body.h"
 
-#include <pcl/common/io.h> // for getFieldSize()
+#include "files/field_value.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,12 +121,6 @@ isDense(const PCLPointField& field, const std::uint8_t* bytes, std::size_t size)
                                                     : true;
 }
 
-std::size_t
-bytesOf(const PCLPointField& field)
-{
-  return std::size_t{field.count} * getFieldSize(field.datatype);
-}
-
 /** Bring values to their points: of a size that is known, faster. */
 template <typename Size>
 void
@@ -151,10 +145,10 @@ unpackPoints(const std::uint8_t* packed, std::size_t size, PCLPointCloud2& cloud
   LzfReader reader(packed, size, cloud.point_step);
   cloud.is_dense = true;
   for (const auto& field : cloud.fields) {
-    const std::size_t bytes = bytesOf(field);
-    if (field.offset + bytes > cloud.point_step)
+    const std::size_t bytes = byteCount(field);
+    if (bytes == 0 || field.offset + bytes > cloud.point_step)
       return false;
-    for (std::size_t first = 0; bytes > 0 && first < count;) {
+    for (std::size_t first = 0; first < count;) {
       const std::size_t some = std::min(reader.available(bytes) / bytes, count - first);
       if (some == 0)
         return false;

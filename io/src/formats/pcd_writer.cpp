@@ -4,6 +4,7 @@
  */
 #include "formats/pcd_writer.h"
 
+#include "files/field_value.h"
 #include "formats/file_header.h" // for numberText
 
 #include <pcl/common/io.h> // for getFieldSize, getFieldType
@@ -17,12 +18,6 @@
 
 namespace pcl::indoor::tool {
 namespace {
-
-std::size_t
-byteCount(const PCLPointField& field)
-{
-  return static_cast<std::size_t>(getFieldSize(field.datatype)) * field.count;
-}
 
 std::size_t
 sizeOf(const std::vector<std::vector<std::uint8_t>>& blocks)

@@ -222,8 +222,8 @@ struct MappedStorey {
   RoomMap map;
 };
 
-/** How many storeys are mapped at once: mostly a map has one thread, and it takes some
- * hundred bytes per pixel. */
+/** How many storeys are mapped at once: most steps of a map have one thread. Where the
+ * maps are large, one after the other takes less memory. */
 std::size_t
 mapsAtOnce(std::size_t pixels, int threads)
 {
