@@ -194,17 +194,6 @@ StoreyLabels::labelFarPoints(const std::vector<std::uint8_t>& storey_of,
   return near;
 }
 
-/** Those of a row lie anywhere in memory: ask for them some steps before their turn. */
-void
-StoreyLabels::fetchAhead(const std::vector<std::uint32_t>& row, std::size_t k) const
-{
-  constexpr std::size_t steps = 16;
-  if (k + steps >= row.size())
-    return;
-  __builtin_prefetch(&points_[row[k + steps]]);
-  __builtin_prefetch(&occupancy_.cells[row[k + steps]]);
-}
-
 /** Bring the points of some rows into the order of their pixels. */
 PixelPoints
 StoreyLabels::sortByPixels(int begin_row, int end_row, NearPoints& near) const
@@ -228,9 +217,7 @@ StoreyLabels::sortByPixels(int begin_row, int end_row, NearPoints& near) const
     state.group.clear(); // two per pixel: at walls, and others
     state.places.clear();
     state.next.assign(2 * static_cast<std::size_t>(ny) + 1, 0);
-    for (std::size_t k = 0; k < state.points.size(); ++k) {
-      const std::uint32_t i = state.points[k];
-      fetchAhead(state.points, k);
+    for (const std::uint32_t i : state.points) {
       const Voxel voxel = voxelOf(i);
       const std::int32_t pixel = pixelOf(i, voxel);
       // The top of a wardrobe may lie in the slab, but it does not go on to the

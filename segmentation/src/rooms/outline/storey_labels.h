@@ -75,9 +75,6 @@ private:
                  const std::vector<std::uint32_t>& room_of,
                  std::vector<std::uint32_t>& point_labels) const;
 
-  void
-  fetchAhead(const std::vector<std::uint32_t>& row, std::size_t k) const;
-
   PixelPoints
   sortByPixels(int begin_row, int end_row, NearPoints& near) const;
 
