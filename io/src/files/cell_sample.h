@@ -12,7 +12,6 @@
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace pcl::indoor::tool {
@@ -21,7 +20,7 @@ namespace pcl::indoor::tool {
  *
  * If there are more than a limit, cells become twice as large, but no larger than four
  * times the first size. Which points are kept depends on nothing but their order.
- * Memory follows the cells: 17 to 18 bytes for each, and 4 for each place of a table of
+ * Memory follows the cells: 17 to 18 bytes for each, and 5 for each place of a table of
  * which at least a third is filled, while points are added or looked for.
  */
 class CellSample {
@@ -29,14 +28,18 @@ public:
   /** \param[in] cell_size in the unit of the points, positive */
   CellSample(double cell_size, std::size_t limit);
 
-  /** \param[in] index of the point in its file */
+  /** \brief Add points, but for those that are not finite.
+   * \param[in] first index of the first one in its file */
   void
-  add(const Eigen::Vector3f& point, std::uint64_t index);
+  add(const PointCloud<PointXYZ>& points, std::uint64_t first);
 
-  /** \brief The number of the point that stands for this one; none if no point of its
-   * cell was added. Makes the table first if shrink() has given it back. */
-  std::optional<std::uint32_t>
-  find(const Eigen::Vector3f& point);
+  static constexpr std::uint32_t absent = 0xffffffffu;
+
+  /** \brief Per point the number of the one that stands for it; absent where it is not
+   * finite or no point of its cell was added. Makes the table first if shrink() has
+   * given it back. */
+  std::vector<std::uint32_t>
+  find(const PointCloud<PointXYZ>& points);
 
   /** \brief The points that were kept. */
   const PointCloud<PointXYZ>::Ptr&
@@ -66,13 +69,28 @@ private:
   std::uint64_t
   cellOf(const Eigen::Vector3f& point) const;
 
-  /** Where the point of a cell is in the table, or the free place where it belongs. */
+  /** The first place from that of a hash on that is free or has its tag and a point
+   * that is_same(number) of. */
+  template <typename IsSame>
   std::size_t
-  placeOf(std::uint64_t cell) const;
+  placeOf(std::uint64_t hash, const IsSame& is_same) const;
+
+  template <typename Visit>
+  std::size_t
+  forEachPlace(const PointCloud<PointXYZ>& points,
+               std::size_t begin,
+               const Visit& visit) const;
 
   /** Make the table of that many places; no two points may be in one cell. */
   void
   makeTable(std::size_t places);
+
+  void
+  dropTable();
+
+  /** Are there more points than the limit, and can cells become larger? */
+  bool
+  isTooMany() const;
 
   /** Make cells larger, and keep the first point of each. */
   void
@@ -83,7 +101,9 @@ private:
   int level_ = 0;
   PointCloud<PointXYZ>::Ptr points_;
   AscendingNumbers indices_;
-  std::vector<std::uint32_t> numbers_; ///< of points, a table of a power of two or none
+  // A table of a power of two, or none.
+  std::vector<std::uint8_t> tags_;     ///< of the point in a place; 0 where it is free
+  std::vector<std::uint32_t> numbers_; ///< of the point
 };
 
 } // namespace pcl::indoor::tool

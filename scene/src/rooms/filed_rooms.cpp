@@ -186,14 +186,14 @@ filePoints(ScanContent& scan,
   scan.stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& data) {
     const auto part = partOf(scan, std::move(data));
     const auto normals = with_normals ? readNormals(part) : nullptr;
+    const auto numbers = scan.sample->find(*part.points);
     for (std::size_t i = 0; i < part.points->size(); ++i) {
       const auto& point = (*part.points)[i];
       std::uint32_t file = in_no_file;
       if (isFinite(point)) {
-        const auto number = scan.sample->find(point.getVector3fMap());
-        if (!number)
+        if (numbers[i] == CellSample::absent)
           throw ToolError(scan.file.path + ": the file has changed, start again");
-        file = file_of_sample[*number];
+        file = file_of_sample[numbers[i]];
         filed.outside += file == in_no_file;
       }
       files.add(file_count, &file, sizeof(file));

@@ -108,9 +108,7 @@ drawSample(ScanContent& scan,
     scan.file.finite_count += finite;
     for (std::size_t k = 0; k < counts.size(); ++k)
       counts[k] += countAt(part, left_out[k]);
-    for (std::size_t i = 0; i < points->size(); ++i)
-      if (isFinite((*points)[i]))
-        sample.add((*points)[i].getVector3fMap(), first + i);
+    sample.add(*points, first);
     report(first + points->size(), stream.pointCount());
   });
   for (const auto& line : leftOutNotes(left_out, counts, stream.pointCount()))

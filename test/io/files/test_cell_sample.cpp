@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -49,6 +50,19 @@ listOf(const AscendingNumbers& numbers)
   return list;
 }
 
+/** A part of them, and one point that is not finite at its end. */
+pcl::PointCloud<pcl::PointXYZ>
+cloudOf(const std::vector<Eigen::Vector3f>& points,
+        std::size_t begin = 0,
+        std::size_t end = -1)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (std::size_t i = begin; i < std::min(points.size(), end); ++i)
+    cloud.emplace_back(points[i].x(), points[i].y(), points[i].z());
+  cloud.emplace_back(0.0f, std::numeric_limits<float>::quiet_NaN(), 0.0f);
+  return cloud;
+}
+
 /** Each point has the one of its cell that was first, by its number. */
 void
 expectFound(const std::vector<Eigen::Vector3f>& points,
@@ -56,13 +70,13 @@ expectFound(const std::vector<Eigen::Vector3f>& points,
             CellSample& sample)
 {
   const auto indices = listOf(sample.indices());
-  for (const auto& point : points) {
-    const auto found = sample.find(point);
-    ASSERT_TRUE(found);
-    ASSERT_LT(*found, indices.size());
-    EXPECT_EQ(indices[*found], 10 * first.at(cellOf(point, sample.cellSize())));
-    EXPECT_EQ((*sample.points())[*found].getVector3fMap(),
-              points[indices[*found] / 10]);
+  const auto found = sample.find(cloudOf(points));
+  ASSERT_EQ(found.size(), points.size() + 1);
+  EXPECT_EQ(found.back(), CellSample::absent); // not finite
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ASSERT_LT(found[i], indices.size());
+    EXPECT_EQ(indices[found[i]], first.at(cellOf(points[i], sample.cellSize())));
+    EXPECT_EQ((*sample.points())[found[i]].getVector3fMap(), points[indices[found[i]]]);
   }
 }
 
@@ -74,14 +88,14 @@ expectFirstPoints(const std::vector<Eigen::Vector3f>& points,
                   double expected_size)
 {
   CellSample sample(first_size, limit);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sample.add(points[i], 10 * i);
+  for (std::size_t begin = 0; begin < points.size(); begin += 700)
+    sample.add(cloudOf(points, begin, begin + 700), begin);
   ASSERT_EQ(sample.cellSize(), expected_size);
   std::map<Cell, std::size_t> first;
   std::vector<std::uint64_t> indices;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (first.emplace(cellOf(points[i], expected_size), i).second)
-      indices.push_back(10 * i);
+      indices.push_back(i);
   EXPECT_EQ(listOf(sample.indices()), indices);
   ASSERT_EQ(sample.points()->size(), indices.size());
   expectFound(points, first, sample);
@@ -109,11 +123,15 @@ TEST(CellSample, CellsGrowWhereThereAreTooMany)
 TEST(CellSample, PointsFarAwayShareCells)
 {
   CellSample sample(0.01, 100);
-  sample.add({1e9f, 0, 0}, 0);
-  sample.add({9e8f, 0, 0}, 1);
-  sample.add({-1e9f, 0, 0}, 2);
-  sample.add({0, 0, 0}, 3);
+  sample.add(cloudOf({{1e9f, 0, 0}, {9e8f, 0, 0}, {-1e9f, 0, 0}, {0, 0, 0}}), 0);
   EXPECT_EQ(listOf(sample.indices()), (std::vector<std::uint64_t>{0, 2, 3}));
-  EXPECT_EQ(sample.find({9e8f, 0, 0}), 0u);
-  EXPECT_FALSE(sample.find({1, 0, 0}));
+  EXPECT_EQ(sample.find(cloudOf({{9e8f, 0, 0}, {1, 0, 0}})),
+            (std::vector<std::uint32_t>{0, CellSample::absent, CellSample::absent}));
+}
+
+TEST(CellSample, CellsBelowZeroAreNotThoseAbove)
+{
+  CellSample sample(0.5, 100);
+  sample.add(cloudOf({{-0.1f, 0, 0}, {0.1f, 0, 0}, {-0.5f, 0, 0}, {-0.6f, 0, 0}}), 7);
+  EXPECT_EQ(listOf(sample.indices()), (std::vector<std::uint64_t>{7, 8, 10}));
 }
