@@ -9,6 +9,7 @@
 #include <pcl/exceptions.h>
 
 #include <array>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -17,45 +18,41 @@ namespace {
 using pcl::indoor::BoostedTrees;
 using pcl::indoor::JoiningScale;
 
-/** The trees of each scale follow its name. */
-BoostedTrees
-readTrees(const std::string& scale)
+/** The bundled trees of a name, which stands before them in their text. */
+const BoostedTrees&
+bundledTrees(const std::string& name)
 {
-  std::istringstream text{std::string(pcl::indoor::bundled_joining)};
-  std::string name;
-  while (text >> name) {
-    auto trees = BoostedTrees::read(text);
-    if (name == scale)
-      return trees;
-  }
-  PCL_THROW_EXCEPTION(pcl::BadArgumentException, "No trees for " << scale << ".");
+  static const auto all = [] {
+    std::map<std::string, BoostedTrees> trees;
+    std::istringstream text{std::string(pcl::indoor::bundled_joining)};
+    for (std::string next; text >> next;)
+      trees.emplace(next, BoostedTrees::read(text));
+    return trees;
+  }();
+  const auto found = all.find(name);
+  if (found == all.end())
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException, "No trees for " << name << ".");
+  return found->second;
 }
 
 const BoostedTrees&
 bundledTrees(JoiningScale scale, bool has_votes)
 {
-  if (has_votes && scale == JoiningScale::Objects) {
-    static const auto voted = readTrees("voted");
-    return voted;
-  }
-  static const std::array<BoostedTrees, 3> trees{
-      readTrees("parts"), readTrees("objects"), readTrees("view")};
-  return trees.at(static_cast<std::size_t>(scale));
+  constexpr std::array<const char*, 3> names{"parts", "objects", "view"};
+  if (has_votes && scale == JoiningScale::Objects)
+    return bundledTrees("voted");
+  return bundledTrees(names.at(static_cast<std::size_t>(scale)));
 }
 
 const BoostedTrees&
 bundledFits(JoiningScale scale, bool has_votes)
 {
-  if (has_votes && scale == JoiningScale::Objects) {
-    static const auto voted = readTrees("fit_of_voted");
-    return voted;
-  }
-  static const std::array<BoostedTrees, 2> trees{readTrees("fit_of_parts"),
-                                                 readTrees("fit_of_objects")};
   if (scale == JoiningScale::View)
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "How well things in views fit was not learned.");
-  return trees.at(static_cast<std::size_t>(scale));
+  if (scale == JoiningScale::Parts)
+    return bundledTrees("fit_of_parts");
+  return bundledTrees(has_votes ? "fit_of_voted" : "fit_of_objects");
 }
 
 } // namespace
