@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace pcl {
@@ -162,14 +163,15 @@ rectanglesOf(const Columns& columns, const WallImage& image)
   return boxes;
 }
 
-/** How far outwards an edge lies, from the places of the face's points across it,
- * metres, outwards from where it is now. */
-double
-edgeShift(const std::vector<double>& places)
+/** How far outwards an edge lies, metres; nothing if the places do not say.
+ * \param[in] places of the face's points across the edge, metres, outwards from where
+ * it is now \param[in] sure how much of each end is known to be on its side,
+ * centimetres */
+std::optional<double>
+edgeShift(const std::vector<double>& places, int sure)
 {
-  constexpr int bins = 24;       // centimetres
-  constexpr int sure = bins / 4; // at each end it is known on which side they are
-  std::array<double, bins> counts{};
+  const int bins = 4 * sure;
+  std::vector<double> counts(static_cast<std::size_t>(bins), 0.0);
   for (const double place : places) {
     const int bin = static_cast<int>(std::floor(100.0 * place)) + bins / 2;
     if (bin >= 0 && bin < bins)
@@ -181,7 +183,7 @@ edgeShift(const std::vector<double>& places)
     outside += counts[static_cast<std::size_t>(bins - 1 - i)] / sure;
   }
   if (outside < 1.0 || outside < 2.0 * inside)
-    return 0.0;
+    return std::nullopt;
   const double low = std::max(inside, 0.01 * outside);
   double best = 0.0, likelihood = 0.0; // over that of an edge at the inner end
   int edge = 0;
@@ -197,9 +199,20 @@ edgeShift(const std::vector<double>& places)
   return 0.01 * (edge - bins / 2);
 }
 
+/** The same near by or, where cells are large, up to three cells away. */
+double
+edgeShift(const std::vector<double>& places, double cell)
+{
+  constexpr int near = 6; // centimetres
+  const int far = static_cast<int>(std::ceil(300.0 * cell));
+  const auto shift = edgeShift(places, near);
+  return shift || far <= near ? shift.value_or(0.0)
+                              : edgeShift(places, far).value_or(0.0);
+}
+
 /** Put the edges of a hole where the face begins. */
 void
-refine(const std::vector<WallPoint>& points, double floor, FaceHole& hole)
+refine(const WallImage& image, const std::vector<WallPoint>& points, FaceHole& hole)
 {
   constexpr double most = 0.03; // metres: the relief of a frame
   constexpr double near = 0.05; // metres: farther points are of no face
@@ -227,9 +240,11 @@ refine(const std::vector<WallPoint>& points, double floor, FaceHole& hole)
         places[3].push_back(v - box.max().y());
       }
     }
-    hole.box.min() -= Eigen::Vector2d(edgeShift(places[0]), edgeShift(places[2]));
-    hole.box.max() += Eigen::Vector2d(edgeShift(places[1]), edgeShift(places[3]));
-    hole.box.min().y() = std::max(hole.box.min().y(), floor);
+    hole.box.min() -= Eigen::Vector2d(edgeShift(places[0], image.cell),
+                                      edgeShift(places[2], image.cell));
+    hole.box.max() += Eigen::Vector2d(edgeShift(places[1], image.cell),
+                                      edgeShift(places[3], image.cell));
+    hole.box.min().y() = std::max(hole.box.min().y(), image.floor);
   }
 }
 
@@ -331,7 +346,7 @@ wallHoles(const WallImage& image, const std::vector<WallPoint>& points)
         if (box.sizes().minCoeff() < least_side - 4.0 * image.cell)
           continue;
         hole.depth = depthOf(image, hole);
-        refine(points, image.floor, hole);
+        refine(image, points, hole);
         if (hole.box.isEmpty() || hole.box.sizes().minCoeff() < least_side)
           continue;
         describe(image, hole);

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 using namespace pcl::indoor;
 
 namespace {
@@ -106,6 +108,39 @@ TEST(WallHoles, AWindowBesideAGlazedDoorIsAnother)
   EXPECT_NEAR(holes[0].box.min().y(), 0.0, 0.02);
   EXPECT_NEAR(holes[1].box.min().x(), 1.9, 0.05);
   EXPECT_NEAR(holes[1].box.min().y(), 0.9, 0.02);
+}
+
+TEST(WallHoles, EdgesAmongFewPointsAreKnownToTheirSpacing)
+{
+  constexpr double spacing = 0.065, length = 5.0, height = 3.2, deep = 0.3; // metres
+  const auto box = rectangle(1.75, 0.0, 3.25, 2.5);
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::normal_distribution<double> noise(0.0, 0.012);
+    std::vector<WallPoint> points;
+    const auto add = [&](double u, double before, double v) {
+      points.push_back({static_cast<float>(u + noise(random)),
+                        static_cast<float>(before + noise(random)),
+                        static_cast<float>(v + noise(random))});
+    };
+    const auto count = [&](double area) {
+      return static_cast<int>(area / (spacing * spacing));
+    };
+    for (int i = count(length * height); i > 0; --i) {
+      const Eigen::Vector2d place(length * share(random), height * share(random));
+      if (!box.contains(place))
+        add(place.x(), 0.0, place.y());
+    }
+    for (const double side : {box.min().x(), box.max().x()}) // of the niche
+      for (int i = count(deep * box.max().y()); i > 0; --i)
+        add(side, -deep * share(random), box.max().y() * share(random));
+    const auto holes = wallHoles(wallImage(points, length, 0.0, height), points);
+    ASSERT_EQ(holes.size(), 1u) << seed;
+    EXPECT_NEAR(holes[0].box.min().x(), box.min().x(), spacing) << seed;
+    EXPECT_NEAR(holes[0].box.max().x(), box.max().x(), spacing) << seed;
+    EXPECT_NEAR(holes[0].box.max().y(), box.max().y(), spacing) << seed;
+  }
 }
 
 TEST(WallHoles, AFrameThatFillsANicheBelongsToTheWindow)
