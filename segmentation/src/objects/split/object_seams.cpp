@@ -195,6 +195,8 @@ private:
       (distance < voxel ? sheet : sides).push_back(i);
       box.extend(inSection(profile, places_[i]));
     }
+    if (sheet.size() < min_cells) // none, where rounding moves them out of the sheet
+      return {};
     SeamSection section(box, voxel);
     for (const auto i : sheet)
       section.add(SeamSection::Sheet, inSection(profile, places_[i]));

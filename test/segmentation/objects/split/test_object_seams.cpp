@@ -199,6 +199,23 @@ TEST(ObjectSeams, LeaveDegenerateInputAlone)
   EXPECT_EQ(segmentCount(parted(same)), 1u);
 }
 
+TEST(ObjectSeams, LeaveFewPointsFarFromTheOriginWhole)
+{
+  constexpr float voxel = 0.45f; // metres
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<float> far(300, 480), high(0, 6);
+  for (int run = 0; run < 50; ++run) { // rounding hardly ever moves a point away
+    std::vector<Eigen::Vector3f> points;
+    while (points.size() < 60) {
+      const float x = far(rng), y = far(rng);
+      points.emplace_back(x, y, high(rng));
+    }
+    auto scene = sceneOfPoints(points, voxel);
+    scene.voxels.normals.assign(scene.voxels.size(), Eigen::Vector3f::UnitZ());
+    EXPECT_EQ(segmentCount(parted(scene)), 1u);
+  }
+}
+
 TEST(ObjectSeams, RefuseWrongInput)
 {
   auto scene = sceneOf(cabinets(1));
