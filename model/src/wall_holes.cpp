@@ -199,12 +199,12 @@ edgeShift(const std::vector<double>& places, int sure)
   return 0.01 * (edge - bins / 2);
 }
 
-/** The same near by or, where cells are large, up to three cells away. */
+/** The same near by or, where cells are large, up to some of them away. */
 double
-edgeShift(const std::vector<double>& places, double cell)
+edgeShift(const std::vector<double>& places, double cells)
 {
   constexpr int near = 6; // centimetres
-  const int far = static_cast<int>(std::ceil(300.0 * cell));
+  const int far = static_cast<int>(std::ceil(100.0 * cells));
   const auto shift = edgeShift(places, near);
   return shift || far <= near ? shift.value_or(0.0)
                               : edgeShift(places, far).value_or(0.0);
@@ -226,6 +226,8 @@ refine(const WallImage& image, const std::vector<WallPoint>& points, FaceHole& h
   for (int round = 0; round < 2; ++round) {
     const Eigen::AlignedBox2d box = hole.box;
     const Eigen::Vector2d margin = 0.1 * box.sizes();
+    // gaps of the scan shall not grow to openings
+    const double cells = box.sizes().minCoeff() < least_side ? 0.0 : 3.0 * image.cell;
     std::array<std::vector<double>, 4> places; // left, right, lower, upper
     for (const auto& point : points) {
       const double u = point.along, v = point.height;
@@ -240,10 +242,10 @@ refine(const WallImage& image, const std::vector<WallPoint>& points, FaceHole& h
         places[3].push_back(v - box.max().y());
       }
     }
-    hole.box.min() -= Eigen::Vector2d(edgeShift(places[0], image.cell),
-                                      edgeShift(places[2], image.cell));
-    hole.box.max() += Eigen::Vector2d(edgeShift(places[1], image.cell),
-                                      edgeShift(places[3], image.cell));
+    hole.box.min() -=
+        Eigen::Vector2d(edgeShift(places[0], cells), edgeShift(places[2], cells));
+    hole.box.max() +=
+        Eigen::Vector2d(edgeShift(places[1], cells), edgeShift(places[3], cells));
     hole.box.min().y() = std::max(hole.box.min().y(), image.floor);
   }
 }
