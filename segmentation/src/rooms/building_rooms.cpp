@@ -322,8 +322,10 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
     const double part = static_cast<double>(s) / static_cast<double>(storeys);
     if (stopped(0.5 + 0.3 * part, "rooms of a storey"))
       return {};
-    if (s % at_once == 0)
+    if (s % at_once == 0) {
+      mapped.clear(); // before there are others
       mapped = mapStoreys(building, s, std::min(storeys, s + at_once), options.map);
+    }
     const StoreySpace& space = mapped[s % at_once].space;
     RoomMap& map = building.room_maps.emplace_back();
     map = std::move(mapped[s % at_once].map);

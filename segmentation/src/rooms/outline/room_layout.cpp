@@ -75,24 +75,23 @@ uprightColumns(const OccupancyGrid& occupancy, const RoomMap& map)
   return upright;
 }
 
-/** Points on the map, pixels, per label of a room. */
+/** Numbers of points, per label of a room. */
 struct SlabPoints {
-  std::vector<std::vector<Eigen::Vector2d>> walls, all;
+  std::vector<std::vector<std::uint32_t>> walls, all;
 };
 
-/** Where the points of each room lie in the slab below the ceiling, where nearly all
- * that is seen is wall. */
+/** The points of each room in the slab below the ceiling, where nearly all that is seen
+ * is wall. */
 SlabPoints
 slabPoints(const std::vector<Eigen::Vector3f>& points, const DetailedBuilding& building)
 {
   const VoxelBits& grid = building.occupancy.grid;
-  const Eigen::Matrix2d turn = building.occupancy.turn();
   std::vector<PixelMap<std::uint8_t>> upright;
   for (const RoomMap& map : building.room_maps)
     upright.push_back(uprightColumns(building.occupancy, map));
-  SlabPoints places;
-  places.walls.resize(building.rooms.size() + 1);
-  places.all.resize(building.rooms.size() + 1);
+  SlabPoints in_slab;
+  in_slab.walls.resize(building.rooms.size() + 1);
+  in_slab.all.resize(building.rooms.size() + 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t label = building.point_labels[i];
     if (label == 0)
@@ -105,13 +104,27 @@ slabPoints(const std::vector<Eigen::Vector3f>& points, const DetailedBuilding& b
         map.ceiling.values[pixel] + map.first_layer - cell % grid.shape.nz;
     if (below < map.slab.first || below > map.slab.last)
       continue;
-    const Eigen::Vector2d place =
-        (turn * points[i].head<2>().cast<double>() - grid.origin.head<2>()) /
-        grid.voxel_size;
-    places.all[label].push_back(place);
+    in_slab.all[label].push_back(static_cast<std::uint32_t>(i));
     if (upright[storey].values[pixel])
-      places.walls[label].push_back(place);
+      in_slab.walls[label].push_back(static_cast<std::uint32_t>(i));
   }
+  return in_slab;
+}
+
+/** Where points lie on the map, pixels. */
+std::vector<Eigen::Vector2d>
+placesOf(const std::vector<std::uint32_t>& numbers,
+         const std::vector<Eigen::Vector3f>& points,
+         const OccupancyGrid& occupancy)
+{
+  const VoxelBits& grid = occupancy.grid;
+  const Eigen::Matrix2d turn = occupancy.turn();
+  std::vector<Eigen::Vector2d> places;
+  places.reserve(numbers.size());
+  for (const std::uint32_t i : numbers)
+    places.emplace_back(
+        (turn * points[i].head<2>().cast<double>() - grid.origin.head<2>()) /
+        grid.voxel_size);
   return places;
 }
 
@@ -201,12 +214,12 @@ addFootprints(const std::vector<Eigen::Vector3f>& points,
   constexpr double reach = 1.0;     // metres: cupboards and ducts are hardly deeper
   const double size = building.occupancy.grid.voxel_size;
   std::vector<RoomLevels> levels;
-  SlabPoints places;
+  SlabPoints in_slab;
   parallelFor(2, std::min(2, threadCount(threads)), 1, [&](std::ptrdiff_t task) {
     if (task == 0)
       levels = roomLevels(points, building);
     else
-      places = slabPoints(points, building);
+      in_slab = slabPoints(points, building);
   });
   for (std::size_t s = 0; s < building.room_maps.size(); ++s) {
     const RoomMap& map = building.room_maps[s];
@@ -216,8 +229,10 @@ addFootprints(const std::vector<Eigen::Vector3f>& points,
       Room& room = building.rooms[building.room_of[s][label] - 1];
       room.area = 0.0;
       FootprintWalls behind;
-      behind.walls = WallPoints(places.walls[room.label]);
-      behind.others = WallPoints(places.all[room.label]);
+      behind.walls =
+          WallPoints(placesOf(in_slab.walls[room.label], points, building.occupancy));
+      behind.others =
+          WallPoints(placesOf(in_slab.all[room.label], points, building.occupancy));
       behind.reach = reach / size;
       behind.may_cover = [&](const auto& part) {
         return isFreeOfOthers(part, map.free_labels, label);
