@@ -164,11 +164,12 @@ rectanglesOf(const Columns& columns, const WallImage& image)
 }
 
 /** How far outwards an edge lies, metres; nothing if the places do not say.
- * \param[in] places of the face's points across the edge, metres, outwards from where
- * it is now \param[in] sure how much of each end is known to be on its side,
- * centimetres */
+ * \param[in] places of the face's points across the edge: metres, outwards from where
+ * it is now
+ * \param[in] sure how much of each end is on its side for sure, centimetres
+ */
 std::optional<double>
-edgeShift(const std::vector<double>& places, int sure)
+shiftWithin(const std::vector<double>& places, int sure)
 {
   const int bins = 4 * sure;
   std::vector<double> counts(static_cast<std::size_t>(bins), 0.0);
@@ -199,15 +200,17 @@ edgeShift(const std::vector<double>& places, int sure)
   return 0.01 * (edge - bins / 2);
 }
 
-/** The same near by or, where cells are large, up to some of them away. */
+/** The same, near by or, if that does not say, as far as cells are uncertain; else 0.
+ * \param[in] uncertain metres
+ */
 double
-edgeShift(const std::vector<double>& places, double cells)
+edgeShift(const std::vector<double>& places, double uncertain)
 {
   constexpr int near = 6; // centimetres
-  const int far = static_cast<int>(std::ceil(100.0 * cells));
-  const auto shift = edgeShift(places, near);
+  const int far = static_cast<int>(std::ceil(100.0 * uncertain));
+  const auto shift = shiftWithin(places, near);
   return shift || far <= near ? shift.value_or(0.0)
-                              : edgeShift(places, far).value_or(0.0);
+                              : shiftWithin(places, far).value_or(0.0);
 }
 
 /** Put the edges of a hole where the face begins. */
@@ -227,7 +230,8 @@ refine(const WallImage& image, const std::vector<WallPoint>& points, FaceHole& h
     const Eigen::AlignedBox2d box = hole.box;
     const Eigen::Vector2d margin = 0.1 * box.sizes();
     // gaps of the scan shall not grow to openings
-    const double cells = box.sizes().minCoeff() < least_side ? 0.0 : 3.0 * image.cell;
+    const double uncertain =
+        box.sizes().minCoeff() < least_side ? 0.0 : 3.0 * image.cell;
     std::array<std::vector<double>, 4> places; // left, right, lower, upper
     for (const auto& point : points) {
       const double u = point.along, v = point.height;
@@ -242,10 +246,10 @@ refine(const WallImage& image, const std::vector<WallPoint>& points, FaceHole& h
         places[3].push_back(v - box.max().y());
       }
     }
-    hole.box.min() -=
-        Eigen::Vector2d(edgeShift(places[0], cells), edgeShift(places[2], cells));
-    hole.box.max() +=
-        Eigen::Vector2d(edgeShift(places[1], cells), edgeShift(places[3], cells));
+    hole.box.min() -= Eigen::Vector2d(edgeShift(places[0], uncertain),
+                                      edgeShift(places[2], uncertain));
+    hole.box.max() += Eigen::Vector2d(edgeShift(places[1], uncertain),
+                                      edgeShift(places[3], uncertain));
     hole.box.min().y() = std::max(hole.box.min().y(), image.floor);
   }
 }

@@ -80,9 +80,11 @@ CellSample::placeOf(std::uint64_t hash, const IsSame& is_same) const
 }
 
 /** Visit the places in the table of finite points, from a first one on until
- * visit(i, place) is false; places where their cells are, or free ones where they
+ * visit(i, place, tag) is false: places where their cells are, or free ones where they
  * belong. The table and the points are larger than the caches: what comes next is
- * fetched ahead. \return the point after the last one visited */
+ * fetched ahead.
+ * \return the point after the last one visited
+ */
 template <typename Visit>
 std::size_t
 CellSample::forEachPlace(const PointCloud<PointXYZ>& points,
