@@ -125,9 +125,8 @@ openingOf(const WallFace& face, const Candidate& candidate)
   opening.along = face.along();
   opening.position.head<2>() = face.begin + box.center().x() * opening.along -
                                0.5 * candidate.gap * face.inward();
-  opening.sill = box.min().y() - face.floor;
-  if (candidate.kind != ModelOpeningKind::Window)
-    opening.sill = 0.0;
+  if (candidate.kind == ModelOpeningKind::Window) // panes may end in the floor
+    opening.sill = std::max(0.0, box.min().y() - face.floor);
   opening.position.z() = face.floor + opening.sill;
   opening.height = box.max().y() - opening.position.z();
   opening.width = box.sizes().x();

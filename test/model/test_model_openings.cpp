@@ -195,6 +195,15 @@ TEST(ModelOpenings, GlassAboveAKerbIsAWindow)
   EXPECT_EQ(kindOf(0.1), ModelOpeningKind::Window);
 }
 
+TEST(ModelOpenings, APaneThatEndsInTheFloorHasNoSillBelowIt)
+{
+  const auto found = inOuterWall(framedHole(rectangle(1.0, -0.004, 1.5, 2.2), 1.0));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, ModelOpeningKind::Window);
+  EXPECT_EQ(found[0].sill, 0.0);
+  EXPECT_NEAR(found[0].height, 2.2, 1e-9);
+}
+
 TEST(ModelOpenings, WithoutSidesThereAreNone)
 {
   EXPECT_TRUE(modelOpenings({}, {}, {}, {}).empty());
