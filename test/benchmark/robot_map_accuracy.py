@@ -6,6 +6,11 @@
 # says of the building; the first map is of the lowest storey, and so on. Free cells of the truth are the rooms and the
 # doors in their walls. Of each map: the intersection of both over their union, and how many doors between two rooms of
 # the truth lead from one to the other within 1.5 m. Needs numpy.
+#
+# robot_map_accuracy.py PLAN.png DEGREES MAP.pgm ...: against a floor plan of 5 cm per pixel, x to the right and y
+# downwards, whose scan was turned by so many degrees. White is free; PLAN_gt_segmentation.png beside it is white but for
+# lines across the doorways. Of each map the IoU, and how many pairs of rooms with a doorway between them are connected.
+# Needs scipy and pillow, too.
 import json
 import re
 import sys
@@ -99,7 +104,59 @@ def measure(truth, storey, path):
     print(f"{path}: IoU {overlap:.4f}, {joined} of {doors} doors between rooms lead through")
 
 
+def rooms_of_plan(path):
+    """The room of each pixel of a floor plan, and the number of each doorway."""
+    from PIL import Image
+    from scipy import ndimage
+
+    free, closed = (np.array(Image.open(name).convert("L")) > 250
+                    for name in (path, re.sub(r"\.png$", "_gt_segmentation.png", path)))
+    rooms, _ = ndimage.label(free & closed)
+    rooms[np.bincount(rooms.ravel())[rooms] < 400] = 0  # 1 m^2
+    doorways = free & ~closed & ndimage.binary_dilation(rooms > 0, iterations=3)
+    return rooms, ndimage.label(doorways, np.ones((3, 3)))[0]
+
+
+def connected_pairs(rooms, doorways):
+    """The pairs of rooms that a doorway touches."""
+    from scipy import ndimage
+
+    pairs = set()
+    for doorway in range(1, doorways.max() + 1):
+        near = np.unique(rooms[ndimage.binary_dilation(doorways == doorway, iterations=2)])
+        near = [room for room in near if room > 0]
+        pairs.update((a, b) for a in near for b in near if a < b)
+    return pairs
+
+
+def measure_plan(path, degrees, map_path):
+    from scipy import ndimage
+
+    free, origin, size = read_map(map_path)
+    rooms, doorways = rooms_of_plan(path)
+    y, x = np.indices(free.shape)
+    x, y = origin[0] + size * (x + 0.5), origin[1] + size * (y + 0.5)
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    column, row = (np.floor(place / 0.05).astype(int) for place in (c * x + s * y, c * y - s * x))
+    on_plan = (column >= 0) & (row >= 0) & (column < rooms.shape[1]) & (row < rooms.shape[0])
+    room_at_cell = np.zeros(free.shape, int)
+    room_at_cell[on_plan] = rooms[row[on_plan], column[on_plan]]
+    expected = room_at_cell > 0
+    expected[on_plan] |= doorways[row[on_plan], column[on_plan]] > 0
+    areas, _ = ndimage.label(free)
+    largest = {room: np.bincount(areas[(room_at_cell == room) & free], minlength=1).argmax()
+               for room in np.unique(rooms) if room > 0}
+    pairs = connected_pairs(rooms, doorways)
+    joined = sum(largest[a] == largest[b] != 0 for a, b in pairs)
+    overlap = np.count_nonzero(free & expected) / max(1, np.count_nonzero(free | expected))
+    print(f"{map_path}: IoU {overlap:.4f}, {joined} of {len(pairs)} pairs of rooms are connected")
+
+
 def main():
+    if sys.argv[1].endswith(".png"):
+        for path in sys.argv[3:]:
+            measure_plan(sys.argv[1], float(sys.argv[2]), path)
+        return
     with open(sys.argv[1], encoding="utf-8") as file:
         truth = json.load(file)
     for storey, path in enumerate(sys.argv[2:]):

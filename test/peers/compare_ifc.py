@@ -21,7 +21,7 @@ def expected_counts(scene):
         "IFCSLAB": sum(1 for room in scene["rooms"] if room["footprint"]), "IFCWALL": len(scene["walls"]),
         "IFCOPENINGELEMENT": sum(in_wall), "IFCDOOR": kinds.count("door"), "IFCWINDOW": kinds.count("window"),
         "IFCVIRTUALELEMENT": sum(1 for kind, wall in zip(kinds, in_wall) if kind == "passage" and not wall),
-        "IFCSTAIR": other["stairs"], "IFCCOLUMN": other["column"],
+        "IFCSTAIR": other["stairs"], "IFCCOLUMN": other["column"] + len(scene["columns"]),
         "IFCBUILDINGELEMENTPROXY": other["door"] + other["window"],
         "IFCFURNITURE": len(things) - sum(other.values()),
     }
