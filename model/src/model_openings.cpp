@@ -20,6 +20,9 @@ constexpr double least_head = 1.7;   // metres, of doors
 constexpr double highest_head = 3.2; // metres, of doors
 constexpr double narrowest = 0.5;    // metres, of doors
 constexpr double least_leaf = 0.7;   // metres, of doors to the outside
+constexpr double least_pane = 0.25;  // m^2: windows of 50 cm by 50 cm are the smallest
+constexpr double mullion = 0.2;      // metres between two panes of one window, at most
+constexpr double in_line = 0.05;     // metres between the edges of such panes, at most
 constexpr double widest_door = 3.2;  // metres: gates of garages
 constexpr double one_leaf = 1.3;     // metres: wider ones are passages, unless lintels
                                      // or leaves are seen
@@ -82,6 +85,56 @@ candidateOf(const WallFace& face, std::size_t number, const FaceHole& hole)
   return found;
 }
 
+/** Make one window of two panes if the second goes on right of the first. */
+bool
+joinPane(Candidate& left, const Candidate& right)
+{
+  const auto isPane = [](const Candidate& candidate) {
+    return candidate.kind == ModelOpeningKind::Window && candidate.certainty >= most;
+  };
+  FaceHole& hole = left.hole;
+  const Eigen::Vector2d low = right.hole.box.min() - hole.box.min();
+  const Eigen::Vector2d high = right.hole.box.max() - hole.box.max();
+  const double gap = right.hole.box.min().x() - hole.box.max().x();
+  if (!isPane(left) || !isPane(right) || gap < 0.0 || gap > mullion ||
+      std::abs(low.y()) > in_line || std::abs(high.y()) > in_line)
+    return false;
+  const double share =
+      right.hole.box.sizes().x() / (hole.box.sizes() + right.hole.box.sizes()).x();
+  const auto mean = [share](double one, double other) {
+    return (1.0 - share) * one + share * other;
+  };
+  hole.seen = mean(hole.seen, right.hole.seen);
+  hole.reveal = mean(hole.reveal, right.hole.reveal);
+  hole.framed = {hole.framed[0],
+                 right.hole.framed[1],
+                 mean(hole.framed[2], right.hole.framed[2]),
+                 mean(hole.framed[3], right.hole.framed[3])};
+  hole.box.extend(right.hole.box);
+  left.certainty = framing(hole, false);
+  return true;
+}
+
+/** What the holes of a side may be; panes side by side are one window. */
+std::vector<Candidate>
+candidatesOf(const WallFace& face,
+             std::size_t number,
+             const std::vector<FaceHole>& holes)
+{
+  std::vector<Candidate> candidates;
+  for (const FaceHole& hole : holes)
+    if (const auto candidate = candidateOf(face, number, hole))
+      candidates.push_back(*candidate);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    for (std::size_t j = 0; j < candidates.size(); ++j)
+      if (i != j && joinPane(candidates[i], candidates[j])) {
+        candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(j));
+        i -= j < i;
+        j = static_cast<std::size_t>(-1); // from the first again
+      }
+  return candidates;
+}
+
 /** The side of another room behind the middle of a hole. */
 const FacePair*
 pairBehind(const std::vector<FacePair>& pairs, const Candidate& candidate)
@@ -125,8 +178,8 @@ openingOf(const WallFace& face, const Candidate& candidate)
   opening.along = face.along();
   opening.position.head<2>() = face.begin + box.center().x() * opening.along -
                                0.5 * candidate.gap * face.inward();
-  if (candidate.kind == ModelOpeningKind::Window) // panes may end in the floor
-    opening.sill = std::max(0.0, box.min().y() - face.floor);
+  if (candidate.kind == ModelOpeningKind::Window)
+    opening.sill = box.min().y() - face.floor;
   opening.position.z() = face.floor + opening.sill;
   opening.height = box.max().y() - opening.position.z();
   opening.width = box.sizes().x();
@@ -142,19 +195,15 @@ public:
   : faces_(faces)
   {
     for (std::size_t i = 0; i < faces.size(); ++i)
-      for (const FaceHole& hole : holes[i].holes)
-        if (auto candidate = candidateOf(faces[i], i, hole)) {
-          if (const FacePair* pair = pairBehind(pairs, *candidate)) {
-            candidate->other_room = faces[pair->other].room;
-            candidate->gap = pair->gap;
-            other_face_.push_back(pair->other);
-          }
-          else
-            other_face_.push_back(faces.size());
-          if (candidate->other_room == 0 && hole.box.sizes().x() < least_leaf)
-            candidate->kind = ModelOpeningKind::Window; // a pane down to the floor
-          candidates_.push_back(*candidate);
+      for (Candidate& candidate : candidatesOf(faces[i], i, holes[i].holes)) {
+        const FacePair* pair = pairBehind(pairs, candidate);
+        if (pair) {
+          candidate.other_room = faces[pair->other].room;
+          candidate.gap = pair->gap;
         }
+        other_face_.push_back(pair ? pair->other : faces.size());
+        candidates_.push_back(candidate);
+      }
   }
 
   /** An opening that a person can pass: as the images show it, or else as it is. */
@@ -237,8 +286,13 @@ private:
       return false; // a niche, or what stands in the room
     const FaceHole& hole = candidate.hole;
     const bool is_seen = hole.seen >= most || hole.reveal >= most;
-    if (candidate.kind == ModelOpeningKind::Window)
+    if (candidate.kind == ModelOpeningKind::Window) {
+      if (hole.box.volume() < least_pane)
+        return false;
       return has_other_side ? from_both : is_seen || candidate.certainty >= most;
+    }
+    if (candidate.other_room == 0 && hole.box.sizes().x() < least_leaf)
+      return false; // a gap beside a column
     return from_both || is_seen;
   }
 

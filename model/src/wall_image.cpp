@@ -102,9 +102,28 @@ reliefOf(const WallImage& image, double least)
   return std::max(least, 3.0 * *middle);
 }
 
+/** The median depth of what is seen around a cell. Where the face is seen, what lies
+ * farther behind it than a hand is the other side of the wall, seen from there.
+ * \param[in] of_face points that a face has around a cell */
+float
+medianDepth(std::vector<float>& depths, double hand, double of_face)
+{
+  const auto behind = std::partition(depths.begin(), depths.end(), [&](float depth) {
+    return depth >= static_cast<float>(-hand);
+  });
+  const bool is_face = static_cast<double>(behind - depths.begin()) > 0.5 * of_face;
+  const auto end = is_face ? behind : depths.end();
+  const auto middle = depths.begin() + (end - depths.begin()) / 2;
+  std::nth_element(depths.begin(), middle, end);
+  return *middle;
+}
+
 /** Set what each cell shows: the median of the points around it. */
 void
-showDepths(const CellPoints& points, double least_relief, WallImage& image)
+showDepths(const CellPoints& points,
+           double of_face,
+           const WallImageOptions& options,
+           WallImage& image)
 {
   std::vector<float> near;
   for (int x = 0; x < image.cells.nx; ++x)
@@ -121,12 +140,10 @@ showDepths(const CellPoints& points, double least_relief, WallImage& image)
                         points.first[image.cells.index(u, high) + 1]);
       if (near.empty())
         continue;
-      const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
-      std::nth_element(near.begin(), middle, near.end());
-      image.depth.at(x, y) = *middle;
+      image.depth.at(x, y) = medianDepth(near, options.hand, of_face);
       image.cells.at(x, y) = WallCell::Face;
     }
-  const double relief = reliefOf(image, least_relief);
+  const double relief = reliefOf(image, options.relief);
   for (std::size_t i = 0; i < image.cells.size(); ++i)
     if (image.cells.values[i] == WallCell::Face)
       image.cells.values[i] = kindOf(image.depth.values[i], relief);
@@ -197,9 +214,9 @@ wallImage(const std::vector<WallPoint>& points,
           const WallImageOptions& options)
 {
   constexpr double cells_per_spacing = 0.6; // nine points around each cell
+  const double spacing = spacingOf(points, options.hand);
   WallImage image;
-  image.cell =
-      std::max(options.least_cell, cells_per_spacing * spacingOf(points, options.hand));
+  image.cell = std::max(options.least_cell, cells_per_spacing * spacing);
   image.floor = floor;
   image.cells.nx = static_cast<int>(std::ceil(length / image.cell));
   image.cells.ny = static_cast<int>(std::ceil(height / image.cell));
@@ -207,7 +224,9 @@ wallImage(const std::vector<WallPoint>& points,
   image.depth.nx = image.cells.nx;
   image.depth.ny = image.cells.ny;
   image.depth.values.assign(image.depth.size(), 0.0f);
-  showDepths(pointsByCell(points, image, options.hand), options.relief, image);
+  const double around = (2 * cells_around + 1) * image.cell; // metres
+  const double of_face = spacing > 0.0 ? std::pow(around / spacing, 2) : 0.0;
+  showDepths(pointsByCell(points, image, options.hand), of_face, options, image);
   showThings(points, options.hand, image);
   return image;
 }

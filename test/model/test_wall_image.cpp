@@ -75,3 +75,18 @@ TEST(WallImage, WithoutPointsNothingIsSeen)
   EXPECT_EQ(image.cells.ny, 100);
   EXPECT_EQ(image.share(rectangle(0.0, 0.0, 1.0, 2.0), WallCell::Empty), 1.0);
 }
+
+TEST(WallImage, WhatIsSeenBehindAFaceFromTheOtherSideIsNoRecess)
+{
+  auto points = simulatedSide(4.0, 2.5, {{rectangle(0.5, 1.0, 1.5, 2.0), -0.4}});
+  const auto other_side = simulatedSide(4.0, 2.5, {});
+  for (int layer = 0; layer < 3; ++layer) // more points than the face has
+    for (auto point : other_side)
+      if (point.along > 2.5f) {
+        point.before -= 0.4f + 0.01f * static_cast<float>(layer);
+        points.push_back(point);
+      }
+  const auto image = wallImage(points, 4.0, 0.0, 2.5);
+  EXPECT_EQ(cellAt(image, 1.0, 1.5), WallCell::Recess); // no face before it
+  EXPECT_EQ(image.share(rectangle(2.6, 0.1, 3.9, 2.4), WallCell::Face), 1.0);
+}
