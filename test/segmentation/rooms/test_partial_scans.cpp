@@ -101,6 +101,25 @@ TEST(PartialScans, WithoutCeilings)
   expectTwoRooms(partOfTwoRooms([](float z) { return !isCeiling(z); }), "No ceilings");
 }
 
+TEST(PartialScans, WallsThatAreSeenToTheShouldersAloneDivideRooms)
+{
+  const auto is_seen = [](const Eigen::Vector3f& p) {
+    const bool is_between = p.x() > 3.9f && p.x() < 4.2f;
+    return p.z() < (is_between ? 1.6f : p.x() < 2.0f ? 2.2f : 1.85f);
+  };
+  Points points;
+  for (const auto& point : test::twoRooms().points)
+    if (is_seen(point))
+      points.push_back(point);
+  const auto building = segmentBuilding(points);
+  ASSERT_EQ(building.rooms.size(), 2u);
+  EXPECT_NEAR(building.rooms[0].area, 12.0, 0.6);
+  ASSERT_EQ(building.openings.size(), 1u);
+  // nothing tells that the passage ends at the ceiling
+  EXPECT_LE(building.openings[0].rise, 0.0);
+  EXPECT_EQ(endOfPassages(building.openings), 0);
+}
+
 TEST(PartialScans, WallsAlone)
 {
   expectTwoRooms(partOfTwoRooms([](float z) { return !isFloor(z) && !isCeiling(z); }),

@@ -120,7 +120,7 @@ struct RoomOpening {
   double width = 0.0;       ///< metres
   double area = 0.0;        ///< m^2
   /** Its middle over the middle between floor and ceiling, metres: below 0 under a
-   * lintel. */
+   * lintel; 0 where that end of the rooms was not seen to which it would be nearer. */
   double rise = 0.0;
 };
 

@@ -190,6 +190,38 @@ blockedColumns(const VoxelBits& occupancy,
   return blocked;
 }
 
+PixelMap<int>
+seenTops(const VoxelBits& occupancy,
+         const VerticalRange& storey,
+         const PixelMap<int>& ceiling,
+         const CeilingSlabOptions& options)
+{
+  constexpr double seen_to = 1.6;   // metres: above tables and most shelves
+  constexpr double stretch = 0.4;   // metres, below and above the heads
+  constexpr double less_seen = 0.8; // share of what is seen below
+  const auto layers = [&](double length) {
+    return static_cast<int>(std::lround(length / occupancy.voxel_size));
+  };
+  const int heads = storey.begin + layers(options.min_height);
+  const int below = std::max(storey.begin, heads - layers(stretch));
+  const int above = std::min(heads + layers(stretch), storey.end - 1);
+  std::vector<std::size_t> seen(std::max(occupancy.shape.nz, above + 1), 0);
+  for (std::size_t i = 0; i < ceiling.size(); ++i)
+    occupancy.column(i).forEachSet(
+        below, std::min(above + 1, occupancy.shape.nz), [&](int z) { ++seen[z]; });
+  // floors and ceilings, also those that were put in, fill single layers
+  const auto least = [&](int begin, int end) {
+    return end > begin ? *std::min_element(seen.begin() + begin, seen.begin() + end)
+                       : 0;
+  };
+  auto tops = ceiling;
+  if (static_cast<double>(least(heads + 1, above + 1)) <
+      less_seen * static_cast<double>(least(below, heads)))
+    for (auto& top : tops.values)
+      top = std::min(top, storey.begin + layers(seen_to));
+  return tops;
+}
+
 void
 removeSpecks(PixelMap<std::uint8_t>& blocked, int min_extent)
 {

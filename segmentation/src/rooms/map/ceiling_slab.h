@@ -64,6 +64,18 @@ blockedColumns(const VoxelBits& occupancy,
                const PixelMap<int>& ceiling,
                const SlabLayers& slab);
 
+/** \brief The layers below which walls are looked for where no ceiling was seen.
+ * Walls that a lidar sees from nearby are seen for a part of their height. Where less
+ * of them is seen right above the heads of people (min_height) than right below, these
+ * are the layers of the ceiling, but at most that of the heads; else those of the
+ * ceiling. \param[in] ceiling as ceilingLayers() gives it
+ */
+PixelMap<int>
+seenTops(const VoxelBits& occupancy,
+         const VerticalRange& storey,
+         const PixelMap<int>& ceiling,
+         const CeilingSlabOptions& options);
+
 /** \brief Free the connected parts (8 neighbours) that are too small for a wall: noise,
  * lamps, pillars.
  * \param[in,out] blocked 1 = blocked, 0 = free

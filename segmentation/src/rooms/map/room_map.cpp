@@ -65,6 +65,20 @@ closed(const PixelMap<std::uint8_t>& held,
   return result;
 }
 
+/** The columns with walls, where these are seen best. */
+PixelMap<std::uint8_t>
+wallColumns(const StoreySpace& space,
+            const RoomMap& map,
+            const CeilingSlabOptions& options)
+{
+  const VoxelBits& occupancy = space.occupancy;
+  if (space.interior.unseen.ceilingIsSeen())
+    return blockedColumns(occupancy, map.range, map.ceiling, map.slab);
+  const auto tops = seenTops(occupancy, map.range, map.ceiling, options);
+  return blockedColumns(
+      occupancy, map.range, tops, slabLayers(occupancy, map.range, tops, options));
+}
+
 /** The columns that hold no more exterior free voxels than interior ones between the
  * floor and the ceiling; none where the storey is too low for rooms. */
 PixelMap<std::uint8_t>
@@ -317,7 +331,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   map.range = space.range;
   map.ceiling = ceilingLayers(occupancy, map.range, options.slab);
   map.slab = slabLayers(occupancy, map.range, map.ceiling, options.slab);
-  map.blocked = blockedColumns(occupancy, map.range, map.ceiling, map.slab);
+  map.blocked = wallColumns(space, map, options.slab);
   removeSpecks(map.blocked,
                static_cast<int>(std::lround(options.slab.min_wall / size)));
   auto inside = insideColumns(space, map.ceiling);

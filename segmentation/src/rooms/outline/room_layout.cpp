@@ -190,6 +190,9 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
         own.add(points[i], building.occupancy.cells[i]);
       },
       [&](const OpeningPosts& own) { posts.add(own); });
+  const UnseenSides& sides = building.interior.unseen;
+  const double lowest = sides.floorIsSeen() ? -INFINITY : 0.0;
+  const double highest = sides.ceilingIsSeen() ? INFINITY : 0.0;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const auto [along, against] = posts.ends(k);
     const Eigen::Vector2d middle = Eigen::Vector2d(found[k].x, found[k].y) +
@@ -200,7 +203,7 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
     opening.position = on_floor(middle.x(), middle.y());
     opening.width = along + against;
     opening.area = found[k].area * opening.width / found[k].width;
-    opening.rise = found[k].rise;
+    opening.rise = std::clamp(found[k].rise, lowest, highest);
     building.openings.push_back(opening);
   }
 }

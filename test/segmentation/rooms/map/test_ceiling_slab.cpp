@@ -251,6 +251,26 @@ TEST(BlockedColumns, WallsAndWhatReachesTheCeilingButNoTablesAndCabinets)
           << x << " " << y;
 }
 
+TEST(SeenTops, WallsThatAreSeenLessAboveTheHeadsAreLookedForBelow)
+{
+  const VerticalRange storey{1, 27};
+  Grid grid = boxRoom();
+  fill(grid, 20, 20, 1, 28, 1, 17); // a wall, seen to 1.6 m above the floor
+  fill(grid, 10, 13, 10, 13, 1, 12);
+  const auto ceiling = ceilingLayers(grid, storey, {});
+  EXPECT_EQ(seenTops(grid, storey, ceiling, {}).values, ceiling.values); // most go on
+  for (int z = 19; z < 26; ++z)
+    for (int y = 0; y < 30; ++y)
+      grid.at(39, y, z) = 0;
+  const auto tops = seenTops(grid, storey, ceiling, {});
+  EXPECT_EQ(tops.at(5, 5), 17);
+  const auto blocked =
+      blockedColumns(grid, storey, tops, slabLayers(grid, storey, tops, {}));
+  EXPECT_EQ(blocked.at(20, 15), 1);
+  EXPECT_EQ(blocked.at(39, 15), 1);
+  EXPECT_EQ(blocked.at(11, 11), 0); // a table
+}
+
 TEST(BlockedColumns, EqualsBruteForce)
 {
   std::mt19937 rng(4);
