@@ -48,10 +48,10 @@ requireWritableResults(const RoomSettings& options)
     requireWritable(options.json);
   if (!options.dxf.empty())
     requireWritable(options.dxf);
-  if (!options.map.empty())
-    requireWritable(options.map + "_rooms.svg");
   for (const auto& path : picturePaths(options))
     requireWritable(path);
+  if (!options.map.empty())
+    requireWritable(options.map + "_rooms.svg");
 }
 
 struct FoundRooms : SegmentedRooms {
