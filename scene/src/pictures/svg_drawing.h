@@ -103,7 +103,7 @@ public:
   std::string
   str() const;
 
-  /** \brief Not less than the width of a text. */
+  /** \brief About the width of a text, rather more. */
   static double
   textWidth(const std::string& text, const TextStyle& style = {});
 
