@@ -8,6 +8,7 @@
 #include "objects/eppf_options.h"
 #include "objects/labelled_objects.h"
 #include "objects/object_files.h"
+#include "pictures/svg_raster.h"
 #include "retrieval/feature_correlation.h"
 #include "retrieval/retrieval_report.h"
 
@@ -270,13 +271,16 @@ writeReports(const std::vector<RetrievalLevel>& levels,
     saveText(settings.json, resultJson(levels, objects, settings.experiment));
   if (!settings.confusion.empty())
     saveText(settings.confusion, confusionText(first.confusion, objects.class_names));
+  std::vector<Picture> pictures;
   if (!settings.confusion_picture.empty())
-    savePng(settings.confusion_picture,
-            confusionPicture(first.confusion, objects.class_names));
+    pictures.push_back({settings.confusion_picture,
+                        confusionPicture(first.confusion, objects.class_names).str()});
   if (!settings.plot.empty())
-    savePng(settings.plot,
-            levels.size() > 1 ? noisePicture(levels)
-                              : barPicture(levels.front().results));
+    pictures.push_back(
+        {settings.plot,
+         (levels.size() > 1 ? noisePicture(levels) : barPicture(levels.front().results))
+             .str()});
+  savePictures(pictures);
 }
 
 /** \brief Estimate all normals by RRHT in place of those that were loaded. */
@@ -421,8 +425,10 @@ main(int argc, char** argv)
       .text("-json", settings.json, "write all numbers to this file")
       .text(
           "-confusion", settings.confusion, "write the first confusion matrix as text")
-      .text("-confusion_picture", settings.confusion_picture, "and as PNG")
-      .text("-plot", settings.plot, "write a PNG: accuracy over noise, or bars of F1");
+      .text("-confusion_picture", settings.confusion_picture, "and as PNG or SVG")
+      .text("-plot",
+            settings.plot,
+            "write a PNG or SVG: accuracy over noise, or bars of F1");
   settings.eppf.addTo(parser);
   return parser.run(argc, argv, [&](Progress& progress) { run(settings, progress); });
 }

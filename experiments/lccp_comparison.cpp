@@ -10,6 +10,7 @@
 #include "files/cloud_file.h"
 #include "formats/json_text.h"
 #include "pictures/comparison_picture.h"
+#include "pictures/svg_raster.h"
 #include "scene/table_view.h"
 #include "text/pcl_errors.h"
 #include "text/printable.h"
@@ -234,7 +235,8 @@ saveResults(const std::string& path,
   saveText(path, jsonText(result));
 }
 
-/** For example "ours: OS 0.5 US 0.3 %"; what an apostrophe belongs to is left out. */
+/** For example "ours: OS 0.5 %, US 0.3 %"; what an apostrophe belongs to is left out.
+ */
 std::string
 titleOf(const Method& method)
 {
@@ -242,7 +244,7 @@ titleOf(const Method& method)
   char text[64];
   std::snprintf(text,
                 sizeof(text),
-                ": OS %.1f US %.1f %%",
+                ": OS %.1f %%, US %.1f %%",
                 100 * errors.at("oversegmentation").get<double>(),
                 100 * errors.at("undersegmentation").get<double>());
   const auto name = method.name.find('\'') == std::string::npos ? method.name : "LCCP";
@@ -274,7 +276,7 @@ compare(const Settings& settings, Progress& progress)
     }
     else if (single_view != isSingleView(settings, file))
       throw ToolError(input + ": views of tables and rooms cannot be in one table");
-    std::vector<LabelledView> views{{"truth", truth}};
+    std::vector<LabelledView> views{{"Truth", truth}};
     for (auto& method : methods) {
       progress.start(method.name + ", " + input);
       const auto result = segmentMeasured([&] { return method.segment(file.points); });
@@ -283,7 +285,7 @@ compare(const Settings& settings, Progress& progress)
         if (method.problem.empty())
           method.problem = result.problem + ": " + input;
         if (method.in_picture)
-          views.push_back({"failed", Labels(truth.size(), 0)});
+          views.push_back({"Failed", Labels(truth.size(), 0)});
       }
       else {
         method.scenes.push_back(evaluate(truth, coarse, result));
@@ -302,11 +304,11 @@ compare(const Settings& settings, Progress& progress)
   if (!settings.json_path.empty())
     saveResults(settings.json_path, settings.inputs, methods);
   // Only now: drawing has several threads, after which no process can be measured.
-  std::vector<Picture> pictures;
+  std::vector<SvgDrawing> drawings;
   for (const auto& row : rows)
-    pictures.push_back(drawSideBySide(*row.first, single_view, row.second));
+    drawings.push_back(drawSideBySide(*row.first, single_view, row.second));
   if (!settings.picture_path.empty())
-    savePng(settings.picture_path, stacked(pictures));
+    savePictures({{settings.picture_path, stacked(drawings, 10.0).str(), 1.0}});
 }
 
 } // namespace
@@ -342,11 +344,11 @@ main(int argc, char** argv)
             "field with the objects that the truth's parts belong to: the multi-scale "
             "errors are given")
       .text("-json", settings.json_path, "file to write all results to")
-      .text(
-          "-picture",
-          settings.picture_path,
-          "PNG file of the truth and the clouds of four methods side by side, one row "
-          "per input")
+      .text("-picture",
+            settings.picture_path,
+            "PNG or SVG file of the truth and the clouds of four methods side by side, "
+            "one row "
+            "per input")
       .number("-threads", settings.threads, "threads of all methods, 0 = automatic");
   parser.expert({"-preset", "-methods", "-coarse_field"});
   return parser.run(argc, argv, [&](Progress& progress) {

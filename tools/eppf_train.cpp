@@ -7,6 +7,7 @@
 #include "objects/labelled_objects.h"
 #include "objects/object_files.h"
 #include "pictures/confusion_picture.h"
+#include "pictures/svg_raster.h"
 #include "training/epoch_writer.h"
 #include "training/stop_requests.h"
 #include "training/training_pool.h"
@@ -198,16 +199,20 @@ run(const TrainingSettings& settings, Progress& progress)
   model.networks = trainedNetworks(design, data, settings, log, progress);
   const auto bytes = modelBytes(model, settings.half_precision);
   saveText(settings.model, bytes);
+  std::vector<Picture> pictures;
   if (!settings.curves.empty())
-    savePng(settings.curves, curvesPicture(log, !data.validation.labels.empty()));
-  if (split.test.empty())
-    return;
-  const auto confusion = testedModel(bytes, objects, split.test, settings, progress);
-  std::printf("%s%s",
-              scoresText(confusion).c_str(),
-              confusionText(confusion, model.classes).c_str());
-  if (!settings.confusion.empty())
-    savePng(settings.confusion, confusionPicture(confusion, model.classes));
+    pictures.push_back(
+        {settings.curves, curvesPicture(log, !data.validation.labels.empty()).str()});
+  if (!split.test.empty()) {
+    const auto confusion = testedModel(bytes, objects, split.test, settings, progress);
+    std::printf("%s%s",
+                scoresText(confusion).c_str(),
+                confusionText(confusion, model.classes).c_str());
+    if (!settings.confusion.empty())
+      pictures.push_back(
+          {settings.confusion, confusionPicture(confusion, model.classes).str()});
+  }
+  savePictures(pictures);
 }
 
 } // namespace

@@ -7,9 +7,9 @@
 #include "files/cloud_file.h"
 #include "files/sampled_surface.h"
 #include "pictures/plan_dxf.h"
-#include "pictures/plan_png.h"
 #include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
+#include "pictures/svg_raster.h"
 #include "scene/room_json.h"
 #include "scene/scan_frame.h"
 #include "scene/understood_scan.h"
@@ -29,6 +29,17 @@ namespace {
 
 constexpr double bytes_per_point = 200; // that are in use at once, measured
 
+/** The pictures that are drawn. */
+std::vector<std::string>
+picturePaths(const RoomSettings& options)
+{
+  if (options.map.empty())
+    return {};
+  return {options.map + "_rooms.png",
+          options.map + "_field.png",
+          options.map + "_plan.png"};
+}
+
 void
 requireWritableResults(const RoomSettings& options)
 {
@@ -37,9 +48,10 @@ requireWritableResults(const RoomSettings& options)
     requireWritable(options.json);
   if (!options.dxf.empty())
     requireWritable(options.dxf);
+  for (const auto& path : picturePaths(options))
+    requireWritable(path);
   if (!options.map.empty())
-    for (const char* name : {"_rooms.png", "_rooms.svg", "_plan.png", "_field.png"})
-      requireWritable(options.map + name);
+    requireWritable(options.map + "_rooms.svg");
 }
 
 struct FoundRooms : SegmentedRooms {
@@ -77,16 +89,14 @@ describe(const RoomSettings& options,
   if (!options.dxf.empty())
     files.push_back(writtenBeside(options.dxf, planDxf(plan)));
   if (!options.map.empty()) {
-    const auto save = [&](const std::string& name, const std::string& bytes) {
-      files.push_back(writtenBeside(options.map + name, bytes));
-    };
     const auto svg = planSvg(plan);
-    auto drawn = planPicture(svg); // meanwhile
-    save("_rooms.png", pngBytes(drawRooms(building)));
-    save("_field.png", pngBytes(drawPotentialField(building)));
-    save("_rooms.svg", svg);
-    if (const auto picture = drawn.get())
-      save("_plan.png", *picture);
+    const auto paths = picturePaths(options);
+    auto pictures = rasterised({{paths[0], drawRooms(building).str(), 1.0},
+                                {paths[1], drawPotentialField(building).str(), 1.0},
+                                {paths[2], svg}});
+    files.push_back(writtenBeside(options.map + "_rooms.svg", svg));
+    for (const auto& [path, bytes] : pictures.get())
+      files.push_back(writtenBeside(path, bytes));
   }
   return files;
 }
@@ -170,7 +180,7 @@ main(int argc, char** argv)
     progress.start("Saving " + options.output);
     files.push_back(
         cloudBeside(options.output, file.cloud, file.frame, options.rooms.threads));
-    commitTogether(files);
+    commitTogether(files, picturePaths(options));
     Progress::conclude([&] {
       progress.done();
       progress.summary(options.output + ": " + summary);

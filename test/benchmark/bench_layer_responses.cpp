@@ -14,7 +14,8 @@
 // blue, higher ones red.
 #include "command_line/options.h"
 #include "objects/object_files.h"
-#include "pictures/picture.h"
+#include "pictures/svg_drawing.h"
+#include "pictures/svg_raster.h"
 
 #include <pcl/ml/model_file.h>
 #include <pcl/ml/network_inference.h>
@@ -30,8 +31,10 @@ using namespace pcl::indoor::tool;
 namespace {
 
 const Shape grid{20, 4, 5, 3}; // bins of f1 ... f4
-constexpr int cell = 9, gap = 4, left = 40, top = 30;
-constexpr int panel_width = 20 * cell, panel_height = 5 * (4 * cell + gap);
+constexpr int cell = 9;
+constexpr double gap = 4.0, left = 40.0, top = 30.0;
+constexpr double panel_width = 20 * cell + 20.0,
+                 panel_height = 5 * (4 * cell + gap) + 16.0;
 
 /** \brief The value in a bin. */
 float
@@ -89,32 +92,29 @@ scaledChannel(const Tensor& tensor)
   return channel;
 }
 
-Picture
+SvgDrawing
 pictureOf(const std::vector<Tensor>& shown)
 {
-  const char* const names[] = {"ROOTS OF BINS", "LAYER 1", "LAYER 2"};
-  Picture picture(left + 3 * (panel_width + 20),
-                  top + grid[3] * (panel_height + 16),
-                  {225, 225, 225});
+  const char* const names[] = {"Roots of bins", "Layer 1", "Layer 2"};
+  SvgDrawing picture(left + 3 * panel_width, top + grid[3] * panel_height);
+  picture.rectangle({0.0, 0.0}, {picture.width(), picture.height()}, {225, 225, 225});
   for (int column = 0; column < 3; ++column) {
     const auto tensor = scaledChannel(shown[static_cast<std::size_t>(column)]);
-    const int x = left + column * (panel_width + 20);
-    picture.drawText(x, 8, names[column], {0, 0, 0}, 2);
-    for (int d = 0; d < grid[3]; ++d) {
-      const int y = top + d * (panel_height + 16);
-      if (column == 0)
-        picture.drawText(
-            4, y + panel_height / 2, "F4 " + std::to_string(d + 1), {0, 0, 0});
-      for (int a = 0; a < grid[0]; ++a)
-        for (int b = 0; b < grid[1]; ++b)
-          for (int c = 0; c < grid[2]; ++c)
-            picture.fillRectangle(x + a * cell,
-                                  y + c * (4 * cell + gap) + b * cell,
-                                  cell,
-                                  cell,
-                                  signedColor(valueAt(tensor, a, b, c, d)));
-    }
+    const double x = left + column * panel_width;
+    picture.text({x, 0.5 * top}, names[column], {Anchor::Start, 15.0});
+    for (int d = 0; d < grid[3]; ++d)
+      for (int c = 0; c < grid[2]; ++c) {
+        PixelImage block(grid[0], grid[1]);
+        for (int a = 0; a < grid[0]; ++a)
+          for (int b = 0; b < grid[1]; ++b)
+            block.set(a, b, signedColor(valueAt(tensor, a, b, c, d)));
+        const double y = top + d * panel_height + c * (grid[1] * cell + gap);
+        picture.image({x, y}, block.enlarged(cell));
+      }
   }
+  for (int d = 0; d < grid[3]; ++d)
+    picture.text({4.0, top + (d + 0.5) * panel_height - gap},
+                 formatted("f4: %d", d + 1));
   return picture;
 }
 
@@ -128,7 +128,8 @@ main(int argc, char** argv)
     return 1;
   }
   try {
-    savePng(argv[3], pictureOf(shownValues(loadModel(argv[1]), argv[2])));
+    savePictures(
+        {{argv[3], pictureOf(shownValues(loadModel(argv[1]), argv[2])).str()}});
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_layer_responses: %s\n", error.what());
     return 1;

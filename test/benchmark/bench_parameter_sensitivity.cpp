@@ -14,6 +14,7 @@
  * scenes are. */
 
 #include "pictures/line_plot.h"
+#include "pictures/svg_raster.h"
 
 #include "objects/object_steps.h"
 
@@ -258,15 +259,13 @@ printTable(const std::vector<std::vector<Shares>>& shares)
 void
 savePlot(const std::string& path, const std::vector<std::vector<Shares>>& shares)
 {
-  const tool::Color colors[] = {
-      {31, 119, 180}, {214, 39, 40}, {44, 160, 44}, {148, 103, 189}};
   std::vector<tool::Curve> curves;
   for (std::size_t r = 0; r < shares.size(); ++r) {
     char name[40];
-    std::snprintf(name, sizeof(name), "between, alpha %g", ratio_thresholds[r]);
-    tool::Curve inter{name, {}, colors[r]};
-    std::snprintf(name, sizeof(name), "within, alpha %g", ratio_thresholds[r]);
-    tool::Curve intra{name, {}, colors[r], true};
+    std::snprintf(name, sizeof(name), "Between, alpha %g", ratio_thresholds[r]);
+    tool::Curve inter{name, {}, tool::lineColor(r)};
+    std::snprintf(name, sizeof(name), "Within, alpha %g", ratio_thresholds[r]);
+    tool::Curve intra{name, {}, tool::lineColor(r), true};
     for (std::size_t c = 0; c < curvature_thresholds.size(); ++c) {
       inter.points.emplace_back(curvature_thresholds[c], shares[r][c].inter);
       intra.points.emplace_back(curvature_thresholds[c], shares[r][c].intra);
@@ -274,14 +273,14 @@ savePlot(const std::string& path, const std::vector<std::vector<Shares>>& shares
     curves.push_back(inter);
     curves.push_back(intra);
   }
-  tool::LinePlot plot(0.1, 100);
-  tool::savePng(path,
-                plot.draw("Edges removed between and within objects",
-                          "curvature threshold",
-                          "%",
-                          curves,
-                          0.02,
-                          20));
+  const tool::PlotAxes axes{"Edges removed between and within objects",
+                            "Curvature threshold",
+                            "Edges removed, %",
+                            0.1,
+                            100.0,
+                            0.02,
+                            20.0};
+  tool::savePictures({{path, tool::linePlot(axes, curves).str()}});
 }
 
 } // namespace

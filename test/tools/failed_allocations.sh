@@ -5,7 +5,7 @@
 # failed_allocations.sh <folder of the tools> <plan> <library fail_allocation> <first n> <random n> <last n> [pipeline|rooms|objects]
 # Lets tools run out of memory at their first n allocations, one in each run, at random later ones, and at the last n. A tool then
 # either says so in one line with exit status 1 and leaves nothing but finished rooms, or does without the memory and writes what it
-# writes otherwise; the picture of the plan, which a process of its own draws, may be missing, if a line says so.
+# writes otherwise; pictures, which a process of its own draws, may be missing, if a line says so.
 set -u
 tools=$1 plan=$2 library=$3 first=$4 random=$5 last=$6
 folder=$(mktemp -d) || exit 1
@@ -26,18 +26,18 @@ try() { # <tool> <n>
   local status=$?
   if [ $status -eq 0 ]; then
     local unlike=(-x .unfinished) # which needs memory to be removed
-    ! grep -q 'plan cannot be drawn' said || unlike+=(-x '*plan.png')
+    ! grep -q 'cannot be drawn' said || unlike+=(-x '*.png')
     diff -rq "${unlike[@]}" out "expected_$1" > /dev/null || fail "$1, allocation $2: other results"
     survived=$((survived + 1))
     return
   fi
   [ $status -eq 1 ] || fail "$1, allocation $2: status $status"
-  [ "$(grep -vc 'plan cannot be drawn' said)" -eq 1 ] || fail "$1, allocation $2: not one line"
+  [ "$(grep -vc 'cannot be drawn' said)" -eq 1 ] || fail "$1, allocation $2: not one line"
   [ -z "$(find out -name .unfinished -prune -o -type f -print)" ] || fail "$1, allocation $2: an output beside an error"
 }
 
 "$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.12 || exit 1
-# no process can be started: the picture of the plan is left out, all else is as ever
+# no process can be started: the pictures are left out, which one line says, and all else is as ever
 for tool in pipeline rooms; do
   rm -rf out with
   mkdir out
@@ -45,8 +45,9 @@ for tool in pipeline rooms; do
   mv out with
   mkdir out
   (LD_PRELOAD=$library FAIL_AT=-1 FAIL_FORK=1 $tool > /dev/null 2> said) || fail "$tool fails where no process can be started"
-  diff -rq -x '*plan.png' out with > /dev/null || fail "$tool writes other results where no process can be started"
-  [ -z "$(find with -name '*plan.png')" ] || grep -q 'plan cannot be drawn' said || fail "$tool does not say that its plan is missing"
+  diff -rq -x '*.png' out with > /dev/null || fail "$tool writes other results where no process can be started"
+  [ -z "$(find out -name '*.png')" ] || fail "$tool draws where no process can be started"
+  [ "$(grep -c 'cannot be drawn' said)" -eq 1 ] || fail "$tool does not say once that its pictures are missing"
 done
 
 for tool in ${7:-pipeline rooms objects}; do

@@ -4,7 +4,8 @@
  */
 // Runs the tools, found by PCL_INDOOR_TOOLS, and looks at the form of what they write.
 #include "files/cloud_file.h"
-#include "pictures/picture.h"
+#include "pictures/color.h"
+#include "pictures/svg_raster.h"
 #include "support/folder_test.h"
 #include "support/synthetic_scenes.h"
 
@@ -100,14 +101,14 @@ TEST_F(OutputResults, TablesSumTheSceneUp)
                            "\nall "})
     EXPECT_NE(said.find(part), std::string::npos) << part << said;
   ASSERT_EQ(run("pcl_indoor_pipeline", path("out") + " -quiet"), 0);
-  EXPECT_EQ(bytesOf(path("said")), "");
+  EXPECT_TRUE(bytesOf(path("said")).empty() || !canRasterise());
 }
 
 TEST_F(OutputResults, ResultsOfAnEarlierRunDoNotStay)
 {
   ASSERT_EQ(run("pcl_indoor_pipeline", path("out")), 0);
   std::ofstream(path("out/notes.txt")) << "of the user";
-  EXPECT_TRUE(std::filesystem::exists(path("out/classes.png")));
+  EXPECT_EQ(std::filesystem::exists(path("out/classes.png")), canRasterise());
   ASSERT_EQ(run("pcl_indoor_pipeline", path("out") + " -model none"), 0);
   EXPECT_FALSE(std::filesystem::exists(path("out/classes.png")));
   EXPECT_TRUE(std::filesystem::exists(path("out/notes.txt")));
@@ -167,12 +168,12 @@ TEST_F(OutputResults, EveryOutputMayBeAPipe)
       run("pcl_room_segmentation",
           path("file.pcd") + " -json " + path("file.json") + " -map " + path("file")),
       0);
-  for (const char* name : {"pipe.pcd", "pipe.json", "pipe_rooms.png"})
+  for (const char* name : {"pipe.pcd", "pipe.json", "pipe_rooms.svg"})
     ASSERT_EQ(mkfifo(path(name).c_str(), 0600), 0);
   std::string cloud, json, picture;
   std::thread cloud_reader([&] { cloud = bytesOf(path("pipe.pcd")); });
   std::thread json_reader([&] { json = bytesOf(path("pipe.json")); });
-  std::thread picture_reader([&] { picture = bytesOf(path("pipe_rooms.png")); });
+  std::thread picture_reader([&] { picture = bytesOf(path("pipe_rooms.svg")); });
   const int status =
       run("pcl_room_segmentation",
           path("pipe.pcd") + " -json " + path("pipe.json") + " -map " + path("pipe"));
@@ -183,7 +184,7 @@ TEST_F(OutputResults, EveryOutputMayBeAPipe)
   EXPECT_EQ(cloud, bytesOf(path("file.pcd")));
   EXPECT_EQ(nlohmann::json::parse(json)["rooms"],
             nlohmann::json::parse(bytesOf(path("file.json")))["rooms"]);
-  EXPECT_EQ(picture, bytesOf(path("file_rooms.png")));
+  EXPECT_EQ(picture, bytesOf(path("file_rooms.svg")));
 }
 
 TEST_F(OutputResults, FormatsHoldTheSame)

@@ -5,7 +5,7 @@
 // Runs pcl_room_segmentation on the simulated flat and looks at the maps and the JSON
 // file that it writes.
 #include "files/cloud_file.h"
-#include "pictures/plan_png.h"
+#include "pictures/svg_raster.h"
 #include "support/folder_test.h"
 
 #include <pcl/conversions.h>
@@ -143,9 +143,8 @@ TEST_F(RoomResults, MapsShowRoomsDoorsAndScale)
                 path("flat.pcd") + " " + path("out.pcd") + " -map " + path("m")),
             0)
       << bytesOf(path("said"));
-  for (const char* picture : {"m_rooms.png", "m_field.png"})
-    EXPECT_EQ(bytesOf(path(picture)).substr(1, 3), "PNG");
-  EXPECT_EQ(std::filesystem::exists(path("m_plan.png")), canDrawPlans());
+  for (const char* picture : {"m_rooms.png", "m_field.png", "m_plan.png"})
+    EXPECT_EQ(bytesOf(path(picture)).substr(0, 4), canRasterise() ? "\x89PNG" : "");
   const auto svg = bytesOf(path("m_rooms.svg"));
   EXPECT_EQ(svg.substr(0, 4), "<svg");
   EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
@@ -240,7 +239,7 @@ TEST_F(RoomResults, FarPointsAndAnotherFrameDoNotStopThePipeline)
   const auto segmented = [&](const std::string& name, const std::string& options) {
     EXPECT_EQ(run("pcl_indoor_pipeline", path(name) + " " + path("scene") + options), 0)
         << bytesOf(path("said"));
-    EXPECT_EQ(bytesOf(path("said")), "");
+    EXPECT_TRUE(bytesOf(path("said")).empty() || !canRasterise());
     return loadCloud(path("scene/cloud.pcd"));
   };
   save("flat_only.pcd", 1.0, false, false);

@@ -156,10 +156,10 @@ CloudView::fill(const std::vector<Eigen::Vector3f>& screen,
   }
 }
 
-Picture
+PixelImage
 CloudView::draw(const std::vector<std::uint32_t>& labels) const
 {
-  Picture picture(width_, height_);
+  PixelImage picture(width_, height_);
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) {
       const auto pixel = static_cast<std::size_t>(y) * width_ + x;

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "pictures/picture.h"
+#include "pictures/pixel_image.h"
 
 #include <Eigen/Core>
 
@@ -38,7 +38,7 @@ public:
    * camera.
    * \param[in] labels one per point
    */
-  Picture
+  PixelImage
   draw(const std::vector<std::uint32_t>& labels) const;
 
   /** \brief Count the pixels that show a point. */

@@ -16,7 +16,8 @@
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr int tile_width = 420, tile_height = 340, title_height = 24, gap = 6;
+constexpr int tile_width = 420, tile_height = 340;
+constexpr double title_height = 30.0, gap = 10.0;
 
 /** The normal of the surface at each point; zero where the point is not finite. */
 std::vector<Eigen::Vector3f>
@@ -49,7 +50,7 @@ surfaceNormals(const std::vector<Eigen::Vector3f>& points, bool single_view)
 
 } // namespace
 
-Picture
+SvgDrawing
 drawSideBySide(const PointCloud<PointXYZ>& cloud,
                bool single_view,
                const std::vector<LabelledView>& views)
@@ -63,36 +64,20 @@ drawSideBySide(const PointCloud<PointXYZ>& cloud,
   const auto view =
       single_view ? CloudView::fromCamera(points, normals, tile_width, tile_height)
                   : CloudView::fromAbove(points, normals, tile_width, tile_height);
-  Picture picture(static_cast<int>(views.size()) * (tile_width + gap) - gap,
-                  title_height + tile_height);
-  int left = 0;
+  SvgDrawing drawing(static_cast<double>(views.size()) * (tile_width + gap) - gap,
+                     title_height + tile_height);
+  double left = 0.0;
   for (const auto& labelled : views) {
     const auto& truth = views.front().labels;
     auto labels = namedAsTruth(truth, labelled.labels);
     for (std::size_t i = 0; i < labels.size(); ++i)
       labels[i] = truth[i] == 0 ? 0 : labels[i]; // grey: not scored
-    picture.paste(view.draw(labels), left, title_height);
-    picture.drawText(left + 4, 5, labelled.title, {0, 0, 0}, 2);
+    drawing.image({left, title_height}, view.draw(labels));
+    drawing.text(
+        {left + 6.0, 0.5 * title_height}, labelled.title, {Anchor::Start, 18.0});
     left += tile_width + gap;
   }
-  return picture;
-}
-
-Picture
-stacked(const std::vector<Picture>& pictures)
-{
-  int width = 1, height = 0;
-  for (const auto& picture : pictures) {
-    width = std::max(width, picture.width());
-    height += picture.height() + gap;
-  }
-  Picture result(width, std::max(1, height - gap));
-  int top = 0;
-  for (const auto& picture : pictures) {
-    result.paste(picture, 0, top);
-    top += picture.height() + gap;
-  }
-  return result;
+  return drawing;
 }
 
 } // namespace pcl::indoor::tool

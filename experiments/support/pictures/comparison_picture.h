@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "pictures/picture.h"
+#include "pictures/svg_drawing.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -26,13 +26,9 @@ struct LabelledView {
  * \param[in] views the first is the truth, after which the colours of the others are
  * chosen; points that it labels 0 are grey everywhere
  */
-Picture
+SvgDrawing
 drawSideBySide(const PointCloud<PointXYZ>& cloud,
                bool single_view,
                const std::vector<LabelledView>& views);
-
-/** \brief Put pictures below each other. */
-Picture
-stacked(const std::vector<Picture>& pictures);
 
 } // namespace pcl::indoor::tool

@@ -4,18 +4,16 @@
  */
 #include "retrieval/retrieval_report.h"
 
+#include "pictures/line_plot.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <iterator>
 
 namespace pcl::indoor::tool {
 namespace {
-
-const Color black{0, 0, 0};
-const Color grey{200, 200, 200};
 
 nlohmann::json
 spreadJson(const Spread& spread)
@@ -48,30 +46,6 @@ resultJson(const RetrievalResult& result, double noise_percent, double hidden_pe
           {"seconds_all_distances", result.distance_seconds},
           {"confusion", rows},
           {"without_prediction", result.confusion.unknown}};
-}
-
-std::string
-formatted(const char* format, double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
-}
-
-/** \brief A straight line, a few pixels thick. */
-void
-drawLine(Picture& picture, double x0, double y0, double x1, double y1, Color color)
-{
-  const int steps =
-      1 + static_cast<int>(std::max(std::abs(x1 - x0), std::abs(y1 - y0)));
-  for (int k = 0; k <= steps; ++k) {
-    const double part = static_cast<double>(k) / steps;
-    picture.fillRectangle(static_cast<int>(std::lround(x0 + part * (x1 - x0))) - 1,
-                          static_cast<int>(std::lround(y0 + part * (y1 - y0))) - 1,
-                          2,
-                          2,
-                          color);
-  }
 }
 
 } // namespace
@@ -121,78 +95,69 @@ resultJson(const std::vector<RetrievalLevel>& levels,
   return document.dump(1) + "\n";
 }
 
-Picture
+SvgDrawing
 noisePicture(const std::vector<RetrievalLevel>& levels)
 {
-  constexpr int width = 520, height = 400, left = 50, top = 20;
-  Picture picture(width + 210, height + 60);
-  double largest = 1e-9;
+  PlotAxes axes{"Total accuracy under noise",
+                "Noise, % of the object's extent",
+                "Total accuracy, %"};
+  axes.x_end = 1e-9;
   for (const auto& level : levels)
-    largest = std::max(largest, level.noise_percent);
-  const auto x = [&](double noise) { return left + (width - left) * noise / largest; };
-  const auto y = [&](double share) { return top + (height - top) * (1.0 - share); };
-  for (int percent = 0; percent <= 100; percent += 10) {
-    drawLine(picture, left, y(percent / 100.0), width, y(percent / 100.0), grey);
-    picture.drawText(
-        10, static_cast<int>(y(percent / 100.0)) - 3, std::to_string(percent), black);
-  }
-  for (const auto& level : levels)
-    picture.drawText(static_cast<int>(x(level.noise_percent)) - 3,
-                     height + 10,
-                     formatted("%g", level.noise_percent),
-                     black);
-  picture.drawText(left, height + 30, "noise, % of the object's extent", black);
-  picture.drawText(left, 4, "total accuracy, %", black);
+    axes.x_end = std::max(axes.x_end, level.noise_percent);
+  axes.x_step = plotStep(axes.x_end);
+  axes.y_end = 100.0;
+  axes.y_step = 20.0;
   const auto& first = levels.front().results;
-  int line = 0;
+  std::vector<Curve> curves;
   for (std::size_t k = 0; k < first.size(); ++k) {
     if (first[k].distance != first.front().distance)
       continue;
-    const Color color = labelColor(static_cast<std::uint32_t>(++line));
-    for (std::size_t level = 0; level + 1 < levels.size(); ++level)
-      drawLine(picture,
-               x(levels[level].noise_percent),
-               y(levels[level].results[k].total_accuracy.mean),
-               x(levels[level + 1].noise_percent),
-               y(levels[level + 1].results[k].total_accuracy.mean),
-               color);
-    picture.fillRectangle(width + 20, top + 20 * line, 20, 8, color);
-    picture.drawText(width + 46, top + 20 * line, first[k].descriptor, black);
+    Curve curve{first[k].descriptor, {}, lineColor(curves.size())};
+    for (const auto& level : levels)
+      curve.points.emplace_back(level.noise_percent,
+                                100.0 * level.results[k].total_accuracy.mean);
+    curves.push_back(curve);
   }
-  return picture;
+  return linePlot(axes, curves);
 }
 
-Picture
+SvgDrawing
 barPicture(const std::vector<RetrievalResult>& results)
 {
+  constexpr double length = 360.0, row_height = 26.0, top = 40.0, bar = 16.0;
   std::vector<RetrievalResult> shown;
   std::copy_if(results.begin(),
                results.end(),
                std::back_inserter(shown),
                [&](const auto& r) { return r.distance == results.front().distance; });
-  constexpr int length = 400, row_height = 24;
-  int left = 60;
+  double left = 60.0;
   for (const auto& result : shown)
-    left = std::max(left, Picture::textWidth(result.descriptor) + 20);
-  Picture picture(left + length + 120,
-                  40 + row_height * static_cast<int>(shown.size()));
-  picture.drawText(left, 8, "F1", black);
-  for (std::size_t k = 0; k < shown.size(); ++k) {
-    const int y = 26 + row_height * static_cast<int>(k);
-    const auto& f1 = shown[k].f1;
-    picture.drawText(8, y + 5, shown[k].descriptor, black);
-    picture.fillRectangle(
-        left, y, static_cast<int>(length * f1.mean), 16, labelColor(3));
-    const int low = left + static_cast<int>(length * (f1.mean - f1.deviation));
-    const int high = left + static_cast<int>(length * (f1.mean + f1.deviation));
-    picture.fillRectangle(low, y + 7, std::max(high - low, 1), 2, black);
-    picture.drawText(left + length + 10,
-                     y + 5,
-                     formatted("%.3f", f1.mean) + " +-" +
-                         formatted("%.3f", f1.deviation),
-                     black);
+    left = std::max(left, 20.0 + SvgDrawing::textWidth(result.descriptor));
+  const double bottom = top + row_height * static_cast<double>(shown.size());
+  SvgDrawing drawing(left + length + 130.0, bottom + 30.0);
+  drawing.text(
+      {left, 18.0}, "F1, mean and deviation", {Anchor::Start, 15.0, 0.0, true});
+  for (int tenths = 0; tenths <= 10; tenths += 2) {
+    const double x = left + length * tenths / 10.0;
+    drawing.line({{x, top}, {x, bottom}}, {225, 225, 225});
+    drawing.text(
+        {x, bottom + 12.0}, formatted("%.1f", tenths / 10.0), {Anchor::Middle});
   }
-  return picture;
+  double y = top + 0.5 * row_height;
+  for (const auto& result : shown) {
+    const auto& f1 = result.f1;
+    const double low = left + length * (f1.mean - f1.deviation);
+    const double high = left + length * (f1.mean + f1.deviation);
+    drawing.text({left - 8.0, y}, result.descriptor, {Anchor::End});
+    drawing.rectangle({left, y - 0.5 * bar}, {length * f1.mean, bar}, lineColor(0));
+    drawing.line({{low, y - 4.0}, {low, y + 4.0}}, ink);
+    drawing.line({{low, y}, {high, y}}, ink);
+    drawing.line({{high, y - 4.0}, {high, y + 4.0}}, ink);
+    drawing.text({left + length + 12.0, y},
+                 formatted("%.3f ± %.3f", f1.mean, f1.deviation));
+    y += row_height;
+  }
+  return drawing;
 }
 
 } // namespace pcl::indoor::tool

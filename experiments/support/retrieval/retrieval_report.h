@@ -5,7 +5,6 @@
 #pragma once
 
 #include "pictures/confusion_picture.h"
-#include "pictures/picture.h"
 #include "retrieval/retrieval_experiment.h"
 
 #include <string>
@@ -31,11 +30,11 @@ resultJson(const std::vector<RetrievalLevel>& levels,
 
 /** \brief Total accuracy over the noise, a line per descriptor, of the first distance.
  */
-Picture
+SvgDrawing
 noisePicture(const std::vector<RetrievalLevel>& levels);
 
 /** \brief F1 of each result as a bar with its deviation, as Fig. 5.11 to 5.13. */
-Picture
+SvgDrawing
 barPicture(const std::vector<RetrievalResult>& results);
 
 } // namespace pcl::indoor::tool

@@ -16,9 +16,8 @@ namespace {
 constexpr int storey_size = 1400;      // pixels of the longer side of a storey
 constexpr float finest_pixel = 0.02f;  // metres
 constexpr float below_ceiling = 0.25f; // metres that are cut off above
-constexpr int space_between = 12;      // pixels
+constexpr double margin = 12.0;
 constexpr Color grey{205, 205, 205};
-constexpr Color black{0, 0, 0};
 
 /** A view of one storey from above: per pixel its highest point, of named objects if
  * there are any. */
@@ -64,6 +63,12 @@ public:
   storeyCount() const
   {
     return scene_.rooms.empty() ? 0 : storeys_;
+  }
+
+  double
+  pixelsPerMetre() const
+  {
+    return 1.0 / frame_.pixel;
   }
 
   StoreyView
@@ -118,69 +123,84 @@ private:
   Frame frame_;
 };
 
+PixelImage
+imageOf(const StoreyView& view, std::uint32_t other)
+{
+  PixelImage image(view.width, view.height);
+  for (int y = 0; y < view.height; ++y)
+    for (int x = 0; x < view.width; ++x) {
+      const auto category = view.category[static_cast<std::size_t>(y) * view.width + x];
+      if (category > 0)
+        image.set(x, y, category == other ? grey : labelColor(category));
+    }
+  return image;
+}
+
+/** All storeys, the highest on top. */
+SvgDrawing
+viewsOf(const Plan& plan, std::uint32_t other)
+{
+  std::vector<SvgDrawing> parts;
+  for (std::uint32_t storey = plan.storeyCount(); storey-- > 0;) {
+    const auto image = imageOf(plan.view(storey), other);
+    const double caption = plan.storeyCount() > 1 ? 36.0 : 0.0;
+    parts.emplace_back(image.width(), caption + image.height());
+    if (caption > 0.0)
+      parts.back().text({0.0, 0.5 * caption},
+                        "Storey " + std::to_string(storey),
+                        {Anchor::Start, 24.0});
+    parts.back().image({0.0, caption}, image);
+  }
+  return stacked(parts, margin);
+}
+
 /** One line per class that occurs: its colour, its name, its number of objects. */
-Picture
+SvgDrawing
 legendOf(const SceneClasses& classes, std::uint32_t other)
 {
+  constexpr double line_height = 32.0, square = 22.0;
+  constexpr TextStyle style{Anchor::Start, 20.0};
   std::vector<std::size_t> counts(classes.names.size(), 0);
   for (const auto& object : classes.objects)
     ++counts[object.category];
-  std::vector<std::string> lines;
-  std::vector<Color> colors;
+  std::vector<std::pair<Color, std::string>> lines;
+  double width = 100.0;
   for (std::uint32_t k = 1; k < counts.size(); ++k)
     if (counts[k] > 0 && k != other) {
-      lines.push_back(classes.names[k] + " " + std::to_string(counts[k]));
-      colors.push_back(labelColor(k));
+      lines.emplace_back(labelColor(k),
+                         classes.names[k] + " (" + std::to_string(counts[k]) + ")");
+      width = std::max(width, SvgDrawing::textWidth(lines.back().second, style));
     }
-  constexpr int scale = 2;
-  const int step = 2 * Picture::textHeight(scale);
-  int width = 1;
-  for (const auto& line : lines)
-    width = std::max(width, Picture::textWidth(line, scale));
-  Picture legend(width + 3 * step,
-                 step * static_cast<int>(std::max<std::size_t>(lines.size(), 1)));
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const int y = static_cast<int>(k) * step;
-    legend.fillRectangle(space_between, y, step - 4, step - 4, colors[k]);
-    legend.drawText(space_between + step + 4, y + 4, lines[k], black, scale);
+  lines.emplace_back(grey, "structure, other");
+  SvgDrawing legend(square + 8.0 + width,
+                    line_height * static_cast<double>(lines.size()));
+  double y = 0.5 * line_height;
+  for (const auto& [color, text] : lines) {
+    legend.rectangle({0.0, y - 0.5 * square}, {square, square}, color);
+    legend.text({square + 8.0, y}, text, style);
+    y += line_height;
   }
   return legend;
 }
 
 } // namespace
 
-Picture
+SvgDrawing
 drawClasses(const Scene& scene, const PointCloud<PointXYZ>& points)
 {
   const auto& names = scene.classes.names;
   const auto other = static_cast<std::uint32_t>(
       std::find(names.begin(), names.end(), other_class) - names.begin());
-  const auto legend = legendOf(scene.classes, other);
   const Plan plan(scene, points, other);
-  std::vector<StoreyView> views;
-  int width = 1, height = space_between;
-  for (std::uint32_t storey = plan.storeyCount(); storey-- > 0;) {
-    views.push_back(plan.view(storey));
-    width = std::max(width, views.back().width);
-    height += views.back().height + space_between;
-  }
-  Picture picture(width + legend.width() + 2 * space_between,
-                  std::max(height, legend.height() + 2 * space_between));
-  int row = space_between;
-  for (const auto& view : views) {
-    for (int y = 0; y < view.height; ++y)
-      for (int x = 0; x < view.width; ++x) {
-        const auto category =
-            view.category[static_cast<std::size_t>(y) * view.width + x];
-        if (category > 0)
-          picture.set(space_between + x,
-                      row + y,
-                      category == other ? grey : labelColor(category));
-      }
-    row += view.height + space_between;
-  }
-  picture.paste(legend, width + space_between, space_between);
-  return picture;
+  const auto views = viewsOf(plan, other);
+  const auto legend = legendOf(scene.classes, other);
+  const double left = 2.0 * margin + views.width();
+  SvgDrawing drawing(left + legend.width() + margin,
+                     2.0 * margin + std::max(views.height(), legend.height() + 50.0));
+  drawing.drawing({margin, margin}, views);
+  drawing.drawing({left, margin}, legend);
+  drawing.scaleBar({left, 2.5 * margin + legend.height()}, plan.pixelsPerMetre(), 20.0);
+  return drawing;
 }
 
 } // namespace pcl::indoor::tool

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "pictures/picture.h"
+#include "pictures/svg_drawing.h"
 #include "scene/scene_json.h"
 
 namespace pcl::indoor::tool {
@@ -14,7 +14,7 @@ namespace pcl::indoor::tool {
  * Storeys lie below each other, the highest on top.
  * \param[in] points one per point of the scene, z up
  */
-Picture
+SvgDrawing
 drawClasses(const Scene& scene, const PointCloud<PointXYZ>& points);
 
 } // namespace pcl::indoor::tool

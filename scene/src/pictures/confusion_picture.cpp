@@ -8,36 +8,56 @@
 #include <cmath>
 
 namespace pcl::indoor::tool {
+namespace {
 
-Picture
+constexpr double cell = 26.0, gap = 6.0, heading_height = 24.0;
+constexpr Color lines{225, 225, 225}; // between the cells
+
+constexpr const char* heading = "Predicted class, % of the true one's objects";
+
+/** White for 0, dark blue for 1. */
+Color
+shareColor(double share)
+{
+  const auto mixed = [share](double dark) {
+    return static_cast<std::uint8_t>(std::lround(255.0 + share * (dark - 255.0)));
+  };
+  return {mixed(8.0), mixed(64.0), mixed(129.0)};
+}
+
+} // namespace
+
+SvgDrawing
 confusionPicture(const ConfusionMatrix& confusion,
                  const std::vector<std::string>& names)
 {
-  const Color black{0, 0, 0};
-  constexpr int cell = 26;
-  const int n = static_cast<int>(names.size());
-  int margin = 20;
+  double margin = 80.0;
   for (const auto& name : names)
-    margin = std::max(margin, Picture::textWidth(name) + 34);
-  Picture picture(margin + n * cell + 10, 30 + n * cell + 10);
-  for (int row = 0; row < n; ++row) {
-    const auto truth = static_cast<std::size_t>(row);
-    const double objects = static_cast<double>(confusion.objectCount(truth));
-    const std::string number = std::to_string(row + 1);
-    picture.drawText(6, 30 + row * cell + 9, number + " " + names[truth], black);
-    picture.drawText(margin + row * cell + 8, 14, number, black);
-    for (int column = 0; column < n; ++column) {
-      const double count =
-          static_cast<double>(confusion.at(truth, static_cast<std::size_t>(column)));
+    margin = std::max(margin, heading_height + SvgDrawing::textWidth(name) + gap);
+  const double size = cell * static_cast<double>(names.size());
+  SvgDrawing picture(margin + std::max(size, SvgDrawing::textWidth(heading)) + 10.0,
+                     margin + size + 10.0);
+  picture.text({margin, 0.5 * heading_height}, heading);
+  picture.text({0.5 * heading_height, margin + 0.5 * size},
+               "True class",
+               {Anchor::Middle, 12.0, -90.0});
+  picture.rectangle({margin - 1.0, margin - 1.0}, {size + 1.0, size + 1.0}, lines);
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    const double y = margin + cell * static_cast<double>(row);
+    const double across = y + 0.5 * (cell - 1.0);
+    picture.text({margin - gap, across}, names[row], {Anchor::End});
+    picture.text({across, margin - gap}, names[row], {Anchor::Start, 12.0, -90.0});
+    const auto objects = static_cast<double>(confusion.objectCount(row));
+    for (std::size_t column = 0; column < names.size(); ++column) {
+      const double x = margin + cell * static_cast<double>(column);
+      const auto count = static_cast<double>(confusion.at(row, column));
       const double share = objects > 0.0 ? count / objects : 0.0;
-      const int x = margin + column * cell;
-      const int y = 30 + row * cell;
-      picture.fillRectangle(x, y, cell - 1, cell - 1, heatColor(share));
+      picture.rectangle({x, y}, {cell - 1.0, cell - 1.0}, shareColor(share));
       if (count > 0.0)
-        picture.drawText(x + 3,
-                         y + 9,
-                         std::to_string(std::lround(100 * share)),
-                         share > 0.5 ? black : Color());
+        picture.text(
+            {x + 0.5 * (cell - 1.0), across},
+            std::to_string(std::lround(100.0 * share)),
+            {Anchor::Middle, 11.0, 0.0, false, false, share > 0.5 ? paper : ink});
     }
   }
   return picture;

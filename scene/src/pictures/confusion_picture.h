@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "pictures/picture.h"
+#include "pictures/svg_drawing.h"
 
 #include <pcl/ml/classification_metrics.h>
 
@@ -15,7 +15,7 @@ namespace pcl::indoor::tool {
 
 /** \brief A confusion matrix as a picture: a row per true class, in per cent of the
  * row. */
-Picture
+SvgDrawing
 confusionPicture(const ConfusionMatrix& confusion,
                  const std::vector<std::string>& names);
 

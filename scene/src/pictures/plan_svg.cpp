@@ -4,11 +4,9 @@
  */
 #include "pictures/plan_svg.h"
 
-#include "pictures/picture.h" // for labelColor
+#include "pictures/svg_drawing.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -16,19 +14,6 @@ namespace {
 constexpr double scale = 50.0;   // units per metre
 constexpr double margin = 40.0;  // units around a storey
 constexpr double caption = 24.0; // units above a storey
-constexpr const char* font =
-    "font-family=\"'Source Sans 3','Segoe UI',Helvetica,Arial,'DejaVu Sans',"
-    "sans-serif\"";
-
-template <typename... Values>
-std::string
-formatted(const char* format, Values... values)
-{
-  char text[500];
-  std::snprintf(text, sizeof(text), format, values...);
-  return text;
-}
-
 /** Where a storey lies on the sheet. */
 class Sheet {
 public:
@@ -173,7 +158,7 @@ roomText(const PlanRoom& room, const Sheet& sheet)
                    "font-size=\"10\">%s%s%.1f m²</text>\n",
                    at.x(),
                    at.y() + 10.0,
-                   room.name.c_str(),
+                   xmlText(room.name).c_str(),
                    room.name.empty() ? "" : " ",
                    room.area);
 }
@@ -189,25 +174,6 @@ widthText(const PlanOpening& opening, const Sheet& sheet)
                    opening.width);
 }
 
-std::string
-scaleBar(double top)
-{
-  constexpr int metres = 2;
-  const double end = margin + metres * scale;
-  return formatted("<path id=\"scale\" stroke=\"black\" fill=\"none\" "
-                   "d=\"M%.1f,%.1fv6H%.1fv-6M%.1f,%.1fv-4\"/>\n",
-                   margin,
-                   top,
-                   end,
-                   0.5 * (margin + end),
-                   top + 6.0) +
-         formatted("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"start\" "
-                   "font-size=\"11\">%d m</text>\n",
-                   end + 8.0,
-                   top + 7.0,
-                   metres);
-}
-
 /** An arrow in the direction of y. */
 std::string
 directionOfY(double right, double top)
@@ -219,18 +185,6 @@ directionOfY(double right, double top)
          formatted("<text x=\"%.1f\" y=\"%.1f\" font-size=\"11\">y</text>\n",
                    right + 9.0,
                    top + 7.0);
-}
-
-std::string
-svg(double width, double height, const std::string& content)
-{
-  return formatted("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.1f "
-                   "%.1f\" width=\"%.0f\" height=\"%.0f\" ",
-                   width,
-                   height,
-                   width,
-                   height) +
-         font + " font-size=\"14\" text-anchor=\"middle\">\n" + content + "</svg>\n";
 }
 
 std::string
@@ -279,21 +233,25 @@ planSvg(const FloorPlan& plan)
       storeys += widthText(opening, sheet);
     storeys += "</g>\n";
   }
-  const double width = std::max(260.0, 2.0 * margin + scale * plan.box.sizes().x());
-  return svg(width,
-             top + margin,
-             "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" + storeys +
-                 scaleBar(top + 2.0) + directionOfY(width - margin, top));
+  SvgDrawing drawing(std::max(260.0, 2.0 * margin + scale * plan.box.sizes().x()),
+                     top + margin);
+  drawing.add(storeys);
+  drawing.scaleBar({margin, top + 5.0}, scale);
+  drawing.add(directionOfY(drawing.width() - margin, top));
+  return drawing.str();
 }
 
 std::vector<std::string>
 storeySvgs(const FloorPlan& plan)
 {
   std::vector<std::string> drawings;
-  for (const auto& storey : plan.storeys)
-    drawings.push_back(svg(2.0 * margin + scale * plan.box.sizes().x(),
-                           2.0 * margin + scale * plan.box.sizes().y(),
-                           storeyShapes(storey, Sheet(plan.box, margin), true)));
+  for (const auto& storey : plan.storeys) {
+    SvgDrawing drawing(2.0 * margin + scale * plan.box.sizes().x(),
+                       2.0 * margin + scale * plan.box.sizes().y(),
+                       false);
+    drawing.add(storeyShapes(storey, Sheet(plan.box, margin), true));
+    drawings.push_back(drawing.str());
+  }
   return drawings;
 }
 

@@ -5,7 +5,6 @@
 #include "pictures/room_picture.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,19 +12,25 @@
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr int wanted_size = 1400; // pixels of the longer side, roughly
-constexpr Color paper{255, 255, 255};
-constexpr Color ink{30, 30, 30};
 constexpr Color wall{70, 70, 70};
+constexpr double legend_size = 20.0;
 
-/** The part of the maps that is shown: pixels begin ... end - 1. */
+/** The part of the maps that is shown: pixels begin ... end - 1, each as a square. */
 struct Section {
   int begin_x = 0, end_x = 0, begin_y = 0, end_y = 0;
+  int scale = 1; ///< side of a square; whole, so that colours are exact
+
+  /** Of a place on the map, in pixels. */
+  SvgDrawing::Place
+  operator()(double x, double y) const // y of the map points up
+  {
+    return {scale * (x - begin_x), scale * (end_y - y)};
+  }
 };
 
 /** What lies in a room or, where no room was found, is a wall, on any storey. */
 Section
-shownSection(const BuildingRooms& building)
+shownPixels(const BuildingRooms& building)
 {
   const auto box_of = [&building](const auto& shows) {
     Section box{1 << 30, -1, 1 << 30, -1};
@@ -55,37 +60,38 @@ shownSection(const BuildingRooms& building)
           std::min(any.ny, box.end_y + margin)};
 }
 
-int
-scaleOf(const Section& section)
+Section
+shownSection(const BuildingRooms& building)
 {
-  const int longer =
-      std::max({1, section.end_x - section.begin_x, section.end_y - section.begin_y});
-  return std::clamp(wanted_size / longer, 1, 12);
+  constexpr int wanted_size = 1400; // of the longer side, roughly
+  constexpr int highest = 9000;     // of all storeys
+  auto section = shownPixels(building);
+  const int wide = std::max(1, section.end_x - section.begin_x);
+  const int high = std::max(1, section.end_y - section.begin_y);
+  const int storeys = std::max(1, static_cast<int>(building.maps.size()));
+  section.scale = std::clamp(
+      std::min(wanted_size / std::max(wide, high), highest / (storeys * high)), 1, 12);
+  return section;
 }
 
-Picture
-drawMap(const Section& section, int scale, const std::function<Color(int, int)>& color)
+SvgDrawing
+drawMap(const Section& section, const std::function<Color(int, int)>& color)
 {
-  Picture picture((section.end_x - section.begin_x) * scale,
-                  (section.end_y - section.begin_y) * scale,
-                  paper);
+  PixelImage image(section.end_x - section.begin_x, section.end_y - section.begin_y);
   for (int x = section.begin_x; x < section.end_x; ++x)
     for (int y = section.begin_y; y < section.end_y; ++y)
-      picture.fillRectangle((x - section.begin_x) * scale,
-                            (section.end_y - 1 - y) * scale, // y points up
-                            scale,
-                            scale,
-                            color(x, y));
-  return picture;
+      image.set(x - section.begin_x, section.end_y - 1 - y, color(x, y));
+  SvgDrawing map(section.scale * image.width(), section.scale * image.height());
+  map.image({0.0, 0.0}, image.enlarged(section.scale));
+  return map;
 }
 
 /** A room's number stands where the room is widest. */
 void
-drawNumbers(Picture& picture,
-            const MappedRooms& map,
-            const std::vector<std::uint32_t>& room_of,
-            const Section& section,
-            int scale)
+addNumbers(SvgDrawing& drawing,
+           const MappedRooms& map,
+           const std::vector<std::uint32_t>& room_of,
+           const Section& section)
 {
   struct Place {
     float field = -1.0f;
@@ -98,132 +104,145 @@ drawNumbers(Picture& picture,
       if (map.field.at(x, y) > place.field)
         place = {map.field.at(x, y), x, y};
     }
+  constexpr TextStyle style{Anchor::Middle, 30.0, 0.0, true, true};
   for (std::size_t room = 1; room < places.size(); ++room)
     if (places[room].field >= 0.0f)
-      picture.drawLabel((places[room].x - section.begin_x) * scale + scale / 2,
-                        (section.end_y - 1 - places[room].y) * scale + scale / 2,
-                        std::to_string(room_of[room]),
-                        3);
+      drawing.text(section(places[room].x + 0.5, places[room].y + 0.5),
+                   std::to_string(room_of[room]),
+                   style);
 }
 
 /** A white disc in each opening of a storey. */
 void
-drawOpenings(Picture& picture,
-             const BuildingRooms& building,
-             std::size_t storey,
-             const Section& section,
-             int scale)
+addOpenings(SvgDrawing& drawing,
+            const BuildingRooms& building,
+            std::size_t storey,
+            const Section& section)
 {
+  constexpr double size = 0.2; // metres
   const auto& grid = building.grid;
-  const int radius = std::max(3, static_cast<int>(0.2 / grid.voxel_size * scale));
   for (const auto& opening : building.openings) {
     if (building.rooms[opening.room_a - 1].storey != storey)
       continue;
     const Eigen::Vector3d place =
         (grid.toGrid(opening.position) - grid.origin) / grid.voxel_size;
-    const int x = static_cast<int>(std::lround((place.x() - section.begin_x) * scale));
-    const int y = static_cast<int>(std::lround((section.end_y - place.y()) * scale));
-    for (int dx = -radius; dx <= radius; ++dx)
-      for (int dy = -radius; dy <= radius; ++dy) {
-        const int squared = dx * dx + dy * dy;
-        if (squared <= radius * radius)
-          picture.set(
-              x + dx, y + dy, squared > (radius - 2) * (radius - 2) ? ink : paper);
-      }
+    drawing.circle(section(place.x(), place.y()),
+                   std::max(4.0, size / grid.voxel_size * section.scale),
+                   paper,
+                   ink);
   }
+}
+
+/** All storeys, the highest on top, and below them a scale and what else explains them.
+ */
+SvgDrawing
+sheetOf(const std::vector<SvgDrawing>& storeys,
+        double units_per_metre,
+        const std::function<void(SvgDrawing&, const SvgDrawing::Place&)>& add_legend)
+{
+  std::vector<SvgDrawing> parts;
+  for (std::size_t s = storeys.size(); s-- > 0;) {
+    if (storeys.size() > 1) {
+      parts.emplace_back(storeys[s].width(), 36.0);
+      parts.back().text(
+          {14.0, 18.0}, "Storey " + std::to_string(s), {Anchor::Start, 24.0});
+    }
+    parts.push_back(storeys[s]);
+  }
+  parts.emplace_back(640.0, 60.0);
+  parts.back().scaleBar({14.0, 30.0}, units_per_metre, legend_size);
+  add_legend(parts.back(), {330.0, 30.0});
+  return stacked(parts);
 }
 
 void
-drawScaleBar(Picture& picture, double pixels_per_metre)
+addRoomLegend(SvgDrawing& drawing, const SvgDrawing::Place& left)
 {
-  int metres = 1;
-  while (metres * pixels_per_metre < 60.0 && metres < 1000)
-    metres *= metres % 2 == 1 ? 5 : 2; // 1, 5, 10, 20, 40, ...
-  const int length = static_cast<int>(std::lround(metres * pixels_per_metre));
-  const int y = picture.height() - 18;
-  picture.fillRectangle(10, y + 5, length, 4, ink);
-  picture.drawText(16 + length, y, std::to_string(metres) + " M", ink, 2);
+  const auto at = [&left](double x) {
+    return SvgDrawing::Place(left.x() + x, left.y());
+  };
+  drawing.rectangle({left.x(), left.y() - 9.0}, {18.0, 18.0}, wall);
+  drawing.text(at(26.0), "Wall", {Anchor::Start, legend_size});
+  drawing.circle(at(109.0), 9.0, paper, ink);
+  drawing.text(at(126.0), "Opening", {Anchor::Start, legend_size});
 }
 
-/** One picture of the pictures of all storeys, the highest on top, with a scale below.
- */
-Picture
-stack(const std::vector<Picture>& storeys, double pixels_per_metre)
+/** \param[in] highest distance in metres; 0 where the field is none */
+void
+addFieldLegend(SvgDrawing& drawing, const SvgDrawing::Place& left, float highest)
 {
-  const bool named = storeys.size() > 1;
-  const int caption = named ? 24 : 0;
-  int width = 160;
-  int height = 24;
-  for (const auto& storey : storeys) {
-    width = std::max(width, storey.width());
-    height += storey.height() + caption;
-  }
-  Picture all(width, height, paper);
-  int y = 0;
-  for (std::size_t i = storeys.size(); i-- > 0;) {
-    if (named)
-      all.drawText(8, y + 6, "storey " + std::to_string(i), ink, 2);
-    all.paste(storeys[i], 0, y + caption);
-    y += caption + storeys[i].height();
-  }
-  drawScaleBar(all, pixels_per_metre);
-  return all;
+  constexpr int length = 120, height = 16;
+  const double begin = left.x() + 50.0;
+  PixelImage bar(length, height);
+  for (int x = 0; x < length; ++x)
+    for (int y = 0; y < height; ++y)
+      bar.set(x, y, heatColor((x + 0.5) / length));
+  drawing.image({begin, left.y() - 0.5 * height}, bar);
+  drawing.text({begin - 8.0, left.y()}, "Wall", {Anchor::End, legend_size});
+  drawing.text({begin + length + 8.0, left.y()},
+               highest > 0.0f ? formatted("%.1f m", highest) : "Open space",
+               {Anchor::Start, legend_size});
 }
 
 double
-pixelsPerMetre(const BuildingRooms& building, int scale)
+unitsPerMetre(const BuildingRooms& building, const Section& section)
 {
-  return scale / building.grid.voxel_size;
+  return section.scale / building.grid.voxel_size;
 }
 
 } // namespace
 
-Picture
+SvgDrawing
 drawRooms(const BuildingRooms& building)
 {
   const auto section = shownSection(building);
-  const int scale = scaleOf(section);
-  std::vector<Picture> storeys;
+  std::vector<SvgDrawing> storeys;
   for (std::size_t i = 0; i < building.maps.size(); ++i) {
     const auto& map = building.maps[i];
     const auto& room_of = building.room_of[i];
-    storeys.push_back(drawMap(section, scale, [&](int x, int y) {
+    storeys.push_back(drawMap(section, [&](int x, int y) {
       if (map.blocked.at(x, y) != 0)
         return wall;
       const auto label = map.labels.at(x, y);
       return label > 0 ? labelColor(room_of[static_cast<std::size_t>(label)]) : paper;
     }));
-    drawOpenings(storeys.back(), building, i, section, scale);
-    drawNumbers(storeys.back(), map, room_of, section, scale);
+    addOpenings(storeys.back(), building, i, section);
+    addNumbers(storeys.back(), map, room_of, section);
   }
-  return stack(storeys, pixelsPerMetre(building, scale));
+  return sheetOf(storeys, unitsPerMetre(building, section), addRoomLegend);
 }
 
-Picture
+SvgDrawing
 drawPotentialField(const BuildingRooms& building)
 {
   const auto section = shownSection(building);
-  const int scale = scaleOf(section);
   const auto fieldAt = [](const MappedRooms& map, int x, int y) {
     const int factor = map.potential_factor;
     return map.potential.size() > 0 ? map.potential.at(x / factor, y / factor)
                                     : map.field.at(x, y);
   };
   float highest = 0.0f;
-  for (const auto& map : building.maps)
+  bool is_distance = true;
+  for (const auto& map : building.maps) {
+    is_distance = is_distance && map.potential.size() == 0;
     for (int x = 0; x < map.labels.nx; ++x)
       for (int y = 0; y < map.labels.ny; ++y)
         if (map.labels.at(x, y) > 0)
           highest = std::max(highest, fieldAt(map, x, y));
-  std::vector<Picture> storeys;
+  }
+  std::vector<SvgDrawing> storeys;
   for (const auto& map : building.maps)
-    storeys.push_back(drawMap(section, scale, [&](int x, int y) {
+    storeys.push_back(drawMap(section, [&](int x, int y) {
       if (map.labels.at(x, y) == 0 && map.blocked.at(x, y) == 0)
         return paper;
       const float field = std::max(0.0f, fieldAt(map, x, y));
       return heatColor(highest > 0.0f ? field / highest : 0.0f);
     }));
-  return stack(storeys, pixelsPerMetre(building, scale));
+  return sheetOf(storeys,
+                 unitsPerMetre(building, section),
+                 [&](SvgDrawing& drawing, const SvgDrawing::Place& left) {
+                   addFieldLegend(drawing, left, is_distance ? highest : 0.0f);
+                 });
 }
 
 } // namespace pcl::indoor::tool

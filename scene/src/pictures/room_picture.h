@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "pictures/picture.h"
+#include "pictures/svg_drawing.h"
 
 #include <pcl/segmentation/building_rooms.h>
 
@@ -14,12 +14,12 @@ namespace pcl::indoor::tool {
  * dark, openings white discs. Storeys lie below each other, the highest on top, all cut
  * to the same part of the map.
  */
-Picture
+SvgDrawing
 drawRooms(const BuildingRooms& building);
 
 /** \brief The field that the rooms were found in, dark at the walls and light where a
  * room is widest. */
-Picture
+SvgDrawing
 drawPotentialField(const BuildingRooms& building);
 
 } // namespace pcl::indoor::tool

@@ -4,7 +4,7 @@
  */
 #include "report/report_cloud.h"
 
-#include "report/base64.h"
+#include "text/base64.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
 

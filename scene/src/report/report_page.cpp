@@ -5,8 +5,9 @@
 #include "report/report_page.h"
 
 #include "pictures/plan_svg.h"
-#include "report/base64.h"
+#include "pictures/svg_drawing.h" // for xmlText
 #include "report/report_cloud.h"
+#include "text/base64.h"
 #include "text/program_version.h"
 
 #include <Eigen/Geometry>
@@ -33,18 +34,6 @@ jsonInPage(const Json& json)
     else
       text += c;
   return text;
-}
-
-std::string
-textInPage(const std::string& text)
-{
-  std::string escaped;
-  for (const char c : text)
-    if (c == '&' || c == '<' || c == '>')
-      escaped += "&#" + std::to_string(int(c)) + ";";
-    else
-      escaped += c;
-  return escaped;
 }
 
 /** Put values in place of {{NAME}}; what is put in stays as it is. */
@@ -109,9 +98,9 @@ reportPage(const ReportInput& input)
       input.offset + pose.translation() / frame.metresPerUnit();
   cloud["translation"] = {origin.x(), origin.y(), origin.z()};
   return filled(report_template,
-                {{"TITLE", textInPage(input.json.at("input").get<std::string>())},
+                {{"TITLE", xmlText(input.json.at("input").get<std::string>())},
                  {"VERSION", programVersion()},
-                 {"FIELD", base64(pngBytes(input.field))},
+                 {"FIELD", base64(input.field)},
                  {"SCENE", jsonInPage(input.json)},
                  {"PLANS", jsonInPage(storeySvgs(input.plan))},
                  {"CLOUD", jsonInPage(cloud)}});

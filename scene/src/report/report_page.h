@@ -5,7 +5,6 @@
 #pragma once
 
 #include "pictures/floor_plan.h"
-#include "pictures/picture.h"
 #include "scene/scene_json.h"
 
 #include <nlohmann/json.hpp>
@@ -23,9 +22,9 @@ thingsFromAbove(const Scene& scene);
 /** \brief What the report shows. */
 struct ReportInput {
   const Scene& scene;
-  const nlohmann::ordered_json& json; ///< of the scene, see sceneJson()
-  const FloorPlan& plan;              ///< with things
-  const Picture& field;
+  const nlohmann::ordered_json& json;   ///< of the scene, see sceneJson()
+  const FloorPlan& plan;                ///< with things
+  const std::string& field;             ///< SVG
   const PointCloud<PointXYZ>& standing; ///< points of the scene, z up, metres
   Eigen::Vector3d offset;               ///< of the points, in the unit of the file
 };

@@ -4,7 +4,7 @@
  */
 #include "scene/point_colors.h"
 
-#include "pictures/picture.h" // for labelColor, heatColor
+#include "pictures/color.h" // for labelColor, heatColor
 
 #include <algorithm>
 #include <cmath>

@@ -5,14 +5,13 @@
 // Plans of two rooms with a door between them, as SVG and DXF.
 #include "pictures/floor_plan.h"
 
-#include "files/tool_error.h"
 #include "pictures/plan_dxf.h"
-#include "pictures/plan_png.h"
 #include "pictures/plan_svg.h"
+#include "pictures/svg_raster.h"
+#include "support/png_pixels.h"
 #include "support/synthetic_scenes.h"
 
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include <algorithm>
 #include <map>
@@ -53,32 +52,6 @@ readDxf(const std::string& text)
     pairs.emplace_back(std::stoi(code), value);
   }
   return pairs;
-}
-
-/** Pixels as 0xRRGGBB. */
-struct Pixels {
-  int width = 0, height = 0;
-  std::vector<unsigned char> bytes;
-
-  unsigned
-  at(int x, int y) const
-  {
-    const auto* p = bytes.data() + 3 * (static_cast<std::size_t>(y) * width + x);
-    return (p[0] << 16) + (p[1] << 8) + p[2];
-  }
-};
-
-Pixels
-readPng(const std::string& file)
-{
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  EXPECT_NE(png_image_begin_read_from_memory(&image, file.data(), file.size()), 0);
-  image.format = PNG_FORMAT_RGB;
-  Pixels pixels{static_cast<int>(image.width), static_cast<int>(image.height), {}};
-  pixels.bytes.resize(PNG_IMAGE_SIZE(image));
-  EXPECT_NE(png_image_finish_read(&image, nullptr, pixels.bytes.data(), 0, nullptr), 0);
-  return pixels;
 }
 
 } // namespace
@@ -222,43 +195,14 @@ TEST(FloorPlan, WallsAreGreyBesideDoorsAndWindowsLieAcrossThem)
             readDxf(planDxf(floorPlan(twoRooms()))).size() + 5 * 8);
 }
 
-TEST(FloorPlan, IsDrawnAsPng)
-{
-  if (!canDrawPlans())
-    GTEST_SKIP() << "built without librsvg";
-  const std::string svg =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 60 40\" width=\"60\" "
-      "height=\"40\"><rect width=\"60\" height=\"40\" fill=\"white\"/><rect x=\"10\" "
-      "y=\"10\" width=\"20\" height=\"5\" fill=\"red\"/><text x=\"35\" y=\"30\" "
-      "font-family=\"sans-serif\" font-size=\"14\">88</text></svg>";
-  const auto twice = readPng(drawnAsPng(svg).get());
-  ASSERT_EQ(twice.width, 120);
-  ASSERT_EQ(twice.height, 80);
-  EXPECT_EQ(twice.at(40, 25), 0xFF0000u);
-  EXPECT_EQ(twice.at(40, 35), 0xFFFFFFu);
-  int dark = 0;
-  for (int y = 35; y < 65; ++y)
-    for (int x = 65; x < 115; ++x)
-      dark += (twice.at(x, y) & 0xFFu) < 0x80u ? 1 : 0;
-  EXPECT_GT(dark, 100) << "no letters";
-  EXPECT_LT(dark, 800);
-
-  const auto small = readPng(drawnAsPng(svg, 30).get());
-  EXPECT_EQ(small.width, 30);
-  EXPECT_EQ(small.height, 20);
-  EXPECT_EQ(small.at(10, 6), 0xFF0000u);
-  EXPECT_THROW(drawnAsPng("<svg").get(), ToolError);
-}
-
 TEST(FloorPlan, PngShowsTheWallsOfTheSvg)
 {
-  if (!canDrawPlans())
+  if (!canRasterise())
     GTEST_SKIP() << "built without librsvg";
-  const auto drawing = readPng(drawnAsPng(planSvg(floorPlan(twoRooms()))).get());
-  int walls = 0;
-  for (int y = 0; y < drawing.height; ++y)
-    for (int x = 0; x < drawing.width; ++x)
-      walls += drawing.at(x, y) < 0x606060u && (drawing.at(x, y) & 0xFFu) < 0x60u;
+  const auto files = rasterised({{"plan.png", planSvg(floorPlan(twoRooms()))}}).get();
+  const auto drawing = test::readPng(files.at(0).second);
+  const int walls = drawing.count(
+      [](unsigned pixel) { return pixel < 0x606060u && (pixel & 0xFFu) < 0x60u; });
   EXPECT_GT(walls, 2000);
   EXPECT_LT(walls, drawing.width * drawing.height / 10);
 }

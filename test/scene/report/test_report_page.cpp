@@ -4,8 +4,8 @@
  */
 #include "report/report_page.h"
 
-#include "report/base64.h"
 #include "report/report_cloud.h"
+#include "text/base64.h"
 
 #include <gtest/gtest.h>
 
@@ -94,11 +94,12 @@ TEST(ReportPage, TextsOfTheSceneStayTexts)
   PointCloud<PointXYZ> none;
   const std::string name = "a</script><b>&.pcd";
   const nlohmann::ordered_json json = {{"input", name}, {"coordinate_unit", "m"}};
-  const auto page = reportPage(
-      {scene, json, floorPlan({}), Picture(1, 1), none, Eigen::Vector3d::Zero()});
+  const auto page =
+      reportPage({scene, json, floorPlan({}), "<svg/>", none, Eigen::Vector3d::Zero()});
   EXPECT_EQ(page.find(name), std::string::npos);
   EXPECT_NE(page.find("<title>a&#60;/script&#62;&#60;b&#62;&#38;.pcd</title>"),
             std::string::npos);
+  EXPECT_NE(page.find("src=\"data:image/svg+xml;base64,PHN2Zy8+\""), std::string::npos);
   EXPECT_NE(page.find("{\"input\":\"a\\u003c/script>\\u003cb>&.pcd\""),
             std::string::npos);
 }

@@ -4,7 +4,7 @@
  */
 #include "scene/point_colors.h"
 
-#include "pictures/picture.h"
+#include "pictures/color.h"
 #include "support/folder_test.h"
 
 #include <pcl/conversions.h>

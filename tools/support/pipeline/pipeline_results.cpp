@@ -10,21 +10,19 @@
 #include "formats/json_text.h"
 #include "pictures/class_picture.h"
 #include "pictures/plan_dxf.h"
-#include "pictures/plan_png.h"
 #include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
+#include "pictures/svg_raster.h"
 #include "report/report_page.h"
 #include "scene/scan_frame.h" // for originOf
 #include "scene/scene_json.h"
 #include "text/printable.h"
 
-#include <pcl/indoor/parallel_for.h>
 #include <pcl/scene/room_names.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -87,23 +85,33 @@ knownNames(const Scene& scene)
   return names;
 }
 
-void
-inParallel(int threads, const std::vector<std::function<void()>>& tasks)
+/** The plan, and what is drawn for a look at the result. */
+std::vector<Picture>
+picturesOf(const Scene& scene,
+           const PointCloud<PointXYZ>& points,
+           const std::string& plan,
+           const std::string& field)
 {
-  parallelFor(static_cast<std::ptrdiff_t>(tasks.size()),
-              threads,
-              1,
-              [&](std::ptrdiff_t k) { tasks[static_cast<std::size_t>(k)](); });
+  std::vector<Picture> pictures = {{"rooms.png", drawRooms(scene.building).str(), 1.0},
+                                   {"potential_field.png", field, 1.0}};
+  if (!scene.classes.names.empty())
+    pictures.push_back({"classes.png", drawClasses(scene, points).str(), 1.0});
+  pictures.push_back({"plan.png", plan});
+  return pictures;
 }
 
 /** Results of an earlier run that this one need not replace. */
 std::vector<std::string>
 outdatedResults(const std::string& folder)
 {
-  std::vector<std::string> outdated = {folder + "/scene.json",
-                                       folder + "/classes.png",
-                                       folder + "/plan.png",
-                                       folder + "/report.html"};
+  std::vector<std::string> outdated;
+  for (const char* name : {"scene.json",
+                           "rooms.png",
+                           "potential_field.png",
+                           "classes.png",
+                           "plan.png",
+                           "report.html"})
+    outdated.push_back(folder + "/" + name);
   if (std::filesystem::exists(outdated.front()))
     for (const auto& entry : std::filesystem::directory_iterator(folder))
       if (isExportName(entry.path().filename().string()))
@@ -144,30 +152,15 @@ describe(const PipelineOptions& options,
   addModel(scene.model, plan);
   addNames(knownNames(scene), plan);
   plan.origin = originOf(scene.input.offset, scene.frame, scene.building_pose);
-  const auto svg = planSvg(plan);
-  auto drawn = planPicture(svg); // meanwhile
+  const auto svg = planSvg(plan), field = drawPotentialField(scene.building).str();
+  auto pictures = rasterised(picturesOf(scene, points, svg, field)); // meanwhile
   const auto json = sceneJson(scene);
-  const auto field = drawPotentialField(scene.building);
-  std::string report, classes, rooms, field_bytes;
-  inParallel(
-      options.threads,
-      {[&] {
-         if (options.report != "none")
-           report = reportPage({scene, json, plan, field, points, scene.input.offset});
-       },
-       [&] {
-         if (!scene.classes.names.empty())
-           classes = pngBytes(drawClasses(scene, points));
-       },
-       [&] { rooms = pngBytes(drawRooms(scene.building)); },
-       [&] { field_bytes = pngBytes(field); }});
-  add("rooms.png", rooms);
-  add("potential_field.png", field_bytes);
-  if (!classes.empty())
-    add("classes.png", classes);
+  std::string report;
+  if (options.report != "none")
+    report = reportPage({scene, json, plan, field, points, scene.input.offset});
+  for (const auto& [name, bytes] : pictures.get())
+    add(name, bytes);
   add("plan.svg", svg);
-  if (const auto picture = drawn.get())
-    add("plan.png", *picture);
   add("plan.dxf", planDxf(plan));
   if (!report.empty())
     files.emplace_back(options.reportFile(), report);

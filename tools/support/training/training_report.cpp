@@ -13,20 +13,6 @@
 namespace pcl::indoor::tool {
 namespace {
 
-/** \brief A step of 1, 2 or 5 times a power of ten, of which at most six make the
- * whole. */
-double
-stepOf(double whole)
-{
-  double step = std::pow(10.0, std::floor(std::log10(whole / 6.0)));
-  for (const double factor : {2.0, 2.5, 2.0}) { // 1, 2, 5, 10
-    if (step * 6.0 >= whole)
-      break;
-    step *= factor;
-  }
-  return step;
-}
-
 /** \brief A curve per network and part, of one value of each epoch. */
 template <typename Value>
 std::vector<Curve>
@@ -35,11 +21,11 @@ curvesOf(const EpochLog& log, bool is_validation, const Value& value)
   std::vector<Curve> curves;
   for (std::size_t k = 0; k < log.size(); ++k) {
     Curve curve;
-    curve.name = is_validation ? "validation" : "training";
+    curve.name = is_validation ? "Validation" : "Training";
     if (log.size() > 1)
       curve.name += " " + std::to_string(k + 1);
-    curve.color = labelColor(static_cast<std::uint32_t>(k + 1));
-    curve.dashed = is_validation;
+    curve.color = lineColor(k);
+    curve.is_dashed = is_validation;
     for (const auto& epoch : log[k])
       curve.points.emplace_back(epoch.epoch, value(epoch));
     curves.push_back(curve);
@@ -89,7 +75,7 @@ logText(const EpochLog& log, bool has_validation)
   return text;
 }
 
-Picture
+SvgDrawing
 curvesPicture(const EpochLog& log, bool has_validation)
 {
   std::vector<Curve> losses, accuracies;
@@ -113,16 +99,12 @@ curvesPicture(const EpochLog& log, bool has_validation)
       epochs = std::max(epochs, point.first);
       loss = std::max(loss, point.second);
     }
-  const double x_step = std::max(stepOf(epochs), 1.0);
-  const double y_step = stepOf(loss);
-  const auto upper = LinePlot(epochs, y_step * std::ceil(loss / y_step))
-                         .draw("Loss", "epoch", "", losses, x_step, y_step);
-  const auto lower =
-      LinePlot(epochs, 100.0).draw("Accuracy", "epoch", "%", accuracies, x_step, 20.0);
-  Picture picture(upper.width(), upper.height() + lower.height());
-  picture.paste(upper, 0, 0);
-  picture.paste(lower, 0, upper.height());
-  return picture;
+  const double x_step = std::max(plotStep(epochs), 1.0), y_step = plotStep(loss);
+  const double loss_end = y_step * std::ceil(loss / y_step);
+  return stacked(
+      {linePlot({"Loss", "Epoch", "Loss", epochs, loss_end, x_step, y_step}, losses),
+       linePlot({"Accuracy", "Epoch", "Accuracy, %", epochs, 100.0, x_step, 20.0},
+                accuracies)});
 }
 
 std::string

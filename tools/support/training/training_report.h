@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "pictures/picture.h"
+#include "pictures/svg_drawing.h"
 
 #include <pcl/ml/classification_metrics.h>
 #include <pcl/ml/network_training.h>
@@ -33,7 +33,7 @@ logText(const EpochLog& log, bool has_validation);
 
 /** \brief Loss and accuracy over the epochs, for training and validation of each
  * network. */
-Picture
+SvgDrawing
 curvesPicture(const EpochLog& log, bool has_validation);
 
 /** \brief The scores of a test in one line, in per cent. */

@@ -244,8 +244,9 @@ addOutputOptions(OptionParser& parser, TrainingSettings& settings)
             settings.training.checkpoint,
             "file to keep the state in; the same command goes on from it")
       .text("-log", settings.log, "write losses and accuracies per epoch as CSV")
-      .text("-curves", settings.curves, "draw them as PNG")
-      .text("-confusion", settings.confusion, "draw the test's confusions as PNG")
+      .text("-curves", settings.curves, "draw them as PNG or SVG")
+      .text(
+          "-confusion", settings.confusion, "draw the test's confusions as PNG or SVG")
       .flag(
           "-half", settings.half_precision, "store weights in 16 bits, half the size");
 }
