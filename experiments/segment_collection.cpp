@@ -8,7 +8,7 @@
 #include "objects/object_files.h"
 #include "rooms/collected_objects.h"
 #include "scene/category_names.h"
-#include "scene/scan_frame.h"
+#include "scene/segmented_rooms.h"
 #include "text/printable.h"
 
 #include <pcl/segmentation/room_objects.h>

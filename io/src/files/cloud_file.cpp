@@ -83,7 +83,7 @@ fillPoints(CloudFile& file)
   const auto placed = placedPoints(file.cloud, file.cloud.height > 1);
   const auto& origin = placed.origin;
   file.coordinate_step = origin.step;
-  file.offset = file.frame.offset + origin.middle;
+  file.offset = file.pose.offset + origin.middle;
   file.finite_count = placed.finite_count;
   file.copy_count = placed.copy_count;
   file.left_out = placed.left_out;
@@ -96,10 +96,10 @@ fillPoints(CloudFile& file)
   if (!note.empty())
     file.notes.push_back(note);
   const auto& points = placed.points;
-  points->sensor_origin_ = file.frame.origin;
+  points->sensor_origin_ = file.pose.origin;
   points->sensor_origin_.head<3>() =
-      (file.frame.origin.head<3>().cast<double>() - origin.middle).cast<float>();
-  points->sensor_orientation_ = file.frame.orientation;
+      (file.pose.origin.head<3>().cast<double>() - origin.middle).cast<float>();
+  points->sensor_orientation_ = file.pose.orientation;
   file.points = points;
 }
 
@@ -130,25 +130,26 @@ hasNormals(const PCLPointCloud2& cloud)
 }
 
 void
-readPose(const FileHeader& header, CloudFrame& frame)
+readPose(const FileHeader& header, CloudPose& pose)
 { // not as PCL has read it: by a stream that hides a lack of memory, and that leaves
   // what is no number as memory has it
-  frame.origin = Eigen::Vector4f::Zero();
-  frame.orientation = Eigen::Quaternionf::Identity();
+  pose.origin = Eigen::Vector4f::Zero();
+  pose.orientation = Eigen::Quaternionf::Identity();
   for (const auto& words : header.lines) {
     if (words[0] != "VIEWPOINT" || words.size() < 8)
       continue;
-    float pose[7];
+    float numbers[7];
     for (std::size_t k = 0; k < 7; ++k) {
       const auto& word = words[k + 1];
       const char* const begin = word.data() + (word[0] == '+');
       const char* const end = word.data() + word.size();
-      const auto read = std::from_chars(begin, end, pose[k]);
-      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(pose[k]))
+      const auto read = std::from_chars(begin, end, numbers[k]);
+      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(numbers[k]))
         return;
     }
-    frame.origin = Eigen::Vector4f(pose[0], pose[1], pose[2], 0);
-    frame.orientation = Eigen::Quaternionf(pose[3], pose[4], pose[5], pose[6]);
+    pose.origin = Eigen::Vector4f(numbers[0], numbers[1], numbers[2], 0);
+    pose.orientation =
+        Eigen::Quaternionf(numbers[3], numbers[4], numbers[5], numbers[6]);
   }
 }
 
@@ -253,7 +254,7 @@ loadCloud(const std::string& path,
   file.path = path;
   readCloud(file, columns);
   auto loaded =
-      withPoints(path, std::move(file.cloud), file.frame, least_points, file.notes);
+      withPoints(path, std::move(file.cloud), file.pose, least_points, file.notes);
   loaded.stations = std::move(file.stations);
   return loaded;
 }
@@ -261,7 +262,7 @@ loadCloud(const std::string& path,
 CloudFile
 withPoints(const std::string& path,
            PCLPointCloud2 cloud,
-           const CloudFrame& frame,
+           const CloudPose& pose,
            std::size_t least_points,
            std::vector<std::string> notes)
 {
@@ -269,7 +270,7 @@ withPoints(const std::string& path,
   file.notes = std::move(notes);
   file.path = path;
   file.cloud = std::move(cloud);
-  file.frame = frame;
+  file.pose = pose;
   for (const char* name : axes)
     if (!isRealField(file.cloud, name))
       throw ToolError(

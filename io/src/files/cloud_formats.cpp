@@ -51,8 +51,8 @@ readPcd(const CheckedPcd& checked, CloudFile& file)
   file.cloud.data.reserve(checked.bytes + checked.bytes / 2);
   if (reader.readHeader(header,
                         file.cloud,
-                        file.frame.origin,
-                        file.frame.orientation,
+                        file.pose.origin,
+                        file.pose.orientation,
                         version,
                         encoding,
                         body_begin) != 0 ||
@@ -101,15 +101,15 @@ loadPcd(CloudFile& file, const TableColumns& /*columns*/)
     refuseDamaged(file.path);
   file.notes = checked.notes;
   nameFields(file);
-  file.frame.offset = checked.header.offset;
-  readPose(checked.header, file.frame);
+  file.pose.offset = checked.header.offset;
+  readPose(checked.header, file.pose);
 }
 
 void
 loadPly(CloudFile& file, const TableColumns& /*columns*/)
 {
-  file.frame.offset =
-      readPly(file.path, file.cloud, file.frame.origin, file.frame.orientation);
+  file.pose.offset =
+      readPly(file.path, file.cloud, file.pose.origin, file.pose.orientation);
   nameFields(file);
 }
 
@@ -137,7 +137,7 @@ loadParts(const CloudFormat& format, CloudFile& file)
 {
   const auto stream = format.open(file.path);
   file.cloud = stream->layout();
-  file.frame = stream->frame();
+  file.pose = stream->pose();
   file.stations = stream->stations();
   file.notes = stream->notes();
   file.cloud.data.reserve(stream->pointCount() * file.cloud.point_step);

@@ -39,7 +39,7 @@ struct CloudFormat {
 const CloudFormat*
 cloudFormatOf(const std::string& path);
 
-/** \brief Read the fields of a cloud file, its frame, stations and notes.
+/** \brief Read the fields of a cloud file, its pose, stations and notes.
  * \param[in,out] file has its path
  * \throws ToolError see loadCloud()
  */

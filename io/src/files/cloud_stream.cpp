@@ -118,15 +118,15 @@ FileStream::openPcd()
   const SilentPcl silence;
   if (PCDReader().readHeader(stream,
                              layout_,
-                             frame_.origin,
-                             frame_.orientation,
+                             pose_.origin,
+                             pose_.orientation,
                              version,
                              encoding,
                              body_begin) != 0 ||
       layout_.point_step != pcd.bytesPerPoint())
     return false;
-  readPose(header, frame_);
-  frame_.offset = header.offset;
+  readPose(header, pose_);
+  pose_.offset = header.offset;
   layout_.data.clear();
   layout_.width = static_cast<std::uint32_t>(pcd.width);
   layout_.height = static_cast<std::uint32_t>(pcd.height);
@@ -149,7 +149,7 @@ FileStream::openPly()
   if (!records)
     return false;
   layout_ = std::move(records->layout);
-  frame_ = {records->origin, records->orientation, records->offset};
+  pose_ = {records->origin, records->orientation, records->offset};
   body_begin_ = records->body_begin;
   record_size_ = records->record_size;
   points_ = std::move(records->points);
@@ -211,8 +211,8 @@ CloudStream::setStation(const std::string& name,
   const Eigen::Vector3f origin = position.cast<float>();
   if (!origin.allFinite() || !turn.isUnitary(tolerance) || turn.determinant() < 0)
     return;
-  frame_.origin.head<3>() = origin;
-  frame_.orientation = Eigen::Quaterniond(turn).cast<float>();
+  pose_.origin.head<3>() = origin;
+  pose_.orientation = Eigen::Quaterniond(turn).cast<float>();
 }
 
 std::unique_ptr<CloudStream>

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "files/cloud_writer.h" // for CloudFrame
+#include "files/cloud_writer.h" // for CloudPose
 
 #include <pcl/io/station.h>
 #include <pcl/PCLPointCloud2.h>
@@ -37,10 +37,10 @@ public:
     return layout_;
   }
 
-  const CloudFrame&
-  frame() const
+  const CloudPose&
+  pose() const
   {
-    return frame_;
+    return pose_;
   }
 
   /** \brief What is odd in the file, see CloudFile::notes. */
@@ -90,7 +90,7 @@ protected:
              const Eigen::Matrix3d& turn);
 
   PCLPointCloud2 layout_;
-  CloudFrame frame_;
+  CloudPose pose_;
   std::vector<std::string> notes_;
   std::vector<Station> stations_;
 };

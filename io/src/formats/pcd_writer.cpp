@@ -31,7 +31,7 @@ sizeOf(const std::vector<std::vector<std::uint8_t>>& blocks)
 std::string
 headerOf(const PCLPointCloud2& cloud,
          const std::vector<PCLPointField>& fields,
-         const CloudFrame& frame,
+         const CloudPose& pose,
          const std::string& encoding)
 {
   std::string names, sizes, types, counts;
@@ -42,13 +42,13 @@ headerOf(const PCLPointCloud2& cloud,
     counts += " " + std::to_string(field.count);
   }
   std::string text = "# .PCD v0.7 - Point Cloud Data file format\n";
-  if (!frame.offset.isZero(0.0))
-    text += "# " + offsetText(frame.offset) + "\n";
-  const auto& turn = frame.orientation;
+  if (!pose.offset.isZero(0.0))
+    text += "# " + offsetText(pose.offset) + "\n";
+  const auto& turn = pose.orientation;
   return text + "VERSION 0.7\nFIELDS" + names + "\nSIZE" + sizes + "\nTYPE" + types +
          "\nCOUNT" + counts + "\nWIDTH " + std::to_string(cloud.width) + "\nHEIGHT " +
-         std::to_string(cloud.height) + "\nVIEWPOINT " + numberText(frame.origin.x()) +
-         " " + numberText(frame.origin.y()) + " " + numberText(frame.origin.z()) + " " +
+         std::to_string(cloud.height) + "\nVIEWPOINT " + numberText(pose.origin.x()) +
+         " " + numberText(pose.origin.y()) + " " + numberText(pose.origin.z()) + " " +
          numberText(turn.w()) + " " + numberText(turn.x()) + " " +
          numberText(turn.y()) + " " + numberText(turn.z()) + "\nPOINTS " +
          std::to_string(static_cast<std::size_t>(cloud.width) * cloud.height) +
@@ -156,7 +156,7 @@ writePointByPoint(OutputFile& file,
 void
 writePcd(OutputFile& file,
          const PCLPointCloud2& cloud,
-         const CloudFrame& frame,
+         const CloudPose& pose,
          int threads)
 {
   const auto fields = fieldsOf(cloud);
@@ -165,22 +165,22 @@ writePcd(OutputFile& file,
     all_bytes += byteCount(field) * cloud.width * cloud.height;
   const auto smaller = compressedBlocks(cloud, fields, all_bytes, threads);
   if (smaller.empty()) {
-    file.write(headerOf(cloud, fields, frame, "binary"));
+    file.write(headerOf(cloud, fields, pose, "binary"));
     writePointByPoint(file, cloud, fields);
     return;
   }
   const std::uint32_t sizes[] = {static_cast<std::uint32_t>(sizeOf(smaller)),
                                  static_cast<std::uint32_t>(all_bytes)};
-  file.write(headerOf(cloud, fields, frame, "binary_compressed"));
+  file.write(headerOf(cloud, fields, pose, "binary_compressed"));
   file.write(sizes, sizeof(sizes));
   for (const auto& block : smaller)
     file.write(block.data(), block.size());
 }
 
 void
-writePcdHeader(OutputFile& file, const PCLPointCloud2& layout, const CloudFrame& frame)
+writePcdHeader(OutputFile& file, const PCLPointCloud2& layout, const CloudPose& pose)
 {
-  file.write(headerOf(layout, fieldsOf(layout), frame, "binary"));
+  file.write(headerOf(layout, fieldsOf(layout), pose, "binary"));
 }
 
 void

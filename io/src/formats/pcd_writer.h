@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "files/cloud_writer.h" // for CloudFrame
+#include "files/cloud_writer.h" // for CloudPose
 
 namespace pcl::indoor::tool {
 
@@ -15,14 +15,14 @@ namespace pcl::indoor::tool {
 void
 writePcd(OutputFile& file,
          const PCLPointCloud2& cloud,
-         const CloudFrame& frame,
+         const CloudPose& pose,
          int threads);
 
 /** \brief Begin a PCD that is not compressed, whose points follow part by part.
  * \param[in] layout width, height and fields of the whole
  */
 void
-writePcdHeader(OutputFile& file, const PCLPointCloud2& layout, const CloudFrame& frame);
+writePcdHeader(OutputFile& file, const PCLPointCloud2& layout, const CloudPose& pose);
 
 /** \brief Write points with the same fields. */
 void

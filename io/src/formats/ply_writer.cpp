@@ -106,12 +106,12 @@ constexpr const char* camera_header =
     "property int viewportx\nproperty int viewporty\n";
 
 std::string
-cameraBytes(const PCLPointCloud2& cloud, const CloudFrame& frame)
+cameraBytes(const PCLPointCloud2& cloud, const CloudPose& pose)
 {
   std::string bytes;
   for (int axis = 0; axis < 3; ++axis)
-    append(bytes, frame.origin[axis]);
-  const Eigen::Matrix3f rotation = frame.orientation.toRotationMatrix();
+    append(bytes, pose.origin[axis]);
+  const Eigen::Matrix3f rotation = pose.orientation.toRotationMatrix();
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
       append(bytes, rotation(row, column));
@@ -126,14 +126,14 @@ void
 writePly(OutputFile& file,
          const std::string& path,
          const PCLPointCloud2& cloud,
-         const CloudFrame& frame)
+         const CloudPose& pose)
 {
   constexpr std::size_t block_size = 1 << 16;
   const auto point_count = static_cast<std::size_t>(cloud.width) * cloud.height;
   const auto properties = propertiesOf(cloud, path);
   std::string block = "ply\nformat binary_little_endian 1.0\n";
-  if (!frame.offset.isZero(0.0))
-    block += "comment " + offsetText(frame.offset) + "\n";
+  if (!pose.offset.isZero(0.0))
+    block += "comment " + offsetText(pose.offset) + "\n";
   block += "element vertex " + std::to_string(point_count) + "\n";
   for (const auto& property : properties)
     block += "property " + property.text + "\n";
@@ -152,7 +152,7 @@ writePly(OutputFile& file,
       block.clear();
     }
   }
-  file.write(block + cameraBytes(cloud, frame));
+  file.write(block + cameraBytes(cloud, pose));
 }
 
 } // namespace pcl::indoor::tool

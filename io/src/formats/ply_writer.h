@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "files/cloud_writer.h" // for CloudFrame
+#include "files/cloud_writer.h" // for CloudPose
 
 namespace pcl::indoor::tool {
 
@@ -19,6 +19,6 @@ void
 writePly(OutputFile& file,
          const std::string& path,
          const PCLPointCloud2& cloud,
-         const CloudFrame& frame);
+         const CloudPose& pose);
 
 } // namespace pcl::indoor::tool

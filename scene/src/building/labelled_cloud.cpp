@@ -90,7 +90,7 @@ completeCloud(const std::string& path,
   const PointLabels labels = {
       scene.room_of_point, scene.object_of_point, scene.structure_of_point};
   complete(look, labels, scene.classes, nullptr, path, file);
-  return cloudBeside(path, file.cloud, file.frame, look.threads);
+  return cloudBeside(path, file.cloud, file.pose, look.threads);
 }
 
 OutputFile
@@ -130,12 +130,12 @@ completeCloudInParts(const std::string& path,
       all.data.clear();
       all.width = layout.width;
       all.height = layout.height;
-      writePcdHeader(output, all, part.frame);
+      writePcdHeader(output, all, part.pose);
     }
     writePcdPart(output, part.cloud);
     report(first + part.points->size(), files.filed.point_count);
     if (first + part.points->size() == files.filed.point_count)
-      scan.file.frame = part.frame; // as in the output
+      scan.file.pose = part.pose; // as in the output
   });
   output.close();
   return output;

@@ -26,8 +26,7 @@ struct ReportInput {
   const nlohmann::ordered_json& json; ///< of the scene, see sceneJson()
   const FloorPlan& plan;              ///< with things
   const Picture& field;
-  const PointCloud<PointXYZ>& standing; ///< points of the scene, z up, metres
-  Eigen::Vector3d offset;               ///< of the points, in the unit of the file
+  const PointCloud<PointXYZ>& upright; ///< points of the scene, z up, metres
 };
 
 /** \brief The report: an HTML page that needs no other file and no network, made of

@@ -123,13 +123,13 @@ struct Strip {
 /** \param[in] range of x, metres */
 Strip
 stripOf(const Scene& scene,
-        const PointCloud<PointXYZ>& standing,
+        const PointCloud<PointXYZ>& upright,
         const Eigen::Vector3f& corner,
         const std::pair<float, float>& range)
 {
   Strip strip = {{0}, {corner}, {0}};
-  for (std::size_t i = 0; i < standing.size(); ++i)
-    if (const auto& point = standing[i];
+  for (std::size_t i = 0; i < upright.size(); ++i)
+    if (const auto& point = upright[i];
         isFinite(point) && point.x >= range.first && point.x < range.second) {
       strip.points.push_back(i);
       strip.positions.emplace_back(point.getVector3fMap());
@@ -140,24 +140,24 @@ stripOf(const Scene& scene,
 
 /** The file of each point of the sample: 0 ... rooms for the rooms with what surrounds
  * them, the last for the others. Strip by strip: a large building has many points.
- * \param[in] standing points of the sample, z up, metres; not finite where outside */
+ * \param[in] upright points of the sample, z up, metres; not finite where outside */
 std::vector<std::uint32_t>
-filesOfSample(const Scene& scene, const PointCloud<PointXYZ>& standing)
+filesOfSample(const Scene& scene, const PointCloud<PointXYZ>& upright)
 {
   constexpr float width = 64.0f; // metres
   constexpr float around = 1.0f; // metres, more than withSurroundings() looks at
   std::set<float> begins;        // of strips that have points
   Eigen::AlignedBox3f box;
-  for (const auto& point : standing)
+  for (const auto& point : upright)
     if (isFinite(point)) {
       begins.insert(width * std::floor(point.x / width));
       box.extend(point.getVector3fMap());
     }
   const auto count = static_cast<std::uint32_t>(scene.rooms.size());
-  std::vector<std::uint32_t> files(standing.size(), in_no_file);
+  std::vector<std::uint32_t> files(upright.size(), in_no_file);
   for (const float begin : begins) {
     const auto strip =
-        stripOf(scene, standing, box.min(), {begin - around, begin + width + around});
+        stripOf(scene, upright, box.min(), {begin - around, begin + width + around});
     const auto rooms = withSurroundings(strip.positions, strip.rooms);
     for (std::size_t k = 1; k < rooms.size(); ++k)
       if (const float x = strip.positions[k].x(); x >= begin && x < begin + width)
@@ -172,11 +172,11 @@ filePoints(ScanContent& scan,
            bool with_normals,
            WorkFolder& folder,
            const Scene& scene,
-           const PointCloud<PointXYZ>& standing,
+           const PointCloud<PointXYZ>& upright,
            const PointsDone& report)
 {
   const std::size_t file_count = scene.rooms.size() + 1;
-  const auto file_of_sample = filesOfSample(scene, standing);
+  const auto file_of_sample = filesOfSample(scene, upright);
   folder.removeFile(stage_file);
   Appender files(folder, fileNames(scene.rooms.size()));
   FiledRooms filed;
@@ -253,13 +253,13 @@ FiledRooms
 fileRooms(ScanContent& scan,
           bool with_normals,
           WorkFolder& folder,
-          const PointCloud<PointXYZ>& standing,
+          const PointCloud<PointXYZ>& upright,
           Scene& scene,
           const PointsDone& report)
 {
   auto before = filedBefore(folder);
   auto filed = before ? std::move(*before)
-                      : filePoints(scan, with_normals, folder, scene, standing, report);
+                      : filePoints(scan, with_normals, folder, scene, upright, report);
   for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
     const auto& own = filed.rooms.at(i);
     auto& room = scene.rooms[i];

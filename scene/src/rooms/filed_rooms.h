@@ -37,7 +37,7 @@ struct FiledRooms {
  * objects are looked for, see withSurroundings(), in the order of the scan, unless the
  * folder has them undamaged; a point is where the one is that stands for it. Another
  * file tells the room of each point.
- * \param[in] standing the sample, z up, metres; not finite where outside
+ * \param[in] upright the sample, z up, metres; not finite where outside
  * \param[in] scene with the rooms of the sample; boxes, centres and numbers of points
  * of its rooms are made those of all points
  */
@@ -45,7 +45,7 @@ FiledRooms
 fileRooms(ScanContent& scan,
           bool with_normals,
           WorkFolder& folder,
-          const PointCloud<PointXYZ>& standing,
+          const PointCloud<PointXYZ>& upright,
           Scene& scene,
           const PointsDone& report);
 

@@ -14,7 +14,6 @@
 #include "pictures/plan_svg.h"
 #include "pictures/room_picture.h"
 #include "report/report_page.h"
-#include "scene/scan_frame.h" // for originOf
 #include "scene/scene_json.h"
 #include "text/printable.h"
 
@@ -143,24 +142,23 @@ describe(const PipelineOptions& options,
   auto plan = floorPlan(scene.building, thingsFromAbove(scene));
   addModel(scene.model, plan);
   addNames(knownNames(scene), plan);
-  plan.origin = originOf(scene.input.offset, scene.frame, scene.building_pose);
+  plan.origin = scene.frame.originInFile().head<2>();
   const auto svg = planSvg(plan);
   auto drawn = planPicture(svg); // meanwhile
   const auto json = sceneJson(scene);
   const auto field = drawPotentialField(scene.building);
   std::string report, classes, rooms, field_bytes;
-  inParallel(
-      options.threads,
-      {[&] {
-         if (options.report != "none")
-           report = reportPage({scene, json, plan, field, points, scene.input.offset});
-       },
-       [&] {
-         if (!scene.classes.names.empty())
-           classes = pngBytes(drawClasses(scene, points));
-       },
-       [&] { rooms = pngBytes(drawRooms(scene.building)); },
-       [&] { field_bytes = pngBytes(field); }});
+  inParallel(options.threads,
+             {[&] {
+                if (options.report != "none")
+                  report = reportPage({scene, json, plan, field, points});
+              },
+              [&] {
+                if (!scene.classes.names.empty())
+                  classes = pngBytes(drawClasses(scene, points));
+              },
+              [&] { rooms = pngBytes(drawRooms(scene.building)); },
+              [&] { field_bytes = pngBytes(field); }});
   add("rooms.png", rooms);
   add("potential_field.png", field_bytes);
   if (!classes.empty())

@@ -11,7 +11,7 @@
 #include "formats/table_columns.h"
 #include "scene/point_colors.h"
 
-#include <pcl/scene/scene_options.h> // for ScanFrame
+#include <pcl/scene/scene_options.h> // for CoordinateOptions
 #include <pcl/segmentation/building_rooms_options.h>
 
 #include <string>
@@ -22,7 +22,7 @@ namespace pcl::indoor::tool {
 struct RoomSettings {
   std::string input, output, map, json, dxf;
   std::string method = "slab", preset = "default";
-  ScanFrame frame;
+  CoordinateOptions scan;
   BuildingRoomsOptions rooms;
   PointColors colors;
   PointCoordinates coordinates;

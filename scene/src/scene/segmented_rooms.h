@@ -18,45 +18,28 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief The unit that has so many metres, as the option -unit names it; empty if none
- * has. */
-std::string
-unitName(double metres_per_unit);
-
-/** \brief The direction that the option -up names by three numbers.
- * \throws ToolError if the text is none */
-Eigen::Vector3f
-upDirection(const std::string& text);
-
 /** \brief The rooms of a scan, and what was found out about its points. */
 struct SegmentedRooms {
   std::vector<std::uint32_t> room_of_point;
-  ScanReport report; ///< of the segmentation; its warnings are those of the file, too
+  ScanReport report;   ///< of the segmentation; its warnings are those of the file, too
+  BuildingFrame frame; ///< with the offset of the file
 };
 
 /** \brief Find the rooms.
- * \param[in] found of the file's points and this frame, if it is known
+ * \param[in] found of the file's points with these options, if it is known
  * \param[in] looks_at_things by the bundled voxel network, where neither furniture nor
  * passages clearly tell which end is up
- * \param[in,out] segmentation its parameters are set; frame and input are set here
- * \param[in] warn is told what is implausible, a line each
- * \throws ToolError if no point has been looked at
+ * \param[in,out] segmentation its parameters are set; coordinates and input are set
+ * here \param[in] warn is told what is implausible, a line each \throws ToolError if no
+ * point has been looked at
  */
 SegmentedRooms
 segmentRooms(const CloudFile& file,
-             const ScanFrame& frame,
-             const std::optional<UprightFrame>& found,
+             const CoordinateOptions& coordinates,
+             const std::optional<ScanCoordinates>& found,
              bool looks_at_things,
              RoomSegmentation<PointXYZ>& segmentation,
              const std::function<void(const std::string& line)>& warn);
-
-/** \brief What to add to horizontal places of the building's frame to get those of the
- * scan, metres.
- * \param[in] offset of the scan's points, in its unit */
-Eigen::Vector2d
-originOf(const Eigen::Vector3d& offset,
-         const ScanFrame& frame,
-         const Eigen::Isometry3d& pose);
 
 /** \brief What the tool says on a terminal: number of rooms, an automatic voxel size
  * that was raised, points that were left out. */
@@ -65,8 +48,6 @@ summaryOf(const RoomSegmentation<PointXYZ>& segmentation);
 
 /** \brief Unit of the coordinates, voxel size, points left out and warnings. */
 void
-addReportJson(nlohmann::ordered_json& json,
-              const ScanFrame& frame,
-              const ScanReport& report);
+addReportJson(nlohmann::ordered_json& json, const ScanReport& report);
 
 } // namespace pcl::indoor::tool
