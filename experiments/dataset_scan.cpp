@@ -9,7 +9,7 @@
 #include "datasets/scannet.h"
 #include "files/output_file.h"
 #include "files/point_coordinates.h"
-#include "formats/table_columns.h" // for listedNames
+#include "formats/table/table_columns.h" // for listedNames
 
 #include <filesystem>
 

@@ -15,7 +15,7 @@
 #include "files/cloud_formats.h"
 #include "files/sampled_surface.h"
 #include "formats/mesh_file.h"
-#include "formats/ply_file.h"
+#include "formats/ply/ply_file.h"
 #include "mutation.h"
 #include "objects/join/boosted_trees.h"
 #include "scene/category_names.h"

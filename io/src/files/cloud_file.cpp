@@ -9,7 +9,6 @@
 #include "files/field_value.h"
 #include "files/placed_points.h"
 #include "files/scan_files.h"
-#include "formats/file_header.h"
 #include "text/printable.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
@@ -17,10 +16,8 @@
 #include <pcl/indoor/usable_point.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -127,30 +124,6 @@ hasNormals(const PCLPointCloud2& cloud)
 {
   return isRealField(cloud, "normal_x") && isRealField(cloud, "normal_y") &&
          isRealField(cloud, "normal_z");
-}
-
-void
-readPose(const FileHeader& header, CloudPose& pose)
-{ // not as PCL has read it: by a stream that hides a lack of memory, and that leaves
-  // what is no number as memory has it
-  pose.origin = Eigen::Vector4f::Zero();
-  pose.orientation = Eigen::Quaternionf::Identity();
-  for (const auto& words : header.lines) {
-    if (words[0] != "VIEWPOINT" || words.size() < 8)
-      continue;
-    float numbers[7];
-    for (std::size_t k = 0; k < 7; ++k) {
-      const auto& word = words[k + 1];
-      const char* const begin = word.data() + (word[0] == '+');
-      const char* const end = word.data() + word.size();
-      const auto read = std::from_chars(begin, end, numbers[k]);
-      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(numbers[k]))
-        return;
-    }
-    pose.origin = Eigen::Vector4f(numbers[0], numbers[1], numbers[2], 0);
-    pose.orientation =
-        Eigen::Quaternionf(numbers[3], numbers[4], numbers[5], numbers[6]);
-  }
 }
 
 CoordinateOrigin

@@ -4,10 +4,9 @@
  */
 #pragma once
 
-#include "files/cloud_writer.h" // for CloudPose
+#include "files/cloud_writer.h"
 #include "files/tool_error.h"
-#include "formats/file_header.h"
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 
 #include <pcl/io/station.h>
 #include <pcl/PCLPointCloud2.h>
@@ -128,11 +127,6 @@ private:
   const PCLPointCloud2* cloud_;
   int fields_[3];
 };
-
-/** \brief The sensor's pose that the header of a PCD tells; the unit one where it
- * tells none by seven finite numbers. */
-void
-readPose(const FileHeader& header, CloudPose& pose);
 
 /** \brief Does the cloud have real numbers of this name? */
 bool

@@ -5,8 +5,8 @@
 #include "files/cloud_writer.h"
 
 #include "files/tool_error.h"
-#include "formats/pcd_writer.h"
-#include "formats/ply_writer.h"
+#include "formats/pcd/pcd_writer.h"
+#include "formats/ply/ply_writer.h"
 
 #include <algorithm>
 #include <cctype>

@@ -7,7 +7,7 @@
 #include "files/placed_points.h"
 #include "formats/mesh_file.h"
 #include "formats/packed_file.h"
-#include "formats/ply_file.h"
+#include "formats/ply/ply_file.h"
 
 #include <pcl/conversions.h>
 #include <pcl/exceptions.h>
@@ -124,6 +124,12 @@ drawPoints(const Mesh& mesh, CloudFile& file)
   file.pose.offset = mesh.offset;
   if (mesh.y_is_up)
     file.notes.emplace_back("its y axis points up, as its format has it");
+}
+
+void
+loadMesh(CloudFile& file, const TableColumns& /*columns*/)
+{
+  drawPoints(readMesh(file.path), file);
 }
 
 CloudFile

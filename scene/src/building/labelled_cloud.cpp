@@ -4,7 +4,7 @@
  */
 #include "building/labelled_cloud.h"
 
-#include "formats/pcd_writer.h"
+#include "formats/pcd/pcd_writer.h"
 #include "scan/scan.h"            // for partOf
 #include "scene/category_names.h" // for other_class
 

@@ -4,7 +4,7 @@
  */
 #include "files/cloud_file.h"
 #include "files/cloud_stream.h"
-#include "formats/pcd_writer.h"
+#include "formats/pcd/pcd_writer.h"
 #include "support/added_field.h"
 #include "support/folder_test.h"
 

@@ -7,7 +7,7 @@
 #include "command_line/memory_limit.h"
 #include "command_line/options.h"
 #include "files/point_coordinates.h"
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 #include "scene/point_colors.h"
 
 #include <pcl/scene/scene_options.h> // for CoordinateOptions

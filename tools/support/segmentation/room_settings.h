@@ -8,7 +8,7 @@
 #include "command_line/options.h"
 #include "files/point_coordinates.h"
 #include "files/station_choice.h"
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 #include "scene/point_colors.h"
 
 #include <pcl/scene/scene_options.h> // for CoordinateOptions

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "formats/pcd_writer.h"
+#include "formats/pcd/pcd_writer.h"
 
 #include "files/field_value.h"
 #include "formats/file_header.h" // for numberText

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "formats/pcd_body.h"
+#include "formats/pcd/pcd_body.h"
 
 #include "files/field_value.h"
 

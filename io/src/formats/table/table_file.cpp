@@ -2,13 +2,12 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "formats/table_file.h"
+#include "formats/table/table_file.h"
 
-#include "files/cloud_file.h" // for appendField
 #include "files/tool_error.h"
 #include "formats/file_ending.h"
-#include "formats/table_rows.h"
-#include "formats/table_words.h"
+#include "formats/table/table_rows.h"
+#include "formats/table/table_words.h"
 
 #include <pcl/PCLPointField.h>
 
@@ -191,12 +190,10 @@ tablePointCount(const std::string& path, const std::string& beginning)
   return 0;
 }
 
-PCLPointCloud2
-readTable(const std::string& path,
-          const TableColumns& columns,
-          std::vector<std::string>& notes,
-          std::vector<Station>& stations)
+void
+loadTable(CloudFile& file, const TableColumns& columns)
 {
+  const auto& path = file.path;
   std::error_code error;
   std::string content(std::filesystem::file_size(path, error), '\0');
   std::ifstream stream(path, std::ios::binary);
@@ -205,10 +202,10 @@ readTable(const std::string& path,
   TableRows rows(path, columns);
   visitLines(content, [&rows](std::string_view line) { rows.add(line); });
   rows.finish();
-  notes = rows.notes();
+  file.notes = rows.notes();
   if (rows.count() > 0x7fffffff)
     throw ToolError(path + ": more than 2^31 - 1 points");
-  PCLPointCloud2 cloud;
+  auto& cloud = file.cloud;
   const auto targets = layOut(rows.columns(), cloud);
   cloud.width = static_cast<std::uint32_t>(rows.count());
   cloud.height = 1;
@@ -219,8 +216,7 @@ readTable(const std::string& path,
     for (const auto& target : targets)
       putValue(target, *value++, &cloud.data[i * cloud.point_step]);
   if (rows.parts().size() > 1 && !hasField(cloud, station_field))
-    addStations(rows.parts(), cloud, stations);
-  return cloud;
+    addStations(rows.parts(), cloud, file.stations);
 }
 
 } // namespace pcl::indoor::tool

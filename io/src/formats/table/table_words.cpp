@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "formats/table_words.h"
+#include "formats/table/table_words.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "formats/ply_body.h"
+#include "formats/ply/ply_body.h"
 
 #include "files/tool_error.h"
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "formats/ply_writer.h"
+#include "formats/ply/ply_writer.h"
 
 #include "files/tool_error.h"
 #include "formats/file_header.h" // for offsetText

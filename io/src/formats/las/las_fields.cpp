@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 // Facts of the format: ASPRS, LAS Specification 1.4, R15.
-#include "formats/las_fields.h"
+#include "formats/las/las_fields.h"
 
 #include <pcl/PCLPointField.h>
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "formats/table_layout.h"
+#include "formats/table/table_layout.h"
 
 #include <algorithm>
 #include <cmath>

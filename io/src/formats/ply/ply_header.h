@@ -5,7 +5,7 @@
 #pragma once
 
 #include "formats/file_header.h"
-#include "formats/ply_body.h"
+#include "formats/ply/ply_body.h"
 
 #include <cstdint>
 #include <string>

@@ -4,10 +4,8 @@
  */
 #pragma once
 
-#include "formats/table_columns.h"
-
-#include <pcl/io/station.h>
-#include <pcl/PCLPointCloud2.h>
+#include "files/cloud_file.h"
+#include "formats/table/table_columns.h"
 
 #include <cstdint>
 #include <string>
@@ -40,14 +38,11 @@ tablePointCount(const std::string& path, const std::string& beginning);
  * integers, all else floats, see columnsOf() and columnsByValues().
  * Parts that follow each other, each behind the number of its points, are scans from
  * several stations: they get the field station, from 1, unless a column has its name.
- * \param[out] notes how the table was taken, see CloudFile::notes
- * \param[out] stations of several parts; they have no positions
+ * \param[in,out] file gets the points, the stations of several parts, which have no
+ * positions, and notes on how the table was taken
  * \throws ToolError naming the line that cannot be read
  */
-PCLPointCloud2
-readTable(const std::string& path,
-          const TableColumns& columns,
-          std::vector<std::string>& notes,
-          std::vector<Station>& stations);
+void
+loadTable(CloudFile& file, const TableColumns& columns);
 
 } // namespace pcl::indoor::tool

@@ -2,12 +2,12 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "formats/table_rows.h"
+#include "formats/table/table_rows.h"
 
 #include "files/tool_error.h"
 #include "formats/file_header.h" // for throwTruncated
-#include "formats/table_layout.h"
-#include "formats/table_words.h"
+#include "formats/table/table_layout.h"
+#include "formats/table/table_words.h"
 
 #include <boost/algorithm/string/join.hpp>
 

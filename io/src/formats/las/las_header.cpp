@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 // Facts of the format: ASPRS, LAS Specification 1.4, R15.
-#include "formats/las_header.h"
+#include "formats/las/las_header.h"
 
 namespace pcl::indoor::tool {
 namespace {

@@ -4,15 +4,12 @@
  */
 #pragma once
 
-#include "formats/las_source.h"
+#include "files/cloud_file.h"
+#include "files/cloud_stream.h"
 
-#include <pcl/PCLPointCloud2.h>
-
-#include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <string>
-#include <vector>
 
 namespace pcl::indoor::tool {
 
@@ -25,6 +22,12 @@ isLas(const std::string& path, const std::string& beginning);
 std::uint64_t
 lasPointCount(const std::string& path, const std::string& beginning);
 
+/** \brief Open a file, after a look at all of its points.
+ * \return null if it has none
+ * \throws ToolError as loadLas() */
+std::unique_ptr<CloudStream>
+openLasFile(const std::string& path);
+
 /** \brief Read the points of a LAS or LAZ file, versions 1.0 to 1.4, point formats 0 to
  * 10.
  *
@@ -36,26 +39,10 @@ lasPointCount(const std::string& path, const std::string& beginning);
  * 64-bit integers as doubles. Of colours of 16 bits rgb has the upper 8, and red_16,
  * green_16 and blue_16 are all of them if there is more to them; where none exceeds
  * 255, they are taken as they are. Points that are withheld are NaN. Waveforms are left
- * out. \param[out] notes what is odd, see CloudFile::notes \throws ToolError if the
- * file is damaged or has fewer points than its header promises
+ * out.
+ * \throws ToolError if the file is damaged or has fewer points than its header promises
  */
-PCLPointCloud2
-readLas(const std::string& path, std::vector<std::string>& notes);
-
-/** \brief How the points of a LAS or LAZ file lie in it, and how they become those of
- * readLas().
- */
-struct LasRecords {
-  PCLPointCloud2 layout; ///< fields and width, no points
-  std::size_t record_size = 0;
-  std::shared_ptr<LasSource> source;
-  std::function<void(const char* record, char* point)> copy;
-  std::vector<std::string> notes; ///< see readLas()
-};
-
-/** \brief Read the header of a LAS or LAZ file, and look at its points once.
- * \throws ToolError as readLas() */
-LasRecords
-lasRecords(const std::string& path);
+void
+loadLas(CloudFile& file, const TableColumns& columns);
 
 } // namespace pcl::indoor::tool

@@ -2,13 +2,15 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "formats/ply_file.h"
+#include "formats/ply/ply_file.h"
 
 #include "files/field_value.h"
+#include "files/record_stream.h"
 #include "files/tool_error.h"
+#include "files/usual_fields.h" // for nameFields
 #include "formats/file_header.h"
-#include "formats/ply_body.h"
-#include "formats/ply_header.h"
+#include "formats/ply/ply_body.h"
+#include "formats/ply/ply_header.h"
 
 #include <algorithm>
 #include <cstring>
@@ -116,8 +118,7 @@ readCamera(PlyBody& body,
            const PlyElement& camera,
            const std::string& path,
            PCLPointCloud2& cloud,
-           Eigen::Vector4f& origin,
-           Eigen::Quaternionf& orientation)
+           CloudPose& pose)
 {
   std::map<std::string, float> values;
   std::map<std::string, std::uint32_t> counts;
@@ -139,13 +140,13 @@ readCamera(PlyBody& body,
   Eigen::Matrix3f rotation;
   for (int row = 0; row < 3; ++row) {
     const std::string letter(1, "xyz"[row]);
-    origin[row] = values["view_p" + letter];
+    pose.origin[row] = values["view_p" + letter];
     for (int column = 0; column < 3; ++column) // PCL writes the axes as rows
       rotation(row, column) =
           values[std::string(1, "xyz"[row]) + "_axis" + "xyz"[column]];
   }
   if (rotation.isUnitary(1e-3f))
-    orientation = Eigen::Quaternionf(rotation);
+    pose.orientation = Eigen::Quaternionf(rotation);
 }
 
 void
@@ -167,7 +168,7 @@ struct PlyFile {
 };
 
 PlyFile
-openPly(const std::string& path)
+readWhole(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
   const auto header = readFileHeader(stream, "end_header", path);
@@ -229,46 +230,36 @@ readFace(PlyBody& body, const PlyElement& element, const std::string& path)
 
 } // namespace
 
-Eigen::Vector3d
-readPly(const std::string& path,
-        PCLPointCloud2& cloud,
-        Eigen::Vector4f& origin,
-        Eigen::Quaternionf& orientation)
+bool
+isPly(const std::string& /*path*/, const std::string& beginning)
 {
-  auto [elements, body, offset] = openPly(path);
-  bool found = false;
-  const auto wanted = [](const PlyElement& element) {
-    return element.name == "vertex" || element.name == "camera";
-  };
-  for (auto element = elements.begin();
-       std::any_of(element, elements.end(), wanted); // nothing else is needed
-       ++element) {
-    if (element->name == "vertex" && !found) {
-      readVertices(body, *element, path, cloud);
-      found = true;
-    }
-    else if (element->name == "camera" && element->count == 1)
-      readCamera(body, *element, path, cloud, origin, orientation);
-    else
-      skip(body, *element, path);
-  }
-  if (!found)
-    throw ToolError(path + ": the file has no points (no element vertex)");
-  return offset;
+  const auto words =
+      wordsOf(beginning.substr(0, std::min<std::size_t>(64, beginning.find('\n'))));
+  return !words.empty() && words[0] == "ply";
 }
 
-std::optional<PlyRecords>
-plyRecords(const std::string& path)
+std::uint64_t
+plyPointCount(const std::string& path, const std::string& /*beginning*/)
+{
+  std::ifstream stream(path, std::ios::binary);
+  for (const auto& words : readFileHeader(stream, "end_header", path).lines)
+    if (words.size() == 3 && words[0] == "element" && words[1] == "vertex")
+      return headerCount(words[2], words[0], path);
+  return 0;
+}
+
+std::unique_ptr<CloudStream>
+openPly(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
   const auto header = readFileHeader(stream, "end_header", path);
   const auto elements = elementsOf(header, path);
   const auto encoding = encodingOf(header, path);
   if (encoding == PlyBody::Encoding::Ascii || !areRecords(elements))
-    return {};
+    return nullptr;
   const auto& vertex = elements[0];
-  PlyRecords records;
-  records.offset = header.offset;
+  CloudRecords records;
+  records.pose.offset = header.offset;
   records.body_begin = header.body_begin;
   for (const auto& property : vertex.properties)
     records.record_size += plyTypeSize(property.type);
@@ -288,10 +279,35 @@ plyRecords(const std::string& path)
                                              vertex.count * records.record_size));
     PlyBody body(
         std::string(std::istreambuf_iterator<char>(stream), {}), encoding, path);
-    readCamera(
-        body, elements[1], path, records.layout, records.origin, records.orientation);
+    readCamera(body, elements[1], path, records.layout, records.pose);
   }
-  return records;
+  return recordStream(path, std::move(records));
+}
+
+void
+loadPly(CloudFile& file, const TableColumns& /*columns*/)
+{
+  auto [elements, body, offset] = readWhole(file.path);
+  bool found = false;
+  const auto wanted = [](const PlyElement& element) {
+    return element.name == "vertex" || element.name == "camera";
+  };
+  for (auto element = elements.begin();
+       std::any_of(element, elements.end(), wanted); // nothing else is needed
+       ++element) {
+    if (element->name == "vertex" && !found) {
+      readVertices(body, *element, file.path, file.cloud);
+      found = true;
+    }
+    else if (element->name == "camera" && element->count == 1)
+      readCamera(body, *element, file.path, file.cloud, file.pose);
+    else
+      skip(body, *element, file.path);
+  }
+  if (!found)
+    throw ToolError(file.path + ": the file has no points (no element vertex)");
+  file.pose.offset = offset;
+  nameFields(file);
 }
 
 bool
@@ -312,7 +328,7 @@ readPlyFaces(const std::string& path)
 {
   if (!hasPlyFaces(path))
     return {};
-  auto [elements, body, offset] = openPly(path);
+  auto [elements, body, offset] = readWhole(path);
   std::vector<std::vector<std::uint32_t>> faces;
   for (const auto& element : elements) {
     if (!hasFaces(element)) {

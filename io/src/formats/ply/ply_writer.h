@@ -12,7 +12,7 @@ namespace pcl::indoor::tool {
  *
  * Normals are nx, ny, nz, colours are red, green, blue (and alpha), fields of several
  * values are lists; the pose and the arrangement in rows are the element camera. All
- * are read back by readPly() and by PCL, but for lists.
+ * are read back by loadPly() and by PCL, but for lists.
  * \throws ToolError if a field has integers of 64 bits
  */
 void

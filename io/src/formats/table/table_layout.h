@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 // Facts of the format: ASPRS, LAS Specification 1.4, R15.
-#include "formats/las_source.h"
+#include "formats/las/las_source.h"
 
 #include "files/tool_error.h"
 #include "formats/file_header.h" // for throwTruncated

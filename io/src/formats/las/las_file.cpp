@@ -3,10 +3,11 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 // Facts of the format: ASPRS, LAS Specification 1.4, R15.
-#include "formats/las_file.h"
+#include "formats/las/las_file.h"
 
-#include "formats/las_fields.h"
-#include "formats/las_header.h"
+#include "formats/las/las_fields.h"
+#include "formats/las/las_header.h"
+#include "formats/las/las_source.h"
 
 #include <pcl/PCLPointField.h>
 
@@ -132,7 +133,15 @@ addLookNotes(const LasLook& look, std::uint64_t points, std::vector<std::string>
                     std::to_string(look.withheld));
 }
 
-/** How the points become those of a cloud. */
+/** How the points lie in the file, and how they become those of a cloud. */
+struct LasRecords {
+  PCLPointCloud2 layout; ///< fields and width, no points
+  std::size_t record_size = 0;
+  std::shared_ptr<LasSource> source;
+  std::function<void(const char* record, char* point)> copy;
+  std::vector<std::string> notes; ///< see CloudFile::notes
+};
+
 LasRecords
 recordsOf(OpenLas file, const LasLook& look)
 {
@@ -154,6 +163,33 @@ recordsOf(OpenLas file, const LasLook& look)
   return records;
 }
 
+/** Decodes its points part by part. */
+class LasStream : public CloudStream {
+public:
+  explicit LasStream(LasRecords records)
+  : records_(std::move(records))
+  {
+    layout_ = records_.layout;
+    notes_ = records_.notes;
+  }
+
+  PCLPointCloud2
+  read(std::uint64_t first, std::size_t count) override
+  {
+    std::string bytes(count * records_.record_size, '\0');
+    records_.source->read(first, count, bytes.data());
+    auto part = emptyPart(layout_, count);
+    part.data.resize(count * part.point_step);
+    for (std::size_t i = 0; i < count; ++i)
+      records_.copy(&bytes[i * records_.record_size],
+                    reinterpret_cast<char*>(&part.data[i * part.point_step]));
+    return part;
+  }
+
+private:
+  LasRecords records_;
+};
+
 } // namespace
 
 bool
@@ -169,28 +205,32 @@ lasPointCount(const std::string& /*path*/, const std::string& beginning)
   return header ? header->points : 0;
 }
 
-LasRecords
-lasRecords(const std::string& path)
+std::unique_ptr<CloudStream>
+openLasFile(const std::string& path)
 {
   auto file = openLas(path);
   LasLook look;
   forEachPart(file, [&](const std::string& part) { lookAt(part, file.header, look); });
-  return recordsOf(std::move(file), look);
+  auto stream = std::make_unique<LasStream>(recordsOf(std::move(file), look));
+  if (stream->pointCount() == 0)
+    return nullptr;
+  return stream;
 }
 
-PCLPointCloud2
-readLas(const std::string& path, std::vector<std::string>& notes)
+void
+loadLas(CloudFile& file, const TableColumns& /*columns*/)
 {
-  auto file = openLas(path);
+  auto las = openLas(file.path);
   LasLook look;
   std::vector<std::string> parts; // read once: to decode a LAZ file takes longest
-  forEachPart(file, [&](std::string part) {
-    lookAt(part, file.header, look);
+  forEachPart(las, [&](std::string part) {
+    lookAt(part, las.header, look);
     parts.push_back(std::move(part));
   });
-  const auto records = recordsOf(std::move(file), look);
-  notes = records.notes;
-  auto cloud = records.layout;
+  const auto records = recordsOf(std::move(las), look);
+  file.notes = records.notes;
+  auto& cloud = file.cloud;
+  cloud = records.layout;
   cloud.data.resize(static_cast<std::size_t>(cloud.point_step) * cloud.width);
   auto* target = reinterpret_cast<char*>(cloud.data.data());
   for (auto& part : parts) {
@@ -200,7 +240,6 @@ readLas(const std::string& path, std::vector<std::string>& notes)
     }
     part = {};
   }
-  return cloud;
 }
 
 } // namespace pcl::indoor::tool
