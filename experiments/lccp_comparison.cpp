@@ -10,7 +10,7 @@
 #include "files/cloud_file.h"
 #include "formats/json_text.h"
 #include "pictures/comparison_picture.h"
-#include "scene/table_view.h"
+#include "scene/single_view.h"
 #include "text/pcl_errors.h"
 #include "text/printable.h"
 
@@ -253,7 +253,7 @@ bool
 isSingleView(const Settings& settings, const CloudFile& file)
 {
   return settings.preset == "single_view" ||
-         (settings.preset == "auto" && isTableView(file.points));
+         (settings.preset == "auto" && isSingleView(file.points));
 }
 
 void

@@ -98,13 +98,13 @@ countPoints(const CloudFile& file, Scene& scene)
 
 /** The same of a scan that was divided into the files of its rooms. */
 void
-countPoints(const CloudFile& file, const FiledRooms& filed, Scene& scene)
+countPoints(const CloudFile& file, const SpooledRooms& spooled, Scene& scene)
 {
-  scene.counts.all = filed.point_count;
+  scene.counts.all = spooled.point_count;
   scene.counts.finite = file.finite_count;
-  for (const RoomExtent& room : filed.rooms)
+  for (const RoomExtent& room : spooled.rooms)
     scene.counts.in_rooms += room.point_count;
-  scene.counts.outside = filed.outside;
+  scene.counts.outside = spooled.outside;
 }
 
 /** Looks for the objects of all rooms and puts them into the scene. */
@@ -300,17 +300,17 @@ findObjectsInParts(const ObjectSearch& objects,
   report.start("Dividing the scan into its rooms");
   const bool with_normals = scan.file.has_normals && !objects.ignore_normals;
   RoomFiles files;
-  files.filed = fileRooms(
+  files.spooled = spoolRooms(
       scan,
       with_normals,
       folder,
       upright,
       scene,
       [&report](std::size_t done, std::size_t all) { report.update(done, all); });
-  countPoints(scan.file, files.filed, scene);
+  countPoints(scan.file, files.spooled, scene);
   report.done();
   search(objects,
-         filedSource(files.filed, with_normals, folder),
+         spooledSource(files.spooled, with_normals, folder),
          scene,
          [&](std::size_t, std::uint32_t first, const RoomObjects&) {
            files.first_object.push_back(first);
@@ -324,12 +324,12 @@ labelSample(const RoomFiles& files,
             const AscendingNumbers& sampled,
             Scene& scene)
 {
-  FiledLabels labels(files.filed, folder, files.first_object);
+  SpooledLabels labels(files.spooled, folder, files.first_object);
   scene.object_of_point.clear();
   scene.structure_of_point.clear();
   AscendingNumbers::Reader next(sampled);
   bool has_more = next.next();
-  for (std::uint64_t i = 0; i < files.filed.point_count && has_more; ++i) {
+  for (std::uint64_t i = 0; i < files.spooled.point_count && has_more; ++i) {
     const auto label = labels.next();
     if (next.number() != i)
       continue;

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "files/scan_content.h"
-#include "rooms/filed_rooms.h"
 #include "rooms/room_store.h"
 #include "rooms/scene_rooms.h"
+#include "rooms/spooled_rooms.h"
 #include "text/stage_report.h"
 
 #include <pcl/scene/scene.h>
@@ -63,7 +63,7 @@ findWalls(const SceneOptions& options,
 /** \brief Of a scan that is read in parts: where its points are, and what is to be
  * added to the numbers of objects, per room. */
 struct RoomFiles {
-  FiledRooms filed;
+  SpooledRooms spooled;
   std::vector<std::uint32_t> first_object;
 };
 

@@ -108,7 +108,7 @@ completeCloudInParts(const std::string& path,
   bool has_more = sampled.next();
   scene.object_of_point.clear();
   scene.structure_of_point.clear();
-  FiledLabels labels(files.filed, folder, files.first_object);
+  SpooledLabels labels(files.spooled, folder, files.first_object);
   OutputFile output(path);
   scan.stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& data) {
     auto part = partOf(scan, std::move(data));
@@ -133,8 +133,8 @@ completeCloudInParts(const std::string& path,
       writePcdHeader(output, all, part.pose);
     }
     writePcdPart(output, part.cloud);
-    report(first + part.points->size(), files.filed.point_count);
-    if (first + part.points->size() == files.filed.point_count)
+    report(first + part.points->size(), files.spooled.point_count);
+    if (first + part.points->size() == files.spooled.point_count)
       scan.file.pose = part.pose; // as in the output
   });
   output.close();

@@ -152,7 +152,7 @@ readScene(const std::string& path)
 }
 
 std::vector<Json>
-findRooms(const Json& scene, const SceneQuery& query)
+matchingRooms(const Json& scene, const SceneQuery& query)
 {
   requireKnown(scene, query);
   std::vector<Json> rooms;
@@ -163,7 +163,7 @@ findRooms(const Json& scene, const SceneQuery& query)
 }
 
 std::vector<Json>
-findObjects(const Json& scene, const SceneQuery& query)
+matchingObjects(const Json& scene, const SceneQuery& query)
 {
   requireKnown(scene, query);
   const auto frame = frameOf(scene);

@@ -111,7 +111,7 @@ shareRooms(const std::vector<std::size_t>& order,
     auto [rank, message] = ranks.receive();
     if (message.room >= 0) {
       const auto room = static_cast<std::size_t>(message.room);
-      if (!source.is_filed)
+      if (!source.is_spooled)
         folder.removeFile(pointsFile(room));
       queue.done(room);
     }
@@ -121,7 +121,7 @@ shareRooms(const std::vector<std::size_t>& order,
       --working;
       continue;
     }
-    if (!source.is_filed)
+    if (!source.is_spooled)
       folder.writePlain(pointsFile(*room), pointBytes(source.points(*room)));
     message.room = static_cast<std::int64_t>(*room);
     message.point_count = source.sizes[*room];

@@ -5,7 +5,7 @@
 #include "segmentation/segmented_objects.h"
 
 #include "files/tool_error.h"
-#include "scene/table_view.h"
+#include "scene/single_view.h"
 #include "text/pcl_errors.h"
 
 #include <pcl/filters/scan_outlier_removal.h>
@@ -69,7 +69,7 @@ isTable(const ObjectSettings& settings,
         const Say& warn)
 {
   const bool is_auto = settings.preset == "auto";
-  if (is_auto && isTableView(cloud))
+  if (is_auto && isSingleView(cloud))
     return true;
   std::vector<Eigen::Vector3f> points;
   for (const auto& point : *cloud)

@@ -13,7 +13,7 @@ namespace tool {
 /** \brief Whether a cloud is one camera's view of a table, as pcl::NoiseResilientLCCP
  * takes it. */
 inline bool
-isTableView(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
+isSingleView(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
 {
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
   segmentation.setInputCloud(cloud);

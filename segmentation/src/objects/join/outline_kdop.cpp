@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "objects/join/outline_reach.h"
+#include "objects/join/outline_kdop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@
 
 namespace {
 
-using pcl::indoor::OutlineReach;
+using pcl::indoor::KDop16;
 
 using Corner = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
-using Directions = std::array<Corner, std::tuple_size<OutlineReach>::value>;
+using Directions = std::array<Corner, std::tuple_size<KDop16>::value>;
 
 const Directions&
 directions()
@@ -31,13 +31,13 @@ directions()
 }
 
 template <typename Choose>
-OutlineReach
-combine(const OutlineReach& a, const OutlineReach& b, Choose choose)
+KDop16
+combine(const KDop16& a, const KDop16& b, Choose choose)
 {
-  OutlineReach reach;
-  for (std::size_t d = 0; d < reach.size(); ++d)
-    reach[d] = choose(a[d], b[d]);
-  return reach;
+  KDop16 outline;
+  for (std::size_t d = 0; d < outline.size(); ++d)
+    outline[d] = choose(a[d], b[d]);
+  return outline;
 }
 
 } // namespace
@@ -52,9 +52,9 @@ outlineDirection(std::size_t i)
 }
 
 double
-outlineArea(const OutlineReach& reach)
+outlineArea(const KDop16& outline)
 {
-  const double x0 = -reach[8], x1 = reach[0], y0 = -reach[12], y1 = reach[4];
+  const double x0 = -outline[8], x1 = outline[0], y0 = -outline[12], y1 = outline[4];
   if (!(x1 > x0) || !(y1 > y0))
     return 0;
   // the box first, the other faces cut its corners
@@ -62,12 +62,12 @@ outlineArea(const OutlineReach& reach)
       Corner(x0, y0), Corner(x1, y0), Corner(x1, y1), Corner(x0, y1)},
       kept;
   std::size_t count = 4;
-  for (std::size_t d = 0; d < reach.size(); ++d) {
+  for (std::size_t d = 0; d < outline.size(); ++d) {
     if (d % 4 == 0)
       continue;
     std::size_t kept_count = 0;
     const auto above = [&](const Corner& p) {
-      return directions()[d].dot(p) - reach[d];
+      return directions()[d].dot(p) - outline[d];
     };
     for (std::size_t i = 0; i < count; ++i) {
       const auto& here = corners[i];
@@ -93,41 +93,42 @@ outlineArea(const OutlineReach& reach)
   return twice / 2;
 }
 
-OutlineReach
-outlineOfBoth(const OutlineReach& a, const OutlineReach& b)
+KDop16
+outlineOfBoth(const KDop16& a, const KDop16& b)
 {
   return combine(a, b, [](float x, float y) { return std::max(x, y); });
 }
 
-OutlineReach
-commonOutline(const OutlineReach& a, const OutlineReach& b)
+KDop16
+commonOutline(const KDop16& a, const KDop16& b)
 {
   return combine(a, b, [](float x, float y) { return std::min(x, y); });
 }
 
 OutlineSpan
-outlineSpan(const OutlineReach& reach, double x)
+outlineSpan(const KDop16& outline, double x)
 {
-  if (x > reach[0] || x < -reach[8])
+  if (x > outline[0] || x < -outline[8])
     return {};
   constexpr double far = std::numeric_limits<double>::infinity();
   OutlineSpan span{-far, far};
   for (std::size_t d = 1; d < 8; ++d) // to larger y
-    span.high =
-        std::min(span.high, (reach[d] - directions()[d].x() * x) / directions()[d].y());
+    span.high = std::min(span.high,
+                         (outline[d] - directions()[d].x() * x) / directions()[d].y());
   for (std::size_t d = 9; d < 16; ++d)
-    span.low =
-        std::max(span.low, (reach[d] - directions()[d].x() * x) / directions()[d].y());
+    span.low = std::max(span.low,
+                        (outline[d] - directions()[d].x() * x) / directions()[d].y());
   return span;
 }
 
 OutlineRectangle
-outlineRectangle(const OutlineReach& reach)
+outlineRectangle(const KDop16& outline)
 {
   OutlineRectangle smallest;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t d = 0; d < 4; ++d) {
-    const double length = reach[d] + reach[d + 8], width = reach[d + 4] + reach[d + 12];
+    const double length = outline[d] + outline[d + 8],
+                 width = outline[d + 4] + outline[d + 12];
     if (length * width < least) {
       least = length * width;
       smallest = {d, length, width};

@@ -28,7 +28,7 @@ randomPlaces(std::mt19937& rng, std::size_t count)
 
 /** Share of random places of a square, four by four metres, that are in an outline. */
 double
-areaByChance(const OutlineReach& reach, std::mt19937& rng)
+areaByChance(const KDop16& outline, std::mt19937& rng)
 {
   const auto random = [&] {
     return 4 * (static_cast<double>(rng()) / 4294967296.0) - 2;
@@ -36,14 +36,14 @@ areaByChance(const OutlineReach& reach, std::mt19937& rng)
   int within = 0;
   for (int i = 0; i < 20000; ++i) {
     const double x = random();
-    within += isWithin(reach, x, random());
+    within += isWithin(outline, x, random());
   }
   return 16 * within / 20000.0;
 }
 
 } // namespace
 
-TEST(OutlineReach, DirectionsGoAround)
+TEST(KDop16, DirectionsGoAround)
 {
   EXPECT_EQ(outlineDirection(0), Eigen::Vector2d(1, 0));
   for (std::size_t d = 0; d < 16; ++d) {
@@ -54,21 +54,21 @@ TEST(OutlineReach, DirectionsGoAround)
   }
 }
 
-TEST(OutlineReach, AreaIsThatOfThePolygon)
+TEST(KDop16, AreaIsThatOfThePolygon)
 {
   EXPECT_NEAR(outlineArea(rectangle(-1, 2, 0.5f, 3)), 1.5, 1e-6);
-  OutlineReach around_circle;
+  KDop16 around_circle;
   around_circle.fill(1);
   EXPECT_NEAR(outlineArea(around_circle), 16 * std::tan(M_PI / 16), 1e-6);
   EXPECT_EQ(outlineArea(rectangle(1, 1, 1, 2)), 0) << "a line";
   std::mt19937 rng(1);
   for (int trial = 0; trial < 20; ++trial) {
-    const auto reach = outlineOf(randomPlaces(rng, 3 + trial));
-    EXPECT_NEAR(outlineArea(reach), areaByChance(reach, rng), 0.1) << trial;
+    const auto outline = outlineOf(randomPlaces(rng, 3 + trial));
+    EXPECT_NEAR(outlineArea(outline), areaByChance(outline, rng), 0.1) << trial;
   }
 }
 
-TEST(OutlineReach, OutlinesAreJoinedAndCut)
+TEST(KDop16, OutlinesAreJoinedAndCut)
 {
   const auto a = rectangle(0, 0, 2, 1), b = rectangle(1, 0, 4, 1);
   EXPECT_EQ(outlineOfBoth(a, b), rectangle(0, 0, 4, 1));
@@ -76,7 +76,7 @@ TEST(OutlineReach, OutlinesAreJoinedAndCut)
   EXPECT_EQ(outlineArea(commonOutline(a, rectangle(3, 0, 4, 1))), 0);
 }
 
-TEST(OutlineReach, ALineCrossesItInASpan)
+TEST(KDop16, ALineCrossesItInASpan)
 {
   const auto span = outlineSpan(rectangle(0, 1, 2, 3), 0.5);
   EXPECT_NEAR(span.low, 1, 1e-6);
@@ -89,17 +89,17 @@ TEST(OutlineReach, ALineCrossesItInASpan)
   std::mt19937 rng(2);
   std::size_t within = 0;
   for (int trial = 0; trial < 50; ++trial) {
-    const auto reach = outlineOf(randomPlaces(rng, 3));
+    const auto outline = outlineOf(randomPlaces(rng, 3));
     for (double x = -1.5; x < 1.5; x += 0.07)
       for (double y = -1.5; y < 1.5; y += 0.11) {
-        EXPECT_EQ(outlineSpan(reach, x).contains(y), isWithin(reach, x, y));
-        within += isWithin(reach, x, y);
+        EXPECT_EQ(outlineSpan(outline, x).contains(y), isWithin(outline, x, y));
+        within += isWithin(outline, x, y);
       }
   }
   EXPECT_GT(within, 1000u);
 }
 
-TEST(OutlineReach, TheRectangleIsTheSmallest)
+TEST(KDop16, TheRectangleIsTheSmallest)
 {
   const auto straight = outlineRectangle(rectangle(0, 0, 1, 3));
   EXPECT_EQ(straight.axis, 0u);

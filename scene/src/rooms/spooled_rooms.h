@@ -25,7 +25,7 @@ struct RoomExtent {
 };
 
 /** \brief What was put into the files of the rooms of a large scan. */
-struct FiledRooms {
+struct SpooledRooms {
   std::vector<RoomExtent> rooms;      ///< of the points in them
   std::vector<std::size_t> sizes;     ///< points of each file: rooms, last the others
   std::uint64_t point_count = 0;      ///< of the scan
@@ -41,26 +41,26 @@ struct FiledRooms {
  * \param[in] scene with the rooms of the sample; boxes, centres and numbers of points
  * of its rooms are made those of all points
  */
-FiledRooms
-fileRooms(ScanContent& scan,
-          bool with_normals,
-          WorkFolder& folder,
-          const PointCloud<PointXYZ>& upright,
-          Scene& scene,
-          const PointsDone& report);
+SpooledRooms
+spoolRooms(ScanContent& scan,
+           bool with_normals,
+           WorkFolder& folder,
+           const PointCloud<PointXYZ>& upright,
+           Scene& scene,
+           const PointsDone& report);
 
 /** \brief The rooms as their files hold them. */
 RoomSource
-filedSource(const FiledRooms& filed, bool with_normals, const WorkFolder& folder);
+spooledSource(const SpooledRooms& spooled, bool with_normals, const WorkFolder& folder);
 
 /** \brief Tells room, object and structure of each point of a large scan, in its order.
  */
-class FiledLabels {
+class SpooledLabels {
 public:
   /** \param[in] first_object per room, what is added to the numbers of its objects */
-  FiledLabels(const FiledRooms& filed,
-              const WorkFolder& folder,
-              const std::vector<std::uint32_t>& first_object);
+  SpooledLabels(const SpooledRooms& spooled,
+                const WorkFolder& folder,
+                const std::vector<std::uint32_t>& first_object);
 
   struct Label {
     std::uint32_t room = 0, object = 0, structure = 0;
@@ -81,7 +81,7 @@ private:
   void
   refill(std::size_t room);
 
-  const FiledRooms& filed_;
+  const SpooledRooms& filed_;
   const WorkFolder& folder_;
   const std::vector<std::uint32_t>& first_object_;
   std::ifstream rooms_;

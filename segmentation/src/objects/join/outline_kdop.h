@@ -12,9 +12,9 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief An outline seen from above as a convex polygon: how far it reaches in sixteen
- * level directions, metres; direction i is turned by i * 22.5 degrees. */
-using OutlineReach = std::array<float, 16>;
+/** \brief An outline seen from above as a convex polygon, a k-DOP: its support in
+ * sixteen level directions, metres; direction i is turned by i * 22.5 degrees. */
+using KDop16 = std::array<float, 16>;
 
 /** \brief Get a direction, unit length.
  * \param[in] i 0 ... 15 */
@@ -23,15 +23,15 @@ outlineDirection(std::size_t i);
 
 /** \brief Get the area, m^2; 0 if the polygon is empty. */
 double
-outlineArea(const OutlineReach& reach);
+outlineArea(const KDop16& outline);
 
 /** \brief Get the outline of two together. */
-OutlineReach
-outlineOfBoth(const OutlineReach& a, const OutlineReach& b);
+KDop16
+outlineOfBoth(const KDop16& a, const KDop16& b);
 
 /** \brief Get what two outlines have in common. */
-OutlineReach
-commonOutline(const OutlineReach& a, const OutlineReach& b);
+KDop16
+commonOutline(const KDop16& a, const KDop16& b);
 
 /** \brief Part of a line. */
 struct OutlineSpan {
@@ -46,7 +46,7 @@ struct OutlineSpan {
 
 /** \brief Get where a line along y crosses an outline. */
 OutlineSpan
-outlineSpan(const OutlineReach& reach, double x);
+outlineSpan(const KDop16& outline, double x);
 
 /** \brief A rectangle around an outline, with two of the directions as its axes. */
 struct OutlineRectangle {
@@ -57,7 +57,7 @@ struct OutlineRectangle {
 
 /** \brief Get the smallest of the four rectangles around an outline. */
 OutlineRectangle
-outlineRectangle(const OutlineReach& reach);
+outlineRectangle(const KDop16& outline);
 
 } // namespace indoor
 } // namespace pcl

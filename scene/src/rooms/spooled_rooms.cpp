@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "rooms/filed_rooms.h"
+#include "rooms/spooled_rooms.h"
 
 #include "files/digest.h"
 #include "files/tool_error.h"
@@ -167,22 +167,22 @@ filesOfSample(const Scene& scene, const PointCloud<PointXYZ>& upright)
   return files;
 }
 
-FiledRooms
-filePoints(ScanContent& scan,
-           bool with_normals,
-           WorkFolder& folder,
-           const Scene& scene,
-           const PointCloud<PointXYZ>& upright,
-           const PointsDone& report)
+SpooledRooms
+spoolPoints(ScanContent& scan,
+            bool with_normals,
+            WorkFolder& folder,
+            const Scene& scene,
+            const PointCloud<PointXYZ>& upright,
+            const PointsDone& report)
 {
   const std::size_t file_count = scene.rooms.size() + 1;
   const auto file_of_sample = filesOfSample(scene, upright);
   folder.removeFile(stage_file);
   Appender files(folder, fileNames(scene.rooms.size()));
-  FiledRooms filed;
-  filed.rooms.resize(file_count - 1);
-  filed.sizes.assign(file_count, 0);
-  filed.point_count = scan.stream->pointCount();
+  SpooledRooms spooled;
+  spooled.rooms.resize(file_count - 1);
+  spooled.sizes.assign(file_count, 0);
+  spooled.point_count = scan.stream->pointCount();
   scan.stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& data) {
     const auto part = partOf(scan, std::move(data));
     const auto normals = with_normals ? readNormals(part) : nullptr;
@@ -194,52 +194,60 @@ filePoints(ScanContent& scan,
         if (numbers[i] == CellSample::absent)
           throw ToolError(scan.file.path + ": the file has changed, start again");
         file = file_of_sample[numbers[i]];
-        filed.outside += file == in_no_file;
+        spooled.outside += file == in_no_file;
       }
       files.add(file_count, &file, sizeof(file));
       if (file == in_no_file)
         continue;
       if (file < in_no_room)
-        extend(filed.rooms[file], point.getVector3fMap());
+        extend(spooled.rooms[file], point.getVector3fMap());
       file &= ~in_no_room;
       files.add(file, point.data, sizeof(Eigen::Vector3f));
       if (normals)
         files.add(file, (*normals)[i].normal, sizeof(Eigen::Vector3f));
-      ++filed.sizes[file];
+      ++spooled.sizes[file];
     }
-    report(first + part.points->size(), filed.point_count);
+    report(first + part.points->size(), spooled.point_count);
   });
-  filed.digests = files.flushAll();
+  spooled.digests = files.flushAll();
   RecordWriter record;
-  record(filed.rooms, filed.sizes, filed.point_count, filed.outside, filed.digests);
+  record(spooled.rooms,
+         spooled.sizes,
+         spooled.point_count,
+         spooled.outside,
+         spooled.digests);
   folder.write(stage_file, record.bytes());
-  return filed;
+  return spooled;
 }
 
 /** Are all files as they were written? */
 bool
-areWhole(const WorkFolder& folder, const FiledRooms& filed)
+areWhole(const WorkFolder& folder, const SpooledRooms& spooled)
 {
-  const auto names = fileNames(filed.rooms.size());
+  const auto names = fileNames(spooled.rooms.size());
   for (std::size_t file = 0; file < names.size(); ++file)
-    if (digestOfFile(folder.path(names[file]), block_size) != filed.digests.at(file))
+    if (digestOfFile(folder.path(names[file]), block_size) != spooled.digests.at(file))
       return false;
   return true;
 }
 
 /** What an earlier run has put into files; nothing if one of them is damaged. */
-std::optional<FiledRooms>
+std::optional<SpooledRooms>
 filedBefore(const WorkFolder& folder)
 {
   const auto bytes = folder.read(stage_file);
   if (!bytes)
     return {};
   try {
-    FiledRooms filed;
+    SpooledRooms spooled;
     RecordReader record(*bytes);
-    record(filed.rooms, filed.sizes, filed.point_count, filed.outside, filed.digests);
+    record(spooled.rooms,
+           spooled.sizes,
+           spooled.point_count,
+           spooled.outside,
+           spooled.digests);
     record.finish();
-    return areWhole(folder, filed) ? std::optional(std::move(filed)) : std::nullopt;
+    return areWhole(folder, spooled) ? std::optional(std::move(spooled)) : std::nullopt;
   } catch (const DamagedRecord&) {
     return {};
   } catch (const ToolError&) { // a file is gone
@@ -249,19 +257,20 @@ filedBefore(const WorkFolder& folder)
 
 } // namespace
 
-FiledRooms
-fileRooms(ScanContent& scan,
-          bool with_normals,
-          WorkFolder& folder,
-          const PointCloud<PointXYZ>& upright,
-          Scene& scene,
-          const PointsDone& report)
+SpooledRooms
+spoolRooms(ScanContent& scan,
+           bool with_normals,
+           WorkFolder& folder,
+           const PointCloud<PointXYZ>& upright,
+           Scene& scene,
+           const PointsDone& report)
 {
   auto before = filedBefore(folder);
-  auto filed = before ? std::move(*before)
-                      : filePoints(scan, with_normals, folder, scene, upright, report);
+  auto spooled = before
+                     ? std::move(*before)
+                     : spoolPoints(scan, with_normals, folder, scene, upright, report);
   for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
-    const auto& own = filed.rooms.at(i);
+    const auto& own = spooled.rooms.at(i);
     auto& room = scene.rooms[i];
     room.point_count = own.point_count;
     room.lower = own.lower.cast<double>();
@@ -269,34 +278,34 @@ fileRooms(ScanContent& scan,
     if (own.point_count > 0)
       room.centroid = own.sum / static_cast<double>(own.point_count);
   }
-  return filed;
+  return spooled;
 }
 
 RoomSource
-filedSource(const FiledRooms& filed, bool with_normals, const WorkFolder& folder)
+spooledSource(const SpooledRooms& spooled, bool with_normals, const WorkFolder& folder)
 {
   RoomSource source;
-  source.is_filed = true;
+  source.is_spooled = true;
   source.has_normals = with_normals;
-  source.sizes = filed.sizes;
+  source.sizes = spooled.sizes;
   source.points = [&folder, sizes = source.sizes, with_normals](std::size_t room) {
     return readRoomPoints(folder.path(pointsFile(room)), sizes[room], with_normals);
   };
   return source;
 }
 
-FiledLabels::FiledLabels(const FiledRooms& filed,
-                         const WorkFolder& folder,
-                         const std::vector<std::uint32_t>& first_object)
-: filed_(filed)
+SpooledLabels::SpooledLabels(const SpooledRooms& spooled,
+                             const WorkFolder& folder,
+                             const std::vector<std::uint32_t>& first_object)
+: filed_(spooled)
 , folder_(folder)
 , first_object_(first_object)
 , rooms_(folder.path(labels_file), std::ios::binary)
-, cursors_(filed.sizes.size())
+, cursors_(spooled.sizes.size())
 {}
 
 void
-FiledLabels::refill(std::size_t room)
+SpooledLabels::refill(std::size_t room)
 {
   constexpr std::size_t most = 4096;
   auto& cursor = cursors_[room];
@@ -314,8 +323,8 @@ FiledLabels::refill(std::size_t room)
   cursor.at = 0;
 }
 
-FiledLabels::Label
-FiledLabels::next()
+SpooledLabels::Label
+SpooledLabels::next()
 {
   std::uint32_t file = 0;
   if (!rooms_.read(reinterpret_cast<char*>(&file), sizeof(file)))
