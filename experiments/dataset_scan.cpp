@@ -9,7 +9,7 @@
 #include "datasets/scannet.h"
 #include "files/output_file.h"
 #include "files/point_coordinates.h"
-#include "formats/table_columns.h" // for listedNames
+#include "formats/table/table_columns.h" // for listedNames
 
 #include <filesystem>
 
@@ -160,7 +160,7 @@ convert(Options& options, Progress& progress)
   std::vector<OutputFile> files;
   if (!options.json.empty())
     files.push_back(writtenBeside(options.json, describeTruth(scan)));
-  files.push_back(cloudBeside(options.output, scan.file.cloud, scan.file.frame));
+  files.push_back(cloudBeside(options.output, scan.file.cloud, scan.file.pose));
   commitTogether(files);
   progress.done();
 }

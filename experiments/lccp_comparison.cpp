@@ -11,7 +11,7 @@
 #include "formats/json_text.h"
 #include "pictures/comparison_picture.h"
 #include "pictures/svg_raster.h"
-#include "scene/table_view.h"
+#include "scene/single_view.h"
 #include "text/pcl_errors.h"
 #include "text/printable.h"
 
@@ -255,7 +255,7 @@ bool
 isSingleView(const Settings& settings, const CloudFile& file)
 {
   return settings.preset == "single_view" ||
-         (settings.preset == "auto" && isTableView(file.points));
+         (settings.preset == "auto" && isSingleView(file.points));
 }
 
 void

@@ -8,7 +8,7 @@
 #include "objects/object_files.h"
 #include "rooms/collected_objects.h"
 #include "scene/category_names.h"
-#include "scene/scan_frame.h"
+#include "scene/segmented_rooms.h"
 #include "text/printable.h"
 
 #include <pcl/segmentation/room_objects.h>
@@ -139,7 +139,7 @@ dropSmallerParts(const std::vector<std::uint32_t>& given, ScanObjects& objects)
 }
 
 ScanObjects
-findObjects(const Options& options, const CloudFile& file, Progress& progress)
+objectsOfScan(const Options& options, const CloudFile& file, Progress& progress)
 {
   const auto class_of = classOfCategory(options);
   const auto categories = readLabels(file, options.category_field);
@@ -214,7 +214,7 @@ collect(const Options& options, Progress& progress)
   progress.start("Loading " + options.input);
   const auto file = loadCloud(options.input);
   progress.done(std::to_string(file.points->size()) + " points");
-  const auto objects = findObjects(options, file, progress);
+  const auto objects = objectsOfScan(options, file, progress);
   const auto chosen = chosenObjects(options, objects);
   progress.start("Saving to " + options.folder);
   const auto stem = fs::path(options.input).stem().string();

@@ -58,7 +58,7 @@ void
 describeFolder(const Settings& settings, Progress& progress)
 {
   namespace fs = std::filesystem;
-  const auto paths = findObjects(settings.input_folder);
+  const auto paths = objectFilesIn(settings.input_folder);
   progress.start("Describing " + std::to_string(paths.size()) + " objects");
   std::size_t failed = 0;
   std::string first_problem;

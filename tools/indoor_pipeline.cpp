@@ -63,7 +63,7 @@ understand(const Options& options, const ScanContent& scan, Progress& progress)
 {
   auto understood =
       understand(scan.file,
-                 options.frame,
+                 options.scan,
                  scan.pointCount(),
                  {options.ignore_normals, options.check && options.network != "none"});
   progress.say(paragraphOf(scan.file.path, understood));
@@ -147,21 +147,20 @@ main(int argc, char** argv)
     RoomsInFiles store(folder);
     ProgressReport report(progress);
     auto scene = findRooms(options, scan, understood, store, report);
-    work.setFrame(scene.building_pose, scene.report.metres_per_unit);
-    options.frame.settle(scene.report);
+    work.frame = scene.frame;
+    options.scan.settle(scene.report);
     scene.understood = understood;
     scene.understood.settle(scene.report);
-    const auto standing = standingPoints(scan.file, work, scene);
-    findWalls(options, *standing, scene, report);
+    const auto upright = uprightPoints(scan.file, scene);
+    findWalls(options, *upright, scene, report);
     const ObjectSearch search = {
         work, store, report, options.threads, options.ignore_normals};
-    auto cloud = completedCloud(options, search, folder, ranks, scan, *standing, scene);
+    auto cloud = completedCloud(options, search, folder, ranks, scan, *upright, scene);
     sayIfEmpty(scan.file.path, scene);
     scene.input = inputOf(scan.file);
-    scene.frame = options.frame;
     scene.settings = settingsOf(parser, scan);
     progress.start("Saving to " + options.folder);
-    const auto texts = describe(options, scene, *standing);
+    const auto texts = describe(options, scene, *upright);
     save(options.folder, texts, std::move(cloud));
     folder.remove();
     Progress::conclude([&] {

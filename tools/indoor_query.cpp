@@ -180,10 +180,10 @@ answerOf(const Options& options)
   const auto scene = readScene(options.scene);
   try {
     if (options.rooms) {
-      const auto rooms = findRooms(scene, options.query);
+      const auto rooms = matchingRooms(scene, options.query);
       return options.json ? jsonText(rooms) : roomTableOf(rooms);
     }
-    const auto objects = findObjects(scene, options.query);
+    const auto objects = matchingObjects(scene, options.query);
     return options.json ? jsonText(objects) : tableOf(objects, options.query);
   } catch (const Json::exception& problem) {
     throw ToolError(options.scene + ": not a whole scene, " + messageOf(problem));

@@ -52,7 +52,7 @@ main(int argc, char** argv)
     settings.colors.apply(file, "object");
     settings.coordinates.apply(file, settings.output);
     progress.start("Saving " + settings.output);
-    saveCloud(settings.output, file.cloud, file.frame);
+    saveCloud(settings.output, file.cloud, file.pose);
     Progress::conclude([&] {
       progress.done();
       progress.summary(settings.output + ": " + std::to_string(found.count) +

@@ -11,7 +11,7 @@
 #include "pictures/room_picture.h"
 #include "pictures/svg_raster.h"
 #include "scene/room_json.h"
-#include "scene/scan_frame.h"
+#include "scene/segmented_rooms.h"
 #include "scene/understood_scan.h"
 #include "segmentation/room_settings.h"
 #include "text/printable.h"
@@ -77,15 +77,15 @@ describe(const RoomSettings& options,
         rooms.size() -
         static_cast<std::size_t>(std::count(rooms.begin(), rooms.end(), 0u));
     json["parameters"] = parameters;
-    addReportJson(json, options.frame, found.report);
+    addReportJson(json, found.report);
     json["overview"] = overviewJson(found.understood);
     json["storeys"] = building.maps.size();
-    json["rooms"] =
-        roomsJson(segmentation.getRooms(), segmentation.getOpenings(), file.offset);
+    json["rooms"] = roomsJson(
+        segmentation.getRooms(), segmentation.getOpenings(), found.frame.offset);
     files.push_back(writtenBeside(options.json, jsonText(json)));
   }
   auto plan = floorPlan(building);
-  plan.origin = originOf(file.offset, options.frame, segmentation.getBuildingPose());
+  plan.origin = found.frame.originInFile().head<2>();
   if (!options.dxf.empty())
     files.push_back(writtenBeside(options.dxf, planDxf(plan)));
   if (!options.map.empty()) {
@@ -134,14 +134,14 @@ segment(RoomSettings& options,
   });
   FoundRooms found{
       segmentRooms(
-          file, options.frame, understood.frame, true, segmentation, printWarning),
+          file, options.scan, understood.coordinates, true, segmentation, printWarning),
       understood};
-  options.frame.settle(found.report);
+  options.scan.settle(found.report);
   found.understood.settle(found.report);
   progress.done(summaryOf(segmentation));
   sayIfEmpty(file.path, segmentation, found);
   appendField(file.cloud, "room", found.room_of_point);
-  options.colors.apply(file, "room", options.frame.upAxis());
+  options.colors.apply(file, "room", options.scan.upAxis());
   options.coordinates.apply(file, options.output);
   return {summaryOf(segmentation),
           describe(options, parser.values(), segmentation, found, file)};
@@ -166,7 +166,7 @@ main(int argc, char** argv)
 
     settleMethod(options);
     const auto understood =
-        understand(file, options.frame, file.points->size(), {false, options.check});
+        understand(file, options.scan, file.points->size(), {false, options.check});
     progress.say(paragraphOf(file.path, understood));
     if (options.check) {
       const auto lacks = consequencesOf(understood);
@@ -179,7 +179,7 @@ main(int argc, char** argv)
 
     progress.start("Saving " + options.output);
     files.push_back(
-        cloudBeside(options.output, file.cloud, file.frame, options.rooms.threads));
+        cloudBeside(options.output, file.cloud, file.pose, options.rooms.threads));
     commitTogether(files, picturePaths(options));
     Progress::conclude([&] {
       progress.done();

@@ -7,7 +7,7 @@
 #include "bindings.h"
 #include "files/scan_content.h"
 #include "listener.h"
-#include "scene/scan_frame.h"
+#include "scene/segmented_rooms.h"
 #include "scene/understood_scan.h"
 #include "segmentation/room_settings.h"
 
@@ -33,17 +33,19 @@ foundRooms(const tool::RoomSettings& options,
            const tool::CloudFile& file,
            Listener& listener)
 {
-  const auto understood = tool::understand(file, options.frame, file.points->size());
+  const auto understood = tool::understand(file, options.scan, file.points->size());
   Segmentation segmentation;
   segmentation.setOptions(options.rooms);
   segmentation.setProgressCallback([&listener](double share, const char*) {
     listener.update("Segmenting rooms", static_cast<std::size_t>(100.0 * share), 100);
     return true;
   });
-  auto found = tool::segmentRooms(
-      file, options.frame, understood.frame, true, segmentation, [&](const auto& line) {
-        listener.say(line);
-      });
+  auto found = tool::segmentRooms(file,
+                                  options.scan,
+                                  understood.coordinates,
+                                  true,
+                                  segmentation,
+                                  [&](const auto& line) { listener.say(line); });
   const auto in_none =
       std::count(found.room_of_point.begin(), found.room_of_point.end(), 0u);
   const auto emptiness =

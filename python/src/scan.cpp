@@ -58,9 +58,9 @@ scanOf(const py::array& points,
   Arguments(words).readBy(std::move(parser));
   auto cloud = cloudOf({points, normals, colors});
   return withoutLock([&] {
-    tool::CloudFrame frame;
-    frame.origin.head<3>() = Eigen::Vector3f(viewpoint.data());
-    content->file = tool::withPoints("points", std::move(cloud), frame);
+    tool::CloudPose pose;
+    pose.origin.head<3>() = Eigen::Vector3f(viewpoint.data());
+    content->file = tool::withPoints("points", std::move(cloud), pose);
     tool::choose(content->stations, content->file);
     return Scan(std::move(content));
   });

@@ -19,7 +19,7 @@
 #include "command_line/options.h"
 #include "comparison/upstream_lccp.h"
 #include "labelled_rooms.h"
-#include "scene/table_view.h"
+#include "scene/single_view.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
@@ -143,7 +143,7 @@ makeMethods(bool single_view, const Settings& settings)
     };
   };
   const Method best{"ours", [settings, threads](const Cloud::Ptr& points) {
-                      const auto options = ourOptions(isTableView(points), settings);
+                      const auto options = ourOptions(isSingleView(points), settings);
                       return segmentOurs(points, options, threads);
                     }};
   if (settings.methods == "ours")
@@ -337,7 +337,7 @@ compare(const Settings& settings)
   const auto rooms = loadRooms(settings.source);
   std::printf("%zu rooms\n\n", rooms.size());
   printHead();
-  const bool single_view = isTableView(rooms.front().points);
+  const bool single_view = isSingleView(rooms.front().points);
   for (const auto& method : makeMethods(single_view, settings)) {
     Score sum;
     for (const auto& room : rooms) {

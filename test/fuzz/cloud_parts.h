@@ -43,10 +43,10 @@ haveTheSameFields(const PCLPointCloud2& a, const PCLPointCloud2& b)
 inline void
 requireTheSame(tool::CloudStream& stream, const tool::CloudFile& file)
 {
-  const auto& frame = stream.frame();
+  const auto& pose = stream.pose();
   if (!haveTheSameFields(stream.layout(), file.cloud) ||
-      frame.origin != file.frame.origin || frame.offset != file.frame.offset ||
-      frame.orientation.coeffs() != file.frame.orientation.coeffs() ||
+      pose.origin != file.pose.origin || pose.offset != file.pose.offset ||
+      pose.orientation.coeffs() != file.pose.orientation.coeffs() ||
       bytesOf(stream) != file.cloud.data)
     throw std::logic_error("a cloud in parts is not what it is in one piece");
 }

@@ -15,7 +15,7 @@
 #include "files/cloud_formats.h"
 #include "files/sampled_surface.h"
 #include "formats/mesh_file.h"
-#include "formats/ply_file.h"
+#include "formats/ply/ply_file.h"
 #include "mutation.h"
 #include "objects/join/boosted_trees.h"
 #include "scene/category_names.h"
@@ -94,7 +94,7 @@ readCloud(const std::string& path)
     tool::appendRealField(file.cloud, "other", {labels.begin(), labels.end()});
   }
   const std::string again = "fuzz_again.pcd";
-  tool::saveCloud(again, file.cloud, file.frame);
+  tool::saveCloud(again, file.cloud, file.pose);
   const auto other = tool::loadCloud(again);
   if (other.finite_count != file.finite_count || other.offset != file.offset)
     throw std::logic_error("a cloud is not what it was written as");

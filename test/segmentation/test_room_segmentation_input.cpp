@@ -108,9 +108,9 @@ TEST_F(QuietInput, NoUnitMakesPointsThatAreNotFinite)
                   {3e38f, -3e38f, 1e20f}); // most of them, so that they are the middle
     points.emplace_back(-3e38f, 0, 1e-42f);
     points.emplace_back(1, 2, 3);
-    const auto pose = pcl::indoor::moveIntoBuildingFrame(
+    const auto frame = pcl::indoor::moveIntoBuildingFrame(
         points, Eigen::Vector3f::UnitZ(), metres_per_unit);
-    EXPECT_TRUE(pose.matrix().allFinite()) << metres_per_unit;
+    EXPECT_TRUE(frame.pose.matrix().allFinite()) << metres_per_unit;
     for (const auto& point : points)
       EXPECT_TRUE(pcl::indoor::isUsable(point)) << metres_per_unit << ": " << point;
   }
@@ -199,8 +199,8 @@ TEST_F(QuietInput, WhereNothingTellsWhichEndIsUpTheFinderIsAsked)
     std::size_t asked = 0;
     Segmentation rooms;
     rooms.setInputCloud(cloudOf(points));
-    rooms.setEndFinder([&](const Points& standing) {
-      asked += standing.size() == points.size();
+    rooms.setEndFinder([&](const Points& upright) {
+      asked += upright.size() == points.size();
       return end;
     });
     Labels labels;
@@ -210,7 +210,7 @@ TEST_F(QuietInput, WhereNothingTellsWhichEndIsUpTheFinderIsAsked)
     const auto& report = rooms.getReport();
     const float up = end < 0 ? -1.0f : 1.0f;
     EXPECT_EQ(report.up_axis, up * Eigen::Vector3f::UnitZ());
-    EXPECT_EQ(rooms.getBuildingPose().linear()(2, 2), up);
+    EXPECT_EQ(rooms.getBuildingFrame().pose.linear()(2, 2), up);
     EXPECT_EQ(report.end_is_recognised, end != 0);
     const auto said = report.warnings.empty() ? std::string() : report.warnings[0];
     EXPECT_EQ(report.warnings.size(), end > 0 ? 0u : 1u);
@@ -266,17 +266,17 @@ TEST_F(QuietInput, TurningAScanGoesOnWithItsProgressAndCanBeStopped)
   EXPECT_TRUE(rooms.getBuilding().maps.empty());
 }
 
-TEST_F(QuietInput, AFrameThatWasFoundBeforeIsTakenUntilAnotherIsSet)
+TEST_F(QuietInput, CoordinatesThatWereFoundBeforeAreTakenUntilAnotherIsSet)
 {
-  pcl::indoor::UprightFrame frame;
-  frame.up_axis = Eigen::Vector3f::UnitX();
-  frame.metres_per_unit = 0.5;
+  pcl::indoor::ScanCoordinates found;
+  found.up_axis = Eigen::Vector3f::UnitX();
+  found.metres_per_unit = 0.5;
   Segmentation rooms;
   rooms.setInputCloud(cloudOf(twoRooms().points));
-  rooms.setUprightFrame(frame);
+  rooms.setCoordinates(found);
   Labels labels;
   rooms.segment(labels);
-  EXPECT_EQ(rooms.getReport().up_axis, frame.up_axis);
+  EXPECT_EQ(rooms.getReport().up_axis, found.up_axis);
   EXPECT_EQ(rooms.getReport().metres_per_unit, 0.5);
   rooms.setUpAxis(Eigen::Vector3f::UnitZ());
   rooms.segment(labels);

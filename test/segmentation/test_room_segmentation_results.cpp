@@ -157,9 +157,9 @@ TEST(RoomSegmentation, RoomsAndOriginAreInTheFrameOfTheInput)
     EXPECT_EQ(room.upper, box.max());
   }
   // near the points, so that floats hold the points beside it
-  EXPECT_LT(
-      (segmentation.getBuildingPose().translation() - offset.cast<double>()).norm(),
-      10.0);
+  EXPECT_LT((segmentation.getBuildingFrame().pose.translation() - offset.cast<double>())
+                .norm(),
+            10.0);
 }
 
 TEST(RoomSegmentation, AFloorOrAWallAloneDoesNotCrash)

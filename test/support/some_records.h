@@ -41,7 +41,9 @@ someScene()
   scene.building.maps.resize(1);
   scene.building.maps[0].labels = {1, 2, {1, -1}};
   scene.building.room_of = {{0, 1}};
-  scene.building_pose.translation() = Eigen::Vector3d(4, 5, 6);
+  scene.frame.pose.translation() = Eigen::Vector3d(4, 5, 6);
+  scene.frame.offset = Eigen::Vector3d(7, 8, 9);
+  scene.frame.metres_per_unit = 0.5;
   scene.report.warnings = {"a warning", ""};
   scene.report.outside = {1};
   return scene;

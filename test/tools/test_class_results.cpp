@@ -117,11 +117,11 @@ TEST_F(ClassResults, ClassesGatherCategoriesAndTheRestIsOther)
   for (const auto& object : names["objects"])
     expected += std::set<std::string>{"bed", "sofa", "armchair"}.count(
         object["category"].get<std::string>());
-  EXPECT_EQ(findObjects(path("objects") + "/rest").size(), expected);
+  EXPECT_EQ(objectFilesIn(path("objects") + "/rest").size(), expected);
 
   fs::remove_all(path("objects"));
   ASSERT_EQ(run("pcl_segment_collection", common + " -max_other 2"), 0);
-  EXPECT_EQ(findObjects(path("objects") + "/other").size(), 2u);
+  EXPECT_EQ(objectFilesIn(path("objects") + "/other").size(), 2u);
 }
 
 TEST_F(ClassResults, WrongNamesAreRefused)

@@ -81,7 +81,7 @@ TEST_F(Preprocessing, NormalsAreAddedAsFields)
   EXPECT_TRUE(file.has_normals);
   EXPECT_TRUE(hasField(file.cloud, "curvature"));
   EXPECT_EQ(readLabels(file, "intensity")[98], 1u); // kept
-  EXPECT_EQ(file.frame.origin.z(), 5);
+  EXPECT_EQ(file.pose.origin.z(), 5);
   EXPECT_TRUE(std::isnan((*readNormals(file)).back().normal_x));
   EXPECT_GT(shareOfRight(), 0.7); // but sides that the viewpoint does not see
   ASSERT_EQ(run("pcl_hough_normals", "-k 40 -orientation graph -sampling points"), 0);

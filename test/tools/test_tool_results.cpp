@@ -203,7 +203,7 @@ TEST_F(ToolResults, RoomSegmentationAddsTheRoomAndKeepsTheRest)
   const auto out = loadCloud(path("out.pcd"));
   expectEveryFinitePointHas(out, "room");
   EXPECT_EQ(readLabels(out, "intensity"), readLabels(in, "intensity"));
-  EXPECT_EQ(out.frame.origin, in.frame.origin);
+  EXPECT_EQ(out.pose.origin, in.pose.origin);
   const auto rooms = readLabels(out, "room");
   EXPECT_EQ(*std::max_element(rooms.begin(), rooms.end()), 2u);
 }

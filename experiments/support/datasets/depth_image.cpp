@@ -5,7 +5,7 @@
 #include "datasets/depth_image.h"
 
 #include "formats/png_file.h"
-#include "formats/table_words.h" // for readNumber
+#include "formats/table/table_words.h" // for readNumber
 
 #include <pcl/common/io.h>          // for copyPointCloud
 #include <pcl/common/point_tests.h> // for isFinite

@@ -143,7 +143,7 @@ noisyHistogram(const std::vector<OrientedPoint>& points,
                      scale,
                      options,
                      [&](std::size_t first, std::size_t last, auto& own) {
-                       counter.countSoftly(
+                       counter.addInterpolated(
                            first, last, object.weights, noise.evidence, own);
                      });
 }

@@ -134,11 +134,11 @@ PairCounter::count(std::size_t first_pair,
 }
 
 void
-PairCounter::countSoftly(std::size_t first_pair,
-                         std::size_t last_pair,
-                         const std::vector<float>& weights,
-                         float softness,
-                         std::vector<std::uint64_t>& counts) const
+PairCounter::addInterpolated(std::size_t first_pair,
+                             std::size_t last_pair,
+                             const std::vector<float>& weights,
+                             float softness,
+                             std::vector<std::uint64_t>& counts) const
 {
   PairBlock block;
   measure(first_pair, last_pair, block);

@@ -44,11 +44,11 @@ public:
    * \param[in,out] counts in units of 2^-16 pairs
    */
   void
-  countSoftly(std::size_t first_pair,
-              std::size_t last_pair,
-              const std::vector<float>& weights,
-              float softness,
-              std::vector<std::uint64_t>& counts) const;
+  addInterpolated(std::size_t first_pair,
+                  std::size_t last_pair,
+                  const std::vector<float>& weights,
+                  float softness,
+                  std::vector<std::uint64_t>& counts) const;
 
 private:
   /** \brief What the inner loop reads of a point: half a cache line. */

@@ -9,7 +9,6 @@
 #include "files/field_value.h"
 #include "files/placed_points.h"
 #include "files/scan_files.h"
-#include "formats/file_header.h"
 #include "text/printable.h"
 
 #include <pcl/common/io.h> // for getFieldIndex
@@ -17,10 +16,8 @@
 #include <pcl/indoor/usable_point.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -83,7 +80,7 @@ fillPoints(CloudFile& file)
   const auto placed = placedPoints(file.cloud, file.cloud.height > 1);
   const auto& origin = placed.origin;
   file.coordinate_step = origin.step;
-  file.offset = file.frame.offset + origin.middle;
+  file.offset = file.pose.offset + origin.middle;
   file.finite_count = placed.finite_count;
   file.copy_count = placed.copy_count;
   file.left_out = placed.left_out;
@@ -96,10 +93,10 @@ fillPoints(CloudFile& file)
   if (!note.empty())
     file.notes.push_back(note);
   const auto& points = placed.points;
-  points->sensor_origin_ = file.frame.origin;
+  points->sensor_origin_ = file.pose.origin;
   points->sensor_origin_.head<3>() =
-      (file.frame.origin.head<3>().cast<double>() - origin.middle).cast<float>();
-  points->sensor_orientation_ = file.frame.orientation;
+      (file.pose.origin.head<3>().cast<double>() - origin.middle).cast<float>();
+  points->sensor_orientation_ = file.pose.orientation;
   file.points = points;
 }
 
@@ -127,29 +124,6 @@ hasNormals(const PCLPointCloud2& cloud)
 {
   return isRealField(cloud, "normal_x") && isRealField(cloud, "normal_y") &&
          isRealField(cloud, "normal_z");
-}
-
-void
-readPose(const FileHeader& header, CloudFrame& frame)
-{ // not as PCL has read it: by a stream that hides a lack of memory, and that leaves
-  // what is no number as memory has it
-  frame.origin = Eigen::Vector4f::Zero();
-  frame.orientation = Eigen::Quaternionf::Identity();
-  for (const auto& words : header.lines) {
-    if (words[0] != "VIEWPOINT" || words.size() < 8)
-      continue;
-    float pose[7];
-    for (std::size_t k = 0; k < 7; ++k) {
-      const auto& word = words[k + 1];
-      const char* const begin = word.data() + (word[0] == '+');
-      const char* const end = word.data() + word.size();
-      const auto read = std::from_chars(begin, end, pose[k]);
-      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(pose[k]))
-        return;
-    }
-    frame.origin = Eigen::Vector4f(pose[0], pose[1], pose[2], 0);
-    frame.orientation = Eigen::Quaternionf(pose[3], pose[4], pose[5], pose[6]);
-  }
 }
 
 CoordinateOrigin
@@ -253,7 +227,7 @@ loadCloud(const std::string& path,
   file.path = path;
   readCloud(file, columns);
   auto loaded =
-      withPoints(path, std::move(file.cloud), file.frame, least_points, file.notes);
+      withPoints(path, std::move(file.cloud), file.pose, least_points, file.notes);
   loaded.stations = std::move(file.stations);
   return loaded;
 }
@@ -261,7 +235,7 @@ loadCloud(const std::string& path,
 CloudFile
 withPoints(const std::string& path,
            PCLPointCloud2 cloud,
-           const CloudFrame& frame,
+           const CloudPose& pose,
            std::size_t least_points,
            std::vector<std::string> notes)
 {
@@ -269,7 +243,7 @@ withPoints(const std::string& path,
   file.notes = std::move(notes);
   file.path = path;
   file.cloud = std::move(cloud);
-  file.frame = frame;
+  file.pose = pose;
   for (const char* name : axes)
     if (!isRealField(file.cloud, name))
       throw ToolError(

@@ -4,10 +4,9 @@
  */
 #pragma once
 
-#include "files/cloud_writer.h" // for CloudFrame
+#include "files/cloud_writer.h"
 #include "files/tool_error.h"
-#include "formats/file_header.h"
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 
 #include <pcl/io/station.h>
 #include <pcl/PCLPointCloud2.h>
@@ -27,7 +26,7 @@ namespace pcl::indoor::tool {
 struct CloudFile {
   std::string path;
   PCLPointCloud2 cloud; ///< every field of the file, bytes unchanged
-  CloudFrame frame;     ///< the sensor's pose and the offset that the file tells
+  CloudPose pose;       ///< the sensor's pose and the offset that the file tells
 
   /** The points in the file's order and arrangement, each coordinate minus \a offset;
    * NaN where one is not finite, or too large to compute with, see isUsable(). Its
@@ -83,7 +82,7 @@ loadUnpacked(const std::string& path,
 CloudFile
 withPoints(const std::string& path,
            PCLPointCloud2 cloud,
-           const CloudFrame& frame,
+           const CloudPose& pose,
            std::size_t least_points = 2,
            std::vector<std::string> notes = {});
 
@@ -128,11 +127,6 @@ private:
   const PCLPointCloud2* cloud_;
   int fields_[3];
 };
-
-/** \brief The sensor's pose that the header of a PCD tells; the frame's own where it
- * tells none by seven finite numbers. */
-void
-readPose(const FileHeader& header, CloudFrame& frame);
 
 /** \brief Does the cloud have real numbers of this name? */
 bool

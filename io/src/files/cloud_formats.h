@@ -6,7 +6,7 @@
 
 #include "files/cloud_file.h"
 #include "files/cloud_stream.h"
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 
 #include <cstdint>
 #include <memory>
@@ -22,11 +22,12 @@ struct CloudFormat {
   /** Is a file of this format?
    * \param[in] beginning of the file, 512 bytes if it has as many */
   bool (*is)(const std::string& path, const std::string& beginning);
-  /** How many points the header promises, 0 if it is not understood; reads no more. */
+  /** How many points the header promises, 0 if it is not understood; reads no more.
+   * Null where there is no such number. */
   std::uint64_t (*promisedPoints)(const std::string& path,
                                   const std::string& beginning);
-  /** Opens a file; null if its points cannot be read in parts. Throws ToolError if it
-   * is damaged. */
+  /** Opens a file; gives null if its points cannot be read in parts, is null where no
+   * file can. Throws ToolError if it is damaged. */
   std::unique_ptr<CloudStream> (*open)(const std::string& path);
   /** Reads a whole file; null where all of its files can be opened. Throws ToolError,
    * or what the reader of a library throws. */
@@ -39,7 +40,7 @@ struct CloudFormat {
 const CloudFormat*
 cloudFormatOf(const std::string& path);
 
-/** \brief Read the fields of a cloud file, its frame, stations and notes.
+/** \brief Read the fields of a cloud file, its pose, stations and notes.
  * \param[in,out] file has its path
  * \throws ToolError see loadCloud()
  */

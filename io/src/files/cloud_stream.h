@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "files/cloud_writer.h" // for CloudFrame
+#include "formats/cloud_pose.h"
 
 #include <pcl/io/station.h>
 #include <pcl/PCLPointCloud2.h>
@@ -37,10 +37,10 @@ public:
     return layout_;
   }
 
-  const CloudFrame&
-  frame() const
+  const CloudPose&
+  pose() const
   {
-    return frame_;
+    return pose_;
   }
 
   /** \brief What is odd in the file, see CloudFile::notes. */
@@ -90,16 +90,10 @@ protected:
              const Eigen::Matrix3d& turn);
 
   PCLPointCloud2 layout_;
-  CloudFrame frame_;
+  CloudPose pose_;
   std::vector<std::string> notes_;
   std::vector<Station> stations_;
 };
-
-/** \brief Open a PCD, PLY or LAS file whose points are records of one size.
- * \return null if they are not
- * \throws ToolError if the file is damaged */
-std::unique_ptr<CloudStream>
-openRecords(const std::string& path);
 
 /** \brief A row of so many points with the fields of a layout, which have no bytes yet.
  */

@@ -5,8 +5,8 @@
 #include "files/cloud_writer.h"
 
 #include "files/tool_error.h"
-#include "formats/pcd_writer.h"
-#include "formats/ply_writer.h"
+#include "formats/pcd/pcd_writer.h"
+#include "formats/ply/ply_writer.h"
 
 #include <algorithm>
 #include <cctype>
@@ -43,22 +43,22 @@ requireWritableCloud(const std::string& path, bool pcd_only)
 OutputFile
 cloudBeside(const std::string& path,
             const PCLPointCloud2& cloud,
-            const CloudFrame& frame,
+            const CloudPose& pose,
             int threads)
 {
   OutputFile file(path);
   if (extensionOf(path) == ".ply")
-    writePly(file, path, cloud, frame);
+    writePly(file, path, cloud, pose);
   else
-    writePcd(file, cloud, frame, threads);
+    writePcd(file, cloud, pose, threads);
   file.close();
   return file;
 }
 
 void
-saveCloud(const std::string& path, const PCLPointCloud2& cloud, const CloudFrame& frame)
+saveCloud(const std::string& path, const PCLPointCloud2& cloud, const CloudPose& pose)
 {
-  cloudBeside(path, cloud, frame).commit();
+  cloudBeside(path, cloud, pose).commit();
 }
 
 } // namespace pcl::indoor::tool

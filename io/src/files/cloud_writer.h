@@ -5,23 +5,13 @@
 #pragma once
 
 #include "files/output_file.h"
+#include "formats/cloud_pose.h"
 
 #include <pcl/PCLPointCloud2.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <string>
 
 namespace pcl::indoor::tool {
-
-/** \brief Where the points of a file lie. */
-struct CloudFrame {
-  Eigen::Vector4f origin = Eigen::Vector4f::Zero(); ///< the sensor's pose
-  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
-  /** What has to be added to x, y, z and the origin: a comment of the file. */
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
-};
 
 /** \brief Find out, before the long work, that a cloud cannot be written there.
  * \param[in] pcd_only the cloud is none of points, which PLY is for
@@ -44,13 +34,13 @@ requireWritableCloud(const std::string& path, bool pcd_only = false);
 OutputFile
 cloudBeside(const std::string& path,
             const PCLPointCloud2& cloud,
-            const CloudFrame& frame,
+            const CloudPose& pose,
             int threads = 1);
 
 /** \brief Write a cloud and put it in place. */
 void
 saveCloud(const std::string& path,
           const PCLPointCloud2& cloud,
-          const CloudFrame& frame = {});
+          const CloudPose& pose = {});
 
 } // namespace pcl::indoor::tool

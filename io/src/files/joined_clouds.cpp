@@ -63,7 +63,7 @@ notesOf(const std::vector<std::string>& scan_names,
 class StreamInMemory : public CloudStream {
 public:
   StreamInMemory(PCLPointCloud2 cloud,
-                 const CloudFrame& frame,
+                 const CloudPose& pose,
                  std::vector<std::string> notes,
                  std::vector<Station> stations)
   : data_(std::move(cloud.data))
@@ -72,7 +72,7 @@ public:
     stations_ = std::move(stations);
     layout_ = std::move(cloud);
     layout_.data.clear();
-    frame_ = frame;
+    pose_ = pose;
   }
 
   PCLPointCloud2
@@ -94,7 +94,7 @@ public:
                const std::vector<std::string>& names)
   : scans_(std::move(scans))
   {
-    frame_.offset = scans_.front()->frame().offset;
+    pose_.offset = scans_.front()->pose().offset;
     for (std::size_t s = 0; s < scans_.size(); ++s)
       addStations(*scans_[s], names[s]);
     notes_ = notesOf(names, scans_);
@@ -139,10 +139,10 @@ private:
     const auto& own = scan.stations();
     first_stations_.push_back(static_cast<std::uint32_t>(stations_.size() + 1));
     if (own.empty()) {
-      const Eigen::Vector3d origin = scan.frame().origin.head<3>().cast<double>();
+      const Eigen::Vector3d origin = scan.pose().origin.head<3>().cast<double>();
       stations_.push_back({name, {}});
       if (!origin.isZero())
-        stations_.back().position = origin + scan.frame().offset;
+        stations_.back().position = origin + scan.pose().offset;
     }
     for (const auto& station : own)
       stations_.push_back(
@@ -164,7 +164,7 @@ private:
   hasExactFloats() const
   {
     return std::all_of(scans_.begin(), scans_.end(), [&](const auto& scan) {
-      return scan->frame().offset == frame_.offset &&
+      return scan->pose().offset == pose_.offset &&
              std::all_of(
                  std::begin(coordinates), std::end(coordinates), [&](const char* axis) {
                    return fieldOf(scan->layout(), axis)->datatype ==
@@ -213,7 +213,7 @@ private:
   void
   put(const PCLPointCloud2& points, std::size_t scan, std::uint8_t* target) const
   {
-    const Eigen::Vector3d shift = scans_[scan]->frame().offset - frame_.offset;
+    const Eigen::Vector3d shift = scans_[scan]->pose().offset - pose_.offset;
     const std::size_t count = static_cast<std::size_t>(points.width) * points.height;
     for (const auto& field : layout_.fields) {
       const bool is_station = field.name == station_field;
@@ -254,12 +254,12 @@ private:
 
 std::unique_ptr<CloudStream>
 streamInMemory(PCLPointCloud2 cloud,
-               const CloudFrame& frame,
+               const CloudPose& pose,
                std::vector<std::string> notes,
                std::vector<Station> stations)
 {
   return std::make_unique<StreamInMemory>(
-      std::move(cloud), frame, std::move(notes), std::move(stations));
+      std::move(cloud), pose, std::move(notes), std::move(stations));
 }
 
 std::unique_ptr<CloudStream>

@@ -15,7 +15,7 @@ namespace pcl::indoor::tool {
 /** \brief A cloud in memory, read part by part. */
 std::unique_ptr<CloudStream>
 streamInMemory(PCLPointCloud2 cloud,
-               const CloudFrame& frame,
+               const CloudPose& pose,
                std::vector<std::string> notes = {},
                std::vector<Station> stations = {});
 

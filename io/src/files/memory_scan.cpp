@@ -51,7 +51,7 @@ memoryScan(PCLPointCloud2 cloud, const std::string& name)
 {
   requireLayout(cloud, name);
   auto content = std::make_shared<ScanContent>();
-  content->file = tool::withPoints(name, std::move(cloud), tool::CloudFrame());
+  content->file = tool::withPoints(name, std::move(cloud), tool::CloudPose());
   return Scan(std::move(content));
 }
 

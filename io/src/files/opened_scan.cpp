@@ -55,7 +55,7 @@ readWhole(OpenedScan scan, const TableColumns& columns)
   else {
     file = withPoints(scan.name,
                       stream->read(0, static_cast<std::size_t>(stream->pointCount())),
-                      stream->frame());
+                      stream->pose());
     const auto& told = stream->notes();
     scan.notes.insert(scan.notes.end(), told.begin(), told.end());
   }
@@ -77,8 +77,8 @@ readLater(OpenedScan scan, const TableColumns& columns)
   auto& file = content.file;
   file.path = scan.name;
   file.cloud = content.stream->layout();
-  file.frame = content.stream->frame();
-  file.offset = file.frame.offset;
+  file.pose = content.stream->pose();
+  file.offset = file.pose.offset;
   file.stations = content.stream->stations();
   file.notes = content.notes;
   file.notes.insert(
@@ -95,7 +95,7 @@ joinedScans(const std::vector<std::string>& files,
     if (!opened[i]) {
       auto file = loadSurface(files[i], columns, 0);
       opened[i] = streamInMemory(std::move(file.cloud),
-                                 file.frame,
+                                 file.pose,
                                  std::move(file.notes),
                                  std::move(file.stations));
     }

@@ -42,7 +42,7 @@ openScan(const std::vector<std::string>& inputs);
 ScanContent
 readWhole(OpenedScan scan, const TableColumns& columns);
 
-/** \brief Leave the points in their files: the scan has its fields, frame and notes. */
+/** \brief Leave the points in their files: the scan has its fields, pose and notes. */
 ScanContent
 readLater(OpenedScan scan, const TableColumns& columns);
 

@@ -93,7 +93,7 @@ PointCoordinates::offsetOf(const CloudFile& file) const
 {
   if (doubles)
     return Eigen::Vector3d::Zero();
-  return hasDoubles(file.cloud) ? file.offset : file.frame.offset;
+  return hasDoubles(file.cloud) ? file.offset : file.pose.offset;
 }
 
 void
@@ -102,12 +102,12 @@ PointCoordinates::apply(CloudFile& file, const std::string& output) const
   if (!doubles && !hasDoubles(file.cloud))
     return;
   const auto offset = offsetOf(file);
-  const Eigen::Vector3d shift = offset - file.frame.offset;
+  const Eigen::Vector3d shift = offset - file.pose.offset;
   file.cloud = withCoordinates(
       file.cloud, doubles ? PCLPointField::FLOAT64 : PCLPointField::FLOAT32, shift);
-  file.frame.origin.head<3>() =
-      (file.frame.origin.head<3>().cast<double>() - shift).cast<float>();
-  file.frame.offset = offset;
+  file.pose.origin.head<3>() =
+      (file.pose.origin.head<3>().cast<double>() - shift).cast<float>();
+  file.pose.offset = offset;
   if (doubles || output.empty())
     return;
   const std::string addend =

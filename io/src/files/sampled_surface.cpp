@@ -7,7 +7,7 @@
 #include "files/placed_points.h"
 #include "formats/mesh_file.h"
 #include "formats/packed_file.h"
-#include "formats/ply_file.h"
+#include "formats/ply/ply_file.h"
 
 #include <pcl/conversions.h>
 #include <pcl/exceptions.h>
@@ -121,9 +121,15 @@ drawPoints(const Mesh& mesh, CloudFile& file)
     file.notes.push_back(noteOf(mesh, count));
   }
   toPCLPointCloud2(points, file.cloud);
-  file.frame.offset = mesh.offset;
+  file.pose.offset = mesh.offset;
   if (mesh.y_is_up)
     file.notes.emplace_back("its y axis points up, as its format has it");
+}
+
+void
+loadMesh(CloudFile& file, const TableColumns& /*columns*/)
+{
+  drawPoints(readMesh(file.path), file);
 }
 
 CloudFile
@@ -150,7 +156,7 @@ loadSurface(const std::string& path,
                     drawn.notes.end());
   drawPoints(mesh, drawn);
   return withPoints(
-      path, std::move(drawn.cloud), drawn.frame, least_points, drawn.notes);
+      path, std::move(drawn.cloud), drawn.pose, least_points, drawn.notes);
 }
 
 } // namespace pcl::indoor::tool

@@ -26,6 +26,10 @@ surfacePointCount(const Mesh& mesh);
 void
 drawPoints(const Mesh& mesh, CloudFile& file);
 
+/** \brief The points of a mesh, see readMesh() and drawPoints(). */
+void
+loadMesh(CloudFile& file, const TableColumns& columns);
+
 /** \brief A scan of surfaces: as loadCloud(), but of a PLY with faces that its vertices
  * do not cover, points drawn on the faces.
  *

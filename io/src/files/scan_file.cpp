@@ -49,7 +49,7 @@ Eigen::Vector3d
 Scan::offset() const
 {
   const auto& file = content_->file;
-  return isReadInParts() ? file.frame.offset : file.offset;
+  return isReadInParts() ? file.pose.offset : file.offset;
 }
 
 const std::vector<Station>&

@@ -11,7 +11,7 @@
 #include "formats/file_ending.h"
 #include "formats/foreign_format.h"
 #include "formats/mesh_file.h"
-#include "formats/table_file.h"
+#include "formats/table/table_file.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -52,7 +52,7 @@ readStations(const std::string& path)
   const CloudPlaces places(file.cloud);
   std::vector<Station> stations;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Eigen::Vector3d position = places.at(i) + file.frame.offset;
+    const Eigen::Vector3d position = places.at(i) + file.pose.offset;
     if (!position.allFinite())
       throw ToolError(path + ": the position of station " + std::to_string(i + 1) +
                       " is not finite");

@@ -4,8 +4,10 @@
  */
 #include "files/usual_fields.h"
 
+#include "files/cloud_file.h"
 #include "files/cloud_sample.h" // for sampleBlocks
 #include "files/field_value.h"
+#include "files/tool_error.h"
 
 #include <algorithm>
 #include <array>
@@ -336,6 +338,19 @@ UsualFields::write(const Part& part,
           static_cast<std::uint8_t>(rounded > 0.0 ? std::min(rounded, 255.0) : 0.0);
     }
   }
+}
+
+void
+nameFields(CloudFile& file)
+{
+  auto& cloud = file.cloud;
+  if (cloud.data.size() <
+      static_cast<std::size_t>(cloud.width) * cloud.height * cloud.point_step)
+    throw ToolError(file.path + ": the file is damaged, points are missing");
+  const UsualFields fields(
+      cloud, [&cloud]() -> const auto& { return cloud; });
+  cloud = fields.of(std::move(cloud));
+  file.notes.insert(file.notes.end(), fields.notes().begin(), fields.notes().end());
 }
 
 } // namespace pcl::indoor::tool

@@ -13,6 +13,8 @@
 
 namespace pcl::indoor::tool {
 
+struct CloudFile;
+
 /** \brief Gives the fields of other programs' files PCL's names and types, so that all
  * tools find them: x, y, z as real numbers, normal_x, normal_y, normal_z, and rgb.
  *
@@ -76,5 +78,10 @@ private:
   std::vector<std::string> notes_;
   bool only_names_ = true; ///< the bytes stay
 };
+
+/** \brief The same of a whole file, with its notes.
+ * \throws ToolError if it has fewer bytes than points */
+void
+nameFields(CloudFile& file);
 
 } // namespace pcl::indoor::tool

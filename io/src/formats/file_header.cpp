@@ -110,6 +110,12 @@ headerCount(const std::string& word, const std::string& what, const std::string&
 }
 
 void
+throwDamaged(const std::string& path)
+{
+  throw ToolError(path + ": the file is damaged, its points cannot be read");
+}
+
+void
 throwTruncated(const std::string& path,
                std::uint64_t promised,
                std::uint64_t found,

@@ -48,6 +48,10 @@ numberText(double value);
 std::uint64_t
 headerCount(const std::string& word, const std::string& what, const std::string& path);
 
+/** \brief Complain that a file's points cannot be read. */
+[[noreturn]] void
+throwDamaged(const std::string& path);
+
 /** \brief Complain that a file has less than its header promises. */
 [[noreturn]] void
 throwTruncated(const std::string& path,

@@ -5,7 +5,7 @@
 #include "formats/mesh_file.h"
 
 #include "formats/file_ending.h"
-#include "formats/ply_file.h"
+#include "formats/ply/ply_file.h"
 #include "formats/polygons.h"
 
 #include <charconv>

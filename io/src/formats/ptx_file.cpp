@@ -10,7 +10,7 @@
 #include "formats/file_ending.h"
 #include "formats/file_header.h" // for throwTruncated
 #include "formats/line_reader.h"
-#include "formats/table_words.h"
+#include "formats/table/table_words.h"
 
 #include <pcl/PCLPointField.h>
 

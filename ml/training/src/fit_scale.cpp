@@ -81,15 +81,16 @@ fitScale(Network& network, const TrainingSet& set)
   std::transform(squares.begin(), squares.end(), deviations.begin(), [=](double sum) {
     return std::sqrt(sum / draw_count);
   });
-  const double usual = std::max(
+  const double mean_deviation = std::max(
       std::accumulate(deviations.begin(), deviations.end(), 0.0) / count, 1e-6);
-  // The values that a kernel sees together keep their proportions.
+  // before a convolution all bins share one scale
   const auto next = scale + 1;
-  const bool is_joint =
+  const bool one_scale =
       next != network.layers.end() && next->kind == LayerKind::Convolution;
   scale->weights.assign(2, {shape, std::vector<float>(count)});
   for (std::size_t k = 0; k < count; ++k) {
-    const double deviation = is_joint ? usual : deviations[k] + usual;
+    const double deviation =
+        one_scale ? mean_deviation : deviations[k] + mean_deviation;
     scale->weights[0].values[k] = static_cast<float>(1.0 / deviation);
     scale->weights[1].values[k] = static_cast<float>(-means[k] / deviation);
   }

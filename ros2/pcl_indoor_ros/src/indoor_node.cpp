@@ -90,7 +90,7 @@ private:
     declare_parameter("remove_outliers", defaults.preparation.removes_outliers);
     declare_parameter("ignore_normals", defaults.ignore_normals);
     declare_parameter("model", defaults.model);
-    declare_parameter("up", defaults.frame.up);
+    declare_parameter("up", defaults.scan.up);
     declare_parameter("threads", defaults.threads);
   }
 
@@ -107,8 +107,8 @@ private:
     options.preparation.removes_outliers = get_parameter("remove_outliers").as_bool();
     options.ignore_normals = get_parameter("ignore_normals").as_bool();
     options.model = get_parameter("model").as_string();
-    options.frame.up = get_parameter("up").as_string();
-    options.frame.unit = "m"; // as all of ROS
+    options.scan.up = get_parameter("up").as_string();
+    options.scan.unit = "m"; // as all of ROS
     options.threads = static_cast<int>(get_parameter("threads").as_int());
     options.progress = [](const std::string&, std::size_t, std::size_t) {
       if (!rclcpp::ok())

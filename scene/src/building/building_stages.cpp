@@ -9,7 +9,7 @@
 #include "rooms/scene_record.h" // for dropGrids
 #include "scan/scan.h"
 #include "scene/object_classes.h"
-#include "scene/scan_frame.h"
+#include "scene/segmented_rooms.h"
 
 #include <pcl/ml/bundled_model.h>
 #include <pcl/model/building_model.h>
@@ -36,14 +36,14 @@ requireOneOf(const std::string& name,
 Scene
 segmentScene(const SceneOptions& options,
              const CloudFile& file,
-             const UprightFrame& found,
+             const ScanCoordinates& found,
              RoomSegmentation<PointXYZ>& segmentation,
              StageReport& report)
 {
   Scene scene;
   auto segmented =
       segmentRooms(file,
-                   options.frame,
+                   options.scan,
                    found,
                    options.network != "none",
                    segmentation,
@@ -54,7 +54,7 @@ segmentScene(const SceneOptions& options,
   scene.openings = segmentation.getOpenings();
   scene.building = segmentation.takeBuilding();
   dropGrids(scene.building);
-  scene.building_pose = segmentation.getBuildingPose();
+  scene.frame = segmented.frame;
   return scene;
 }
 
@@ -98,13 +98,13 @@ countPoints(const CloudFile& file, Scene& scene)
 
 /** The same of a scan that was divided into the files of its rooms. */
 void
-countPoints(const CloudFile& file, const FiledRooms& filed, Scene& scene)
+countPoints(const CloudFile& file, const SpooledRooms& spooled, Scene& scene)
 {
-  scene.counts.all = filed.point_count;
+  scene.counts.all = spooled.point_count;
   scene.counts.finite = file.finite_count;
-  for (const RoomExtent& room : filed.rooms)
+  for (const RoomExtent& room : spooled.rooms)
     scene.counts.in_rooms += room.point_count;
-  scene.counts.outside = filed.outside;
+  scene.counts.outside = spooled.outside;
 }
 
 /** Looks for the objects of all rooms and puts them into the scene. */
@@ -142,12 +142,12 @@ describeSearch(const RoomWork& work, Scene& scene)
 SceneOptions
 checkedOptions(SceneOptions options)
 {
-  requireOneOf("unit", options.frame.unit, {"auto", "m", "cm", "mm", "ft", "in"});
+  requireOneOf("unit", options.scan.unit, {"auto", "m", "cm", "mm", "ft", "in"});
   requireOneOf("partition", options.partition, {"graph", "lccp"});
   requireOneOf("network", options.network, {"auto", "all", "none"});
   requireOneOf(
       "normals", options.preparation.normals, {"voxels", "rrht", "multi_scale"});
-  options.frame.upAxis(); // throws
+  options.scan.upAxis(); // throws
   const double voxel = options.voxel_resolution, seed = options.seed_resolution;
   if (voxel == 0.0 && seed == 0.0)
     return options;
@@ -170,8 +170,8 @@ drawSample(const SceneOptions& options,
   constexpr double fineness = 0.25; // voxels of the rooms
   const double voxel = options.rooms.voxel_size > 0.0 ? options.rooms.voxel_size
                                                       : smallest_automatic_voxel;
-  const double metres = options.frame.unit == "auto" ? metresPerUnitOf(*scan.stream)
-                                                     : options.frame.metresPerUnit();
+  const double metres = options.scan.unit == "auto" ? metresPerUnitOf(*scan.stream)
+                                                    : options.scan.metresPerUnit();
   drawSample(
       scan,
       fineness * voxel / metres,
@@ -225,20 +225,22 @@ findRooms(const SceneOptions& options,
     report.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;
   });
-  auto scene = segmentScene(options, file, understood.frame, segmentation, report);
+  auto scene =
+      segmentScene(options, file, understood.coordinates, segmentation, report);
   store.putScene(scene);
   report.done(summaryOf(segmentation));
   return scene;
 }
 
 PointCloud<PointXYZ>::ConstPtr
-standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene)
+uprightPoints(const CloudFile& file, const Scene& scene)
 {
-  if (work.is_standing && scene.report.outside.empty())
+  if (scene.frame.isScanUpright() && scene.report.outside.empty())
     return file.points;
   auto points = pcl::make_shared<PointCloud<PointXYZ>>(*file.points);
   for (auto& point : *points)
-    point.getVector3fMap() = work.standing(point.getVector3fMap());
+    point.getVector3fMap() =
+        scene.frame.scanToUpright(point.getVector3fMap().cast<double>()).cast<float>();
   for (const auto index : scene.report.outside)
     (*points)[index].getVector3fMap().setConstant(NAN);
   return points;
@@ -246,19 +248,17 @@ standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene)
 
 void
 findWalls(const SceneOptions& options,
-          const PointCloud<PointXYZ>& standing,
+          const PointCloud<PointXYZ>& upright,
           Scene& scene,
           StageReport& report)
 {
   report.start("Finding walls, doors and windows");
-  const auto& pose = scene.building_pose;
-  const Eigen::Vector3f origin =
-      (pose.linear().transpose() * pose.translation()).cast<float>();
+  const Eigen::Vector3f origin = scene.frame.origin().cast<float>();
   const auto& rooms = scene.building.rooms;
   std::uint32_t largest = 0;
   for (const Room& room : rooms)
     largest = std::max(largest, room.label);
-  const PointsOfRooms points(standing, scene.room_of_point, largest, origin);
+  const PointsOfRooms points(upright, scene.room_of_point, largest, origin);
   scene.model = buildingModel(points, rooms, scene.building.openings, options.threads);
   report.done(std::to_string(scene.model.walls.size()) + " walls, " +
               std::to_string(scene.model.openings.size()) + " openings");
@@ -267,14 +267,14 @@ findWalls(const SceneOptions& options,
 void
 findObjects(const ObjectSearch& objects,
             const CloudFile& file,
-            const PointCloud<PointXYZ>& standing,
+            const PointCloud<PointXYZ>& upright,
             Scene& scene)
 {
   describeSearch(objects.work, scene);
-  const auto rooms = pointsOfRooms(standing, scene.room_of_point, scene.rooms.size());
+  const auto rooms = pointsOfRooms(upright, scene.room_of_point, scene.rooms.size());
   countPoints(file, scene);
-  scene.object_of_point.assign(standing.size(), 0);
-  scene.structure_of_point.assign(standing.size(), 0);
+  scene.object_of_point.assign(upright.size(), 0);
+  scene.structure_of_point.assign(upright.size(), 0);
   search(objects,
          sourceInMemory(objects.ignore_normals, file, rooms),
          scene,
@@ -292,7 +292,7 @@ RoomFiles
 findObjectsInParts(const ObjectSearch& objects,
                    WorkFolder& folder,
                    ScanContent& scan,
-                   const PointCloud<PointXYZ>& standing,
+                   const PointCloud<PointXYZ>& upright,
                    Scene& scene)
 {
   describeSearch(objects.work, scene);
@@ -300,17 +300,17 @@ findObjectsInParts(const ObjectSearch& objects,
   report.start("Dividing the scan into its rooms");
   const bool with_normals = scan.file.has_normals && !objects.ignore_normals;
   RoomFiles files;
-  files.filed = fileRooms(
+  files.spooled = spoolRooms(
       scan,
       with_normals,
       folder,
-      standing,
+      upright,
       scene,
       [&report](std::size_t done, std::size_t all) { report.update(done, all); });
-  countPoints(scan.file, files.filed, scene);
+  countPoints(scan.file, files.spooled, scene);
   report.done();
   search(objects,
-         filedSource(files.filed, with_normals, folder),
+         spooledSource(files.spooled, with_normals, folder),
          scene,
          [&](std::size_t, std::uint32_t first, const RoomObjects&) {
            files.first_object.push_back(first);
@@ -324,12 +324,12 @@ labelSample(const RoomFiles& files,
             const AscendingNumbers& sampled,
             Scene& scene)
 {
-  FiledLabels labels(files.filed, folder, files.first_object);
+  SpooledLabels labels(files.spooled, folder, files.first_object);
   scene.object_of_point.clear();
   scene.structure_of_point.clear();
   AscendingNumbers::Reader next(sampled);
   bool has_more = next.next();
-  for (std::uint64_t i = 0; i < files.filed.point_count && has_more; ++i) {
+  for (std::uint64_t i = 0; i < files.spooled.point_count && has_more; ++i) {
     const auto label = labels.next();
     if (next.number() != i)
       continue;

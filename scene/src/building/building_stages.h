@@ -5,9 +5,9 @@
 #pragma once
 
 #include "files/scan_content.h"
-#include "rooms/filed_rooms.h"
 #include "rooms/room_store.h"
 #include "rooms/scene_rooms.h"
+#include "rooms/spooled_rooms.h"
 #include "text/stage_report.h"
 
 #include <pcl/scene/scene.h>
@@ -33,8 +33,8 @@ drawSample(const SceneOptions& options,
            ScanContent& scan,
            StageReport& report);
 
-/** \brief What the objects of each room are looked for with, but for the building's
- * pose, which is not known yet. */
+/** \brief What the objects of each room are looked for with, but for the
+ * building's frame, which is not known yet. */
 RoomWork
 roomWork(const SceneOptions& options);
 
@@ -50,20 +50,20 @@ findRooms(const SceneOptions& options,
 /** \brief The points as the objects are looked for: z up, metres, what lies beyond the
  * building not finite. */
 PointCloud<PointXYZ>::ConstPtr
-standingPoints(const CloudFile& file, const RoomWork& work, const Scene& scene);
+uprightPoints(const CloudFile& file, const Scene& scene);
 
 /** \brief Find the walls of the rooms, their doors and their windows.
- * \param[in] standing tells which points count */
+ * \param[in] upright tells which points count */
 void
 findWalls(const SceneOptions& options,
-          const PointCloud<PointXYZ>& standing,
+          const PointCloud<PointXYZ>& upright,
           Scene& scene,
           StageReport& report);
 
 /** \brief Of a scan that is read in parts: where its points are, and what is to be
  * added to the numbers of objects, per room. */
 struct RoomFiles {
-  FiledRooms filed;
+  SpooledRooms spooled;
   std::vector<std::uint32_t> first_object;
 };
 
@@ -82,18 +82,18 @@ struct ObjectSearch {
 void
 findObjects(const ObjectSearch& search,
             const CloudFile& file,
-            const PointCloud<PointXYZ>& standing,
+            const PointCloud<PointXYZ>& upright,
             Scene& scene);
 
 /** \brief The same of a scan that is read in parts: it is divided into the files of its
  * rooms. The points of the sample get their objects by labelSample(), or when the
  * cloud is written.
- * \param[in] standing the sample */
+ * \param[in] upright the sample */
 RoomFiles
 findObjectsInParts(const ObjectSearch& search,
                    WorkFolder& folder,
                    ScanContent& scan,
-                   const PointCloud<PointXYZ>& standing,
+                   const PointCloud<PointXYZ>& upright,
                    Scene& scene);
 
 /** \brief Object and structure of each point of the sample. */

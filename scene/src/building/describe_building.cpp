@@ -60,20 +60,20 @@ described(SceneOptions& options,
   auto& store = in_files ? static_cast<tool::RoomStore&>(*in_files) : in_memory;
   auto work = tool::roomWork(options);
   auto scene = tool::findRooms(options, scan, understood, store, report);
-  work.setFrame(scene.building_pose, scene.report.metres_per_unit);
-  options.frame.settle(scene.report);
+  work.frame = scene.frame;
+  options.scan.settle(scene.report);
   scene.understood = understood;
   scene.understood.settle(scene.report);
-  const auto standing = tool::standingPoints(scan.file, work, scene);
-  tool::findWalls(options, *standing, scene, report);
+  const auto upright = tool::uprightPoints(scan.file, scene);
+  tool::findWalls(options, *upright, scene, report);
   const tool::ObjectSearch search = {
       work, store, report, options.threads, options.ignore_normals};
   if (!scan.stream) {
-    tool::findObjects(search, scan.file, *standing, scene);
+    tool::findObjects(search, scan.file, *upright, scene);
     return scene;
   }
   const auto found =
-      tool::findObjectsInParts(search, files->folder(), scan, *standing, scene);
+      tool::findObjectsInParts(search, files->folder(), scan, *upright, scene);
   tool::labelSample(found, files->folder(), scan.sample->indices(), scene);
   return scene;
 }
@@ -91,13 +91,12 @@ describeBuilding(const Scan& scan, const SceneOptions& given)
     tool::drawSample(options, content.points_at_once, content, report);
   }
   const auto understood = tool::understand(
-      content.file, options.frame, content.pointCount(), {options.ignore_normals});
+      content.file, options.scan, content.pointCount(), {options.ignore_normals});
   auto scene = described(options, content, understood, report);
   const auto emptiness =
       tool::emptinessOf(understood, scene.rooms.size(), scene.counts.in_rooms);
   if (!emptiness.empty())
     scene.report.warnings.push_back(emptiness);
-  scene.frame = options.frame;
   scene.input = tool::inputOf(content.file);
   scene.input.cloud_offset = tool::PointCoordinates().offsetOf(content.file);
   scene.settings = tool::settingsOf(options,

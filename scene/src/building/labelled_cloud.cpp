@@ -4,7 +4,7 @@
  */
 #include "building/labelled_cloud.h"
 
-#include "formats/pcd_writer.h"
+#include "formats/pcd/pcd_writer.h"
 #include "scan/scan.h"            // for partOf
 #include "scene/category_names.h" // for other_class
 
@@ -90,7 +90,7 @@ completeCloud(const std::string& path,
   const PointLabels labels = {
       scene.room_of_point, scene.object_of_point, scene.structure_of_point};
   complete(look, labels, scene.classes, nullptr, path, file);
-  return cloudBeside(path, file.cloud, file.frame, look.threads);
+  return cloudBeside(path, file.cloud, file.pose, look.threads);
 }
 
 OutputFile
@@ -108,7 +108,7 @@ completeCloudInParts(const std::string& path,
   bool has_more = sampled.next();
   scene.object_of_point.clear();
   scene.structure_of_point.clear();
-  FiledLabels labels(files.filed, folder, files.first_object);
+  SpooledLabels labels(files.spooled, folder, files.first_object);
   OutputFile output(path);
   scan.stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& data) {
     auto part = partOf(scan, std::move(data));
@@ -130,12 +130,12 @@ completeCloudInParts(const std::string& path,
       all.data.clear();
       all.width = layout.width;
       all.height = layout.height;
-      writePcdHeader(output, all, part.frame);
+      writePcdHeader(output, all, part.pose);
     }
     writePcdPart(output, part.cloud);
-    report(first + part.points->size(), files.filed.point_count);
-    if (first + part.points->size() == files.filed.point_count)
-      scan.file.frame = part.frame; // as in the output
+    report(first + part.points->size(), files.spooled.point_count);
+    if (first + part.points->size() == files.spooled.point_count)
+      scan.file.pose = part.pose; // as in the output
   });
   output.close();
   return output;

@@ -56,8 +56,8 @@ settingsOf(const SceneOptions& options,
                        text("-columns", columns),
                        text("-stations", stations.file),
                        flag("-ignore_stations", stations.is_ignored),
-                       text("-unit", options.frame.unit),
-                       text("-up", options.frame.up)};
+                       text("-unit", options.scan.unit),
+                       text("-up", options.scan.up)};
   settings.insert(settings.end(), others.begin(), others.end());
   return settings;
 }

@@ -6,8 +6,8 @@
 
 #include "files/tool_error.h"
 #include "pictures/floor_plan.h" // for widest_door
-#include "scene/model_json.h"    // for nameOf
-#include "scene/scan_frame.h"
+#include "scene/coordinate_options.h"
+#include "scene/model_json.h"  // for nameOf
 #include "scene/scene_query.h" // for readScene
 #include "text/printable.h"
 
@@ -54,10 +54,8 @@ class LevelFrame {
 public:
   explicit LevelFrame(const Json& scene)
   {
-    constexpr double level = 0.9962; // cosine of 5 degrees
-    ScanFrame frame;
-    frame.unit = scene.at("coordinate_unit").get<std::string>();
-    metres_ = frame.metresPerUnit();
+    frame_.metres_per_unit =
+        metresOfUnit(scene.at("coordinate_unit").get<std::string>());
     const auto& axes = scene.at("axes");
     up_ = vectorOf(axes.at("up")).normalized();
     x_ = vectorOf(axes.at("x"));
@@ -65,22 +63,21 @@ public:
     if (!(std::abs(up_.norm() - 1.0) < 1e-6) || !(x_.cross(y_).norm() > 0.9))
       throw ToolError("axes are no three directions");
     turn_ = Eigen::Quaterniond::FromTwoVectors(up_, Eigen::Vector3d::UnitZ());
-    offset_ = vectorOf(scene.at("offset"));
-    // the offset of a scan that leans a little is not turned: it may be far away
-    origin_ = metres_ * (up_.z() > level ? offset_ : turn_ * offset_);
+    frame_.pose.linear() = turn_.conjugate().toRotationMatrix();
+    frame_.offset = vectorOf(scene.at("offset"));
   }
 
   Eigen::Vector3d
   place(const Json& json) const
   {
-    return turn_ * (metres_ * (vectorOf(json) - offset_));
+    return turn_ * (frame_.metres_per_unit * (vectorOf(json) - frame_.offset));
   }
 
   /** Of a height along the up axis, metres. */
   double
   height(const Json& json) const
   {
-    return numberOf(json) - metres_ * up_.dot(offset_);
+    return numberOf(json) - frame_.metres_per_unit * up_.dot(frame_.offset);
   }
 
   double
@@ -91,24 +88,24 @@ public:
     return std::atan2(way.y(), way.x());
   }
 
-  Eigen::Affine3d
-  toFile() const
-  {
-    Eigen::Affine3d to_file = Eigen::Affine3d::Identity();
-    to_file.linear() = turn_.conjugate().toRotationMatrix() / metres_;
-    to_file.translation() = offset_;
-    return to_file;
-  }
-
-  const Eigen::Vector3d&
+  /** The offset of a scan that leans a little is not turned: it may be far away. */
+  Eigen::Vector3d
   origin() const
   {
-    return origin_;
+    constexpr double level = 0.9962; // cosine of 5 degrees
+    const Eigen::Vector3d& offset = frame_.offset;
+    return frame_.metres_per_unit * (up_.z() > level ? offset : turn_ * offset);
+  }
+
+  const BuildingFrame&
+  frame() const
+  {
+    return frame_;
   }
 
 private:
-  double metres_ = 1.0;
-  Eigen::Vector3d up_, x_, y_, offset_, origin_;
+  BuildingFrame frame_;
+  Eigen::Vector3d up_, x_, y_;
   Eigen::Quaterniond turn_;
 };
 
@@ -297,7 +294,7 @@ savedScene(const Json& json)
   scene.version = json.at("version").get<int>();
   scene.input = json.value("input", "");
   scene.origin = frame.origin();
-  scene.to_file = frame.toFile();
+  scene.frame = frame.frame();
   for (const auto& storey : json.at("storeys"))
     scene.storeys.push_back(
         {frame.height(storey.at("floor")), frame.height(storey.at("ceiling"))});

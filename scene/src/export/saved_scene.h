@@ -7,6 +7,7 @@
 #include "pictures/plan_polygon.h"
 
 #include <pcl/model/building_model.h>
+#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/room_objects.h>
 
 #include <nlohmann/json.hpp>
@@ -92,8 +93,7 @@ struct SavedScene {
   int version = 0;
   std::string input;      ///< name of the scan
   Eigen::Vector3d origin; ///< what to add to places to get those of the file, metres
-  Eigen::Affine3d to_file = Eigen::Affine3d::Identity(); ///< places, in the unit of the
-                                                         ///< file
+  BuildingFrame frame;    ///< in whose upright frame places are
   std::vector<SavedStorey> storeys;
   std::vector<SavedRoom> rooms; ///< room i + 1 is the i-th
   std::vector<SavedWall> walls; ///< none of version 1

@@ -37,14 +37,14 @@ endOf(const SavedScene& scene,
       throw ToolError("-route: there is no room '" + text + "'");
     return end;
   }
-  places.push_back(scene.to_file.inverse() * readPlace("-route", text));
+  places.push_back(scene.frame.uprightToFile().inverse() * readPlace("-route", text));
   return {DoorNodeKind::Place, static_cast<std::uint32_t>(places.size())};
 }
 
 Json
 stepJson(const SavedScene& scene, const DoorNode& node, double so_far)
 {
-  const Eigen::Vector3d place = scene.to_file * node.position;
+  const Eigen::Vector3d place = scene.frame.uprightToFile() * node.position;
   Json step = {{"kind", nameOf(node.kind)}};
   if (node.kind != DoorNodeKind::Corner && node.kind != DoorNodeKind::Place)
     step["number"] = node.number;

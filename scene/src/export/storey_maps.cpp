@@ -59,7 +59,7 @@ storeyMaps(const std::string& scene, double resolution, bool with_furniture)
   std::vector<StoreyMap> maps;
   for (std::uint32_t s = 0; s < saved.storeys.size(); ++s)
     maps.push_back(storeyMap(tool::robotMap(saved, s, resolution, with_furniture),
-                             saved.to_file,
+                             saved.frame.uprightToFile(),
                              saved.storeys[s].floor));
   return maps;
 }

@@ -52,7 +52,7 @@ widestPlace(const BuildingRooms& building,
         widths.push_back(map.field.at(x, y));
       }
   if (pixels.empty())
-    return building.grid.toCloud(Eigen::Vector3d::Zero()).head<2>();
+    return building.grid.toBuilding(Eigen::Vector3d::Zero()).head<2>();
   const float enough = about * *std::max_element(widths.begin(), widths.end());
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   std::size_t count = 0;
@@ -71,7 +71,7 @@ widestPlace(const BuildingRooms& building,
     }
   const auto center =
       building.grid.center(static_cast<int>(place.x()), static_cast<int>(place.y()));
-  return building.grid.toCloud(center).head<2>();
+  return building.grid.toBuilding(center).head<2>();
 }
 
 PlanRoom

@@ -96,24 +96,22 @@ append(std::string& bytes, double number)
 } // namespace
 
 nlohmann::ordered_json
-thinnedCloud(const Scene& scene,
-             const PointCloud<PointXYZ>& standing,
-             const Eigen::Vector3d& shift,
-             std::size_t most)
+thinnedCloud(const Scene& scene, const PointCloud<PointXYZ>& upright, std::size_t most)
 {
-  auto shown = pointsOf(scene, standing);
+  auto shown = pointsOf(scene, upright);
   Eigen::AlignedBox3d box;
   for (const auto index : shown)
-    box.extend(standing[index].getVector3fMap().cast<double>());
+    box.extend(upright[index].getVector3fMap().cast<double>());
+  const Eigen::Vector3d shift = scene.frame.origin();
   if (box.isEmpty())
     box.extend(shift);
-  const auto [indices, spacing] = thinned(std::move(shown), standing, box.min(), most);
+  const auto [indices, spacing] = thinned(std::move(shown), upright, box.min(), most);
   const Eigen::Vector3d step = box.sizes().cwiseMax(1e-3) / steps;
   std::string bytes;
   for (int axis = 0; axis < 3; ++axis)
     for (const auto index : indices)
       append(bytes,
-             std::round((standing[index].data[axis] - box.min()[axis]) / step[axis]));
+             std::round((upright[index].data[axis] - box.min()[axis]) / step[axis]));
   for (const auto* labels : {&scene.room_of_point, &scene.object_of_point})
     for (const auto index : indices)
       append(bytes, (*labels)[index]);

@@ -20,14 +20,12 @@ constexpr std::size_t most_report_points = 260000;
  * Members: points, their number; spacing of the points, metres; lower and step per
  * axis; data, five lists of 16-bit numbers (little-endian, base64), one after the
  * other: x, y, z in steps from lower, room, object. Numbers that do not fit are 0.
- * \param[in] standing points of the scene, z up, metres
- * \param[in] shift is taken from their coordinates
+ * \param[in] upright points of the scene, z up, metres
  * \param[in] most points at most
  */
 nlohmann::ordered_json
 thinnedCloud(const Scene& scene,
-             const PointCloud<PointXYZ>& standing,
-             const Eigen::Vector3d& shift,
+             const PointCloud<PointXYZ>& upright,
              std::size_t most = most_report_points);
 
 } // namespace pcl::indoor::tool

@@ -58,8 +58,7 @@ filled(const std::string& page, const std::map<std::string, std::string>& values
 std::vector<PlanThing>
 thingsFromAbove(const Scene& scene)
 {
-  const Eigen::Vector3d shift =
-      scene.building_pose.linear().transpose() * scene.building_pose.translation();
+  const Eigen::Vector3d shift = scene.frame.origin();
   std::vector<std::pair<double, PlanThing>> things;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const auto& object = scene.objects[i];
@@ -88,14 +87,10 @@ thingsFromAbove(const Scene& scene)
 std::string
 reportPage(const ReportInput& input)
 {
-  const auto& pose = input.scene.building_pose;
-  ScanFrame frame;
-  frame.unit = input.json.at("coordinate_unit").get<std::string>();
-  auto cloud = thinnedCloud(
-      input.scene, input.standing, pose.linear().transpose() * pose.translation());
-  cloud["metres_per_unit"] = frame.metresPerUnit();
-  const Eigen::Vector3d origin =
-      input.offset + pose.translation() / frame.metresPerUnit();
+  const auto& frame = input.scene.frame;
+  auto cloud = thinnedCloud(input.scene, input.upright);
+  cloud["metres_per_unit"] = frame.metres_per_unit;
+  const Eigen::Vector3d origin = frame.buildingToFile().translation();
   cloud["translation"] = {origin.x(), origin.y(), origin.z()};
   return filled(report_template,
                 {{"TITLE", xmlText(input.json.at("input").get<std::string>())},

@@ -22,11 +22,10 @@ thingsFromAbove(const Scene& scene);
 /** \brief What the report shows. */
 struct ReportInput {
   const Scene& scene;
-  const nlohmann::ordered_json& json;   ///< of the scene, see sceneJson()
-  const FloorPlan& plan;                ///< with things
-  const std::string& field;             ///< SVG
-  const PointCloud<PointXYZ>& standing; ///< points of the scene, z up, metres
-  Eigen::Vector3d offset;               ///< of the points, in the unit of the file
+  const nlohmann::ordered_json& json;  ///< of the scene, see sceneJson()
+  const FloorPlan& plan;               ///< with things
+  const std::string& field;            ///< SVG
+  const PointCloud<PointXYZ>& upright; ///< points of the scene, z up, metres
 };
 
 /** \brief The report: an HTML page that needs no other file and no network, made of

@@ -29,14 +29,14 @@ FinishedRoom
 finishRoom(RoomPoints room, const RoomWork& work)
 {
   const auto positions = room.positions;
-  if (!work.is_standing) {
-    const Eigen::Matrix3f turn = work.pose.linear().transpose().cast<float>();
+  if (!work.frame.isScanUpright()) {
+    const Eigen::Matrix3f turn = work.frame.pose.linear().transpose().cast<float>();
     for (auto& position : room.positions)
-      position = work.standing(position);
+      position = work.frame.scanToUpright(position.cast<double>()).cast<float>();
     for (auto& normal : room.normals)
       normal = turn * normal;
   }
-  const auto standing = room.positions;
+  const auto upright = room.positions;
   const auto removed = prepareRoom(work.preparation, room);
   FinishedRoom finished;
   finished.objects =
@@ -51,7 +51,7 @@ finishRoom(RoomPoints room, const RoomWork& work)
       votes = {};
     finished.objects.votes = {};
   }
-  finished.measures = measureObjects(positions, standing, finished.objects);
+  finished.measures = measureObjects(positions, upright, finished.objects);
   if (work.naming)
     finished.classes =
         classesOf(finished.objects.surfaces, finished.measures, *work.naming, votes);

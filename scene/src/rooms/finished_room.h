@@ -8,10 +8,8 @@
 #include "scene/object_classes.h"
 
 #include <pcl/ml/voxel_network.h>
+#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/room_objects.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <future>
 #include <optional>
@@ -33,28 +31,7 @@ struct RoomWork {
   std::optional<ObjectNaming> naming; ///< without it there are no classes
   VotingNetwork network;
   bool keeps_surfaces = false; ///< of the objects, to learn classes from
-  bool is_standing = true;     ///< z is up and the unit is the metre
-  double metres_per_unit = 1.0;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< of the building
-
-  /** \brief Set how the building stands in the frame of the scan. */
-  void
-  setFrame(const Eigen::Isometry3d& building_pose, double unit)
-  {
-    pose = building_pose;
-    metres_per_unit = unit;
-    is_standing = unit == 1.0 && pose.linear() == Eigen::Matrix3d::Identity();
-  }
-
-  /** \brief A point with z up, in metres. */
-  Eigen::Vector3f
-  standing(const Eigen::Vector3f& point) const
-  {
-    return is_standing ? point
-                       : Eigen::Vector3f((metres_per_unit * pose.linear().transpose() *
-                                          point.cast<double>())
-                                             .cast<float>());
-  }
+  BuildingFrame frame;         ///< of the scan
 };
 
 /** \brief A room with everything that is found in it, in its own numbers. */

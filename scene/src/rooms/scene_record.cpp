@@ -73,13 +73,16 @@ exchange(Record& record, BuildingRooms& building)
 
 template <typename Record>
 void
+exchange(Record& record, BuildingFrame& frame)
+{
+  record(frame.offset, frame.metres_per_unit, frame.pose.matrix());
+}
+
+template <typename Record>
+void
 exchange(Record& record, Scene& scene)
 {
-  record(scene.room_of_point,
-         scene.rooms,
-         scene.openings,
-         scene.building,
-         scene.building_pose.matrix());
+  record(scene.room_of_point, scene.rooms, scene.openings, scene.building, scene.frame);
   auto& report = scene.report;
   record(report.warnings, report.voxel_size, report.outside);
   record(report.up_axis, report.metres_per_unit, report.end_is_recognised);

@@ -17,7 +17,7 @@ namespace pcl::indoor::tool {
 struct RoomSource {
   std::vector<std::size_t> sizes; ///< points of each
   bool has_normals = false;
-  bool is_filed = false; ///< the points are in files of the work folder already
+  bool is_spooled = false; ///< the points are in files of the work folder already
   /** in the frame of CloudFile::points, with normals if there are; called from several
    * threads */
   std::function<RoomPoints(std::size_t room)> points;

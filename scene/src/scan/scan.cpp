@@ -38,9 +38,9 @@ scatteredPoints(CloudStream& stream)
 void
 setSensor(const CloudFile& file, PointCloud<PointXYZ>& cloud)
 {
-  cloud.sensor_origin_ = file.frame.origin;
-  cloud.sensor_origin_.head<3>() -= (file.offset - file.frame.offset).cast<float>();
-  cloud.sensor_orientation_ = file.frame.orientation;
+  cloud.sensor_origin_ = file.pose.origin;
+  cloud.sensor_origin_.head<3>() -= (file.offset - file.pose.offset).cast<float>();
+  cloud.sensor_orientation_ = file.pose.orientation;
 }
 
 /** What a sample of the points tells of all: where they are, and if their normals are
@@ -51,7 +51,7 @@ setPlaces(const PCLPointCloud2& sample, ScanContent& scan)
   auto& file = scan.file;
   const auto placed = placedPoints(sample, file.cloud.height > 1);
   scan.middle = placed.origin.middle;
-  file.offset = file.frame.offset + scan.middle;
+  file.offset = file.pose.offset + scan.middle;
   file.coordinate_step = placed.origin.step;
   file.left_out = placed.left_out;
   if (!hasNormals(sample))
@@ -95,7 +95,7 @@ drawSample(ScanContent& scan,
   CloudFile file;
   file.path = scan.file.path;
   file.cloud = stream.layout();
-  file.frame = stream.frame();
+  file.pose = stream.pose();
   file.stations = scan.file.stations;
   scan.file = std::move(file);
   setPlaces(pointsFromAllOver(stream), scan);
@@ -128,7 +128,7 @@ drawFewPoints(ScanContent& scan)
   auto& stream = *scan.stream;
   const auto stations = scan.file.stations;
   scan.file = withPoints(
-      scan.file.path, scatteredPoints(stream), stream.frame(), 2, stream.notes());
+      scan.file.path, scatteredPoints(stream), stream.pose(), 2, stream.notes());
   const auto finite = static_cast<double>(scan.file.finite_count) /
                       static_cast<double>(scan.file.points->size());
   scan.file.finite_count = static_cast<std::size_t>(
@@ -142,7 +142,7 @@ partOf(const ScanContent& scan, PCLPointCloud2 part)
 {
   CloudFile file;
   file.path = scan.file.path;
-  file.frame = scan.stream->frame();
+  file.pose = scan.stream->pose();
   file.offset = scan.file.offset;
   file.has_normals = scan.file.has_normals;
   file.points = pointsAround(part, scan.middle, file.finite_count, scan.file.left_out);

@@ -103,7 +103,7 @@ addStations(const std::vector<Station>& stations, Json& json)
 SceneInput
 inputOf(const CloudFile& file)
 {
-  return {file.path, file.stations, file.offset, file.frame.offset};
+  return {file.path, file.stations, file.pose.offset};
 }
 
 Json

@@ -75,8 +75,7 @@ addThings(const Scene& scene, std::vector<RoomEvidence>& rooms)
 {
   if (scene.classes.objects.size() != scene.objects.size())
     return;
-  const auto& pose = scene.building_pose;
-  const double origin = pose.linear().col(2).dot(pose.translation());
+  const double origin = scene.frame.origin().z();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const auto& object = scene.objects[i];
     if (object.room == 0 || object.room > rooms.size() || object.structure != 0)

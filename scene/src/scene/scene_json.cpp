@@ -11,7 +11,7 @@
 #include "formats/json_text.h"
 #include "scene/model_json.h"
 #include "scene/room_json.h"
-#include "scene/scan_frame.h"
+#include "scene/segmented_rooms.h"
 #include "scene/understood_scan.h"
 #include "text/program_version.h"
 
@@ -47,18 +47,16 @@ Json
 axesJson(const Scene& scene)
 {
   const auto direction = [&scene](int column) {
-    return positionJson(scene.building_pose.linear().col(column));
+    return positionJson(scene.frame.pose.linear().col(column));
   };
   return {{"x", direction(0)}, {"y", direction(1)}, {"up", direction(2)}};
 }
 
 /** Storeys from below; heights in metres along the up axis, in the file's frame. */
 Json
-storeysJson(const Scene& scene, double offset_up)
+storeysJson(const Scene& scene)
 {
-  const double base =
-      scene.building_pose.translation().dot(scene.building_pose.linear().col(2)) +
-      offset_up;
+  const double base = scene.frame.originInFile().z();
   Json storeys = Json::array();
   for (std::size_t s = 0; s < scene.building.maps.size(); ++s) {
     const auto& heights = scene.building.heights.at(s);
@@ -76,18 +74,6 @@ storeysJson(const Scene& scene, double offset_up)
                        {"rooms", std::move(rooms)}});
   }
   return storeys;
-}
-
-/** Brings places of the building's frame into the file's, in its unit. */
-Eigen::Affine3d
-fileFrame(const Scene& scene)
-{
-  const double metres = scene.frame.metresPerUnit();
-  Eigen::Affine3d to_file = Eigen::Affine3d::Identity();
-  to_file.linear() = scene.building_pose.linear() / metres;
-  to_file.translation() =
-      scene.building_pose.translation() / metres + scene.input.offset;
-  return to_file;
 }
 
 /** Class, confidence and the three likeliest of an object. */
@@ -143,9 +129,7 @@ addNamesToRooms(Json& rooms, const Scene& scene)
 Json
 objectsJson(const Scene& scene)
 {
-  Eigen::Affine3d to_file = Eigen::Affine3d::Identity();
-  to_file.linear() = scene.building_pose.linear() / scene.frame.metresPerUnit();
-  to_file.translation() = scene.input.offset;
+  const auto to_file = scene.frame.uprightToFile();
   Json objects = Json::array();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const auto& object = scene.objects[i];
@@ -157,7 +141,7 @@ objectsJson(const Scene& scene)
     json["structure"] = structure_names[object.structure];
     if (!scene.classes.names.empty())
       addClassJson(json, scene.classes, scene.classes.objects[i]);
-    addPlaceJson(json, object, scene.input.offset);
+    addPlaceJson(json, object, scene.frame.offset);
     json["upright_box"] = uprightJson(object.upright, to_file);
     objects.push_back(std::move(json));
   }
@@ -195,20 +179,17 @@ sceneJson(const Scene& scene)
   json["points_in_rooms"] = scene.counts.in_rooms;
   json["settings"] = settingsJson(scene.settings);
   json["axes"] = axesJson(scene);
-  addReportJson(json, scene.frame, scene.report);
+  addReportJson(json, scene.report);
   json["overview"] = overviewJson(scene.understood);
   json["points_outside"] = scene.counts.outside;
   json["remainder_in_no_room"] = scene.remainders.back();
-  json["storeys"] =
-      storeysJson(scene,
-                  scene.frame.metresPerUnit() *
-                      scene.building_pose.linear().col(2).dot(scene.input.offset));
+  json["storeys"] = storeysJson(scene);
   if (!scene.classes.names.empty())
     json["categories"] = scene.classes.names;
-  json["rooms"] = roomsJson(scene.rooms, scene.openings, scene.input.offset);
+  json["rooms"] = roomsJson(scene.rooms, scene.openings, scene.frame.offset);
   addNamesToRooms(json["rooms"], scene);
   addObjectsToRooms(json["rooms"], scene);
-  const auto to_file = fileFrame(scene);
+  const auto to_file = scene.frame.buildingToFile();
   json["walls"] = wallsJson(scene.model, to_file);
   json["columns"] = columnsJson(scene.model, to_file);
   json["openings"] = openingsJson(scene.model, to_file);

@@ -6,10 +6,11 @@
 
 #include "files/tool_error.h"
 #include "formats/json_text.h" // for rounded
-#include "scene/scan_frame.h"
+#include "scene/coordinate_options.h"
 #include "text/printable.h"
 
 #include <pcl/model/room_names.h>
+#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/room_objects.h>
 
 #include <algorithm>
@@ -27,34 +28,28 @@ vectorOf(const Json& json)
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
-/** Distances in a scene. */
-class Distances {
-public:
-  explicit Distances(const Json& scene)
-  {
-    ScanFrame frame;
-    frame.unit = scene.at("coordinate_unit").get<std::string>();
-    const auto& axes = scene.at("axes");
-    turn_.row(0) = vectorOf(axes.at("x"));
-    turn_.row(1) = vectorOf(axes.at("y"));
-    turn_.row(2) = vectorOf(axes.at("up"));
-    turn_ *= frame.metresPerUnit();
-  }
+/** Of the file whose places a scene tells. */
+BuildingFrame
+frameOf(const Json& scene)
+{
+  const auto& axes = scene.at("axes");
+  BuildingFrame frame;
+  frame.metres_per_unit = metresOfUnit(scene.at("coordinate_unit").get<std::string>());
+  frame.pose.linear() << vectorOf(axes.at("x")), vectorOf(axes.at("y")),
+      vectorOf(axes.at("up"));
+  return frame;
+}
 
-  /** From a place in the file's frame to an object's box, metres. */
-  double
-  operator()(const Eigen::Vector3d& place, const Json& object) const
-  {
-    const auto& json = object.at("upright_box");
-    UprightBox box; // around the origin
-    box.size = vectorOf(json.at("size"));
-    box.yaw = json.at("yaw_degrees").get<double>() * M_PI / 180.0;
-    return distanceTo(box, turn_ * (place - vectorOf(json.at("center"))));
-  }
-
-private:
-  Eigen::Matrix3d turn_;
-};
+/** From a place in the file's frame to an object's box, metres. */
+double
+distanceTo(const Json& object, const Eigen::Vector3d& place, const BuildingFrame& frame)
+{
+  const auto& json = object.at("upright_box");
+  UprightBox box; // around the origin
+  box.size = vectorOf(json.at("size"));
+  box.yaw = json.at("yaw_degrees").get<double>() * M_PI / 180.0;
+  return distanceTo(box, frame.scanToUpright(place - vectorOf(json.at("center"))));
+}
 
 double
 longestSide(const Json& object)
@@ -157,7 +152,7 @@ readScene(const std::string& path)
 }
 
 std::vector<Json>
-findRooms(const Json& scene, const SceneQuery& query)
+matchingRooms(const Json& scene, const SceneQuery& query)
 {
   requireKnown(scene, query);
   std::vector<Json> rooms;
@@ -168,15 +163,15 @@ findRooms(const Json& scene, const SceneQuery& query)
 }
 
 std::vector<Json>
-findObjects(const Json& scene, const SceneQuery& query)
+matchingObjects(const Json& scene, const SceneQuery& query)
 {
   requireKnown(scene, query);
-  const Distances distance(scene);
+  const auto frame = frameOf(scene);
   std::vector<std::pair<double, const Json*>> found;
   for (const auto& object : scene.at("objects"))
     if (isWanted(object, query) && isInRoomOfName(object, scene, query.room_name))
-      found.emplace_back(query.nearest ? distance(*query.nearest, object) : 0.0,
-                         &object);
+      found.emplace_back(
+          query.nearest ? distanceTo(object, *query.nearest, frame) : 0.0, &object);
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return a.first < b.first;
   });

@@ -41,7 +41,7 @@ readScene(const std::string& path);
  * \throws nlohmann::json::exception if the scene lacks a field
  */
 std::vector<nlohmann::ordered_json>
-findRooms(const nlohmann::ordered_json& scene, const SceneQuery& query);
+matchingRooms(const nlohmann::ordered_json& scene, const SceneQuery& query);
 
 /** \brief The objects that are looked for, as they are in the scene, in its order or by
  * their distance; then they have a field distance, metres, of the box.
@@ -49,6 +49,6 @@ findRooms(const nlohmann::ordered_json& scene, const SceneQuery& query);
  * \throws nlohmann::json::exception if the scene lacks a field
  */
 std::vector<nlohmann::ordered_json>
-findObjects(const nlohmann::ordered_json& scene, const SceneQuery& query);
+matchingObjects(const nlohmann::ordered_json& scene, const SceneQuery& query);
 
 } // namespace pcl::indoor::tool

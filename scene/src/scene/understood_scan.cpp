@@ -4,6 +4,7 @@
  */
 #include "scene/understood_scan.h"
 
+#include "scene/coordinate_options.h"
 #include "scene/recognised_end.h"
 #include "scene/room_json.h" // for positionJson
 #include "text/printable.h"
@@ -23,10 +24,10 @@ void
 UnderstoodScan::settle(const ScanReport& report)
 {
   end_is_recognised |= report.end_is_recognised;
-  if (report.up_axis.dot(frame.up_axis) >= 0.0f)
+  if (report.up_axis.dot(coordinates.up_axis) >= 0.0f)
     return;
-  frame.up_axis = report.up_axis;
-  frame.vertical = frame.vertical.reversed();
+  coordinates.up_axis = report.up_axis;
+  coordinates.vertical = coordinates.vertical.reversed();
   std::swap(overview.floor_seen, overview.ceiling_seen);
 }
 
@@ -101,23 +102,23 @@ finitePointsOf(const CloudFile& file)
 
 /** Up axis and unit, as RoomSegmentation takes them. */
 void
-findFrame(const std::vector<Eigen::Vector3f>& points,
-          const ScanFrame& frame,
-          UnderstoodScan& scan)
+findCoordinates(const std::vector<Eigen::Vector3f>& points,
+                const CoordinateOptions& given,
+                UnderstoodScan& scan)
 {
-  scan.up_is_set = frame.up != "auto";
-  scan.frame = uprightFrame(
+  scan.up_is_set = given.up != "auto";
+  scan.coordinates = scanCoordinates(
       points,
-      scan.up_is_set ? std::optional(frame.upAxis()) : std::nullopt,
-      frame.unit != "auto" ? std::optional(frame.metresPerUnit()) : std::nullopt);
-  scan.unit = unitName(scan.frame.metres_per_unit);
-  if (unitWarning(scan.frame.vertical, scan.frame.metres_per_unit).empty())
+      scan.up_is_set ? std::optional(given.upAxis()) : std::nullopt,
+      given.unit != "auto" ? std::optional(given.metresPerUnit()) : std::nullopt);
+  scan.unit = unitName(scan.coordinates.metres_per_unit);
+  if (unitWarning(scan.coordinates.vertical, scan.coordinates.metres_per_unit).empty())
     return;
-  const double height = scan.frame.vertical.room_height;
+  const double height = scan.coordinates.vertical.room_height;
   const double likely = likelyMetresPerUnit(height);
   const bool is_room =
       lowest_rooms <= height * likely && height * likely <= highest_rooms;
-  scan.likely_unit = is_room && likely != scan.frame.metres_per_unit
+  scan.likely_unit = is_room && likely != scan.coordinates.metres_per_unit
                          ? unitName(likely)
                          : ""; // the scale is another one
 }
@@ -127,20 +128,21 @@ findFrame(const std::vector<Eigen::Vector3f>& points,
 void
 findEnd(const std::vector<Eigen::Vector3f>& finite, UnderstoodScan& scan)
 {
-  const auto& vertical = scan.frame.vertical;
+  const auto& vertical = scan.coordinates.vertical;
   if (scan.up_is_set || !vertical.is_found ||
       (vertical.is_end_known && vertical.is_furnished))
     return;
   auto points = finite;
-  moveIntoBuildingFrame(points, scan.frame.up_axis, scan.frame.metres_per_unit);
+  moveIntoBuildingFrame(
+      points, scan.coordinates.up_axis, scan.coordinates.metres_per_unit);
   takeOutFarPoints(points);
   const int end = recognisedEnd(points);
   if (end < 0) {
-    scan.frame.up_axis = -scan.frame.up_axis;
-    scan.frame.vertical = vertical.reversed();
+    scan.coordinates.up_axis = -scan.coordinates.up_axis;
+    scan.coordinates.vertical = vertical.reversed();
   }
   if (end != 0)
-    scan.frame.vertical.is_end_known = scan.end_is_recognised = true;
+    scan.coordinates.vertical.is_end_known = scan.end_is_recognised = true;
 }
 
 NormalsFrom
@@ -186,7 +188,7 @@ pointsText(const UnderstoodScan& scan)
 }
 
 std::string
-frameText(const UnderstoodScan& scan)
+coordinatesText(const UnderstoodScan& scan)
 {
   const auto& overview = scan.overview;
   std::string text = "Unit: " + scan.unit;
@@ -197,22 +199,24 @@ frameText(const UnderstoodScan& scan)
   text += overview.room_height > 0.0
               ? " rooms are " + fixedText(overview.room_height, 1) + " m high. "
               : " height of rooms was seen. ";
-  text += "Up: " + axisText(scan.frame.up_axis);
+  text += "Up: " + axisText(scan.coordinates.up_axis);
   if (scan.up_is_set)
     return text + ", as set.";
-  if (!scan.frame.vertical.is_found)
+  if (!scan.coordinates.vertical.is_found)
     return text + ", for want of floors and walls that tell it.";
-  const double off = std::acos(std::min(
-      1.0, static_cast<double>(scan.frame.vertical.direction.dot(scan.frame.up_axis))));
+  const double off =
+      std::acos(std::min(1.0,
+                         static_cast<double>(scan.coordinates.vertical.direction.dot(
+                             scan.coordinates.up_axis))));
   text += ", by floors and walls";
   if (off >= 0.5 * degree)
     text += ", which lean by " + fixedText(off / degree, 1) + " degrees";
-  else if (scan.frame.up_axis.cwiseAbs().maxCoeff() < 1.0f)
-    text +=
-        ", " + fixedText(scan.frame.vertical.tilt() / degree, 1) + " degrees from z";
+  else if (scan.coordinates.up_axis.cwiseAbs().maxCoeff() < 1.0f)
+    text += ", " + fixedText(scan.coordinates.vertical.tilt() / degree, 1) +
+            " degrees from z";
   if (scan.end_is_recognised)
     text += "; things are recognised with this end up";
-  else if (!scan.frame.vertical.is_furnished)
+  else if (!scan.coordinates.vertical.is_furnished)
     text += "; no furniture tells floors from ceilings";
   return text + ".";
 }
@@ -258,7 +262,7 @@ std::string
 heightText(const UnderstoodScan& scan)
 {
   constexpr double foot = 0.3048, least = 2.0, most = 3.5; // of what people build
-  const double height = scan.frame.vertical.room_height;
+  const double height = scan.coordinates.vertical.room_height;
   if (scan.unit != "m" || !scan.likely_unit.empty() || foot * height < least)
     return {};
   return "Its rooms seem to be " + fixedText(height, 1) + " m high" +
@@ -297,7 +301,7 @@ addSurfaces(const ScanOverview& overview, std::vector<std::string>& lines)
 
 UnderstoodScan
 understand(const CloudFile& file,
-           const ScanFrame& frame,
+           const CoordinateOptions& coordinates,
            std::uint64_t points,
            const ScanLook& look)
 {
@@ -309,12 +313,11 @@ understand(const CloudFile& file,
   scan.has_colors = hasField(file.cloud, "rgb") || hasField(file.cloud, "rgba");
   scan.stations = std::max<std::size_t>(1, file.stations.size());
   const auto finite = finitePointsOf(file);
-  findFrame(finite, frame, scan);
+  findCoordinates(finite, coordinates, scan);
   if (look.at_things)
     findEnd(finite, scan);
-  ScanFrame likely;
-  likely.unit = scan.likely_unit.empty() ? scan.unit : scan.likely_unit;
-  scan.overview = scanOverview(finite, scan.frame.up_axis, likely.metresPerUnit());
+  const auto& unit = scan.likely_unit.empty() ? scan.unit : scan.likely_unit;
+  scan.overview = scanOverview(finite, scan.coordinates.up_axis, metresOfUnit(unit));
   if (scan.is_sample) { // which tells nothing of points that are in one place
     scan.overview.spacing *= std::sqrt(static_cast<double>(finite.size()) /
                                        static_cast<double>(scan.finite_points));
@@ -326,7 +329,7 @@ understand(const CloudFile& file,
 std::vector<std::string>
 factsOf(const UnderstoodScan& scan)
 {
-  return {pointsText(scan), frameText(scan), seenText(scan.overview)};
+  return {pointsText(scan), coordinatesText(scan), seenText(scan.overview)};
 }
 
 std::vector<std::string>
@@ -380,9 +383,9 @@ overviewJson(const UnderstoodScan& scan)
   if (!scan.likely_unit.empty())
     json["likely_unit"] = scan.likely_unit;
   json["room_height"] = rounded(overview.room_height);
-  json["up"] = positionJson(scan.frame.up_axis.cast<double>());
-  if (scan.frame.vertical.is_found)
-    json["tilt_degrees"] = rounded(scan.frame.vertical.tilt() / degree);
+  json["up"] = positionJson(scan.coordinates.up_axis.cast<double>());
+  if (scan.coordinates.vertical.is_found)
+    json["tilt_degrees"] = rounded(scan.coordinates.vertical.tilt() / degree);
   json["storeys"] = overview.storeys;
   json["area"] = rounded(overview.area);
   json["open_area"] = rounded(overview.open_area);

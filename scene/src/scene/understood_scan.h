@@ -5,9 +5,9 @@
 #pragma once
 
 #include "files/cloud_file.h"
-#include "scene/scan_frame.h"
 
 #include <pcl/scene/scene.h>
+#include <pcl/scene/scene_options.h>
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +32,7 @@ struct ScanLook {
  */
 UnderstoodScan
 understand(const CloudFile& file,
-           const ScanFrame& frame,
+           const CoordinateOptions& coordinates,
            std::uint64_t points,
            const ScanLook& look = {});
 

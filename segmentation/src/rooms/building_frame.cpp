@@ -5,8 +5,6 @@
 
 #include <pcl/segmentation/building_frame.h>
 
-#include <pcl/segmentation/scan_warnings.h> // for metresPerUnit
-
 #include <pcl/indoor/quantile.h>
 
 #include <cmath>
@@ -86,28 +84,33 @@ turnUpright(const Eigen::Vector3f& up_axis)
   return turn;
 }
 
-UprightFrame
-uprightFrame(const std::vector<Eigen::Vector3f>& points,
-             const std::optional<Eigen::Vector3f>& up_axis,
-             std::optional<double> metres_per_unit)
+Eigen::Affine3d
+BuildingFrame::uprightToFile() const
 {
-  UprightFrame frame;
-  frame.vertical = up_axis ? verticalAlong(*up_axis, points) : findVertical(points);
-  frame.up_axis = up_axis ? frame.vertical.direction : frame.vertical.upAxis();
-  frame.metres_per_unit =
-      metres_per_unit.value_or(metresPerUnit(frame.vertical.room_height));
-  return frame;
+  Eigen::Affine3d to_file = Eigen::Affine3d::Identity();
+  to_file.linear() = pose.linear() / metres_per_unit;
+  to_file.translation() = offset;
+  return to_file;
 }
 
-Eigen::Isometry3d
+Eigen::Affine3d
+BuildingFrame::buildingToFile() const
+{
+  auto to_file = uprightToFile();
+  to_file.translation() += pose.translation() / metres_per_unit;
+  return to_file;
+}
+
+BuildingFrame
 moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,
                       const Eigen::Vector3f& up_axis,
                       double metres_per_unit)
 {
   constexpr double farthest = 1e9; // metres; far from what a float can hold
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  BuildingFrame frame;
+  frame.metres_per_unit = metres_per_unit;
   if (points.empty())
-    return pose;
+    return frame;
   const Eigen::Matrix3d turn = turnUpright(up_axis);
   const Eigen::Vector3d origin = originNear(points, turn, metres_per_unit);
   for (auto& point : points)
@@ -115,9 +118,9 @@ moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,
                 .cwiseMax(-farthest)
                 .cwiseMin(farthest)
                 .cast<float>();
-  pose.linear() = turn.transpose();
-  pose.translation() = turn.transpose() * origin;
-  return pose;
+  frame.pose.linear() = turn.transpose();
+  frame.pose.translation() = turn.transpose() * origin;
+  return frame;
 }
 
 std::vector<std::size_t>
@@ -136,24 +139,20 @@ takeOutFarPoints(std::vector<Eigen::Vector3f>& points)
 }
 
 void
-placeInCloud(const Eigen::Isometry3d& pose,
-             double metres_per_unit,
-             const std::vector<Eigen::AlignedBox3f>& boxes,
-             std::vector<Room>& rooms,
-             std::vector<RoomOpening>& openings)
+placeInScan(const BuildingFrame& frame,
+            const std::vector<Eigen::AlignedBox3f>& boxes,
+            std::vector<Room>& rooms,
+            std::vector<RoomOpening>& openings)
 {
-  const auto toCloud = [&](const Eigen::Vector3d& place) -> Eigen::Vector3d {
-    return pose * place / metres_per_unit;
-  };
   for (auto& opening : openings)
-    opening.position = toCloud(opening.position);
+    opening.position = frame.buildingToScan(opening.position);
   for (std::size_t i = 0; i < rooms.size(); ++i) {
     rooms[i].lower = boxes[i].min().cast<double>();
     rooms[i].upper = boxes[i].max().cast<double>();
-    rooms[i].centroid = toCloud(rooms[i].centroid);
+    rooms[i].centroid = frame.buildingToScan(rooms[i].centroid);
     for (auto& line : rooms[i].footprint)
       for (auto& corner : line)
-        corner = toCloud(corner);
+        corner = frame.buildingToScan(corner);
   }
 }
 

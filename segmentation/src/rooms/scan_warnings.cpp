@@ -8,8 +8,6 @@
 #include "rooms/map/building_steps.h"
 #include "rooms/map/region_evidence.h"
 
-#include <pcl/segmentation/building_frame.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

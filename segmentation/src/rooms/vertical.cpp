@@ -7,6 +7,8 @@
 #include "rooms/scan_sample.h"
 
 #include <pcl/segmentation/building_frame.h> // for turnUpright
+#include <pcl/segmentation/scan_coordinates.h>
+#include <pcl/segmentation/scan_warnings.h> // for metresPerUnit
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -388,6 +390,19 @@ verticalAlong(const Eigen::Vector3f& up_axis, const Points& points)
       verticalOf(sample, up_axis.normalized().cast<double>(), cellSizeOf(sample));
   vertical.is_found = vertical.is_end_known = true;
   return vertical;
+}
+
+ScanCoordinates
+scanCoordinates(const Points& points,
+                const std::optional<Eigen::Vector3f>& up_axis,
+                std::optional<double> metres_per_unit)
+{
+  ScanCoordinates found;
+  found.vertical = up_axis ? verticalAlong(*up_axis, points) : findVertical(points);
+  found.up_axis = up_axis ? found.vertical.direction : found.vertical.upAxis();
+  found.metres_per_unit =
+      metres_per_unit.value_or(metresPerUnit(found.vertical.room_height));
+  return found;
 }
 
 } // namespace indoor

@@ -68,7 +68,7 @@ TEST_F(CloudFiles, EveryEncodingGivesTheSameCloud)
     EXPECT_FALSE(file.points->is_dense);
     EXPECT_TRUE(std::isnan((*file.points)[5].x) && std::isnan((*file.points)[5].z));
     EXPECT_FLOAT_EQ((*file.points)[7].z, -3.1f);
-    EXPECT_EQ(file.frame.origin.head<3>(), Eigen::Vector3f(1, 2, 3));
+    EXPECT_EQ(file.pose.origin.head<3>(), Eigen::Vector3f(1, 2, 3));
     EXPECT_TRUE(hasField(file.cloud, "intensity"));
     ASSERT_TRUE(file.has_normals);
     const auto normals = readNormals(file);
@@ -147,8 +147,8 @@ TEST_F(CloudFiles, PlyOfPclsWriterIsReadInEveryEncoding)
     EXPECT_FLOAT_EQ((*file.points)[7].z, -3.1f);
     ASSERT_TRUE(file.has_normals);
     EXPECT_EQ((*readNormals(file))[3].normal_y, 1.0f);
-    EXPECT_EQ(file.frame.origin.head<3>(), Eigen::Vector3f(1, 2, 3));
-    EXPECT_TRUE(file.frame.orientation.isApprox(cloud.sensor_orientation_, 1e-3f));
+    EXPECT_EQ(file.pose.origin.head<3>(), Eigen::Vector3f(1, 2, 3));
+    EXPECT_TRUE(file.pose.orientation.isApprox(cloud.sensor_orientation_, 1e-3f));
   }
 }
 
@@ -191,7 +191,7 @@ TEST_F(CloudFiles, LargeCoordinatesKeepTheirMillimetresAndTheirBytes)
   EXPECT_EQ(file.offset.z(), 0.0); // a small coordinate stays as it is
 
   appendField(file.cloud, "room", {4, 5, 0});
-  saveCloud(path("out.pcd"), file.cloud, file.frame);
+  saveCloud(path("out.pcd"), file.cloud, file.pose);
   const auto again = loadCloud(path("out.pcd"));
   ASSERT_EQ(again.cloud.point_step, 29u);
   for (std::size_t i = 0; i < 3; ++i)
@@ -212,12 +212,12 @@ TEST_F(CloudFiles, AnAppendedFieldReplacesItsNamesakeOfAnyType)
   appendField(file.cloud, "object", values);
   values[3] = 12;
   appendField(file.cloud, "object", values);
-  saveCloud(path("out.pcd"), file.cloud, file.frame);
+  saveCloud(path("out.pcd"), file.cloud, file.pose);
   const auto again = loadCloud(path("out.pcd"));
   EXPECT_EQ(readLabels(again, "object"), values);
   EXPECT_EQ(again.cloud.fields.size(), file.cloud.fields.size());
   EXPECT_EQ(again.points->width, 6u);
-  EXPECT_TRUE(again.frame.orientation.isApprox(organisedCloud().sensor_orientation_));
+  EXPECT_TRUE(again.pose.orientation.isApprox(organisedCloud().sensor_orientation_));
   pcl::PointCloud<pcl::PointNormal> points;
   pcl::fromPCLPointCloud2(again.cloud, points);
   EXPECT_FLOAT_EQ(points[7].z, -3.1f);
@@ -319,13 +319,13 @@ TEST_F(CloudFiles, AViewpointThatIsNoneIsTheOrigin)
     auto text = utmPcd();
     const std::string known = "0 0 0 1 0 0 0";
     text.replace(text.find(known), known.size(), viewpoint);
-    const auto frame = loadCloud(write("cloud.pcd", text)).frame;
-    EXPECT_EQ(frame.origin, Eigen::Vector4f::Zero().eval()) << viewpoint;
-    EXPECT_EQ(frame.orientation.coeffs(), Eigen::Vector4f(0, 0, 0, 1)) << viewpoint;
+    const auto pose = loadCloud(write("cloud.pcd", text)).pose;
+    EXPECT_EQ(pose.origin, Eigen::Vector4f::Zero().eval()) << viewpoint;
+    EXPECT_EQ(pose.orientation.coeffs(), Eigen::Vector4f(0, 0, 0, 1)) << viewpoint;
   }
   auto text = utmPcd();
   text.replace(text.find("0 0 0 1"), 7, "+1 -2 3 1");
-  EXPECT_EQ(loadCloud(write("cloud.pcd", text)).frame.origin,
+  EXPECT_EQ(loadCloud(write("cloud.pcd", text)).pose.origin,
             Eigen::Vector4f(1, -2, 3, 0));
 }
 

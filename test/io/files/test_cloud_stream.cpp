@@ -4,7 +4,7 @@
  */
 #include "files/cloud_file.h"
 #include "files/cloud_stream.h"
-#include "formats/pcd_writer.h"
+#include "formats/pcd/pcd_writer.h"
 #include "support/added_field.h"
 #include "support/folder_test.h"
 
@@ -34,9 +34,9 @@ protected:
       EXPECT_EQ(stream->layout().fields[i].offset, file.cloud.fields[i].offset);
       EXPECT_EQ(stream->layout().fields[i].datatype, file.cloud.fields[i].datatype);
     }
-    EXPECT_EQ(stream->frame().origin, file.frame.origin);
-    EXPECT_EQ(stream->frame().offset, file.frame.offset);
-    EXPECT_TRUE(stream->frame().orientation.isApprox(file.frame.orientation, 0.0f));
+    EXPECT_EQ(stream->pose().origin, file.pose.origin);
+    EXPECT_EQ(stream->pose().offset, file.pose.offset);
+    EXPECT_TRUE(stream->pose().orientation.isApprox(file.pose.orientation, 0.0f));
     std::vector<std::uint8_t> data;
     std::uint64_t next = 0;
     stream->forEachPart([&](std::uint64_t first, pcl::PCLPointCloud2& part) {
@@ -92,11 +92,11 @@ TEST_F(CloudStreamTest, ReadsBinaryPcdInParts)
     auto cloud = cloudOf(600000, doubles); // three parts
     cloud.width = 1000;
     cloud.height = 600;
-    CloudFrame frame;
-    frame.origin = {1, 2, 3, 0};
-    frame.offset = {100, 0, 0};
+    CloudPose pose;
+    pose.origin = {1, 2, 3, 0};
+    pose.offset = {100, 0, 0};
     OutputFile file(path("cloud.pcd"));
-    writePcdHeader(file, cloud, frame);
+    writePcdHeader(file, cloud, pose);
     auto half = cloud; // written in parts, too
     half.height = 300;
     half.data.resize(cloud.data.size() / 2);
@@ -119,9 +119,9 @@ TEST_F(CloudStreamTest, AViewpointThatIsNoneIsTheOrigin)
 
 TEST_F(CloudStreamTest, ReadsBinaryPlyInParts)
 {
-  CloudFrame frame;
-  frame.origin = {1, 2, 3, 0};
-  saveCloud(path("cloud.ply"), cloudOf(300000, true), frame);
+  CloudPose pose;
+  pose.origin = {1, 2, 3, 0};
+  saveCloud(path("cloud.ply"), cloudOf(300000, true), pose);
   expectLikeLoaded(path("cloud.ply"));
 }
 

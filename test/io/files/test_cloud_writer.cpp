@@ -90,14 +90,14 @@ expectSameFields(const pcl::PCLPointCloud2& expected, const pcl::PCLPointCloud2&
   }
 }
 
-CloudFrame
-someFrame()
+CloudPose
+somePose()
 {
-  CloudFrame frame;
-  frame.origin = Eigen::Vector4f(0.1f, -2, 3e-5f, 0);
-  frame.orientation = Eigen::Quaternionf(0.5f, -0.5f, 0.5f, 0.5f);
-  frame.offset = Eigen::Vector3d(691234, 5334567.25, 0);
-  return frame;
+  CloudPose pose;
+  pose.origin = Eigen::Vector4f(0.1f, -2, 3e-5f, 0);
+  pose.orientation = Eigen::Quaternionf(0.5f, -0.5f, 0.5f, 0.5f);
+  pose.offset = Eigen::Vector3d(691234, 5334567.25, 0);
+  return pose;
 }
 
 } // namespace
@@ -107,13 +107,13 @@ TEST_F(CloudWriter, EveryFieldComesBackFromBothFormats)
   const auto cloud = manyFields();
   for (const char* name : {"out.pcd", "out.ply", "OUT.PLY", "without_extension"}) {
     SCOPED_TRACE(name);
-    saveCloud(path(name), cloud, someFrame());
+    saveCloud(path(name), cloud, somePose());
     const auto file = loadCloud(path(name));
     expectSameFields(cloud, file.cloud);
-    EXPECT_EQ(file.frame.origin.head<3>(), someFrame().origin.head<3>());
-    EXPECT_LT(file.frame.orientation.angularDistance(someFrame().orientation), 1e-3f);
-    EXPECT_EQ(file.frame.offset, someFrame().offset);
-    EXPECT_EQ(file.offset, someFrame().offset);
+    EXPECT_EQ(file.pose.origin.head<3>(), somePose().origin.head<3>());
+    EXPECT_LT(file.pose.orientation.angularDistance(somePose().orientation), 1e-3f);
+    EXPECT_EQ(file.pose.offset, somePose().offset);
+    EXPECT_EQ(file.offset, somePose().offset);
   }
   EXPECT_EQ(bytesOf(path("OUT.PLY")).substr(0, 4), "ply\n");
   EXPECT_EQ(bytesOf(path("without_extension")).substr(0, 6), "# .PCD");
@@ -122,15 +122,15 @@ TEST_F(CloudWriter, EveryFieldComesBackFromBothFormats)
 TEST_F(CloudWriter, PclsReadersUnderstandBothFormats)
 {
   const auto cloud = manyFields();
-  saveCloud(path("out.pcd"), cloud, someFrame());
-  saveCloud(path("out.ply"), cloud, someFrame());
+  saveCloud(path("out.pcd"), cloud, somePose());
+  saveCloud(path("out.ply"), cloud, somePose());
   pcl::PCLPointCloud2 pcd, ply;
   Eigen::Vector4f origin;
   Eigen::Quaternionf orientation;
   int version = 0;
   ASSERT_EQ(pcl::PCDReader().read(path("out.pcd"), pcd, origin, orientation, version),
             0);
-  EXPECT_TRUE(orientation.isApprox(someFrame().orientation));
+  EXPECT_TRUE(orientation.isApprox(somePose().orientation));
   expectSameFields(cloud, pcd);
   ASSERT_EQ(pcl::PLYReader().read(path("out.ply"), ply, origin, orientation, version),
             0);

@@ -63,12 +63,12 @@ randomPoints(std::size_t count, std::uint32_t seed)
   return points;
 }
 
-CloudFrame
+CloudPose
 frameAt(const Eigen::Vector3d& offset)
 {
-  CloudFrame frame;
-  frame.offset = offset;
-  return frame;
+  CloudPose pose;
+  pose.offset = offset;
+  return pose;
 }
 
 std::vector<std::string>
@@ -110,7 +110,7 @@ TEST(JoinedClouds, PointsFollowEachOtherWithTheirStation)
   ASSERT_EQ(joined->pointCount(), 10u);
   EXPECT_EQ(namesOf(joined->layout()),
             (std::vector<std::string>{"x", "y", "z", "label", "station"}));
-  const auto file = withPoints("all", joined->read(0, 10), joined->frame());
+  const auto file = withPoints("all", joined->read(0, 10), joined->pose());
   const std::vector<std::uint32_t> stations = {1, 1, 1, 1, 1, 2, 3, 3, 3, 3};
   EXPECT_EQ(readLabels(file, "station"), stations);
   const auto labels = readLabels(file, "label");
@@ -142,10 +142,10 @@ TEST(JoinedClouds, OffsetsAndDoublesLoseNothing)
         threeScans(
             points, {float32, float64, all_doubles ? float64 : float32}, offsets),
         {"a", "b", "c"});
-    EXPECT_EQ(joined->frame().offset, offsets[0]);
+    EXPECT_EQ(joined->pose().offset, offsets[0]);
     const auto all = joined->read(0, 10);
     EXPECT_EQ(all.fields[0].datatype, float64);
-    const auto file = withPoints("all", all, joined->frame());
+    const auto file = withPoints("all", all, joined->pose());
     std::size_t i = 0;
     for (std::size_t s = 0; s < points.size(); ++s)
       for (const auto& point : points[s]) {
@@ -162,34 +162,34 @@ TEST(JoinedClouds, FieldsThatNotAllHaveAreLeftOutAndNamed)
   std::vector<std::unique_ptr<CloudStream>> scans;
   const auto points = randomPoints(3, 7);
   scans.push_back(streamInMemory(
-      cloudOf(points, float32, {"label", "station", "class"}), CloudFrame()));
+      cloudOf(points, float32, {"label", "station", "class"}), CloudPose()));
   scans.push_back(
-      streamInMemory(cloudOf(points, float32, {"return", "label"}), CloudFrame()));
+      streamInMemory(cloudOf(points, float32, {"return", "label"}), CloudPose()));
   const auto joined = joinedStream(std::move(scans), {"a", "b"});
   EXPECT_EQ(joined->notes(),
             (std::vector<std::string>{
                 "fields that not all of the scans have are left out: class, return"}));
   EXPECT_EQ(namesOf(joined->layout()),
             (std::vector<std::string>{"x", "y", "z", "label", "station"}));
-  const auto file = withPoints("both", joined->read(0, 6), joined->frame());
+  const auto file = withPoints("both", joined->read(0, 6), joined->pose());
   EXPECT_EQ(readLabels(file, "label"),
             (std::vector<std::uint32_t>{0, 1, 2, 10, 11, 12})); // of its own place
 }
 
 TEST(JoinedClouds, StationsOfAScanKeepTheirNamesAndPlaces)
 {
-  CloudFrame seen;
+  CloudPose seen;
   seen.origin = {1, 2, 3, 0};
   seen.offset = {691000, 0, 0};
   std::vector<std::unique_ptr<CloudStream>> two;
   two.push_back(streamInMemory(cloudOf(randomPoints(2, 8), float32, {}), seen));
-  two.push_back(streamInMemory(cloudOf(randomPoints(1, 9), float32, {}), CloudFrame()));
+  two.push_back(streamInMemory(cloudOf(randomPoints(1, 9), float32, {}), CloudPose()));
   std::vector<std::unique_ptr<CloudStream>> scans;
   scans.push_back(
-      streamInMemory(cloudOf(randomPoints(1, 7), float64, {}), CloudFrame()));
+      streamInMemory(cloudOf(randomPoints(1, 7), float64, {}), CloudPose()));
   scans.push_back(joinedStream(std::move(two), {"hall", "yard"}));
   const auto joined = joinedStream(std::move(scans), {"a.las", "b.e57"});
-  const auto file = withPoints("all", joined->read(0, 4), joined->frame());
+  const auto file = withPoints("all", joined->read(0, 4), joined->pose());
   EXPECT_EQ(readLabels(file, "station"), (std::vector<std::uint32_t>{1, 2, 2, 3}));
   ASSERT_EQ(joined->stations().size(), 3u);
   EXPECT_EQ(joined->stations()[0].name, "a.las");

@@ -45,7 +45,7 @@ protected:
     testing::internal::CaptureStderr();
     PointCoordinates{doubles}.apply(file, output);
     said = testing::internal::GetCapturedStderr();
-    saveCloud(output, file.cloud, file.frame);
+    saveCloud(output, file.cloud, file.pose);
     return loadCloud(output);
   }
 
@@ -83,9 +83,9 @@ TEST_F(Coordinates, DoublesBecomeFloatsThatPclReadsAndAnOffset)
             ": x, y, z are floats, to which the offset 691235 5334568 0 has to be "
             "added; -double writes doubles\n");
     expectPlaces(file, 1e-6);
-    EXPECT_EQ(file.frame.offset, Eigen::Vector3d(691235, 5334568, 0));
-    EXPECT_EQ(file.offset, file.frame.offset);
-    EXPECT_EQ(file.frame.origin.head<3>(), Eigen::Vector3f(-1, -1, 500));
+    EXPECT_EQ(file.pose.offset, Eigen::Vector3d(691235, 5334568, 0));
+    EXPECT_EQ(file.offset, file.pose.offset);
+    EXPECT_EQ(file.pose.origin.head<3>(), Eigen::Vector3f(-1, -1, 500));
     EXPECT_EQ(file.cloud.fields.back().name, "gps_time");
     EXPECT_EQ(file.cloud.fields.back().datatype, pcl::PCLPointField::FLOAT64);
     EXPECT_NE(bytesOf(path(name)).find(" offset 691235 5334568 0\n"),
@@ -114,12 +114,12 @@ TEST_F(Coordinates, DoublesAreWrittenIfWanted)
   const auto same = passed(utmFile(), path("doubles.pcd"), true);
   EXPECT_EQ(said, "");
   EXPECT_EQ(same.cloud.data, loadCloud(utmFile()).cloud.data);
-  EXPECT_EQ(same.frame.offset, Eigen::Vector3d::Zero());
+  EXPECT_EQ(same.pose.offset, Eigen::Vector3d::Zero());
   const auto floats = passed(utmFile(), path("floats.pcd"), false);
   const auto again = passed(path("floats.pcd"), path("again.pcd"), true);
-  EXPECT_EQ(again.frame.offset, Eigen::Vector3d::Zero());
+  EXPECT_EQ(again.pose.offset, Eigen::Vector3d::Zero());
   EXPECT_EQ(again.cloud.fields[1].datatype, pcl::PCLPointField::FLOAT64);
-  EXPECT_EQ(again.frame.origin.head<3>(), Eigen::Vector3f(691234, 5334567, 500));
+  EXPECT_EQ(again.pose.origin.head<3>(), Eigen::Vector3f(691234, 5334567, 500));
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_EQ(placeOf(again, i), placeOf(floats, i));
 }
@@ -133,7 +133,7 @@ TEST_F(Coordinates, FloatsStayAsTheyAre)
   const auto file = passed(path("in.pcd"), path("out.pcd"), false);
   EXPECT_EQ(said, "");
   EXPECT_EQ(file.cloud.data, loadCloud(path("in.pcd")).cloud.data);
-  EXPECT_EQ(file.frame.offset, Eigen::Vector3d::Zero());
+  EXPECT_EQ(file.pose.offset, Eigen::Vector3d::Zero());
 }
 
 TEST_F(Coordinates, OtherCommentsAreNoOffset)

@@ -315,7 +315,7 @@ TEST_F(E57Files, SphericalCoordinates)
   }
   ASSERT_EQ(file.stations.size(), 1u);
   EXPECT_EQ(file.stations[0].position, Eigen::Vector3d(1, 2, 3));
-  EXPECT_EQ(file.frame.origin, Eigen::Vector4f(1, 2, 3, 0));
+  EXPECT_EQ(file.pose.origin, Eigen::Vector4f(1, 2, 3, 0));
 }
 
 TEST_F(E57Files, PointsThatAreFlaggedAreLeftOutAndCounted)

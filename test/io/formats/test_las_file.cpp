@@ -6,7 +6,7 @@
 #include "files/cloud_formats.h"
 #include "files/cloud_stream.h"
 #include "files/tool_error.h"
-#include "formats/las_file.h"
+#include "formats/las/las_file.h"
 #include "support/folder_test.h"
 
 #include <pcl/common/io.h>

@@ -9,7 +9,7 @@
 #include "files/cloud_file.h"
 #include "files/cloud_stream.h"
 #include "files/tool_error.h"
-#include "formats/las_file.h"
+#include "formats/las/las_source.h"
 #include "formats/reader_threads.h"
 #include "support/folder_test.h"
 #include "support/laz_points.h"

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "formats/pcd_body.h"
+#include "formats/pcd/pcd_body.h"
 
 #include <pcl/io/lzf.h>
 

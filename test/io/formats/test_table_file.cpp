@@ -5,7 +5,7 @@
 #include "files/cloud_file.h"
 #include "files/cloud_formats.h"
 #include "files/tool_error.h"
-#include "formats/table_file.h"
+#include "formats/table/table_file.h"
 #include "support/folder_test.h"
 
 #include <pcl/common/io.h>

@@ -77,8 +77,8 @@ TEST_F(DescribeBuilding, FindsRoomsAndTheirObjects)
         scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
           return object.room == room && object.structure == 0;
         }));
-  EXPECT_EQ(scene.frame.unit, "m"); // what was to be found was found
-  EXPECT_EQ(scene.frame.up, "z");
+  EXPECT_EQ(scene.frame.metres_per_unit, 1.0); // what was to be found was found
+  EXPECT_EQ(scene.report.up_axis, Eigen::Vector3f::UnitZ());
 }
 
 TEST_F(DescribeBuilding, FindsTheWallBetweenTheRoomsWithItsDoor)
@@ -185,10 +185,10 @@ TEST_F(DescribeBuilding, RefusesOptionsThatAreNone)
 {
   const auto scan = loadScan(twoRooms());
   auto options = withoutClasses();
-  options.frame.unit = "yd";
+  options.scan.unit = "yd";
   EXPECT_EQ(problemOf(scan, options), "unit: 'yd' is none");
   options = withoutClasses();
-  options.frame.up = "0,0,0";
+  options.scan.up = "0,0,0";
   EXPECT_NE(problemOf(scan, options).find("has no direction"), std::string::npos);
   options = withoutClasses();
   options.preparation.normals = "guess";

@@ -107,7 +107,7 @@ TEST(SavedScene, StandsUprightInMetres)
   EXPECT_NEAR(scene.storeys[0].floor, 0.5, 1e-9);
   EXPECT_TRUE(scene.rooms[0].rings[0][1].isApprox(Eigen::Vector2d(4.0, 3.0)));
   EXPECT_NEAR(std::sin(scene.objects[0].box.yaw), 1.0, 1e-9);
-  EXPECT_TRUE((scene.to_file * Eigen::Vector3d(4.0, 3.0, 0.5))
+  EXPECT_TRUE((scene.frame.uprightToFile() * Eigen::Vector3d(4.0, 3.0, 0.5))
                   .isApprox(Eigen::Vector3d(400.0, 150.0, -300.0)));
 }
 

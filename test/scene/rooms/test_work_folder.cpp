@@ -38,7 +38,9 @@ TEST(Records, HoldRoomsAndScenes)
   EXPECT_EQ(scene->room_of_point, someScene().room_of_point);
   EXPECT_EQ(scene->rooms[0].footprint, someScene().rooms[0].footprint);
   EXPECT_EQ(scene->building.maps[0].labels.values, (std::vector<std::int32_t>{1, -1}));
-  EXPECT_EQ(scene->building_pose.matrix(), someScene().building_pose.matrix());
+  EXPECT_EQ(scene->frame.pose.matrix(), someScene().frame.pose.matrix());
+  EXPECT_EQ(scene->frame.offset, someScene().frame.offset);
+  EXPECT_EQ(scene->frame.metres_per_unit, someScene().frame.metres_per_unit);
   EXPECT_EQ(scene->report.warnings, someScene().report.warnings);
   EXPECT_EQ(sceneBytes(*scene), sceneBytes(someScene()));
 }

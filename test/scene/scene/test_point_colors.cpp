@@ -42,7 +42,7 @@ protected:
   std::vector<Eigen::Vector3i>
   colorsIn(const CloudFile& file) const
   {
-    saveCloud(path("out.pcd"), file.cloud, file.frame);
+    saveCloud(path("out.pcd"), file.cloud, file.pose);
     pcl::PointCloud<pcl::PointXYZRGB> cloud;
     EXPECT_EQ(pcl::io::loadPCDFile(path("out.pcd"), cloud), 0);
     std::vector<Eigen::Vector3i> colors;

@@ -51,7 +51,7 @@ Scene
 threeRooms()
 {
   Scene scene;
-  scene.building_pose.translation() = Eigen::Vector3d(5.0, 6.0, 100.0);
+  scene.frame.pose.translation() = Eigen::Vector3d(5.0, 6.0, 100.0);
   scene.building.rooms = {
       rectangle(1, 0, 4.0, 3.0), rectangle(2, 0, 6.0, 1.5), rectangle(3, 1, 2.0, 2.0)};
   scene.building.heights.resize(2);

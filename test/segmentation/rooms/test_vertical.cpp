@@ -6,7 +6,7 @@
 #include "rooms/floor_side.h"
 #include "support/synthetic_scenes.h"
 
-#include <pcl/segmentation/building_frame.h>
+#include <pcl/segmentation/scan_coordinates.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

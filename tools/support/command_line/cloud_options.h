@@ -7,7 +7,7 @@
 #include "command_line/options.h"
 #include "files/point_coordinates.h"
 #include "files/station_choice.h"
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 
 namespace pcl::indoor::tool {
 

@@ -23,23 +23,23 @@ addOption(OptionParser& parser,
 }
 
 void
-addOptions(OptionParser& parser, ScanFrame& frame)
+addOptions(OptionParser& parser, CoordinateOptions& coordinates)
 {
   parser.text(
       "-unit",
-      frame.unit,
+      coordinates.unit,
       "unit of the coordinates; lengths of options and areas are in metres; auto: "
       "metres, but where rooms would be higher than 50 m",
       {"auto", "m", "cm", "mm", "ft", "in"});
-  addUpOption(parser, frame);
+  addUpOption(parser, coordinates);
 }
 
 void
-addUpOption(OptionParser& parser, ScanFrame& frame)
+addUpOption(OptionParser& parser, CoordinateOptions& coordinates)
 {
   parser.text(
       "-up",
-      frame.up,
+      coordinates.up,
       "axis that points up, or a direction such as 0.1,0,0.99; auto: as floors, "
       "ceilings and walls tell it",
       {"auto", "x", "y", "z", "-x", "-y", "-z"},

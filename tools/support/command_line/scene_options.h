@@ -5,8 +5,8 @@
 #pragma once
 
 #include "command_line/options.h"
+#include "scene/coordinate_options.h"
 #include "scene/point_colors.h"
-#include "scene/scan_frame.h"
 
 #include <string>
 #include <vector>
@@ -23,10 +23,10 @@ addOption(OptionParser& parser,
 
 /** \brief The options -unit and -up. */
 void
-addOptions(OptionParser& parser, ScanFrame& frame);
+addOptions(OptionParser& parser, CoordinateOptions& coordinates);
 
 /** \brief The option -up alone. */
 void
-addUpOption(OptionParser& parser, ScanFrame& frame);
+addUpOption(OptionParser& parser, CoordinateOptions& coordinates);
 
 } // namespace pcl::indoor::tool

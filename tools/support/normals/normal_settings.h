@@ -8,7 +8,7 @@
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 #include "files/point_coordinates.h"
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 
 #include <pcl/features/hough_normals.h>
 

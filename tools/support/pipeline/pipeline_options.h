@@ -7,7 +7,7 @@
 #include "command_line/memory_limit.h"
 #include "files/point_coordinates.h"
 #include "files/station_choice.h"
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 #include "scene/point_colors.h"
 
 #include <pcl/io/scan_file.h>

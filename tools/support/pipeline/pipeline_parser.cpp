@@ -143,7 +143,7 @@ pipelineParser(PipelineOptions& options)
   addOption(parser, options.columns);
   addOptions(parser, options.stations);
   options.memory.addOption(parser);
-  addOptions(parser, options.frame);
+  addOptions(parser, options.scan);
   parser.expert({"-voxel_resolution",
                  "-seed_resolution",
                  "-partition",

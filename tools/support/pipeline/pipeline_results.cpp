@@ -14,7 +14,6 @@
 #include "pictures/room_picture.h"
 #include "pictures/svg_raster.h"
 #include "report/report_page.h"
-#include "scene/scan_frame.h" // for originOf
 #include "scene/scene_json.h"
 #include "text/printable.h"
 
@@ -151,13 +150,13 @@ describe(const PipelineOptions& options,
   auto plan = floorPlan(scene.building, thingsFromAbove(scene));
   addModel(scene.model, plan);
   addNames(knownNames(scene), plan);
-  plan.origin = originOf(scene.input.offset, scene.frame, scene.building_pose);
+  plan.origin = scene.frame.originInFile().head<2>();
   const auto svg = planSvg(plan), field = drawPotentialField(scene.building).str();
   auto pictures = rasterised(picturesOf(scene, points, svg, field)); // meanwhile
   const auto json = sceneJson(scene);
   std::string report;
   if (options.report != "none")
-    report = reportPage({scene, json, plan, field, points, scene.input.offset});
+    report = reportPage({scene, json, plan, field, points});
   for (const auto& [name, bytes] : pictures.get())
     add(name, bytes);
   add("plan.svg", svg);

@@ -109,7 +109,7 @@ completedCloud(const PipelineOptions& options,
                WorkFolder& folder,
                Ranks& ranks,
                ScanContent& scan,
-               const PointCloud<PointXYZ>& standing,
+               const PointCloud<PointXYZ>& upright,
                Scene& scene)
 {
   if (ranks.count() > 1)
@@ -119,13 +119,13 @@ completedCloud(const PipelineOptions& options,
   auto& report = search.report;
   std::optional<RoomFiles> files;
   if (scan.stream)
-    files = findObjectsInParts(search, folder, scan, standing, scene);
+    files = findObjectsInParts(search, folder, scan, upright, scene);
   else
-    findObjects(search, scan.file, standing, scene);
+    findObjects(search, scan.file, upright, scene);
   report.start("Completing the cloud");
   const auto path = options.folder + "/cloud.pcd";
   const CloudLook look = {
-      options.colors, options.coordinates, options.frame.upAxis(), options.threads};
+      options.colors, options.coordinates, options.scan.upAxis(), options.threads};
   const auto is_done = [&](std::size_t done, std::size_t all) {
     report.update(done, all);
   };

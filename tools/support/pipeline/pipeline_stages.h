@@ -28,7 +28,7 @@ ScanContent
 readScan(const PipelineOptions& options, Progress& progress);
 
 /** \brief Find the objects of the rooms, room by room, and what they are; with all
- * ranks if there are several. \param[in] standing tells which points count \return the
+ * ranks if there are several. \param[in] upright tells which points count \return the
  * cloud with all that was found, beside its place */
 OutputFile
 completedCloud(const PipelineOptions& options,
@@ -36,7 +36,7 @@ completedCloud(const PipelineOptions& options,
                WorkFolder& folder,
                Ranks& ranks,
                ScanContent& scan,
-               const PointCloud<PointXYZ>& standing,
+               const PointCloud<PointXYZ>& upright,
                Scene& scene);
 
 } // namespace pcl::indoor::tool

@@ -111,7 +111,7 @@ shareRooms(const std::vector<std::size_t>& order,
     auto [rank, message] = ranks.receive();
     if (message.room >= 0) {
       const auto room = static_cast<std::size_t>(message.room);
-      if (!source.is_filed)
+      if (!source.is_spooled)
         folder.removeFile(pointsFile(room));
       queue.done(room);
     }
@@ -121,14 +121,14 @@ shareRooms(const std::vector<std::size_t>& order,
       --working;
       continue;
     }
-    if (!source.is_filed)
+    if (!source.is_spooled)
       folder.writePlain(pointsFile(*room), pointBytes(source.points(*room)));
     message.room = static_cast<std::int64_t>(*room);
     message.point_count = source.sizes[*room];
     message.has_normals = source.has_normals ? 1 : 0;
     message.key = folder.key();
-    Eigen::Map<Eigen::Matrix4d>(message.pose) = work.pose.matrix();
-    message.metres_per_unit = work.metres_per_unit;
+    Eigen::Map<Eigen::Matrix4d>(message.pose) = work.frame.pose.matrix();
+    message.metres_per_unit = work.frame.metres_per_unit;
     ranks.send(rank, message);
   }
   own.join();
@@ -147,9 +147,8 @@ finishSharedRooms(Ranks& ranks,
       return;
     if (!work)
       work = make_work();
-    Eigen::Isometry3d pose;
-    pose.matrix() = Eigen::Map<const Eigen::Matrix4d>(message.pose);
-    work->setFrame(pose, message.metres_per_unit);
+    work->frame.pose.matrix() = Eigen::Map<const Eigen::Matrix4d>(message.pose);
+    work->frame.metres_per_unit = message.metres_per_unit;
     WorkFolder files(folder, message.key);
     const auto room = static_cast<std::size_t>(message.room);
     auto points = readRoomPoints(files.path(pointsFile(room)),

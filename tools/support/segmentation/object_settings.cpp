@@ -178,12 +178,12 @@ addOthers(OptionParser& parser, ObjectSettings& settings)
                "-ratio_threshold",
                "-camera",
                "-orientation"});
-  settings.frame.unit = "m";
+  settings.scan.unit = "m";
   parser.text("-unit",
-              settings.frame.unit,
+              settings.scan.unit,
               "unit of the coordinates; lengths of options are in metres",
               {"m", "cm", "mm", "ft", "in"});
-  addUpOption(parser, settings.frame);
+  addUpOption(parser, settings.scan);
   addOption(parser, settings.colors, {"object"});
   addOption(parser, settings.coordinates);
   addOption(parser, settings.columns);

@@ -7,10 +7,10 @@
 #include "command_line/memory_limit.h"
 #include "command_line/options.h"
 #include "files/point_coordinates.h"
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 #include "scene/point_colors.h"
 
-#include <pcl/scene/scene_options.h> // for ScanFrame
+#include <pcl/scene/scene_options.h> // for CoordinateOptions
 #include <pcl/segmentation/object_segmentation_options.h>
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct ObjectSettings {
   PointCoordinates coordinates;
   TableColumns columns;
   MemoryLimit memory;
-  ScanFrame frame; // of which the unit counts
+  CoordinateOptions scan;
 };
 
 /** \brief The defaults, of the preset that the command line names. */

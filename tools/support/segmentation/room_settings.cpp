@@ -157,7 +157,7 @@ roomParser(RoomSettings& options)
               "threads, 0 = automatic",
               "",
               Range::atLeast(0));
-  addOptions(parser, options.frame);
+  addOptions(parser, options.scan);
   parser.flag("-check",
               options.check,
               "say what is understood of the scan and stop, without output: will it "

@@ -8,10 +8,10 @@
 #include "command_line/options.h"
 #include "files/point_coordinates.h"
 #include "files/station_choice.h"
-#include "formats/table_columns.h"
+#include "formats/table/table_columns.h"
 #include "scene/point_colors.h"
 
-#include <pcl/scene/scene_options.h> // for ScanFrame
+#include <pcl/scene/scene_options.h> // for CoordinateOptions
 #include <pcl/segmentation/building_rooms_options.h>
 
 #include <string>
@@ -22,7 +22,7 @@ namespace pcl::indoor::tool {
 struct RoomSettings {
   std::string input, output, map, json, dxf;
   std::string method = "slab", preset = "default";
-  ScanFrame frame;
+  CoordinateOptions scan;
   BuildingRoomsOptions rooms;
   PointColors colors;
   PointCoordinates coordinates;

@@ -5,15 +5,15 @@
 #include "segmentation/segmented_objects.h"
 
 #include "files/tool_error.h"
-#include "scene/table_view.h"
+#include "scene/single_view.h"
 #include "text/pcl_errors.h"
 
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/indoor/middle_point.h>
 #include <pcl/indoor/usable_point.h>
-#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/object_segmentation.h>
+#include <pcl/segmentation/scan_coordinates.h>
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ unitLine(const ObjectSettings& settings,
   });
   if (is_told || vertical.room_height < room)
     return {};
-  const double unit = settings.frame.metresPerUnit();
+  const double unit = settings.scan.metresPerUnit();
   vertical.room_height /= unit;
   return unitWarning(vertical, unit);
 }
@@ -69,18 +69,17 @@ isTable(const ObjectSettings& settings,
         const Say& warn)
 {
   const bool is_auto = settings.preset == "auto";
-  if (is_auto && isTableView(cloud))
+  if (is_auto && isSingleView(cloud))
     return true;
   std::vector<Eigen::Vector3f> points;
   for (const auto& point : *cloud)
     if (isUsablePoint(point))
       points.push_back(point.getVector3fMap());
   moveToMiddle(points);
-  vertical = settings.frame.up == "auto"
-                 ? findVertical(points)
-                 : verticalAlong(settings.frame.upAxis(), points);
-  const auto up = settings.frame.up == "auto" ? vertical.upAxis()
-                                              : settings.frame.upAxis().normalized();
+  vertical = settings.scan.up == "auto" ? findVertical(points)
+                                        : verticalAlong(settings.scan.upAxis(), points);
+  const auto up = settings.scan.up == "auto" ? vertical.upAxis()
+                                             : settings.scan.upAxis().normalized();
   if (!is_auto || !isTableTop(points, up))
     return false;
   warn(settings.input +
@@ -115,8 +114,8 @@ segmentationOf(const ObjectSettings& settings,
   NoiseResilientLCCP<PointXYZ> segmentation;
   const bool is_table = isTable(settings, points, vertical, warn);
   segmentation.setOptions(chosenOptions(settings, is_table));
-  if (settings.frame.up != "auto")
-    segmentation.setUpAxis(settings.frame.upAxis());
+  if (settings.scan.up != "auto")
+    segmentation.setUpAxis(settings.scan.upAxis());
   if (settings.camera != "auto")
     segmentation.setUseSingleCameraTransform(settings.camera == "single");
   const auto& origin = points->sensor_origin_;
@@ -138,7 +137,7 @@ segmentationOf(const ObjectSettings& settings,
 SegmentedObjects
 segmentObjects(const ObjectSettings& settings, const CloudFile& file, const Say& warn)
 {
-  const double metres = settings.frame.metresPerUnit();
+  const double metres = settings.scan.metresPerUnit();
   Vertical vertical;
   auto segmentation =
       segmentationOf(settings, file, pointsInMetres(file, metres), vertical, warn);

@@ -14,7 +14,7 @@ namespace pcl::indoor {
 /** \brief Where a scanner stood. */
 struct Station {
   std::string name;
-  /** In the frame of the points, with the offset of their CloudFrame added; nothing if
+  /** In the frame of the file, the offset that it tells included; nothing if
    * the file does not tell. */
   std::optional<Eigen::Vector3d> position;
 };

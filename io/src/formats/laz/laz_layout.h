@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "formats/las_header.h"
+#include "formats/las/las_header.h"
 
 #include <cstddef>
 #include <cstdint>

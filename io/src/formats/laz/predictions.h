@@ -6,7 +6,7 @@
 // 2013.
 #pragma once
 
-#include "formats/las_header.h" // for numberAt
+#include "formats/las/las_header.h" // for numberAt
 
 #include <algorithm>
 #include <array>

@@ -198,7 +198,7 @@ std::vector<ObjectFile>
 objectsOfFolder(const std::string& folder)
 {
   std::vector<ObjectFile> files;
-  for (const auto& name : findObjects(folder))
+  for (const auto& name : objectFilesIn(folder))
     files.push_back({(fs::path(folder) / name).string(), classFolder(name)});
   return files;
 }

@@ -70,7 +70,7 @@ loadLabelledObjects(const std::string& folder,
                     StageReport& report)
 {
   LabelledObjects objects;
-  objects.paths = findObjects(folder);
+  objects.paths = objectFilesIn(folder);
   for (const auto& path : objects.paths) {
     const auto name = classFolder(path);
     if (name.empty())

@@ -111,7 +111,7 @@ searchablePoints(const PointCloud<PointXYZ>& cloud, int most)
 } // namespace
 
 std::vector<std::string>
-findObjects(const std::string& folder)
+objectFilesIn(const std::string& folder)
 {
   namespace fs = std::filesystem;
   std::error_code error;

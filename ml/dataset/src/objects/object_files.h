@@ -22,7 +22,7 @@ namespace pcl::indoor::tool {
  * \throws ToolError if it is no folder or holds none
  */
 std::vector<std::string>
-findObjects(const std::string& folder);
+objectFilesIn(const std::string& folder);
 
 /** \brief The class that a path relative to a folder of classes tells: its first
  * folder; empty if it has none. */

@@ -7,7 +7,6 @@
 #include <pcl/indoor/setting.h>
 #include <pcl/io/station.h>
 #include <pcl/model/building_model.h>
-#include <pcl/scene/scene_options.h> // for ScanFrame
 #include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/room_objects.h>
@@ -51,7 +50,7 @@ struct UnderstoodScan {
   bool is_sample = false;                      ///< only some of them were looked at
   std::string unit;                            ///< that is used
   std::string likely_unit; ///< that the height of the rooms suggests; empty if no other
-  UprightFrame frame;
+  ScanCoordinates coordinates;
   bool up_is_set = false;         ///< by the user
   bool end_is_recognised = false; ///< by things that are recognised with it up
   NormalsFrom normals = NormalsFrom::NoneInFile;
@@ -67,8 +66,6 @@ struct UnderstoodScan {
 struct SceneInput {
   std::string path; ///< of the scan's file, or what several are called
   std::vector<Station> stations;
-  /** What has to be added to places of the scene to get those of the file. */
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
   /** What has to be added to the coordinates of the scan when it is written again: its
    * floats cannot hold large ones. */
   Eigen::Vector3d cloud_offset = Eigen::Vector3d::Zero();
@@ -90,9 +87,9 @@ struct PointCounts {
  * that is read in parts, points are those of its sample. */
 struct Scene {
   SceneInput input;
-  ScanFrame frame;                               ///< that was used
-  std::vector<Setting> settings;                 ///< that were used, for the record
-  PointCounts counts;                            ///< of the whole scan
+  BuildingFrame frame;           ///< how file, scan and building lie to each other
+  std::vector<Setting> settings; ///< that were used, for the record
+  PointCounts counts;            ///< of the whole scan
   std::vector<std::size_t> remainders;           ///< points per room, last in none
   std::vector<std::uint32_t> room_of_point;      ///< 0 = none
   std::vector<std::uint32_t> object_of_point;    ///< 0 = none
@@ -106,7 +103,6 @@ struct Scene {
   SceneClasses classes;              ///< of the objects
   BuildingRooms building;
   BuildingModel model; ///< walls, doors and windows, in the frame of the building
-  Eigen::Isometry3d building_pose = Eigen::Isometry3d::Identity(); ///< both in metres
   ScanReport report;
   UnderstoodScan understood;
 };

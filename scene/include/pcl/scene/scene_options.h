@@ -17,10 +17,10 @@
 
 namespace pcl::indoor {
 
-struct ScanReport;
+struct ScanCoordinates;
 
 /** \brief How a scan's coordinates are meant. */
-struct ScanFrame {
+struct CoordinateOptions {
   std::string unit = "auto"; ///< or m, cm, mm, ft, in
   std::string up = "auto";   ///< or an axis such as -y, or three numbers
 
@@ -35,7 +35,7 @@ struct ScanFrame {
 
   /** \brief What was to be found becomes what was used. */
   void
-  settle(const ScanReport& report);
+  settle(const ScanCoordinates& used);
 };
 
 /** \brief What is done to the points of a room before its objects are found (Sec.
@@ -60,7 +60,7 @@ struct ObjectNaming {
 /** \brief How a building is described; the defaults are those of pcl_indoor_pipeline.
  */
 struct SceneOptions {
-  ScanFrame frame;
+  CoordinateOptions scan;
   BuildingRoomsOptions rooms;
   ObjectSegmentationOptions objects;
   double voxel_resolution = 0.0,   ///< edge of a voxel of the objects, metres; 0 =

@@ -10,73 +10,71 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
 
-/** \brief Which way is up in a scan, in the frame of its points. */
-struct Vertical {
-  /** Of unit length, as measured; +z if it was not found. */
-  Eigen::Vector3f direction = Eigen::Vector3f::UnitZ();
-  /** Floors, ceilings and walls agree on it; else the scan is taken as it is. */
-  bool is_found = false;
-  /** Furniture tells the floors from the ceilings, or +z does. */
-  bool is_end_known = false;
-  bool is_furnished = false; ///< clearly
-  bool has_rooms = false;    ///< most columns have floor and ceiling
-  /** Where it was not found: the scan seems to lie on its side, along this direction;
-   * zero if not. */
-  Eigen::Vector3f doubtful = Eigen::Vector3f::Zero();
-  /** Half of the free space along the direction lies between surfaces that are at least
-   * so far apart, in the unit of the points; 0 = not known. */
-  double room_height = 0.0;
+/** \brief How a building lies in its scan: brings places from one frame into another.
+ *
+ * There are four:
+ * - the file's: coordinates as users know them, in their unit;
+ * - the scan's: those of the file less an offset, since floats cannot hold large ones;
+ * - upright: those of the scan, with z up and in metres; objects are found in it;
+ * - the building's: upright, moved near the origin; rooms and walls are found in it.
+ */
+struct BuildingFrame {
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< of the scan in the file
+  double metres_per_unit = 1.0;                     ///< of file and scan (> 0)
+  /** Turns and moves the building's frame into the scan's, both in metres. */
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 
-  /** \brief Angle between the direction and +z, radians. */
-  double
-  tilt() const;
-
-  /** \brief The up axis to segment with: the direction, but exactly an axis of the
-   * points where that is less than 1 degree away; +z if the direction was not found.
-   */
-  Eigen::Vector3f
-  upAxis() const;
-
-  /** \brief The same with its other end up, which is known to be so. */
-  Vertical
-  reversed() const
+  /** \brief Is the scan's frame the upright one? */
+  bool
+  isScanUpright() const
   {
-    Vertical vertical = *this;
-    vertical.direction = -direction;
-    vertical.is_found = vertical.is_end_known = true;
-    vertical.doubtful.setZero();
-    return vertical;
+    return metres_per_unit == 1.0 && pose.linear() == Eigen::Matrix3d::Identity();
+  }
+
+  Eigen::Vector3d
+  scanToUpright(const Eigen::Vector3d& place) const
+  {
+    return metres_per_unit * pose.linear().transpose() * place;
+  }
+
+  Eigen::Vector3d
+  scanToBuilding(const Eigen::Vector3d& place) const
+  {
+    return pose.inverse() * (metres_per_unit * place);
+  }
+
+  Eigen::Vector3d
+  buildingToScan(const Eigen::Vector3d& place) const
+  {
+    return pose * place / metres_per_unit;
+  }
+
+  Eigen::Affine3d
+  uprightToFile() const;
+
+  Eigen::Affine3d
+  buildingToFile() const;
+
+  /** \brief The building's origin in the upright frame. */
+  Eigen::Vector3d
+  origin() const
+  {
+    return pose.linear().transpose() * pose.translation();
+  }
+
+  /** \brief What to add to places of the building to get those of the file, turned
+   * upright and in metres. */
+  Eigen::Vector3d
+  originInFile() const
+  {
+    return pose.linear().transpose() * (pose.translation() + metres_per_unit * offset);
   }
 };
-
-/** \brief Find the vertical from floors, ceilings and walls.
- * Looks at a sample of the points, the same in any order; the result follows the points
- * if these are turned or scaled.
- * \param[in] points finite, in any unit; far outliers do no harm
- */
-Vertical
-findVertical(const std::vector<Eigen::Vector3f>& points);
-
-/** \brief The vertical of a scan whose up axis is known, with the height of its rooms.
- * \param[in] up_axis of any length but 0
- */
-Vertical
-verticalAlong(const Eigen::Vector3f& up_axis,
-              const std::vector<Eigen::Vector3f>& points);
-
-/** \brief The metres per unit, of those that clouds come in, with which a length is
- * nearest to the height of a room.
- * \param[in] length along the upright axis, in the unit of the cloud (> 0)
- * \return that of metres, feet, inches, centimetres or millimetres
- */
-double
-likelyMetresPerUnit(double length);
 
 /** \brief The turn from a cloud's frame into one with z up; of zeros and ones, and thus
  * exact, where an axis of the cloud points up.
@@ -85,23 +83,6 @@ likelyMetresPerUnit(double length);
 Eigen::Matrix3d
 turnUpright(const Eigen::Vector3f& up_axis);
 
-/** \brief Which way is up in a cloud, and in which unit it is. */
-struct UprightFrame {
-  Vertical vertical; ///< as the points tell it; not looked for where the axis is given
-  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ(); ///< of unit length
-  double metres_per_unit = 1.0;
-};
-
-/** \brief Find the vertical and the unit of a cloud, but for what is given.
- * \param[in] points finite
- * \param[in] up_axis of any length but 0
- * \param[in] metres_per_unit above 0
- */
-UprightFrame
-uprightFrame(const std::vector<Eigen::Vector3f>& points,
-             const std::optional<Eigen::Vector3f>& up_axis,
-             std::optional<double> metres_per_unit);
-
 /** \brief Turn, scale and move the points of a cloud so that z points up, their unit is
  * the metre and they lie near the origin, as segmentBuilding() needs them.
  * No bit of a coordinate is lost where an axis of the cloud points up and its unit is
@@ -109,9 +90,9 @@ uprightFrame(const std::vector<Eigen::Vector3f>& points,
  * \param[in,out] points finite; beyond 10^6 km they come to lie there
  * \param[in] up_axis of any length but 0
  * \param[in] metres_per_unit of the cloud (> 0)
- * \return turns and moves the building's frame back into the cloud's, both in metres
+ * \return of a scan without offset
  */
-Eigen::Isometry3d
+BuildingFrame
 moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,
                       const Eigen::Vector3f& up_axis,
                       double metres_per_unit = 1.0);
@@ -123,18 +104,16 @@ moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,
 std::vector<std::size_t>
 takeOutFarPoints(std::vector<Eigen::Vector3f>& points);
 
-/** \brief Bring rooms and openings into the frame and the unit of the cloud; areas,
+/** \brief Bring rooms and openings into the frame and the unit of the scan; areas,
  * heights, volumes and widths stay in metres.
- * \param[in] metres_per_unit of the cloud (> 0)
- * \param[in] boxes per room: around its points, in the cloud's frame and unit (turned,
+ * \param[in] boxes per room: around its points, in the scan's frame and unit (turned,
  * the building's boxes would be too large)
  */
 void
-placeInCloud(const Eigen::Isometry3d& pose,
-             double metres_per_unit,
-             const std::vector<Eigen::AlignedBox3f>& boxes,
-             std::vector<Room>& rooms,
-             std::vector<RoomOpening>& openings);
+placeInScan(const BuildingFrame& frame,
+            const std::vector<Eigen::AlignedBox3f>& boxes,
+            std::vector<Room>& rooms,
+            std::vector<RoomOpening>& openings);
 
 } // namespace indoor
 } // namespace pcl

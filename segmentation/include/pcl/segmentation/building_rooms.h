@@ -19,22 +19,22 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief A frame that is turned about the vertical. */
+/** \brief The frame of a grid: the building's, turned about the vertical. */
 struct TurnedFrame {
-  double yaw = 0.0; ///< it is the frame of the points turned by -yaw
+  double yaw = 0.0; ///< it is the building's frame turned by -yaw
 
-  /** \brief Turns horizontal places in the frame of the points into the grid's. */
+  /** \brief Turns horizontal places in the building's frame into the grid's. */
   Eigen::Matrix2d
   turn() const;
 
-  /** \brief Turn a point of the cloud's frame into the frame of the grid. */
+  /** \brief Turn a point of the building's frame into the frame of the grid. */
   Eigen::Vector3d
   toGrid(const Eigen::Vector3d& point) const;
 
-  /** \brief Turn a point or direction of the grid's frame into the frame of the cloud.
+  /** \brief Turn a point or direction of the grid's frame into that of the building.
    */
   Eigen::Vector3d
-  toCloud(const Eigen::Vector3d& point) const;
+  toBuilding(const Eigen::Vector3d& point) const;
 };
 
 /** \brief Where the pixels of a building's maps lie. */

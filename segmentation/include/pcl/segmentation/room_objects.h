@@ -95,14 +95,14 @@ struct ObjectMeasures {
 
 /** \brief Measure the objects of a room.
  * \param[in] positions in the frame in which boxes and centres are wanted
- * \param[in] standing the same points, z up, metres
+ * \param[in] upright the same points, z up, metres
  * \return one per object
  * \throws pcl::BadArgumentException if there are not as many of each as points of the
  * objects
  */
 std::vector<ObjectMeasures>
 measureObjects(const std::vector<Eigen::Vector3f>& positions,
-               const std::vector<Eigen::Vector3f>& standing,
+               const std::vector<Eigen::Vector3f>& upright,
                const RoomObjects& objects);
 
 /** \brief The room with whose points the objects of each point are looked for: its own,

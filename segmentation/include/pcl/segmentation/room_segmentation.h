@@ -228,7 +228,7 @@ public:
   setUpAxis(const Eigen::Vector3f& axis)
   {
     up_axis_ = axis;
-    upright_frame_.reset();
+    coordinates_.reset();
   }
 
   /** \brief The axis that was set; +z if none was. */
@@ -248,7 +248,7 @@ public:
   setMetresPerUnit(double metres)
   {
     metres_per_unit_ = metres;
-    upright_frame_.reset();
+    coordinates_.reset();
   }
 
   /** \brief The unit that was set; 1 if none was. */
@@ -258,13 +258,13 @@ public:
     return metres_per_unit_.value_or(1.0);
   }
 
-  /** \brief Give what indoor::uprightFrame() has found for the same points, up axis and
-   * unit, so that segment() need not look for it again: after these were set, which
+  /** \brief Give what indoor::scanCoordinates() has found for the same points, up axis
+   * and unit, so that segment() need not look for it again: after these were set, which
    * makes it void, and anew for other points. */
   void
-  setUprightFrame(const indoor::UprightFrame& frame)
+  setCoordinates(const indoor::ScanCoordinates& coordinates)
   {
-    upright_frame_ = frame;
+    coordinates_ = coordinates;
   }
 
   /** \brief Set who is asked which end is up where neither furniture nor passages
@@ -379,11 +379,11 @@ public:
     return std::exchange(building_, {});
   }
 
-  /** \brief Brings the building's frame into that of the cloud, both in metres. */
-  const Eigen::Isometry3d&
-  getBuildingPose() const
+  /** \brief How the building's frame lies in that of the cloud. */
+  const indoor::BuildingFrame&
+  getBuildingFrame() const
   {
-    return pose_;
+    return frame_;
   }
 
 protected:
@@ -401,7 +401,7 @@ private:
 
   /** \brief Find up axis and unit, if they are not set. */
   void
-  findFrame(const std::vector<Eigen::Vector3f>& points);
+  findCoordinates(const std::vector<Eigen::Vector3f>& points);
 
   /** \brief The usable points in the building's frame; what is amiss is said.
    * \param[out] indices of these points in the cloud; null if it has no others
@@ -423,6 +423,10 @@ private:
   void
   turnIfUpsideDown(std::vector<Eigen::Vector3f>& points, const FindRooms& find);
 
+  /** \brief Turn the building's frame the other way up. */
+  void
+  turnOver(std::vector<Eigen::Vector3f>& points);
+
   void
   turnIfPassagesStand(std::vector<Eigen::Vector3f>& points, const FindRooms& find);
 
@@ -441,7 +445,7 @@ private:
   indoor::BuildingRoomsOptions options_;
   std::optional<Eigen::Vector3f> up_axis_;
   std::optional<double> metres_per_unit_;
-  std::optional<indoor::UprightFrame> upright_frame_; ///< found before
+  std::optional<indoor::ScanCoordinates> coordinates_; ///< found before
   indoor::ScanStations stations_;
   indoor::ProgressCallback progress_;
   indoor::EndFinder end_finder_;
@@ -449,7 +453,7 @@ private:
   indoor::BuildingRooms building_;
   std::vector<indoor::Room> rooms_;
   std::vector<indoor::RoomOpening> openings_;
-  Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
+  indoor::BuildingFrame frame_;
 };
 
 } // namespace pcl

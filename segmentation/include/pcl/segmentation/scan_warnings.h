@@ -5,8 +5,8 @@
 
 #pragma once
 
-#include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/scan_coordinates.h>
 #include <pcl/types.h> // for Indices
 
 #include <Eigen/Core>
@@ -20,13 +20,10 @@ namespace pcl {
 namespace indoor {
 
 /** \brief What was found out about the points of a room segmentation. */
-struct ScanReport {
+struct ScanReport : ScanCoordinates {
   std::vector<std::string> warnings; ///< a line each: what is wrong, and what mends it
   double voxel_size = 0.0;           ///< that was used, metres
-  Vertical vertical; ///< as the points tell it; not looked for where it was set
-  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ(); ///< that was used, unit length
-  double metres_per_unit = 1.0;                       ///< that was used
-  bool end_is_recognised = false; ///< the upper one, by an EndFinder
+  bool end_is_recognised = false;    ///< the upper one, by an EndFinder
   Indices outside; ///< points beyond the extent of the building, in no room; ascending
 };
 

@@ -16,7 +16,7 @@
 
 namespace {
 
-constexpr std::size_t face_count = std::tuple_size<pcl::indoor::HullReach>::value;
+constexpr std::size_t face_count = std::tuple_size<pcl::indoor::KDop50>::value;
 
 /** A convex polygon, its corners in order: a square that the other faces cut, each of
  * which adds a corner at most. */
@@ -95,10 +95,10 @@ DirectionHulls::DirectionHulls(const Eigen::Matrix3f& axes)
   }
 }
 
-HullReach
-DirectionHulls::reachOf(const std::vector<Eigen::Vector3f>& places, float margin) const
+KDop50
+DirectionHulls::kDopOf(const std::vector<Eigen::Vector3f>& places, float margin) const
 {
-  HullReach reach;
+  KDop50 hull;
   std::vector<float> heights(places.size());
   const auto outliers = places.size() / 100;
   for (std::size_t d = 0; d < count; ++d) {
@@ -106,23 +106,23 @@ DirectionHulls::reachOf(const std::vector<Eigen::Vector3f>& places, float margin
     std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
       return direction.dot(p);
     });
-    reach[d] = valueAtRank(heights, heights.size() - 1 - outliers) + margin;
+    hull[d] = valueAtRank(heights, heights.size() - 1 - outliers) + margin;
   }
-  return reach;
+  return hull;
 }
 
 double
-DirectionHulls::volume(const HullReach& reach) const
+DirectionHulls::volume(const KDop50& hull) const
 {
-  if (boxVolume(reach) <= 0)
+  if (boxVolume(hull) <= 0)
     return 0;
   // Heights of the faces over the middle of the box, and a radius around all of it
-  const Eigen::Vector3d high(reach[5], reach[4], reach[3]),
-      low(-reach[0], -reach[1], -reach[2]);
+  const Eigen::Vector3d high(hull[5], hull[4], hull[3]),
+      low(-hull[0], -hull[1], -hull[2]);
   const Eigen::Vector3d middle = (low + high) / 2;
   std::array<double, count> heights;
   for (std::size_t face = 0; face < count; ++face)
-    heights[face] = reach[face] - directions_[face].dot(middle);
+    heights[face] = hull[face] - directions_[face].dot(middle);
   double volume = 0; // of the pyramids from the middle to the faces
   for (std::size_t face = 0; face < count; ++face)
     volume += heights[face] * faceArea(heights, face, (high - low).norm()) / 3;
@@ -130,11 +130,11 @@ DirectionHulls::volume(const HullReach& reach) const
 }
 
 double
-DirectionHulls::boxVolume(const HullReach& reach) const
+DirectionHulls::boxVolume(const KDop50& hull) const
 {
   double volume = 1;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    volume *= std::max(0.0, static_cast<double>(reach[axis]) + reach[5 - axis]);
+    volume *= std::max(0.0, static_cast<double>(hull[axis]) + hull[5 - axis]);
   return volume;
 }
 
@@ -167,20 +167,20 @@ DirectionHulls::faceArea(const std::array<double, count>& heights,
   return areaOf(*corners);
 }
 
-HullReach
-hullOfBoth(const HullReach& a, const HullReach& b)
+KDop50
+hullOfBoth(const KDop50& a, const KDop50& b)
 {
-  HullReach both;
+  KDop50 both;
   std::transform(a.begin(), a.end(), b.begin(), both.begin(), [](float x, float y) {
     return std::max(x, y);
   });
   return both;
 }
 
-HullReach
-commonHull(const HullReach& a, const HullReach& b)
+KDop50
+commonHull(const KDop50& a, const KDop50& b)
 {
-  HullReach common;
+  KDop50 common;
   std::transform(a.begin(), a.end(), b.begin(), common.begin(), [](float x, float y) {
     return std::min(x, y);
   });

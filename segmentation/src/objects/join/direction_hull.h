@@ -13,15 +13,17 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief How far places reach in each of the directions of DirectionHulls, metres. */
-using HullReach = std::array<float, 50>;
+/** \brief A k-DOP: the support of places, how far they reach, in each of the directions
+ * of DirectionHulls, metres. */
+using KDop50 = std::array<float, 50>;
 
 /** \brief Convex hulls as polytopes whose faces have 50 fixed directions.
  *
  * The directions are the normals of a cube's faces, edges and corners, and those
- * half-way between faces and edges. So 50 numbers, the reaches, are a hull. The hull of
- * two sets of places has the larger of each two reaches; the intersection of two hulls
- * has the smaller ones.
+ * half-way between faces and edges. So 50 numbers, the supports, are a hull (a discrete
+ * oriented polytope, k-DOP, of Klosowski et al. 1998). The hull of two sets of places
+ * has the larger of each two supports; the intersection of two hulls has the smaller
+ * ones.
  *
  * Bodies whose faces have other directions get too large a hull: a cube turned about an
  * edge by up to a quarter of its volume, a cube turned about any axis by up to two
@@ -35,22 +37,22 @@ public:
 
   /** \brief Measure how far places reach; the farthest one in a hundred is left out.
    * \param[in] places at least one, metres
-   * \param[in] margin added to each reach, metres
+   * \param[in] margin added to each support, metres
    */
-  HullReach
-  reachOf(const std::vector<Eigen::Vector3f>& places, float margin) const;
+  KDop50
+  kDopOf(const std::vector<Eigen::Vector3f>& places, float margin) const;
 
   /** \brief Get the exact volume of the polytope, m^3; 0 if it is empty. Takes about 25
    * microseconds. */
   double
-  volume(const HullReach& reach) const;
+  volume(const KDop50& hull) const;
 
   /** \brief Get the volume of the box around it, along the axes, m^3. */
   double
-  boxVolume(const HullReach& reach) const;
+  boxVolume(const KDop50& hull) const;
 
 private:
-  static constexpr std::size_t count = std::tuple_size<HullReach>::value;
+  static constexpr std::size_t count = std::tuple_size<KDop50>::value;
 
   /** How the plane of another face cuts the plane of a face. */
   struct Cut {
@@ -70,12 +72,12 @@ private:
 };
 
 /** \brief Get the hull of two sets of places. */
-HullReach
-hullOfBoth(const HullReach& a, const HullReach& b);
+KDop50
+hullOfBoth(const KDop50& a, const KDop50& b);
 
-/** \brief Get what two hulls have in common; its reaches may be too long. */
-HullReach
-commonHull(const HullReach& a, const HullReach& b);
+/** \brief Get what two hulls have in common; its supports may be too large. */
+KDop50
+commonHull(const KDop50& a, const KDop50& b);
 
 } // namespace indoor
 } // namespace pcl

@@ -215,7 +215,7 @@ thingFeatureNames()
   return names;
 }
 
-PairOutlines::PairOutlines(const OutlineReach& a, const OutlineReach& b)
+PairOutlines::PairOutlines(const KDop16& a, const KDop16& b)
 : both(outlineOfBoth(a, b))
 , both_area(outlineArea(both))
 , common_area(outlineArea(commonOutline(a, b)))
@@ -232,8 +232,8 @@ PieceShape
 PairDescription::shapeOf(const Piece& piece) const
 {
   PieceShape shape;
-  shape.volume = hulls_.volume(piece.reach);
-  shape.box_volume = hulls_.boxVolume(piece.reach);
+  shape.volume = hulls_.volume(piece.hull);
+  shape.box_volume = hulls_.boxVolume(piece.hull);
   shape.outline_area = outlineArea(piece.outline);
   shape.floor_area = columns_.areaOfFloor(piece.outline);
   shape.mean = piece.positions.mean();
@@ -244,8 +244,8 @@ PairDescription::shapeOf(const Piece& piece) const
   solver.computeDirect(piece.normals.squares / std::max(1.0, piece.normals.count),
                        Eigen::EigenvaluesOnly);
   shape.normal_shares = solver.eigenvalues();
-  shape.low = -piece.reach[2] - floor_; // directions 0 to 5 are -x -y -z +z +y +x
-  shape.high = piece.reach[3] - floor_;
+  shape.low = -piece.hull[2] - floor_; // directions 0 to 5 are -x -y -z +z +y +x
+  shape.high = piece.hull[3] - floor_;
   return shape;
 }
 
@@ -343,8 +343,8 @@ PairDescription::putHulls(const PairSide& a,
 {
   constexpr double most = 20; // times the smaller
   const double least_volume = std::pow(voxel_size_, 3);
-  const auto reach = hullOfBoth(a.piece.reach, b.piece.reach);
-  const double volume = hulls_.volume(reach);
+  const auto hull = hullOfBoth(a.piece.hull, b.piece.hull);
+  const double volume = hulls_.volume(hull);
   const double air = volume - a.shape.volume - b.shape.volume;
   list.put(
       std::max(-2.0,
@@ -352,9 +352,9 @@ PairDescription::putHulls(const PairSide& a,
                         air / std::max(least_volume,
                                        std::min(a.shape.volume, b.shape.volume)))));
   list.put(air / std::max(least_volume, volume));
-  const double common_box = hulls_.boxVolume(commonHull(a.piece.reach, b.piece.reach));
+  const double common_box = hulls_.boxVolume(commonHull(a.piece.hull, b.piece.hull));
   const double box_air =
-      hulls_.boxVolume(reach) - a.shape.box_volume - b.shape.box_volume + common_box;
+      hulls_.boxVolume(hull) - a.shape.box_volume - b.shape.box_volume + common_box;
   list.put(
       std::min(most,
                box_air / std::max(least_volume,
@@ -397,8 +397,8 @@ PairDescription::putOutlines(const PairSide& a,
   const double area = std::max(least_area, outlines.both_area);
   const auto rectangle = outlineRectangle(outlines.both);
   const auto off_middle = [&](std::size_t axis, double size) {
-    const auto twice_middle = [axis](const OutlineReach& reach) {
-      return static_cast<double>(reach[axis]) - reach[axis + 8];
+    const auto twice_middle = [axis](const KDop16& outline) {
+      return static_cast<double>(outline[axis]) - outline[axis + 8];
     };
     return std::abs(twice_middle(a.piece.outline) - twice_middle(b.piece.outline)) /
            (2 * std::max(voxel_size_, size));

@@ -31,10 +31,10 @@ struct PairSide {
 
 /** The outlines of two pieces. */
 struct PairOutlines {
-  OutlineReach both;
+  KDop16 both;
   double both_area, common_area; ///< m^2
 
-  PairOutlines(const OutlineReach& a, const OutlineReach& b);
+  PairOutlines(const KDop16& a, const KDop16& b);
 };
 
 /** Tells how two pieces lie to each other. */

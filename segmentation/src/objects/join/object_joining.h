@@ -83,8 +83,8 @@ private:
  * is judged anew with all that it is in contact with, about 0.03 ms each. A union with
  * more than 512 contacts is judged with its new ones only, until it has grown by an
  * eighth: else n pieces on one that is not known for a floor would take n^2.
- * \param[in] least_level joins that are less probable are not made
- * \return with a higher least_level the joins would be the first of these
+ * \param[in] least_level joins that are less probable are not made: a higher one only
+ * makes the list end earlier
  */
 JoinTree
 joinPieces(const PieceGraph& graph,

@@ -16,7 +16,7 @@
 
 namespace {
 
-using pcl::indoor::OutlineReach;
+using pcl::indoor::KDop16;
 using pcl::indoor::Piece;
 using pcl::indoor::PieceContact;
 using pcl::indoor::PieceSurface;
@@ -36,21 +36,21 @@ contactOf(std::uint32_t a, std::uint32_t b, ContactMap& contacts)
   return contact;
 }
 
-OutlineReach
+KDop16
 outlineOf(const std::vector<Eigen::Vector3f>& places, float margin)
 {
-  OutlineReach reach;
+  KDop16 outline;
   std::vector<float> heights(places.size());
   const auto outliers = places.size() / 100;
-  for (std::size_t d = 0; d < reach.size(); ++d) {
+  for (std::size_t d = 0; d < outline.size(); ++d) {
     const Eigen::Vector2f direction = pcl::indoor::outlineDirection(d).cast<float>();
     std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
       return direction.dot(p.template head<2>());
     });
-    reach[d] =
+    outline[d] =
         pcl::indoor::valueAtRank(heights, heights.size() - 1 - outliers) + margin;
   }
-  return reach;
+  return outline;
 }
 
 /** The voxels in no plane, in the frame of the pieces. */
@@ -91,7 +91,7 @@ describePieces(const PieceSurface& surface, const LooseVoxels& loose, double vox
   const float margin = 0.5f * static_cast<float>(voxel_size);
   for (std::uint32_t p = 0; p < surface.piece_count; ++p)
     if (!positions_of[p].empty()) {
-      pieces[p].reach = hulls.reachOf(positions_of[p], margin);
+      pieces[p].hull = hulls.kDopOf(positions_of[p], margin);
       pieces[p].outline = outlineOf(positions_of[p], margin);
     }
   return pieces;
@@ -301,7 +301,7 @@ Piece::operator+=(const Piece& other)
 {
   positions += other.positions;
   normals += other.normals;
-  reach = hullOfBoth(reach, other.reach);
+  hull = hullOfBoth(hull, other.hull);
   outline = outlineOfBoth(outline, other.outline);
   parts += other.parts;
   votes += other.votes;

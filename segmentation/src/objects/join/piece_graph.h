@@ -7,7 +7,7 @@
 #include "objects/graph/surface_graph.h"
 #include "objects/graph/surface_voxels.h"
 #include "objects/join/direction_hull.h"
-#include "objects/join/outline_reach.h"
+#include "objects/join/outline_kdop.h"
 #include "objects/join/piece_frame.h"
 #include "objects/join/room_columns.h"
 #include "objects/structure/object_scene.h"
@@ -58,8 +58,8 @@ struct PieceVotes {
 struct Piece {
   VectorMoments positions; ///< of its voxels, metres
   VectorMoments normals;   ///< of its voxels, unit vectors
-  HullReach reach{};
-  OutlineReach outline{};
+  KDop50 hull{};
+  KDop16 outline{};
   double parts = 1; ///< pieces that were joined
   PieceVotes votes; ///< empty if nobody voted
 

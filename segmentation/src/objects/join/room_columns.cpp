@@ -74,7 +74,7 @@ RoomColumns::middleOf(std::int32_t cell, int axis) const
  * columns that have their middle in it. */
 template <typename Function>
 void
-RoomColumns::forRowsIn(const OutlineReach& outline, Function function) const
+RoomColumns::forRowsIn(const KDop16& outline, Function function) const
 {
   const auto find = [this](Columns::const_iterator begin, const auto& is_before) {
     return std::partition_point(begin, columns_.end(), is_before);
@@ -99,7 +99,7 @@ RoomColumns::forRowsIn(const OutlineReach& outline, Function function) const
 }
 
 double
-RoomColumns::areaOfFloor(const OutlineReach& outline) const
+RoomColumns::areaOfFloor(const KDop16& outline) const
 {
   std::size_t count = 0;
   forRowsIn(outline, [&](double /*x*/, auto begin, auto end) {
@@ -111,9 +111,7 @@ RoomColumns::areaOfFloor(const OutlineReach& outline) const
 }
 
 RoomColumns::Gap
-RoomColumns::areaBetween(const OutlineReach& a,
-                         const OutlineReach& b,
-                         Heights heights) const
+RoomColumns::areaBetween(const KDop16& a, const KDop16& b, Heights heights) const
 {
   const auto [from, to] = std::minmax(heights.from, heights.to);
   const int first = std::max(1, stepOf(from)), last = std::max(first, stepOf(to));

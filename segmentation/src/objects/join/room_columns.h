@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "objects/join/outline_reach.h"
+#include "objects/join/outline_kdop.h"
 
 #include <Eigen/Core>
 
@@ -33,7 +33,7 @@ public:
   /** \brief Get how much of an outline has the floor in sight, m^2. Floor is what is in
    * the lowest two steps. */
   double
-  areaOfFloor(const OutlineReach& outline) const;
+  areaOfFloor(const KDop16& outline) const;
 
   /** \brief From one height to another, in either order, metres. */
   struct Heights {
@@ -49,7 +49,7 @@ public:
   /** \brief Look at what is in the outline of two together, but in neither.
    * At the \a heights there may be something between the two. */
   Gap
-  areaBetween(const OutlineReach& a, const OutlineReach& b, Heights heights) const;
+  areaBetween(const KDop16& a, const KDop16& b, Heights heights) const;
 
 private:
   struct Column {
@@ -67,7 +67,7 @@ private:
 
   template <typename Function>
   void
-  forRowsIn(const OutlineReach& outline, Function function) const;
+  forRowsIn(const KDop16& outline, Function function) const;
 
   double size_ = 0; ///< of columns and steps, metres
   Eigen::Vector3d corner_ = Eigen::Vector3d::Zero();

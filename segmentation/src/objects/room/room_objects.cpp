@@ -148,14 +148,14 @@ separateRemainder(RoomObjects& objects, std::size_t fewest)
 
 std::vector<ObjectMeasures>
 measureObjects(const std::vector<Eigen::Vector3f>& positions,
-               const std::vector<Eigen::Vector3f>& standing,
+               const std::vector<Eigen::Vector3f>& upright,
                const RoomObjects& objects)
 {
   const auto& object_of_point = objects.object_of_point;
   if (positions.size() != object_of_point.size() ||
-      standing.size() != object_of_point.size())
+      upright.size() != object_of_point.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
-                        positions.size() << " and " << standing.size()
+                        positions.size() << " and " << upright.size()
                                          << " points do not fit objects of "
                                          << object_of_point.size() << " points");
   std::vector<ObjectMeasures> measures(objects.surfaces.size());
@@ -171,7 +171,7 @@ measureObjects(const std::vector<Eigen::Vector3f>& positions,
     object.upper = object.upper.cwiseMax(position);
     object.centroid += position;
     object.structure = objects.structure_of_point[i];
-    upright_points[object_of_point[i] - 1].push_back(standing[i].cast<double>());
+    upright_points[object_of_point[i] - 1].push_back(upright[i].cast<double>());
   }
   for (std::size_t k = 0; k < measures.size(); ++k) {
     measures[k].upright = uprightBox(upright_points[k]);

@@ -28,10 +28,10 @@ using pcl::indoor::SurfaceVoxels;
 constexpr float flat_curvature = 0.03f; // of voxels that start a plane, at most
 constexpr double min_area = 0.02;       // share of all voxels
 constexpr double min_span = 0.85; // share of the room's extent in one of its directions
-constexpr double min_length = 1.5; // in that direction, metres: rooms are not lower
-constexpr double slab = 0.3; // metres behind floors and ceilings: a roof, another layer
-constexpr double min_free = 0.7; // share of a plane with nothing behind it
-constexpr double behind = 2; // from so many voxels on: the double of a wall is nearer
+constexpr double min_length = 1.5;  // in that direction, metres: rooms are not lower
+constexpr double other_layer = 0.3; // metres behind floors and ceilings, as of a roof
+constexpr double min_free = 0.7;    // share of a plane with nothing behind it
+constexpr double behind = 2; // voxels: nearer lies a wall's ghost, of misregistration
 constexpr double most_beyond = 0.1;     // share of what is seen that is behind a wall
 constexpr double min_floor = 0.5;       // m^2
 constexpr double ground_relief = 0.05;  // metres: rugs lie on the ground
@@ -289,7 +289,7 @@ private:
   bool
   isLowest(std::size_t p) const
   {
-    return freeShareOf(voxels_, planes_[p], slab, voxel_size_) >= min_free;
+    return freeShareOf(voxels_, planes_[p], other_layer, voxel_size_) >= min_free;
   }
 
   void
@@ -407,7 +407,8 @@ findRoomStructure(const SurfaceVoxels& voxels,
                            freeShareOf(voxels, plane, near, voxel_size) >= min_free
                      : is_room && isWall(plane);
     // Walls seen from several places appear double: what is near does not count.
-    return freeShareOf(voxels, plane, reach.both_ways ? slab : near, voxel_size) >=
+    return freeShareOf(
+               voxels, plane, reach.both_ways ? other_layer : near, voxel_size) >=
            min_free;
   };
   std::vector<std::uint8_t> is_floor(planes.size(), 0);

@@ -37,8 +37,8 @@ public:
   operator()(double x, double y) const
   {
     const VoxelBits& grid = occupancy_.grid;
-    return occupancy_.toCloud(grid.origin +
-                              grid.voxel_size * Eigen::Vector3d(x, y, layer_));
+    return occupancy_.toBuilding(grid.origin +
+                                 grid.voxel_size * Eigen::Vector3d(x, y, layer_));
   }
 
 private:

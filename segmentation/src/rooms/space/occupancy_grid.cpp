@@ -171,7 +171,7 @@ TurnedFrame::toGrid(const Eigen::Vector3d& point) const
 }
 
 Eigen::Vector3d
-TurnedFrame::toCloud(const Eigen::Vector3d& point) const
+TurnedFrame::toBuilding(const Eigen::Vector3d& point) const
 {
   return yaw == 0.0 ? point : Turn(-yaw)(point);
 }

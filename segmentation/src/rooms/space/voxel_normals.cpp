@@ -146,7 +146,8 @@ sumUp(const std::vector<Eigen::Vector3f>& points,
     for (std::int32_t n = begin; n < end; ++n) {
       const Eigen::Vector3i place = placeOf(grid.grid.shape, occupied.voxel(n));
       moments[n].centre =
-          grid.toCloud(grid.grid.center(place.x(), place.y(), place.z())).cast<float>();
+          grid.toBuilding(grid.grid.center(place.x(), place.y(), place.z()))
+              .cast<float>();
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (grid.cells[i] < 0)

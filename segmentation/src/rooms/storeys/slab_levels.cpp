@@ -243,12 +243,14 @@ findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options)
   const int tile = std::max(1, static_cast<int>(std::lround(wall_thickness / size)));
   auto groups =
       levelGroups(SlabColumns(occupancy, options), size, threadCount(options.threads));
-  const int reach = static_cast<int>(std::lround(level_difference / size)); // 0.5 m
+  const int reach_in_half_voxels =
+      static_cast<int>(std::lround(level_difference / size));
   std::vector<SlabLevel> found;
   const double least = options.min_slab_area / (size * size);
   while (true) {
     SlabLevel level;
-    level.groups = takeMostFrequent(groups, occupancy.shape.nz, reach, 0.5 * least);
+    level.groups =
+        takeMostFrequent(groups, occupancy.shape.nz, reach_in_half_voxels, 0.5 * least);
     if (level.groups.empty())
       break;
     dropSmallParts(occupancy.shape, tile, least, level.groups);

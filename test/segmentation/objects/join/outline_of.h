@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "objects/join/outline_reach.h"
+#include "objects/join/outline_kdop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,32 +17,32 @@ namespace test {
 using Places = std::vector<Eigen::Vector3f>;
 
 /** How far all of the places reach, by the letter. */
-inline OutlineReach
+inline KDop16
 outlineOf(const Places& places, float margin = 0)
 {
-  OutlineReach reach;
+  KDop16 outline;
   for (std::size_t d = 0; d < 16; ++d) {
     const float angle = static_cast<float>(d) * static_cast<float>(M_PI) / 8;
     const Eigen::Vector3f direction(std::cos(angle), std::sin(angle), 0);
-    reach[d] = -1e9f;
+    outline[d] = -1e9f;
     for (const auto& place : places)
-      reach[d] = std::max(reach[d], direction.dot(place) + margin);
+      outline[d] = std::max(outline[d], direction.dot(place) + margin);
   }
-  return reach;
+  return outline;
 }
 
 /** Whether a place is inside, by the letter. */
 inline bool
-isWithin(const OutlineReach& reach, double x, double y)
+isWithin(const KDop16& outline, double x, double y)
 {
-  for (std::size_t d = 0; d < reach.size(); ++d)
-    if (outlineDirection(d).dot(Eigen::Vector2d(x, y)) > reach[d])
+  for (std::size_t d = 0; d < outline.size(); ++d)
+    if (outlineDirection(d).dot(Eigen::Vector2d(x, y)) > outline[d])
       return false;
   return true;
 }
 
 /** The outline of a level rectangle. */
-inline OutlineReach
+inline KDop16
 rectangle(float x0, float y0, float x1, float y1)
 {
   return outlineOf({{x0, y0, 0}, {x1, y0, 0}, {x0, y1, 0}, {x1, y1, 0}});

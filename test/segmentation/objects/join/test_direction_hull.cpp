@@ -45,7 +45,7 @@ double
 volumeOf(const Places& places, const Eigen::Matrix3f& axes = upright)
 {
   const DirectionHulls hulls(axes);
-  return hulls.volume(hulls.reachOf(places, 0));
+  return hulls.volume(hulls.kDopOf(places, 0));
 }
 
 /** The directions of the faces, as documented. */
@@ -147,7 +147,7 @@ TEST(DirectionHull, UnionsAndCommonParts)
 {
   const DirectionHulls hulls(upright);
   const auto reach = [&](const Eigen::Vector3f& size, const Eigen::Vector3f& middle) {
-    return hulls.reachOf(cornersOf(size, middle), 0);
+    return hulls.kDopOf(cornersOf(size, middle), 0);
   };
   const auto a = reach({1, 1, 1}, {0, 0, 0}), b = reach({1, 1, 1}, {0.75f, 0, 0}),
              apart = reach({1, 1, 1}, {3, 0, 0}),
@@ -165,7 +165,7 @@ TEST(DirectionHull, BoxesGoAroundWhatIsTurned)
 {
   const DirectionHulls hulls(upright);
   const auto turned =
-      hulls.reachOf(cornersOf({1, 1, 1}, {4, 5, 6}, turn(45, {0, 0, 1})), 0);
+      hulls.kDopOf(cornersOf({1, 1, 1}, {4, 5, 6}, turn(45, {0, 0, 1})), 0);
   EXPECT_NEAR(hulls.boxVolume(turned), 2, 1e-4);
   EXPECT_NEAR(hulls.volume(turned), 1, 1e-4);
 }
@@ -191,8 +191,8 @@ TEST(DirectionHull, AMarginGivesOnePlaceAVolume)
 {
   const DirectionHulls hulls(upright);
   const Places one{{1, 2, 3}};
-  EXPECT_DOUBLE_EQ(hulls.volume(hulls.reachOf(one, 0)), 0);
-  const auto reach = hulls.reachOf(one, 0.5f);
-  EXPECT_GT(hulls.volume(reach), 0.523); // of the ball that its faces touch
-  EXPECT_LT(hulls.volume(reach), 0.6);
+  EXPECT_DOUBLE_EQ(hulls.volume(hulls.kDopOf(one, 0)), 0);
+  const auto hull = hulls.kDopOf(one, 0.5f);
+  EXPECT_GT(hulls.volume(hull), 0.523); // of the ball that its faces touch
+  EXPECT_LT(hulls.volume(hull), 0.6);
 }

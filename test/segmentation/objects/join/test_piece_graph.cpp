@@ -121,8 +121,8 @@ TEST(PieceGraph, PiecesAreTheSumsOfTheirVoxels)
     }
     for (const int axis : {0, 1, 2}) { // directions 0 to 5 are -x -y -z +z +y +x
       const Eigen::Vector3f direction = frame.row(axis).transpose();
-      EXPECT_NEAR(piece.reach[axis], reachOf(members[p], scene, -direction), 1e-5);
-      EXPECT_NEAR(piece.reach[5 - axis], reachOf(members[p], scene, direction), 1e-5);
+      EXPECT_NEAR(piece.hull[axis], reachOf(members[p], scene, -direction), 1e-5);
+      EXPECT_NEAR(piece.hull[5 - axis], reachOf(members[p], scene, direction), 1e-5);
     }
   }
   EXPECT_GT(large, 0u) << "some have outliers";
@@ -216,7 +216,7 @@ TEST(PieceGraph, PiecesAddUpToTheirUnion)
     const auto direct = scene.graph().pieces[contact.first];
     expectNear(sum.positions, direct.positions);
     expectNear(sum.normals, direct.normals);
-    expectNear(sum.reach, direct.reach, 1e-6f);
+    expectNear(sum.hull, direct.hull, 1e-6f);
     expectNear(sum.outline, direct.outline, 1e-6f);
     EXPECT_EQ(sum.parts, 2);
   }

@@ -50,7 +50,7 @@ twoTables()
   return voxels;
 }
 
-const OutlineReach left = rectangle(0, 0, 0.5f, 1), right = rectangle(1, 0, 1.5f, 1);
+const KDop16 left = rectangle(0, 0, 0.5f, 1), right = rectangle(1, 0, 1.5f, 1);
 
 } // namespace
 

@@ -238,16 +238,16 @@ TEST(RoomObjects, APointKilometresAwayIsInNoneAndChangesNone)
 
 TEST(RoomObjects, AreMeasuredInTheFrameThatIsAskedFor)
 {
-  const std::vector<Eigen::Vector3f> standing = {
+  const std::vector<Eigen::Vector3f> upright = {
       {0, 0, 0}, {2, 0, 0}, {9, 9, 9}, {2, 1, 0.5f}, {0, 1, 0.5f}};
   std::vector<Eigen::Vector3f> positions;
-  for (const auto& point : standing)
+  for (const auto& point : upright)
     positions.emplace_back(1000.0f * point.z(), 1000.0f * point.x(), 7.0f);
   RoomObjects objects;
   objects.object_of_point = {1, 1, 0, 1, 1};
   objects.structure_of_point = {2, 2, 4, 2, 2};
   objects.surfaces.resize(1);
-  const auto measures = measureObjects(positions, standing, objects);
+  const auto measures = measureObjects(positions, upright, objects);
   ASSERT_EQ(measures.size(), 1u);
   EXPECT_EQ(measures[0].structure, 2u);
   EXPECT_EQ(measures[0].point_count, 4u);

@@ -78,7 +78,8 @@ TEST_P(InteriorSpaceOfATurnedBuilding, SeparatesInsideFromOutside)
     for (int y = 0; y < shape.ny; ++y)
       for (int z = 0; z < shape.nz; ++z) {
         const Eigen::Vector3d center = space.inside.center(x, y, z);
-        const double distance = distanceToWings(back * built.building.toCloud(center));
+        const double distance =
+            distanceToWings(back * built.building.toBuilding(center));
         const bool is_inside = space.inside.at(x, y, z);
         inside += distance < -clearance;
         outside += distance > clearance;

@@ -58,7 +58,7 @@ TEST(OccupancyGrid, MarksExactlyTheVoxelsWithPoints)
     std::set<std::size_t> expected;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Eigen::Vector3d local = result.toGrid(points[i].cast<double>());
-      EXPECT_LT((result.toCloud(local) - points[i].cast<double>()).norm(), 1e-12);
+      EXPECT_LT((result.toBuilding(local) - points[i].cast<double>()).norm(), 1e-12);
       const Eigen::Vector3i cell = voxelAt(result.grid, local);
       ASSERT_TRUE(result.grid.shape.contains(cell.x(), cell.y(), cell.z()));
       const std::size_t index = result.grid.shape.index(cell.x(), cell.y(), cell.z());

@@ -81,19 +81,16 @@ RoomSegmentation<PointT>::warn(const std::string& line)
 
 template <typename PointT>
 void
-RoomSegmentation<PointT>::findFrame(const std::vector<Eigen::Vector3f>& points)
+RoomSegmentation<PointT>::findCoordinates(const std::vector<Eigen::Vector3f>& points)
 {
-  const auto frame = upright_frame_
-                         ? *upright_frame_
-                         : indoor::uprightFrame(points, up_axis_, metres_per_unit_);
-  report_.vertical = frame.vertical;
-  report_.up_axis = frame.up_axis;
-  report_.metres_per_unit = frame.metres_per_unit;
+  indoor::ScanCoordinates& used = report_;
+  used = coordinates_ ? *coordinates_
+                      : indoor::scanCoordinates(points, up_axis_, metres_per_unit_);
   if (!metres_per_unit_)
-    warn(indoor::unitNote(frame.vertical.room_height, frame.metres_per_unit));
-  warn(indoor::unitWarning(report_.vertical, report_.metres_per_unit));
+    warn(indoor::unitNote(used.vertical.room_height, used.metres_per_unit));
+  warn(indoor::unitWarning(used.vertical, used.metres_per_unit));
   if (!up_axis_)
-    warn(indoor::verticalNote(report_.vertical));
+    warn(indoor::verticalNote(used.vertical));
 }
 
 template <typename PointT>
@@ -112,10 +109,11 @@ RoomSegmentation<PointT>::pointsOfBuilding(IndicesConstPtr& indices)
       points.push_back(point.getVector3fMap());
   if (points.empty())
     return points;
-  findFrame(points);
+  findCoordinates(points);
   const double unit = report_.metres_per_unit;
-  pose_ = indoor::moveIntoBuildingFrame(points, report_.up_axis, unit);
-  const double farthest = pose_.translation().template lpNorm<Eigen::Infinity>() / unit;
+  frame_ = indoor::moveIntoBuildingFrame(points, report_.up_axis, unit);
+  const double farthest =
+      frame_.pose.translation().template lpNorm<Eigen::Infinity>() / unit;
   warn(indoor::stepWarning(indoor::floatStep(farthest) * unit, options_.voxel_size));
   const auto far = indoor::takeOutFarPoints(points);
   if (points.size() == count)
@@ -142,8 +140,7 @@ RoomSegmentation<PointT>::stationsOfBuilding(const Indices& indices) const
 {
   indoor::ScanStations stations;
   for (const auto& position : stations_.positions)
-    stations.positions.push_back(pose_.inverse() *
-                                 (report_.metres_per_unit * position));
+    stations.positions.push_back(frame_.scanToBuilding(position));
   if (indices.empty())
     stations.of_point = stations_.of_point;
   else if (!stations_.of_point.empty())
@@ -183,14 +180,22 @@ RoomSegmentation<PointT>::replaceVerticalNote(const std::string& note)
 
 template <typename PointT>
 void
+RoomSegmentation<PointT>::turnOver(std::vector<Eigen::Vector3f>& points)
+{
+  const auto over = indoor::moveIntoBuildingFrame(points, -Eigen::Vector3f::UnitZ());
+  frame_.pose = frame_.pose * over.pose;
+}
+
+template <typename PointT>
+void
 RoomSegmentation<PointT>::turnIfPassagesStand(std::vector<Eigen::Vector3f>& points,
                                               const FindRooms& find)
 {
-  const auto pose = pose_;
-  pose_ = pose * indoor::moveIntoBuildingFrame(points, -Eigen::Vector3f::UnitZ());
+  const auto pose = frame_.pose;
+  turnOver(points);
   auto turned = find();
   if (indoor::endOfPassages(turned.openings) != -1) {
-    pose_ = pose;
+    frame_.pose = pose;
     return;
   }
   replaceVerticalNote(indoor::reversedNote(building_.openings, report_.vertical));
@@ -217,7 +222,7 @@ RoomSegmentation<PointT>::askEndFinder(std::vector<Eigen::Vector3f>& points,
   if (end > 0)
     return;
   report_.up_axis = -report_.up_axis;
-  pose_ = pose_ * indoor::moveIntoBuildingFrame(points, -Eigen::Vector3f::UnitZ());
+  turnOver(points);
   building_ = find();
 }
 
@@ -299,7 +304,7 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
       if (labels[index] > 0)
         boxes[labels[index] - 1].extend((*input_)[index].getVector3fMap());
     }
-    indoor::placeInCloud(pose_, report_.metres_per_unit, boxes, rooms_, openings_);
+    indoor::placeInScan(frame_, boxes, rooms_, openings_);
   }
   this->deinitCompute();
 }
