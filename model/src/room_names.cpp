@@ -5,6 +5,7 @@
 
 #include <pcl/model/room_names.h>
 
+#include "joint_names.h"
 #include "room_traits.h"
 
 #include <pcl/exceptions.h>
@@ -28,29 +29,6 @@ constexpr BuildingUse uses[] = {BuildingUse::Home, BuildingUse::Offices};
 // (docs/experiments/objects.md and classes.md: 64 % whole, 63 % of them named right).
 constexpr double found_windows = 0.8, found_things = 0.4;
 constexpr double trust = 0.9; // in the confidence of a class: it is a little too high
-
-/** Logarithms of probabilities that a room has each name, but for a summand. */
-using NameScores = Shares;
-
-double
-sumOf(const NameScores& logarithms)
-{
-  const double most = *std::max_element(logarithms.begin(), logarithms.end());
-  double sum = 0.0;
-  for (const double logarithm : logarithms)
-    sum += std::exp(logarithm - most);
-  return most + std::log(sum);
-}
-
-Shares
-sharesOf(const NameScores& logarithms)
-{
-  const double sum = sumOf(logarithms);
-  Shares shares{};
-  for (std::size_t n = 0; n < shares.size(); ++n)
-    shares[n] = std::exp(logarithms[n] - sum);
-  return shares;
-}
 
 /** Logarithm of the density of what varies by a factor around its median. */
 double
@@ -138,7 +116,7 @@ spaceScores(const RoomTraits& room, BuildingUse use, const BuildingTraits& build
 
 /** The share of the rooms of each name that hold a thing. */
 Shares
-sharesOf(const ThingShares& thing)
+sharesWith(const ThingShares& thing)
 {
   constexpr double least = 0.05, in_stairs = 0.95;
   constexpr RoomName counted[] = {RoomName::Kitchen,
@@ -173,7 +151,7 @@ allThingShares()
 {
   std::array<Shares, thing_count> all{};
   for (std::size_t t = 0; t < thing_count; ++t)
-    all[t] = sharesOf(thing_shares[t]);
+    all[t] = sharesWith(thing_shares[t]);
   return all;
 }
 
@@ -236,14 +214,14 @@ logistic(double odds)
 /** What the area of a storey says for a home, and the rooms as so many as are unlike:
  * those of a building are alike. */
 double
-votesOfSpace(const BuildingTraits& building, const std::vector<Views>& space)
+votesFor(const BuildingTraits& building, const std::vector<Views>& rooms)
 {
   constexpr double unlike = 3.0;                                // rooms
   constexpr double home_floor = 70.0, home_spread = 1.8;        // m^2
   constexpr double offices_floor = 400.0, offices_spread = 2.2; // m^2
   constexpr double least = 5.0;                                 // m^2
   double votes =
-      votesOf(space) * std::min(1.0, unlike / static_cast<double>(space.size()));
+      votesOf(rooms) * std::min(1.0, unlike / static_cast<double>(rooms.size()));
   if (building.floor_area) {
     const double floor = std::max(least, *building.floor_area);
     votes += around(home_floor, home_spread, floor) -
@@ -252,14 +230,25 @@ votesOfSpace(const BuildingTraits& building, const std::vector<Views>& space)
   return votes;
 }
 
-NamedRoom
-namedRoom(const Views& room, double home)
+/** The names of all rooms as those of a home or of offices. */
+std::vector<NameScores>
+jointScores(const std::vector<Views>& views,
+            const std::vector<RoomEvidence>& rooms,
+            BuildingUse use)
 {
-  const Shares as_home = sharesOf(room.scores[0]),
-               as_offices = sharesOf(room.scores[1]);
+  std::vector<NameScores> scores;
+  for (const auto& room : views)
+    scores.push_back(room.scores[static_cast<std::size_t>(use)]);
+  return jointNames(std::move(scores), rooms, use == BuildingUse::Home);
+}
+
+NamedRoom
+namedRoom(const NameScores& as_home, const NameScores& as_offices, double home)
+{
+  const Shares shares[] = {sharesOf(as_home), sharesOf(as_offices)};
   NamedRoom named;
   for (std::size_t n = 0; n < room_name_count; ++n)
-    named.probabilities[n] = home * as_home[n] + (1.0 - home) * as_offices[n];
+    named.probabilities[n] = home * shares[0][n] + (1.0 - home) * shares[1][n];
   return named;
 }
 
@@ -341,23 +330,24 @@ std::vector<NamedRoom>
 nameRooms(const std::vector<RoomEvidence>& rooms)
 {
   constexpr double doubt = 0.05; // before the things are looked at
-  constexpr double weight = 0.5; // of what things say: those of a room go together
   requireValid(rooms);
+  if (rooms.empty())
+    return {};
   const auto building = buildingTraits(rooms);
   std::vector<Views> space, full;
   for (const auto& room : building.rooms)
     space.push_back(
         {{spaceScores(room, uses[0], building), spaceScores(room, uses[1], building)}});
-  if (rooms.empty())
-    return {};
-  const double votes = votesOfSpace(building, space);
-  const double home = std::clamp(logistic(votes), doubt, 1.0 - doubt);
+  const double before =
+      std::clamp(logistic(votesFor(building, space)), doubt, 1.0 - doubt);
   for (std::size_t r = 0; r < rooms.size(); ++r)
-    full.push_back(withThings(space[r], building.rooms[r], home));
-  const double settled = logistic(votes + weight * (votesOf(full) - votesOf(space)));
+    full.push_back(withThings(space[r], building.rooms[r], before));
+  const double home = logistic(votesFor(building, full));
+  const auto as_home = jointScores(full, rooms, BuildingUse::Home),
+             as_offices = jointScores(full, rooms, BuildingUse::Offices);
   std::vector<NamedRoom> named;
-  for (const auto& room : full)
-    named.push_back(namedRoom(room, settled));
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    named.push_back(namedRoom(as_home[r], as_offices[r], home));
   return named;
 }
 

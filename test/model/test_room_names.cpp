@@ -291,6 +291,26 @@ TEST(RoomNames, ManyEqualRoomsAtALongCorridorAreOffices)
     EXPECT_EQ(named[r].text(), "office");
 }
 
+TEST(RoomNames, TwoEqualHomesAreNoSurerThanOne)
+{
+  auto rooms = flat();
+  for (auto& each : rooms)
+    each.area *= 2.0;
+  rooms[2].things = {thing("desk"), thing("chair"), thing("screen")};
+  rooms[4].things = {thing("bath"), thing("toilet"), thing("sink")};
+  const auto one = nameRooms(rooms);
+  for (std::size_t r = 0; r < 6; ++r) {
+    rooms.push_back(rooms[r]);
+    for (auto& neighbour : rooms.back().neighbours)
+      neighbour += 6;
+  }
+  const auto two = nameRooms(rooms);
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    for (std::size_t n = 0; n < room_name_count; ++n)
+      EXPECT_NEAR(two[r].probabilities[n], one[r % 6].probabilities[n], 0.01)
+          << "room " << r << ", " << nameOf(static_cast<RoomName>(n));
+}
+
 TEST(RoomNames, RefuseWhatCannotBe)
 {
   const double none = std::numeric_limits<double>::quiet_NaN();

@@ -83,8 +83,9 @@ struct NamedRoom {
 
 /** \brief Tell what the rooms of a building are for.
  *
- * A naive Bayesian rule: size, shape, light, ways and storey of a room, the things in
- * it, and whether the building is a home or has offices, for which all its rooms speak.
+ * A Bayesian rule: size, shape, light, ways and storey of a room, the things in it,
+ * what the rooms behind its doors may be, and whether the building is a home or has
+ * offices, for which all its rooms speak.
  * docs/method/room_names.md has the rule and where its constants come from. Names
  * depend neither on the order of the rooms nor on that of their things.
  * \param[in] rooms all of a building

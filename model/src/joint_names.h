@@ -1,0 +1,39 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#pragma once
+
+#include <pcl/model/room_names.h>
+
+namespace pcl {
+namespace indoor {
+
+/** \brief Logarithms of probabilities that a room has each name, but for a summand. */
+using NameScores = std::array<double, room_name_count>;
+
+/** \brief Logarithm of the sum of what the scores stand for. */
+double
+sumOf(const NameScores& scores);
+
+/** \brief Logarithms of probabilities as probabilities. */
+NameScores
+sharesOf(const NameScores& scores);
+
+/** \brief Add to what is seen of each room what the rooms around it say.
+ *
+ * Doors lead from corridors, halls and stairs: two other rooms that a door joins are
+ * less likely by a factor. A home of four rooms or more has a bath. Belief propagation;
+ * exact for the doors where they form no ring.
+ * \param[in] scores of each room by itself; not all of a room are minus infinity
+ * \param[in] rooms their neighbours, in the same order
+ * \param[in] home whether the building is a home
+ */
+std::vector<NameScores>
+jointNames(std::vector<NameScores> scores,
+           const std::vector<RoomEvidence>& rooms,
+           bool home);
+
+} // namespace indoor
+} // namespace pcl
