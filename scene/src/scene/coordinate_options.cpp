@@ -7,7 +7,7 @@
 #include "files/tool_error.h"
 #include "text/place_text.h"
 
-#include <pcl/segmentation/scan_coordinates.h>
+#include <pcl/segmentation/scan_overview.h>
 
 #include <iomanip>
 #include <locale>

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/scan_coordinates.h>
+#include <pcl/segmentation/scan_overview.h>
 
 #include <cmath>
 #include <initializer_list>

@@ -7,7 +7,7 @@
 #include "rooms/scan_sample.h"
 
 #include <pcl/segmentation/building_frame.h> // for turnUpright
-#include <pcl/segmentation/scan_coordinates.h>
+#include <pcl/segmentation/scan_overview.h>
 #include <pcl/segmentation/scan_warnings.h> // for metresPerUnit
 
 #include <Eigen/Eigenvalues>

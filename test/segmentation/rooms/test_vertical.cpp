@@ -6,7 +6,7 @@
 #include "rooms/floor_side.h"
 #include "support/synthetic_scenes.h"
 
-#include <pcl/segmentation/scan_coordinates.h>
+#include <pcl/segmentation/scan_overview.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

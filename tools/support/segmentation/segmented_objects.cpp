@@ -13,7 +13,7 @@
 #include <pcl/indoor/usable_point.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/object_segmentation.h>
-#include <pcl/segmentation/scan_coordinates.h>
+#include <pcl/segmentation/scan_overview.h>
 #include <pcl/segmentation/scan_warnings.h>
 
 #include <algorithm>

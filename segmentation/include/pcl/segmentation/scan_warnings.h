@@ -6,7 +6,7 @@
 #pragma once
 
 #include <pcl/segmentation/building_rooms.h>
-#include <pcl/segmentation/scan_coordinates.h>
+#include <pcl/segmentation/scan_overview.h>
 #include <pcl/types.h> // for Indices
 
 #include <Eigen/Core>
