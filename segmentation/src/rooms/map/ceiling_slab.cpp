@@ -200,23 +200,24 @@ seenTops(const VoxelBits& occupancy,
   constexpr double stretch = 0.4;   // metres, below and above the heads
   constexpr double less_seen = 0.8; // share of what is seen below
   const auto layers = [&](double length) {
-    return static_cast<int>(std::lround(length / occupancy.voxel_size));
+    return std::max(1, static_cast<int>(std::lround(length / occupancy.voxel_size)));
   };
   const int heads = storey.begin + layers(options.min_height);
   const int below = std::max(storey.begin, heads - layers(stretch));
-  const int above = std::min(heads + layers(stretch), storey.end - 1);
-  std::vector<std::size_t> seen(std::max(occupancy.shape.nz, above + 1), 0);
+  const int end =
+      std::min({heads + layers(stretch) + 1, storey.end, occupancy.shape.nz});
+  if (heads + 1 >= end)
+    return ceiling; // the storey is no higher
+  std::vector<std::size_t> seen(end, 0);
   for (std::size_t i = 0; i < ceiling.size(); ++i)
-    occupancy.column(i).forEachSet(
-        below, std::min(above + 1, occupancy.shape.nz), [&](int z) { ++seen[z]; });
+    occupancy.column(i).forEachSet(below, end, [&](int z) { ++seen[z]; });
   // floors and ceilings, also those that were put in, fill single layers
-  const auto least = [&](int begin, int end) {
-    return end > begin ? *std::min_element(seen.begin() + begin, seen.begin() + end)
-                       : 0;
+  const auto least = [&](int first, int last) {
+    return static_cast<double>(
+        *std::min_element(seen.begin() + first, seen.begin() + last));
   };
   auto tops = ceiling;
-  if (static_cast<double>(least(heads + 1, above + 1)) <
-      less_seen * static_cast<double>(least(below, heads)))
+  if (least(heads + 1, end) < less_seen * least(below, heads))
     for (auto& top : tops.values)
       top = std::min(top, storey.begin + layers(seen_to));
   return tops;

@@ -271,6 +271,18 @@ TEST(SeenTops, WallsThatAreSeenLessAboveTheHeadsAreLookedForBelow)
   EXPECT_EQ(blocked.at(11, 11), 0); // a table
 }
 
+TEST(SeenTops, OfLowStoreysAndCoarseVoxelsAreTheirCeilings)
+{
+  for (const double size : {0.1, 0.4, 1.0, 5.0})
+    for (const int nz : {1, 2, 3, 12, 18, 19, 20, 21}) {
+      Grid grid = emptyGrid(6, 6, nz);
+      grid.voxel_size = size;
+      fill(grid, 0, 0, 0, 5, 0, nz - 1);
+      const auto ceiling = ceilingLayers(grid, {0, nz}, {});
+      EXPECT_EQ(seenTops(grid, {0, nz}, ceiling, {}).values, ceiling.values) << nz;
+    }
+}
+
 TEST(BlockedColumns, EqualsBruteForce)
 {
   std::mt19937 rng(4);
