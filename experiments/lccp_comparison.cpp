@@ -252,7 +252,7 @@ titleOf(const Method& method)
 }
 
 bool
-isSingleView(const Settings& settings, const CloudFile& file)
+comparesViews(const Settings& settings, const CloudFile& file)
 {
   return settings.preset == "single_view" ||
          (settings.preset == "auto" && isSingleView(file.points));
@@ -271,10 +271,10 @@ compare(const Settings& settings, Progress& progress)
                             ? Labels()
                             : readLabels(file, settings.coarse_field);
     if (methods.empty()) {
-      single_view = isSingleView(settings, file);
+      single_view = comparesViews(settings, file);
       methods = methodsFor(single_view, settings);
     }
-    else if (single_view != isSingleView(settings, file))
+    else if (single_view != comparesViews(settings, file))
       throw ToolError(input + ": views of tables and rooms cannot be in one table");
     std::vector<LabelledView> views{{"Truth", truth}};
     for (auto& method : methods) {
