@@ -31,11 +31,14 @@ struct FreeRun {
 class SlabColumns {
 public:
   SlabColumns(const VoxelBits& occupancy, const StoreyOptions& options)
-  : shape_(occupancy.shape)
+  : occupancy_(occupancy)
+  , shape_(occupancy.shape)
   , clearance_(std::max(
         1, static_cast<int>(std::lround(options.min_clearance / occupancy.voxel_size))))
   , max_height_(1 +
                 static_cast<int>(std::lround(options.max_slab / occupancy.voxel_size)))
+  , breast_(std::max(1, static_cast<int>(std::lround(1.0 / occupancy.voxel_size))))
+  , reach_(std::max(2, static_cast<int>(std::lround(8.0 / occupancy.voxel_size))))
   {
     first_group_.reserve(occupancy.columns() + 1);
     first_run_.reserve(occupancy.columns() + 1);
@@ -91,8 +94,7 @@ private:
         continue;
       if (group.low >= 0 && z - group.high - 1 >= clearance_) {
         runs_.push_back({group.high + 1, z - 1});
-        if (!is_lowest && group.high - group.low < max_height_)
-          groups_.push_back(group);
+        addGroup(group, is_lowest, false);
         is_lowest = false;
         group.low = -1;
       }
@@ -100,6 +102,38 @@ private:
         group.low = z;
       group.high = z;
     }
+    if (group.low >= 0)
+      addGroup(group, is_lowest, true);
+  }
+
+  /** \brief Where nothing was seen above, or below, walls tell that a storey is there.
+   */
+  void
+  addGroup(const SlabGroup& group, bool is_lowest, bool is_highest)
+  {
+    if (group.high - group.low < max_height_ &&
+        (!is_lowest || isAmongWalls(group.x, group.y, group.low - breast_)) &&
+        (!is_highest || isAmongWalls(group.x, group.y, group.high + breast_)))
+      groups_.push_back(group);
+  }
+
+  /** \brief Whether something stands on at least three of the four sides of a voxel:
+   * beside a roof there is but the wall of a higher part. */
+  bool
+  isAmongWalls(int x, int y, int z) const
+  {
+    if (z < 0 || z >= shape_.nz)
+      return false;
+    int sides = 0;
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+      for (int k = 1, u = x + dx, v = y + dy;
+           k < reach_ && u >= 0 && v >= 0 && u < shape_.nx && v < shape_.ny;
+           ++k, u += dx, v += dy)
+        if (occupancy_.at(u, v, z)) {
+          ++sides;
+          break;
+        }
+    return sides >= 3;
   }
 
   /** \brief Whether a column has the same floor or the same ceiling, to a voxel. */
@@ -130,9 +164,12 @@ private:
                        overlaps);
   }
 
+  const VoxelBits& occupancy_;
   GridShape shape_;
   int clearance_;
   int max_height_;
+  int breast_; // above a floor or below a ceiling: walls there are seen best
+  int reach_;  // as far as walls are looked for
   std::vector<SlabGroup> groups_;          // by column
   std::vector<FreeRun> runs_;              // by column
   std::vector<std::uint32_t> first_group_; // of each column

@@ -14,7 +14,8 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Occupied voxels of a column with enough free space above and below. */
+/** \brief Occupied voxels of a column with enough free space above and below: up to
+ * something, or among walls. */
 struct SlabGroup {
   int x;
   int y;

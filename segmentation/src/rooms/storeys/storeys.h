@@ -40,10 +40,11 @@ struct Storeys {
  * for halls over two storeys, a storey under a part of the house, levels that differ
  * between wings, and sloped roofs. Therefore slabs are looked for in place: groups of
  * occupied voxels in a column with free space above and below, which ends at something
- * occupied. A group is part of a slab if most columns around it have their top or their
- * underside at the same height; stairs and furniture have not. The heights that most of
- * these groups share are the borders between storeys. A scan without slabs has one
- * storey. Linear in the number of voxels.
+ * occupied or, where a ceiling or a floor was not seen, has walls on three sides. A
+ * group is part of a slab if most columns around it have their top or their underside
+ * at the same height; stairs and furniture have not. The heights that most of these
+ * groups share are the borders between storeys. A scan without slabs has one storey.
+ * Linear in the number of voxels.
  *
  * \param[in] occupancy occupied voxels are set
  * \throws pcl::BadArgumentException if an option is out of range or the number of

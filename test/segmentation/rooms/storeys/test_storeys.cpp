@@ -188,6 +188,33 @@ TEST(FindStoreys, TwoStoreysAndTheSlabBetweenThemAtAnyYaw)
   }
 }
 
+TEST(FindStoreys, WallsTellStoreysWhoseFloorOrCeilingWasNotSeen)
+{
+  for (const bool is_seen : {false, true}) {
+    Building
+        building; // from the ground no floor is seen, and no ceiling below the roof
+    building.addFloor(0.0, 0.0, 8.0, 6.0, 2.5);
+    building.addFloor(0.0, 0.0, 8.0, 6.0, 2.8);
+    building.addWalls({0.0, 0.0, 0.0}, {8.0, 6.0, 5.3});
+    if (is_seen) {
+      building.addFloor(0.0, 0.0, 8.0, 6.0, 0.0);
+      building.addFloor(0.0, 0.0, 8.0, 6.0, 5.3);
+    }
+    const Split split(building);
+    ASSERT_EQ(split.storeys.heights.size(), 2u) << is_seen;
+    EXPECT_NEAR(split.storeys.heights[0].ceiling, 2.5, 0.15);
+    EXPECT_NEAR(split.storeys.heights[1].floor, 2.8, 0.15);
+  }
+}
+
+TEST(FindStoreys, AFlatRoofBesideAHigherPartIsNoFloor)
+{
+  Building building;
+  building.addRoom({0.0, 0.0, 0.0}, {8.0, 6.0, 2.5});
+  building.addRoom({8.2, 0.0, 0.0}, {14.0, 6.0, 6.0});
+  EXPECT_EQ(Split(building).storeys.heights.size(), 1u);
+}
+
 TEST(FindStoreys, AHallOverTwoStoreysBelongsToItsFloor)
 {
   Building building = twoStoreys();
