@@ -16,7 +16,7 @@ namespace {
 constexpr int storey_size = 1400;      // pixels of the longer side of a storey
 constexpr float finest_pixel = 0.02f;  // metres
 constexpr float below_ceiling = 0.25f; // metres that are cut off above
-constexpr double margin = 12.0;
+constexpr double border = 12.0;
 constexpr Color grey{205, 205, 205};
 
 /** A view of one storey from above: per pixel its highest point, of named objects if
@@ -151,7 +151,7 @@ viewsOf(const Plan& plan, std::uint32_t other)
                         {Anchor::Start, 24.0});
     parts.back().image({0.0, caption}, image);
   }
-  return stacked(parts, margin);
+  return stacked(parts, border);
 }
 
 /** One line per class that occurs: its colour, its name, its number of objects. */
@@ -194,12 +194,12 @@ drawClasses(const Scene& scene, const PointCloud<PointXYZ>& points)
   const Plan plan(scene, points, other);
   const auto views = viewsOf(plan, other);
   const auto legend = legendOf(scene.classes, other);
-  const double left = 2.0 * margin + views.width();
-  SvgDrawing drawing(left + legend.width() + margin,
-                     2.0 * margin + std::max(views.height(), legend.height() + 50.0));
-  drawing.drawing({margin, margin}, views);
-  drawing.drawing({left, margin}, legend);
-  drawing.scaleBar({left, 2.5 * margin + legend.height()}, plan.pixelsPerMetre(), 20.0);
+  const double left = 2.0 * border + views.width();
+  SvgDrawing drawing(left + legend.width() + border,
+                     2.0 * border + std::max(views.height(), legend.height() + 50.0));
+  drawing.drawing({border, border}, views);
+  drawing.drawing({left, border}, legend);
+  drawing.scaleBar({left, 2.5 * border + legend.height()}, plan.pixelsPerMetre(), 20.0);
   return drawing;
 }
 
