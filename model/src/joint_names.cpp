@@ -146,11 +146,11 @@ sumOf(const NameScores& scores)
   return most + std::log(sum);
 }
 
-NameScores
+Shares
 sharesOf(const NameScores& scores)
 {
   const double sum = sumOf(scores);
-  NameScores shares{};
+  Shares shares{};
   for (std::size_t n = 0; n < shares.size(); ++n)
     shares[n] = std::exp(scores[n] - sum);
   return shares;

@@ -10,15 +10,18 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Logarithms of probabilities that a room has each name, but for a summand. */
-using NameScores = std::array<double, room_name_count>;
+/** \brief Probabilities that a room has each name. */
+using Shares = std::array<double, room_name_count>;
+
+/** \brief Logarithms of such probabilities, but for a summand. */
+using NameScores = Shares;
 
 /** \brief Logarithm of the sum of what the scores stand for. */
 double
 sumOf(const NameScores& scores);
 
-/** \brief Logarithms of probabilities as probabilities. */
-NameScores
+/** \brief The probabilities that scores stand for. */
+Shares
 sharesOf(const NameScores& scores);
 
 /** \brief Add to what is seen of each room what the rooms around it say.

@@ -85,33 +85,36 @@ candidateOf(const WallFace& face, std::size_t number, const FaceHole& hole)
   return found;
 }
 
-/** Make one window of two panes if the second goes on right of the first. */
+/** Make one window of two panes if they stand side by side. */
 bool
-joinPane(Candidate& left, const Candidate& right)
+joinPane(Candidate& one, const Candidate& other)
 {
   const auto isPane = [](const Candidate& candidate) {
     return candidate.kind == ModelOpeningKind::Window && candidate.certainty >= most;
   };
-  FaceHole& hole = left.hole;
-  const Eigen::Vector2d low = right.hole.box.min() - hole.box.min();
-  const Eigen::Vector2d high = right.hole.box.max() - hole.box.max();
-  const double gap = right.hole.box.min().x() - hole.box.max().x();
-  if (!isPane(left) || !isPane(right) || gap < 0.0 || gap > mullion ||
-      std::abs(low.y()) > in_line || std::abs(high.y()) > in_line)
+  const bool is_left = one.hole.box.min().x() <= other.hole.box.min().x();
+  const FaceHole& left = is_left ? one.hole : other.hole;
+  const FaceHole& right = is_left ? other.hole : one.hole;
+  const double gap = right.box.min().x() - left.box.max().x();
+  if (!isPane(one) || !isPane(other) || gap < 0.0 || gap > mullion ||
+      std::abs(right.box.min().y() - left.box.min().y()) > in_line ||
+      std::abs(right.box.max().y() - left.box.max().y()) > in_line)
     return false;
   const double share =
-      right.hole.box.sizes().x() / (hole.box.sizes() + right.hole.box.sizes()).x();
-  const auto mean = [share](double one, double other) {
-    return (1.0 - share) * one + share * other;
+      right.box.sizes().x() / (left.box.sizes() + right.box.sizes()).x();
+  const auto mean = [share](double of_left, double of_right) {
+    return (1.0 - share) * of_left + share * of_right;
   };
-  hole.seen = mean(hole.seen, right.hole.seen);
-  hole.reveal = mean(hole.reveal, right.hole.reveal);
-  hole.framed = {hole.framed[0],
-                 right.hole.framed[1],
-                 mean(hole.framed[2], right.hole.framed[2]),
-                 mean(hole.framed[3], right.hole.framed[3])};
-  hole.box.extend(right.hole.box);
-  left.certainty = framing(hole, false);
+  FaceHole hole = left;
+  hole.seen = mean(left.seen, right.seen);
+  hole.reveal = mean(left.reveal, right.reveal);
+  hole.framed = {left.framed[0],
+                 right.framed[1],
+                 mean(left.framed[2], right.framed[2]),
+                 mean(left.framed[3], right.framed[3])};
+  hole.box.extend(right.box);
+  one.hole = hole;
+  one.certainty = framing(hole, false);
   return true;
 }
 
@@ -122,16 +125,13 @@ candidatesOf(const WallFace& face,
              const std::vector<FaceHole>& holes)
 {
   std::vector<Candidate> candidates;
-  for (const FaceHole& hole : holes)
-    if (const auto candidate = candidateOf(face, number, hole))
+  for (const FaceHole& hole : holes) {
+    const auto candidate = candidateOf(face, number, hole);
+    if (candidate && std::none_of(candidates.begin(), candidates.end(), [&](auto& one) {
+          return joinPane(one, *candidate);
+        }))
       candidates.push_back(*candidate);
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    for (std::size_t j = 0; j < candidates.size(); ++j)
-      if (i != j && joinPane(candidates[i], candidates[j])) {
-        candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(j));
-        i -= j < i;
-        j = static_cast<std::size_t>(-1); // from the first again
-      }
+  }
   return candidates;
 }
 

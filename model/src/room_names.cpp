@@ -19,8 +19,6 @@ namespace indoor {
 
 namespace {
 
-using Shares = std::array<double, room_name_count>;
-
 enum class BuildingUse { Home, Offices };
 constexpr BuildingUse uses[] = {BuildingUse::Home, BuildingUse::Offices};
 

@@ -97,7 +97,7 @@ pictureOf(const std::vector<Tensor>& shown)
 {
   const char* const names[] = {"Roots of bins", "Layer 1", "Layer 2"};
   SvgDrawing picture(left + 3 * panel_width, top + grid[3] * panel_height);
-  picture.rectangle({0.0, 0.0}, {picture.width(), picture.height()}, {225, 225, 225});
+  picture.rectangle({0.0, 0.0}, {picture.width(), picture.height()}, light_grey);
   for (int column = 0; column < 3; ++column) {
     const auto tensor = scaledChannel(shown[static_cast<std::size_t>(column)]);
     const double x = left + column * panel_width;

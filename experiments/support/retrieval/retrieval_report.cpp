@@ -139,7 +139,7 @@ barPicture(const std::vector<RetrievalResult>& results)
       {left, 18.0}, "F1, mean and deviation", {Anchor::Start, 15.0, 0.0, true});
   for (int tenths = 0; tenths <= 10; tenths += 2) {
     const double x = left + length * tenths / 10.0;
-    drawing.line({{x, top}, {x, bottom}}, {225, 225, 225});
+    drawing.line({{x, top}, {x, bottom}}, light_grey);
     drawing.text(
         {x, bottom + 12.0}, formatted("%.1f", tenths / 10.0), {Anchor::Middle});
   }

@@ -136,22 +136,16 @@ imageOf(const StoreyView& view, std::uint32_t other)
   return image;
 }
 
-/** All storeys, the highest on top. */
 SvgDrawing
 viewsOf(const Plan& plan, std::uint32_t other)
 {
-  std::vector<SvgDrawing> parts;
-  for (std::uint32_t storey = plan.storeyCount(); storey-- > 0;) {
+  std::vector<SvgDrawing> storeys;
+  for (std::uint32_t storey = 0; storey < plan.storeyCount(); ++storey) {
     const auto image = imageOf(plan.view(storey), other);
-    const double caption = plan.storeyCount() > 1 ? 36.0 : 0.0;
-    parts.emplace_back(image.width(), caption + image.height());
-    if (caption > 0.0)
-      parts.back().text({0.0, 0.5 * caption},
-                        "Storey " + std::to_string(storey),
-                        {Anchor::Start, 24.0});
-    parts.back().image({0.0, caption}, image);
+    storeys.emplace_back(image.width(), image.height());
+    storeys.back().image({0.0, 0.0}, image);
   }
-  return stacked(parts, border);
+  return stackedStoreys(storeys, 0.0, border);
 }
 
 /** One line per class that occurs: its colour, its name, its number of objects. */

@@ -35,7 +35,7 @@ Color
 labelColor(std::uint32_t label)
 {
   if (label == 0)
-    return {225, 225, 225};
+    return light_grey;
   // steps of the golden section never come back to a hue and keep successive hues far
   // apart
   constexpr double golden_step = 0.6180339887498949;

@@ -17,6 +17,7 @@ struct Color {
 
 constexpr Color paper{255, 255, 255};
 constexpr Color ink{30, 30, 30};
+constexpr Color light_grey{225, 225, 225}; ///< of lines behind a plot
 
 /** \brief The colour of a label, always the same; near labels get distinct colours. 0,
  * no label, is light grey. */

@@ -11,7 +11,6 @@ namespace pcl::indoor::tool {
 namespace {
 
 constexpr double cell = 26.0, gap = 6.0, heading_height = 24.0;
-constexpr Color lines{225, 225, 225}; // between the cells
 
 constexpr const char* heading = "Predicted class, % of the true one's objects";
 
@@ -41,7 +40,7 @@ confusionPicture(const ConfusionMatrix& confusion,
   picture.text({0.5 * heading_height, margin + 0.5 * size},
                "True class",
                {Anchor::Middle, 12.0, -90.0});
-  picture.rectangle({margin - 1.0, margin - 1.0}, {size + 1.0, size + 1.0}, lines);
+  picture.rectangle({margin - 1.0, margin - 1.0}, {size + 1.0, size + 1.0}, light_grey);
   for (std::size_t row = 0; row < names.size(); ++row) {
     const double y = margin + cell * static_cast<double>(row);
     const double across = y + 0.5 * (cell - 1.0);

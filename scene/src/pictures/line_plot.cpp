@@ -13,7 +13,6 @@ namespace {
 constexpr double left = 64.0, top = 40.0, wide = 440.0, high = 240.0, below = 52.0;
 constexpr double sample = 28.0; // of a line in the legend
 constexpr double line_height = 20.0;
-constexpr Color grid{225, 225, 225};
 
 SvgDrawing::Place
 placeOf(const PlotAxes& axes, double x, double y)
@@ -27,12 +26,12 @@ addAxes(SvgDrawing& plot, const PlotAxes& axes)
   constexpr double almost = 1.0001; // for sums of steps
   for (double x = 0.0; x <= almost * axes.x_end; x += axes.x_step) {
     const auto foot = placeOf(axes, x, 0.0);
-    plot.line({placeOf(axes, x, axes.y_end), foot}, grid);
+    plot.line({placeOf(axes, x, axes.y_end), foot}, light_grey);
     plot.text({foot.x(), foot.y() + 12.0}, formatted("%g", x), {Anchor::Middle});
   }
   for (double y = 0.0; y <= almost * axes.y_end; y += axes.y_step) {
     const auto foot = placeOf(axes, 0.0, y);
-    plot.line({placeOf(axes, axes.x_end, y), foot}, grid);
+    plot.line({placeOf(axes, axes.x_end, y), foot}, light_grey);
     plot.text({foot.x() - 6.0, foot.y()}, formatted("%g", y), {Anchor::End});
   }
   plot.line({{left, top}, {left, top + high}, {left + wide, top + high}}, ink);

@@ -140,19 +140,10 @@ sheetOf(const std::vector<SvgDrawing>& storeys,
         double units_per_metre,
         const std::function<void(SvgDrawing&, const SvgDrawing::Place&)>& add_legend)
 {
-  std::vector<SvgDrawing> parts;
-  for (std::size_t s = storeys.size(); s-- > 0;) {
-    if (storeys.size() > 1) {
-      parts.emplace_back(storeys[s].width(), 36.0);
-      parts.back().text(
-          {14.0, 18.0}, "Storey " + std::to_string(s), {Anchor::Start, 24.0});
-    }
-    parts.push_back(storeys[s]);
-  }
-  parts.emplace_back(640.0, 60.0);
-  parts.back().scaleBar({14.0, 30.0}, units_per_metre, legend_size);
-  add_legend(parts.back(), {330.0, 30.0});
-  return stacked(parts);
+  SvgDrawing legend(640.0, 60.0);
+  legend.scaleBar({14.0, 30.0}, units_per_metre, legend_size);
+  add_legend(legend, {330.0, 30.0});
+  return stacked({stackedStoreys(storeys, 14.0), legend});
 }
 
 void

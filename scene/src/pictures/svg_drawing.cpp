@@ -193,4 +193,20 @@ stacked(const std::vector<SvgDrawing>& drawings, double gap)
   return all;
 }
 
+SvgDrawing
+stackedStoreys(const std::vector<SvgDrawing>& storeys, double left, double gap)
+{
+  constexpr double caption = 36.0;
+  std::vector<SvgDrawing> parts;
+  for (std::size_t s = storeys.size(); s-- > 0;) {
+    const double top = storeys.size() > 1 ? caption : 0.0;
+    parts.emplace_back(storeys[s].width(), top + storeys[s].height());
+    if (top > 0.0)
+      parts.back().text(
+          {left, 0.5 * top}, "Storey " + std::to_string(s), {Anchor::Start, 24.0});
+    parts.back().drawing({0.0, top}, storeys[s]);
+  }
+  return stacked(parts, gap);
+}
+
 } // namespace pcl::indoor::tool

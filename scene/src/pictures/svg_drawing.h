@@ -45,8 +45,8 @@ public:
   using Place = Eigen::Vector2d;
 
   /** \brief Rounds the size up, so that a unit is as many pixels in the middle as at
-   * the border: images stay exact. \param[in] has_background without it the drawing is
-   * transparent
+   * the border: images stay exact.
+   * \param[in] has_background without it the drawing is transparent
    */
   SvgDrawing(double width, double height, bool has_background = true);
 
@@ -117,5 +117,13 @@ private:
 /** \brief Drawings below each other. */
 SvgDrawing
 stacked(const std::vector<SvgDrawing>& drawings, double gap = 0.0);
+
+/** \brief Drawings of storeys below each other, the highest on top; several have their
+ * numbers above them.
+ * \param[in] storeys from below
+ * \param[in] left where the words begin
+ */
+SvgDrawing
+stackedStoreys(const std::vector<SvgDrawing>& storeys, double left, double gap = 0.0);
 
 } // namespace pcl::indoor::tool

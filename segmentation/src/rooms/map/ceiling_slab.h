@@ -66,9 +66,10 @@ blockedColumns(const VoxelBits& occupancy,
 
 /** \brief The layers below which walls are looked for where no ceiling was seen.
  * Walls that a lidar sees from nearby are seen for a part of their height. Where less
- * of them is seen right above the heads of people (min_height) than right below, these
- * are the layers of the ceiling, but at most that of the heads; else those of the
- * ceiling. \param[in] ceiling as ceilingLayers() gives it
+ * of them is seen right above the heads of people (min_height) than right below, no
+ * layer is more than 1.6 m above the floor; else these are the layers of the ceiling.
+ *
+ * \param[in] ceiling as ceilingLayers() gives it
  */
 PixelMap<int>
 seenTops(const VoxelBits& occupancy,

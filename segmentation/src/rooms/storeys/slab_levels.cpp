@@ -37,8 +37,8 @@ public:
         1, static_cast<int>(std::lround(options.min_clearance / occupancy.voxel_size))))
   , max_height_(1 +
                 static_cast<int>(std::lround(options.max_slab / occupancy.voxel_size)))
-  , breast_(std::max(1, static_cast<int>(std::lround(1.0 / occupancy.voxel_size))))
-  , reach_(std::max(2, static_cast<int>(std::lround(8.0 / occupancy.voxel_size))))
+  , breast_(std::max(1, static_cast<int>(std::lround(breast / occupancy.voxel_size))))
+  , reach_(std::max(2, static_cast<int>(std::lround(room_size / occupancy.voxel_size))))
   {
     first_group_.reserve(occupancy.columns() + 1);
     first_run_.reserve(occupancy.columns() + 1);
@@ -76,6 +76,9 @@ public:
   }
 
 private:
+  static constexpr double breast = 1.0;    // metres: walls are seen best there
+  static constexpr double room_size = 8.0; // metres, as far as walls are looked for
+
   void
   beginColumn()
   {
@@ -168,8 +171,8 @@ private:
   GridShape shape_;
   int clearance_;
   int max_height_;
-  int breast_; // above a floor or below a ceiling: walls there are seen best
-  int reach_;  // as far as walls are looked for
+  int breast_;                             // layers above a floor or below a ceiling
+  int reach_;                              // columns
   std::vector<SlabGroup> groups_;          // by column
   std::vector<FreeRun> runs_;              // by column
   std::vector<std::uint32_t> first_group_; // of each column
