@@ -111,7 +111,16 @@ function(pcl_addon_describe_library module)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 endfunction()
 
-# pcl_addon_add_library(module SOURCES ... PUBLIC_LINK ... PRIVATE_LINK ...): shared, or static with BUILD_SHARED_LIBS=OFF
+# In place of libraries in a list of what is linked their archives, see pcl_addon_add_library
+function(pcl_addon_use_archives result)
+  string(REGEX REPLACE "${PROJECT_NAME}::([a-z]+)" "${PROJECT_NAME}_\\1_archive" items "${ARGN}")
+  string(REGEX REPLACE "${PROJECT_NAME}_([a-z]+)_internals" "${PROJECT_NAME}_\\1_archive_internals" items "${items}")
+  set(${result} "${items}" PARENT_SCOPE)
+endfunction()
+
+# pcl_addon_add_library(module SOURCES ... PUBLIC_LINK ... PRIVATE_LINK ...): shared, or static with BUILD_SHARED_LIBS=OFF.
+# A shared library shows what is marked with PCL_INDOOR_EXPORTS only. Tests and benchmarks call private functions, too: they
+# link an archive of the same objects.
 function(pcl_addon_add_library module)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
   set(target ${PROJECT_NAME}_${module})
@@ -121,11 +130,24 @@ function(pcl_addon_add_library module)
   pcl_addon_group_by_folder(${target} ${ARG_SOURCES})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${module} VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN"
-    POSITION_INDEPENDENT_CODE ON)
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_include_directories(${target} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${PCL_ADDON_INCLUDE_DIR}>
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/common/include>
+    $<INSTALL_INTERFACE:${PCL_ADDON_INCLUDE_DIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+  if(BUILD_SHARED_LIBS)
+    add_library(${target}_archive STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${target}>)
+    set_target_properties(${target}_archive PROPERTIES LINKER_LANGUAGE CXX)
+    pcl_addon_set_defaults(${target}_archive)
+    target_include_directories(${target}_archive PUBLIC $<TARGET_PROPERTY:${target},INTERFACE_INCLUDE_DIRECTORIES>)
+    pcl_addon_use_archives(public_link ${ARG_PUBLIC_LINK})
+    pcl_addon_use_archives(private_link ${ARG_PRIVATE_LINK})
+    target_link_libraries(${target}_archive PUBLIC ${public_link} PRIVATE ${private_link})
+  else()
+    target_compile_definitions(${target} PUBLIC PCL_INDOOR_STATIC)
+    add_library(${target}_archive ALIAS ${target})
+  endif()
   install(TARGETS ${target} EXPORT ${PROJECT_NAME}Targets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT dev
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
@@ -135,6 +157,19 @@ function(pcl_addon_add_library module)
   if(BUILD_SHARED_LIBS) # else programs link what the libraries are made of, which CMake alone knows
     pcl_addon_describe_library(${module} ${ARG_PUBLIC_LINK})
   endif()
+endfunction()
+
+# pcl_addon_add_internals(module items...): pcl_indoor_<module>_internals is what the project's own programs link that use the
+# library beyond its installed headers; pcl_indoor_<module>_archive_internals the same of its archive
+function(pcl_addon_add_internals module)
+  set(target ${PROJECT_NAME}_${module})
+  add_library(${target}_internals INTERFACE)
+  target_include_directories(${target}_internals INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_link_libraries(${target}_internals INTERFACE ${PROJECT_NAME}::${module} ${ARGN})
+  pcl_addon_use_archives(archives ${PROJECT_NAME}::${module} ${ARGN})
+  add_library(${target}_archive_internals INTERFACE)
+  target_include_directories(${target}_archive_internals INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_link_libraries(${target}_archive_internals INTERFACE ${archives})
 endfunction()
 
 # pcl_addon_add_tools(name ... LINK ...): name.cpp becomes pcl_name; the target pcl_indoor_programs stands for all of them
@@ -186,10 +221,14 @@ function(pcl_addon_describe_tools)
 endfunction()
 
 # pcl_addon_add_tests(folder LINK ... NAMES ...): test/folder/test_<name>.cpp becomes an executable found by CTest. The
-# folder begins with the module, whose private headers the test may include.
+# folder begins with the module, whose private headers the test may include and whose private functions it may call:
+# it links archives. Tests of programs link what programs link.
 function(pcl_addon_add_tests folder)
   cmake_parse_arguments(ARG "" "" "LINK;NAMES" ${ARGN})
   string(REGEX MATCH "^[^/]+" module ${folder})
+  if(NOT module MATCHES "^(tools|experiments|ros2)$")
+    pcl_addon_use_archives(ARG_LINK ${ARG_LINK})
+  endif()
   foreach(name ${ARG_NAMES})
     set(target test_${module}_${name})
     add_executable(${target} ${folder}/test_${name}.cpp)

@@ -4,11 +4,13 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 namespace pcl::indoor::tool {
 
 /** \brief What is left of the machine's memory: of MemAvailable in /proc/meminfo and
  * the limit of the control group, the less; bytes, 0 if unknown. */
-double
+PCL_INDOOR_EXPORTS double
 availableMemory();
 
 } // namespace pcl::indoor::tool

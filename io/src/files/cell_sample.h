@@ -6,6 +6,7 @@
 
 #include "files/ascending_numbers.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -23,7 +24,7 @@ namespace pcl::indoor::tool {
  * Memory follows the cells: 17 to 18 bytes for each, and 5 for each place of a table of
  * which at least a third is filled, while points are added or looked for.
  */
-class CellSample {
+class PCL_INDOOR_EXPORTS CellSample {
 public:
   /** \param[in] cell_size in the unit of the points, positive */
   CellSample(double cell_size, std::size_t limit);

@@ -8,6 +8,7 @@
 #include "files/tool_error.h"
 #include "formats/table/table_columns.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/io/station.h>
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/point_cloud.h>
@@ -51,7 +52,7 @@ struct CloudFile {
 };
 
 /** \brief Print the notes of a file on stderr, a line each. */
-void
+PCL_INDOOR_EXPORTS void
 printNotes(const CloudFile& file);
 
 /** \brief Read a file of any of the formats of cloudFormatOf(): its content says which
@@ -62,7 +63,7 @@ printNotes(const CloudFile& file);
  * \throws ToolError if the file is missing, is no cloud, is shorter than its header
  * says, lacks float x, y, z, or holds fewer than \a least_points finite points
  */
-CloudFile
+PCL_INDOOR_EXPORTS CloudFile
 loadCloud(const std::string& path,
           const TableColumns& columns = {},
           std::size_t least_points = 2);
@@ -79,7 +80,7 @@ loadUnpacked(const std::string& path,
  * \param[in] path names it in errors
  * \param[in] notes of its reader
  */
-CloudFile
+PCL_INDOOR_EXPORTS CloudFile
 withPoints(const std::string& path,
            PCLPointCloud2 cloud,
            const CloudPose& pose,
@@ -93,7 +94,7 @@ struct CoordinateOrigin {
   double step = 0.0; ///< see CloudFile::coordinate_step
 };
 
-CoordinateOrigin
+PCL_INDOOR_EXPORTS CoordinateOrigin
 coordinateOrigin(const PCLPointCloud2& cloud);
 
 /** \brief Is it exactly one of some places? */
@@ -105,7 +106,7 @@ isOneOf(const Eigen::Vector3d& point, const std::vector<Eigen::Vector3d>& places
  * \param[out] finite_count of points without NaN
  * \param[in] left_out places that are no points, NaN as well
  */
-PointCloud<PointXYZ>::Ptr
+PCL_INDOOR_EXPORTS PointCloud<PointXYZ>::Ptr
 pointsAround(const PCLPointCloud2& cloud,
              const Eigen::Vector3d& middle,
              std::size_t& finite_count,
@@ -133,49 +134,49 @@ bool
 isRealField(const PCLPointCloud2& cloud, const std::string& name);
 
 /** \brief Does the cloud have normal_x, normal_y and normal_z as real numbers? */
-bool
+PCL_INDOOR_EXPORTS bool
 hasNormals(const PCLPointCloud2& cloud);
 
 /** \brief The normals of a cloud with \a has_normals, in its order; curvature 0 where
  * the file has none. */
-PointCloud<Normal>::Ptr
+PCL_INDOOR_EXPORTS PointCloud<Normal>::Ptr
 readNormals(const CloudFile& file);
 
 /** \brief The same of a part of a file. */
-PointCloud<Normal>::Ptr
+PCL_INDOOR_EXPORTS PointCloud<Normal>::Ptr
 readNormals(const PCLPointCloud2& cloud);
 
 /** \brief The colours of a cloud, from its field rgb or rgba, in its order.
  * \throws ToolError if it has none
  */
-PointCloud<RGB>::Ptr
+PCL_INDOOR_EXPORTS PointCloud<RGB>::Ptr
 readColors(const CloudFile& file);
 
 /** \brief Does the cloud have such a field? */
-bool
+PCL_INDOOR_EXPORTS bool
 hasField(const PCLPointCloud2& cloud, const std::string& name);
 
 /** \brief A field of whole numbers, one value per point.
  * \throws ToolError if the field is missing or a value is negative, fractional or too
  * large
  */
-std::vector<std::uint32_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint32_t>
 readLabels(const CloudFile& file, const std::string& name);
 
 /** \brief A field of any numbers, one value per point.
  * \throws ToolError if the field is missing
  */
-std::vector<double>
+PCL_INDOOR_EXPORTS std::vector<double>
 readNumbers(const CloudFile& file, const std::string& name);
 
 /** \brief Take a field away, if there is one of that name; its bytes stay as padding.
  */
-void
+PCL_INDOOR_EXPORTS void
 removeField(PCLPointCloud2& cloud, const std::string& name);
 
 /** \brief A field to be appended: labels or real numbers, one per point, which have to
  * outlive it. */
-struct NewField {
+struct PCL_INDOOR_EXPORTS NewField {
   NewField(std::string its_name, const std::vector<std::uint32_t>& labels);
   NewField(std::string its_name, const std::vector<float>& reals);
 
@@ -187,7 +188,7 @@ struct NewField {
 
 /** \brief Append fields, in one pass over the points; fields of these names are
  * replaced. */
-void
+PCL_INDOOR_EXPORTS void
 appendFields(PCLPointCloud2& cloud, const std::vector<NewField>& fields);
 
 inline void

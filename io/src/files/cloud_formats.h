@@ -8,6 +8,8 @@
 #include "files/cloud_stream.h"
 #include "formats/table/table_columns.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -49,15 +51,15 @@ readCloud(CloudFile& file, const TableColumns& columns);
 
 /** \brief How many points the header of a cloud file promises, or a table about has; 0
  * if it is not understood. Reads no more than the header. */
-std::uint64_t
+PCL_INDOOR_EXPORTS std::uint64_t
 promisedPoints(const std::string& path);
 
 /** \brief Is the ending of a file's name that of a format of clouds? */
-bool
+PCL_INDOOR_EXPORTS bool
 hasCloudEnding(const std::string& path);
 
 /** \brief The endings of clouds, for messages: ".pcd, .ply, ...". */
-std::string
+PCL_INDOOR_EXPORTS std::string
 cloudEndings();
 
 /** \brief The formats of clouds, for messages: "PCD, PLY, LAS". */

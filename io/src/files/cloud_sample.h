@@ -6,6 +6,8 @@
 
 #include "files/cloud_stream.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -21,7 +23,7 @@ sampleBlocks(std::uint64_t point_count,
              const std::function<void(std::uint64_t first, std::size_t count)>& visit);
 
 /** \brief The points of these blocks. */
-PCLPointCloud2
+PCL_INDOOR_EXPORTS PCLPointCloud2
 pointsFromAllOver(CloudStream& stream);
 
 } // namespace pcl::indoor::tool

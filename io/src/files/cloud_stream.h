@@ -6,6 +6,7 @@
 
 #include "formats/cloud_pose.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/io/station.h>
 #include <pcl/PCLPointCloud2.h>
 
@@ -18,7 +19,7 @@
 namespace pcl::indoor::tool {
 
 /** \brief Reads the points of a file part by part, as loadCloud() would give them. */
-class CloudStream {
+class PCL_INDOOR_EXPORTS CloudStream {
 public:
   virtual ~CloudStream() = default;
 

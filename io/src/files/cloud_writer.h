@@ -7,6 +7,7 @@
 #include "files/output_file.h"
 #include "formats/cloud_pose.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/PCLPointCloud2.h>
 
 #include <string>
@@ -18,7 +19,7 @@ namespace pcl::indoor::tool {
  * \throws ToolError as requireWritable() or if the name ends neither in .pcd nor in
  * .ply; a name without an extension means PCD
  */
-void
+PCL_INDOOR_EXPORTS void
 requireWritableCloud(const std::string& path, bool pcd_only = false);
 
 /** \brief Write all fields of a cloud but do not put the file in place: binary PLY if
@@ -31,14 +32,14 @@ requireWritableCloud(const std::string& path, bool pcd_only = false);
  * \throws ToolError if it cannot be written, or if a field has integers of 64 bits,
  * which PLY has not
  */
-OutputFile
+PCL_INDOOR_EXPORTS OutputFile
 cloudBeside(const std::string& path,
             const PCLPointCloud2& cloud,
             const CloudPose& pose,
             int threads = 1);
 
 /** \brief Write a cloud and put it in place. */
-void
+PCL_INDOOR_EXPORTS void
 saveCloud(const std::string& path,
           const PCLPointCloud2& cloud,
           const CloudPose& pose = {});

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/exports.h>
 
 #include <array>
 #include <cstddef>
@@ -32,7 +33,7 @@ struct Mesh {
  * \throws pcl::BadArgumentException if a triangle names a vertex that is not there or
  * none has an area
  */
-std::vector<OrientedPoint>
+PCL_INDOOR_EXPORTS std::vector<OrientedPoint>
 sampleMesh(const Mesh& mesh, std::size_t count, std::uint32_t seed);
 
 } // namespace pcl::indoor::tool

@@ -7,6 +7,8 @@
 #include "files/scan_content.h"
 #include "formats/packed_file.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -33,17 +35,17 @@ struct OpenedScan {
 };
 
 /** \brief Find the files, see scanFiles(), unpack and open them. */
-OpenedScan
+PCL_INDOOR_EXPORTS OpenedScan
 openScan(const std::vector<std::string>& inputs);
 
 /** \brief Read all points.
  * \param[in] columns of tables
  * \throws ToolError see loadCloud() */
-ScanContent
+PCL_INDOOR_EXPORTS ScanContent
 readWhole(OpenedScan scan, const TableColumns& columns);
 
 /** \brief Leave the points in their files: the scan has its fields, pose and notes. */
-ScanContent
+PCL_INDOOR_EXPORTS ScanContent
 readLater(OpenedScan scan, const TableColumns& columns);
 
 /** \brief Open the scans of one building as one, see joinedStream(). Those that cannot

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -16,19 +18,19 @@ namespace pcl::indoor::tool {
  * \throws ToolError naming the reason: no such folder, not writable, or a folder, a
  * socket or a block device is there
  */
-void
+PCL_INDOOR_EXPORTS void
 requireWritable(const std::string& path);
 
 /** \brief Find out, before the long work, that a folder cannot be used or made for
  * results.
  * \throws ToolError naming it and the reason
  */
-void
+PCL_INDOOR_EXPORTS void
 requireFolder(const std::string& folder);
 
 /** \brief Make a folder, and those above it, unless it is there.
  * \return was it made? */
-bool
+PCL_INDOOR_EXPORTS bool
 makeFolder(const std::string& folder);
 
 /** \brief An output on its way.
@@ -39,7 +41,7 @@ makeFolder(const std::string& folder);
  * if a signal (INT, TERM, HUP) ends the program.
  * Every function throws ToolError naming the output and the reason.
  */
-class OutputFile {
+class PCL_INDOOR_EXPORTS OutputFile {
 public:
   explicit OutputFile(const std::string& path);
   OutputFile(OutputFile&& other) noexcept;
@@ -75,11 +77,11 @@ private:
 };
 
 /** \brief Write a whole output. */
-void
+PCL_INDOOR_EXPORTS void
 saveText(const std::string& path, const std::string& text);
 
 /** \brief Write all of an output but do not put it in place. */
-OutputFile
+PCL_INDOOR_EXPORTS OutputFile
 writtenBeside(const std::string& path, const std::string& text);
 
 /** \brief Remove outdated files, then put the files in place in their order, as one
@@ -88,7 +90,7 @@ writtenBeside(const std::string& path, const std::string& text);
  * A program that is killed amid it leaves whole files only, but not all of them: name
  * the last of them among the outdated, and wherever it lies, the others belong to it.
  */
-void
+PCL_INDOOR_EXPORTS void
 commitTogether(std::vector<OutputFile>& files,
                const std::vector<std::string>& outdated = {});
 

@@ -6,6 +6,8 @@
 
 #include "files/cloud_file.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -28,11 +30,11 @@ struct PlacedPoints {
 /** \brief Find the points of a cloud.
  * \param[in] in_rows 0 0 0 is no point of a camera's picture
  */
-PlacedPoints
+PCL_INDOOR_EXPORTS PlacedPoints
 placedPoints(const PCLPointCloud2& cloud, bool in_rows);
 
 /** \brief How many points of a cloud lie at exactly one place? */
-std::size_t
+PCL_INDOOR_EXPORTS std::size_t
 countAt(const PCLPointCloud2& cloud, const Eigen::Vector3d& place);
 
 /** \brief A line on each place that was left out; of more than three, such as the
@@ -40,7 +42,7 @@ countAt(const PCLPointCloud2& cloud, const Eigen::Vector3d& place);
  * \param[in] counts points at each place
  * \param[in] all points of the cloud
  */
-std::vector<std::string>
+PCL_INDOOR_EXPORTS std::vector<std::string>
 leftOutNotes(const std::vector<Eigen::Vector3d>& places,
              const std::vector<std::uint64_t>& counts,
              std::uint64_t all);
@@ -51,7 +53,7 @@ copiesNote(std::uint64_t copies, std::uint64_t all);
 
 /** \brief One line on why the normals of a cloud are none, see findNormalsProblem();
  * empty if they are normals. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 normalsNote(const PCLPointCloud2& cloud, const PointCloud<PointXYZ>& points);
 
 } // namespace pcl::indoor::tool

@@ -6,6 +6,8 @@
 
 #include "files/cloud_file.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <cstdint>
 #include <string>
 
@@ -15,7 +17,7 @@ namespace pcl::indoor::tool {
  *
  * PCL's own readers and viewers take floats only: they show doubles as zeros.
  */
-struct PointCoordinates {
+struct PCL_INDOOR_EXPORTS PointCoordinates {
   bool doubles = false;
 
   /** \brief The offset that apply() gives a file, which has its fields. */

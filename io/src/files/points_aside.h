@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -14,7 +15,7 @@
 namespace pcl::indoor::tool {
 
 /** \brief Points that wait in a file while others need the memory. */
-class PointsAside {
+class PCL_INDOOR_EXPORTS PointsAside {
 public:
   /** \brief Put the points into a file, and give their memory back. Where the file
    * cannot be written they stay where they are.

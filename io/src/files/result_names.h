@@ -4,18 +4,20 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 #include <vector>
 
 namespace pcl::indoor::tool {
 
 /** \brief The names of the files that describe a building, in a folder of their own. */
-const std::vector<std::string>&
+PCL_INDOOR_EXPORTS const std::vector<std::string>&
 resultNames();
 
 /** \brief Is a file of this name a building model, GeoJSON, map or route graph of a
  * scene? */
-bool
+PCL_INDOOR_EXPORTS bool
 isExportName(const std::string& name);
 
 /** \brief Is a file of this name one of the results? */

@@ -7,6 +7,8 @@
 #include "files/cloud_file.h"
 #include "files/mesh_sampling.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 
 namespace pcl::indoor::tool {
@@ -38,7 +40,7 @@ loadMesh(CloudFile& file, const TableColumns& columns);
  * covered if those of a typical place are as many as would lie 0.1 m apart, where
  * drawPoints() puts one per 0.02 m.
  */
-CloudFile
+PCL_INDOOR_EXPORTS CloudFile
 loadSurface(const std::string& path,
             const TableColumns& columns = {},
             std::size_t least_points = 2);

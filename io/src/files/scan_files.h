@@ -6,6 +6,8 @@
 
 #include "formats/packed_file.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,7 +25,7 @@ struct ScanFiles {
  * are left out, one for all of an ending; what an earlier run has left is no scan.
  * \throws ToolError if a folder holds none
  */
-ScanFiles
+PCL_INDOOR_EXPORTS ScanFiles
 scanFiles(const std::vector<std::string>& inputs);
 
 /** \brief Unpack what is packed: in its place come the scans in it, as those of a

@@ -6,6 +6,7 @@
 
 #include "files/cloud_file.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/io/station.h>
 
 #include <cstdint>
@@ -32,18 +33,18 @@ readStations(const std::string& path);
  * does not.
  * \throws ToolError as readStations(), and if the scan has stations of another number
  */
-void
+PCL_INDOOR_EXPORTS void
 choose(const StationChoice& choice, CloudFile& file);
 
 /** \brief The positions of the stations, in the frame of the file's points; empty
  * unless all are known: what is seen from the others would seem to be seen from
  * nowhere. */
-std::vector<Eigen::Vector3d>
+PCL_INDOOR_EXPORTS std::vector<Eigen::Vector3d>
 stationPositions(const CloudFile& file);
 
 /** \brief The station that measured each point, from 1; 0 = not known; empty if of no
  * point it is, or if not all positions are known. */
-std::vector<std::uint32_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint32_t>
 stationsOfPoints(const CloudFile& file);
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -36,9 +38,9 @@ std::string
 offsetText(const Eigen::Vector3d& offset);
 
 /** \brief The shortest text that is read back as the same number. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 numberText(float value);
-std::string
+PCL_INDOOR_EXPORTS std::string
 numberText(double value);
 
 /** \brief A whole number of a header, at most 2^31 - 1.

@@ -7,6 +7,8 @@
 #include "files/cloud_file.h"
 #include "files/mesh_sampling.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <optional>
 #include <string>
 
@@ -31,14 +33,14 @@ meshFormat(const std::string& path, const std::string& beginning);
  * \throws ToolError if the file is missing, damaged or truncated, or names vertices
  * that are not there
  */
-Mesh
+PCL_INDOOR_EXPORTS Mesh
 readMesh(const std::string& path);
 
 /** \brief The mesh of a PLY file whose points were read.
  * \return without triangles if the file is no PLY or has no faces
  * \throws ToolError if its faces are damaged or name vertices that are not there
  */
-Mesh
+PCL_INDOOR_EXPORTS Mesh
 plyMesh(const CloudFile& file);
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -30,13 +32,13 @@ struct PngImage {
  * \throws ToolError if the file is missing, damaged, no PNG, in colour or has an alpha
  * channel
  */
-PngImage
+PCL_INDOOR_EXPORTS PngImage
 readNumberPng(const std::string& path);
 
 /** \brief Read an image as red, green and blue of 8 bits; alpha is left out.
  * \throws ToolError if the file is missing, damaged or no PNG
  */
-PngImage
+PCL_INDOOR_EXPORTS PngImage
 readColorPng(const std::string& path);
 
 } // namespace pcl::indoor::tool

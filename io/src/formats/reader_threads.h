@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 namespace pcl::indoor::tool {
 
 /** \brief How many threads readers of files use; 0 (the default): as many as the
@@ -12,7 +14,7 @@ int
 readerThreads();
 
 /** \brief Set it for the whole program, as its option -threads says. */
-void
+PCL_INDOOR_EXPORTS void
 setReaderThreads(int threads);
 
 } // namespace pcl::indoor::tool

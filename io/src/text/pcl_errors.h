@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <functional>
 #include <string>
 
@@ -16,7 +18,7 @@ namespace pcl::indoor::tool {
  * \return the first error that would have been printed, without the names of class and
  * function; empty if there was none
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 problemOf(const std::function<void()>& run);
 
 } // namespace pcl::indoor::tool

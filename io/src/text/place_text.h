@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <string>
@@ -16,7 +18,7 @@ namespace tool {
  * \param[in] option that it was given to, for the message
  * \throws ToolError if it is none
  */
-Eigen::Vector3d
+PCL_INDOOR_EXPORTS Eigen::Vector3d
 readPlace(const std::string& option, const std::string& text);
 
 } // namespace tool

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <exception>
 #include <string>
 
@@ -15,24 +17,24 @@ namespace pcl::indoor::tool {
  * and bytes that a terminal could act on, or that are no text, become "\x1b" and so on.
  * \param[in] most bytes; of a longer text the middle is left out
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 printable(const std::string& text, std::size_t most = 1000);
 
 /** \brief A number with so many digits behind the point. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 fixedText(double value, int digits);
 
 /** \brief What an exception says to a user: without the names of functions, source
  * files and exceptions that libraries put in front. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 messageOf(const std::exception& error);
 
 /** \brief Print what is wrong as one line on stderr: "[program] text". */
-void
+PCL_INDOOR_EXPORTS void
 printComplaint(const std::string& program, const std::string& text);
 
 /** \brief Print "Warning: " and the text, printable, as one line on stderr. */
-void
+PCL_INDOOR_EXPORTS void
 printWarning(const std::string& text);
 
 } // namespace pcl::indoor::tool

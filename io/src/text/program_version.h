@@ -4,12 +4,14 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 
 namespace pcl::indoor::tool {
 
 /** \brief The version of this project, for example "0.1.0". */
-std::string
+PCL_INDOOR_EXPORTS std::string
 programVersion();
 
 } // namespace pcl::indoor::tool

@@ -4,13 +4,15 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 #include <vector>
 
 namespace pcl::indoor::tool {
 
 /** \brief Rows of text with aligned columns, for a terminal. */
-class TextTable {
+class PCL_INDOOR_EXPORTS TextTable {
 public:
   /** \param[in] header one word per column; those that end in '>' have their cells on
    * the right, for numbers */

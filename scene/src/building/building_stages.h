@@ -10,6 +10,7 @@
 #include "rooms/spooled_rooms.h"
 #include "text/stage_report.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/scene/scene.h>
 #include <pcl/scene/scene_options.h>
 
@@ -22,12 +23,12 @@ namespace pcl::indoor::tool {
 /** \brief The options with sizes of voxels and supervoxels that fit each other, and
  * checked.
  * \throws ToolError if one is none */
-SceneOptions
+PCL_INDOOR_EXPORTS SceneOptions
 checkedOptions(SceneOptions options);
 
 /** \brief Read a scan that stays in its files, keeping a point per cell.
  * \param[in] most_points from which on cells become larger */
-void
+PCL_INDOOR_EXPORTS void
 drawSample(const SceneOptions& options,
            std::uint64_t most_points,
            ScanContent& scan,
@@ -35,12 +36,12 @@ drawSample(const SceneOptions& options,
 
 /** \brief What the objects of each room are looked for with, but for the
  * building's frame, which is not known yet. */
-RoomWork
+PCL_INDOOR_EXPORTS RoomWork
 roomWork(const SceneOptions& options);
 
 /** \brief Find the rooms of the scan, unless the store has them.
  * \param[in,out] scan a sample waits in a file meanwhile, see PointsAside */
-Scene
+PCL_INDOOR_EXPORTS Scene
 findRooms(const SceneOptions& options,
           ScanContent& scan,
           const UnderstoodScan& understood,
@@ -49,12 +50,12 @@ findRooms(const SceneOptions& options,
 
 /** \brief The points as the objects are looked for: z up, metres, what lies beyond the
  * building not finite. */
-PointCloud<PointXYZ>::ConstPtr
+PCL_INDOOR_EXPORTS PointCloud<PointXYZ>::ConstPtr
 uprightPoints(const CloudFile& file, const Scene& scene);
 
 /** \brief Find the walls of the rooms, their doors and their windows.
  * \param[in] upright tells which points count */
-void
+PCL_INDOOR_EXPORTS void
 findWalls(const SceneOptions& options,
           const PointCloud<PointXYZ>& upright,
           Scene& scene,
@@ -79,7 +80,7 @@ struct ObjectSearch {
 
 /** \brief Find the objects of the rooms of a scan in memory, room by room, and what
  * they are. */
-void
+PCL_INDOOR_EXPORTS void
 findObjects(const ObjectSearch& search,
             const CloudFile& file,
             const PointCloud<PointXYZ>& upright,
@@ -89,7 +90,7 @@ findObjects(const ObjectSearch& search,
  * rooms. The points of the sample get their objects by labelSample(), or when the
  * cloud is written.
  * \param[in] upright the sample */
-RoomFiles
+PCL_INDOOR_EXPORTS RoomFiles
 findObjectsInParts(const ObjectSearch& search,
                    WorkFolder& folder,
                    ScanContent& scan,

@@ -9,6 +9,8 @@
 #include "files/point_coordinates.h"
 #include "scene/point_colors.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 
 namespace pcl::indoor::tool {
@@ -22,7 +24,7 @@ struct CloudLook {
 };
 
 /** \brief Add what was found to the cloud, as it is to be written beside its place. */
-OutputFile
+PCL_INDOOR_EXPORTS OutputFile
 completeCloud(const std::string& path,
               const CloudLook& look,
               const Scene& scene,
@@ -31,7 +33,7 @@ completeCloud(const std::string& path,
 /** \brief The same of a scan that is read in parts.
  * \param[in,out] scene gets the objects of its sample
  */
-OutputFile
+PCL_INDOOR_EXPORTS OutputFile
 completeCloudInParts(const std::string& path,
                      const CloudLook& look,
                      const RoomFiles& files,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "files/station_choice.h"
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/setting.h>
 #include <pcl/scene/scene_options.h>
 
@@ -18,7 +19,7 @@ namespace pcl::indoor::tool {
  * which what shapes its other results is as it is by default. \param[in] columns of the
  * scan's tables \param[in] points_at_once of a scan that is read in parts; 0 of others
  */
-std::vector<Setting>
+PCL_INDOOR_EXPORTS std::vector<Setting>
 settingsOf(const SceneOptions& options,
            const std::string& columns,
            const StationChoice& stations,

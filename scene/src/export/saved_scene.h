@@ -6,6 +6,7 @@
 
 #include "pictures/plan_polygon.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/model/building_model.h>
 #include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/room_objects.h>
@@ -115,13 +116,13 @@ outlineOf(const SavedColumn& column);
  * \throws nlohmann::json::exception if a field is missing or of another type
  * \throws ToolError if a number refers to nothing or is out of range
  */
-SavedScene
+PCL_INDOOR_EXPORTS SavedScene
 savedScene(const nlohmann::ordered_json& scene);
 
 /** \brief Read scene.json.
  * \throws ToolError naming the file and the reason, if it is no whole scene
  */
-SavedScene
+PCL_INDOOR_EXPORTS SavedScene
 readSavedScene(const std::string& path);
 
 } // namespace pcl::indoor::tool

@@ -6,6 +6,8 @@
 
 #include "export/saved_scene.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,13 +25,13 @@ struct ExportOptions {
  * storeys. With their bytes; the file of that name is the last.
  * \throws ToolError naming the file, if its format is none of these
  */
-std::vector<std::pair<std::string, std::string>>
+PCL_INDOOR_EXPORTS std::vector<std::pair<std::string, std::string>>
 exportedFiles(const SavedScene& scene,
               const std::string& path,
               const ExportOptions& options);
 
 /** \brief Find out, before any work, that the format is none of these. */
-void
+PCL_INDOOR_EXPORTS void
 requireExportFormat(const std::string& path);
 
 } // namespace pcl::indoor::tool

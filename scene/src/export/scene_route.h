@@ -6,6 +6,8 @@
 
 #include "export/saved_scene.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -18,7 +20,7 @@ namespace pcl::indoor::tool {
  * \param[in] ends FROM:TO, each the number of a room or X,Y,Z in that frame
  * \throws ToolError if they are none, in no room, or no way leads from one to the other
  */
-nlohmann::ordered_json
+PCL_INDOOR_EXPORTS nlohmann::ordered_json
 sceneRoute(const SavedScene& scene, const std::string& ends);
 
 } // namespace pcl::indoor::tool

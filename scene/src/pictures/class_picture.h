@@ -7,6 +7,8 @@
 #include "pictures/svg_drawing.h"
 #include "scene/scene_json.h"
 
+#include <pcl/indoor/exports.h>
+
 namespace pcl::indoor::tool {
 
 /** \brief The objects of a scene from above, in the colours of their classes, with a
@@ -14,7 +16,7 @@ namespace pcl::indoor::tool {
  * Storeys lie below each other, the highest on top.
  * \param[in] points one per point of the scene, z up
  */
-SvgDrawing
+PCL_INDOOR_EXPORTS SvgDrawing
 drawClasses(const Scene& scene, const PointCloud<PointXYZ>& points);
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -21,12 +23,12 @@ constexpr Color light_grey{225, 225, 225}; ///< of lines behind a plot
 
 /** \brief The colour of a label, always the same; near labels get distinct colours. 0,
  * no label, is light grey. */
-Color
+PCL_INDOOR_EXPORTS Color
 labelColor(std::uint32_t label);
 
 /** \brief The colour of the k-th curve or bar of a plot: dark enough for thin lines on
  * white; ten, then again. */
-Color
+PCL_INDOOR_EXPORTS Color
 lineColor(std::size_t k);
 
 /** \brief Black (0 and below) over violet, red and orange to light yellow (1 and

@@ -6,6 +6,7 @@
 
 #include "pictures/svg_drawing.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/classification_metrics.h>
 
 #include <string>
@@ -15,7 +16,7 @@ namespace pcl::indoor::tool {
 
 /** \brief A confusion matrix as a picture: a row per true class, in per cent of the
  * row. */
-SvgDrawing
+PCL_INDOOR_EXPORTS SvgDrawing
 confusionPicture(const ConfusionMatrix& confusion,
                  const std::vector<std::string>& names);
 

@@ -6,6 +6,7 @@
 
 #include "pictures/plan_polygon.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/model/building_model.h>
 #include <pcl/segmentation/building_rooms.h>
 
@@ -108,18 +109,18 @@ struct FloorPlan {
  * Which way a door opens is not known; it is drawn as opening into the smaller room.
  * \param[in] things may be empty
  */
-FloorPlan
+PCL_INDOOR_EXPORTS FloorPlan
 floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things = {});
 
 /** \brief Write what rooms are for into the plan.
  * \param[in] names of room 1, 2, ...; empty = not known
  */
-void
+PCL_INDOOR_EXPORTS void
 addNames(const std::vector<std::string>& names, FloorPlan& plan);
 
 /** \brief Add walls with their thickness and windows to the plan of the same building.
  */
-void
+PCL_INDOOR_EXPORTS void
 addModel(const BuildingModel& model, FloorPlan& plan);
 
 } // namespace pcl::indoor::tool

@@ -6,6 +6,8 @@
 
 #include "pictures/svg_drawing.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,12 +31,12 @@ struct PlotAxes {
 
 /** \brief A step of 1, 2 or 5 times a power of ten, of which at most six make the
  * whole. */
-double
+PCL_INDOOR_EXPORTS double
 plotStep(double whole);
 
 /** \brief Draw curves over common axes, with a legend; the points of short ones are
  * marked. */
-SvgDrawing
+PCL_INDOOR_EXPORTS SvgDrawing
 linePlot(const PlotAxes& axes, const std::vector<Curve>& curves);
 
 } // namespace pcl::indoor::tool

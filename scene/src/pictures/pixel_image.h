@@ -6,6 +6,8 @@
 
 #include "pictures/color.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -13,7 +15,7 @@ namespace pcl::indoor::tool {
 
 /** \brief What really is a grid of colours: a map, a cloud seen by a camera. All else
  * is drawn, see SvgDrawing. (0, 0) is the upper left corner. */
-class PixelImage {
+class PCL_INDOOR_EXPORTS PixelImage {
 public:
   PixelImage(int width, int height, Color background = paper);
 

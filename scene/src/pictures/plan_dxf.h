@@ -6,6 +6,8 @@
 
 #include "pictures/floor_plan.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 
 namespace pcl::indoor::tool {
@@ -15,7 +17,7 @@ namespace pcl::indoor::tool {
  * lines), _WALLS (lines), _OPENINGS (leaves, arcs and thresholds) and _TEXT (numbers
  * and areas).
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 planDxf(const FloorPlan& plan);
 
 } // namespace pcl::indoor::tool

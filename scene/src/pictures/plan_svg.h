@@ -6,6 +6,8 @@
 
 #include "pictures/floor_plan.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 #include <vector>
 
@@ -16,7 +18,7 @@ namespace pcl::indoor::tool {
  * number and area; walls as lines; doors with their arcs, openings with their widths; a
  * scale bar and the direction of y.
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 planSvg(const FloorPlan& plan);
 
 /** \brief A drawing per storey, from below, for a page that styles and names the parts

@@ -6,6 +6,7 @@
 
 #include "pictures/svg_drawing.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/segmentation/building_rooms.h>
 
 namespace pcl::indoor::tool {
@@ -14,12 +15,12 @@ namespace pcl::indoor::tool {
  * dark, openings white discs. Storeys lie below each other, the highest on top, all cut
  * to the same part of the map.
  */
-SvgDrawing
+PCL_INDOOR_EXPORTS SvgDrawing
 drawRooms(const BuildingRooms& building);
 
 /** \brief The field that the rooms were found in, dark at the walls and light where a
  * room is widest. */
-SvgDrawing
+PCL_INDOOR_EXPORTS SvgDrawing
 drawPotentialField(const BuildingRooms& building);
 
 } // namespace pcl::indoor::tool

@@ -6,6 +6,8 @@
 
 #include "pictures/pixel_image.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cstdio>
@@ -40,7 +42,7 @@ struct TextStyle {
 };
 
 /** \brief A drawing in SVG. y points down; what is added later lies above. */
-class SvgDrawing {
+class PCL_INDOOR_EXPORTS SvgDrawing {
 public:
   using Place = Eigen::Vector2d;
 
@@ -115,7 +117,7 @@ private:
 };
 
 /** \brief Drawings below each other. */
-SvgDrawing
+PCL_INDOOR_EXPORTS SvgDrawing
 stacked(const std::vector<SvgDrawing>& drawings, double gap = 0.0);
 
 /** \brief Drawings of storeys below each other, the highest on top; several have their

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <future>
 #include <string>
 #include <utility>
@@ -29,12 +31,12 @@ struct Picture {
  * \return path and bytes of each PNG file. No picture is worth a run: where some cannot
  * be drawn, they are missing, and get() prints one warning that names them.
  */
-std::future<std::vector<std::pair<std::string, std::string>>>
+PCL_INDOOR_EXPORTS std::future<std::vector<std::pair<std::string, std::string>>>
 rasterised(const std::vector<Picture>& pictures);
 
 /** \brief Draw and save pictures: as PNG, or as SVG where a path ends in .svg. One that
  * cannot be drawn is left out, with a warning. */
-void
+PCL_INDOOR_EXPORTS void
 savePictures(const std::vector<Picture>& pictures);
 
 } // namespace pcl::indoor::tool

@@ -7,6 +7,8 @@
 #include "pictures/floor_plan.h"
 #include "scene/scene_json.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -16,7 +18,7 @@ namespace pcl::indoor::tool {
 
 /** \brief The things of a scene from above, larger ones first, so that smaller ones are
  * drawn upon them. */
-std::vector<PlanThing>
+PCL_INDOOR_EXPORTS std::vector<PlanThing>
 thingsFromAbove(const Scene& scene);
 
 /** \brief What the report shows. */
@@ -30,7 +32,7 @@ struct ReportInput {
 
 /** \brief The report: an HTML page that needs no other file and no network, made of
  * what lies in scene/report. The same input gives the same bytes. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 reportPage(const ReportInput& input);
 
 } // namespace pcl::indoor::tool

@@ -6,6 +6,7 @@
 
 #include "rooms/scene_rooms.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -28,7 +29,7 @@ struct CollectedObjects {
  * \param[in] given objects that are known already, one per point, 0 = none; then these
  * are taken, an object in two rooms as two; empty: they are found
  */
-CollectedObjects
+PCL_INDOOR_EXPORTS CollectedObjects
 collectObjects(const PointCloud<PointXYZ>& points,
                const std::vector<std::uint32_t>& room_of_point,
                const std::vector<std::uint32_t>& given,

@@ -7,6 +7,7 @@
 #include "rooms/room_preparation.h"
 #include "scene/object_classes.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/voxel_network.h>
 #include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/room_objects.h>
@@ -45,7 +46,7 @@ struct FinishedRoom {
 /** \brief Find, measure and name the objects of one room.
  * \param[in] room in the frame of CloudFile::points; may have normals
  */
-FinishedRoom
+PCL_INDOOR_EXPORTS FinishedRoom
 finishRoom(RoomPoints room, const RoomWork& work);
 
 } // namespace pcl::indoor::tool

@@ -7,6 +7,7 @@
 #include "rooms/finished_room.h"
 #include "rooms/work_folder.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/scene/scene.h>
 
 #include <cstddef>
@@ -84,7 +85,7 @@ private:
 };
 
 /** \brief Keeps them in files: a run that was ended goes on from there. */
-class RoomsInFiles : public RoomStore {
+class PCL_INDOOR_EXPORTS RoomsInFiles : public RoomStore {
 public:
   /** \param[in] folder must outlive this */
   explicit RoomsInFiles(WorkFolder& folder);

@@ -7,6 +7,8 @@
 #include "rooms/finished_room.h"
 #include "scene/scene_json.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <optional>
 #include <string>
 
@@ -26,7 +28,7 @@ std::optional<Scene>
 sceneOf(const std::string& bytes);
 
 /** \brief A finished room as bytes. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 roomBytes(const FinishedRoom& room);
 
 /** \brief The room of such bytes; nothing if they are damaged. */

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <boost/interprocess/sync/file_lock.hpp>
 
 #include <cstdint>
@@ -20,7 +22,7 @@ namespace pcl::indoor::tool {
  * to and whether it is whole; one that is not counts as missing. Runs are the same if
  * their keys are: that should hold whatever the result depends on.
  */
-class WorkFolder {
+class PCL_INDOOR_EXPORTS WorkFolder {
 public:
   /** \brief Use a folder, which need not exist: the first file makes it. */
   WorkFolder(std::string folder, std::uint64_t key);
@@ -98,7 +100,7 @@ private:
 };
 
 /** \brief The name of the file of a room. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 roomFile(std::size_t room);
 
 } // namespace pcl::indoor::tool

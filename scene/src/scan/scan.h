@@ -6,6 +6,8 @@
 
 #include "files/scan_content.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <functional>
 
 namespace pcl::indoor::tool {
@@ -19,7 +21,7 @@ metresPerUnitOf(CloudStream& stream);
  * \param[in] cell_size in the unit of the file
  * \param[in] most_points from which on cells become larger
  */
-void
+PCL_INDOOR_EXPORTS void
 drawSample(ScanContent& scan,
            double cell_size,
            std::size_t most_points,
@@ -28,7 +30,7 @@ drawSample(ScanContent& scan,
 /** \brief Read no more of a large scan than points from all over it.
  * \param[in,out] scan has a stream; its file gets no more points than these
  */
-void
+PCL_INDOOR_EXPORTS void
 drawFewPoints(ScanContent& scan);
 
 /** \brief A part of a scan that is read in parts, in the frame of its sample. */

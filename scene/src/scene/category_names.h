@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -16,13 +18,13 @@ constexpr const char* other_class = "other"; ///< of all that no class explains
  * whose positions are the numbers, or an object of number: name in 'classes'.
  * \throws ToolError if the file is missing or has neither
  */
-std::map<std::uint32_t, std::string>
+PCL_INDOOR_EXPORTS std::map<std::uint32_t, std::string>
 readCategoryNames(const std::string& path);
 
 /** \brief The class of each category's name, from a JSON file of class: [names].
  * \throws ToolError if the file is missing, is something else or has a name twice
  */
-std::map<std::string, std::string>
+PCL_INDOOR_EXPORTS std::map<std::string, std::string>
 readClassMap(const std::string& path);
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/scene/scene_options.h>
 
 #include <Eigen/Core>
@@ -24,7 +25,7 @@ unitName(double metres_per_unit);
 
 /** \brief The direction that the option -up names by three numbers.
  * \throws ToolError if the text is none */
-Eigen::Vector3f
+PCL_INDOOR_EXPORTS Eigen::Vector3f
 upDirection(const std::string& text);
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/scene/scene.h>
 #include <pcl/scene/scene_options.h> // for ObjectNaming
 #include <pcl/segmentation/object_surfaces.h>
@@ -21,7 +22,7 @@ struct ObjectVotes {
 };
 
 /** \brief The file of the model that was asked for; empty if none was. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 modelFile(const SceneOptions& options);
 
 /** \brief How objects get their classes; nothing if they get none.

@@ -6,6 +6,8 @@
 
 #include "files/cloud_file.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 #include <vector>
 
@@ -16,7 +18,7 @@ namespace pcl::indoor::tool {
  * They are the field rgb, as PCL packs it. A label always has the same colour, in
  * pictures too; 0 and what is not of interest are grey.
  */
-struct PointColors {
+struct PCL_INDOOR_EXPORTS PointColors {
   std::string wanted = "auto";
 
   /** \brief Add the colours; those of the input stay unless the option is given.

@@ -7,6 +7,7 @@
 #include "files/cloud_file.h"
 #include "formats/json_text.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/scene/scene.h>
 
 #include <nlohmann/json.hpp>
@@ -40,18 +41,18 @@ addPlaceJson(nlohmann::ordered_json& json,
 /** \brief One entry per room: number, storey, points, box, centroid, area, height,
  * volume, footprint and neighbours; positions in the frame and the unit of the file,
  * lengths, areas and volumes in metres. */
-nlohmann::ordered_json
+PCL_INDOOR_EXPORTS nlohmann::ordered_json
 roomsJson(const std::vector<Room>& rooms,
           const std::vector<RoomOpening>& openings,
           const Eigen::Vector3d& offset);
 
 /** \brief The scan that a file holds. */
-SceneInput
+PCL_INDOOR_EXPORTS SceneInput
 inputOf(const CloudFile& file);
 
 /** \brief What is known of the input: file, stations, unit, offset of the cloud that is
  * written. */
-nlohmann::ordered_json
+PCL_INDOOR_EXPORTS nlohmann::ordered_json
 inputJson(const SceneInput& input);
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/scene/scene.h>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +12,7 @@
 namespace pcl::indoor::tool {
 
 /** \brief A scene, as scene/schema/scene.schema.json has it. */
-nlohmann::ordered_json
+PCL_INDOOR_EXPORTS nlohmann::ordered_json
 sceneJson(const Scene& scene);
 
 } // namespace pcl::indoor::tool

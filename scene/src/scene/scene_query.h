@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <nlohmann/json.hpp>
 
 #include <Eigen/Core>
@@ -32,7 +34,7 @@ struct SceneQuery {
 /** \brief Read scene.json.
  * \throws ToolError if the file is missing, is no scene, or one of another version
  */
-nlohmann::ordered_json
+PCL_INDOOR_EXPORTS nlohmann::ordered_json
 readScene(const std::string& path);
 
 /** \brief The rooms that are looked for, by number, name and storey, as they are in
@@ -40,7 +42,7 @@ readScene(const std::string& path);
  * \throws ToolError if no room or storey of the scene has that name
  * \throws nlohmann::json::exception if the scene lacks a field
  */
-std::vector<nlohmann::ordered_json>
+PCL_INDOOR_EXPORTS std::vector<nlohmann::ordered_json>
 matchingRooms(const nlohmann::ordered_json& scene, const SceneQuery& query);
 
 /** \brief The objects that are looked for, as they are in the scene, in its order or by
@@ -48,7 +50,7 @@ matchingRooms(const nlohmann::ordered_json& scene, const SceneQuery& query);
  * \throws ToolError if no room, storey or class of the scene has that name
  * \throws nlohmann::json::exception if the scene lacks a field
  */
-std::vector<nlohmann::ordered_json>
+PCL_INDOOR_EXPORTS std::vector<nlohmann::ordered_json>
 matchingObjects(const nlohmann::ordered_json& scene, const SceneQuery& query);
 
 } // namespace pcl::indoor::tool

@@ -6,6 +6,7 @@
 
 #include "files/cloud_file.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/scene/scene_options.h>
 #include <pcl/segmentation/room_segmentation.h>
 
@@ -33,7 +34,7 @@ struct SegmentedRooms {
  * here \param[in] warn is told what is implausible, a line each \throws ToolError if no
  * point has been looked at
  */
-SegmentedRooms
+PCL_INDOOR_EXPORTS SegmentedRooms
 segmentRooms(const CloudFile& file,
              const CoordinateOptions& coordinates,
              const std::optional<ScanCoordinates>& found,
@@ -43,11 +44,11 @@ segmentRooms(const CloudFile& file,
 
 /** \brief What the tool says on a terminal: number of rooms, an automatic voxel size
  * that was raised, points that were left out. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 summaryOf(const RoomSegmentation<PointXYZ>& segmentation);
 
 /** \brief Unit of the coordinates, voxel size, points left out and warnings. */
-void
+PCL_INDOOR_EXPORTS void
 addReportJson(nlohmann::ordered_json& json, const ScanReport& report);
 
 } // namespace pcl::indoor::tool

@@ -6,6 +6,7 @@
 
 #include "files/cloud_file.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/scene/scene.h>
 #include <pcl/scene/scene_options.h>
 
@@ -30,7 +31,7 @@ struct ScanLook {
  * does not clearly tell which end is up.
  * \param[in] points of the whole scan, of which the file has them all or a sample
  */
-UnderstoodScan
+PCL_INDOOR_EXPORTS UnderstoodScan
 understand(const CloudFile& file,
            const CoordinateOptions& coordinates,
            std::uint64_t points,
@@ -43,22 +44,22 @@ factsOf(const UnderstoodScan& scan);
 
 /** \brief What lacks, and what that means for the result, a sentence each, the gravest
  * first; empty if all is there that rooms are found from. */
-std::vector<std::string>
+PCL_INDOOR_EXPORTS std::vector<std::string>
 consequencesOf(const UnderstoodScan& scan);
 
 /** \brief Facts and consequences as one paragraph for a terminal. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 paragraphOf(const std::string& path, const UnderstoodScan& scan);
 
 /** \brief All of it, as scene/schema/scene.schema.json has it ("overview"). */
-nlohmann::ordered_json
+PCL_INDOOR_EXPORTS nlohmann::ordered_json
 overviewJson(const UnderstoodScan& scan);
 
 /** \brief Why a result is as good as empty: no room, or most points in none.
  * \param[in] in_rooms points in rooms, of all that are finite
  * \return one line; empty if the result is not
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 emptinessOf(const UnderstoodScan& scan, std::size_t rooms, std::uint64_t in_rooms);
 
 } // namespace pcl::indoor::tool

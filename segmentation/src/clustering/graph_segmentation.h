@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -32,7 +34,7 @@ struct WeightedEdge {
  * \throws pcl::BadArgumentException if an edge leaves the graph, a weight is negative
  * or not finite, or the scale is
  */
-std::vector<std::uint32_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint32_t>
 segmentGraph(std::size_t node_count,
              std::vector<WeightedEdge> edges,
              float scale,

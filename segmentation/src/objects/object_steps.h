@@ -8,6 +8,7 @@
 #include "objects/join/piece_graph.h"
 #include "objects/structure/object_scene.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/segmentation/object_segmentation.h>
 
 #include <cstdint>
@@ -33,7 +34,7 @@ ObjectSegmentation
 published(DetailedSegmentation segmentation);
 
 /** \brief The steps of a segmentation; empty ones where nothing was segmented. */
-const ObjectSteps&
+PCL_INDOOR_EXPORTS const ObjectSteps&
 stepsOf(const ObjectSegmentation& segmentation);
 
 } // namespace indoor

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -17,7 +19,7 @@ namespace indoor {
 
 /** \brief Points without their copies: scans that were merged twice, or tiles that
  * overlap, have several points in exactly one place. */
-struct DistinctPoints {
+struct PCL_INDOOR_EXPORTS DistinctPoints {
   std::vector<std::uint32_t> first; ///< the first point of each place, ascending
   std::vector<std::uint32_t> place; ///< of each point, a position in first
 
@@ -73,7 +75,7 @@ struct DistinctPoints {
 /** \brief Find the points that lie in exactly one place. Linear in the points.
  * \param[in] points finite
  */
-DistinctPoints
+PCL_INDOOR_EXPORTS DistinctPoints
 distinctPoints(const std::vector<Eigen::Vector3f>& points);
 
 /** \brief A quick look before distinctPoints().
@@ -81,7 +83,7 @@ distinctPoints(const std::vector<Eigen::Vector3f>& points);
  * \return false only if fewer than one of a hundred points are copies (as far as some
  * 20,000 points tell) and no place has a hundred points
  */
-bool
+PCL_INDOOR_EXPORTS bool
 mayHaveCopies(const std::vector<Eigen::Vector3f>& points);
 
 /** \brief distinctPoints() of points whose copies matter; nothing, and sooner, of all

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/point_cells.h> // for Adjacency
 #include <pcl/indoor/usable_point.h>
 #include <pcl/point_cloud.h>
@@ -23,7 +24,7 @@ namespace indoor {
  * \return metres, one per point; 0 if there is no other
  * \throws pcl::BadArgumentException if neighbors is 0
  */
-std::vector<float>
+PCL_INDOOR_EXPORTS std::vector<float>
 meanNeighborDistances(const std::vector<Eigen::Vector3f>& points,
                       unsigned neighbors,
                       unsigned threads = 0);
@@ -34,14 +35,14 @@ meanNeighborDistances(const std::vector<Eigen::Vector3f>& points,
  * one place one counts. \param[in] points finite points, metres, local frame \return
  * metres; 0 for less than two different points
  */
-double
+PCL_INDOOR_EXPORTS double
 neighborhoodRadius(const std::vector<Eigen::Vector3f>& points, unsigned threads = 0);
 
 /** \brief List the closest other points of each point, and each point for those, in
  * ascending order.
  * \param[in] neighbors at least 1; as for meanNeighborDistances()
  */
-Adjacency
+PCL_INDOOR_EXPORTS Adjacency
 nearestNeighbors(const std::vector<Eigen::Vector3f>& points,
                  unsigned neighbors,
                  unsigned threads = 0);

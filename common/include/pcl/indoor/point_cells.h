@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -94,24 +96,24 @@ struct Adjacency {
  * \throws pcl::BadArgumentException if the cell size is not positive, or so small that
  * the extent of the points is more than two million cells
  */
-PointCells
+PCL_INDOOR_EXPORTS PointCells
 groupByCell(const std::vector<Eigen::Vector3f>& points, double cell_size);
 
 /** \brief Sort the points into their cells anew, in ascending order in each.
  * \param[in,out] cells whose cell_of_point says where they belong; there may be cells
  * without points
  */
-void
+PCL_INDOOR_EXPORTS void
 listPoints(PointCells& cells);
 
 /** \brief Find the up to 26 occupied cells around each cell.
  * \param[in] keys as made by groupByCell()
  */
-Adjacency
+PCL_INDOOR_EXPORTS Adjacency
 cellAdjacency(const std::vector<std::uint64_t>& keys);
 
 /** \brief Get the index of a cell along x, y and z from its key; the smallest is 0. */
-Eigen::Vector3i
+PCL_INDOOR_EXPORTS Eigen::Vector3i
 cellIndex(std::uint64_t key);
 
 } // namespace indoor

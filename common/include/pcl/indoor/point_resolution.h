@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/point_cells.h>
 
 #include <Eigen/Core>
@@ -19,7 +20,7 @@ namespace indoor {
  * \param[in] cells the points in cells of any size
  * \return metres; infinity if most points have no other in their cell and those around
  */
-double
+PCL_INDOOR_EXPORTS double
 medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& cells);
 
 /** \brief Raise a voxel size to 2.5 times the resolution of the points, the factor of
@@ -28,7 +29,7 @@ medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& c
  * copies do not count.
  * \return metres, at least the voxel size
  */
-double
+PCL_INDOOR_EXPORTS double
 raisedToResolution(const std::vector<Eigen::Vector3f>& points, double voxel_size);
 
 } // namespace indoor

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -19,7 +21,7 @@ namespace indoor {
  * axis, and 100 times as far as their median: a large scan has none, nor one in
  * millimetres. \param[in] points finite \return their places in \a points, ascending
  */
-std::vector<std::size_t>
+PCL_INDOOR_EXPORTS std::vector<std::size_t>
 strayPoints(const std::vector<Eigen::Vector3f>& points);
 
 /** \brief Take out the values at some places.

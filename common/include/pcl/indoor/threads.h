@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -16,7 +18,7 @@ namespace indoor {
  * most 1024: each needs memory for its stack. Always 1 if the library has no OpenMP.
  * \throws pcl::BadArgumentException if the request is negative
  */
-int
+PCL_INDOOR_EXPORTS int
 threadCount(int requested);
 
 /** \brief The same for a request that cannot be negative. */
@@ -43,7 +45,7 @@ usefulThreads(int requested, std::size_t work, std::size_t share)
  * the library has no OpenMP. How the caller was compiled does not matter.
  * \param[in] work must not throw
  */
-void
+PCL_INDOOR_EXPORTS void
 runInThreads(int threads, const std::function<void()>& work);
 
 } // namespace indoor

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/exports.h>
 
 #include <cstdint>
 #include <vector>
@@ -33,7 +34,7 @@ struct PointNoise {
  * \return nothing for fewer than 256 points, whose neighbourhoods are not local. Time:
  * linear, of at most 4096 points evenly along the order
  */
-PointNoise
+PCL_INDOOR_EXPORTS PointNoise
 measureNoise(const std::vector<OrientedPoint>& points,
              const std::vector<std::uint32_t>& order,
              float extent,
@@ -55,7 +56,7 @@ struct DenoisedObject {
  * the points, of which there are at most 4096; no result depends on the number of
  * threads.
  */
-DenoisedObject
+PCL_INDOOR_EXPORTS DenoisedObject
 denoised(const std::vector<OrientedPoint>& points,
          const std::vector<std::uint32_t>& order,
          float extent,

@@ -6,6 +6,7 @@
 
 #include <pcl/features/eppf_options.h>
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/exports.h>
 
 #include <vector>
 
@@ -24,7 +25,7 @@ namespace indoor {
  * differ in position
  * \throws pcl::BadArgumentException if an option is out of its range
  */
-std::vector<float>
+PCL_INDOOR_EXPORTS std::vector<float>
 eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& options);
 
 } // namespace indoor

@@ -6,6 +6,7 @@
 
 #include <pcl/features/pair_sampling.h>
 #include <pcl/features/surface_harmonics.h>
+#include <pcl/indoor/exports.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -112,13 +113,13 @@ struct EPPFOptions {
  * bins, the larger of the two surface angles, normals as given, 64 voxels, pairs drawn
  * uniformly, noise left in. The same as EPPFOptions().
  */
-EPPFOptions
+PCL_INDOOR_EXPORTS EPPFOptions
 thesisEPPFOptions();
 
 /** \brief The short form of the thesis, which an EPPFSignature540 holds: 15 x 3 x 4 x 3
  * bins, else thesisEPPFOptions().
  */
-EPPFOptions
+PCL_INDOOR_EXPORTS EPPFOptions
 shortEPPFOptions();
 
 /** \brief The setting that tells most, which a PairHarmonicsSignature1200 holds: 8 x 15
@@ -126,7 +127,7 @@ shortEPPFOptions();
  * about the line, sides as given, no weights; harmonics up to degree 6 in 3 shells and
  * 12 distances; stratified pairs, noise lowered.
  */
-EPPFOptions
+PCL_INDOOR_EXPORTS EPPFOptions
 pairHarmonicsOptions();
 
 /** \brief Voxels per edge for a number of points: sqrt(point_count / 4), within 8
@@ -136,17 +137,17 @@ pairHarmonicsOptions();
  * there are about two points for each of them: in a much finer grid the surface has
  * holes, which the occupancy takes for free space.
  */
-int
+PCL_INDOOR_EXPORTS int
 automaticGridSize(std::size_t point_count);
 
 /** \brief Levels L of the joint rule's L (L + 1) / 2 bins; 0 if they are not that many.
  */
-int
+PCL_INDOOR_EXPORTS int
 jointLevels(const EPPFBins& bins);
 
 /** \brief Say what is wrong with options: "" if nothing, else parameter, value and
  * range. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 findProblem(const EPPFOptions& options);
 
 } // namespace indoor

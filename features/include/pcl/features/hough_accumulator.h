@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -22,7 +24,7 @@ namespace indoor {
  * looked up in a table whose cells are about eight times finer than a bin, so bins have
  * slightly ragged borders, and a look-up needs no trigonometry.
  */
-class HoughAccumulator {
+class PCL_INDOOR_EXPORTS HoughAccumulator {
 public:
   /** \param[in] bin_angle_degrees edge of a bin, 1 to 45
    * \param[in] rotations number of copies, 1 to 16; the first is not turned

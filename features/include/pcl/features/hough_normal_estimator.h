@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/hough_accumulator.h>
+#include <pcl/indoor/exports.h>
 
 #include <Eigen/Core>
 
@@ -75,7 +76,7 @@ struct HoughNormal {
  * neighbours' positions relative to the point, not on their order. Copies share their
  * tables; use one per thread.
  */
-class HoughNormalEstimator {
+class PCL_INDOOR_EXPORTS HoughNormalEstimator {
 public:
   /** \throws pcl::BadArgumentException if an option is out of range */
   explicit HoughNormalEstimator(const HoughNormalOptions& options);
@@ -137,13 +138,13 @@ private:
 /** \brief Number of triples after which, with probability \a confidence, no share of
  * the votes in one of \a bins bins is further than \a deviation from its expectation
  * (Hoeffding's bound): ln(2 bins / (1 - confidence)) / (2 deviation^2), rounded up. */
-unsigned
+PCL_INDOOR_EXPORTS unsigned
 houghTripleCount(unsigned bins, double confidence, double deviation);
 
 /** \brief Find what is wrong with the options.
  * \return one sentence with parameter, value and unit; empty if nothing is
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 findProblem(const HoughNormalOptions& options);
 
 } // namespace indoor

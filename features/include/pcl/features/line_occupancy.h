@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/exports.h>
 
 #include <array>
 #include <cstddef>
@@ -21,7 +22,7 @@ namespace indoor {
  * the first-level cache. A cell is packed into one integer, 21 bits per axis of which
  * 15 are a fraction; a step along a line then is one addition.
  */
-class LineOccupancy {
+class PCL_INDOOR_EXPORTS LineOccupancy {
 public:
   /** \brief A voxel, or a place within one: x, y and z packed in fixed point. */
   using Cell = std::uint64_t;

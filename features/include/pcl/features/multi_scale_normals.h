@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -24,7 +25,7 @@ struct MultiScaleNormalOptions {
 /** \brief Find what is wrong with the options.
  * \return one sentence with parameter, value and unit; empty if nothing is
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 findProblem(const MultiScaleNormalOptions& options);
 
 /** \brief Estimate normals by planes of least squares at several scales (Sec. 2.1.5.2).
@@ -38,7 +39,7 @@ findProblem(const MultiScaleNormalOptions& options);
  * there are fewer than three neighbours, itself among them, or all are on a line
  * \throws pcl::BadArgumentException if an option is out of range
  */
-PointCloud<Normal>
+PCL_INDOOR_EXPORTS PointCloud<Normal>
 multiScaleNormals(const PointCloud<PointXYZ>& points,
                   const MultiScaleNormalOptions& options = {});
 

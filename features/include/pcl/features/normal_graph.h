@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/sign_graph.h>
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/point_cells.h> // for Adjacency
 
 #include <Eigen/Core>
@@ -24,14 +25,14 @@ namespace indoor {
  * \param[in] normal_1, normal_2 unit length, or zero or NaN where there is none
  * \return -1 (different sides) to 1 (same side); 0 if nothing is known
  */
-float
+PCL_INDOOR_EXPORTS float
 sideAgreement(const Eigen::Vector3f& position_1,
               const Eigen::Vector3f& normal_1,
               const Eigen::Vector3f& position_2,
               const Eigen::Vector3f& normal_2);
 
 /** \brief List each pair of neighbours once, with the agreement of their normals. */
-std::vector<SignEdge>
+PCL_INDOOR_EXPORTS std::vector<SignEdge>
 normalGraph(const std::vector<Eigen::Vector3f>& positions,
             const Adjacency& neighbors,
             const std::vector<Eigen::Vector3f>& normals);
@@ -48,7 +49,7 @@ normalGraph(const std::vector<Eigen::Vector3f>& positions,
  * \param[in,out] normals one per position
  * \throws pcl::BadArgumentException if sizes differ
  */
-void
+PCL_INDOOR_EXPORTS void
 orientConsistently(const std::vector<Eigen::Vector3f>& positions,
                    const Adjacency& neighbors,
                    const std::vector<Eigen::Vector3f>& viewpoint,

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/point_cells.h> // for Adjacency
 
 #include <Eigen/Core>
@@ -16,7 +17,7 @@ namespace indoor {
 /** \brief Turn normals towards a viewpoint (Eq. (2.6)).
  * \param[in,out] normals one per position
  */
-void
+PCL_INDOOR_EXPORTS void
 orientTowards(const Eigen::Vector3f& viewpoint,
               const std::vector<Eigen::Vector3f>& positions,
               std::vector<Eigen::Vector3f>& normals);
@@ -45,7 +46,7 @@ struct FreeSpaceOptions {
  * \param[in] positions metres, local frame; outliers are cut off
  * \return at least one place, unless there are no positions
  */
-std::vector<Eigen::Vector3f>
+PCL_INDOOR_EXPORTS std::vector<Eigen::Vector3f>
 findViewpoints(const std::vector<Eigen::Vector3f>& positions,
                const FreeSpaceOptions& options);
 
@@ -58,7 +59,7 @@ findViewpoints(const std::vector<Eigen::Vector3f>& positions,
  * \param[in] neighbors which positions lie side by side
  * \param[in,out] normals one per position
  */
-void
+PCL_INDOOR_EXPORTS void
 orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,
                        const Adjacency& neighbors,
                        const FreeSpaceOptions& options,
@@ -69,7 +70,7 @@ orientTowardsFreeSpace(const std::vector<Eigen::Vector3f>& positions,
  * \throws pcl::BadArgumentException if NormalOrientation::Viewpoint has no viewpoint,
  * or as the ways themselves do
  */
-void
+PCL_INDOOR_EXPORTS void
 orientNormals(NormalOrientation orientation,
               const std::vector<Eigen::Vector3f>& positions,
               const Adjacency& neighbors,

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -25,12 +27,12 @@ struct OrientedPoint {
  * sqrt(3) of the true diameter, and for most shapes the diameter itself.
  * \return metres; 0 for no point, one point, or points all in one place
  */
-float
+PCL_INDOOR_EXPORTS float
 objectExtent(const std::vector<OrientedPoint>& points);
 
 /** \brief Tell whether an object of this extent can be described: it has one, and not
  * a larger one than usable points have, see isUsable(). */
-bool
+PCL_INDOOR_EXPORTS bool
 isUsableExtent(float extent);
 
 } // namespace indoor

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/exports.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +24,7 @@ enum class PairSampling {
 
 /** \brief Indices of points along a Z curve (Morton order) through their cube; of
  * points in one cell of the curve, by their coordinates. Empty for no points. */
-std::vector<std::uint32_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint32_t>
 spaceFillingOrder(const std::vector<OrientedPoint>& points);
 
 /** \brief Draws pairs of different points.
@@ -31,7 +32,7 @@ spaceFillingOrder(const std::vector<OrientedPoint>& points);
  * Pair k depends on the seed and on k alone, so that any thread can draw any pair: this
  * is why there is no generator whose state would have to be passed on.
  */
-class PairSampler {
+class PCL_INDOOR_EXPORTS PairSampler {
 public:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
 

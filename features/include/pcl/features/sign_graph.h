@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -21,7 +23,7 @@ struct SignEdge {
  * should be small.
  * \param[in] signs +1 or -1, one per node
  */
-double
+PCL_INDOOR_EXPORTS double
 signEnergy(const std::vector<std::int8_t>& signs, const std::vector<SignEdge>& edges);
 
 /** \brief Choose signs of small energy.
@@ -40,7 +42,7 @@ signEnergy(const std::vector<std::int8_t>& signs, const std::vector<SignEdge>& e
  * \return +1 or -1, one per node; the first node of a component has +1
  * \throws pcl::BadArgumentException if an edge leaves the graph
  */
-std::vector<std::int8_t>
+PCL_INDOOR_EXPORTS std::vector<std::int8_t>
 findSigns(std::size_t node_count,
           const std::vector<SignEdge>& edges,
           std::vector<std::uint32_t>* component = nullptr);

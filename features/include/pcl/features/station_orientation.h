@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -27,7 +28,7 @@ namespace indoor {
  * \throws pcl::BadArgumentException if there are not as many numbers and normals as
  * points, or if there is no such station
  */
-std::size_t
+PCL_INDOOR_EXPORTS std::size_t
 orientTowardsStations(const PointCloud<PointXYZ>& points,
                       const std::vector<Eigen::Vector3d>& stations,
                       const std::vector<std::uint32_t>& station_of_point,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/exports.h>
 
 #include <cstddef>
 #include <vector>
@@ -45,7 +46,7 @@ struct PrincipalFrame {
  * to the middle of their extents along the axes, 0 ... 1. The middle depends less on
  * how many points each side has, the mean less on single points.
  */
-PrincipalFrame
+PCL_INDOOR_EXPORTS PrincipalFrame
 principalFrame(const std::vector<OrientedPoint>& points, double middle_share = 0.0);
 
 /** \brief Where the surface of an object lies and which way it faces, by magnitudes of
@@ -75,7 +76,7 @@ principalFrame(const std::vector<OrientedPoint>& points, double middle_share = 0
  * \param[in] number_of_threads 0 meaning all; the result does not depend on it
  * \return bins.size() values that add up to 1
  */
-std::vector<double>
+PCL_INDOOR_EXPORTS std::vector<double>
 surfaceHarmonics(const std::vector<OrientedPoint>& points,
                  const PrincipalFrame& frame,
                  double scale,

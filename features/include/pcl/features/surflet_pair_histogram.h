@@ -6,6 +6,7 @@
 
 #include <pcl/features/oriented_point.h>
 #include <pcl/features/pair_sampling.h>
+#include <pcl/indoor/exports.h>
 
 #include <array>
 #include <cstddef>
@@ -35,7 +36,7 @@ struct SurfletPairOptions {
  * 0.
  * \param[in] one,two at different positions
  */
-std::array<float, 4>
+PCL_INDOOR_EXPORTS std::array<float, 4>
 surfletPairFeatures(const OrientedPoint& one, const OrientedPoint& two);
 
 /** \brief The surflet-pair-relation histogram of an object.
@@ -50,13 +51,13 @@ surfletPairFeatures(const OrientedPoint& one, const OrientedPoint& two);
  * in position
  * \throws pcl::BadArgumentException if an option is out of its range
  */
-std::vector<float>
+PCL_INDOOR_EXPORTS std::vector<float>
 surfletPairHistogram(const std::vector<OrientedPoint>& points,
                      const SurfletPairOptions& options);
 
 /** \brief Say what is wrong with options: "" if nothing, else parameter, value and
  * range. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 findProblem(const SurfletPairOptions& options);
 
 } // namespace indoor

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -26,7 +28,7 @@ isUnitNormal(const Eigen::Vector3f& normal)
 
 /** \brief Have nearly all length 1? What else is called normals may be zeros or
  * colours. */
-bool
+PCL_INDOOR_EXPORTS bool
 areUnitNormals(const std::vector<Eigen::Vector3f>& normals);
 
 /** \brief Find out why the normals that come with points cannot be theirs: too few have
@@ -38,7 +40,7 @@ areUnitNormals(const std::vector<Eigen::Vector3f>& normals);
  * \param[in] normals one per point; none is no problem
  * \return one clause with the numbers; empty if there is no problem
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 findNormalsProblem(const std::vector<Eigen::Vector3f>& points,
                    const std::vector<Eigen::Vector3f>& normals);
 

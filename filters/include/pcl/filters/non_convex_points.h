@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -44,7 +46,7 @@ isNonConvex(double positive, double negative, double ratio_threshold)
  * curvature are not
  * \throws pcl::BadArgumentException if sizes differ or an option is out of range
  */
-std::vector<std::uint8_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint8_t>
 nonConvexPoints(const std::vector<Eigen::Vector3f>& points,
                 const std::vector<Eigen::Vector3f>& normals,
                 const std::vector<float>& curvatures,

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -31,7 +33,7 @@ struct ScanOutlierOptions {
 /** \brief Find what is wrong with the options.
  * \return one sentence with parameter, value and unit; empty if nothing is
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 findProblem(const ScanOutlierOptions& options);
 
 /** \brief Find the points of reflections and sensor noise that lie alone (Sec.
@@ -42,7 +44,7 @@ findProblem(const ScanOutlierOptions& options);
  * \return one flag per point, 1 for outliers
  * \throws pcl::BadArgumentException if an option is out of range
  */
-std::vector<std::uint8_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint8_t>
 scanOutliers(const std::vector<Eigen::Vector3f>& points,
              const ScanOutlierOptions& options);
 

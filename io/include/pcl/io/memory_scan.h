@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/io/scan_file.h>
 #include <pcl/PCLPointCloud2.h>
 
@@ -18,7 +19,7 @@ namespace pcl::indoor {
  * \throws InputError if fields and bytes do not fit together, or if fewer than two
  * points are finite
  */
-Scan
+PCL_INDOOR_EXPORTS Scan
 memoryScan(PCLPointCloud2 cloud, const std::string& name);
 
 } // namespace pcl::indoor

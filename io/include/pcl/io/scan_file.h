@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/io/input_error.h>
 #include <pcl/io/station.h>
 #include <pcl/PCLPointCloud2.h>
@@ -39,7 +40,7 @@ struct ScanOptions {
  *
  * Copies share one scan. It is to be used by one thread at a time.
  */
-class Scan {
+class PCL_INDOOR_EXPORTS Scan {
 public:
   explicit Scan(std::shared_ptr<ScanContent> content);
 
@@ -93,12 +94,12 @@ private:
  * scans in it are stations of one building. \throws InputError if there is no such
  * file, or if it is none of these or damaged
  */
-Scan
+PCL_INDOOR_EXPORTS Scan
 loadScan(const std::string& path, const ScanOptions& options = {});
 
 /** \brief The same of several files or folders, the stations of one building: their
  * points one after the other. */
-Scan
+PCL_INDOOR_EXPORTS Scan
 loadScan(const std::vector<std::string>& paths, const ScanOptions& options = {});
 
 } // namespace pcl::indoor

@@ -6,6 +6,8 @@
 
 #include "files/cloud_writer.h" // for CloudPose
 
+#include <pcl/indoor/exports.h>
+
 namespace pcl::indoor::tool {
 
 /** \brief Write a cloud as PCD, in the way of cloudBeside().
@@ -21,11 +23,11 @@ writePcd(OutputFile& file,
 /** \brief Begin a PCD that is not compressed, whose points follow part by part.
  * \param[in] layout width, height and fields of the whole
  */
-void
+PCL_INDOOR_EXPORTS void
 writePcdHeader(OutputFile& file, const PCLPointCloud2& layout, const CloudPose& pose);
 
 /** \brief Write points with the same fields. */
-void
+PCL_INDOOR_EXPORTS void
 writePcdPart(OutputFile& file, const PCLPointCloud2& part);
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -70,7 +72,7 @@ std::string
 unitNote(const std::vector<std::string>& units);
 
 /** \brief The words of a list with commas. */
-std::vector<std::string>
+PCL_INDOOR_EXPORTS std::vector<std::string>
 listedNames(const std::string& list);
 
 /** \brief Such as "column_4" of the fourth, 3. */

@@ -7,6 +7,8 @@
 #include "files/cloud_file.h"
 #include "formats/table/table_columns.h"
 
+#include <pcl/indoor/exports.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,7 +23,7 @@ tableEndings();
  * the ending of its name, else by its first rows.
  * \param[in] beginning of the file, 512 bytes if it has as many
  */
-bool
+PCL_INDOOR_EXPORTS bool
 isTable(const std::string& path, const std::string& beginning);
 
 /** \brief How many points a table has: the number before its rows, else about as many

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +27,7 @@ splitLine(std::string_view line, char separator, std::vector<std::string_view>& 
  * \param[in] decimal '.', or ',' for numbers that have such a comma between digits
  * \return whether all of it is a number
  */
-bool
+PCL_INDOOR_EXPORTS bool
 readNumber(std::string_view word, double& value, char decimal = '.');
 
 /** \brief Is it a number, with a point or a comma? */
@@ -37,7 +39,7 @@ bool
 isWhole(std::string_view word);
 
 /** \brief The names of a header; a unit in brackets belongs to the name before it. */
-std::vector<std::string>
+PCL_INDOOR_EXPORTS std::vector<std::string>
 namesOf(const std::vector<std::string_view>& words);
 
 /** \brief Without the blanks around it. */

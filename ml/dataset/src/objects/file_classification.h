@@ -6,6 +6,7 @@
 
 #include "text/stage_report.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/classifier_model.h>
 
 #include <string>
@@ -25,14 +26,14 @@ struct ObjectFile {
  * CLASS.
  * \throws ToolError if it is no folder or holds none
  */
-std::vector<ObjectFile>
+PCL_INDOOR_EXPORTS std::vector<ObjectFile>
 objectsOfFolder(const std::string& folder);
 
 /** \brief The files of a command line's files and folders, of which no file is looked
  * for.
  * \throws ToolError if a folder holds none
  */
-std::vector<ObjectFile>
+PCL_INDOOR_EXPORTS std::vector<ObjectFile>
 objectFiles(const std::vector<std::string>& paths);
 
 /** \brief What a file's object was taken for. */
@@ -56,7 +57,7 @@ struct ClassificationSettings {
  * its file has the fields that saveObject() writes.
  * \throws ToolError if a file is unusable
  */
-std::vector<ClassifiedFile>
+PCL_INDOOR_EXPORTS std::vector<ClassifiedFile>
 classifyByModel(const std::vector<ObjectFile>& files,
                 const ClassifierModel& model,
                 const ClassificationSettings& settings,
@@ -71,7 +72,7 @@ classifyByModel(const std::vector<ObjectFile>& files,
  * \param[in] known each with its true class
  * \throws ToolError if a file is unusable or none of a class
  */
-std::vector<ClassifiedFile>
+PCL_INDOOR_EXPORTS std::vector<ClassifiedFile>
 classifyByNearest(const std::vector<ObjectFile>& files,
                   const std::vector<ObjectFile>& known,
                   const ClassificationSettings& settings,
@@ -79,12 +80,12 @@ classifyByNearest(const std::vector<ObjectFile>& files,
 
 /** \brief A line per file: file, class, confidence, next likely classes; then, if true
  * classes are known, accuracy and confusion. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 classificationText(const std::vector<ClassifiedFile>& files);
 
 /** \brief A list with file, class, confidence and top (up to three) of each file, and
  * its true class where it is known. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 classificationJson(const std::vector<ClassifiedFile>& files);
 
 } // namespace pcl::indoor::tool

@@ -6,6 +6,7 @@
 
 #include "text/stage_report.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/object_context.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -31,7 +32,7 @@ struct LabelledObjects {
  * files"
  * \throws ToolError if there are any
  */
-void
+PCL_INDOOR_EXPORTS void
 requireNoProblems(const std::vector<std::string>& problems, const std::string& things);
 
 /** \brief Read DIR/CLASS/.../OBJECT.pcd, .ply, .off or .obj; folders within a class
@@ -40,7 +41,7 @@ requireNoProblems(const std::vector<std::string>& problems, const std::string& t
  * \throws ToolError if a file is unusable, naming the first and their number, or fewer
  * than two classes are found
  */
-LabelledObjects
+PCL_INDOOR_EXPORTS LabelledObjects
 loadLabelledObjects(const std::string& folder,
                     int neighbor_count,
                     unsigned int number_of_threads,
@@ -56,13 +57,13 @@ struct ObjectSplit {
  * \param[in] share of the training part, between 0 and 1
  * \throws ToolError if a class has only one object
  */
-ObjectSplit
+PCL_INDOOR_EXPORTS ObjectSplit
 splitAtRandom(const LabelledObjects& objects, double share, std::uint32_t seed);
 
 /** \brief By the folders "train" and "test" in each class folder, as in ModelNet.
  * \throws ToolError if an object lies in neither, or one part is empty
  */
-ObjectSplit
+PCL_INDOOR_EXPORTS ObjectSplit
 splitByFolders(const LabelledObjects& objects);
 
 /** \brief By a list of the test part, one name per line.
@@ -72,7 +73,7 @@ splitByFolders(const LabelledObjects& objects);
  * \param[in] list_path of the file with the names; empty lines do not count
  * \throws ToolError if it cannot be read or names no object, or all
  */
-ObjectSplit
+PCL_INDOOR_EXPORTS ObjectSplit
 splitByList(const LabelledObjects& objects, const std::string& list_path);
 
 } // namespace pcl::indoor::tool

@@ -7,6 +7,7 @@
 #include "objects/object_disturbance.h"
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/object_classifier.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -33,7 +34,7 @@ struct ObjectAugmentation {
 };
 
 /** \brief Other objects of the same kind: other proportions, fewer points. */
-ObjectAugmentation
+PCL_INDOOR_EXPORTS ObjectAugmentation
 mildAugmentation();
 
 /** \brief As scans differ from models: with noise and hidden parts, too. */
@@ -65,7 +66,7 @@ struct DrawOptions {
  * disturbance. Objects to test with are disturbed the same way.
  * \param[in] number of the object, by which its seed differs from others'
  */
-PointCloud<PointNormal>
+PCL_INDOOR_EXPORTS PointCloud<PointNormal>
 firstDrawnObject(const PointCloud<PointNormal>& cloud,
                  const DrawOptions& options,
                  std::size_t number);
@@ -76,7 +77,7 @@ firstDrawnObject(const PointCloud<PointNormal>& cloud,
  * \return draw_count inputs; a draw of which too little is left is like the first; none
  * if the object cannot be described
  */
-std::vector<std::vector<float>>
+PCL_INDOOR_EXPORTS std::vector<std::vector<float>>
 drawsOf(const PointCloud<PointNormal>& cloud,
         const ObjectPlace& place,
         const DrawOptions& options,

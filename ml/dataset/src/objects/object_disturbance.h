@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -64,7 +65,7 @@ neighborsUnderNoise(const Disturbance& disturbance,
 /** \brief The view first, then noise, and the place before the camera; after noise, or
  * if asked for, normals are estimated anew, unless they are kept, from
  * neighborsUnderNoise(), at least neighbor_count. */
-void
+PCL_INDOOR_EXPORTS void
 disturb(PointCloud<PointNormal>& cloud,
         const Disturbance& disturbance,
         int neighbor_count,

@@ -6,6 +6,7 @@
 
 #include "files/cloud_file.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/object_context.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -21,7 +22,7 @@ namespace pcl::indoor::tool {
  * \return paths relative to the folder
  * \throws ToolError if it is no folder or holds none
  */
-std::vector<std::string>
+PCL_INDOOR_EXPORTS std::vector<std::string>
 objectFilesIn(const std::string& folder);
 
 /** \brief The class that a path relative to a folder of classes tells: its first
@@ -34,7 +35,7 @@ classFolder(const std::string& path);
  * They point towards the centroid: towards the file's origin, as by default, they would
  * tell where in its file an object lies. The others' normals are NaN.
  */
-void
+PCL_INDOOR_EXPORTS void
 estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count);
 
 /** \brief The same by RRHT, as the thesis has it on samples of meshes (Sec. 5.3), with
@@ -42,7 +43,7 @@ estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count);
  *
  * Points at which no plane is found have the normal NaN.
  */
-void
+PCL_INDOOR_EXPORTS void
 estimateHoughNormals(PointCloud<PointNormal>& cloud);
 
 /** \brief Points that are drawn on a mesh. */
@@ -52,7 +53,7 @@ constexpr std::size_t mesh_point_count = 2048;
  * none. Of a mesh (OFF, OBJ, or PLY with faces) mesh_point_count points are drawn.
  * \throws ToolError as loadCloud() and readMesh()
  */
-PointCloud<PointNormal>::Ptr
+PCL_INDOOR_EXPORTS PointCloud<PointNormal>::Ptr
 loadObject(const std::string& path, int neighbor_count);
 
 /** \brief An object as a classifier wants it. */
@@ -62,28 +63,28 @@ struct PlacedObject {
 };
 
 /** \brief An object that was read; normals are estimated where it has none. */
-PlacedObject
+PCL_INDOOR_EXPORTS PlacedObject
 placedObject(const CloudFile& file, int neighbor_count);
 
 /** \brief As loadObject(), with the place. */
-PlacedObject
+PCL_INDOOR_EXPORTS PlacedObject
 loadPlacedObject(const std::string& path, int neighbor_count);
 
 /** \brief The points of a cloud for the classifier: those with a place and a normal. */
-std::vector<OrientedPoint>
+PCL_INDOOR_EXPORTS std::vector<OrientedPoint>
 classifierPoints(const PointCloud<PointNormal>& cloud);
 
 /** \brief Save an object as a cloud with normals and, in the field floor_distance, how
  * far it is above the floor.
  * \throws ToolError as saveCloud()
  */
-void
+PCL_INDOOR_EXPORTS void
 saveObject(const std::string& path, const ObjectSurface& object);
 
 /** \brief The place of an object in its room, as saveObject() has saved it.
  * \return an unknown place if the file has no such field
  */
-ObjectPlace
+PCL_INDOOR_EXPORTS ObjectPlace
 readPlace(const CloudFile& file);
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 
 namespace pcl {
@@ -11,12 +13,12 @@ namespace indoor {
 
 /** \brief The file of the model that comes with this library, of furniture, doors and
  * windows: it is looked for from where the library lies. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 bundledModelFile();
 
 /** \brief The same of the voxel network that tells things from the building where no
  * ceiling was seen. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 bundledNetworkFile();
 
 } // namespace indoor

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -12,7 +14,7 @@ namespace pcl {
 namespace indoor {
 
 /** \brief How often an object of one class was taken for another, Sec. 2.1.8.2. */
-struct ConfusionMatrix {
+struct PCL_INDOOR_EXPORTS ConfusionMatrix {
   std::size_t class_count = 0;
   std::vector<std::size_t> counts;  ///< row: true class, column: predicted class
   std::vector<std::size_t> unknown; ///< per true class: objects without a prediction
@@ -33,7 +35,7 @@ struct ConfusionMatrix {
  * may be negative for none
  * \throws pcl::BadArgumentException if the lengths differ or a class is out of range
  */
-ConfusionMatrix
+PCL_INDOOR_EXPORTS ConfusionMatrix
 confusionMatrix(const std::vector<int>& truth,
                 const std::vector<int>& predicted,
                 std::size_t class_count);
@@ -61,14 +63,14 @@ struct ClassificationScores {
  * only that it is averaged over the classes; as it differs there from the mean recall,
  * it is read as the mean of Eq. (2.27), the precision.
  */
-ClassificationScores
+PCL_INDOOR_EXPORTS ClassificationScores
 classificationScores(const ConfusionMatrix& confusion);
 
 /** \brief A confusion matrix as a table of text, in per cent of each row as Table 2.1.
  * \param[in] names one per class
  * \throws pcl::BadArgumentException if there are not as many names as classes
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 confusionText(const ConfusionMatrix& confusion, const std::vector<std::string>& names);
 
 /** \brief Mean and standard deviation of repeated measurements. */
@@ -78,7 +80,7 @@ struct Spread {
 };
 
 /** \brief Mean and standard deviation of values; zeros for none. */
-Spread
+PCL_INDOOR_EXPORTS Spread
 spreadOf(const std::vector<double>& values);
 
 } // namespace indoor

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/network.h>
 
 #include <cstdint>
@@ -46,7 +47,7 @@ struct ClassifierModel {
 /** \brief Say what is wrong with a model: "" if nothing.
  * \param[in] wants_weights whether weights must be there, of their shapes and finite
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 findProblem(const ClassifierModel& model, bool wants_weights = true);
 
 } // namespace indoor

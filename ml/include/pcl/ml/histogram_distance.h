@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -41,7 +43,7 @@ struct DistanceTable {
  * \return half of the smallest bin above zero of all histograms; the smallest normal
  * float if there is none
  */
-float
+PCL_INDOOR_EXPORTS float
 emptyBinValue(const Histograms& histograms);
 
 /** \brief All distances between two sets of histograms.
@@ -54,7 +56,7 @@ emptyBinValue(const Histograms& histograms);
  * \return a row per query, a column per histogram of the gallery
  * \throws pcl::BadArgumentException if the numbers of bins differ
  */
-DistanceTable
+PCL_INDOOR_EXPORTS DistanceTable
 histogramDistances(const Histograms& queries,
                    const Histograms& gallery,
                    HistogramDistance distance,

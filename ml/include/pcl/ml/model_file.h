@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/classifier_model.h>
 
 #include <string>
@@ -20,21 +21,21 @@ namespace indoor {
  * \throws pcl::BadArgumentException if the model is wrong, a name of a class is not
  * UTF-8, or a weight is too large for 16 bits
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 modelBytes(const ClassifierModel& model, bool half_precision = false);
 
 /** \brief The model of a file's bytes.
  * \throws pcl::IOException that says in one line what is wrong with them: not a model,
  * of a newer version, damaged, cut off, or not fitting itself
  */
-ClassifierModel
+PCL_INDOOR_EXPORTS ClassifierModel
 modelFromBytes(const std::string& bytes);
 
 /** \brief The model of a file.
  * \throws pcl::IOException as modelFromBytes(), with the path, and if there is no such
  * file
  */
-ClassifierModel
+PCL_INDOOR_EXPORTS ClassifierModel
 loadModel(const std::string& path);
 
 } // namespace indoor

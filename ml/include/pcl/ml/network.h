@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -16,7 +18,7 @@ namespace indoor {
 using Shape = std::vector<int>;
 
 /** \brief Number of values of an array; 1 for no extents. */
-std::size_t
+PCL_INDOOR_EXPORTS std::size_t
 valueCount(const Shape& shape);
 
 /** \brief Added to the variances of LayerKind::BatchNorm. */
@@ -72,18 +74,18 @@ struct Network {
 /** \brief The shape of what a layer makes of an input.
  * \throws pcl::BadArgumentException if the layer does not fit the input
  */
-Shape
+PCL_INDOOR_EXPORTS Shape
 outputShape(const Layer& layer, const Shape& input);
 
 /** \brief The shapes of a layer's weights, in the order of LayerKind; none for most.
  * \throws pcl::BadArgumentException as outputShape()
  */
-std::vector<Shape>
+PCL_INDOOR_EXPORTS std::vector<Shape>
 weightShapes(const Layer& layer, const Shape& input);
 
 /** \brief Say what is wrong with a network: "" if nothing. All layers must fit, and if
  * wants_weights, all weights be there, of their shapes and finite. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 findProblem(const Network& network, bool wants_weights);
 
 /** \brief Fill in weights where there are none.
@@ -94,11 +96,11 @@ findProblem(const Network& network, bool wants_weights);
  * as identity. The same seed gives the same bits.
  * \throws pcl::BadArgumentException if the network is wrong
  */
-void
+PCL_INDOOR_EXPORTS void
 initializeWeights(Network& network, std::uint32_t seed);
 
 /** \brief Number of trained values of a network: all weights but those of Scale. */
-std::size_t
+PCL_INDOOR_EXPORTS std::size_t
 trainedValueCount(const Network& network);
 
 } // namespace indoor

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/network.h>
 
 namespace pcl {
@@ -17,15 +18,15 @@ namespace indoor {
  * into the dense layer (Table 5.1 prints 192, which does not follow from its other
  * sizes).
  */
-Network
+PCL_INDOOR_EXPORTS Network
 eppfNetwork4D(int class_count);
 
 /** \brief Its rival on 20 x 4 x 15 bins: three 3D convolutions of 5 x 5 x 1. */
-Network
+PCL_INDOOR_EXPORTS Network
 eppfNetwork3D(int class_count);
 
 /** \brief Its rival on 40 x 30 bins: three 2D convolutions of 5 x 5. */
-Network
+PCL_INDOOR_EXPORTS Network
 eppfNetwork2D(int class_count);
 
 /** \brief Sizes of a perceptron on a histogram and what else is known of an object. */
@@ -38,7 +39,7 @@ struct PerceptronOptions {
 
 /** \brief Square root and scale of each value, then dense layers with ReLU and dropout.
  */
-Network
+PCL_INDOOR_EXPORTS Network
 perceptron(int class_count, const PerceptronOptions& options);
 
 /** \brief PointNet (Qi et al., CVPR 2017), the thesis's baseline, with its input
@@ -47,7 +48,7 @@ perceptron(int class_count, const PerceptronOptions& options);
  * \param[in] width 1: the published widths (64, 64, 64, 128, 1024; 512, 256); else all
  * but the first and the inputs are multiplied by it
  */
-Network
+PCL_INDOOR_EXPORTS Network
 pointNet(int class_count, int point_count, double width = 1.0);
 
 } // namespace indoor

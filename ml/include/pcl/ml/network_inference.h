@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/network.h>
 
 #include <vector>
@@ -19,7 +20,7 @@ namespace indoor {
  * \param[out] responses if not null: the values after each layer for the first object
  * \throws pcl::BadArgumentException if network or inputs do not fit
  */
-std::vector<std::vector<float>>
+PCL_INDOOR_EXPORTS std::vector<std::vector<float>>
 networkScores(const Network& network,
               const std::vector<std::vector<float>>& inputs,
               std::vector<Tensor>* responses = nullptr);

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/classifier_model.h>
 #include <pcl/ml/object_context.h>
 
@@ -15,18 +16,18 @@ namespace indoor {
  * \param[in] seed of the pairs or of the choice of points; another seed, another draw
  * \return NaN values if no two points differ in position
  */
-std::vector<float>
+PCL_INDOOR_EXPORTS std::vector<float>
 classifierInput(const std::vector<OrientedPoint>& points,
                 const ObjectPlace& place,
                 const ClassifierInput& input,
                 std::uint32_t seed);
 
 /** \brief Number of values that classifierInput() gives. */
-std::size_t
+PCL_INDOOR_EXPORTS std::size_t
 inputValueCount(const ClassifierInput& input);
 
 /** \brief What an object was taken for. */
-struct Classification {
+struct PCL_INDOOR_EXPORTS Classification {
   std::vector<float> probabilities; ///< one per class of the model, their sum is 1;
                                     ///< empty if the object could not be described
 
@@ -46,7 +47,7 @@ struct ClassifierObject {
  * \param[in] number_of_threads 0: as many as the machine has
  * \throws pcl::BadArgumentException if the model is wrong
  */
-std::vector<Classification>
+PCL_INDOOR_EXPORTS std::vector<Classification>
 classifyObjects(const std::vector<ClassifierObject>& objects,
                 const ClassifierModel& model,
                 unsigned int number_of_threads = 1);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/exports.h>
 
 #include <vector>
 
@@ -37,14 +38,14 @@ constexpr std::size_t context_value_count = 12;
  * No points give a size of 0. Time: a few passes through the points.
  * \param[in] points finite, metres, z up
  */
-std::vector<float>
+PCL_INDOOR_EXPORTS std::vector<float>
 contextValues(const std::vector<OrientedPoint>& points, const ObjectPlace& place);
 
 /** \brief Sides of the smallest rectangle, turned anyhow, around points of the plane,
  * to about 1e-5 of its length.
  * \return length, and width that is not longer; zeros for no points
  */
-Eigen::Vector2f
+PCL_INDOOR_EXPORTS Eigen::Vector2f
 smallestRectangle(std::vector<Eigen::Vector2f> points);
 
 } // namespace indoor

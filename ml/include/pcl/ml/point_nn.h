@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -40,7 +42,7 @@ struct PointNNOptions {
  * differ
  * \throws pcl::BadArgumentException if an option is out of its range
  */
-std::vector<float>
+PCL_INDOOR_EXPORTS std::vector<float>
 pointNNDescriptor(const std::vector<Eigen::Vector3f>& points,
                   const PointNNOptions& options = {});
 
@@ -62,7 +64,7 @@ struct PointNNMemory {
  * \throws pcl::BadArgumentException if lengths differ, or a label is negative or not
  * below class_count
  */
-std::vector<float>
+PCL_INDOOR_EXPORTS std::vector<float>
 pointNNScores(const std::vector<float>& descriptor,
               const PointNNMemory& memory,
               std::size_t class_count,
@@ -74,13 +76,13 @@ pointNNScores(const std::vector<float>& descriptor,
  * matter; of equally far ones the first is taken.
  * \return indices, as many as wanted or as there are points
  */
-std::vector<std::uint32_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint32_t>
 farthestPoints(const std::vector<Eigen::Vector3f>& points, std::size_t wanted);
 
 /** \brief The nearest points of a place, of equally near ones the first.
  * \return sorted indices, as many as wanted or as there are points
  */
-std::vector<std::uint32_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint32_t>
 nearestPoints(const std::vector<Eigen::Vector3f>& points,
               const Eigen::Vector3f& place,
               std::size_t wanted);

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/histogram_distance.h>
 
 #include <vector>
@@ -20,7 +21,7 @@ constexpr int no_label = -1; ///< of an object that nothing was found for
  * \param[in] gallery_labels one per column
  * \throws pcl::BadArgumentException if there are not as many labels as columns
  */
-std::vector<int>
+PCL_INDOOR_EXPORTS std::vector<int>
 nearestLabels(const DistanceTable& distances, const std::vector<int>& gallery_labels);
 
 /** \brief Leave-one-out retrieval, Sec. 5.3.2: the nearest other object's label.
@@ -29,7 +30,7 @@ nearestLabels(const DistanceTable& distances, const std::vector<int>& gallery_la
  * and column k are of the same object, whether or not their histograms are the same.
  * \throws pcl::BadArgumentException if the table is not square, or not as many labels
  */
-std::vector<int>
+PCL_INDOOR_EXPORTS std::vector<int>
 leaveOneOutLabels(const DistanceTable& distances, const std::vector<int>& labels);
 
 } // namespace indoor

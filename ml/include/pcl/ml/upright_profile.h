@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/exports.h>
 
 #include <vector>
 
@@ -30,7 +31,7 @@ constexpr std::size_t upright_profile_size = 80;
  * \param[in] points finite, metres, z up; none give zeros
  * \param[in] floor_distance of the lowest point from the floor, metres
  */
-std::vector<float>
+PCL_INDOOR_EXPORTS std::vector<float>
 uprightProfile(const std::vector<OrientedPoint>& points, float floor_distance);
 
 } // namespace indoor

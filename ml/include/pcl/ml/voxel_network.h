@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/voxel_classes.h>
 
 #include <Eigen/Core>
@@ -45,7 +46,7 @@ struct VoxelNetwork {
  * \throws pcl::IOException that says in one line what is wrong with it: not a network,
  * damaged, cut off, or not there
  */
-VoxelNetwork
+PCL_INDOOR_EXPORTS VoxelNetwork
 loadVoxelNetwork(const std::string& path);
 
 /** \brief What the points of a room are part of.
@@ -56,7 +57,7 @@ loadVoxelNetwork(const std::string& path);
  * The result does not depend on the order of the points but for rounding.
  * \param[in] points finite, metres, z up; of a room, or of a few
  */
-VoxelClasses
+PCL_INDOOR_EXPORTS VoxelClasses
 classifyVoxels(const std::vector<Eigen::Vector3f>& points, const VoxelNetwork& network);
 
 } // namespace indoor

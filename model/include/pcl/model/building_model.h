@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/model/wall_face.h>
 #include <pcl/segmentation/building_rooms.h>
 
@@ -94,7 +95,7 @@ struct BuildingModel {
  * \return nothing if there are no rooms
  * \throws pcl::BadArgumentException if a room has a number that the points have not
  */
-BuildingModel
+PCL_INDOOR_EXPORTS BuildingModel
 buildingModel(const PointsOfRooms& points,
               const std::vector<Room>& rooms,
               const std::vector<RoomOpening>& openings,

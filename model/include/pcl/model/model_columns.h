@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/model/building_model.h>
 
 #include <Eigen/Core>
@@ -17,14 +18,14 @@ namespace indoor {
 /** \brief Whether a hole in the outline of a room is that of a column: no side is
  * longer than a metre.
  * \param[in] line of a room's footprint, see Room */
-bool
+PCL_INDOOR_EXPORTS bool
 isColumn(const std::vector<Eigen::Vector3d>& line);
 
 /** \brief The columns in rooms, room by room: rectangles, or circles where more points
  * lie on one.
  * \param[in] points those of the building, in the frame of the rooms
  */
-std::vector<ModelColumn>
+PCL_INDOOR_EXPORTS std::vector<ModelColumn>
 modelColumns(const std::vector<Room>& rooms, const PointsOfRooms& points);
 
 } // namespace indoor

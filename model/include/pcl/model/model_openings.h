@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/model/building_model.h>
 #include <pcl/model/model_walls.h>
 #include <pcl/model/wall_holes.h>
@@ -32,7 +33,7 @@ struct FaceHoles {
  * \return those of \a passable in their order, then all others, storey by storey;
  * without their walls
  */
-std::vector<ModelOpening>
+PCL_INDOOR_EXPORTS std::vector<ModelOpening>
 modelOpenings(const std::vector<WallFace>& faces,
               const std::vector<FacePair>& pairs,
               const std::vector<FaceHoles>& holes,

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/model/building_model.h>
 
 #include <cstddef>
@@ -25,7 +26,7 @@ struct FacePair {
  *
  * A side's partner is the nearest one behind it, at most 0.7 m away.
  */
-std::vector<FacePair>
+PCL_INDOOR_EXPORTS std::vector<FacePair>
 facePairs(const std::vector<WallFace>& faces);
 
 /** \brief Make walls of sides and their pairs: of each pair one, of each rest of a side
@@ -38,7 +39,7 @@ facePairs(const std::vector<WallFace>& faces);
  * metres; 0 = not known; sides without any are as those of their storey; none at all =
  * none is known
  */
-std::vector<ModelWall>
+PCL_INDOOR_EXPORTS std::vector<ModelWall>
 modelWalls(const std::vector<WallFace>& faces,
            const std::vector<FacePair>& pairs,
            const std::vector<double>& depths = {});

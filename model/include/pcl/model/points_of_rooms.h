@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -34,7 +35,7 @@ struct FaceStretch {
 
 /** \brief Points seen from above, in square tiles: those in a box are found without
  * looking at all. */
-class TiledPoints {
+class PCL_INDOOR_EXPORTS TiledPoints {
 public:
   TiledPoints() = default;
 
@@ -72,7 +73,7 @@ private:
 };
 
 /** \brief The points of a building by room: what is beside a wall of a room. */
-class PointsOfRooms {
+class PCL_INDOOR_EXPORTS PointsOfRooms {
 public:
   /** \param[in] points metres, z up; what is not finite counts nowhere
    * \param[in] room_of_point room of each, 0 = none; those of none are seen from all

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +38,7 @@ enum class RoomName {
 constexpr std::size_t room_name_count = 14;
 
 /** \brief As users read it, for example "kitchen". */
-const char*
+PCL_INDOOR_EXPORTS const char*
 nameOf(RoomName name);
 
 /** \brief A thing in a room. */
@@ -60,7 +62,7 @@ struct RoomEvidence {
 };
 
 /** \brief Names of a room. */
-struct NamedRoom {
+struct PCL_INDOOR_EXPORTS NamedRoom {
   std::array<double, room_name_count> probabilities{}; ///< in the order of RoomName;
                                                        ///< their sum is 1
 
@@ -93,7 +95,7 @@ struct NamedRoom {
  * \throws pcl::BadArgumentException if a number is not finite, or below 0 (but for
  * RoomThing::foot), or there is no such neighbour
  */
-std::vector<NamedRoom>
+PCL_INDOOR_EXPORTS std::vector<NamedRoom>
 nameRooms(const std::vector<RoomEvidence>& rooms);
 
 } // namespace indoor

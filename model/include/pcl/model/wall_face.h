@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/model/points_of_rooms.h>
 #include <pcl/segmentation/building_rooms.h>
 
@@ -56,7 +57,7 @@ struct WallFace {
  * where neighbouring runs meet. Runs of one outline follow each other.
  * \param[in] points those of the building, in the frame of the rooms
  */
-std::vector<WallFace>
+PCL_INDOOR_EXPORTS std::vector<WallFace>
 wallFaces(const std::vector<Room>& rooms, const PointsOfRooms& points, int threads = 0);
 
 } // namespace indoor

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/model/wall_image.h>
 
 #include <Eigen/Geometry>
@@ -34,7 +35,7 @@ struct FaceHole {
  * glazed door is two. Each edge is then put where the points of the face begin, by the
  * likelihood of their number in each centimetre across it.
  */
-std::vector<FaceHole>
+PCL_INDOOR_EXPORTS std::vector<FaceHole>
 wallHoles(const WallImage& image, const std::vector<WallPoint>& points);
 
 } // namespace indoor

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/voxel_map.h>
 #include <pcl/model/points_of_rooms.h>
 
@@ -34,7 +35,7 @@ struct WallImageOptions {
 };
 
 /** \brief A side of a wall as an image, along it and upwards. */
-struct WallImage {
+struct PCL_INDOOR_EXPORTS WallImage {
   double cell = 0.0;        ///< side of a cell, metres
   double floor = 0.0;       ///< height of the lowest cells' lower edge, metres
   PixelMap<WallCell> cells; ///< x along the wall from its begin, y upwards
@@ -60,7 +61,7 @@ struct WallImage {
  * \param[in] length of the side, metres (> 0)
  * \param[in] height of the side above its floor, metres (> 0)
  */
-WallImage
+PCL_INDOOR_EXPORTS WallImage
 wallImage(const std::vector<WallPoint>& points,
           double length,
           double floor,

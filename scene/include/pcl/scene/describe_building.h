@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/io/scan_file.h>
 #include <pcl/scene/scene.h>
 #include <pcl/scene/scene_options.h>
@@ -21,7 +22,7 @@ namespace pcl::indoor {
  * are finite
  * \throws pcl::BadArgumentException if an option is out of range
  */
-Scene
+PCL_INDOOR_EXPORTS Scene
 describeBuilding(const Scan& scan, const SceneOptions& options = {});
 
 } // namespace pcl::indoor

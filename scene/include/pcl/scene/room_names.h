@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/model/room_names.h>
 #include <pcl/scene/scene.h>
 
@@ -17,13 +18,13 @@ namespace pcl::indoor {
  * gates.
  * \return one per room
  */
-std::vector<RoomEvidence>
+PCL_INDOOR_EXPORTS std::vector<RoomEvidence>
 roomEvidence(const Scene& scene);
 
 /** \brief Tell what the rooms of a scene are for, see nameRooms().
  * \return one per room
  */
-std::vector<NamedRoom>
+PCL_INDOOR_EXPORTS std::vector<NamedRoom>
 roomNames(const Scene& scene);
 
 } // namespace pcl::indoor

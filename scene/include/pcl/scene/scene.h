@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/setting.h>
 #include <pcl/io/station.h>
 #include <pcl/model/building_model.h>
@@ -44,7 +45,7 @@ struct SceneClasses {
 enum class NormalsFrom { File, NoneInFile, NoneUsable, Ignored };
 
 /** \brief What was understood of a scan before the work. */
-struct UnderstoodScan {
+struct PCL_INDOOR_EXPORTS UnderstoodScan {
   ScanOverview overview; ///< in the unit and with the up axis that are used
   std::uint64_t points = 0, finite_points = 0; ///< of the whole scan
   bool is_sample = false;                      ///< only some of them were looked at

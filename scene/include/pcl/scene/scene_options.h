@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/object_classifier.h>
 #include <pcl/segmentation/building_rooms_options.h>
 #include <pcl/segmentation/object_segmentation_options.h>
@@ -20,7 +21,7 @@ namespace pcl::indoor {
 struct ScanCoordinates;
 
 /** \brief How a scan's coordinates are meant. */
-struct CoordinateOptions {
+struct PCL_INDOOR_EXPORTS CoordinateOptions {
   std::string unit = "auto"; ///< or m, cm, mm, ft, in
   std::string up = "auto";   ///< or an axis such as -y, or three numbers
 
@@ -87,7 +88,7 @@ struct SceneOptions {
 
 /** \brief Rooms and objects by the methods of the thesis with their parameters, and no
  * more. */
-SceneOptions
+PCL_INDOOR_EXPORTS SceneOptions
 thesisSceneOptions();
 
 } // namespace pcl::indoor

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -31,7 +33,7 @@ struct StoreyMap {
  * \param[in] with_furniture things below head height and closed doors are occupied
  * \throws InputError if it is no whole scene, or if there would be too many cells
  */
-std::vector<StoreyMap>
+PCL_INDOOR_EXPORTS std::vector<StoreyMap>
 storeyMaps(const std::string& scene, double resolution, bool with_furniture);
 
 } // namespace pcl::indoor

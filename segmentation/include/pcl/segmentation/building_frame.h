@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/segmentation/building_rooms.h>
 
 #include <Eigen/Core>
@@ -23,7 +24,7 @@ namespace indoor {
  * - upright: those of the scan, with z up and in metres; objects are found in it;
  * - the building's: upright, moved near the origin; rooms and walls are found in it.
  */
-struct BuildingFrame {
+struct PCL_INDOOR_EXPORTS BuildingFrame {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< of the scan in the file
   double metres_per_unit = 1.0;                     ///< of file and scan (> 0)
   /** Turns and moves the building's frame into the scan's, both in metres. */
@@ -80,7 +81,7 @@ struct BuildingFrame {
  * exact, where an axis of the cloud points up.
  * \param[in] up_axis of any length but 0
  */
-Eigen::Matrix3d
+PCL_INDOOR_EXPORTS Eigen::Matrix3d
 turnUpright(const Eigen::Vector3f& up_axis);
 
 /** \brief Turn, scale and move the points of a cloud so that z points up, their unit is
@@ -92,7 +93,7 @@ turnUpright(const Eigen::Vector3f& up_axis);
  * \param[in] metres_per_unit of the cloud (> 0)
  * \return of a scan without offset
  */
-BuildingFrame
+PCL_INDOOR_EXPORTS BuildingFrame
 moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,
                       const Eigen::Vector3f& up_axis,
                       double metres_per_unit = 1.0);
@@ -101,7 +102,7 @@ moveIntoBuildingFrame(std::vector<Eigen::Vector3f>& points,
  * \param[in,out] points in the building's frame
  * \return where they were in \a points, ascending
  */
-std::vector<std::size_t>
+PCL_INDOOR_EXPORTS std::vector<std::size_t>
 takeOutFarPoints(std::vector<Eigen::Vector3f>& points);
 
 /** \brief Bring rooms and openings into the frame and the unit of the scan; areas,
@@ -109,7 +110,7 @@ takeOutFarPoints(std::vector<Eigen::Vector3f>& points);
  * \param[in] boxes per room: around its points, in the scan's frame and unit (turned,
  * the building's boxes would be too large)
  */
-void
+PCL_INDOOR_EXPORTS void
 placeInScan(const BuildingFrame& frame,
             const std::vector<Eigen::AlignedBox3f>& boxes,
             std::vector<Room>& rooms,

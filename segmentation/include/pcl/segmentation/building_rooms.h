@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/progress_callback.h>
 #include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/building_rooms_options.h>
@@ -20,7 +21,7 @@ namespace pcl {
 namespace indoor {
 
 /** \brief The frame of a grid: the building's, turned about the vertical. */
-struct TurnedFrame {
+struct PCL_INDOOR_EXPORTS TurnedFrame {
   double yaw = 0.0; ///< it is the building's frame turned by -yaw
 
   /** \brief Turns horizontal places in the building's frame into the grid's. */
@@ -154,7 +155,7 @@ struct BuildingRooms {
  * are no points
  * \throws pcl::BadArgumentException if an option is out of range
  */
-BuildingRooms
+PCL_INDOOR_EXPORTS BuildingRooms
 segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 BuildingRoomsOptions options = {},
                 const ProgressCallback& progress = {},

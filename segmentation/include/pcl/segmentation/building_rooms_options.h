@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <string>
 
@@ -198,13 +200,13 @@ struct BuildingRoomsOptions {
  * (interior.weights.above) to 1.5 where ceilings are not. docs/method/thesis.md lists
  * what the thesis leaves open.
  */
-BuildingRoomsOptions
+PCL_INDOOR_EXPORTS BuildingRoomsOptions
 thesisRoomOptions();
 
 /** \brief What is wrong with the options: one sentence with the value and the range.
  * \return empty if all are in range
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 findProblem(const BuildingRoomsOptions& options);
 
 } // namespace indoor

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/segmentation/hdbscan.h>
 
 #include <cstddef>
@@ -49,7 +50,7 @@ dbscan(std::size_t count, const Distance& distance, const DBSCANOptions& options
  * \throws pcl::BadArgumentException if an edge leaves the graph, or an option or a
  * distance is out of its range
  */
-std::vector<int>
+PCL_INDOOR_EXPORTS std::vector<int>
 dbscan(std::size_t count,
        const std::vector<HDBSCANEdge>& edges,
        const DBSCANOptions& options);
@@ -62,7 +63,7 @@ dbscan(std::size_t count,
  * \throws pcl::BadArgumentException if the edges or core distances are not those of so
  * many points, or an option is out of its range
  */
-std::vector<int>
+PCL_INDOOR_EXPORTS std::vector<int>
 dbscanFromSpanningForest(std::size_t count,
                          const std::vector<HDBSCANEdge>& forest,
                          const std::vector<double>& core_distances,
@@ -71,7 +72,7 @@ dbscanFromSpanningForest(std::size_t count,
 namespace dbscan_detail {
 
 /** Throws if an option is out of its range. */
-void
+PCL_INDOOR_EXPORTS void
 requireValid(const DBSCANOptions& options);
 
 } // namespace dbscan_detail

@@ -94,7 +94,7 @@ hdbscan(std::size_t count, const Distance& distance, const HDBSCANOptions& optio
  * \throws pcl::BadArgumentException if an edge leaves the graph, or an option or a
  * distance is out of its range
  */
-HDBSCANResult
+PCL_INDOOR_EXPORTS HDBSCANResult
 hdbscan(std::size_t count,
         const std::vector<HDBSCANEdge>& edges,
         const HDBSCANOptions& options);
@@ -102,7 +102,7 @@ hdbscan(std::size_t count,
 /** \brief The same with core distances of the caller; min_samples is not used.
  * \param[in] core_distances one for each point, 0 or more
  */
-HDBSCANResult
+PCL_INDOOR_EXPORTS HDBSCANResult
 hdbscan(std::size_t count,
         const std::vector<HDBSCANEdge>& edges,
         const std::vector<double>& core_distances,
@@ -114,7 +114,7 @@ hdbscan(std::size_t count,
  * \throws pcl::BadArgumentException if the edges are no forest of the points, or an
  * option or a distance is out of its range
  */
-HDBSCANResult
+PCL_INDOOR_EXPORTS HDBSCANResult
 hdbscanFromSpanningForest(std::size_t count,
                           std::vector<HDBSCANEdge> forest,
                           const HDBSCANOptions& options);
@@ -124,10 +124,11 @@ hdbscanFromSpanningForest(std::size_t count,
  * \throws pcl::BadArgumentException if an edge leaves the graph or a distance is
  * negative or NaN
  */
-std::vector<HDBSCANEdge>
+PCL_INDOOR_EXPORTS std::vector<HDBSCANEdge>
 minimumSpanningForest(std::size_t count, std::vector<HDBSCANEdge> edges);
 
 } // namespace indoor
 } // namespace pcl
 
+#include <pcl/indoor/exports.h>
 #include <pcl/segmentation/impl/hdbscan.hpp>

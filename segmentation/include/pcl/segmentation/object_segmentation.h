@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/progress_callback.h>
 #include <pcl/indoor/voxel_classes.h>
 #include <pcl/segmentation/object_segmentation_options.h>
@@ -40,7 +41,7 @@ struct CameraView {
  * \param[in] is_organized they lie in rows; else only arePixels() tells that a camera
  * took them
  */
-CameraView
+PCL_INDOOR_EXPORTS CameraView
 cameraView(const std::vector<Eigen::Vector3f>& points,
            const Eigen::Vector3f& camera,
            bool is_organized);
@@ -53,7 +54,7 @@ halfTurned(const Eigen::Vector3f& v)
 }
 
 /** \brief Whether most points have a smaller z than the camera. */
-bool
+PCL_INDOOR_EXPORTS bool
 areBehind(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& camera);
 
 /** \brief Whether a scan is no larger than what stands on a table: 98 % of the points
@@ -66,7 +67,7 @@ areBehind(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& cam
  * \param[in] points finite, metres, local frame; fewer than 1,000 do not tell
  * \param[in] up unit length
  */
-bool
+PCL_INDOOR_EXPORTS bool
 isTableTop(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& up);
 
 /** \brief Who is asked what the points of a scene are part of, before objects are
@@ -143,32 +144,32 @@ struct ObjectSegmentation {
  * \throws pcl::BadArgumentException if an option is out of range, sizes differ, or the
  * direction up has not the length 1
  */
-ObjectSegmentation
+PCL_INDOOR_EXPORTS ObjectSegmentation
 segmentObjects(ObjectSegmentationInput input,
                const ObjectSegmentationOptions& options,
                const ProgressCallback& progress = {});
 
 /** \brief Which points were taken out and recovered: one flag per point. */
-std::vector<std::uint8_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint8_t>
 removedPoints(const ObjectSegmentation& segmentation);
 
 /** \brief Which points are in the planes of floor, ceiling and walls: one flag per
  * point. */
-std::vector<std::uint8_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint8_t>
 structurePoints(const ObjectSegmentation& segmentation);
 
 /** \brief The supervoxel of each point, or ObjectSegmentation::none of points in planes
  * and of those that were taken out. */
-std::vector<std::uint32_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint32_t>
 supervoxelsOfPoints(const ObjectSegmentation& segmentation);
 
 /** \brief The pairs of supervoxels that touch, the smaller number first. */
-std::vector<std::pair<std::uint32_t, std::uint32_t>>
+PCL_INDOOR_EXPORTS std::vector<std::pair<std::uint32_t, std::uint32_t>>
 touchingSupervoxels(const ObjectSegmentation& segmentation);
 
 /** \brief The segment of each piece when all joins of at least a level are made: the
  * number of one of its pieces. */
-std::vector<std::uint32_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint32_t>
 segmentsAtLevel(const ObjectSegmentation& segmentation, float level);
 
 /** \brief Supervoxels of another segmentation, by names of its own. */
@@ -184,7 +185,7 @@ struct NamedSupervoxels {
  * Edges to names that are not there do not count.
  * \return the segment of each name, from 1
  */
-std::map<std::uint32_t, std::uint32_t>
+PCL_INDOOR_EXPORTS std::map<std::uint32_t, std::uint32_t>
 segmentSupervoxels(const NamedSupervoxels& given,
                    const ObjectSegmentationOptions& options);
 
@@ -200,41 +201,41 @@ struct ObjectReport {
 /** \brief Warn if nearly all points, of many, are one segment: right for one thing.
  * \return one line; empty if not
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 oneSegmentWarning(const ObjectSegmentation& result);
 
 /** \brief Warn if the largest thing is no larger than what stands on a table, see
  * isTableTop(), but of ten pieces or more: probably it is many small things.
  * \return one line; empty if not, and with JoiningScale::View, which is for such things
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 tableTopWarning(const ObjectSegmentation& result);
 
 /** \brief Warn if the largest thing is more than 4 m wide both ways: probably several
  * rooms, or one whose walls were not told from its things.
  * \return one line; empty if not, and with JoiningScale::View
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 wideThingWarning(const ObjectSegmentation& result);
 
 /** \brief Warn that some points are so far from the others that they get no segment.
  * \return one line; empty if there are none
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 straysWarning(std::size_t strays, std::size_t all);
 
 /** \brief Say that the points are taken as what a camera sees, and how it looks: from y
  * up and z ahead, as engines for games have it, floors would be ceilings.
  * \return one line; empty for a scan
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 cameraNote(const CameraView& view);
 
 /** \brief Warn if what a camera looks at is farther off than a depth camera sees.
  * \param[in] input a view; of others nothing is known
  * \return one line; empty if not
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 farViewWarning(const ObjectSegmentationInput& input);
 
 } // namespace indoor

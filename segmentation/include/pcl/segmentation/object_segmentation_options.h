@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/normal_orientation.h>
+#include <pcl/indoor/exports.h>
 
 #include <cstdint>
 #include <optional>
@@ -90,36 +91,36 @@ struct ObjectSegmentationOptions {
 
 /** \brief The sizes to work with where points are dense enough: those that are 0 follow
  * from the other, or are 3 and 12 cm, with JoiningScale::View 5 mm and 2 cm. */
-ObjectSegmentationOptions
+PCL_INDOOR_EXPORTS ObjectSegmentationOptions
 withSizes(ObjectSegmentationOptions options);
 
 /** \brief Parts of things, as the seat and the back of a chair, instead of whole
  * things: JoiningScale::Parts. */
-ObjectSegmentationOptions
+PCL_INDOOR_EXPORTS ObjectSegmentationOptions
 partsOptions();
 
 /** \brief The thesis's own method (Sec. 4.2) with its parameters for laser scans, and
  * no more: planes of 5 % of the points or more are taken off; then on points, its graph
  * segmentation; k = 3, C = 3, R = 5 cm, R_voxel = 3 cm, R_seed = 12 cm. */
-ObjectSegmentationOptions
+PCL_INDOOR_EXPORTS ObjectSegmentationOptions
 thesisOptions();
 
 /** \brief The same with its parameters for the Kinect (Sec. 4.3.3): theta_t = 0.02, k =
  * 5, R_seed = 16 cm; R of Eq. (2.9), as points are closer than in laser scans; no
  * planes are taken off. */
-ObjectSegmentationOptions
+PCL_INDOOR_EXPORTS ObjectSegmentationOptions
 thesisKinectOptions();
 
 /** \brief Options for a single view of a table with small objects, as from a Kinect at
  * about one metre: voxel and seed size are those at 1 m and grow with the distance.
  */
-ObjectSegmentationOptions
+PCL_INDOOR_EXPORTS ObjectSegmentationOptions
 singleViewOptions();
 
 /** \brief Find what is wrong with the options.
  * \return one sentence with parameter, value and unit; empty if nothing is
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 findProblem(const ObjectSegmentationOptions& options);
 
 } // namespace indoor

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/exports.h>
 #include <pcl/segmentation/object_segmentation.h>
 
 #include <cstdint>
@@ -31,7 +32,7 @@ struct ObjectSurface {
  * \return one per object; one without voxels has no points
  * \throws pcl::BadArgumentException if there are not as many values as points
  */
-std::vector<ObjectSurface>
+PCL_INDOOR_EXPORTS std::vector<ObjectSurface>
 objectSurfaces(const ObjectSegmentation& room,
                const std::vector<std::uint32_t>& object_of_point,
                std::uint32_t object_count);

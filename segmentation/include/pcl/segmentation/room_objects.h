@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/segmentation/object_surfaces.h>
@@ -49,7 +50,7 @@ struct RoomObjects {
  * \param[in] voter what the points are part of, also in given objects
  * \throws pcl::BadArgumentException if an option is out of range, or sizes differ
  */
-RoomObjects
+PCL_INDOOR_EXPORTS RoomObjects
 segmentRoomObjects(RoomPoints room,
                    const ObjectSegmentationOptions& options = {},
                    const VoxelVoter& voter = {});
@@ -61,7 +62,7 @@ segmentRoomObjects(RoomPoints room,
  * numbered again, in the same order.
  * \param[in] fewest points of an object
  */
-void
+PCL_INDOOR_EXPORTS void
 separateRemainder(RoomObjects& objects, std::size_t fewest);
 
 /** \brief A box that stands upright, turned about the vertical. */
@@ -76,11 +77,11 @@ struct UprightBox {
  * One of its sides touches the convex hull along an edge. Time: n log n.
  * \param[in] points finite; of none, the box is all zero
  */
-UprightBox
+PCL_INDOOR_EXPORTS UprightBox
 uprightBox(const std::vector<Eigen::Vector3d>& points);
 
 /** \brief The distance of a place from a box, 0 inside. */
-double
+PCL_INDOOR_EXPORTS double
 distanceTo(const UprightBox& box, const Eigen::Vector3d& place);
 
 /** \brief Place and size of an object. */
@@ -100,7 +101,7 @@ struct ObjectMeasures {
  * \throws pcl::BadArgumentException if there are not as many of each as points of the
  * objects
  */
-std::vector<ObjectMeasures>
+PCL_INDOOR_EXPORTS std::vector<ObjectMeasures>
 measureObjects(const std::vector<Eigen::Vector3f>& positions,
                const std::vector<Eigen::Vector3f>& upright,
                const RoomObjects& objects);
@@ -113,7 +114,7 @@ measureObjects(const std::vector<Eigen::Vector3f>& positions,
  * \param[in] positions finite, z up, metres
  * \param[in] room_of_point one per position; 0 = none
  */
-std::vector<std::uint32_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint32_t>
 withSurroundings(const std::vector<Eigen::Vector3f>& positions,
                  std::vector<std::uint32_t> room_of_point);
 
@@ -125,7 +126,7 @@ withSurroundings(const std::vector<Eigen::Vector3f>& positions,
  * \return room_count + 1 lists
  * \throws pcl::BadArgumentException if there are not as many rooms as points
  */
-std::vector<Indices>
+PCL_INDOOR_EXPORTS std::vector<Indices>
 pointsOfRooms(const PointCloud<PointXYZ>& points,
               const std::vector<std::uint32_t>& room_of_point,
               std::size_t room_count);
@@ -134,7 +135,7 @@ pointsOfRooms(const PointCloud<PointXYZ>& points,
  * with a large one at the end.
  * \param[in] sizes points of each room
  */
-std::vector<std::size_t>
+PCL_INDOOR_EXPORTS std::vector<std::size_t>
 largestFirst(const std::vector<std::size_t>& sizes);
 
 } // namespace indoor

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -17,7 +19,7 @@ namespace pcl {
 namespace indoor {
 
 /** \brief Which way is up in a scan, in the frame of its points. */
-struct Vertical {
+struct PCL_INDOOR_EXPORTS Vertical {
   /** Of unit length, as measured; +z if it was not found. */
   Eigen::Vector3f direction = Eigen::Vector3f::UnitZ();
   /** Floors, ceilings and walls agree on it; else the scan is taken as it is. */
@@ -60,13 +62,13 @@ struct Vertical {
  * if these are turned or scaled.
  * \param[in] points finite, in any unit; far outliers do no harm
  */
-Vertical
+PCL_INDOOR_EXPORTS Vertical
 findVertical(const std::vector<Eigen::Vector3f>& points);
 
 /** \brief The vertical of a scan whose up axis is known, with the height of its rooms.
  * \param[in] up_axis of any length but 0
  */
-Vertical
+PCL_INDOOR_EXPORTS Vertical
 verticalAlong(const Eigen::Vector3f& up_axis,
               const std::vector<Eigen::Vector3f>& points);
 
@@ -75,7 +77,7 @@ verticalAlong(const Eigen::Vector3f& up_axis,
  * \param[in] length along the upright axis, in the unit of the cloud (> 0)
  * \return that of metres, feet, inches, centimetres or millimetres
  */
-double
+PCL_INDOOR_EXPORTS double
 likelyMetresPerUnit(double length);
 
 /** \brief What the coordinates of a scan mean: which way is up, and how long a unit is.
@@ -91,7 +93,7 @@ struct ScanCoordinates {
  * \param[in] up_axis of any length but 0
  * \param[in] metres_per_unit above 0
  */
-ScanCoordinates
+PCL_INDOOR_EXPORTS ScanCoordinates
 scanCoordinates(const std::vector<Eigen::Vector3f>& points,
                 const std::optional<Eigen::Vector3f>& up_axis,
                 std::optional<double> metres_per_unit);
@@ -125,7 +127,7 @@ struct ScanOverview {
  * \param[in] metres_per_unit of the points (> 0)
  * \return all 0 if there are no points
  */
-ScanOverview
+PCL_INDOOR_EXPORTS ScanOverview
 scanOverview(const std::vector<Eigen::Vector3f>& points,
              const Eigen::Vector3f& up_axis = Eigen::Vector3f::UnitZ(),
              double metres_per_unit = 1.0);

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -29,20 +31,20 @@ struct Overlap {
  * \return pairs that occur, in ascending order of (truth, predicted)
  * \throws pcl::BadArgumentException if the numbers of labels differ
  */
-std::vector<Overlap>
+PCL_INDOOR_EXPORTS std::vector<Overlap>
 countOverlaps(const SegmentLabels& truth, const SegmentLabels& predicted);
 
 /** \brief Share of the pairs of points on which two segmentations agree (Rand index,
  * Sec. 2.1.8.1). Here, points predicted 0 count as one segment.
  * \return 0 to 1; 1 for less than two points
  */
-double
+PCL_INDOOR_EXPORTS double
 randIndex(const std::vector<Overlap>& overlaps);
 
 /** \brief Rand index corrected for chance (Hubert and Arabie, 1985).
  * \return 1 if equal, about 0 for random labels; 1 if both are trivial in the same way
  */
-double
+PCL_INDOOR_EXPORTS double
 adjustedRandIndex(const std::vector<Overlap>& overlaps);
 
 /** \brief Over- and undersegmentation of Richtsfeld et al. (Eq. (2.23), (2.24)). */
@@ -57,14 +59,14 @@ struct SegmentationErrors {
  * overlaps the smaller predicted segment is taken, then the smaller label.
  * \return zeros if no point has a true label
  */
-SegmentationErrors
+PCL_INDOOR_EXPORTS SegmentationErrors
 richtsfeldErrors(const std::vector<Overlap>& overlaps);
 
 /** \brief Mean over points of the best intersection over union of their true segment
  * (Eq. (2.25), (2.26), which is printed without the number of points).
  * \return 0 to 1; 1 if no point has a true label
  */
-double
+PCL_INDOOR_EXPORTS double
 weightedOverlap(const std::vector<Overlap>& overlaps);
 
 /** \brief Merge fine true segments to the scale of the prediction (Algorithm 2).
@@ -75,19 +77,19 @@ weightedOverlap(const std::vector<Overlap>& overlaps);
  * \return one label per point: the smallest fine label of the merged segment, or 0
  * \throws pcl::BadArgumentException if the numbers of labels differ
  */
-SegmentLabels
+PCL_INDOOR_EXPORTS SegmentLabels
 mergeFineSegments(const SegmentLabels& fine,
                   const SegmentLabels& coarse,
                   const SegmentLabels& predicted);
 
 /** \brief Multi-scale over- and undersegmentation (Sec. 4.3.1.2, Eq. (4.5), (4.6)). */
-SegmentationErrors
+PCL_INDOOR_EXPORTS SegmentationErrors
 multiScaleErrors(const SegmentLabels& fine,
                  const SegmentLabels& coarse,
                  const SegmentLabels& predicted);
 
 /** \brief How well things were found as wholes, over one or several scenes. */
-struct ThingScore {
+struct PCL_INDOOR_EXPORTS ThingScore {
   std::size_t true_count = 0;      ///< true segments that are large enough
   std::size_t predicted_count = 0; ///< predicted segments that are not void
   std::size_t right_count = 0;     ///< pairs with intersection over union above 0.5
@@ -132,7 +134,7 @@ struct ThingScore {
  * \param[in] counted labels of the true things to score; others are void; empty: all
  * \throws pcl::BadArgumentException if the numbers of labels differ
  */
-ThingScore
+PCL_INDOOR_EXPORTS ThingScore
 scoreThings(const SegmentLabels& truth,
             const SegmentLabels& predicted,
             std::size_t min_size = 100,
@@ -153,7 +155,7 @@ struct DetectionScore {
 };
 
 /** \brief Match true and predicted segments one to one, best overlap first. */
-DetectionScore
+PCL_INDOOR_EXPORTS DetectionScore
 scoreDetections(const std::vector<Overlap>& overlaps);
 
 /** \brief Average precision of predicted segments, without classes, over one or several
@@ -169,7 +171,7 @@ scoreDetections(const std::vector<Overlap>& overlaps);
  * void: they are in no intersection and in no union. A prediction of which half or more
  * is void counts only where it is right. Time O(points log points) per scene.
  */
-class AveragePrecision {
+class PCL_INDOOR_EXPORTS AveragePrecision {
 public:
   /** \brief Add a scene.
    * \param[in] truth, predicted labels, one per point each

@@ -6,6 +6,7 @@
 
 #include "objects/graph/surface_appearance.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/point_cells.h>
 
 #include <Eigen/Core>
@@ -43,7 +44,7 @@ struct SurfaceVoxels {
  * \param[in] voxel_size edge of a voxel in the unit of grid_points, positive
  * \throws pcl::BadArgumentException as groupByCell() does, or if sizes differ
  */
-SurfaceVoxels
+PCL_INDOOR_EXPORTS SurfaceVoxels
 surfaceVoxels(const std::vector<Eigen::Vector3f>& points,
               const std::vector<Eigen::Vector3f>& grid_points,
               double voxel_size);
@@ -57,7 +58,7 @@ surfaceVoxels(const std::vector<Eigen::Vector3f>& points,
  * \param[in] rings how many voxels far the neighbourhood reaches, at least 1
  * \param[in] threads 0 = automatic; the result does not depend on it
  */
-void
+PCL_INDOOR_EXPORTS void
 estimateNormals(const std::vector<Eigen::Vector3f>& points,
                 SurfaceVoxels& voxels,
                 unsigned rings,

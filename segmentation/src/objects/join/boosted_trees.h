@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
@@ -14,7 +16,7 @@ namespace indoor {
 
 /** \brief Boosted decision trees for a yes-or-no question: the answers of all trees are
  * added up to the log-odds of "yes". */
-class BoostedTrees {
+class PCL_INDOOR_EXPORTS BoostedTrees {
 public:
   /** \brief An inner node compares a feature with a limit; a leaf has no children. */
   struct Node {

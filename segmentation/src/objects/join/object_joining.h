@@ -7,6 +7,7 @@
 #include "objects/join/boosted_trees.h"
 #include "objects/join/piece_graph.h"
 
+#include <pcl/indoor/exports.h>
 #include <pcl/segmentation/object_segmentation.h>
 
 #include <array>
@@ -59,7 +60,7 @@ public:
 
 /** \brief The criterion that was learned from simulated scans (the thesis names a
  * learned criterion as the way on, Sec. 4.3.5). */
-class LearnedCriterion : public JoiningCriterion {
+class PCL_INDOOR_EXPORTS LearnedCriterion : public JoiningCriterion {
 public:
   /** \brief Use the bundled trees.
    * \param[in] has_votes as PieceGraph has it; there are such trees for
@@ -86,7 +87,7 @@ private:
  * \param[in] least_level joins that are less probable are not made: a higher one only
  * makes the list end earlier
  */
-JoinTree
+PCL_INDOOR_EXPORTS JoinTree
 joinPieces(const PieceGraph& graph,
            JoiningCriterion& criterion,
            float least_level = 0.3f);

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/plan.h>
 #include <pcl/simulation/polygon.h>
 #include <pcl/simulation/ray_tracer.h> // for Triangle
@@ -104,7 +105,7 @@ struct Doorway {
  * Triangles, objects and doorways are where they are; rooms, platforms and wells are as
  * drawn, before the whole building leans.
  */
-struct Building {
+struct PCL_INDOOR_EXPORTS Building {
   std::vector<std::string> categories; ///< name of each category number; [0] is "none"
   std::vector<RoomInfo> rooms;         ///< room number i + 1
   std::vector<ObjectInfo> objects;     ///< object number i + 1
@@ -141,7 +142,7 @@ struct Building {
  * lies in no wall, overlaps another or reaches above the ceiling, or furniture stands
  * in no room
  */
-Building
+PCL_INDOOR_EXPORTS Building
 buildBuilding(const Plan& plan, const std::string& source = "plan");
 
 } // namespace indoor

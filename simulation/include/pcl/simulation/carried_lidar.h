@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/carried_path.h>
 #include <pcl/simulation/range_sensor.h>
 
@@ -51,12 +52,12 @@ enum class LidarModel { Spinning, SolidState, Walk };
  * Spinning: 16 rings within 30 degrees, on a robot; solid state: a rosette of 70 by 77
  * degrees, on a robot; walk: 16 rings within 30 degrees, in a person's hand.
  */
-CarriedLidarOptions
+PCL_INDOOR_EXPORTS CarriedLidarOptions
 lidarOptions(LidarModel model);
 
 /** \brief How the robot or person of a lidar goes: the height that it is carried at,
  * the speed, and whether it looks around. */
-PathOptions
+PCL_INDOOR_EXPORTS PathOptions
 pathOptions(LidarModel model);
 
 /** \brief A turn of a spinning lidar, or as many rays of another. */
@@ -66,7 +67,7 @@ struct LidarFrame {
 };
 
 /** \brief The frames of some paths that are kept, at least one of each. */
-std::vector<LidarFrame>
+PCL_INDOOR_EXPORTS std::vector<LidarFrame>
 framesOn(const std::vector<CarriedPath>& paths, const CarriedLidarOptions& options);
 
 /** \brief Where the sensor is and how it is turned at a time.
@@ -75,7 +76,7 @@ framesOn(const std::vector<CarriedPath>& paths, const CarriedLidarOptions& optio
  * level. A person's hand moves with the steps, lowers and lifts the sensor, and tilts
  * it; phases are drawn from the seed.
  */
-Eigen::Isometry3d
+PCL_INDOOR_EXPORTS Eigen::Isometry3d
 sensorPose(const CarriedPath& path, double time, const CarriedLidarOptions& options);
 
 /** \brief Scan a building with a lidar that is carried along some paths.
@@ -87,7 +88,7 @@ sensorPose(const CarriedPath& path, double time, const CarriedLidarOptions& opti
  * \return points frame by frame; poses are numbers of framesOn()
  * \throws BadArgumentException if an option is out of its range, or a path has no point
  */
-SimulatedScan
+PCL_INDOOR_EXPORTS SimulatedScan
 scanAlong(const Building& building,
           const std::vector<CarriedPath>& paths,
           const CarriedLidarOptions& options);

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/trajectory.h>
 
 #include <vector>
@@ -42,18 +43,18 @@ using CarriedPath = std::vector<PathPoint>;
  * \return one path for each storey that has a free place
  * \throws BadArgumentException if an option is out of its range
  */
-std::vector<CarriedPath>
+PCL_INDOOR_EXPORTS std::vector<CarriedPath>
 planPaths(const Building& building, const PathOptions& options);
 
 /** \brief The way straight through some positions, in their order.
  * \throws BadArgumentException if an option is out of its range
  */
-CarriedPath
+PCL_INDOOR_EXPORTS CarriedPath
 pathThrough(const std::vector<Eigen::Vector3d>& positions, const PathOptions& options);
 
 /** \brief The point of a path at a time, between its points; before and after it, its
  * ends. The path must have a point. */
-PathPoint
+PCL_INDOOR_EXPORTS PathPoint
 placeAt(const CarriedPath& path, double time);
 
 } // namespace indoor

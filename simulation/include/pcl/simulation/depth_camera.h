@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/building.h>
 #include <pcl/simulation/point_xyz_scene.h>
 #include <pcl/simulation/trajectory.h>
@@ -50,7 +51,7 @@ struct CameraPose {
  * \throws BadArgumentException if an option is out of its range, or no position sees an
  * object
  */
-CameraPose
+PCL_INDOOR_EXPORTS CameraPose
 drawCameraPose(const Building& building,
                const TrajectoryOptions& walk,
                std::uint32_t seed);
@@ -65,7 +66,7 @@ drawCameraPose(const Building& building,
  * NaN and labels 0 where there is no depth \throws BadArgumentException if an option is
  * out of its range, or the target is where the camera is
  */
-PointCloud<PointXYZScene>
+PCL_INDOOR_EXPORTS PointCloud<PointXYZScene>
 viewBuilding(const Building& building,
              const CameraPose& pose,
              const DepthCameraOptions& options);

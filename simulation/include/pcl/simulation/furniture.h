@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/ray_tracer.h> // for Triangle
 
 #include <optional>
@@ -32,13 +33,13 @@ struct FurnitureModel {
 };
 
 /** \brief Names of the classes that makeFurniture() knows, sorted. */
-std::vector<std::string>
+PCL_INDOOR_EXPORTS std::vector<std::string>
 furnitureCategories();
 
 /** \brief How many shapes a class has.
  * \throws BadArgumentException if the category is unknown
  */
-int
+PCL_INDOOR_EXPORTS int
 furnitureVariants(const std::string& category);
 
 /** \brief Build a piece of furniture.
@@ -50,7 +51,7 @@ furnitureVariants(const std::string& category);
  * \throws BadArgumentException if the category or variant is unknown or a size is not
  * positive
  */
-FurnitureModel
+PCL_INDOOR_EXPORTS FurnitureModel
 makeFurniture(const std::string& category,
               std::uint32_t seed,
               const std::optional<Eigen::Vector3d>& size = std::nullopt,
@@ -63,7 +64,7 @@ makeFurniture(const std::string& category,
  * \param[in] size width, depth and height of all, metres; the handrail ends 1 m above
  * the last step
  */
-FurnitureModel
+PCL_INDOOR_EXPORTS FurnitureModel
 makeHalfTurnStairs(const Eigen::Vector3d& size);
 
 /** \brief Build a door: a frame that lines the hole, a leaf and two handles.
@@ -76,7 +77,7 @@ makeHalfTurnStairs(const Eigen::Vector3d& size);
  * \param[in] leaf_angle radians, 0 closed
  * \param[in] hinge_left hinge at +x, which is left when looking from +y to the door
  */
-FurnitureModel
+PCL_INDOOR_EXPORTS FurnitureModel
 makeDoor(double width, double height, double depth, double leaf_angle, bool hinge_left);
 
 /** \brief Build a window: a frame with one bar per metre of width, and a pane of glass.
@@ -84,7 +85,7 @@ makeDoor(double width, double height, double depth, double leaf_angle, bool hing
  * \param[in] frame_width of frame and bars, seen from the room, metres
  * \param[in] frame_depth of these, metres; at most the wall's
  */
-FurnitureModel
+PCL_INDOOR_EXPORTS FurnitureModel
 makeWindow(double width,
            double height,
            double depth,

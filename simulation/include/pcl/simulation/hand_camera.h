@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/depth_camera.h>
 #include <pcl/simulation/range_sensor.h> // for SimulatedScan
 
@@ -13,7 +14,7 @@ namespace pcl {
 namespace indoor {
 
 /** \brief How rooms are captured by a depth camera in somebody's hand. */
-struct HandCameraOptions {
+struct PCL_INDOOR_EXPORTS HandCameraOptions {
   DepthCameraOptions camera; ///< its noise and seed count for nothing
   double noise = 0.001;     ///< standard deviation of a depth of 1 m, metres (>= 0); it
                             ///< grows with the square of the depth
@@ -51,7 +52,7 @@ struct HandCameraOptions {
  * \throws BadArgumentException if an option is out of its range, there is no such room,
  * or the voxels would need more than 2 GB
  */
-SimulatedScan
+PCL_INDOOR_EXPORTS SimulatedScan
 captureRoom(const Building& building,
             std::uint32_t room,
             const HandCameraOptions& options);

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/polygon.h>
 
 #include <optional>
@@ -56,7 +57,7 @@ struct CeilingPart {
 };
 
 /** \brief The ceiling of a room: a roof or vault is the lowest of several planes. */
-struct CeilingPlan {
+struct PCL_INDOOR_EXPORTS CeilingPlan {
   std::vector<CeilingPlane> planes{1}; ///< of which the lowest counts, at least one
   std::vector<CeilingPart> parts;      ///< which do not overlap
 
@@ -157,11 +158,11 @@ struct Plan {
  * \param[in] angle radians, at least 0
  * \throws PlanError if nothing leans in the plan
  */
-void
+PCL_INDOOR_EXPORTS void
 setLean(Plan& plan, double angle);
 
 /** \brief Let the whole building lean, and no wall by itself. */
-void
+PCL_INDOOR_EXPORTS void
 setLean(Plan& plan, const LeanPlan& lean);
 
 /** \brief Read a plan from JSON text.
@@ -170,13 +171,13 @@ setLean(Plan& plan, const LeanPlan& lean);
  * \throws PlanError if the text is no JSON, a key is missing, unknown or of the wrong
  * type, or the values contradict each other
  */
-Plan
+PCL_INDOOR_EXPORTS Plan
 parsePlan(const std::string& text, const std::string& source);
 
 /** \brief Read a plan file.
  * \throws PlanError if the file cannot be read, and as parsePlan()
  */
-Plan
+PCL_INDOOR_EXPORTS Plan
 readPlan(const std::string& file_name);
 
 } // namespace indoor

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <array>
@@ -16,35 +18,35 @@ namespace indoor {
 using Polygon = std::vector<Eigen::Vector2d>;
 
 /** \brief Area in square metres, positive if the vertices run counter-clockwise. */
-double
+PCL_INDOOR_EXPORTS double
 signedArea(const Polygon& polygon);
 
 /** \brief True if the point lies inside; on the boundary either answer may come. */
-bool
+PCL_INDOOR_EXPORTS bool
 contains(const Polygon& polygon, const Eigen::Vector2d& point);
 
 /** \brief Distance of a point to the segment from \a a to \a b. */
-double
+PCL_INDOOR_EXPORTS double
 distanceToSegment(const Eigen::Vector2d& point,
                   const Eigen::Vector2d& a,
                   const Eigen::Vector2d& b);
 
 /** \brief Distance of a point to the boundary. */
-double
+PCL_INDOOR_EXPORTS double
 distanceToBoundary(const Polygon& polygon, const Eigen::Vector2d& point);
 
 /** \brief True if two edges that are not neighbours meet, or an edge has no length. */
-bool
+PCL_INDOOR_EXPORTS bool
 crossesItself(const Polygon& polygon);
 
 /** \brief True if the insides of two simple polygons share more than their boundary. */
-bool
+PCL_INDOOR_EXPORTS bool
 overlap(const Polygon& a, const Polygon& b);
 
 /** \brief Move every edge of a counter-clockwise polygon inwards by \a distance.
  * Edge i of the result is parallel to edge i of the input.
  */
-Polygon
+PCL_INDOOR_EXPORTS Polygon
 inset(const Polygon& polygon, double distance);
 
 /** \brief The points p with normal.dot(p) <= offset. */
@@ -54,27 +56,27 @@ struct HalfPlane {
 };
 
 /** \brief What lies to the left of the way from \a a to \a b. */
-HalfPlane
+PCL_INDOOR_EXPORTS HalfPlane
 leftOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
 /** \brief The part of a convex polygon that lies in a half-plane; empty if none does.
  */
-Polygon
+PCL_INDOOR_EXPORTS Polygon
 clip(const Polygon& convex, const HalfPlane& half_plane);
 
 /** \brief A convex polygon without a convex, counter-clockwise hole, in convex pieces.
  */
-std::vector<Polygon>
+PCL_INDOOR_EXPORTS std::vector<Polygon>
 subtract(const Polygon& convex, const Polygon& hole);
 
 /** \brief True if a counter-clockwise polygon turns to the right nowhere. */
-bool
+PCL_INDOOR_EXPORTS bool
 isConvex(const Polygon& polygon);
 
 /** \brief Cut a simple counter-clockwise polygon into triangles by clipping ears.
  * \return vertex numbers, counter-clockwise; polygon.size() - 2 triangles
  */
-std::vector<std::array<int, 3>>
+PCL_INDOOR_EXPORTS std::vector<std::array<int, 3>>
 triangulate(const Polygon& polygon);
 
 } // namespace indoor

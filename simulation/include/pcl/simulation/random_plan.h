@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/plan.h>
 
 #include <optional>
@@ -42,7 +43,7 @@ enum class PlanFilling {
  * toys, towels, kitchenware and more in, on, under and over it, on the floor, at and on
  * the walls \return a plan that buildBuilding() accepts
  */
-Plan
+PCL_INDOOR_EXPORTS Plan
 randomPlan(std::uint32_t seed, PlanKind kind, PlanFilling filling = PlanFilling::Plain);
 
 /** \brief Read what names a random plan: random:home:SEED, random:office:SEED or
@@ -52,7 +53,7 @@ randomPlan(std::uint32_t seed, PlanKind kind, PlanFilling filling = PlanFilling:
  * \throws PlanError if the kind is none of these or the seed is no number from 0 to
  * 4294967295
  */
-std::optional<Plan>
+PCL_INDOOR_EXPORTS std::optional<Plan>
 randomPlanNamed(const std::string& name);
 
 } // namespace indoor

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/building.h>
 #include <pcl/simulation/point_xyz_scene.h>
 
@@ -48,7 +49,7 @@ struct SimulatedScan {
  * \param[in] cosine of the angle between ray and normal; its sign does not matter
  * \return (1 - dropout) * (1 - (1 - |cosine|)^grazing_exponent)
  */
-double
+PCL_INDOOR_EXPORTS double
 echoProbability(double cosine, const EchoOptions& options);
 
 /** \brief Scan a building from some positions.
@@ -64,7 +65,7 @@ echoProbability(double cosine, const EchoOptions& options);
  * carries the labels of the surface. Time grows with poses * rays_per_pose. \throws
  * BadArgumentException if an option is out of its range
  */
-SimulatedScan
+PCL_INDOOR_EXPORTS SimulatedScan
 scanBuilding(const Building& building,
              const std::vector<Eigen::Vector3d>& positions,
              const RangeSensorOptions& options);
@@ -74,7 +75,7 @@ scanBuilding(const Building& building,
  * \param[in] leaf_size edge of a cube, metres; 0 keeps all points
  * \throws BadArgumentException if leaf_size is negative or below 1 mm
  */
-void
+PCL_INDOOR_EXPORTS void
 thinScan(SimulatedScan& scan, double leaf_size);
 
 } // namespace indoor

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -31,7 +33,7 @@ struct RayHit {
  * a ray costs about the logarithm of the number of triangles. Both sides of a triangle
  * stop a ray. Tracing does not change the object: any number of threads may trace.
  */
-class RayTracer {
+class PCL_INDOOR_EXPORTS RayTracer {
 public:
   /** \param[in] triangles in metres; none is fine: then nothing is ever hit */
   explicit RayTracer(const std::vector<Triangle>& triangles);
@@ -71,7 +73,7 @@ private:
 };
 
 /** \brief Distance along a ray to one triangle (Moeller and Trumbore), or infinity. */
-float
+PCL_INDOOR_EXPORTS float
 intersect(const Eigen::Vector3f& origin,
           const Eigen::Vector3f& direction,
           const Triangle& triangle);

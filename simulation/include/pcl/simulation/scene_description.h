@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/building.h>
 
 #include <string>
@@ -19,7 +20,7 @@ namespace indoor {
  * degrees) and trajectory (the positions of the sensor). docs/guide/simulation.md has
  * them all.
  */
-std::string
+PCL_INDOOR_EXPORTS std::string
 describeScene(const Building& building, const std::vector<Eigen::Vector3d>& trajectory);
 
 } // namespace indoor

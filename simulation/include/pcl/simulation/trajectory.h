@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/simulation/building.h>
 
 namespace pcl {
@@ -23,7 +24,7 @@ struct TrajectoryOptions {
  * nearest one that is left. Deterministic.
  * \throws BadArgumentException if an option is out of its range
  */
-std::vector<Eigen::Vector3d>
+PCL_INDOOR_EXPORTS std::vector<Eigen::Vector3d>
 planTrajectory(const Building& building, const TrajectoryOptions& options);
 
 } // namespace indoor

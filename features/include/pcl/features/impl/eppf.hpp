@@ -7,6 +7,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/eppf.h>
 #include <pcl/features/impl/oriented_points.hpp>
+#include <pcl/indoor/exports.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,4 +82,4 @@ EPPFEstimation<PointInT, PointNT, PointOutT>::computeFeature(PointCloudOut& outp
 } // namespace pcl
 
 #define PCL_INSTANTIATE_EPPFEstimation(T, NT, OutT)                                    \
-  template class PCL_EXPORTS pcl::EPPFEstimation<T, NT, OutT>;
+  template class PCL_INDOOR_EXPORTS pcl::EPPFEstimation<T, NT, OutT>;

@@ -7,6 +7,7 @@
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/console/print.h>
 #include <pcl/features/hough_normals.h>
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/first_in_place.h>
 #include <pcl/indoor/neighbor_distance.h>
 #include <pcl/indoor/parallel_for.h>
@@ -183,4 +184,4 @@ HoughNormalEstimation<PointInT, PointOutT>::orient(PointCloudOut& output) const
 } // namespace pcl
 
 #define PCL_INSTANTIATE_HoughNormalEstimation(T, OutT)                                 \
-  template class PCL_EXPORTS pcl::HoughNormalEstimation<T, OutT>;
+  template class PCL_INDOOR_EXPORTS pcl::HoughNormalEstimation<T, OutT>;

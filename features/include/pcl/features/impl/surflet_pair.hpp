@@ -7,6 +7,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/impl/oriented_points.hpp>
 #include <pcl/features/surflet_pair.h>
+#include <pcl/indoor/exports.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,4 +73,4 @@ SurfletPairEstimation<PointInT, PointNT, PointOutT>::computeFeature(
 } // namespace pcl
 
 #define PCL_INSTANTIATE_SurfletPairEstimation(T, NT, OutT)                             \
-  template class PCL_EXPORTS pcl::SurfletPairEstimation<T, NT, OutT>;
+  template class PCL_INDOOR_EXPORTS pcl::SurfletPairEstimation<T, NT, OutT>;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/filters/non_convex_points_removal.h>
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/neighbor_distance.h>
 #include <pcl/indoor/plain_message.h>
 #include <pcl/indoor/usable_point.h>
@@ -170,4 +171,4 @@ NonConvexPointsRemoval<PointT, PointNT>::applyFilter(Indices& indices)
 } // namespace pcl
 
 #define PCL_INSTANTIATE_NonConvexPointsRemoval(T, NT)                                  \
-  template class PCL_EXPORTS pcl::NonConvexPointsRemoval<T, NT>;
+  template class PCL_INDOOR_EXPORTS pcl::NonConvexPointsRemoval<T, NT>;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/filters/scan_outlier_removal.h>
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/usable_point.h>
 
 #include <string>
@@ -121,4 +122,4 @@ ScanOutlierRemoval<PointT>::applyFilter(Indices& indices)
 } // namespace pcl
 
 #define PCL_INSTANTIATE_ScanOutlierRemoval(T)                                          \
-  template class PCL_EXPORTS pcl::ScanOutlierRemoval<T>;
+  template class PCL_INDOOR_EXPORTS pcl::ScanOutlierRemoval<T>;

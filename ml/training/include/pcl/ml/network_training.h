@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/ml/network.h>
 
 #include <cstdint>
@@ -66,7 +67,7 @@ struct TrainingResult {
  * pcl::IOException if a checkpoint cannot be read or written, or is another training's;
  * pcl::ComputeFailedException if the loss is no longer finite
  */
-TrainingResult
+PCL_INDOOR_EXPORTS TrainingResult
 trainNetwork(const Network& network,
              const TrainingSet& training,
              const TrainingSet& validation,
@@ -81,7 +82,7 @@ trainNetwork(const Network& network,
  * that mean: what hardly ever differs, a new object might blow up else.
  * \throws pcl::BadArgumentException if the set is empty or does not fit
  */
-void
+PCL_INDOOR_EXPORTS void
 fitScale(Network& network, const TrainingSet& set);
 
 } // namespace indoor

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 #include <pcl/segmentation/hdbscan.h>
@@ -16,11 +17,11 @@ namespace indoor {
 namespace hdbscan_detail {
 
 /** Throws if an option is out of its range. */
-void
+PCL_INDOOR_EXPORTS void
 requireValid(const HDBSCANOptions& options);
 
 /** Throws: a distance was negative or NaN. */
-[[noreturn]] void
+[[noreturn]] PCL_INDOOR_EXPORTS void
 throwBadDistance();
 
 inline std::size_t
@@ -73,7 +74,7 @@ coreDistances(std::size_t count, const Distance& distance, std::size_t k, int th
  * point with fewer than k - 1 neighbours. Throws if an edge leaves the graph or its
  * distance is negative or NaN.
  */
-std::vector<double>
+PCL_INDOOR_EXPORTS std::vector<double>
 graphCoreDistances(std::size_t count,
                    const std::vector<HDBSCANEdge>& edges,
                    std::size_t k);

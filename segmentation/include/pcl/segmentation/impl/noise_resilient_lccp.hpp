@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/segmentation/impl/noise_resilient_lccp_parameters.hpp>
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
@@ -383,4 +384,4 @@ NoiseResilientLCCP<PointT>::getResult() const
 } // namespace pcl
 
 #define PCL_INSTANTIATE_NoiseResilientLCCP(T)                                          \
-  template class PCL_EXPORTS pcl::NoiseResilientLCCP<T>;
+  template class PCL_INDOOR_EXPORTS pcl::NoiseResilientLCCP<T>;

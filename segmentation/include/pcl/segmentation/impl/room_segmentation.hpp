@@ -9,6 +9,7 @@
 #include <pcl/console/print.h>
 #include <pcl/exceptions.h>
 #include <pcl/impl/pcl_base.hpp>
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/labelled_outputs.h>
 #include <pcl/indoor/plain_message.h>
 #include <pcl/segmentation/building_frame.h>
@@ -330,4 +331,4 @@ RoomSegmentation<PointT>::segment(pcl::PointCloud<PointXYZL>& output)
 } // namespace pcl
 
 #define PCL_INSTANTIATE_RoomSegmentation(T)                                            \
-  template class PCL_EXPORTS pcl::RoomSegmentation<T>;
+  template class PCL_INDOOR_EXPORTS pcl::RoomSegmentation<T>;
