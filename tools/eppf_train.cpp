@@ -43,25 +43,6 @@ requireOutputs(const TrainingSettings& settings)
       requireWritable(path);
 }
 
-/** \brief Set a part of the training part aside that chooses the epoch. */
-ObjectSplit
-withoutValidation(const LabelledObjects& objects,
-                  const std::vector<std::size_t>& training,
-                  const TrainingSettings& settings)
-{
-  if (settings.validation == 0.0)
-    return {training, {}};
-  LabelledObjects part;
-  part.class_names = objects.class_names;
-  for (const auto k : training)
-    part.labels.push_back(objects.labels[k]);
-  auto split = splitAtRandom(part, 1.0 - settings.validation, settings.training.seed);
-  for (auto* const indices : {&split.training, &split.test})
-    for (auto& index : *indices)
-      index = training[index];
-  return split;
-}
-
 /** \brief How objects are drawn, but for the augmentation. */
 DrawOptions
 drawOptions(const TrainingSettings& settings, const ClassifierInput& input)
@@ -83,7 +64,8 @@ describedObjects(const LabelledObjects& objects,
   if (settings.augment != "scan")
     options.augmentation =
         settings.augment == "mild" ? mildAugmentation() : ObjectAugmentation();
-  const auto split = withoutValidation(objects, training, settings);
+  const auto split =
+      withoutShare(objects, training, settings.validation, settings.training.seed);
   progress.start("Describing " + std::to_string(training.size()) + " objects, " +
                  std::to_string(options.draw_count) + " times each");
   TrainingData data;
@@ -188,7 +170,7 @@ run(const TrainingSettings& settings, Progress& progress)
   ProgressReport report(progress);
   const auto objects = loadLabelledObjects(
       settings.folder, settings.draws.neighbor_count, settings.threads, report);
-  const auto split = splitOf(objects, settings);
+  const auto split = splitNamed(objects, settings.split, settings.training.seed);
   ClassifierModel model;
   model.classes = objects.class_names;
   model.input = inputOf(settings, objects, split.training);

@@ -7,9 +7,7 @@
 #include "command_line/progress_report.h"
 #include "files/cloud_file.h"
 #include "pipeline/pipeline_parser.h"
-#include "pipeline/pipeline_results.h"
 #include "pipeline/pipeline_stages.h"
-#include "pipeline/result_tables.h"
 #include "pipeline/shared_rooms.h"
 #include "scene/room_json.h" // for inputOf
 #include "scene/scene_summary.h"
@@ -99,6 +97,19 @@ sayIfEmpty(const std::string& path, Scene& scene)
   scene.report.warnings.push_back(line);
 }
 
+TextTable
+timesOf(const std::vector<Progress::Stage>& stages)
+{
+  TextTable times({"stage", "seconds>"});
+  double all = 0.0;
+  for (const auto& stage : stages) {
+    times.add({stage.name, fixedText(stage.seconds, 1)});
+    all += stage.seconds;
+  }
+  times.add({"all", fixedText(all, 1)});
+  return times;
+}
+
 /** What a process does that mpirun has started beside the first one. Of the same
  * command the first one says what is wrong; here it is enough to wait for the end. */
 int
@@ -135,7 +146,9 @@ main(int argc, char** argv)
   const int status = parser.run(argc, argv, [&](Progress& progress) {
     if (options.check)
       return check(options, progress);
-    requireUsable(options);
+    requireWritableResults(options);
+    if (options.model == "none" && options.colors.wanted == "class")
+      throw ToolError("-colour class: there are no classes with -model none");
     auto scan = readScan(options, progress);
     settleSizes(options);
     const auto understood = understand(options, scan, progress);
@@ -166,8 +179,9 @@ main(int argc, char** argv)
     Progress::conclude([&] {
       progress.done(namesOf(texts));
       progress.summary(options.folder + ": " + summaryOf(scene));
-      for (const auto& table : tablesOf(scene, progress.stages()))
+      for (const auto& table : tablesOf(scene))
         progress.table(table);
+      progress.table(timesOf(progress.stages()));
     });
   });
   ranks.dismissAll();

@@ -8,7 +8,6 @@
 #include "scene/scene_query.h"
 #include "text/place_text.h"
 #include "text/printable.h"
-#include "text/text_table.h"
 
 using namespace pcl::indoor::tool;
 using Json = nlohmann::ordered_json;
@@ -101,90 +100,22 @@ chooseQuery(Options& options)
 }
 
 std::string
-joined(const Json& numbers, const char* between)
-{
-  std::string text;
-  for (const auto& number : numbers)
-    text += (text.empty() ? "" : between) + fixedText(number.get<double>(), 2);
-  return text;
-}
-
-std::string
-tableOf(const std::vector<Json>& objects, const SceneQuery& query)
-{
-  std::vector<std::string> header = {
-      "object>", "class", "sure>", "room>", "storey>", "size, m>", "centre>"};
-  if (query.nearest)
-    header.emplace_back("distance, m>");
-  TextTable table(header);
-  for (const auto& object : objects) {
-    const bool is_thing = object.at("structure") == "none";
-    const auto name = object.value("class", "-");
-    const auto& box = object.at("upright_box");
-    std::vector<std::string> row = {
-        object.at("object").dump(),
-        is_thing ? name : object["structure"].get<std::string>(),
-        is_thing && object.contains("confidence")
-            ? fixedText(100.0 * object["confidence"].get<double>(), 0) + " %"
-            : "-",
-        object.at("room") == 0 ? "-" : object["room"].dump(),
-        object.contains("storey") ? object["storey"].dump() : "-",
-        joined(box.at("size"), " x "),
-        joined(box.at("center"), ", ")};
-    if (query.nearest)
-      row.push_back(fixedText(object.at("distance").get<double>(), 2));
-    table.add(row);
-  }
-  return table.text();
-}
-
-std::string
-roomTableOf(const std::vector<Json>& rooms)
-{
-  TextTable table({"room>", "name", "sure>", "storey>", "area, m^2>", "height, m>"});
-  for (const auto& room : rooms)
-    table.add({room.at("room").dump(),
-               room.value("name", "-"),
-               room.contains("name_probability")
-                   ? fixedText(100.0 * room["name_probability"].get<double>(), 0) + " %"
-                   : "-",
-               room.at("storey").dump(),
-               fixedText(room.at("area").get<double>(), 2),
-               fixedText(room.at("height").get<double>(), 2)});
-  return table.text();
-}
-
-/** Without the corners where a way turns. */
-std::string
-routeTableOf(const Json& route)
-{
-  TextTable table({"step", "number>", "room>", "storey>", "place", "way, m>"});
-  for (const auto& step : route.at("steps"))
-    if (step["kind"] != "corner")
-      table.add({step["kind"].get<std::string>(),
-                 step.contains("number") ? step["number"].dump() : "-",
-                 step.contains("room") ? step["room"].dump() : "-",
-                 step["storey"].dump(),
-                 joined(step["position"], ", "),
-                 fixedText(step["distance"].get<double>(), 2)});
-  return table.text();
-}
-
-std::string
 answerOf(const Options& options)
 {
   if (!options.route.empty()) {
     const auto route = sceneRoute(readSavedScene(options.scene), options.route);
-    return options.json ? jsonText(route) : routeTableOf(route);
+    return options.json ? jsonText(route) : routeTable(route).text();
   }
   const auto scene = readScene(options.scene);
   try {
     if (options.rooms) {
       const auto rooms = matchingRooms(scene, options.query);
-      return options.json ? jsonText(rooms) : roomTableOf(rooms);
+      return options.json ? jsonText(rooms) : roomTable(rooms).text();
     }
     const auto objects = matchingObjects(scene, options.query);
-    return options.json ? jsonText(objects) : tableOf(objects, options.query);
+    return options.json
+               ? jsonText(objects)
+               : objectTable(objects, options.query.nearest.has_value()).text();
   } catch (const Json::exception& problem) {
     throw ToolError(options.scene + ": not a whole scene, " + messageOf(problem));
   }

@@ -7,7 +7,6 @@
 #include "files/cloud_file.h"
 #include "files/sampled_surface.h"
 #include "segmentation/object_settings.h"
-#include "segmentation/segmented_objects.h"
 #include "text/printable.h"
 
 #include <string>
@@ -44,7 +43,7 @@ main(int argc, char** argv)
     progress.done(std::to_string(file.points->size()) + " points");
 
     progress.start("Segmenting objects");
-    const auto found = segmentObjects(settings, file, printWarning);
+    const auto found = segmentObjects(choicesOf(settings), file, printWarning);
     progress.done(std::to_string(found.count) + " objects");
 
     appendField(file.cloud, "object", found.object_of_point);

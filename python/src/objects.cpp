@@ -7,7 +7,7 @@
 #include "bindings.h"
 #include "files/scan_content.h"
 #include "listener.h"
-#include "segmentation/segmented_objects.h"
+#include "segmentation/object_settings.h"
 
 #include <pcl/io/scan_file.h>
 
@@ -32,11 +32,11 @@ segmentObjects(const Scan& scan, const std::vector<std::string>& words)
   tool::addOptions(parser, settings);
   arguments.readBy(std::move(parser));
   tool::requireFitting(settings);
-  settings.input = scan.name();
   Listener listener(py::none{});
   auto found = withoutLock([&] {
-    return tool::segmentObjects(
-        settings, scan.content().file, [&](const auto& line) { listener.say(line); });
+    return tool::segmentObjects(tool::choicesOf(settings),
+                                scan.content().file,
+                                [&](const auto& line) { listener.say(line); });
   });
   return py::make_tuple(arrayOf(std::move(found.object_of_point)),
                         arrayOf(std::move(found.structure_of_point)),

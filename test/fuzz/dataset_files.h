@@ -8,7 +8,7 @@
 
 #include "datasets/depth_image.h"
 #include "datasets/scannet.h"
-#include "formats/png_file.h"
+#include "datasets/png_file.h"
 #include "support/folder_test.h" // for bytesOf
 #include "support/png_bytes.h"
 

@@ -4,7 +4,7 @@
  */
 #include "datasets/depth_image.h"
 
-#include "formats/png_file.h"
+#include "datasets/png_file.h"
 #include "formats/table/table_words.h" // for readNumber
 
 #include <pcl/common/io.h>          // for copyPointCloud

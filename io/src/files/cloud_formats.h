@@ -46,7 +46,7 @@ cloudFormatOf(const std::string& path);
  * \param[in,out] file has its path
  * \throws ToolError see loadCloud()
  */
-void
+PCL_INDOOR_EXPORTS void
 readCloud(CloudFile& file, const TableColumns& columns);
 
 /** \brief How many points the header of a cloud file promises, or a table about has; 0

@@ -14,7 +14,7 @@
 namespace pcl::indoor::tool {
 
 /** \brief Whether this build can draw PNG files: it was built with librsvg. */
-bool
+PCL_INDOOR_EXPORTS bool
 canRasterise();
 
 /** \brief A drawing on its way to a PNG file. */

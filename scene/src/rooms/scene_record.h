@@ -20,11 +20,11 @@ void
 dropGrids(BuildingRooms& building);
 
 /** \brief The rooms of a scene as bytes, after dropGrids(); without its objects. */
-std::string
+PCL_INDOOR_EXPORTS std::string
 sceneBytes(const Scene& scene);
 
 /** \brief The scene of such bytes; nothing if they are damaged. */
-std::optional<Scene>
+PCL_INDOOR_EXPORTS std::optional<Scene>
 sceneOf(const std::string& bytes);
 
 /** \brief A finished room as bytes. */
@@ -32,7 +32,7 @@ PCL_INDOOR_EXPORTS std::string
 roomBytes(const FinishedRoom& room);
 
 /** \brief The room of such bytes; nothing if they are damaged. */
-std::optional<FinishedRoom>
+PCL_INDOOR_EXPORTS std::optional<FinishedRoom>
 roomOf(const std::string& bytes);
 
 } // namespace pcl::indoor::tool

@@ -130,6 +130,15 @@ requireKnown(const Json& scene, const SceneQuery& query)
   throw ToolError("-class: '" + query.object_class + "' is not one of " + known);
 }
 
+std::string
+joined(const Json& numbers, const char* between)
+{
+  std::string text;
+  for (const auto& number : numbers)
+    text += (text.empty() ? "" : between) + fixedText(number.get<double>(), 2);
+  return text;
+}
+
 } // namespace
 
 Json
@@ -184,6 +193,66 @@ matchingObjects(const Json& scene, const SceneQuery& query)
       objects.back()["distance"] = rounded(metres);
   }
   return objects;
+}
+
+TextTable
+objectTable(const std::vector<Json>& objects, bool with_distances)
+{
+  std::vector<std::string> header = {
+      "object>", "class", "sure>", "room>", "storey>", "size, m>", "centre>"};
+  if (with_distances)
+    header.emplace_back("distance, m>");
+  TextTable table(header);
+  for (const auto& object : objects) {
+    const bool is_thing = object.at("structure") == "none";
+    const auto name = object.value("class", "-");
+    const auto& box = object.at("upright_box");
+    std::vector<std::string> row = {
+        object.at("object").dump(),
+        is_thing ? name : object["structure"].get<std::string>(),
+        is_thing && object.contains("confidence")
+            ? fixedText(100.0 * object["confidence"].get<double>(), 0) + " %"
+            : "-",
+        object.at("room") == 0 ? "-" : object["room"].dump(),
+        object.contains("storey") ? object["storey"].dump() : "-",
+        joined(box.at("size"), " x "),
+        joined(box.at("center"), ", ")};
+    if (with_distances)
+      row.push_back(fixedText(object.at("distance").get<double>(), 2));
+    table.add(row);
+  }
+  return table;
+}
+
+TextTable
+roomTable(const std::vector<Json>& rooms)
+{
+  TextTable table({"room>", "name", "sure>", "storey>", "area, m^2>", "height, m>"});
+  for (const auto& room : rooms)
+    table.add({room.at("room").dump(),
+               room.value("name", "-"),
+               room.contains("name_probability")
+                   ? fixedText(100.0 * room["name_probability"].get<double>(), 0) + " %"
+                   : "-",
+               room.at("storey").dump(),
+               fixedText(room.at("area").get<double>(), 2),
+               fixedText(room.at("height").get<double>(), 2)});
+  return table;
+}
+
+TextTable
+routeTable(const Json& route)
+{
+  TextTable table({"step", "number>", "room>", "storey>", "place", "way, m>"});
+  for (const auto& step : route.at("steps"))
+    if (step["kind"] != "corner")
+      table.add({step["kind"].get<std::string>(),
+                 step.contains("number") ? step["number"].dump() : "-",
+                 step.contains("room") ? step["room"].dump() : "-",
+                 step["storey"].dump(),
+                 joined(step["position"], ", "),
+                 fixedText(step["distance"].get<double>(), 2)});
+  return table;
 }
 
 } // namespace pcl::indoor::tool

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "text/text_table.h"
+
 #include <pcl/indoor/exports.h>
 
 #include <nlohmann/json.hpp>
@@ -52,5 +54,20 @@ matchingRooms(const nlohmann::ordered_json& scene, const SceneQuery& query);
  */
 PCL_INDOOR_EXPORTS std::vector<nlohmann::ordered_json>
 matchingObjects(const nlohmann::ordered_json& scene, const SceneQuery& query);
+
+/** \brief Such objects as a table.
+ * \param[in] with_distances which they have if the query names a place
+ * \throws nlohmann::json::exception if one lacks a field
+ */
+PCL_INDOOR_EXPORTS TextTable
+objectTable(const std::vector<nlohmann::ordered_json>& objects, bool with_distances);
+
+/** \brief Such rooms as a table. */
+PCL_INDOOR_EXPORTS TextTable
+roomTable(const std::vector<nlohmann::ordered_json>& rooms);
+
+/** \brief A sceneRoute() as a table, without the corners where it turns. */
+PCL_INDOOR_EXPORTS TextTable
+routeTable(const nlohmann::ordered_json& route);
 
 } // namespace pcl::indoor::tool

@@ -223,6 +223,45 @@ TEST(ObjectSplit, FollowsTheFoldersOfModelNet)
   }
 }
 
+TEST(ObjectSplit, IsNamedByAText)
+{
+  auto objects = objectsOf({2, 2});
+  objects.paths = {
+      "class0/train/a", "class0/train/b", "class1/train/c", "class1/test/d"};
+  EXPECT_EQ(splitNamed(objects, "none", 1).training.size(), 4u);
+  EXPECT_EQ(splitNamed(objects, "random:0.5", 7).test,
+            splitAtRandom(objects, 0.5, 7).test);
+  EXPECT_EQ(splitNamed(objects, "folders", 1).test, (std::vector<std::size_t>{3}));
+  EXPECT_EQ(complaintOf([&] { splitNamed(objects, "no_such_list", 1); }),
+            "no_such_list: no such list of the test part");
+  objects.paths[2] = "class1/test/c";
+  EXPECT_EQ(complaintOf([&] { splitNamed(objects, "folders", 1); }),
+            "class1: the split leaves no object of this class to train with");
+  EXPECT_EQ(randomShare("random:0.8"), 0.8);
+  EXPECT_EQ(randomShare("random"), std::nullopt);
+  for (const std::string split :
+       {"random:", "random:0", "random:1", "random:nan", "random:0.5x"})
+    EXPECT_EQ(complaintOf([&] { randomShare(split); }),
+              "-split: '" + split +
+                  "' has no share of the training part between 0 and 1, as "
+                  "random:0.8 has");
+}
+
+TEST(ObjectSplit, SetsAShareOfATrainingPartAside)
+{
+  const auto objects = objectsOf({10, 10});
+  const std::vector<std::size_t> training = {1, 3, 5, 7, 9, 10, 11, 12, 13, 14};
+  const auto split = withoutShare(objects, training, 0.2, 3);
+  EXPECT_EQ(split.training.size(), 8u);
+  ASSERT_EQ(split.test.size(), 2u); // one of each class
+  EXPECT_LT(split.test[0], 10u);
+  EXPECT_GE(split.test[1], 10u);
+  std::set<std::size_t> all(split.training.begin(), split.training.end());
+  all.insert(split.test.begin(), split.test.end());
+  EXPECT_EQ(all, std::set<std::size_t>(training.begin(), training.end()));
+  EXPECT_EQ(withoutShare(objects, training, 0.0, 3).training, training);
+}
+
 TEST_F(LabelledObjectFiles, FollowsAList)
 {
   LabelledObjects objects;

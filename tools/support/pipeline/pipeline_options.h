@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "building/result_files.h"
 #include "command_line/memory_limit.h"
 #include "files/point_coordinates.h"
 #include "files/station_choice.h"
@@ -20,12 +21,8 @@
 namespace pcl::indoor::tool {
 
 /** \brief What the command line of the pipeline says. */
-struct PipelineOptions : SceneOptions {
+struct PipelineOptions : SceneOptions, ResultOptions {
   std::vector<std::string> inputs; ///< scans of one building, or folders of them
-  std::string folder;
-  std::string report = "folder";                  ///< file, "none" or "folder"
-  bool ifc = false, map = false, geojson = false; ///< written besides
-  int epsg = 0; ///< of the scan's coordinates; 0 = not known
   PointColors colors;
   PointCoordinates coordinates;
   TableColumns columns;
@@ -34,12 +31,6 @@ struct PipelineOptions : SceneOptions {
   std::uint64_t points_at_once = ScanOptions().points_at_once; ///< 0: all
   bool single_process = false;
   bool check = false; ///< no more than look at the scan
-
-  std::string
-  reportFile() const
-  {
-    return report == "folder" ? folder + "/report.html" : report;
-  }
 };
 
 } // namespace pcl::indoor::tool

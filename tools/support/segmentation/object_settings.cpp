@@ -191,6 +191,50 @@ addOthers(OptionParser& parser, ObjectSettings& settings)
   parser.expert({"-double", "-memory_limit"});
 }
 
+/** The options that a preset stands for; auto may be one for tables. */
+ObjectSegmentationOptions
+presetOptions(const std::string& preset, bool is_table)
+{
+  if (preset == "thesis")
+    return thesisOptions();
+  if (preset == "thesis_kinect")
+    return thesisKinectOptions();
+  if (preset == "parts")
+    return partsOptions();
+  if (preset == "single_view" || (preset == "auto" && is_table))
+    return singleViewOptions();
+  return {};
+}
+
+/** The options to segment with. */
+ObjectSegmentationOptions
+chosenOptions(const ObjectSettings& settings, bool is_table)
+{
+  const auto preset = presetOptions(settings.preset, is_table);
+  auto options = settings.others;
+  const bool given = settings.voxel_resolution > 0 || settings.seed_resolution > 0;
+  options.voxel_size = given ? settings.voxel_resolution : preset.voxel_size;
+  options.seed_size = given ? settings.seed_resolution : preset.seed_size;
+  if (preset.on_points)
+    options.on_points = settings.on_points;
+  options.min_segment_size =
+      settings.min_segment > 0 ? settings.min_segment : preset.min_segment_size;
+  options.pieces.scale = preset.pieces.scale;
+  if (settings.level >= 0)
+    options.pieces.joining_level = static_cast<float>(settings.level);
+  options.partition = settings.partition == "auto"   ? preset.partition
+                      : settings.partition == "lccp" ? Partition::Lccp
+                      : settings.partition == "graph"
+                          ? Partition::Pieces
+                          : Partition::FelzenszwalbHuttenlocher;
+  options.orientation = settings.orientation == "auto"    ? NormalOrientation::Automatic
+                        : settings.orientation == "graph" ? NormalOrientation::Graph
+                        : settings.orientation == "viewpoint"
+                            ? NormalOrientation::Viewpoint
+                            : NormalOrientation::FreeSpace;
+  return options;
+}
+
 } // namespace
 
 ObjectSettings
@@ -228,46 +272,20 @@ addOptions(OptionParser& parser, ObjectSettings& settings)
   addOthers(parser, settings);
 }
 
-ObjectSegmentationOptions
-presetOptions(const std::string& preset, bool is_table)
+ObjectChoices
+choicesOf(const ObjectSettings& settings)
 {
-  if (preset == "thesis")
-    return thesisOptions();
-  if (preset == "thesis_kinect")
-    return thesisKinectOptions();
-  if (preset == "parts")
-    return partsOptions();
-  if (preset == "single_view" || (preset == "auto" && is_table))
-    return singleViewOptions();
-  return {};
-}
-
-ObjectSegmentationOptions
-chosenOptions(const ObjectSettings& settings, bool is_table)
-{
-  const auto preset = presetOptions(settings.preset, is_table);
-  auto options = settings.others;
-  const bool given = settings.voxel_resolution > 0 || settings.seed_resolution > 0;
-  options.voxel_size = given ? settings.voxel_resolution : preset.voxel_size;
-  options.seed_size = given ? settings.seed_resolution : preset.seed_size;
-  if (preset.on_points)
-    options.on_points = settings.on_points;
-  options.min_segment_size =
-      settings.min_segment > 0 ? settings.min_segment : preset.min_segment_size;
-  options.pieces.scale = preset.pieces.scale;
-  if (settings.level >= 0)
-    options.pieces.joining_level = static_cast<float>(settings.level);
-  options.partition = settings.partition == "auto"   ? preset.partition
-                      : settings.partition == "lccp" ? Partition::Lccp
-                      : settings.partition == "graph"
-                          ? Partition::Pieces
-                          : Partition::FelzenszwalbHuttenlocher;
-  options.orientation = settings.orientation == "auto"    ? NormalOrientation::Automatic
-                        : settings.orientation == "graph" ? NormalOrientation::Graph
-                        : settings.orientation == "viewpoint"
-                            ? NormalOrientation::Viewpoint
-                            : NormalOrientation::FreeSpace;
-  return options;
+  ObjectChoices choices;
+  choices.scan = settings.scan;
+  choices.asks_for_tables = settings.preset == "auto";
+  choices.options = [&settings](bool is_table) {
+    return chosenOptions(settings, is_table);
+  };
+  if (settings.camera != "auto")
+    choices.is_single_view = settings.camera == "single";
+  choices.ignore_normals = settings.ignore_normals;
+  choices.remove_outliers = settings.remove_outliers;
+  return choices;
 }
 
 } // namespace pcl::indoor::tool

@@ -9,6 +9,7 @@
 #include "files/point_coordinates.h"
 #include "formats/table/table_columns.h"
 #include "scene/point_colors.h"
+#include "scene/segmented_objects.h"
 
 #include <pcl/scene/scene_options.h> // for CoordinateOptions
 #include <pcl/segmentation/object_segmentation_options.h>
@@ -50,13 +51,9 @@ addOptions(OptionParser& parser, ObjectSettings& settings);
 void
 requireFitting(const ObjectSettings& settings);
 
-/** \brief The options that a preset stands for.
- * \param[in] is_table what auto is for a table */
-ObjectSegmentationOptions
-presetOptions(const std::string& preset, bool is_table);
-
-/** \brief The options to segment with. */
-ObjectSegmentationOptions
-chosenOptions(const ObjectSettings& settings, bool is_table);
+/** \brief What they say for the search.
+ * \param[in] settings must outlive it */
+ObjectChoices
+choicesOf(const ObjectSettings& settings);
 
 } // namespace pcl::indoor::tool

@@ -4,12 +4,12 @@
  */
 #include "training/training_settings.h"
 
+#include "formats/table/table_words.h" // for readNumber
 #include "objects/object_files.h"
 
 #include <pcl/ml/network_designs.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace pcl::indoor::tool {
@@ -17,29 +17,10 @@ namespace {
 
 /** \brief A whole text as a number; NaN if it is none. */
 double
-numberOf(const std::string& text)
+numberOf(std::string_view text)
 {
   double value = 0.0;
-  const auto* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  return read.ec == std::errc() && read.ptr == end ? value : std::nan("");
-}
-
-bool
-isRandom(const std::string& split)
-{
-  return split.rfind("random:", 0) == 0;
-}
-
-double
-randomShare(const std::string& split)
-{
-  const double share = numberOf(split.substr(std::string("random:").size()));
-  if (!(share > 0.0 && share < 1.0))
-    throw ToolError("-split: '" + split +
-                    "' has no share of the training part between 0 and 1, as "
-                    "random:0.8 has");
-  return share;
+  return readNumber(text, value) ? value : std::nan("");
 }
 
 std::vector<int>
@@ -299,8 +280,7 @@ addTo(OptionParser& parser, TrainingSettings& settings)
 void
 requireUsable(const TrainingSettings& settings)
 {
-  if (isRandom(settings.split))
-    randomShare(settings.split);
+  randomShare(settings.split); // throws if it is none
   if (settings.scale != "auto") {
     const double scale = numberOf(settings.scale);
     if (!(scale >= 0.0 && std::isfinite(scale)))
@@ -313,30 +293,6 @@ requireUsable(const TrainingSettings& settings)
     throw ToolError("-patience: needs -validation");
   if (!settings.confusion.empty() && settings.split == "none")
     throw ToolError("-confusion: needs a test part, see -split");
-}
-
-ObjectSplit
-splitOf(const LabelledObjects& objects, const TrainingSettings& settings)
-{
-  ObjectSplit split;
-  if (settings.split == "none")
-    for (std::size_t k = 0; k < objects.labels.size(); ++k)
-      split.training.push_back(k);
-  else if (settings.split == "folders")
-    split = splitByFolders(objects);
-  else if (isRandom(settings.split))
-    split = splitAtRandom(objects, randomShare(settings.split), settings.training.seed);
-  else
-    split = splitByList(objects, settings.split);
-  std::vector<bool> is_trained(objects.class_names.size(), false);
-  for (const auto k : split.training)
-    is_trained[static_cast<std::size_t>(objects.labels[k])] = true;
-  const auto without = std::find(is_trained.begin(), is_trained.end(), false);
-  if (without != is_trained.end())
-    throw ToolError(
-        objects.class_names[static_cast<std::size_t>(without - is_trained.begin())] +
-        ": the split leaves no object of this class to train with");
-  return split;
 }
 
 ClassifierInput

@@ -58,12 +58,6 @@ addTo(OptionParser& parser, TrainingSettings& settings);
 void
 requireUsable(const TrainingSettings& settings);
 
-/** \brief Objects to train and to test with; all and none if no split is asked for.
- * \throws ToolError as the splits, and if a class has no object to train with
- */
-ObjectSplit
-splitOf(const LabelledObjects& objects, const TrainingSettings& settings);
-
 /** \brief What the model is fed with; scale "auto" needs the objects.
  * \param[in] used objects that count for the scale
  */

@@ -5,6 +5,7 @@
 #include "objects/labelled_objects.h"
 
 #include "files/random_numbers.h"
+#include "formats/table/table_words.h" // for readNumber
 #include "objects/object_files.h"
 #include "text/printable.h"
 
@@ -173,6 +174,63 @@ splitByList(const LabelledObjects& objects, const std::string& list_path)
     throw ToolError(list_path + ": names none of the objects");
   if (split.training.empty())
     throw ToolError(list_path + ": names all objects, none is left to train with");
+  return split;
+}
+
+std::optional<double>
+randomShare(const std::string& split)
+{
+  const std::string lead = "random:";
+  if (split.rfind(lead, 0) != 0)
+    return std::nullopt;
+  double share = 0.0;
+  if (!readNumber(std::string_view(split).substr(lead.size()), share) ||
+      !(share > 0.0 && share < 1.0))
+    throw ToolError("-split: '" + split +
+                    "' has no share of the training part between 0 and 1, as "
+                    "random:0.8 has");
+  return share;
+}
+
+ObjectSplit
+splitNamed(const LabelledObjects& objects, const std::string& split, std::uint32_t seed)
+{
+  ObjectSplit parts;
+  if (split == "none")
+    parts = splitBy(objects.labels.size(), [](std::size_t) { return false; });
+  else if (split == "folders")
+    parts = splitByFolders(objects);
+  else if (const auto share = randomShare(split))
+    parts = splitAtRandom(objects, *share, seed);
+  else
+    parts = splitByList(objects, split);
+  std::vector<bool> is_trained(objects.class_names.size(), false);
+  for (const auto k : parts.training)
+    is_trained[static_cast<std::size_t>(objects.labels[k])] = true;
+  const auto without = std::find(is_trained.begin(), is_trained.end(), false);
+  if (without != is_trained.end())
+    throw ToolError(
+        objects.class_names[static_cast<std::size_t>(without - is_trained.begin())] +
+        ": the split leaves no object of this class to train with");
+  return parts;
+}
+
+ObjectSplit
+withoutShare(const LabelledObjects& objects,
+             const std::vector<std::size_t>& training,
+             double share,
+             std::uint32_t seed)
+{
+  if (share == 0.0)
+    return {training, {}};
+  LabelledObjects part;
+  part.class_names = objects.class_names;
+  for (const auto k : training)
+    part.labels.push_back(objects.labels[k]);
+  auto split = splitAtRandom(part, 1.0 - share, seed);
+  for (auto* const indices : {&split.training, &split.test})
+    for (auto& index : *indices)
+      index = training[index];
   return split;
 }
 

@@ -12,6 +12,7 @@
 #include <pcl/point_types.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,13 +58,13 @@ struct ObjectSplit {
  * \param[in] share of the training part, between 0 and 1
  * \throws ToolError if a class has only one object
  */
-PCL_INDOOR_EXPORTS ObjectSplit
+ObjectSplit
 splitAtRandom(const LabelledObjects& objects, double share, std::uint32_t seed);
 
 /** \brief By the folders "train" and "test" in each class folder, as in ModelNet.
  * \throws ToolError if an object lies in neither, or one part is empty
  */
-PCL_INDOOR_EXPORTS ObjectSplit
+ObjectSplit
 splitByFolders(const LabelledObjects& objects);
 
 /** \brief By a list of the test part, one name per line.
@@ -73,7 +74,31 @@ splitByFolders(const LabelledObjects& objects);
  * \param[in] list_path of the file with the names; empty lines do not count
  * \throws ToolError if it cannot be read or names no object, or all
  */
-PCL_INDOOR_EXPORTS ObjectSplit
+ObjectSplit
 splitByList(const LabelledObjects& objects, const std::string& list_path);
+
+/** \brief The share X of a split "random:X"; empty for any other.
+ * \throws ToolError if it is not between 0 and 1
+ */
+PCL_INDOOR_EXPORTS std::optional<double>
+randomShare(const std::string& split);
+
+/** \brief The split that a text names: "none" trains with all objects, "random:X" with
+ * a share, "folders", or the path of a list.
+ * \throws ToolError as the splits, and if a class has no object to train with
+ */
+PCL_INDOOR_EXPORTS ObjectSplit
+splitNamed(const LabelledObjects& objects,
+           const std::string& split,
+           std::uint32_t seed);
+
+/** \brief A random share of each class of a training part, set aside as test part.
+ * \param[in] share 0 = none; else as splitAtRandom()
+ */
+PCL_INDOOR_EXPORTS ObjectSplit
+withoutShare(const LabelledObjects& objects,
+             const std::vector<std::size_t>& training,
+             double share,
+             std::uint32_t seed);
 
 } // namespace pcl::indoor::tool

@@ -121,7 +121,7 @@ expectedFits(const JoinTree& tree, JoiningScale scale, bool has_votes = false);
  * \param[in] worth of the pieces, then of the union of each join
  * \param[in] level from which joins are to be made when in doubt
  * \return the segment of each piece: the number of one of its pieces */
-std::vector<std::uint32_t>
+PCL_INDOOR_EXPORTS std::vector<std::uint32_t>
 bestCut(const std::vector<PieceJoin>& joins,
         const std::vector<float>& worth,
         float level);

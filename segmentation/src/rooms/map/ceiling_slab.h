@@ -7,6 +7,7 @@
 
 #include "rooms/storeys/storey_space.h" // for VerticalRange
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/building_rooms_options.h>
@@ -26,7 +27,7 @@ namespace indoor {
  * \param[in] storey the layers that count
  * \return the layer, or -1 where the surroundings hold no occupied voxel
  */
-PixelMap<int>
+PCL_INDOOR_EXPORTS PixelMap<int>
 ceilingLayers(const VoxelBits& occupancy,
               const VerticalRange& storey,
               const CeilingSlabOptions& options);

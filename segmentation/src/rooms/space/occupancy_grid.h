@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
 #include <pcl/indoor/voxel_bits.h>
 #include <pcl/segmentation/building_rooms.h>
 
@@ -55,7 +56,7 @@ struct OccupancyGrid : TurnedFrame {
  * \throws pcl::BadArgumentException if an option is out of range, or if the grid would
  * have 2^31 voxels or more
  */
-OccupancyGrid
+PCL_INDOOR_EXPORTS OccupancyGrid
 occupancyGrid(const std::vector<Eigen::Vector3f>& points,
               const OccupancyGridOptions& options = {});
 

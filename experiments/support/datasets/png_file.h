@@ -4,8 +4,6 @@
  */
 #pragma once
 
-#include <pcl/indoor/exports.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -32,13 +30,13 @@ struct PngImage {
  * \throws ToolError if the file is missing, damaged, no PNG, in colour or has an alpha
  * channel
  */
-PCL_INDOOR_EXPORTS PngImage
+PngImage
 readNumberPng(const std::string& path);
 
 /** \brief Read an image as red, green and blue of 8 bits; alpha is left out.
  * \throws ToolError if the file is missing, damaged or no PNG
  */
-PCL_INDOOR_EXPORTS PngImage
+PngImage
 readColorPng(const std::string& path);
 
 } // namespace pcl::indoor::tool

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "segmentation/segmented_objects.h"
+#include "scene/segmented_objects.h"
 
 #include "files/tool_error.h"
 #include "scene/single_view.h"
@@ -43,7 +43,7 @@ pointsInMetres(const CloudFile& file, double metres_per_unit)
  * \param[in] said what was said of the points already; a camera's view tells its unit
  */
 std::string
-unitLine(const ObjectSettings& settings,
+unitLine(const CoordinateOptions& scan,
          Vertical vertical,
          const std::vector<std::string>& said)
 {
@@ -53,7 +53,7 @@ unitLine(const ObjectSettings& settings,
   });
   if (is_told || vertical.room_height < room)
     return {};
-  const double unit = settings.scan.metresPerUnit();
+  const double unit = scan.metresPerUnit();
   vertical.room_height /= unit;
   return unitWarning(vertical, unit);
 }
@@ -63,28 +63,27 @@ unitLine(const ObjectSettings& settings,
  * \param[out] vertical of anything but a view
  */
 bool
-isTable(const ObjectSettings& settings,
+isTable(const ObjectChoices& choices,
+        const std::string& path,
         const Cloud::ConstPtr& cloud,
         Vertical& vertical,
         const Say& warn)
 {
-  const bool is_auto = settings.preset == "auto";
-  if (is_auto && isSingleView(cloud))
+  if (choices.asks_for_tables && isSingleView(cloud))
     return true;
+  const auto& scan = choices.scan;
   std::vector<Eigen::Vector3f> points;
   for (const auto& point : *cloud)
     if (isUsablePoint(point))
       points.push_back(point.getVector3fMap());
   moveToMiddle(points);
-  vertical = settings.scan.up == "auto" ? findVertical(points)
-                                        : verticalAlong(settings.scan.upAxis(), points);
-  const auto up = settings.scan.up == "auto" ? vertical.upAxis()
-                                             : settings.scan.upAxis().normalized();
-  if (!is_auto || !isTableTop(points, up))
+  vertical =
+      scan.up == "auto" ? findVertical(points) : verticalAlong(scan.upAxis(), points);
+  const auto up = scan.up == "auto" ? vertical.upAxis() : scan.upAxis().normalized();
+  if (!choices.asks_for_tables || !isTableTop(points, up))
     return false;
-  warn(settings.input +
-       ": The scan is no larger than what stands on a table: small things are "
-       "told apart (-preset single_view); for one thing set -preset objects.");
+  warn(path + ": The scan is no larger than what stands on a table: small things are "
+              "told apart (-preset single_view); for one thing set -preset objects.");
   return true;
 }
 
@@ -105,29 +104,29 @@ indicesWithoutOutliers(const CloudFile& file,
 
 /** The class with everything that it is given. */
 NoiseResilientLCCP<PointXYZ>
-segmentationOf(const ObjectSettings& settings,
+segmentationOf(const ObjectChoices& choices,
                const CloudFile& file,
                const Cloud::ConstPtr& points,
                Vertical& vertical,
                const Say& warn)
 {
   NoiseResilientLCCP<PointXYZ> segmentation;
-  const bool is_table = isTable(settings, points, vertical, warn);
-  segmentation.setOptions(chosenOptions(settings, is_table));
-  if (settings.scan.up != "auto")
-    segmentation.setUpAxis(settings.scan.upAxis());
-  if (settings.camera != "auto")
-    segmentation.setUseSingleCameraTransform(settings.camera == "single");
+  const auto options =
+      choices.options(isTable(choices, file.path, points, vertical, warn));
+  segmentation.setOptions(options);
+  if (choices.scan.up != "auto")
+    segmentation.setUpAxis(choices.scan.upAxis());
+  if (choices.is_single_view)
+    segmentation.setUseSingleCameraTransform(*choices.is_single_view);
   const auto& origin = points->sensor_origin_;
-  if (settings.orientation == "viewpoint")
+  if (options.orientation == NormalOrientation::Viewpoint)
     segmentation.setViewPoint(origin.x(), origin.y(), origin.z());
   segmentation.setInputCloud(points);
-  if (settings.remove_outliers)
-    segmentation.setIndices(
-        indicesWithoutOutliers(file, points, settings.others.threads));
-  if (file.has_normals && !settings.ignore_normals)
+  if (choices.remove_outliers)
+    segmentation.setIndices(indicesWithoutOutliers(file, points, options.threads));
+  if (file.has_normals && !choices.ignore_normals)
     segmentation.setInputNormals(readNormals(file));
-  if (settings.on_points.color_weight > 0)
+  if (options.on_points && options.on_points->color_weight > 0)
     segmentation.setInputColors(readColors(file));
   return segmentation;
 }
@@ -135,12 +134,12 @@ segmentationOf(const ObjectSettings& settings,
 } // namespace
 
 SegmentedObjects
-segmentObjects(const ObjectSettings& settings, const CloudFile& file, const Say& warn)
+segmentObjects(const ObjectChoices& choices, const CloudFile& file, const Say& warn)
 {
-  const double metres = settings.scan.metresPerUnit();
+  const double metres = choices.scan.metresPerUnit();
   Vertical vertical;
   auto segmentation =
-      segmentationOf(settings, file, pointsInMetres(file, metres), vertical, warn);
+      segmentationOf(choices, file, pointsInMetres(file, metres), vertical, warn);
   SegmentedObjects found;
   const auto step = stepWarning(file.coordinate_step * metres,
                                 withSizes(segmentation.getOptions()).voxel_size);
@@ -148,7 +147,7 @@ segmentObjects(const ObjectSettings& settings, const CloudFile& file, const Say&
     warn(file.path + ": " + step);
   const auto problem = problemOf([&] { segmentation.segment(found.object_of_point); });
   auto lines = segmentation.getReport().warnings;
-  if (const auto line = unitLine(settings, vertical, lines); !line.empty())
+  if (const auto line = unitLine(choices.scan, vertical, lines); !line.empty())
     lines.push_back(line);
   for (const auto& line : lines)
     warn(file.path + ": " + line);

@@ -5,16 +5,32 @@
 #pragma once
 
 #include "files/cloud_file.h"
-#include "segmentation/object_settings.h"
+
+#include <pcl/indoor/exports.h>
+#include <pcl/scene/scene_options.h> // for CoordinateOptions
+#include <pcl/segmentation/object_segmentation_options.h>
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl::indoor::tool {
 
-/** \brief What pcl_noise_resilient_lccp finds, in the order of the points. */
+/** \brief How the objects of a room are looked for. */
+struct ObjectChoices {
+  CoordinateOptions scan;
+  bool asks_for_tables =
+      false; ///< whether the scan is one is found out; else it is not
+  /** \brief What to segment with, a table or anything else. */
+  std::function<ObjectSegmentationOptions(bool is_table)> options;
+  /** see NoiseResilientLCCP::setUseSingleCameraTransform(), which else finds it out */
+  std::optional<bool> is_single_view;
+  bool ignore_normals = false, remove_outliers = false;
+};
+
+/** \brief The objects of a room, in the order of the points. */
 struct SegmentedObjects {
   std::vector<std::uint32_t> object_of_point;    ///< 0 = not finite or an outlier
   std::vector<std::uint32_t> structure_of_point; ///< 1 floor, 2 wall, 3 ceiling, 4
@@ -26,8 +42,8 @@ struct SegmentedObjects {
  * \param[in] warn is told what is implausible, a line each
  * \throws ToolError if nothing can be found, or points lack colours that are wanted
  */
-SegmentedObjects
-segmentObjects(const ObjectSettings& settings,
+PCL_INDOOR_EXPORTS SegmentedObjects
+segmentObjects(const ObjectChoices& choices,
                const CloudFile& file,
                const std::function<void(const std::string& line)>& warn);
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "formats/png_file.h"
+#include "datasets/png_file.h"
 
 #include "files/tool_error.h"
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "pipeline/pipeline_results.h"
+#include "building/result_files.h"
 
 #include "export/scene_files.h"
 #include "files/result_names.h"
@@ -41,7 +41,7 @@ requireOwnName(const std::string& report, const std::string& folder)
 
 /** What is written for other programs, by the name that says the format. */
 std::vector<std::string>
-exportsOf(const PipelineOptions& options)
+exportsOf(const ResultOptions& options)
 {
   std::vector<std::string> names;
   if (options.ifc)
@@ -55,7 +55,7 @@ exportsOf(const PipelineOptions& options)
 
 /** What the scene is written as for other programs. */
 void
-addExports(const PipelineOptions& options,
+addExports(const ResultOptions& options,
            const nlohmann::ordered_json& json,
            NamedBytes& files)
 {
@@ -121,7 +121,7 @@ outdatedResults(const std::string& folder)
 } // namespace
 
 void
-requireUsable(const PipelineOptions& options)
+requireWritableResults(const ResultOptions& options)
 {
   requireFolder(options.folder);
   if (std::filesystem::exists(options.folder)) {
@@ -134,12 +134,10 @@ requireUsable(const PipelineOptions& options)
     requireOwnName(options.report, options.folder);
     requireWritable(options.report);
   }
-  if (options.model == "none" && options.colors.wanted == "class")
-    throw ToolError("-colour class: there are no classes with -model none");
 }
 
 NamedBytes
-describe(const PipelineOptions& options,
+describe(const ResultOptions& options,
          const Scene& scene,
          const PointCloud<PointXYZ>& points)
 {
