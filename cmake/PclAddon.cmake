@@ -128,6 +128,7 @@ function(pcl_addon_add_library module)
   add_library(${PROJECT_NAME}::${module} ALIAS ${target})
   pcl_addon_set_defaults(${target})
   pcl_addon_group_by_folder(${target} ${ARG_SOURCES})
+  set_property(GLOBAL APPEND PROPERTY PCL_INDOOR_LIBRARIES ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${module} VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN"
     POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
@@ -202,6 +203,10 @@ endfunction()
 
 # A man page and a completion for bash of every tool, made of what it says with -h
 function(pcl_addon_describe_tools)
+  if(CMAKE_CROSSCOMPILING)
+    message(STATUS "Cross-compiling: there are no man pages and completions, which the tools themselves would tell")
+    return()
+  endif()
   set(folder ${PROJECT_BINARY_DIR}/tools/documentation)
   set(script ${PROJECT_SOURCE_DIR}/tools/documentation/describe_tool.sh)
   file(MAKE_DIRECTORY ${folder}/man ${folder}/completions)

@@ -13,17 +13,27 @@ namespace indoor {
 
 namespace {
 
+namespace fs = std::filesystem;
+
+/** \brief The file with this code in it: the shared library, or what a static one was
+ * linked into; a program that was found by PATH is known by its name only. */
+fs::path
+ownFile()
+{
+  Dl_info info{};
+  dladdr(reinterpret_cast<const void*>(&bundledModelFile), &info);
+  std::error_code error;
+  const auto file =
+      fs::canonical(info.dli_fname != nullptr ? info.dli_fname : "", error);
+  return error ? fs::canonical("/proc/self/exe", error) : file;
+}
+
 /** \brief Beside the library as it is installed, or built. */
 std::string
 dataFile(const char* name)
 {
-  namespace fs = std::filesystem;
-  Dl_info info{};
-  dladdr(reinterpret_cast<const void*>(&bundledModelFile), &info);
   std::error_code error;
-  const auto library =
-      fs::canonical(info.dli_fname != nullptr ? info.dli_fname : "", error);
-  const auto folder = library.parent_path();
+  const auto folder = ownFile().parent_path();
   const auto installed = folder / PCL_INDOOR_DATA_FROM_LIBRARIES;
   const auto built = folder.parent_path() / "share" / "pcl_indoor";
   return ((fs::exists(installed, error) ? installed : built) / name)

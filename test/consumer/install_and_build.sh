@@ -48,7 +48,7 @@ cp "$folder/source/CMakeLists.txt" "$folder/CMakeLists.txt"
 sed -i 's/COMPONENTS scene segmentation features ml/COMPONENTS training/; /consumer PRIVATE/,$d' "$folder/source/CMakeLists.txt"
 sed -i 's/consumer consumer.cpp/consumer training.cpp/' "$folder/source/CMakeLists.txt"
 echo 'target_link_libraries(consumer PRIVATE pcl_indoor::training)' >> "$folder/source/CMakeLists.txt"
-if [ -n "$(find "$folder/prefix" -name libpcl_indoor_training.so)" ]; then
+if [ -n "$(find "$folder/prefix" -name 'libpcl_indoor_training.*')" ]; then
   configure "$folder/training" || { cat "$folder/training.log"; exit 1; }
   "$cmake" --build "$folder/training"
   "$folder/training/consumer"

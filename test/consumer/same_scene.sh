@@ -28,8 +28,9 @@ END
 "$folder/build/describe_building" "$folder/flat.pcd" "$folder/scene.json"
 cmp "$folder/result/scene.json" "$folder/scene.json"
 
-if command -v pkg-config > /dev/null; then
-  PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name pcl_indoor_scene.pc)")
+described=$(find "$prefix" -name pcl_indoor_scene.pc) # only shared libraries are
+if [ -n "$described" ] && command -v pkg-config > /dev/null; then
+  PKG_CONFIG_PATH=$(dirname "$described")
   export PKG_CONFIG_PATH
   read -ra flags < <(pkg-config --cflags --libs pcl_indoor_scene)
   c++ -std=c++17 -O1 "$folder/source/describe_building.cpp" -o "$folder/by_pkg_config" "${flags[@]}" \
