@@ -56,18 +56,18 @@ struct Found {
   std::vector<PieceJoin> joins;
 };
 
+/** \param[in] options ours or the thesis's */
+template <typename Options>
 Found
-segmentOurs(const Cloud::Ptr& points,
-            ObjectSegmentationOptions options,
-            unsigned threads)
+segmentOurs(const Cloud::Ptr& points, const Options& options, unsigned threads)
 {
-  options.threads = threads;
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
   segmentation.setOptions(options);
+  segmentation.setNumberOfThreads(threads);
   segmentation.setInputCloud(points);
   Found found;
   segmentation.segment(found.labels);
-  if (options.partition == Partition::Pieces) {
+  if (segmentation.getPartition() == Partition::Pieces) {
     found.pieces = segmentation.getSegmentsAtLevel(1.1f); // no join is that probable
     found.joins = segmentation.getHierarchy();
   }
@@ -137,7 +137,7 @@ makeMethods(bool single_view, const Settings& settings)
       return Found{segmentUpstream(*points, options), {}, {}};
     };
   };
-  const auto own = [threads](const ObjectSegmentationOptions& options) {
+  const auto own = [threads](const auto& options) {
     return [options, threads](const Cloud::Ptr& points) {
       return segmentOurs(points, options, threads);
     };
@@ -151,11 +151,12 @@ makeMethods(bool single_view, const Settings& settings)
   if (settings.methods == "upstream")
     return {{"LCCP, example's defaults", upstream(plain)},
             {"LCCP, tuned", upstream(tuned)}};
-  auto proposed = single_view ? thesisKinectOptions() : thesisOptions(), lccp = ours;
-  lccp.partition = Partition::Lccp;
+  auto proposed = single_view ? thesisKinectOptions() : thesisOptions();
+  thesis::ObjectOptions lccp{ours, {}, {}};
+  lccp.edges.partition = thesis::EdgePartition::Lccp;
   if (single_view) {
-    proposed.voxel_size = sizes.voxel_size;
-    proposed.seed_size = sizes.seed_size;
+    proposed.shared.voxel_size = sizes.voxel_size;
+    proposed.shared.seed_size = sizes.seed_size;
   }
   std::vector<Method> methods{{"LCCP, example's defaults", upstream(plain)},
                               {"LCCP, tuned", upstream(tuned)},

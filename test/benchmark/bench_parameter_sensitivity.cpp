@@ -133,20 +133,38 @@ countEdges(const ObjectSteps& graph,
   return count;
 }
 
+/** The thesis's options without RANSAC, or ours in their place. */
+thesis::ObjectOptions
+optionsFor(bool on_points)
+{
+  auto options = on_points ? thesisOptions() : thesis::ObjectOptions();
+  if (on_points)
+    options.on_points->ransac_share = 0;
+  return options;
+}
+
+/** Ours, or the thesis's way on points. */
+ObjectSegmentation
+segmented(const Room& room, const thesis::ObjectOptions& options)
+{
+  return options.on_points ? thesis::segmentObjects(room.input, options)
+                           : segmentObjects(room.input, options.shared);
+}
+
 /** What is removed with the thresholds of the options: Eq. (4.2) on the points of a
  * graph, or the voxels' own way. */
 std::vector<std::uint8_t>
-removedWith(const ObjectSegmentationOptions& options,
+removedWith(const thesis::ObjectOptions& options,
             const ObjectSteps& graph,
             const Room& room)
 {
   if (!options.on_points)
-    return stepsOf(segmentObjects(room.input, options)).removed;
+    return stepsOf(segmented(room, options)).removed;
   const auto& surface = graph.scene.voxels;
   NonConvexityOptions removal;
   removal.radius = options.on_points->removal_radius;
-  removal.curvature_threshold = options.curvature_threshold;
-  removal.ratio_threshold = options.ratio_threshold;
+  removal.curvature_threshold = options.shared.curvature_threshold;
+  removal.ratio_threshold = options.shared.ratio_threshold;
   return nonConvexPoints(
       surface.centroids, surface.normals, surface.curvatures, removal);
 }
@@ -171,11 +189,9 @@ measure(const std::vector<Room>& rooms, bool on_points)
       ratio_thresholds.size(), std::vector<EdgeCount>(curvature_thresholds.size()));
   EdgeCount all;
   for (const auto& room : rooms) {
-    auto options = on_points ? thesisOptions() : ObjectSegmentationOptions();
-    if (on_points)
-      options.on_points->ransac_share = 0;
-    options.curvature_threshold = 1.0f / 3; // nothing is removed
-    const auto segmentation = segmentObjects(room.input, options);
+    auto options = optionsFor(on_points);
+    options.shared.curvature_threshold = 1.0f / 3; // nothing is removed
+    const auto segmentation = segmented(room, options);
     const auto& graph = stepsOf(segmentation);
     const auto labels = labelsOfSupervoxels(graph, room.labels);
     const auto cells = touchingCells(graph.scene, on_points);
@@ -184,8 +200,8 @@ measure(const std::vector<Room>& rooms, bool on_points)
     all.inter += before.inter;
     for (std::size_t r = 0; r < ratio_thresholds.size(); ++r)
       for (std::size_t c = 0; c < curvature_thresholds.size(); ++c) {
-        options.curvature_threshold = curvature_thresholds[c];
-        options.ratio_threshold = ratio_thresholds[r];
+        options.shared.curvature_threshold = curvature_thresholds[c];
+        options.shared.ratio_threshold = ratio_thresholds[r];
         const auto count =
             countEdges(graph, cells, labels, removedWith(options, graph, room));
         left[r][c].intra += count.intra;
@@ -212,11 +228,10 @@ printGraphsAnew(const std::vector<Room>& rooms, float ratio_threshold)
   const auto count = [&](float curvature_threshold) {
     EdgeCount all;
     for (const auto& room : rooms) {
-      auto options = thesisOptions();
-      options.on_points->ransac_share = 0;
-      options.curvature_threshold = curvature_threshold;
-      options.ratio_threshold = ratio_threshold;
-      const auto segmentation = segmentObjects(room.input, options);
+      auto options = optionsFor(true);
+      options.shared.curvature_threshold = curvature_threshold;
+      options.shared.ratio_threshold = ratio_threshold;
+      const auto segmentation = segmented(room, options);
       const auto& graph = stepsOf(segmentation);
       const auto labels = labelsOfSupervoxels(graph, room.labels);
       for (const auto& edge : graph.edges)

@@ -131,7 +131,7 @@ search(const ObjectSearch& search,
 void
 describeSearch(const RoomWork& work, Scene& scene)
 {
-  const auto sizes = withSizes(work.options);
+  const auto sizes = withSizes(work.thesis ? work.thesis->shared : work.options);
   scene.seeds_per_voxel = sizes.seed_size / sizes.voxel_size;
   if (work.naming)
     scene.classes.names = classNames(*work.naming);
@@ -151,7 +151,8 @@ checkedOptions(SceneOptions options)
   const double voxel = options.voxel_resolution, seed = options.seed_resolution;
   if (voxel == 0.0 && seed == 0.0)
     return options;
-  auto& objects = options.objects;
+  auto& objects =
+      options.thesis_objects ? options.thesis_objects->shared : options.objects;
   objects.voxel_size = voxel;
   objects.seed_size = seed;
   objects = withSizes(objects);
@@ -185,9 +186,15 @@ roomWork(const SceneOptions& options)
   RoomWork work;
   work.preparation = options.preparation;
   work.options = options.objects;
-  if (options.partition == "lccp")
-    work.options.partition = Partition::Lccp;
   work.options.threads = 1; // the threads are busy with the rooms
+  work.thesis = options.thesis_objects;
+  if (work.thesis)
+    work.thesis->shared.threads = 1;
+  if (options.partition == "lccp") {
+    if (!work.thesis)
+      work.thesis = thesis::ObjectOptions{work.options, {}, {}};
+    work.thesis->edges.partition = thesis::EdgePartition::Lccp;
+  }
   work.naming = namingOf(options);
   if (options.network != "none")
     work.network = {std::async(std::launch::deferred,

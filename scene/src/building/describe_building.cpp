@@ -113,7 +113,7 @@ thesisSceneOptions()
   options.preset = "thesis";
   options.network = "none";
   options.rooms = thesisRoomOptions();
-  options.objects = thesisOptions();
+  options.thesis_objects = thesisOptions();
   return options;
 }
 

@@ -16,7 +16,7 @@ pipelineOptions(int argc, const char* const* argv)
   PipelineOptions options;
   if (presetOf(argc, argv) == "thesis") {
     options.rooms = pcl::indoor::thesisRoomOptions();
-    options.objects = pcl::indoor::thesisOptions();
+    options.thesis_objects = pcl::indoor::thesisOptions();
   }
   return options;
 }

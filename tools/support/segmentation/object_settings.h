@@ -11,7 +11,7 @@
 #include "scene/point_colors.h"
 
 #include <pcl/scene/scene_options.h> // for CoordinateOptions
-#include <pcl/segmentation/object_segmentation_options.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <cstdint>
 #include <string>
@@ -29,7 +29,8 @@ struct ObjectSettings {
   double voxel_resolution = 0, seed_resolution = 0;
   bool ignore_normals = false, remove_outliers = false;
   ObjectSegmentationOptions others;
-  PointOptions on_points; // for the thesis's presets
+  thesis::EdgeOptions edges;      // for partitions without pieces
+  thesis::PointOptions on_points; // for the thesis's presets
   PointColors colors;
   PointCoordinates coordinates;
   TableColumns columns;
@@ -50,13 +51,13 @@ addOptions(OptionParser& parser, ObjectSettings& settings);
 void
 requireFitting(const ObjectSettings& settings);
 
-/** \brief The options that a preset stands for.
- * \param[in] is_table what auto is for a table */
-ObjectSegmentationOptions
-presetOptions(const std::string& preset, bool is_table);
+/** \brief Whether a preset or a partition is one of pieces, not of the thesis. */
+bool
+hasPieces(const ObjectSettings& settings);
 
-/** \brief The options to segment with. */
-ObjectSegmentationOptions
+/** \brief The options to segment with; where there are pieces, the shared ones.
+ * \param[in] is_table what the preset auto is for a table */
+thesis::ObjectOptions
 chosenOptions(const ObjectSettings& settings, bool is_table);
 
 } // namespace pcl::indoor::tool

@@ -113,7 +113,11 @@ segmentationOf(const ObjectSettings& settings,
 {
   NoiseResilientLCCP<PointXYZ> segmentation;
   const bool is_table = isTable(settings, points, vertical, warn);
-  segmentation.setOptions(chosenOptions(settings, is_table));
+  const auto options = chosenOptions(settings, is_table);
+  if (hasPieces(settings))
+    segmentation.setOptions(options.shared);
+  else
+    segmentation.setOptions(options);
   if (settings.scan.up != "auto")
     segmentation.setUpAxis(settings.scan.upAxis());
   if (settings.camera != "auto")

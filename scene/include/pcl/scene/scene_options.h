@@ -6,12 +6,13 @@
 
 #include <pcl/ml/object_classifier.h>
 #include <pcl/segmentation/building_rooms_options.h>
-#include <pcl/segmentation/object_segmentation_options.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,8 @@ struct SceneOptions {
   CoordinateOptions scan;
   BuildingRoomsOptions rooms;
   ObjectSegmentationOptions objects;
+  /** by the thesis's own method, in place of objects; none: by ours */
+  std::optional<thesis::ObjectOptions> thesis_objects;
   double voxel_resolution = 0.0,   ///< edge of a voxel of the objects, metres; 0 =
                                    ///< automatic: 0.03, more where points are sparse
       seed_resolution = 0.0;       ///< distance of supervoxels, metres; 0 = automatic

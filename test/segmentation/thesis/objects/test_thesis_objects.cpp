@@ -11,8 +11,8 @@
 #include "objects/object_steps.h"
 
 #include <pcl/segmentation/lccp_segmentation.h>
-#include <pcl/segmentation/object_segmentation.h>
 #include <pcl/segmentation/supervoxel_clustering.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ inputOf(const Points& points)
 /** Sec. 4.2 by its definitions. */
 class DenseObjects {
 public:
-  DenseObjects(Points points, const ObjectSegmentationOptions& options, double radius)
+  DenseObjects(Points points, const thesis::ObjectOptions& options, double radius)
   : points_(std::move(points))
   , options_(options)
   , radius_(radius)
@@ -70,7 +70,7 @@ public:
     for (std::size_t i = 0; i < points_.size(); ++i)
       removed.push_back(isRemoved(i));
     makeSupervoxels();
-    if (options.partition == Partition::Lccp)
+    if (options.edges.partition == thesis::EdgePartition::Lccp)
       joinByLccp();
     else
       joinByGraph();
@@ -120,8 +120,8 @@ private:
       positive += height > 0;
       negative += height < 0;
     }
-    return curvatures[i] > options_.curvature_threshold &&
-           positive >= options_.ratio_threshold * negative;
+    return curvatures[i] > options_.shared.curvature_threshold &&
+           positive >= options_.shared.ratio_threshold * negative;
   }
 
   void
@@ -139,8 +139,9 @@ private:
       cloud->push_back(point);
       cloud_normals->push_back({normals[i].x(), normals[i].y(), normals[i].z()});
     }
-    pcl::SupervoxelClustering<PointT> upstream(static_cast<float>(options_.voxel_size),
-                                               static_cast<float>(options_.seed_size));
+    pcl::SupervoxelClustering<PointT> upstream(
+        static_cast<float>(options_.shared.voxel_size),
+        static_cast<float>(options_.shared.seed_size));
     upstream.setUseSingleCameraTransform(false);
     upstream.setInputCloud(cloud);
     upstream.setNormalCloud(cloud_normals);
@@ -161,7 +162,7 @@ private:
            const Eigen::Vector3f& x2,
            const Eigen::Vector3f& n2) const
   {
-    return (x1 - x2).norm() * (0.2f / static_cast<float>(options_.seed_size)) +
+    return (x1 - x2).norm() * (0.2f / static_cast<float>(options_.shared.seed_size)) +
            (1 - std::abs(n1.dot(n2))) * 0.5f;
   }
 
@@ -212,7 +213,7 @@ private:
     for (const auto& [weight, source, target] : edges) { // C
       const auto a = component.at(source), b = component.at(target);
       if (a != b && std::min(members.at(a).size(), members.at(b).size()) <
-                        options_.min_segment_size)
+                        options_.shared.min_segment_size)
         merge(a, b, weight);
     }
     for (const auto& [name, root] : component)
@@ -248,7 +249,8 @@ private:
           continue;
         std::tuple<float, std::size_t, std::uint32_t> nearest{1e9f, i, 0};
         for (std::size_t j = 0; j < points_.size(); ++j) {
-          if (labels[j] == 0 || (points_[j] - points_[i]).norm() > options_.voxel_size)
+          if (labels[j] == 0 ||
+              (points_[j] - points_[i]).norm() > options_.shared.voxel_size)
             continue;
           const float d = distance(points_[i], normals[i], points_[j], normals[j]);
           if (d < std::get<0>(nearest))
@@ -268,7 +270,7 @@ private:
   }
 
   Points points_;
-  const ObjectSegmentationOptions& options_;
+  const thesis::ObjectOptions& options_;
   double radius_;
   std::map<std::uint32_t, pcl::Supervoxel<PointT>::Ptr> clusters_;
   std::multimap<std::uint32_t, std::uint32_t> adjacency_;
@@ -277,7 +279,7 @@ private:
 };
 
 void
-expectAsDefined(const ObjectSegmentationOptions& given, unsigned seed)
+expectAsDefined(const thesis::ObjectOptions& given, unsigned seed)
 {
   const auto points = tableScene(seed);
   auto options = given;
@@ -317,7 +319,7 @@ TEST(ThesisObjects, GraphSegmentationAsDefined)
 TEST(ThesisObjects, ProposedAndLccpAsDefined)
 {
   auto options = thesisOptions();
-  options.partition = Partition::Lccp;
+  options.edges.partition = thesis::EdgePartition::Lccp;
   for (unsigned seed = 1; seed <= 4; ++seed)
     expectAsDefined(options, seed);
 }
@@ -329,12 +331,12 @@ TEST(ThesisObjects, LccpOfAWideFloorNeedsNoDeepStack)
   floor.addRectangle(
       {0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 1}, 1, 0.025f, 0.001f, rng);
   auto options = thesisOptions();
-  options.partition = Partition::Lccp;
+  options.edges.partition = thesis::EdgePartition::Lccp;
   options.on_points->ransac_share = 0; // the floor is to stay
-  options.threads = 1;
+  options.shared.threads = 1;
   struct Work {
     ObjectSegmentationInput input;
-    ObjectSegmentationOptions options;
+    thesis::ObjectOptions options;
     ObjectSegmentation result;
   } work{inputOf(floor.points), options, {}};
   const auto segment = [](void* data) -> void* {
@@ -360,10 +362,10 @@ TEST(ThesisObjects, LccpOfAWideFloorNeedsNoDeepStack)
 TEST(ThesisObjects, KinectAsDefined)
 {
   auto options = thesisKinectOptions();
-  EXPECT_FLOAT_EQ(options.curvature_threshold, 0.02f);
+  EXPECT_FLOAT_EQ(options.shared.curvature_threshold, 0.02f);
   EXPECT_FLOAT_EQ(options.edges.graph_scale, 5);
-  EXPECT_DOUBLE_EQ(options.seed_size, 0.16);
-  EXPECT_DOUBLE_EQ(options.voxel_size, 0.04);
+  EXPECT_DOUBLE_EQ(options.shared.seed_size, 0.16);
+  EXPECT_DOUBLE_EQ(options.shared.voxel_size, 0.04);
   EXPECT_DOUBLE_EQ(options.on_points->removal_radius, 0);
   options.edges.graph_scale = 0.3f;
   expectAsDefined(options, 1);
@@ -398,9 +400,9 @@ TEST(ThesisObjects, TheSameForAnyNumberOfThreads)
   auto options = thesisOptions();
   options.edges.graph_scale = 0.3f;
   options.on_points->ransac_share = 0;
-  options.threads = 1;
+  options.shared.threads = 1;
   const auto one = segmentObjects(inputOf(tableScene(5)), options);
-  options.threads = 8;
+  options.shared.threads = 8;
   EXPECT_EQ(segmentObjects(inputOf(tableScene(5)), options).segment_of_point,
             one.segment_of_point);
 }
@@ -425,7 +427,7 @@ TEST(ThesisObjects, RansacTakesFloorAndWallsOff)
     for (const auto& candidate : stepsOf(result).scene.planes)
       nearest = std::min(nearest,
                          std::abs(candidate.heightOf(room.points[i].cast<double>())));
-    ASSERT_EQ(plane != 0, nearest <= options.voxel_size) << i;
+    ASSERT_EQ(plane != 0, nearest <= options.shared.voxel_size) << i;
     const auto segment = result.segment_of_point[i];
     if (segment != none)
       segments[result.structure_of_segment[segment]].insert(segment);
@@ -447,9 +449,6 @@ TEST(ThesisObjects, RansacTakesFloorAndWallsOff)
 TEST(ThesisObjects, BadOptionsAreRefusedAndFewPointsAreNone)
 {
   auto options = thesisOptions();
-  options.partition = Partition::Pieces;
-  EXPECT_NE(findProblem(options), "");
-  options = thesisOptions();
   options.on_points->ransac_share = 1.5;
   EXPECT_NE(findProblem(options), "");
   options = thesisOptions();

@@ -2,11 +2,11 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "objects/points/shape_supervoxels.h"
+#include "thesis/objects/shape_supervoxels.h"
 
 #include "objects/graph/average_columns.h"
-#include "objects/graph/supervoxel_joining.h"
 #include "objects/structure/scene_making.h" // for gridPoints
+#include "thesis/objects/edge_partition.h"
 
 #include <pcl/features/fpfh.h>
 #include <pcl/point_cloud.h>
@@ -76,8 +76,9 @@ PointPartition
 partitionByShapes(const SurfaceVoxels& surface,
                   const std::vector<std::uint8_t>& left_out,
                   const std::optional<Eigen::Vector3f>& camera,
-                  const ObjectSegmentationOptions& options)
+                  const thesis::ObjectOptions& options)
 {
+  const auto& shared = options.shared;
   PointPartition result;
   auto& supervoxels = result.supervoxels;
   ObjectSegmentationInput kept;
@@ -94,21 +95,20 @@ partitionByShapes(const SurfaceVoxels& surface,
     }
   std::vector<std::uint32_t> label_of_point(surface.size(), Supervoxels::none);
   if (!kept.points.empty()) {
-    auto voxels = surfaceVoxels(kept.points, gridPoints(kept), options.voxel_size);
+    auto voxels = surfaceVoxels(kept.points, gridPoints(kept), shared.voxel_size);
     averageNormals(kept.normals, voxels);
     voxels.appearance.shapes =
-        shapesOf(voxels, kept.points, kept.normals, options.voxel_size);
+        shapesOf(voxels, kept.points, kept.normals, shared.voxel_size);
     if (surface.appearance.colors.cols() > 0)
       voxels.appearance.colors =
           meanColors(voxels, surface.appearance.colors, point_of_kept);
     supervoxels = growSupervoxels(voxels,
                                   {},
-                                  options.seed_size / options.voxel_size,
+                                  shared.seed_size / shared.voxel_size,
                                   distanceOf(options),
-                                  options.threads);
-    result.edges =
-        surfaceEdges(voxels, supervoxels, options.edges.concavity_tolerance_degrees);
-    result.segment_of_supervoxel = joinSupervoxels(supervoxels, result.edges, options);
+                                  shared.threads);
+    result.edges = surfaceEdges(voxels, supervoxels);
+    result.segment_of_supervoxel = joinOverEdges(supervoxels, result.edges, options);
     for (std::size_t k = 0; k < point_of_kept.size(); ++k)
       label_of_point[point_of_kept[k]] =
           supervoxels.label_of_voxel[voxels.cells.cell_of_point[k]];

@@ -6,7 +6,7 @@
 
 #include "objects/graph/surface_graph.h"
 
-#include <pcl/segmentation/object_segmentation.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <cstdint>
 #include <optional>
@@ -36,7 +36,7 @@ PointPartition
 partitionWithUpstream(const SurfaceVoxels& surface,
                       const std::vector<std::uint8_t>& left_out,
                       const std::optional<Eigen::Vector3f>& camera,
-                      const ObjectSegmentationOptions& options);
+                      const thesis::ObjectOptions& options);
 
 } // namespace indoor
 } // namespace pcl

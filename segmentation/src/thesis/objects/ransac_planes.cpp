@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "objects/points/ransac_planes.h"
+#include "thesis/objects/ransac_planes.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

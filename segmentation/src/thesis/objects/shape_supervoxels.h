@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "objects/points/upstream_supervoxels.h" // for PointPartition
+#include "thesis/objects/upstream_supervoxels.h" // for PointPartition
 
 namespace pcl {
 namespace indoor {
@@ -17,7 +17,7 @@ PointPartition
 partitionByShapes(const SurfaceVoxels& surface,
                   const std::vector<std::uint8_t>& left_out,
                   const std::optional<Eigen::Vector3f>& camera,
-                  const ObjectSegmentationOptions& options);
+                  const thesis::ObjectOptions& options);
 
 } // namespace indoor
 } // namespace pcl

@@ -2,15 +2,17 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "objects/point_segmentation.h"
+#include "thesis/objects/point_segmentation.h"
 
 #include "objects/graph/point_recovery.h"
-#include "objects/graph/supervoxel_joining.h"
-#include "objects/points/point_surface.h"
-#include "objects/points/ransac_planes.h"
-#include "objects/points/shape_supervoxels.h"
-#include "objects/points/upstream_supervoxels.h"
 #include "objects/structure/camera_view.h"
+#include "objects/voxel_votes.h"
+#include "thesis/objects/edge_partition.h"
+#include "thesis/objects/lab_color.h"
+#include "thesis/objects/point_surface.h"
+#include "thesis/objects/ransac_planes.h"
+#include "thesis/objects/shape_supervoxels.h"
+#include "thesis/objects/upstream_supervoxels.h"
 
 #include <pcl/features/normal_orientation.h>
 #include <pcl/filters/non_convex_points.h>
@@ -30,26 +32,26 @@ constexpr unsigned side_by_side = 8; // closest points that agree about a surfac
  * weight, and planes by RANSAC. */
 ObjectScene
 makeScene(ObjectSegmentationInput& input,
-          const ObjectSegmentationOptions& options,
+          const thesis::ObjectOptions& options,
           double radius)
 {
   ObjectScene scene;
   scene.up = input.up;
-  scene.voxel_size = options.voxel_size;
-  scene.threads = options.threads;
+  scene.voxel_size = options.shared.voxel_size;
+  scene.threads = options.shared.threads;
   scene.voxels = pointsAsVoxels(input.points);
-  estimatePointNormals(radius, options.threads, scene.voxels);
+  estimatePointNormals(radius, options.shared.threads, scene.voxels);
   if (input.capture == Capture::RoomView)
     scene.up = upOfView(scene.voxels.normals);
   if (!input.normals.empty())
     scene.voxels.normals = std::move(input.normals);
   else {
     FreeSpaceOptions free_space;
-    free_space.cell_size = 2 * options.voxel_size;
-    free_space.threads = options.threads;
-    orientNormals(options.orientation,
+    free_space.cell_size = 2 * options.shared.voxel_size;
+    free_space.threads = options.shared.threads;
+    orientNormals(options.shared.orientation,
                   input.points,
-                  nearestNeighbors(input.points, side_by_side, options.threads),
+                  nearestNeighbors(input.points, side_by_side, options.shared.threads),
                   input.viewpoint,
                   free_space,
                   scene.voxels.normals);
@@ -63,7 +65,7 @@ makeScene(ObjectSegmentationInput& input,
   scene.plane_of_voxel.assign(input.points.size(), 0);
   if (options.on_points->ransac_share > 0)
     scene.planes = ransacPlanes(input.points,
-                                options.voxel_size,
+                                options.shared.voxel_size,
                                 options.on_points->ransac_share,
                                 scene.plane_of_voxel);
   scene.points = std::move(input.points);
@@ -72,9 +74,7 @@ makeScene(ObjectSegmentationInput& input,
 
 /** The non-convex points that are in no plane, Eq. (4.2): planes are no neighbours. */
 std::vector<std::uint8_t>
-removedOf(const ObjectScene& scene,
-          const ObjectSegmentationOptions& options,
-          double radius)
+removedOf(const ObjectScene& scene, const thesis::ObjectOptions& options, double radius)
 {
   std::vector<std::uint32_t> others;
   std::vector<Eigen::Vector3f> points, normals;
@@ -88,9 +88,9 @@ removedOf(const ObjectScene& scene,
     }
   NonConvexityOptions removal;
   removal.radius = radius;
-  removal.curvature_threshold = options.curvature_threshold;
-  removal.ratio_threshold = options.ratio_threshold;
-  removal.threads = options.threads;
+  removal.curvature_threshold = options.shared.curvature_threshold;
+  removal.ratio_threshold = options.shared.ratio_threshold;
+  removal.threads = options.shared.threads;
   const auto found = nonConvexPoints(points, normals, curvatures, removal);
   std::vector<std::uint8_t> removed(scene.points.size(), 0);
   for (std::size_t i = 0; i < others.size(); ++i)
@@ -101,7 +101,7 @@ removedOf(const ObjectScene& scene,
 /** Algorithm 1: the points without a segment take part, the planes do not. */
 void
 recover(const ObjectScene& scene,
-        const ObjectSegmentationOptions& options,
+        const thesis::ObjectOptions& options,
         std::vector<std::uint32_t>& segments)
 {
   std::vector<std::uint32_t> others;
@@ -118,7 +118,7 @@ recover(const ObjectScene& scene,
     }
   recoverLabels(points,
                 normals,
-                neighborsWithin(points, options.voxel_size, open),
+                neighborsWithin(points, options.shared.voxel_size, open),
                 distanceOf(options),
                 labels,
                 recovery_rounds);
@@ -157,7 +157,7 @@ namespace indoor {
 
 DetailedSegmentation
 segmentOnPoints(ObjectSegmentationInput input,
-                const ObjectSegmentationOptions& options,
+                const thesis::ObjectOptions& options,
                 const ProgressCallback& progress)
 {
   const auto stops = [&progress](double share, const char* stage) {
@@ -168,9 +168,9 @@ segmentOnPoints(ObjectSegmentationInput input,
     return {};
   double radius = options.on_points->removal_radius > 0
                       ? options.on_points->removal_radius
-                      : neighborhoodRadius(input.points, options.threads);
+                      : neighborhoodRadius(input.points, options.shared.threads);
   if (!(radius > 0)) // no two different points: no neighbourhood
-    radius = options.voxel_size;
+    radius = options.shared.voxel_size;
   std::optional<Eigen::Vector3f> camera;
   if (input.capture == Capture::TableView)
     camera = input.viewpoint.front();
@@ -195,6 +195,8 @@ segmentOnPoints(ObjectSegmentationInput input,
     return {};
   recover(result.scene, options, result.segment_of_point);
   finish(result);
+  const auto& scene = result.scene;
+  result.votes = votesFor(scene.points, scene.planes, scene.up, input.voter);
   if (stops(1, "done"))
     return {};
   return result;

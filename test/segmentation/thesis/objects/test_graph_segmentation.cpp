@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "clustering/graph_segmentation.h"
 #include "support/labelled_points.h"
+#include "thesis/objects/graph_segmentation.h"
 
 #include <pcl/exceptions.h>
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "objects/points/point_surface.h"
+#include "thesis/objects/point_surface.h"
 
 #include <pcl/indoor/threads.h>
 

@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "objects/points/upstream_supervoxels.h"
+#include "thesis/objects/upstream_supervoxels.h"
 
-#include "objects/graph/supervoxel_joining.h"
+#include "thesis/objects/edge_partition.h"
 
 #include <pcl/indoor/flood_fill.h>
 #include <pcl/point_cloud.h>
@@ -22,9 +22,9 @@ using PointT = pcl::PointXYZRGBA; // what PCL has compiled these classes for
 using Upstream = pcl::SupervoxelClustering<PointT>;
 using Clusters = std::map<std::uint32_t, pcl::Supervoxel<PointT>::Ptr>;
 using Adjacencies = std::multimap<std::uint32_t, std::uint32_t>;
-using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::Supervoxels;
 using pcl::indoor::SurfaceEdge;
+using pcl::indoor::thesis::ObjectOptions;
 
 constexpr float zero_hue = 128;     // of a and b as bytes: those of sRGB are -108 to 98
 constexpr float color_unit = 2.55f; // PCL's colours are from 0 to 1, D_c is per 100
@@ -97,14 +97,15 @@ private:
 std::vector<std::uint32_t>
 lccpSegments(const Clusters& clusters,
              const Adjacencies& adjacency,
-             const ObjectSegmentationOptions& options)
+             const ObjectOptions& options)
 {
+  const auto& shared = options.shared;
   FlatLccp lccp;
   lccp.setConcavityToleranceThreshold(options.edges.concavity_tolerance_degrees);
   lccp.setSanityCheck(true);
   lccp.setSmoothnessCheck(false,
-                          static_cast<float>(options.voxel_size),
-                          static_cast<float>(options.seed_size),
+                          static_cast<float>(shared.voxel_size),
+                          static_cast<float>(shared.seed_size),
                           0.1f);
   lccp.setKFactor(0);
   lccp.setInputSupervoxels(clusters, adjacency);
@@ -123,23 +124,14 @@ lccpSegments(const Clusters& clusters,
 }
 
 std::vector<SurfaceEdge>
-convexityOf(const Adjacencies& adjacency,
-            const std::map<std::uint32_t, std::uint32_t>& number,
-            const Supervoxels& supervoxels,
-            float tolerance_degrees)
+edgesOf(const Adjacencies& adjacency,
+        const std::map<std::uint32_t, std::uint32_t>& number)
 {
   std::vector<SurfaceEdge> edges;
   for (const auto& [name, other] : adjacency) {
     const auto source = number.at(name), target = number.at(other);
     if (source < target)
-      edges.push_back({source,
-                       target,
-                       pcl::indoor::isConvexEdge(supervoxels.centroids[source],
-                                                 supervoxels.normals[source],
-                                                 supervoxels.centroids[target],
-                                                 supervoxels.normals[target],
-                                                 tolerance_degrees),
-                       1});
+      edges.push_back({source, target, 1});
   }
   return edges;
 }
@@ -153,8 +145,9 @@ PointPartition
 partitionWithUpstream(const SurfaceVoxels& surface,
                       const std::vector<std::uint8_t>& left_out,
                       const std::optional<Eigen::Vector3f>& camera,
-                      const ObjectSegmentationOptions& options)
+                      const ObjectOptions& options)
 {
+  const auto& shared = options.shared;
   PointPartition result;
   auto& supervoxels = result.supervoxels;
   supervoxels.label_of_voxel.assign(surface.size(), Supervoxels::none);
@@ -176,14 +169,14 @@ partitionWithUpstream(const SurfaceVoxels& surface,
     }
   if (kept.empty())
     return result;
-  Upstream clustering(static_cast<float>(options.voxel_size),
-                      static_cast<float>(options.seed_size));
+  Upstream clustering(static_cast<float>(shared.voxel_size),
+                      static_cast<float>(shared.seed_size));
   clustering.setUseSingleCameraTransform(camera.has_value());
   clustering.setInputCloud(cloud);
   clustering.setNormalCloud(normals);
   clustering.setColorImportance(options.on_points->color_weight * color_unit);
-  clustering.setSpatialImportance(options.spatial_weight);
-  clustering.setNormalImportance(options.normal_weight);
+  clustering.setSpatialImportance(shared.spatial_weight);
+  clustering.setNormalImportance(shared.normal_weight);
   Clusters clusters;
   clustering.extract(clusters);
   Adjacencies adjacency;
@@ -210,12 +203,11 @@ partitionWithUpstream(const SurfaceVoxels& surface,
     if (found != number.end())
       supervoxels.label_of_voxel[kept[i]] = found->second;
   }
-  result.edges = convexityOf(
-      adjacency, number, supervoxels, options.edges.concavity_tolerance_degrees);
+  result.edges = edgesOf(adjacency, number);
   result.segment_of_supervoxel =
-      options.partition == Partition::Lccp
+      options.edges.partition == thesis::EdgePartition::Lccp
           ? lccpSegments(clusters, adjacency, options)
-          : joinSupervoxels(supervoxels, result.edges, options);
+          : joinOverEdges(supervoxels, result.edges, options);
   return result;
 }
 

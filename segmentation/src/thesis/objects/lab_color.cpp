@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "objects/graph/surface_appearance.h"
+#include "thesis/objects/lab_color.h"
 
 #include <cmath>
 

@@ -6,17 +6,19 @@
 
 #include "objects/object_steps.h"
 
+#include <pcl/segmentation/thesis.h>
+
 namespace pcl {
 namespace indoor {
 
 /** \brief Segment a scene as Sec. 4.2 does, on points: see
- * PointOptions. Each point is a voxel of the result's scene.
- * \param[in] options that were checked
- * \param[in] progress as for segmentObjects()
+ * thesis::PointOptions. Each point is a voxel of the result's scene.
+ * \param[in] options that were checked, with points
+ * \param[in] progress as for thesis::segmentObjects()
  */
 DetailedSegmentation
 segmentOnPoints(ObjectSegmentationInput input,
-                const ObjectSegmentationOptions& options,
+                const thesis::ObjectOptions& options,
                 const ProgressCallback& progress);
 
 } // namespace indoor

@@ -7,6 +7,8 @@
  * plane that nothing else tells apart. */
 
 #include "objects/object_steps.h"
+#include "thesis/objects/edge_partition.h"
+#include "thesis/objects/lab_color.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>
@@ -69,7 +71,7 @@ twoShapes()
   return input;
 }
 
-ObjectSegmentationOptions
+thesis::ObjectOptions
 optionsWith(float color_weight, float fpfh_weight)
 {
   auto options = thesisOptions();
@@ -109,8 +111,8 @@ labelsOfParts(const std::vector<Eigen::Vector3f>& points,
  * weight? */
 void
 expectOnlyTheWeightParts(const ObjectSegmentationInput& input,
-                         const ObjectSegmentationOptions& without,
-                         const ObjectSegmentationOptions& with,
+                         const thesis::ObjectOptions& without,
+                         const thesis::ObjectOptions& with,
                          float border_width = 0.03f)
 {
   EXPECT_EQ(segmentObjects(input, without).segment_count, 1u);
@@ -173,7 +175,7 @@ TEST(SurfaceAppearance, EdgesWeighColorsAndShapes)
   SurfaceDistance distance;
   distance.color_weight = 0.3f;
   for (const bool convex : {true, false}) {
-    const auto edges = weighEdges(supervoxels, {{0, 1, convex, 1}}, distance, 0.25f);
+    const auto edges = weighEdges(supervoxels, {{0, 1, 1}}, {convex}, distance, 0.25f);
     EXPECT_NEAR(edges[0].weight, convex ? 0.25 * 0.5 * 0.5 : 0.5, 1e-6); // w_s + w_c
   }
 }
@@ -217,16 +219,16 @@ TEST(SurfaceAppearance, ColorAndShapeTogether)
   const auto result = segmentObjects(input, optionsWith(0, 3));
   EXPECT_TRUE(labelsOfParts(input.points, result.segment_of_point).areApart());
   auto lccp = optionsWith(0, 3); // convex everywhere: no weight counts
-  lccp.partition = Partition::Lccp;
+  lccp.edges.partition = thesis::EdgePartition::Lccp;
   EXPECT_EQ(segmentObjects(twoShapes(), lccp).segment_count, 1u);
 }
 
 TEST(SurfaceAppearance, TheSameForAnyNumberOfThreads)
 {
   auto options = optionsWith(0, 3);
-  options.threads = 1;
+  options.shared.threads = 1;
   const auto one = segmentObjects(twoShapes(), options);
-  options.threads = 7;
+  options.shared.threads = 7;
   const auto seven = segmentObjects(twoShapes(), options);
   EXPECT_EQ(stepsOf(seven).supervoxels.label_of_voxel,
             stepsOf(one).supervoxels.label_of_voxel);

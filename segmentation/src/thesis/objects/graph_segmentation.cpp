@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "clustering/graph_segmentation.h"
+#include "thesis/objects/graph_segmentation.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/disjoint_sets.h>
