@@ -77,7 +77,9 @@ segmentOurs(const Cloud::Ptr& points, const Options& options, unsigned threads)
 /** The share of objects that one of all unions on the way, or a piece, has an
  * intersection over union of at least 0.5 with: what any cut of the tree can find. */
 double
-bestCut(const Room& room, const Found& found, const std::vector<std::uint32_t>& objects)
+bestCut(const LabelledRoom& room,
+        const Found& found,
+        const std::vector<std::uint32_t>& objects)
 {
   std::map<std::uint32_t, double> size_of_object, size_of_union;
   std::map<std::uint32_t, std::map<std::uint32_t, double>> counts; // of each union
@@ -206,7 +208,7 @@ struct Score {
 /** Print the large objects that were not found whole: what the segment that holds most
  * of each covers, and how much of that segment is its own. */
 void
-printFailures(const Room& room, const SegmentLabels& labels)
+printFailures(const LabelledRoom& room, const SegmentLabels& labels)
 {
   std::map<std::uint32_t, std::size_t> size_of_object, size_of_segment;
   for (const auto object : room.objects)
@@ -238,7 +240,7 @@ printFailures(const Room& room, const SegmentLabels& labels)
 /** Write the labels of a room, field label, as FOLDER/SCAN.METHOD.pcd. */
 void
 writeLabels(const std::string& folder,
-            const Room& room,
+            const LabelledRoom& room,
             const std::string& method,
             const SegmentLabels& labels)
 {
@@ -253,7 +255,7 @@ writeLabels(const std::string& folder,
 }
 
 Score
-evaluate(const Room& room, const Method& method, const Settings& settings)
+evaluate(const LabelledRoom& room, const Method& method, const Settings& settings)
 {
   const auto begin = std::chrono::steady_clock::now();
   const auto found = method.segment(room.points);

@@ -39,13 +39,13 @@ const std::vector<float> curvature_thresholds{
     0.0025f, 0.005f, 0.01f, 0.015f, 0.02f, 0.025f, 0.03f, 0.04f, 0.05f, 0.07f, 0.1f};
 const std::vector<float> ratio_thresholds{0.1f, 0.2f, 0.5f, 1.0f};
 
-struct Room {
+struct LabelledRoom {
   ObjectSegmentationInput input;
   std::vector<std::uint32_t> labels; ///< one per point
 };
 
 bool
-loadRoom(const std::string& path, bool labelled_alone, Room& room)
+loadRoom(const std::string& path, bool labelled_alone, LabelledRoom& room)
 {
   pcl::PointCloud<pcl::PointXYZL> cloud;
   if (pcl::io::loadPCDFile(path, cloud) < 0)
@@ -145,7 +145,7 @@ optionsFor(bool on_points)
 
 /** Ours, or the thesis's way on points. */
 ObjectSegmentation
-segmented(const Room& room, const thesis::ObjectOptions& options)
+segmented(const LabelledRoom& room, const thesis::ObjectOptions& options)
 {
   return options.on_points ? thesis::segmentObjects(room.input, options)
                            : segmentObjects(room.input, options.shared);
@@ -156,7 +156,7 @@ segmented(const Room& room, const thesis::ObjectOptions& options)
 std::vector<std::uint8_t>
 removedWith(const thesis::ObjectOptions& options,
             const ObjectSteps& graph,
-            const Room& room)
+            const LabelledRoom& room)
 {
   if (!options.on_points)
     return stepsOf(segmented(room, options)).removed;
@@ -183,7 +183,7 @@ struct Shares {
 };
 
 std::vector<std::vector<Shares>>
-measure(const std::vector<Room>& rooms, bool on_points)
+measure(const std::vector<LabelledRoom>& rooms, bool on_points)
 {
   std::vector<std::vector<EdgeCount>> left(
       ratio_thresholds.size(), std::vector<EdgeCount>(curvature_thresholds.size()));
@@ -223,7 +223,7 @@ measure(const std::vector<Room>& rooms, bool on_points)
 /** The same by numbers: how many edges fewer the graph has that is made anew of what
  * was not removed. Its supervoxels are others. */
 void
-printGraphsAnew(const std::vector<Room>& rooms, float ratio_threshold)
+printGraphsAnew(const std::vector<LabelledRoom>& rooms, float ratio_threshold)
 {
   const auto count = [&](float curvature_threshold) {
     EdgeCount all;
@@ -312,7 +312,7 @@ main(int argc, char** argv)
         stderr, "Syntax is: %s plot.png [-points|-labelled] room.pcd ...\n", argv[0]);
     return EXIT_FAILURE;
   }
-  std::vector<Room> rooms(static_cast<std::size_t>(argc - first));
+  std::vector<LabelledRoom> rooms(static_cast<std::size_t>(argc - first));
   for (int i = first; i < argc; ++i)
     if (!loadRoom(
             argv[i], labelled_alone, rooms[static_cast<std::size_t>(i - first)])) {

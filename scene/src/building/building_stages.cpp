@@ -169,8 +169,10 @@ drawSample(const SceneOptions& options,
            StageReport& report)
 {
   constexpr double fineness = 0.25; // voxels of the rooms
-  const double voxel = options.rooms.voxel_size > 0.0 ? options.rooms.voxel_size
-                                                      : smallest_automatic_voxel;
+  const auto& rooms =
+      options.thesis_rooms ? options.thesis_rooms->shared : options.rooms;
+  const double voxel =
+      rooms.voxel_size > 0.0 ? rooms.voxel_size : smallest_automatic_voxel;
   const double metres = options.scan.unit == "auto" ? metresPerUnitOf(*scan.stream)
                                                     : options.scan.metresPerUnit();
   drawSample(
@@ -221,7 +223,10 @@ findRooms(const SceneOptions& options,
     return std::move(*scene);
   }
   RoomSegmentation<PointXYZ> segmentation;
-  segmentation.setOptions(options.rooms);
+  if (options.thesis_rooms)
+    segmentation.setOptions(*options.thesis_rooms);
+  else
+    segmentation.setOptions(options.rooms);
   segmentation.setNumberOfThreads(options.threads);
   std::optional<PointsAside> aside;
   segmentation.setProgressCallback([&](double share, const char*) {

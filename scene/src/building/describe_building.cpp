@@ -112,7 +112,7 @@ thesisSceneOptions()
   SceneOptions options;
   options.preset = "thesis";
   options.network = "none";
-  options.rooms = thesisRoomOptions();
+  options.thesis_rooms = thesisRoomOptions();
   options.thesis_objects = thesisOptions();
   return options;
 }

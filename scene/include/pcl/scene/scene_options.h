@@ -5,7 +5,6 @@
 #pragma once
 
 #include <pcl/ml/object_classifier.h>
-#include <pcl/segmentation/building_rooms_options.h>
 #include <pcl/segmentation/thesis.h>
 
 #include <Eigen/Core>
@@ -64,7 +63,8 @@ struct SceneOptions {
   CoordinateOptions scan;
   BuildingRoomsOptions rooms;
   ObjectSegmentationOptions objects;
-  /** by the thesis's own method, in place of objects; none: by ours */
+  /** by the thesis's own methods, in place of rooms and objects; none: by ours */
+  std::optional<thesis::RoomOptions> thesis_rooms;
   std::optional<thesis::ObjectOptions> thesis_objects;
   double voxel_resolution = 0.0,   ///< edge of a voxel of the objects, metres; 0 =
                                    ///< automatic: 0.03, more where points are sparse

@@ -82,7 +82,8 @@ NoiseResilientLCCP<PointT>::findProblem() const
 {
   if (on_points_ && partition_ == Partition::Pieces)
     return "On points there are no pieces to join.";
-  return indoor::thesis::findProblem({options_, edges_, on_points_});
+  return indoor::thesis::findProblem(
+      indoor::thesis::ObjectOptions{options_, edges_, on_points_});
 }
 
 template <typename PointT>

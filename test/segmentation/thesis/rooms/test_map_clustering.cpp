@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/field/map_clustering.h"
-#include "rooms/space/potential_field.h"
+#include "thesis/rooms/map_clustering.h"
+#include "thesis/rooms/potential_field.h"
 
 #include <pcl/exceptions.h>
 
@@ -18,10 +18,10 @@ using pcl::indoor::DBSCANOptions;
 using pcl::indoor::FieldConnectivity;
 using pcl::indoor::HDBSCANOptions;
 using pcl::indoor::MapDistance;
-using pcl::indoor::MapDistanceOptions;
 using pcl::indoor::PixelMap;
 using pcl::indoor::VisibilityVectors;
 using pcl::indoor::VoxelMap;
+using pcl::indoor::thesis::MapDistanceOptions;
 
 namespace {
 

@@ -5,12 +5,12 @@
 
 #pragma once
 
-#include "rooms/field/field_connectivity.h"
-#include "rooms/field/visibility.h"
+#include "rooms/space/visibility.h"
+#include "thesis/rooms/field_connectivity.h"
 
-#include <pcl/segmentation/building_rooms_options.h>
 #include <pcl/segmentation/dbscan.h>
 #include <pcl/segmentation/hdbscan.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ public:
               const std::vector<std::size_t>& pixels,
               FieldConnectivity connectivity,
               VisibilityVectors visibility,
-              const MapDistanceOptions& options);
+              const thesis::MapDistanceOptions& options);
 
   /** \brief The number of pixels. */
   std::size_t

@@ -3,14 +3,14 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/map/field_rooms.h"
+#include "thesis/rooms/field_rooms.h"
 
-#include "rooms/field/map_clustering.h"
-#include "rooms/field/map_labels.h"
-#include "rooms/field/map_random_walker.h"
-#include "rooms/field/visibility.h"
 #include "rooms/map/ceiling_slab.h"
-#include "rooms/space/potential_field.h"
+#include "rooms/space/visibility.h"
+#include "thesis/rooms/map_clustering.h"
+#include "thesis/rooms/map_labels.h"
+#include "thesis/rooms/map_random_walker.h"
+#include "thesis/rooms/potential_field.h"
 
 #include <pcl/exceptions.h>
 
@@ -23,7 +23,7 @@ namespace indoor {
 namespace {
 
 void
-requireValid(const FieldRoomsOptions& options)
+requireValid(const thesis::FieldRoomsOptions& options)
 {
   for (const double value : {options.min_cluster_area, options.sample_area})
     if (!(value > 0.0) || !std::isfinite(value))
@@ -60,7 +60,7 @@ VisibilityVectors
 visibilityOf(const VoxelMap<std::uint8_t>& occupancy,
              const PixelMap<int>& highest_free,
              const std::vector<std::size_t>& pixels,
-             const FieldRoomsOptions& options)
+             const thesis::FieldRoomsOptions& options)
 {
   if (options.distance.visibility_weight == 0.0)
     return {};
@@ -88,7 +88,7 @@ pixelCount(double area, double pixel_size, std::size_t least)
 std::vector<int>
 clusterPixels(const MapDistance& distance,
               double pixel_size,
-              const FieldRoomsOptions& options)
+              const thesis::FieldRoomsOptions& options)
 {
   const std::size_t smallest = pixelCount(options.min_cluster_area, pixel_size, 2);
   const std::size_t samples = pixelCount(options.sample_area, pixel_size, 1);
@@ -112,7 +112,7 @@ clusterPixels(const MapDistance& distance,
 PixelMap<int>
 cluster(const VoxelMap<std::uint8_t>& occupancy,
         const FieldRooms& rooms,
-        const FieldRoomsOptions& options)
+        const thesis::FieldRoomsOptions& options)
 {
   const PixelMap<float>& field = rooms.field;
   PixelMap<int> clusters{field.nx, field.ny, std::vector<int>(field.size(), -1)};
@@ -139,7 +139,7 @@ cluster(const VoxelMap<std::uint8_t>& occupancy,
 PixelMap<int>
 labelTheRest(const FieldRooms& rooms,
              double pixel_size,
-             const FieldRoomsOptions& options)
+             const thesis::FieldRoomsOptions& options)
 {
   PixelMap<float> intensity = rooms.field;
   PixelMap<std::uint8_t> mask{intensity.nx, intensity.ny, {}};
@@ -167,7 +167,7 @@ labelTheRest(const FieldRooms& rooms,
 } // namespace
 
 FieldRooms
-segmentFieldMap(const InteriorSpace& space, const FieldRoomsOptions& options)
+segmentFieldMap(const InteriorSpace& space, const thesis::FieldRoomsOptions& options)
 {
   requireValid(options);
   const auto occupancy = space.occupancy.bytes();

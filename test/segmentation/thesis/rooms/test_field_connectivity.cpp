@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/field/field_connectivity.h"
+#include "thesis/rooms/field_connectivity.h"
 
 #include <pcl/exceptions.h>
 

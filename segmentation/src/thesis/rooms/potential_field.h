@@ -5,26 +5,10 @@
 
 #pragma once
 
-#include <pcl/indoor/voxel_map.h>
-
-#include <cstdint>
-#include <limits>
+#include "rooms/space/distance_map.h" // for kNoObstacle
 
 namespace pcl {
 namespace indoor {
-
-/** \brief The squared distance where there is nothing to measure it to. */
-constexpr std::uint32_t kNoObstacle = std::numeric_limits<std::uint32_t>::max();
-
-/** \brief The squared distance of every pixel to the nearest obstacle.
- * Exact (Meijster, Roerdink and Hesselink, "A general algorithm for computing distance
- * transforms in linear time", 2000); time linear in the pixels.
- * \param[in] obstacles non-zero = obstacle
- * \param[in] threads 0 = automatic; the result does not depend on it
- * \return between pixel centres, in pixels squared; kNoObstacle if there is no obstacle
- */
-PixelMap<std::uint32_t>
-squaredDistanceMap(const PixelMap<std::uint8_t>& obstacles, int threads = 0);
 
 /** \brief The anisotropic potential field (Sec. 3.2.2 of the thesis).
  * The squared distance of every voxel to the nearest occupied voxel that does not lie

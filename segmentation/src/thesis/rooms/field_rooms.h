@@ -8,7 +8,7 @@
 #include "rooms/space/interior_space.h"
 
 #include <pcl/indoor/voxel_map.h>
-#include <pcl/segmentation/building_rooms_options.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <cstdint>
 #include <vector>
@@ -32,7 +32,8 @@ struct FieldRooms {
  * \throws pcl::BadArgumentException if an option is out of its range
  */
 FieldRooms
-segmentFieldMap(const InteriorSpace& space, const FieldRoomsOptions& options = {});
+segmentFieldMap(const InteriorSpace& space,
+                const thesis::FieldRoomsOptions& options = {});
 
 } // namespace indoor
 } // namespace pcl

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/field/field_connectivity.h"
+#include "thesis/rooms/field_connectivity.h"
 
 #include <pcl/indoor/disjoint_sets.h>
 
@@ -176,7 +176,7 @@ namespace {
 std::vector<double>
 smoothedHistogram(const std::vector<float>& values,
                   float largest,
-                  const HistogramPeakOptions& options)
+                  const thesis::HistogramPeakOptions& options)
 {
   std::vector<double> counts(static_cast<std::size_t>(options.bins), 0.0);
   for (const float value : values)
@@ -219,7 +219,8 @@ peakProminence(const std::vector<double>& counts, std::size_t peak)
 } // namespace
 
 std::vector<float>
-histogramPeaks(const std::vector<float>& values, const HistogramPeakOptions& options)
+histogramPeaks(const std::vector<float>& values,
+               const thesis::HistogramPeakOptions& options)
 {
   if (options.bins < 1 || options.smoothing < 0 || !(options.prominence >= 0.0))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,

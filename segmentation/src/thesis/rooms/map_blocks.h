@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "rooms/field/map_clustering.h"
+#include "thesis/rooms/map_clustering.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/map/field_rooms.h"
+#include "thesis/rooms/field_rooms.h"
 
 #include <pcl/exceptions.h>
 
@@ -13,10 +13,10 @@
 #include <set>
 
 using pcl::indoor::FieldRooms;
-using pcl::indoor::FieldRoomsOptions;
 using pcl::indoor::InteriorSpace;
 using pcl::indoor::PixelMap;
 using pcl::indoor::segmentFieldMap;
+using pcl::indoor::thesis::FieldRoomsOptions;
 
 namespace {
 

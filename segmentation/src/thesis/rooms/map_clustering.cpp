@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/field/map_clustering.h"
+#include "thesis/rooms/map_clustering.h"
 
 #include <pcl/exceptions.h>
 
@@ -66,7 +66,7 @@ MapDistance::MapDistance(int map_width,
                          const std::vector<std::size_t>& pixels,
                          FieldConnectivity connectivity,
                          VisibilityVectors visibility,
-                         const MapDistanceOptions& options)
+                         const thesis::MapDistanceOptions& options)
 : map_width_(map_width)
 , map_height_(map_height)
 , pixels_(pixels)

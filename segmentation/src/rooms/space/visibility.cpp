@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/field/visibility.h"
+#include "rooms/space/visibility.h"
 
 #include <pcl/indoor/threads.h>
 

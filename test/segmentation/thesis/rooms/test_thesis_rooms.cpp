@@ -7,13 +7,14 @@
  * and no sparse solver. The interior space is that of the library, whose cut has a test
  * of its own. */
 
-#include "rooms/field/field_connectivity.h"
 #include "rooms/map/building_steps.h"
 #include "rooms/storeys/storey_space.h"
 #include "segmentation/clustering/hdbscan_brute_force.h"
 #include "support/synthetic_scenes.h"
+#include "thesis/rooms/field_connectivity.h"
+#include "thesis/rooms/field_rooms.h"
 
-#include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -65,7 +66,7 @@ crosses(const Voxel& from, const Voxel& to, const Voxel& box)
 /** Chapter 3 by its definitions, from the interior space on. */
 class DenseRooms {
 public:
-  DenseRooms(const InteriorSpace& space, const FieldRoomsOptions& options)
+  DenseRooms(const InteriorSpace& space, const thesis::FieldRoomsOptions& options)
   : space_(space)
   , options_(options)
   {
@@ -315,7 +316,7 @@ private:
   }
 
   const InteriorSpace& space_;
-  const FieldRoomsOptions& options_;
+  const thesis::FieldRoomsOptions& options_;
   std::vector<Voxel> occupied_;
   std::vector<std::pair<int, int>> pixels_; // with a field
   std::map<std::pair<int, int>, Voxel> highest_;
@@ -347,9 +348,10 @@ expectAsDefined(const std::vector<Eigen::Vector3f>& points, std::size_t least_ro
   EXPECT_EQ(steps.interior.factor, 1);
   const auto space =
       storeySpace(steps.occupancy.grid, steps.interior, steps.storeys, 0);
-  const DenseRooms dense(space.interior, options.map.field_rooms);
+  const DenseRooms dense(space.interior, options.field);
 
-  const auto& found = steps.room_maps.front().field_rooms;
+  const auto found = segmentFieldMap(space.interior, options.field);
+  EXPECT_EQ(building.maps.front().potential.values, found.field.values);
   std::map<int, int> name; // of the dense version's labels
   for (int x = 0; x < found.clusters.nx; ++x)
     for (int y = 0; y < found.clusters.ny; ++y) {
@@ -409,7 +411,7 @@ TEST(ThesisRooms, DominantDirectionsFollowLeaningWalls)
   grid.voxel_size = 0.2;
   const auto building = occupancyGrid(room.points, grid);
   const auto directions =
-      dominantDirections(room.points, building, thesisRoomOptions().interior);
+      dominantDirections(room.points, building, thesisRoomOptions().shared.interior);
   ASSERT_EQ(directions.size(), 2u);
   const Eigen::Vector3d leaning = Eigen::Vector3d(1, 0, -lean).normalized();
   for (const auto& expected : {leaning, Eigen::Vector3d(Eigen::Vector3d::UnitY())})
@@ -417,15 +419,13 @@ TEST(ThesisRooms, DominantDirectionsFollowLeaningWalls)
                        std::abs(directions[1].dot(expected))),
               std::cos(0.03));
   for (const auto& level :
-       wallDirections(room.points, building, thesisRoomOptions().interior))
+       wallDirections(room.points, building, thesisRoomOptions().shared.interior))
     EXPECT_LT(std::min(std::abs(level.x()), std::abs(level.y())), 0.03);
 }
 
 TEST(ThesisRooms, DefaultsAreNoneOfIt)
 {
   const BuildingRoomsOptions options;
-  EXPECT_EQ(options.map.method, RoomMethod::CeilingSlab);
-  EXPECT_EQ(options.point_rooms, PointRooms::WallSides);
   EXPECT_TRUE(options.align_grid && options.interior.upright_walls);
   EXPECT_EQ(findProblem(thesisRoomOptions()), "");
 }

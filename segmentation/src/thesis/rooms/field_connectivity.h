@@ -6,7 +6,7 @@
 #pragma once
 
 #include <pcl/indoor/voxel_map.h>
-#include <pcl/segmentation/building_rooms_options.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <cstddef>
 #include <utility>
@@ -120,7 +120,8 @@ private:
  * \throws pcl::BadArgumentException if an option is out of its range
  */
 std::vector<float>
-histogramPeaks(const std::vector<float>& values, const HistogramPeakOptions& options);
+histogramPeaks(const std::vector<float>& values,
+               const thesis::HistogramPeakOptions& options);
 
 } // namespace indoor
 } // namespace pcl

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/field/map_labels.h"
+#include "thesis/rooms/map_labels.h"
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 

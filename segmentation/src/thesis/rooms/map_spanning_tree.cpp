@@ -3,9 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/field/map_blocks.h"
+#include "thesis/rooms/map_blocks.h"
 
-#include "rooms/field/map_clustering.h"
+#include "thesis/rooms/map_clustering.h"
 
 #include <pcl/indoor/disjoint_sets.h>
 #include <pcl/indoor/parallel_for.h>

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/space/potential_field.h"
+#include "thesis/rooms/potential_field.h"
 
 #include <pcl/exceptions.h>
 
@@ -13,7 +13,6 @@
 #include <random>
 
 using pcl::indoor::kNoObstacle;
-using pcl::indoor::PixelMap;
 using pcl::indoor::VoxelMap;
 
 namespace {
@@ -90,32 +89,6 @@ TEST(PotentialField, DoesNotDependOnThreads)
 TEST(PotentialField, EmptyGridGivesEmptyField)
 {
   EXPECT_TRUE(pcl::indoor::potentialField(VoxelMap<std::uint8_t>{}).values.empty());
-  EXPECT_TRUE(pcl::indoor::squaredDistanceMap({}).values.empty());
-}
-
-TEST(SquaredDistanceMap, EqualsBruteForce)
-{
-  std::mt19937 rng(3);
-  for (int trial = 0; trial < 150; ++trial) {
-    PixelMap<std::uint8_t> map{
-        1 + static_cast<int>(rng() % 40), 1 + static_cast<int>(rng() % 40), {}};
-    map.values.resize(map.size());
-    const unsigned sparsity = 1 + rng() % 300;
-    for (auto& value : map.values)
-      value = rng() % sparsity == 0;
-    const auto distances = pcl::indoor::squaredDistanceMap(map);
-    for (int x = 0; x < map.nx; ++x)
-      for (int y = 0; y < map.ny; ++y) {
-        std::uint32_t best = kNoObstacle;
-        for (int u = 0; u < map.nx; ++u)
-          for (int v = 0; v < map.ny; ++v)
-            if (map.at(u, v)) {
-              const int d = (u - x) * (u - x) + (v - y) * (v - y);
-              best = std::min(best, static_cast<std::uint32_t>(d));
-            }
-        ASSERT_EQ(distances.at(x, y), best) << "trial " << trial;
-      }
-  }
 }
 
 TEST(FieldMap, TakesTheLargestInteriorValue)

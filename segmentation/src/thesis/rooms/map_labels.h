@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "rooms/field/field_connectivity.h"
+#include "thesis/rooms/field_connectivity.h"
 
 #include <pcl/indoor/voxel_map.h>
 
