@@ -49,14 +49,14 @@ struct Settings {
   unsigned threads = 1;
 };
 
+/** \param[in] options ours or the thesis's */
+template <typename Options>
 Labels
-segmentOurs(const Cloud::Ptr& cloud,
-            ObjectSegmentationOptions options,
-            const Settings& settings)
+segmentOurs(const Cloud::Ptr& cloud, const Options& options, const Settings& settings)
 {
-  options.threads = settings.threads;
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
   segmentation.setOptions(options);
+  segmentation.setNumberOfThreads(settings.threads);
   segmentation.setInputCloud(cloud);
   Labels labels;
   const auto problem = problemOf([&] { segmentation.segment(labels); });
@@ -74,12 +74,12 @@ thesisMethods(bool single_view, const Settings& settings)
   auto proposed = kinect ? thesisKinectOptions() : thesisOptions();
   if (single_view && settings.preset != "thesis_kinect") { // things on a table
     const auto view = withSizes(singleViewOptions());
-    proposed.voxel_size = view.voxel_size;
-    proposed.seed_size = view.seed_size;
+    proposed.shared.voxel_size = view.voxel_size;
+    proposed.shared.seed_size = view.seed_size;
   }
   auto with_lccp = proposed;
-  with_lccp.partition = Partition::Lccp;
-  const auto own = [settings](const ObjectSegmentationOptions& options) {
+  with_lccp.edges.partition = thesis::EdgePartition::Lccp;
+  const auto own = [settings](const thesis::ObjectOptions& options) {
     return [options, settings](const Cloud::Ptr& cloud) {
       return segmentOurs(cloud, options, settings);
     };
@@ -132,23 +132,21 @@ methodsFor(bool single_view, const Settings& settings)
     return
         [options](const Cloud::Ptr& cloud) { return segmentUpstream(*cloud, options); };
   };
-  const auto own = [settings](const ObjectSegmentationOptions& options,
-                              Partition partition) {
-    auto changed = options;
-    changed.partition = partition;
-    return [changed, settings](const Cloud::Ptr& cloud) {
-      return segmentOurs(cloud, changed, settings);
+  const auto own = [settings](const auto& options) {
+    return [options, settings](const Cloud::Ptr& cloud) {
+      return segmentOurs(cloud, options, settings);
     };
   };
-  const auto thesis = Partition::FelzenszwalbHuttenlocher;
+  const thesis::ObjectOptions graph{ours, {}, {}};
+  auto lccp = graph;
+  lccp.edges.partition = thesis::EdgePartition::Lccp;
   std::vector<Method> methods{{"LCCP, example's defaults", true, upstream(plain), {}},
                               {"LCCP, tuned", true, upstream(tuned), {}},
-                              {"ours + LCCP", true, own(ours, Partition::Lccp), {}},
-                              {"ours + Felzenszwalb", false, own(ours, thesis), {}},
-                              {"ours", true, own(ours, Partition::Pieces), {}}};
+                              {"ours + LCCP", true, own(lccp), {}},
+                              {"ours + Felzenszwalb", false, own(graph), {}},
+                              {"ours", true, own(ours), {}}};
   if (!single_view)
-    methods.push_back(
-        {"ours, parts", false, own(partsOptions(), Partition::Pieces), {}});
+    methods.push_back({"ours, parts", false, own(partsOptions()), {}});
   for (auto* more : {&thesisMethods, &baselines})
     for (auto& method : more(single_view, settings))
       methods.push_back(std::move(method));

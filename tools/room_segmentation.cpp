@@ -126,8 +126,7 @@ segment(RoomSettings& options,
         Progress& progress)
 {
   progress.start("Segmenting rooms");
-  Segmentation segmentation;
-  segmentation.setOptions(options.rooms);
+  auto segmentation = segmentationBy(options);
   segmentation.setProgressCallback([&progress](double share, const char*) {
     progress.update(static_cast<std::size_t>(100.0 * share), 100);
     return true;
@@ -164,7 +163,7 @@ main(int argc, char** argv)
     printNotes(file);
     progress.done(std::to_string(file.points->size()) + " points");
 
-    settleMethod(options);
+    requireLegal(options);
     const auto understood =
         understand(file, options.scan, file.points->size(), {false, options.check});
     progress.say(paragraphOf(file.path, understood));
@@ -178,8 +177,8 @@ main(int argc, char** argv)
     file.points.reset(); // saving a large cloud needs the memory
 
     progress.start("Saving " + options.output);
-    files.push_back(
-        cloudBeside(options.output, file.cloud, file.pose, options.rooms.threads));
+    files.push_back(cloudBeside(
+        options.output, file.cloud, file.pose, options.rooms.shared.threads));
     commitTogether(files, picturePaths(options));
     Progress::conclude([&] {
       progress.done();

@@ -25,8 +25,6 @@ namespace py = pybind11;
 namespace pcl::indoor::python {
 namespace {
 
-using Segmentation = RoomSegmentation<PointXYZ>;
-
 /** The room of each point, as pcl_room_segmentation finds it. */
 std::vector<std::uint32_t>
 foundRooms(const tool::RoomSettings& options,
@@ -34,8 +32,7 @@ foundRooms(const tool::RoomSettings& options,
            Listener& listener)
 {
   const auto understood = tool::understand(file, options.scan, file.points->size());
-  Segmentation segmentation;
-  segmentation.setOptions(options.rooms);
+  auto segmentation = tool::segmentationBy(options);
   segmentation.setProgressCallback([&listener](double share, const char*) {
     listener.update("Segmenting rooms", static_cast<std::size_t>(100.0 * share), 100);
     return true;
@@ -66,7 +63,7 @@ segmentRooms(const Scan& scan,
   auto options = tool::roomSettings(arguments.count(), arguments.words());
   arguments.readBy(tool::roomParser(options));
   options.input = scan.name();
-  tool::settleMethod(options);
+  tool::requireLegal(options);
   Listener listener(progress);
   auto rooms =
       withoutLock([&] { return foundRooms(options, scan.content().file, listener); });

@@ -4,7 +4,7 @@
  */
 
 #include "floor_map.h"
-#include "rooms/field/map_clustering.h"
+#include "thesis/rooms/map_clustering.h"
 
 #include <pcl/segmentation/hdbscan.h>
 

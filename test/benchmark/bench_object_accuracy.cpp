@@ -56,18 +56,18 @@ struct Found {
   std::vector<PieceJoin> joins;
 };
 
+/** \param[in] options ours or the thesis's */
+template <typename Options>
 Found
-segmentOurs(const Cloud::Ptr& points,
-            ObjectSegmentationOptions options,
-            unsigned threads)
+segmentOurs(const Cloud::Ptr& points, const Options& options, unsigned threads)
 {
-  options.threads = threads;
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
   segmentation.setOptions(options);
+  segmentation.setNumberOfThreads(threads);
   segmentation.setInputCloud(points);
   Found found;
   segmentation.segment(found.labels);
-  if (options.partition == Partition::Pieces) {
+  if (segmentation.getPartition() == Partition::Pieces) {
     found.pieces = segmentation.getSegmentsAtLevel(1.1f); // no join is that probable
     found.joins = segmentation.getHierarchy();
   }
@@ -77,7 +77,9 @@ segmentOurs(const Cloud::Ptr& points,
 /** The share of objects that one of all unions on the way, or a piece, has an
  * intersection over union of at least 0.5 with: what any cut of the tree can find. */
 double
-bestCut(const Room& room, const Found& found, const std::vector<std::uint32_t>& objects)
+bestCut(const LabelledRoom& room,
+        const Found& found,
+        const std::vector<std::uint32_t>& objects)
 {
   std::map<std::uint32_t, double> size_of_object, size_of_union;
   std::map<std::uint32_t, std::map<std::uint32_t, double>> counts; // of each union
@@ -137,7 +139,7 @@ makeMethods(bool single_view, const Settings& settings)
       return Found{segmentUpstream(*points, options), {}, {}};
     };
   };
-  const auto own = [threads](const ObjectSegmentationOptions& options) {
+  const auto own = [threads](const auto& options) {
     return [options, threads](const Cloud::Ptr& points) {
       return segmentOurs(points, options, threads);
     };
@@ -151,11 +153,12 @@ makeMethods(bool single_view, const Settings& settings)
   if (settings.methods == "upstream")
     return {{"LCCP, example's defaults", upstream(plain)},
             {"LCCP, tuned", upstream(tuned)}};
-  auto proposed = single_view ? thesisKinectOptions() : thesisOptions(), lccp = ours;
-  lccp.partition = Partition::Lccp;
+  auto proposed = single_view ? thesisKinectOptions() : thesisOptions();
+  thesis::ObjectOptions lccp{ours, {}, {}};
+  lccp.edges.partition = thesis::EdgePartition::Lccp;
   if (single_view) {
-    proposed.voxel_size = sizes.voxel_size;
-    proposed.seed_size = sizes.seed_size;
+    proposed.shared.voxel_size = sizes.voxel_size;
+    proposed.shared.seed_size = sizes.seed_size;
   }
   std::vector<Method> methods{{"LCCP, example's defaults", upstream(plain)},
                               {"LCCP, tuned", upstream(tuned)},
@@ -205,7 +208,7 @@ struct Score {
 /** Print the large objects that were not found whole: what the segment that holds most
  * of each covers, and how much of that segment is its own. */
 void
-printFailures(const Room& room, const SegmentLabels& labels)
+printFailures(const LabelledRoom& room, const SegmentLabels& labels)
 {
   std::map<std::uint32_t, std::size_t> size_of_object, size_of_segment;
   for (const auto object : room.objects)
@@ -237,7 +240,7 @@ printFailures(const Room& room, const SegmentLabels& labels)
 /** Write the labels of a room, field label, as FOLDER/SCAN.METHOD.pcd. */
 void
 writeLabels(const std::string& folder,
-            const Room& room,
+            const LabelledRoom& room,
             const std::string& method,
             const SegmentLabels& labels)
 {
@@ -252,7 +255,7 @@ writeLabels(const std::string& folder,
 }
 
 Score
-evaluate(const Room& room, const Method& method, const Settings& settings)
+evaluate(const LabelledRoom& room, const Method& method, const Settings& settings)
 {
   const auto begin = std::chrono::steady_clock::now();
   const auto found = method.segment(room.points);

@@ -39,13 +39,13 @@ const std::vector<float> curvature_thresholds{
     0.0025f, 0.005f, 0.01f, 0.015f, 0.02f, 0.025f, 0.03f, 0.04f, 0.05f, 0.07f, 0.1f};
 const std::vector<float> ratio_thresholds{0.1f, 0.2f, 0.5f, 1.0f};
 
-struct Room {
+struct LabelledRoom {
   ObjectSegmentationInput input;
   std::vector<std::uint32_t> labels; ///< one per point
 };
 
 bool
-loadRoom(const std::string& path, bool labelled_alone, Room& room)
+loadRoom(const std::string& path, bool labelled_alone, LabelledRoom& room)
 {
   pcl::PointCloud<pcl::PointXYZL> cloud;
   if (pcl::io::loadPCDFile(path, cloud) < 0)
@@ -133,20 +133,38 @@ countEdges(const ObjectSteps& graph,
   return count;
 }
 
+/** The thesis's options without RANSAC, or ours in their place. */
+thesis::ObjectOptions
+optionsFor(bool on_points)
+{
+  auto options = on_points ? thesisOptions() : thesis::ObjectOptions();
+  if (on_points)
+    options.on_points->ransac_share = 0;
+  return options;
+}
+
+/** Ours, or the thesis's way on points. */
+ObjectSegmentation
+segmented(const LabelledRoom& room, const thesis::ObjectOptions& options)
+{
+  return options.on_points ? thesis::segmentObjects(room.input, options)
+                           : segmentObjects(room.input, options.shared);
+}
+
 /** What is removed with the thresholds of the options: Eq. (4.2) on the points of a
  * graph, or the voxels' own way. */
 std::vector<std::uint8_t>
-removedWith(const ObjectSegmentationOptions& options,
+removedWith(const thesis::ObjectOptions& options,
             const ObjectSteps& graph,
-            const Room& room)
+            const LabelledRoom& room)
 {
   if (!options.on_points)
-    return stepsOf(segmentObjects(room.input, options)).removed;
+    return stepsOf(segmented(room, options)).removed;
   const auto& surface = graph.scene.voxels;
   NonConvexityOptions removal;
   removal.radius = options.on_points->removal_radius;
-  removal.curvature_threshold = options.curvature_threshold;
-  removal.ratio_threshold = options.ratio_threshold;
+  removal.curvature_threshold = options.shared.curvature_threshold;
+  removal.ratio_threshold = options.shared.ratio_threshold;
   return nonConvexPoints(
       surface.centroids, surface.normals, surface.curvatures, removal);
 }
@@ -165,17 +183,15 @@ struct Shares {
 };
 
 std::vector<std::vector<Shares>>
-measure(const std::vector<Room>& rooms, bool on_points)
+measure(const std::vector<LabelledRoom>& rooms, bool on_points)
 {
   std::vector<std::vector<EdgeCount>> left(
       ratio_thresholds.size(), std::vector<EdgeCount>(curvature_thresholds.size()));
   EdgeCount all;
   for (const auto& room : rooms) {
-    auto options = on_points ? thesisOptions() : ObjectSegmentationOptions();
-    if (on_points)
-      options.on_points->ransac_share = 0;
-    options.curvature_threshold = 1.0f / 3; // nothing is removed
-    const auto segmentation = segmentObjects(room.input, options);
+    auto options = optionsFor(on_points);
+    options.shared.curvature_threshold = 1.0f / 3; // nothing is removed
+    const auto segmentation = segmented(room, options);
     const auto& graph = stepsOf(segmentation);
     const auto labels = labelsOfSupervoxels(graph, room.labels);
     const auto cells = touchingCells(graph.scene, on_points);
@@ -184,8 +200,8 @@ measure(const std::vector<Room>& rooms, bool on_points)
     all.inter += before.inter;
     for (std::size_t r = 0; r < ratio_thresholds.size(); ++r)
       for (std::size_t c = 0; c < curvature_thresholds.size(); ++c) {
-        options.curvature_threshold = curvature_thresholds[c];
-        options.ratio_threshold = ratio_thresholds[r];
+        options.shared.curvature_threshold = curvature_thresholds[c];
+        options.shared.ratio_threshold = ratio_thresholds[r];
         const auto count =
             countEdges(graph, cells, labels, removedWith(options, graph, room));
         left[r][c].intra += count.intra;
@@ -207,16 +223,15 @@ measure(const std::vector<Room>& rooms, bool on_points)
 /** The same by numbers: how many edges fewer the graph has that is made anew of what
  * was not removed. Its supervoxels are others. */
 void
-printGraphsAnew(const std::vector<Room>& rooms, float ratio_threshold)
+printGraphsAnew(const std::vector<LabelledRoom>& rooms, float ratio_threshold)
 {
   const auto count = [&](float curvature_threshold) {
     EdgeCount all;
     for (const auto& room : rooms) {
-      auto options = thesisOptions();
-      options.on_points->ransac_share = 0;
-      options.curvature_threshold = curvature_threshold;
-      options.ratio_threshold = ratio_threshold;
-      const auto segmentation = segmentObjects(room.input, options);
+      auto options = optionsFor(true);
+      options.shared.curvature_threshold = curvature_threshold;
+      options.shared.ratio_threshold = ratio_threshold;
+      const auto segmentation = segmented(room, options);
       const auto& graph = stepsOf(segmentation);
       const auto labels = labelsOfSupervoxels(graph, room.labels);
       for (const auto& edge : graph.edges)
@@ -297,7 +312,7 @@ main(int argc, char** argv)
         stderr, "Syntax is: %s plot.png [-points|-labelled] room.pcd ...\n", argv[0]);
     return EXIT_FAILURE;
   }
-  std::vector<Room> rooms(static_cast<std::size_t>(argc - first));
+  std::vector<LabelledRoom> rooms(static_cast<std::size_t>(argc - first));
   for (int i = first; i < argc; ++i)
     if (!loadRoom(
             argv[i], labelled_alone, rooms[static_cast<std::size_t>(i - first)])) {

@@ -222,10 +222,9 @@ struct Method {
 std::vector<Method>
 methods(bool with_thesis)
 {
-  BuildingRoomsOptions dbscan;
-  dbscan.map.method = RoomMethod::PotentialField;
-  dbscan.voxel_size = dbscan.interior.voxel_size = 0.2;
-  dbscan.map.field_rooms.dbscan_distance = dbscan_distance;
+  thesis::RoomOptions dbscan;
+  dbscan.shared.voxel_size = dbscan.shared.interior.voxel_size = 0.2;
+  dbscan.field.dbscan_distance = dbscan_distance;
   std::vector<Method> all{
       {"k-means, true k", byMeans},
       {"DBSCAN on the field map",

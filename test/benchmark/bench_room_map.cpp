@@ -4,11 +4,11 @@
  */
 
 #include "floor_map.h"
-#include "rooms/field/field_connectivity.h"
-#include "rooms/field/map_labels.h"
-#include "rooms/field/map_random_walker.h"
-#include "rooms/field/visibility.h"
-#include "rooms/space/potential_field.h"
+#include "rooms/space/visibility.h"
+#include "thesis/rooms/field_connectivity.h"
+#include "thesis/rooms/map_labels.h"
+#include "thesis/rooms/map_random_walker.h"
+#include "thesis/rooms/potential_field.h"
 
 #include <benchmark/benchmark.h>
 

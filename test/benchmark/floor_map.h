@@ -5,9 +5,9 @@
 
 #pragma once
 
-#include "rooms/field/field_connectivity.h"
-#include "rooms/field/visibility.h"
-#include "rooms/space/potential_field.h"
+#include "rooms/space/visibility.h"
+#include "thesis/rooms/field_connectivity.h"
+#include "thesis/rooms/potential_field.h"
 
 #include <random>
 

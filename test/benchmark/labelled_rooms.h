@@ -37,7 +37,7 @@ struct RoomSource {
   unsigned turns = 1;     ///< about the vertical, by 11 degrees each
 };
 
-struct Room {
+struct LabelledRoom {
   std::string name;
   Cloud::Ptr points = pcl::make_shared<Cloud>();
   SegmentLabels objects, parts;
@@ -75,7 +75,7 @@ isThin(const std::vector<Eigen::Vector3f>& places)
 
 /** \brief Tell the large objects that are flat on walls from the others. */
 inline void
-sortObjects(Room& room)
+sortObjects(LabelledRoom& room)
 {
   std::vector<Eigen::Vector3f> places;
   std::vector<std::uint32_t> objects;
@@ -106,8 +106,8 @@ sortObjects(Room& room)
   }
 }
 
-inline Room
-turned(const Room& room, unsigned turn)
+inline LabelledRoom
+turned(const LabelledRoom& room, unsigned turn)
 {
   auto result = room;
   result.points = pcl::make_shared<Cloud>(*room.points);
@@ -146,7 +146,7 @@ unite(const std::string& groups, std::vector<std::uint32_t>& labels)
       label = found->second;
 }
 
-inline std::vector<Room>
+inline std::vector<LabelledRoom>
 cutRooms(const std::string& path, const RoomSource& source)
 {
   const auto file = loadCloud(path);
@@ -155,11 +155,11 @@ cutRooms(const std::string& path, const RoomSource& source)
       source.part_field.empty() ? object_of : readLabels(file, source.part_field);
   unite(source.united, object_of);
   if (source.room_field == "none") {
-    Room room{path, file.points, object_of, part_of, {}, {}};
+    LabelledRoom room{path, file.points, object_of, part_of, {}, {}};
     return {room};
   }
   const auto room_of = readLabels(file, source.room_field);
-  std::map<std::uint32_t, Room> rooms;
+  std::map<std::uint32_t, LabelledRoom> rooms;
   for (std::size_t i = 0; i < room_of.size(); ++i) {
     if (room_of[i] == 0)
       continue;
@@ -168,7 +168,7 @@ cutRooms(const std::string& path, const RoomSource& source)
     room.objects.push_back(object_of[i]);
     room.parts.push_back(part_of[i]);
   }
-  std::vector<Room> all;
+  std::vector<LabelledRoom> all;
   for (auto& [number, room] : rooms) {
     room.name = path + " " + source.room_field + " " + std::to_string(number);
     all.push_back(std::move(room));
@@ -179,10 +179,10 @@ cutRooms(const std::string& path, const RoomSource& source)
 /** \brief The rooms of all scans with at least three large objects, each as often as
  * it is turned.
  * \throws ToolError if there is none */
-inline std::vector<Room>
+inline std::vector<LabelledRoom>
 loadRooms(const RoomSource& source)
 {
-  std::vector<Room> rooms;
+  std::vector<LabelledRoom> rooms;
   for (const auto& scan : source.scans)
     for (auto& room : cutRooms(scan, source)) {
       sortObjects(room);

@@ -129,7 +129,7 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
     labels.assign(3, 1);
     segmentation.segment(labels);
     EXPECT_TRUE(labels.empty()) << what;
-    segmentation.setOptions({});
+    segmentation.setOptions(ObjectSegmentationOptions());
   };
   segmentation.setVoxelResolution(-0.01);
   expectRejected("voxel resolution");
@@ -161,10 +161,13 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
   options.normal_weight = -1;
   segmentation.setOptions(options);
   expectRejected("normal weight");
-  options = {};
-  options.edges.concavity_weight = 2;
-  segmentation.setOptions(options);
+  thesis::ObjectOptions graph;
+  graph.edges.concavity_weight = 2;
+  segmentation.setOptions(graph);
   expectRejected("concavity weight");
+  segmentation.setOptions(thesisOptions());
+  segmentation.setPartition(Segmentation::Partition::Pieces);
+  expectRejected("pieces on points");
   for (const float level : {-0.1f, 1.1f, std::nanf("")}) {
     options = {};
     options.pieces.joining_level = level;
@@ -274,11 +277,12 @@ TEST(NoiseResilientLCCPUse, TheThesisTakesLargePlanesOffByRansac)
 {
   const auto scene = floorWithTwoBoxes();
   const auto thesis = thesisOptions();
-  EXPECT_EQ(thesis.partition, Segmentation::Partition::FelzenszwalbHuttenlocher);
-  EXPECT_EQ(thesis.min_segment_size, 3u);
+  EXPECT_EQ(thesis.shared.min_segment_size, 3u);
   EXPECT_FLOAT_EQ(thesis.edges.graph_scale, 3);
   Segmentation segmentation;
   segmentation.setOptions(thesis);
+  EXPECT_EQ(segmentation.getPartition(),
+            Segmentation::Partition::FelzenszwalbHuttenlocher);
   segmentation.setInputCloud(cloudOf(scene.points));
   segmentation.setViewPoint(2, 1, 3);
   Labels labels;

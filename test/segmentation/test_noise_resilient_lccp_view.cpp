@@ -289,7 +289,7 @@ TEST(NoiseResilientLCCPView, OnlyWhatWasSetIsChanged)
   EXPECT_EQ(changed.getReport().options.voxel_size, 0.01);
   EXPECT_EQ(changed.getReport().options.seed_size, 0.04);
   EXPECT_EQ(changed.getReport().options.min_segment_size, 6u) << "it was not set";
-  changed.setOptions({});
+  changed.setOptions(ObjectSegmentationOptions());
   segmented(changed, view.cloud);
   EXPECT_EQ(changed.getReport().options.voxel_size, 0.03) << "all were set";
 }

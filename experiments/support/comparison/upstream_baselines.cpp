@@ -4,7 +4,7 @@
  */
 #include "comparison/upstream_baselines.h"
 
-#include "clustering/graph_segmentation.h"
+#include "thesis/objects/graph_segmentation.h"
 
 #include <pcl/indoor/point_cells.h>
 #include <pcl/indoor/usable_point.h>

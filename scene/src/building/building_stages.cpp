@@ -131,7 +131,7 @@ search(const ObjectSearch& search,
 void
 describeSearch(const RoomWork& work, Scene& scene)
 {
-  const auto sizes = withSizes(work.options);
+  const auto sizes = withSizes(work.thesis ? work.thesis->shared : work.options);
   scene.seeds_per_voxel = sizes.seed_size / sizes.voxel_size;
   if (work.naming)
     scene.classes.names = classNames(*work.naming);
@@ -151,7 +151,8 @@ checkedOptions(SceneOptions options)
   const double voxel = options.voxel_resolution, seed = options.seed_resolution;
   if (voxel == 0.0 && seed == 0.0)
     return options;
-  auto& objects = options.objects;
+  auto& objects =
+      options.thesis_objects ? options.thesis_objects->shared : options.objects;
   objects.voxel_size = voxel;
   objects.seed_size = seed;
   objects = withSizes(objects);
@@ -168,8 +169,10 @@ drawSample(const SceneOptions& options,
            StageReport& report)
 {
   constexpr double fineness = 0.25; // voxels of the rooms
-  const double voxel = options.rooms.voxel_size > 0.0 ? options.rooms.voxel_size
-                                                      : smallest_automatic_voxel;
+  const auto& rooms =
+      options.thesis_rooms ? options.thesis_rooms->shared : options.rooms;
+  const double voxel =
+      rooms.voxel_size > 0.0 ? rooms.voxel_size : smallest_automatic_voxel;
   const double metres = options.scan.unit == "auto" ? metresPerUnitOf(*scan.stream)
                                                     : options.scan.metresPerUnit();
   drawSample(
@@ -185,9 +188,15 @@ roomWork(const SceneOptions& options)
   RoomWork work;
   work.preparation = options.preparation;
   work.options = options.objects;
-  if (options.partition == "lccp")
-    work.options.partition = Partition::Lccp;
   work.options.threads = 1; // the threads are busy with the rooms
+  work.thesis = options.thesis_objects;
+  if (work.thesis)
+    work.thesis->shared.threads = 1;
+  if (options.partition == "lccp") {
+    if (!work.thesis)
+      work.thesis = thesis::ObjectOptions{work.options, {}, {}};
+    work.thesis->edges.partition = thesis::EdgePartition::Lccp;
+  }
   work.naming = namingOf(options);
   if (options.network != "none")
     work.network = {std::async(std::launch::deferred,
@@ -214,7 +223,10 @@ findRooms(const SceneOptions& options,
     return std::move(*scene);
   }
   RoomSegmentation<PointXYZ> segmentation;
-  segmentation.setOptions(options.rooms);
+  if (options.thesis_rooms)
+    segmentation.setOptions(*options.thesis_rooms);
+  else
+    segmentation.setOptions(options.rooms);
   segmentation.setNumberOfThreads(options.threads);
   std::optional<PointsAside> aside;
   segmentation.setProgressCallback([&](double share, const char*) {

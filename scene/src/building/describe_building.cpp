@@ -112,8 +112,8 @@ thesisSceneOptions()
   SceneOptions options;
   options.preset = "thesis";
   options.network = "none";
-  options.rooms = thesisRoomOptions();
-  options.objects = thesisOptions();
+  options.thesis_rooms = thesisRoomOptions();
+  options.thesis_objects = thesisOptions();
   return options;
 }
 

@@ -36,9 +36,11 @@ settingsOf(const SceneOptions& options,
            const StationChoice& stations,
            std::uint64_t points_at_once)
 {
+  const auto& rooms =
+      options.thesis_rooms ? options.thesis_rooms->shared : options.rooms;
   std::vector<Setting> settings = {
-      number("-voxel_size", options.rooms.voxel_size, "m"),
-      number("-min_area", options.rooms.map.min_area, "m^2"),
+      number("-voxel_size", rooms.voxel_size, "m"),
+      number("-min_area", rooms.map.min_area, "m^2"),
       number("-voxel_resolution", options.voxel_resolution, "m"),
       number("-seed_resolution", options.seed_resolution, "m"),
       text("-preset", options.preset),

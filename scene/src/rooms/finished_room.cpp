@@ -39,8 +39,10 @@ finishRoom(RoomPoints room, const RoomWork& work)
   const auto upright = room.positions;
   const auto removed = prepareRoom(work.preparation, room);
   FinishedRoom finished;
+  const auto voter = voterOf(work.network);
   finished.objects =
-      segmentRoomObjects(std::move(room), work.options, voterOf(work.network));
+      work.thesis ? thesis::segmentRoomObjects(std::move(room), *work.thesis, voter)
+                  : segmentRoomObjects(std::move(room), work.options, voter);
   putBack(removed, finished.objects);
   ObjectVotes votes;
   if (finished.objects.votes.class_count > 0) {

@@ -10,7 +10,7 @@
 #include <pcl/indoor/exports.h>
 #include <pcl/ml/voxel_network.h>
 #include <pcl/segmentation/building_frame.h>
-#include <pcl/segmentation/room_objects.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <future>
 #include <optional>
@@ -29,7 +29,8 @@ struct VotingNetwork {
 struct RoomWork {
   RoomPreparation preparation;
   ObjectSegmentationOptions options;
-  std::optional<ObjectNaming> naming; ///< without it there are no classes
+  std::optional<thesis::ObjectOptions> thesis; ///< the thesis's way, in place of ours
+  std::optional<ObjectNaming> naming;          ///< without it there are no classes
   VotingNetwork network;
   bool keeps_surfaces = false; ///< of the objects, to learn classes from
   BuildingFrame frame;         ///< of the scan

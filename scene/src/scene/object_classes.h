@@ -7,7 +7,7 @@
 #include <pcl/indoor/exports.h>
 #include <pcl/scene/scene.h>
 #include <pcl/scene/scene_options.h> // for ObjectNaming
-#include <pcl/segmentation/object_surfaces.h>
+#include <pcl/segmentation/room_objects.h>
 
 #include <optional>
 #include <string>

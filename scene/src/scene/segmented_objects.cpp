@@ -111,19 +111,22 @@ segmentationOf(const ObjectChoices& choices,
                const Say& warn)
 {
   NoiseResilientLCCP<PointXYZ> segmentation;
-  const auto options =
-      choices.options(isTable(choices, file.path, points, vertical, warn));
-  segmentation.setOptions(options);
+  const bool is_table = isTable(choices, file.path, points, vertical, warn);
+  const auto options = choices.options(is_table);
+  if (choices.has_pieces)
+    segmentation.setOptions(options.shared);
+  else
+    segmentation.setOptions(options);
   if (choices.scan.up != "auto")
     segmentation.setUpAxis(choices.scan.upAxis());
   if (choices.is_single_view)
     segmentation.setUseSingleCameraTransform(*choices.is_single_view);
   const auto& origin = points->sensor_origin_;
-  if (options.orientation == NormalOrientation::Viewpoint)
+  if (options.shared.orientation == NormalOrientation::Viewpoint)
     segmentation.setViewPoint(origin.x(), origin.y(), origin.z());
   segmentation.setInputCloud(points);
   if (choices.remove_outliers)
-    segmentation.setIndices(indicesWithoutOutliers(file, points, options.threads));
+    segmentation.setIndices(indicesWithoutOutliers(file, points, options.shared.threads));
   if (file.has_normals && !choices.ignore_normals)
     segmentation.setInputNormals(readNormals(file));
   if (options.on_points && options.on_points->color_weight > 0)

@@ -8,7 +8,7 @@
 
 #include <pcl/indoor/exports.h>
 #include <pcl/scene/scene_options.h> // for CoordinateOptions
-#include <pcl/segmentation/object_segmentation_options.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <cstdint>
 #include <functional>
@@ -23,8 +23,10 @@ struct ObjectChoices {
   CoordinateOptions scan;
   bool asks_for_tables =
       false; ///< whether the scan is one is found out; else it is not
-  /** \brief What to segment with, a table or anything else. */
-  std::function<ObjectSegmentationOptions(bool is_table)> options;
+  /** \brief What to segment with, a table or anything else; where there are pieces,
+   * the shared options alone count. */
+  std::function<thesis::ObjectOptions(bool is_table)> options;
+  bool has_pieces = true; ///< or it is segmented by the thesis's method
   /** see NoiseResilientLCCP::setUseSingleCameraTransform(), which else finds it out */
   std::optional<bool> is_single_view;
   bool ignore_normals = false, remove_outliers = false;

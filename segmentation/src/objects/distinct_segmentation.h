@@ -6,16 +6,51 @@
 
 #include "objects/object_steps.h"
 
+#include <pcl/segmentation/room_objects.h>
+
+#include <cstddef>
+#include <functional>
+
 namespace pcl {
 namespace indoor {
 
-/** \brief segmentObjects() of points of which nobody asks again whether some are
- * copies.
- */
+/** \brief Segments points of which nobody asks again whether some are copies. */
+using SegmentDistinct = std::function<DetailedSegmentation(ObjectSegmentationInput)>;
+
+/** \brief segmentObjects() of such points. */
 DetailedSegmentation
 segmentDistinct(ObjectSegmentationInput input,
                 const ObjectSegmentationOptions& options,
                 const ProgressCallback& progress = {});
+
+/** \brief Segment each place once; copies of points get what their places have.
+ * \throws pcl::BadArgumentException as withoutUnusable() does */
+ObjectSegmentation
+segmentEachPlace(ObjectSegmentationInput input, const SegmentDistinct& segment);
+
+/** \brief Leave out normals that are none, which are estimated, and the voter of a
+ * view, who is not asked.
+ * \throws pcl::BadArgumentException if sizes differ, a view has no viewpoint, or the
+ * direction up has not the length 1 */
+ObjectSegmentationInput
+withoutUnusable(ObjectSegmentationInput input);
+
+/** \brief Whether both sizes follow from the points. */
+bool
+hasAutomaticSizes(const ObjectSegmentationOptions& given);
+
+/** \brief The options to work with. */
+ObjectSegmentationOptions
+sizedOptions(const ObjectSegmentationInput& input,
+             const ObjectSegmentationOptions& given);
+
+/** \brief segmentRoomObjects() by a way of segmenting.
+ * \param[in] fewest points of an object, see separateRemainder() */
+RoomObjects
+roomObjectsBy(const SegmentDistinct& segment,
+              RoomPoints room,
+              std::size_t fewest,
+              const VoxelVoter& voter);
 
 } // namespace indoor
 } // namespace pcl

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include <pcl/segmentation/object_surfaces.h>
+#include <pcl/segmentation/room_objects.h>
 
 #include "objects/object_steps.h"
 

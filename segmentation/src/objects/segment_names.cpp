@@ -50,28 +50,6 @@ nameVoted(DetailedSegmentation& result)
       result.structure_of_segment[result.segment_of_point[i]] = kind;
 }
 
-/** What the segments of most points of the planes are. */
-std::vector<pcl::indoor::StructureKind>
-structureOfSegments(const DetailedSegmentation& result)
-{
-  const auto& planes = result.scene.planes;
-  std::vector<std::map<std::uint32_t, std::size_t>> counts(planes.size());
-  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i)
-    if (const auto plane = result.scene.planeOfPoint(i))
-      ++counts[plane - 1][result.segment_of_point[i]];
-  std::vector<pcl::indoor::StructureKind> kinds(result.segment_count,
-                                                pcl::indoor::StructureKind::None);
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const auto most = std::max_element(
-        counts[p].begin(), counts[p].end(), [](const auto& a, const auto& b) {
-          return a.second < b.second;
-        });
-    if (most != counts[p].end())
-      kinds[most->first] = kindOf(planes[p], result.scene.up);
-  }
-  return kinds;
-}
-
 } // namespace
 
 namespace pcl {
@@ -109,12 +87,30 @@ numberSegments(DetailedSegmentation& result)
   }
 }
 
+std::vector<StructureKind>
+structureOfSegments(const DetailedSegmentation& result)
+{
+  const auto& planes = result.scene.planes;
+  std::vector<std::map<std::uint32_t, std::size_t>> counts(planes.size());
+  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i)
+    if (const auto plane = result.scene.planeOfPoint(i))
+      ++counts[plane - 1][result.segment_of_point[i]];
+  std::vector<StructureKind> kinds(result.segment_count, StructureKind::None);
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const auto most = std::max_element(
+        counts[p].begin(), counts[p].end(), [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        });
+    if (most != counts[p].end())
+      kinds[most->first] = kindOf(planes[p], result.scene.up);
+  }
+  return kinds;
+}
+
 void
 nameSegments(const ObjectSegmentationOptions& options, DetailedSegmentation& result)
 {
-  const auto remainder = options.partition == Partition::Pieces
-                             ? gatherRemainder(options, result)
-                             : std::nullopt;
+  const auto remainder = gatherRemainder(options, result);
   numberSegments(result);
   result.structure_of_segment = structureOfSegments(result);
   if (result.pieces.has_votes)

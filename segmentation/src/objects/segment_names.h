@@ -26,8 +26,12 @@ sizesOfSegments(const DetailedSegmentation& result, std::size_t segment_count);
 void
 numberSegments(DetailedSegmentation& result);
 
-/** Number the segments, and say which are floor, wall or ceiling. Those of pieces that
- * are too small to be told become one segment, the remainder, see
+/** What the numbered segments of most points of the planes are. */
+std::vector<StructureKind>
+structureOfSegments(const DetailedSegmentation& result);
+
+/** Number the segments, and say which are floor, wall or ceiling. Those that are too
+ * small to be told become one segment, the remainder, see
  * ObjectSegmentationOptions::fewest_points. */
 void
 nameSegments(const ObjectSegmentationOptions& options, DetailedSegmentation& result);

@@ -5,13 +5,13 @@
 
 #include <pcl/segmentation/building_rooms.h>
 
-#include "rooms/field/map_labels.h"
 #include "rooms/map/building_steps.h"
 #include "rooms/map/region_evidence.h"
 #include "rooms/map/room_map.h"
 #include "rooms/map/station_views.h"
 #include "rooms/outline/room_layout.h"
 #include "rooms/outline/storey_labels.h"
+#include "rooms/room_way.h"
 #include "rooms/space/closed_surfaces.h"
 #include "rooms/space/interior_space.h"
 #include "rooms/space/occupancy_grid.h"
@@ -70,48 +70,6 @@ pointsOfColumns(const std::vector<std::uint8_t>& storey_of,
     if (occupancy.cells[i] >= 0 && storey_of[i] == storey)
       ++counts.values[occupancy.cells[i] / shape.nz];
   return counts;
-}
-
-/** The room of each coarse voxel of a storey, 0 = none, by the vote of Sec. 3.2.3. */
-VoxelMap<int>
-votedVoxels(const StoreySpace& space, const RoomMap& map, int threads)
-{
-  const GridShape& shape = space.interior.occupancy.shape;
-  const int factor = space.interior.factor;
-  PixelMap<int> labels{shape.nx, shape.ny, {}};
-  labels.values.resize(labels.size());
-  for (int x = 0; x < shape.nx; ++x)
-    for (int y = 0; y < shape.ny; ++y)
-      labels.at(x, y) =
-          map.free_labels.at(std::min(x * factor, map.free_labels.nx - 1),
-                             std::min(y * factor, map.free_labels.ny - 1)) -
-          1;
-  VoxelLabelOptions options;
-  options.threads = threads;
-  return labelVoxels(
-      space.interior.occupancy.bytes(), space.interior.inside.bytes(), labels, options);
-}
-
-/** Label the points of one storey by the voxels they lie in. */
-void
-labelByVote(const VoxelMap<int>& votes,
-            std::size_t storey,
-            const std::vector<std::uint8_t>& storey_of,
-            DetailedBuilding& building)
-{
-  const VoxelBits& grid = building.occupancy.grid;
-  const int factor = building.interior.factor;
-  const int first = building.room_maps[storey].first_layer / factor;
-  for (std::size_t i = 0; i < storey_of.size(); ++i) {
-    const std::int32_t cell = building.occupancy.cells[i];
-    if (cell < 0 || storey_of[i] != storey)
-      continue;
-    const int pixel = cell / grid.shape.nz;
-    const int x = pixel / grid.shape.ny / factor, y = pixel % grid.shape.ny / factor;
-    const int z = cell % grid.shape.nz / factor - first;
-    if (votes.shape.contains(x, y, z))
-      building.point_labels[i] = building.room_of[storey][votes.at(x, y, z) + 1];
-  }
 }
 
 std::vector<Room>
@@ -236,14 +194,14 @@ std::vector<MappedStorey>
 mapStoreys(const DetailedBuilding& building,
            std::size_t first,
            std::size_t end,
-           const RoomMapOptions& options)
+           const RoomWay& way)
 {
   std::vector<MappedStorey> mapped(end - first);
   const auto count = static_cast<std::ptrdiff_t>(mapped.size());
   parallelFor(count, static_cast<int>(count), 1, [&](std::ptrdiff_t k) {
     mapped[k].space = storeySpace(
         building.occupancy.grid, building.interior, building.storeys, first + k);
-    mapped[k].map = segmentRoomMap(mapped[k].space, options);
+    mapped[k].map = way.map(mapped[k].space);
   });
   return mapped;
 }
@@ -260,15 +218,12 @@ placeStations(const StationViews& views, std::size_t storey, DetailedBuilding& b
 
 /** The rooms of points that have no copies. */
 DetailedBuilding
-segmentDistinct(const std::vector<Eigen::Vector3f>& points,
-                BuildingRoomsOptions options,
+segmentDistinct(const RoomWay& way,
+                const std::vector<Eigen::Vector3f>& points,
+                const BuildingRoomsOptions& options,
                 const ProgressCallback& progress,
                 const ScanStations& stations)
 {
-  options.interior.threads = options.threads;
-  options.storeys.threads = options.threads;
-  options.map.threads = options.map.field_rooms.threads = options.threads;
-  options.walls.threads = options.threads;
   const auto stopped = [&](double share, const char* stage) {
     return progress && !progress(share, stage);
   };
@@ -313,8 +268,6 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
   building.stations = views.placed();
   std::uint32_t room_count = 0;
   OpenGround ground;
-  const bool by_vote = options.point_rooms == PointRooms::Vote;
-  std::vector<VoxelMap<int>> votes; // per storey
   const std::size_t storeys = building.storeys.heights.size();
   const std::size_t at_once = mapsAtOnce(grid.columns(), options.threads);
   std::vector<MappedStorey> mapped;
@@ -324,7 +277,7 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
       return {};
     if (s % at_once == 0) {
       mapped.clear(); // before there are others
-      mapped = mapStoreys(building, s, std::min(storeys, s + at_once), options.map);
+      mapped = mapStoreys(building, s, std::min(storeys, s + at_once), way);
     }
     const StoreySpace& space = mapped[s % at_once].space;
     RoomMap& map = building.room_maps.emplace_back();
@@ -341,21 +294,13 @@ segmentDistinct(const std::vector<Eigen::Vector3f>& points,
       room_of.push_back(label == 0 ? 0 : ++room_count);
     placeStations(views, s, building);
     addOpenings(points, space, options.threads, building);
-    if (by_vote)
-      votes.push_back(votedVoxels(space, map, options.threads));
   }
   mapped.clear();
   if (stopped(0.8, "rooms of the points"))
     return {};
   building.point_labels.assign(points.size(), 0);
-  for (std::size_t s = 0; s < votes.size(); ++s)
-    labelByVote(votes[s], s, storey_of, building);
-  for (std::size_t s = 0; s < building.room_maps.size() && !by_vote; ++s)
-    StoreyLabels(points, building.occupancy, building.room_maps[s], options)
-        .assign(storey_of,
-                static_cast<std::uint8_t>(s),
-                building.room_of[s],
-                building.point_labels);
+  for (std::size_t s = 0; s < storeys; ++s)
+    way.label(points, storey_of, s, building);
   building.rooms = describeRooms(points, building);
   addFootprints(points, options.threads, building);
   if (stopped(1.0, "done"))
@@ -388,13 +333,37 @@ spreadToCopies(const DistinctPoints& places, DetailedBuilding& building)
 
 } // namespace
 
-BuildingRooms
-segmentBuilding(const std::vector<Eigen::Vector3f>& points,
-                BuildingRoomsOptions options,
-                const ProgressCallback& progress,
-                const ScanStations& stations)
+BuildingRoomsOptions
+withThreads(BuildingRoomsOptions options)
 {
-  requireValid(options);
+  options.interior.threads = options.threads;
+  options.storeys.threads = options.threads;
+  options.map.threads = options.threads;
+  options.walls.threads = options.threads;
+  return options;
+}
+
+void
+labelBySides(const std::vector<Eigen::Vector3f>& points,
+             const BuildingRoomsOptions& options,
+             const std::vector<std::uint8_t>& storey_of,
+             std::size_t storey,
+             DetailedBuilding& building)
+{
+  StoreyLabels(points, building.occupancy, building.room_maps[storey], options)
+      .assign(storey_of,
+              static_cast<std::uint8_t>(storey),
+              building.room_of[storey],
+              building.point_labels);
+}
+
+BuildingRooms
+segmentBuildingBy(const RoomWay& way,
+                  const std::vector<Eigen::Vector3f>& points,
+                  const BuildingRoomsOptions& options,
+                  const ProgressCallback& progress,
+                  const ScanStations& stations)
+{
   if (!stations.of_point.empty() && stations.of_point.size() != points.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "There are stations of " << stations.of_point.size()
@@ -402,14 +371,29 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                                                  << " points.");
   const auto places = placesOfCopies(points);
   if (!places)
-    return published(segmentDistinct(points, std::move(options), progress, stations));
-  auto building = segmentDistinct(places->once(points),
-                                  std::move(options),
-                                  progress,
-                                  stationsOnce(stations, *places));
+    return published(segmentDistinct(way, points, options, progress, stations));
+  auto building = segmentDistinct(
+      way, places->once(points), options, progress, stationsOnce(stations, *places));
   if (!building.point_labels.empty())
     spreadToCopies(*places, building);
   return published(std::move(building));
+}
+
+BuildingRooms
+segmentBuilding(const std::vector<Eigen::Vector3f>& points,
+                BuildingRoomsOptions options,
+                const ProgressCallback& progress,
+                const ScanStations& stations)
+{
+  options = withThreads(requireValid(options));
+  const RoomWay ours = {
+      [&options](const StoreySpace& space) {
+        return segmentRoomMap(space, options.map);
+      },
+      [&options](const auto& distinct, const auto& storey_of, auto s, auto& building) {
+        labelBySides(distinct, options, storey_of, s, building);
+      }};
+  return segmentBuildingBy(ours, points, options, progress, stations);
 }
 
 } // namespace indoor

@@ -6,7 +6,7 @@
 #include "support/labelled_points.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/segmentation/object_segmentation.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <gtest/gtest.h>
 
@@ -41,19 +41,30 @@ smallScene(float spacing)
   return input;
 }
 
+bool
+isOnPoints(const ObjectSegmentationOptions& /*options*/)
+{
+  return false;
+}
+
+bool
+isOnPoints(const thesis::ObjectOptions& options)
+{
+  return options.on_points.has_value();
+}
+
 /** Refuses the illegal values of a field, and runs with each legal one. */
-template <typename Field>
+template <typename Options, typename Field>
 void
 check(const char* what,
-      const ObjectSegmentationOptions& others,
+      const Options& others,
       const Field& field,
       const std::vector<double>& legal,
       std::vector<double> illegal)
 {
-  using Value = std::remove_reference_t<decltype(field(
-      std::declval<ObjectSegmentationOptions&>()))>;
+  using Value = std::remove_reference_t<decltype(field(std::declval<Options&>()))>;
   static const auto on_voxels = smallScene(0.02f), on_points = smallScene(0.05f);
-  const auto& input = others.on_points ? on_points : on_voxels;
+  const auto& input = isOnPoints(others) ? on_points : on_voxels;
   if (std::is_floating_point_v<Value>)
     illegal.push_back(nan_value);
   for (const double value : legal) {
@@ -65,7 +76,7 @@ check(const char* what,
     ASSERT_EQ(result.segment_of_point.size(), input.points.size());
     for (const auto segment : result.segment_of_point)
       ASSERT_TRUE(segment < result.segment_count ||
-                  (options.on_points && segment == ObjectSegmentation::none));
+                  (isOnPoints(options) && segment == ObjectSegmentation::none));
   }
   for (const double value : illegal) {
     SCOPED_TRACE(testing::Message() << what << ' ' << value);
@@ -77,7 +88,7 @@ check(const char* what,
 }
 
 #define FIELD(name)                                                                    \
-  [](ObjectSegmentationOptions & o) -> auto& { return o.name; }
+  [](auto& o) -> auto& { return o.name; }
 
 } // namespace
 
@@ -111,10 +122,12 @@ TEST(ObjectSegmentationOptions, EachLegalEndRuns)
 
 TEST(ObjectSegmentationOptions, EachLegalEndOfTheOtherPartitionsRuns)
 {
-  for (const auto partition : {Partition::FelzenszwalbHuttenlocher, Partition::Lccp})
+  using thesis::EdgePartition;
+  for (const auto partition :
+       {EdgePartition::FelzenszwalbHuttenlocher, EdgePartition::Lccp})
     for (const bool on_points : {false, true}) {
-      auto options = on_points ? thesisOptions() : ObjectSegmentationOptions();
-      options.partition = partition;
+      auto options = on_points ? thesisOptions() : thesis::ObjectOptions();
+      options.edges.partition = partition;
       check("concavity_weight",
             options,
             FIELD(edges.concavity_weight),
@@ -128,15 +141,19 @@ TEST(ObjectSegmentationOptions, EachLegalEndOfTheOtherPartitionsRuns)
       check("graph_scale", options, FIELD(edges.graph_scale), {0, largest}, bad_size);
       check("spatial_weight",
             options,
-            FIELD(spatial_weight),
+            FIELD(shared.spatial_weight),
             {0, highest_weight},
             bad_weight);
       check("normal_weight",
             options,
-            FIELD(normal_weight),
+            FIELD(shared.normal_weight),
             {0, highest_weight},
             bad_weight);
-      check("min_segment_size", options, FIELD(min_segment_size), {0, highest}, {});
+      check("min_segment_size",
+            options,
+            FIELD(shared.min_segment_size),
+            {0, highest},
+            {});
     }
 }
 
@@ -168,8 +185,9 @@ TEST(ObjectSegmentationOptions, CellsThatAreTooSmallForTheSceneAreRefused)
   voxels.voxel_size = 1e-7;
   auto points = thesisOptions();
   points.on_points->removal_radius = 1e-7;
-  for (const auto& options : {voxels, points}) {
-    EXPECT_EQ(findProblem(options), "");
-    EXPECT_THROW(segmentObjects(smallScene(0.05f), options), pcl::BadArgumentException);
-  }
+  EXPECT_EQ(findProblem(voxels), "");
+  EXPECT_EQ(findProblem(points), "");
+  const auto input = smallScene(0.05f);
+  EXPECT_THROW(segmentObjects(input, voxels), pcl::BadArgumentException);
+  EXPECT_THROW(segmentObjects(input, points), pcl::BadArgumentException);
 }

@@ -5,7 +5,7 @@
 #include "objects/object_steps.h"
 
 #include <pcl/exceptions.h>
-#include <pcl/segmentation/object_surfaces.h>
+#include <pcl/segmentation/room_objects.h>
 
 #include <gtest/gtest.h>
 

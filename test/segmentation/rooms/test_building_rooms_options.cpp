@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/segmentation/building_rooms.h>
+#include <pcl/segmentation/thesis.h>
 
 #include "support/synthetic_scenes.h"
 
@@ -21,21 +21,21 @@ namespace {
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+template <typename Options>
 void
-expectRefused(const BuildingRoomsOptions& options, const char* what, double value)
+expectRefused(const Options& options, const char* what, double value)
 {
   EXPECT_NE(findProblem(options), "") << what << ' ' << value;
   EXPECT_THROW(segmentBuilding({{1, 1, 1}}, options), pcl::BadArgumentException)
       << what << ' ' << value;
 }
 
-/** Two rooms of coarse points are segmented somehow, by either method. */
+/** Two rooms of coarse points are segmented somehow. */
+template <typename Options>
 void
-expectRuns(BuildingRoomsOptions options, const char* what, double value)
+expectRuns(const Options& options, const char* what, double value)
 {
   static const auto scene = test::twoRooms(0.005f, 0.08f);
-  if (std::string(what).find("field_rooms") != std::string::npos)
-    options.map.method = RoomMethod::PotentialField;
   BuildingRooms building;
   EXPECT_NO_THROW(building = segmentBuilding(scene.points, options))
       << what << ' ' << value;
@@ -44,25 +44,24 @@ expectRuns(BuildingRoomsOptions options, const char* what, double value)
 
 /** A field takes its legal values, with which rooms are found, and refuses NaN and the
  * others. */
-template <typename Field>
+template <typename Options, typename Field>
 void
 check(const char* what,
       const Field& field,
       const std::vector<double>& legal,
       std::vector<double> illegal)
 {
-  using Value =
-      std::remove_reference_t<decltype(field(std::declval<BuildingRoomsOptions&>()))>;
+  using Value = std::remove_reference_t<decltype(field(std::declval<Options&>()))>;
   if (std::is_floating_point_v<Value>)
     illegal.push_back(nan_value);
   for (const double value : legal) {
-    BuildingRoomsOptions options;
+    Options options;
     field(options) = static_cast<Value>(value);
     EXPECT_EQ(findProblem(options), "") << what << ' ' << value;
     expectRuns(options, what, value);
   }
   for (const double value : illegal) {
-    BuildingRoomsOptions options;
+    Options options;
     field(options) = static_cast<Value>(value);
     expectRefused(options, what, value);
   }
@@ -77,14 +76,18 @@ const std::vector<double> bad_evidence = {-0.1, 80.1, infinity};
 
 } // namespace
 
+#define CHECK_FIELD_OF(OPTIONS, FIELD, LEGAL, ILLEGAL)                                 \
+  check<OPTIONS>(                                                                      \
+      #FIELD, [](auto& o) -> auto& { return o.FIELD; }, LEGAL, ILLEGAL)
 #define CHECK_FIELD(FIELD, LEGAL, ILLEGAL)                                             \
-  check(                                                                               \
-      #FIELD,                                                                          \
-      [](BuildingRoomsOptions & o) -> auto& { return o.FIELD; },                       \
-      LEGAL,                                                                           \
-      ILLEGAL)
+  CHECK_FIELD_OF(BuildingRoomsOptions, FIELD, LEGAL, ILLEGAL)
+#define CHECK_THESIS(FIELD, LEGAL, ILLEGAL)                                            \
+  CHECK_FIELD_OF(thesis::RoomOptions, FIELD, LEGAL, ILLEGAL)
 
-TEST(BuildingRoomsOptions, DefaultsAreLegal) { EXPECT_EQ(findProblem({}), ""); }
+TEST(BuildingRoomsOptions, DefaultsAreLegal)
+{
+  EXPECT_EQ(findProblem(BuildingRoomsOptions()), "");
+}
 
 TEST(BuildingRoomsOptions, TheComplaintNamesValueAndRange)
 {
@@ -163,18 +166,18 @@ TEST(BuildingRoomsOptions, FieldsOfTheMap)
 TEST(BuildingRoomsOptions, FieldsOfThePotentialField)
 {
   using V = std::vector<double>;
-  CHECK_FIELD(map.field_rooms.distance.visibility_weight, (V{0, 70}), bad_weight);
-  CHECK_FIELD(map.field_rooms.distance.euclidean_weight, (V{0, 70}), bad_weight);
-  CHECK_FIELD(map.field_rooms.distance.field_weight, (V{0, 70}), bad_weight);
-  CHECK_FIELD(map.field_rooms.distance.euclidean_scale, (V{0, 70}), bad_weight);
-  CHECK_FIELD(map.field_rooms.peaks.bins, (V{1, 64}), (V{0, -1}));
-  CHECK_FIELD(map.field_rooms.peaks.smoothing, (V{0, 1}), V{-1});
-  CHECK_FIELD(map.field_rooms.peaks.prominence, (V{0, 1}), bad_area);
-  CHECK_FIELD(map.field_rooms.dbscan_distance, (V{0, 25}), bad_weight);
-  CHECK_FIELD(map.field_rooms.min_cluster_area, V{2}, (V{0, -1, infinity}));
-  CHECK_FIELD(map.field_rooms.sample_area, V{2}, (V{0, -1, infinity}));
-  CHECK_FIELD(map.field_rooms.landmark_spacing, (V{0, 1000}), bad_length);
-  CHECK_FIELD(map.field_rooms.beta, (V{0, 100}), bad_weight);
+  CHECK_THESIS(field.distance.visibility_weight, (V{0, 70}), bad_weight);
+  CHECK_THESIS(field.distance.euclidean_weight, (V{0, 70}), bad_weight);
+  CHECK_THESIS(field.distance.field_weight, (V{0, 70}), bad_weight);
+  CHECK_THESIS(field.distance.euclidean_scale, (V{0, 70}), bad_weight);
+  CHECK_THESIS(field.peaks.bins, (V{1, 64}), (V{0, -1}));
+  CHECK_THESIS(field.peaks.smoothing, (V{0, 1}), V{-1});
+  CHECK_THESIS(field.peaks.prominence, (V{0, 1}), bad_area);
+  CHECK_THESIS(field.dbscan_distance, (V{0, 25}), bad_weight);
+  CHECK_THESIS(field.min_cluster_area, V{2}, (V{0, -1, infinity}));
+  CHECK_THESIS(field.sample_area, V{2}, (V{0, -1, infinity}));
+  CHECK_THESIS(field.landmark_spacing, (V{0, 1000}), bad_length);
+  CHECK_THESIS(field.beta, (V{0, 100}), bad_weight);
 }
 
 TEST(BuildingRoomsOptions, TheHeaviestWeightsFitTogether)

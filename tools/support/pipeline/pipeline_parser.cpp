@@ -15,8 +15,8 @@ pipelineOptions(int argc, const char* const* argv)
 {
   PipelineOptions options;
   if (presetOf(argc, argv) == "thesis") {
-    options.rooms = pcl::indoor::thesisRoomOptions();
-    options.objects = pcl::indoor::thesisOptions();
+    options.thesis_rooms = pcl::indoor::thesisRoomOptions();
+    options.thesis_objects = pcl::indoor::thesisOptions();
   }
   return options;
 }
@@ -31,6 +31,7 @@ isOfExports(const Setting& setting)
 OptionParser
 pipelineParser(PipelineOptions& options)
 {
+  auto& rooms = options.thesis_rooms ? options.thesis_rooms->shared : options.rooms;
   OptionParser parser(
       "pcl_indoor_pipeline",
       "Finds the rooms of a building's scan, the objects in each room "
@@ -45,16 +46,13 @@ pipelineParser(PipelineOptions& options)
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
       .number("-voxel_size",
-              options.rooms.voxel_size,
+              rooms.voxel_size,
               "side of a voxel of the rooms, 0 = automatic: 0.1, more where surfaces "
               "have holes",
               "m",
               Range::atLeast(0))
-      .number("-min_area",
-              options.rooms.map.min_area,
-              "smallest room",
-              "m^2",
-              Range::atLeast(0))
+      .number(
+          "-min_area", rooms.map.min_area, "smallest room", "m^2", Range::atLeast(0))
       .number("-voxel_resolution",
               options.voxel_resolution,
               "edge of a voxel of the objects, 0 = automatic: 0.03, more in rooms with "

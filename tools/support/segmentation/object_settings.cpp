@@ -24,6 +24,29 @@ withPresets(const std::string& meaning, double room, double single_view)
   return text.str();
 }
 
+/** The options that a preset stands for.
+ * \param[in] is_table what auto is for a table */
+thesis::ObjectOptions
+presetOptions(const std::string& preset, bool is_table)
+{
+  if (preset == "thesis")
+    return thesisOptions();
+  if (preset == "thesis_kinect")
+    return thesisKinectOptions();
+  thesis::ObjectOptions options;
+  if (preset == "parts")
+    options.shared = partsOptions();
+  if (preset == "single_view" || (preset == "auto" && is_table))
+    options.shared = singleViewOptions();
+  return options;
+}
+
+bool
+isThesis(const std::string& preset)
+{
+  return preset == "thesis" || preset == "thesis_kinect";
+}
+
 void
 addLengths(OptionParser& parser, ObjectSettings& settings)
 {
@@ -118,12 +141,12 @@ addPartition(OptionParser& parser, ObjectSettings& settings)
               "supervoxel, are the remainder",
               "points")
       .number("-graph_scale",
-              options.edges.graph_scale,
+              settings.edges.graph_scale,
               "for -partition felzenszwalb; higher gives larger segments",
               "",
               Range::atLeast(0))
       .number("-concavity_tolerance",
-              options.edges.concavity_tolerance_degrees,
+              settings.edges.concavity_tolerance_degrees,
               "for -partition felzenszwalb and lccp: bend up to which concave edges "
               "count as convex",
               "degrees",
@@ -191,47 +214,39 @@ addOthers(OptionParser& parser, ObjectSettings& settings)
   parser.expert({"-double", "-memory_limit"});
 }
 
-/** The options that a preset stands for; auto may be one for tables. */
-ObjectSegmentationOptions
-presetOptions(const std::string& preset, bool is_table)
+/** Whether a preset or a partition is one of pieces, not of the thesis. */
+bool
+hasPieces(const ObjectSettings& settings)
 {
-  if (preset == "thesis")
-    return thesisOptions();
-  if (preset == "thesis_kinect")
-    return thesisKinectOptions();
-  if (preset == "parts")
-    return partsOptions();
-  if (preset == "single_view" || (preset == "auto" && is_table))
-    return singleViewOptions();
-  return {};
+  return settings.partition == "graph" ||
+         (settings.partition == "auto" && !isThesis(settings.preset));
 }
 
-/** The options to segment with. */
-ObjectSegmentationOptions
+/** The options to segment with; where there are pieces, the shared ones. */
+thesis::ObjectOptions
 chosenOptions(const ObjectSettings& settings, bool is_table)
 {
-  const auto preset = presetOptions(settings.preset, is_table);
-  auto options = settings.others;
+  auto options = presetOptions(settings.preset, is_table);
+  const auto preset = options.shared;
+  auto& shared = options.shared = settings.others;
   const bool given = settings.voxel_resolution > 0 || settings.seed_resolution > 0;
-  options.voxel_size = given ? settings.voxel_resolution : preset.voxel_size;
-  options.seed_size = given ? settings.seed_resolution : preset.seed_size;
-  if (preset.on_points)
-    options.on_points = settings.on_points;
-  options.min_segment_size =
+  shared.voxel_size = given ? settings.voxel_resolution : preset.voxel_size;
+  shared.seed_size = given ? settings.seed_resolution : preset.seed_size;
+  shared.min_segment_size =
       settings.min_segment > 0 ? settings.min_segment : preset.min_segment_size;
-  options.pieces.scale = preset.pieces.scale;
+  shared.pieces.scale = preset.pieces.scale;
   if (settings.level >= 0)
-    options.pieces.joining_level = static_cast<float>(settings.level);
-  options.partition = settings.partition == "auto"   ? preset.partition
-                      : settings.partition == "lccp" ? Partition::Lccp
-                      : settings.partition == "graph"
-                          ? Partition::Pieces
-                          : Partition::FelzenszwalbHuttenlocher;
-  options.orientation = settings.orientation == "auto"    ? NormalOrientation::Automatic
-                        : settings.orientation == "graph" ? NormalOrientation::Graph
-                        : settings.orientation == "viewpoint"
-                            ? NormalOrientation::Viewpoint
-                            : NormalOrientation::FreeSpace;
+    shared.pieces.joining_level = static_cast<float>(settings.level);
+  shared.orientation = settings.orientation == "auto"    ? NormalOrientation::Automatic
+                       : settings.orientation == "graph" ? NormalOrientation::Graph
+                       : settings.orientation == "viewpoint"
+                           ? NormalOrientation::Viewpoint
+                           : NormalOrientation::FreeSpace;
+  options.edges = settings.edges;
+  if (settings.partition == "lccp")
+    options.edges.partition = thesis::EdgePartition::Lccp;
+  if (options.on_points)
+    options.on_points = settings.on_points;
   return options;
 }
 
@@ -241,8 +256,10 @@ ObjectSettings
 objectSettings(int argc, const char* const* argv)
 {
   ObjectSettings settings;
-  settings.others = presetOptions(presetOf(argc, argv), false);
-  settings.on_points = settings.others.on_points.value_or(settings.on_points);
+  const auto preset = presetOptions(presetOf(argc, argv), false);
+  settings.others = preset.shared;
+  settings.edges = preset.edges;
+  settings.on_points = preset.on_points.value_or(settings.on_points);
   return settings;
 }
 
@@ -251,7 +268,7 @@ requireFitting(const ObjectSettings& settings)
 {
   if (settings.level < 0 && settings.level != -1)
     throw ToolError("-level: must be -1 or from 0 to 1");
-  const bool as_thesis = settings.others.on_points.has_value();
+  const bool as_thesis = isThesis(settings.preset);
   const auto& on_points = settings.on_points;
   const std::pair<const char*, double> of_thesis[] = {
       {"-ransac_share", on_points.ransac_share},
@@ -281,6 +298,7 @@ choicesOf(const ObjectSettings& settings)
   choices.options = [&settings](bool is_table) {
     return chosenOptions(settings, is_table);
   };
+  choices.has_pieces = hasPieces(settings);
   if (settings.camera != "auto")
     choices.is_single_view = settings.camera == "single";
   choices.ignore_normals = settings.ignore_normals;

@@ -12,7 +12,7 @@
 #include "scene/segmented_objects.h"
 
 #include <pcl/scene/scene_options.h> // for CoordinateOptions
-#include <pcl/segmentation/object_segmentation_options.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <cstdint>
 #include <string>
@@ -30,7 +30,8 @@ struct ObjectSettings {
   double voxel_resolution = 0, seed_resolution = 0;
   bool ignore_normals = false, remove_outliers = false;
   ObjectSegmentationOptions others;
-  PointOptions on_points; // for the thesis's presets
+  thesis::EdgeOptions edges;      // for partitions without pieces
+  thesis::PointOptions on_points; // for the thesis's presets
   PointColors colors;
   PointCoordinates coordinates;
   TableColumns columns;

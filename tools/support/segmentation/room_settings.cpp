@@ -13,16 +13,16 @@ namespace {
 
 /** Options of the thesis's method, Sec. 3.2.3. */
 void
-addFieldOptions(OptionParser& parser, BuildingRoomsOptions& rooms)
+addFieldOptions(OptionParser& parser, thesis::RoomOptions& rooms)
 {
-  auto& field = rooms.map.field_rooms;
+  auto& field = rooms.field;
   const auto weight =
       [&parser](const char* name, double& variable, const char* meaning) {
         parser.number(name, variable, meaning, "", Range::atLeast(0));
       };
   parser.number(
       "-interior_voxel_size",
-      rooms.interior.voxel_size,
+      rooms.shared.interior.voxel_size,
       "side of a voxel of the interior space and of -method field, rounded to "
       "a multiple of -voxel_size",
       "m",
@@ -92,19 +92,28 @@ roomSettings(int argc, const char* const* argv)
 }
 
 void
-settleMethod(RoomSettings& options)
+requireLegal(const RoomSettings& options)
 {
-  options.rooms.map.method =
-      options.method == "slab" ? RoomMethod::CeilingSlab : RoomMethod::PotentialField;
   const auto problem = findProblem(options.rooms);
   if (!problem.empty())
     throw ToolError(options.input + ": " + problem);
 }
 
+RoomSegmentation<PointXYZ>
+segmentationBy(const RoomSettings& options)
+{
+  RoomSegmentation<PointXYZ> segmentation;
+  segmentation.setOptions(options.rooms);
+  segmentation.setMethod(options.method == "slab" ? RoomMethod::CeilingSlab
+                                                  : RoomMethod::PotentialField);
+  return segmentation;
+}
+
 OptionParser
 roomParser(RoomSettings& options)
 {
-  auto& map = options.rooms.map;
+  auto& rooms = options.rooms.shared;
+  auto& map = rooms.map;
   OptionParser parser("pcl_room_segmentation",
                       "Segment the scan of a building into rooms with "
                       "pcl::RoomSegmentation; adds the field room.");
@@ -126,7 +135,7 @@ roomParser(RoomSettings& options)
             options.json,
             "file for area, volume, footprint and neighbours of each room")
       .number("-voxel_size",
-              options.rooms.voxel_size,
+              rooms.voxel_size,
               "side of a voxel, 0 = automatic: 0.1, more where surfaces have holes",
               "m",
               Range::atLeast(0))
@@ -152,11 +161,8 @@ roomParser(RoomSettings& options)
             "slab: walls below the ceiling; field: potential field and HDBSCAN, as in "
             "the thesis",
             {"slab", "field"})
-      .number("-threads",
-              options.rooms.threads,
-              "threads, 0 = automatic",
-              "",
-              Range::atLeast(0));
+      .number(
+          "-threads", rooms.threads, "threads, 0 = automatic", "", Range::atLeast(0));
   addOptions(parser, options.scan);
   parser.flag("-check",
               options.check,
@@ -169,7 +175,7 @@ roomParser(RoomSettings& options)
   addOptions(parser, options.stations);
   options.memory.addOption(parser);
   addFieldOptions(parser, options.rooms);
-  addInteriorOptions(parser, options.rooms.interior.weights);
+  addInteriorOptions(parser, rooms.interior.weights);
   parser.expert({"-double",          "-memory_limit",        "-min_width",
                  "-persistence",     "-open_share",          "-habitable_area",
                  "-method",          "-interior_voxel_size", "-euclidean_weight",

@@ -12,7 +12,7 @@
 #include "scene/point_colors.h"
 
 #include <pcl/scene/scene_options.h> // for CoordinateOptions
-#include <pcl/segmentation/building_rooms_options.h>
+#include <pcl/segmentation/room_segmentation.h>
 
 #include <string>
 
@@ -23,7 +23,7 @@ struct RoomSettings {
   std::string input, output, map, json, dxf;
   std::string method = "slab", preset = "default";
   CoordinateOptions scan;
-  BuildingRoomsOptions rooms;
+  thesis::RoomOptions rooms; // with -method slab its shared options
   PointColors colors;
   PointCoordinates coordinates;
   TableColumns columns;
@@ -36,10 +36,14 @@ struct RoomSettings {
 RoomSettings
 roomSettings(int argc, const char* const* argv);
 
-/** \brief The options of the method that was chosen, checked.
+/** \brief Check the options.
  * \throws ToolError naming the input, if one is none */
 void
-settleMethod(RoomSettings& options);
+requireLegal(const RoomSettings& options);
+
+/** \brief A segmentation by the method that was chosen. */
+RoomSegmentation<PointXYZ>
+segmentationBy(const RoomSettings& options);
 
 /** \brief Its command line.
  * \param[in,out] options must outlive the parser */

@@ -10,7 +10,7 @@
 #include <pcl/ml/object_context.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/segmentation/object_surfaces.h>
+#include <pcl/segmentation/room_objects.h>
 
 #include <string>
 #include <vector>

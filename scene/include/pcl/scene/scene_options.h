@@ -6,13 +6,13 @@
 
 #include <pcl/indoor/exports.h>
 #include <pcl/ml/object_classifier.h>
-#include <pcl/segmentation/building_rooms_options.h>
-#include <pcl/segmentation/object_segmentation_options.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +64,9 @@ struct SceneOptions {
   CoordinateOptions scan;
   BuildingRoomsOptions rooms;
   ObjectSegmentationOptions objects;
+  /** by the thesis's own methods, in place of rooms and objects; none: by ours */
+  std::optional<thesis::RoomOptions> thesis_rooms;
+  std::optional<thesis::ObjectOptions> thesis_objects;
   double voxel_resolution = 0.0,   ///< edge of a voxel of the objects, metres; 0 =
                                    ///< automatic: 0.03, more where points are sparse
       seed_resolution = 0.0;       ///< distance of supervoxels, metres; 0 = automatic

@@ -58,7 +58,7 @@ struct MappedRooms {
   PixelMap<std::int32_t> free_labels; ///< room of each free pixel, 1 ... n; 0 = none
   PixelMap<std::int32_t> labels;      ///< the same, carried into the walls
   std::int32_t room_count = 0;
-  PixelMap<float> potential; ///< of RoomMethod::PotentialField, else empty
+  PixelMap<float> potential; ///< of thesis::segmentBuilding(), else empty
   int potential_factor = 1;  ///< pixels of the map per pixel of it, along each axis
 };
 

@@ -104,52 +104,8 @@ struct OpenPlanOptions {
                                 ///< the straight lines between them is free, 0 ... 1
 };
 
-/** \brief Weights and scales of the distance between pixels. */
-struct MapDistanceOptions {
-  double visibility_weight = 0.05; ///< w_vis (0 or more)
-  double euclidean_weight = 0.7;   ///< w_eucl (0 or more)
-  double field_weight = 0.25;      ///< w_PF (0 or more)
-  double euclidean_scale = 0.0;    ///< the distance that counts as 1, pixels; 0 = the
-                                   ///< largest distance between two of the pixels
-};
-
-/** \brief How peaks of a histogram are found. */
-struct HistogramPeakOptions {
-  int bins = 64;            ///< number of bins from 0 to the largest value (at least 1)
-  int smoothing = 1;        ///< half-width of the moving average, bins (at least 0)
-  double prominence = 0.01; ///< smallest fall on both sides of a peak before a higher
-                            ///< one, as a fraction of the fullest bin (0 or more)
-};
-
-/** \brief How a field map is divided into rooms (Sec. 3.2.3). */
-struct FieldRoomsOptions {
-  MapDistanceOptions distance;   ///< weights of Eq. (3.4)
-  HistogramPeakOptions peaks;    ///< thresholds of Eq. (3.3)
-  double dbscan_distance = 0.0;  ///< 0 = HDBSCAN finds the clusters; else DBSCAN*, with
-                                 ///< this distance of Eq. (3.4) (>= 0)
-  double min_cluster_area = 2.0; ///< smallest cluster, m^2 (> 0)
-  double sample_area = 0.4;      ///< neighbourhood of its core distance, m^2 (> 0)
-  double landmark_spacing = 1.0; ///< between the landmarks of visibility, metres (>=
-                                 ///< 0); 0 = every pixel is one, in time O(pixels^2)
-  bool allow_single_cluster = false; ///< whether HDBSCAN may find one room only
-  bool above_ceiling = false;   ///< whether interior space above the ceiling takes part
-  bool peaks_on_slopes = false; ///< whether a peak that a cluster left out is a room
-                                ///< although it lies on that one's slope
-  double beta = 100.0;          ///< of the random walker, Eq. (2.11), for a field in
-                                ///< [0, 1] (>= 0)
-  int threads = 0;              ///< 0 = automatic
-};
-
-/** \brief How the rooms of a storey are told apart. */
-enum class RoomMethod {
-  CeilingSlab, ///< in a slab below the ceiling, where walls and lintels close the rooms
-  PotentialField ///< by the potential field and HDBSCAN: the thesis's own, Sec. 3.2.3
-};
-
 /** \brief How a storey's map is divided into rooms. */
 struct RoomMapOptions {
-  RoomMethod method = RoomMethod::CeilingSlab;
-  FieldRoomsOptions field_rooms; ///< of RoomMethod::PotentialField
   CeilingSlabOptions slab;
   double persistence = 0.5;  ///< see BasinOptions
   double door_width = 1.15;  ///< narrower passages are doors, also without a lintel,
@@ -172,12 +128,6 @@ struct WallSideOptions {
   int threads = 0;            ///< 0 = automatic; the result does not depend on it
 };
 
-/** \brief How points at walls get their room. */
-enum class PointRooms {
-  WallSides, ///< by the side of the wall that they are on
-  Vote       ///< by most of the ten nearest free voxels, Sec. 3.2.3
-};
-
 /** \brief All parameters of the way from a building's points to its rooms. */
 struct BuildingRoomsOptions {
   double voxel_size = 0.0; ///< side of a voxel and of a map pixel, metres (>= 0); 0 =
@@ -187,21 +137,9 @@ struct BuildingRoomsOptions {
   StoreyOptions storeys;
   RoomMapOptions map;
   WallSideOptions walls;
-  PointRooms point_rooms =
-      PointRooms::WallSides; ///< how points at walls get their room
-  bool align_grid = true;    ///< whether voxels lie along the best supported walls
+  bool align_grid = true; ///< whether voxels lie along the best supported walls
   int threads = 0; ///< of all stages, 0 = automatic; the result does not depend on it
 };
-
-/** \brief The thesis's own way from points to rooms (Sec. 3.2) and no more: voxels of
- * 20 cm along the axes, two dominant directions in space, the potential field, each
- * pixel a landmark of visibility, and the vote of ten neighbours. Of the weights of Eq.
- * (3.1) it changed w1 (interior.weights.below) to 0.5 where floors are hidden, and w2
- * (interior.weights.above) to 1.5 where ceilings are not. docs/method/thesis.md lists
- * what the thesis leaves open.
- */
-PCL_INDOOR_EXPORTS BuildingRoomsOptions
-thesisRoomOptions();
 
 /** \brief What is wrong with the options: one sentence with the value and the range.
  * \return empty if all are in range

@@ -9,6 +9,7 @@
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 #include <pcl/segmentation/object_segmentation.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <cstdint>
 #include <map>
@@ -17,6 +18,16 @@
 #include <vector>
 
 namespace pcl {
+namespace indoor {
+
+/** \brief How pcl::NoiseResilientLCCP joins supervoxels into segments. */
+enum class Partition {
+  Pieces, ///< to pieces, by the mean bend of whole borders; pieces by what was learned
+  FelzenszwalbHuttenlocher, ///< thesis::EdgePartition::FelzenszwalbHuttenlocher
+  Lccp                      ///< thesis::EdgePartition::Lccp
+};
+
+} // namespace indoor
 
 /** \brief Segments a scanned room into objects, in spite of noise and double surfaces.
  *
@@ -181,14 +192,20 @@ public:
   float
   getConcavityToleranceThreshold() const;
 
-  /** \brief Set all parameters at once, also those without a setter of their own.
-   * Each parameter that was never set is that of indoor::singleViewOptions() for the
-   * view of a table, and the default for all else; getReport() tells which were used.
+  /** \brief Set all parameters at once, also those without a setter of their own; the
+   * partition is Partition::Pieces then. Each parameter that was never set is that of
+   * indoor::singleViewOptions() for the view of a table, and the default for all else;
+   * getReport() tells which were used.
    */
   void
   setOptions(const indoor::ObjectSegmentationOptions& options);
 
-  /** \brief Get all parameters, as they are for anything but the view of a table. */
+  /** \brief Set all parameters of the thesis's own method, and its partition. */
+  void
+  setOptions(const indoor::thesis::ObjectOptions& options);
+
+  /** \brief Get the parameters that all partitions share, as they are for anything but
+   * the view of a table. */
   const indoor::ObjectSegmentationOptions&
   getOptions() const;
 
@@ -377,6 +394,10 @@ private:
   void
   set(const Change& change);
 
+  /** \brief What is wrong with the parameters; empty if nothing is. */
+  std::string
+  findProblem() const;
+
   /** \brief Print a line and keep it in the report, unless it is empty. */
   void
   warn(const std::string& line);
@@ -401,6 +422,9 @@ private:
   indoor::ObjectSegmentationOptions options_;
   /** for the view of a table: what was set is set in both */
   indoor::ObjectSegmentationOptions table_options_ = indoor::singleViewOptions();
+  Partition partition_ = Partition::Pieces;
+  indoor::thesis::EdgeOptions edges_; // for the other partitions
+  std::optional<indoor::thesis::PointOptions> on_points_;
   Eigen::Vector3f up_ = Eigen::Vector3f::UnitZ();
   bool up_chosen_ = false;
   indoor::VoxelVoter voter_;

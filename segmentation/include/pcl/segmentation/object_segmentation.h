@@ -117,12 +117,12 @@ struct ObjectSteps; // private
 struct ObjectSegmentation {
   static constexpr std::uint32_t none = 0xffffffffu; ///< no segment, or supervoxel
   ObjectSegmentationOptions options;         ///< that were used, with their sizes
-  std::vector<std::uint32_t> piece_of_point; ///< for Partition::Pieces, else empty
+  std::vector<std::uint32_t> piece_of_point; ///< empty if there are no pieces
   VoxelClasses votes; ///< of the points; empty if nobody was asked
   /** joins of pieces, the most probable first; those of at least a level give a
    * segmentation, see segmentsAtLevel() */
   std::vector<PieceJoin> joins;
-  /** 0 ... segment_count - 1, or none where PointOptions leave one without */
+  /** 0 ... segment_count - 1, or none where thesis::PointOptions leave one without */
   std::vector<std::uint32_t> segment_of_point;
   std::uint32_t segment_count = 0;
   std::vector<StructureKind>
@@ -136,8 +136,8 @@ struct ObjectSegmentation {
  * pieces that are probably one thing. Works on voxels throughout, so its cost is
  * nearly linear in the number of points, and small.
  * Floor, ceiling and walls are kept out of the graph, see findRoomStructure(): nothing
- * is joined through them. With JoiningScale::View, for a Capture::TableView and on
- * points there is no such structure.
+ * is joined through them. With JoiningScale::View and for a Capture::TableView there
+ * is no such structure.
  * Every point gets a segment, its copies in exactly its place the same.
  * \param[in] progress called before each stage and at the end with 1; may be empty
  * \return without segments and labels if \a progress returned false
@@ -180,8 +180,8 @@ struct NamedSupervoxels {
   std::multimap<std::uint32_t, std::uint32_t> adjacency; ///< both ways
 };
 
-/** \brief Join given supervoxels to segments, by the partition of the options alone:
- * there are no points to take out, and no pieces are joined by the learned criterion.
+/** \brief Join given supervoxels to what segmentObjects() would have for pieces: there
+ * are no points to take out, and no pieces are joined by the learned criterion.
  * Edges to names that are not there do not count.
  * \return the segment of each name, from 1
  */

@@ -4,10 +4,11 @@
  */
 #pragma once
 
+#include <pcl/features/oriented_point.h>
 #include <pcl/indoor/exports.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/segmentation/object_surfaces.h>
+#include <pcl/segmentation/object_segmentation.h>
 #include <pcl/types.h> // for Indices
 
 #include <Eigen/Core>
@@ -18,6 +19,29 @@
 
 namespace pcl {
 namespace indoor {
+
+/** \brief The surface of an object and where it is in its room; z is up. */
+struct ObjectSurface {
+  /** One per voxel: the mean of its points, and a unit normal of either sign; voxels
+   * without a normal are left out. Metres, in the frame of the segmentation. */
+  std::vector<OrientedPoint> points;
+  float floor_distance = 0.0f; ///< of the lowest point from the floor, metres
+};
+
+/** \brief The surfaces of a room's objects, as a classifier wants them.
+ *
+ * The floor is the lowest voxel of the whole room in the columns around the object.
+ * Time: linear in voxels.
+ * \param[in] room the segmentation of one room, z up
+ * \param[in] object_of_point one per point of the segmentation: 0 ... object_count - 1;
+ * other values are no object. Usually room.segment_of_point
+ * \return one per object; one without voxels has no points
+ * \throws pcl::BadArgumentException if there are not as many values as points
+ */
+PCL_INDOOR_EXPORTS std::vector<ObjectSurface>
+objectSurfaces(const ObjectSegmentation& room,
+               const std::vector<std::uint32_t>& object_of_point,
+               std::uint32_t object_count);
 
 /** \brief The points of one room, z up, metres. */
 struct RoomPoints {
@@ -45,8 +69,8 @@ struct RoomObjects {
  * the same time, or on several machines. Time and memory are linear in the points.
  * \param[in] room taken by value: it is emptied on the way; without points there are no
  * objects
- * \param[in] options for any partition what has less than fewest_points is the
- * remainder, see separateRemainder()
+ * \param[in] options what has less than fewest_points is the remainder, see
+ * separateRemainder()
  * \param[in] voter what the points are part of, also in given objects
  * \throws pcl::BadArgumentException if an option is out of range, or sizes differ
  */

@@ -8,6 +8,7 @@
 #include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/scan_warnings.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
@@ -25,6 +26,15 @@
 #include <vector>
 
 namespace pcl {
+namespace indoor {
+
+/** \brief How pcl::RoomSegmentation tells the rooms of a storey apart. */
+enum class RoomMethod {
+  CeilingSlab, ///< in a slab below the ceiling, where walls and lintels close the rooms
+  PotentialField ///< by the potential field and HDBSCAN: thesis::segmentBuilding()
+};
+
+} // namespace indoor
 
 /** \brief Segments the points of a building, or of a part of it, into rooms.
  *
@@ -147,13 +157,13 @@ public:
   void
   setMethod(indoor::RoomMethod method)
   {
-    options_.map.method = method;
+    method_ = method;
   }
 
   indoor::RoomMethod
   getMethod() const
   {
-    return options_.map.method;
+    return method_;
   }
 
   /** \brief Set the weights of the evidence for interior space, Eq. (3.1): w1 (below),
@@ -178,13 +188,13 @@ public:
   void
   setMinClusterArea(double area)
   {
-    options_.map.field_rooms.min_cluster_area = area;
+    field_.min_cluster_area = area;
   }
 
   double
   getMinClusterArea() const
   {
-    return options_.map.field_rooms.min_cluster_area;
+    return field_.min_cluster_area;
   }
 
   /** \brief Set the neighbourhood of the core distance of RoomMethod::PotentialField.
@@ -194,13 +204,13 @@ public:
   void
   setSampleArea(double area)
   {
-    options_.map.field_rooms.sample_area = area;
+    field_.sample_area = area;
   }
 
   double
   getSampleArea() const
   {
-    return options_.map.field_rooms.sample_area;
+    return field_.sample_area;
   }
 
   /** \brief Set the number of threads; the result does not depend on it.
@@ -306,17 +316,29 @@ public:
     progress_ = callback;
   }
 
-  /** \brief All parameters of the method, also those without a setter. */
+  /** \brief All parameters that both methods share, also those without a setter. */
   const indoor::BuildingRoomsOptions&
   getOptions() const
   {
     return options_;
   }
 
+  /** \brief Set all of them; the method is RoomMethod::CeilingSlab then. */
   void
   setOptions(const indoor::BuildingRoomsOptions& options)
   {
-    options_ = options;
+    setOptions(indoor::thesis::RoomOptions{options, {}});
+    method_ = indoor::RoomMethod::CeilingSlab;
+  }
+
+  /** \brief Set all parameters of RoomMethod::PotentialField, and this method. */
+  void
+  setOptions(const indoor::thesis::RoomOptions& options)
+  {
+    options_ = options.shared;
+    field_ = options.field;
+    point_rooms_ = options.point_rooms;
+    method_ = indoor::RoomMethod::PotentialField;
   }
 
   /** \brief Find the rooms.
@@ -443,6 +465,9 @@ private:
   describeInput(const Indices& indices);
 
   indoor::BuildingRoomsOptions options_;
+  indoor::RoomMethod method_ = indoor::RoomMethod::CeilingSlab;
+  indoor::thesis::FieldRoomsOptions field_; // of RoomMethod::PotentialField
+  indoor::thesis::PointRooms point_rooms_ = indoor::thesis::PointRooms::WallSides;
   std::optional<Eigen::Vector3f> up_axis_;
   std::optional<double> metres_per_unit_;
   std::optional<indoor::ScanCoordinates> coordinates_; ///< found before

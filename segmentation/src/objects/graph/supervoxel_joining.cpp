@@ -17,38 +17,27 @@ constexpr double bend_threshold = 15; // degrees, mean bend of a border of two p
 SurfaceDistance
 distanceOf(const ObjectSegmentationOptions& options)
 {
-  const auto on_points = options.on_points.value_or(PointOptions());
-  return {options.seed_size,
-          options.spatial_weight,
-          options.normal_weight,
-          on_points.color_weight,
-          on_points.fpfh_weight};
+  SurfaceDistance distance;
+  distance.seed_size = options.seed_size;
+  distance.spatial_weight = options.spatial_weight;
+  distance.normal_weight = options.normal_weight;
+  return distance;
 }
 
 std::vector<std::uint32_t>
-joinSupervoxels(const Supervoxels& supervoxels,
-                const std::vector<SurfaceEdge>& edges,
-                const ObjectSegmentationOptions& options)
+joinByBends(const Supervoxels& supervoxels,
+            const std::vector<SurfaceEdge>& edges,
+            std::uint32_t min_segment_size)
 {
-  const auto count = supervoxels.size();
-  if (options.partition == Partition::Lccp)
-    return convexSegments(count, edges);
-  if (options.partition == Partition::FelzenszwalbHuttenlocher)
-    return segmentGraph(
-        count,
-        weighEdges(
-            supervoxels, edges, distanceOf(options), options.edges.concavity_weight),
-        options.edges.graph_scale,
-        options.min_segment_size);
-  return clusterByBorders(
-      count, bendBorders(supervoxels, edges), bend_threshold, options.min_segment_size);
+  return clusterByBorders(supervoxels.size(),
+                          bendBorders(supervoxels, edges),
+                          bend_threshold,
+                          min_segment_size);
 }
 
 std::map<std::uint32_t, std::uint32_t>
-segmentSupervoxels(const NamedSupervoxels& given,
-                   const ObjectSegmentationOptions& given_options)
+joinNamed(const NamedSupervoxels& given, const JoinSupervoxels& join)
 {
-  const auto options = withSizes(given_options);
   const auto& [names, centroids, normals, adjacency] = given;
   Supervoxels supervoxels;
   supervoxels.centroids = centroids;
@@ -64,20 +53,22 @@ segmentSupervoxels(const NamedSupervoxels& given,
     if (source >= target || target >= names.size() || names[source] != name ||
         names[target] != other_name)
       continue;
-    edges.push_back({source,
-                     target,
-                     isConvexEdge(supervoxels.centroids[source],
-                                  supervoxels.normals[source],
-                                  supervoxels.centroids[target],
-                                  supervoxels.normals[target],
-                                  options.edges.concavity_tolerance_degrees),
-                     1});
+    edges.push_back({source, target, 1});
   }
-  const auto segments = joinSupervoxels(supervoxels, edges, options);
+  const auto segments = join(supervoxels, edges);
   std::map<std::uint32_t, std::uint32_t> segment_of_name;
   for (std::size_t i = 0; i < names.size(); ++i)
     segment_of_name[names[i]] = segments[i] + 1;
   return segment_of_name;
+}
+
+std::map<std::uint32_t, std::uint32_t>
+segmentSupervoxels(const NamedSupervoxels& given,
+                   const ObjectSegmentationOptions& options)
+{
+  return joinNamed(given, [&options](const auto& supervoxels, const auto& edges) {
+    return joinByBends(supervoxels, edges, options.min_segment_size);
+  });
 }
 
 } // namespace indoor

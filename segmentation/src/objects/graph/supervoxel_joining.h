@@ -9,22 +9,31 @@
 #include <pcl/segmentation/object_segmentation.h>
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
 namespace pcl {
 namespace indoor {
 
-/** Eq. (4.4) or (2.19) with the weights of the options. */
+/** \brief Tells the segment of each supervoxel, numbered from 0. */
+using JoinSupervoxels = std::function<std::vector<std::uint32_t>(
+    const Supervoxels& supervoxels, const std::vector<SurfaceEdge>& edges)>;
+
+/** \brief Eq. (4.4) with the weights of the options. */
 SurfaceDistance
 distanceOf(const ObjectSegmentationOptions& options);
 
-/** \brief Join supervoxels by the partition of the options.
- * \return the segment of each supervoxel, numbered from 0 */
+/** \brief Join supervoxels to pieces: over borders that bend little.
+ * \param[in] min_segment_size C, supervoxels */
 std::vector<std::uint32_t>
-joinSupervoxels(const Supervoxels& supervoxels,
-                const std::vector<SurfaceEdge>& edges,
-                const ObjectSegmentationOptions& options);
+joinByBends(const Supervoxels& supervoxels,
+            const std::vector<SurfaceEdge>& edges,
+            std::uint32_t min_segment_size);
+
+/** \brief segmentSupervoxels() by a way of joining. */
+std::map<std::uint32_t, std::uint32_t>
+joinNamed(const NamedSupervoxels& given, const JoinSupervoxels& join);
 
 } // namespace indoor
 } // namespace pcl

@@ -4,33 +4,17 @@
  */
 #include "objects/graph/surface_graph.h"
 
-#include <pcl/indoor/disjoint_sets.h>
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace {
-
-using pcl::indoor::DisjointSets;
-using pcl::indoor::SurfaceEdge;
 
 constexpr float degrees = 180.0f / static_cast<float>(M_PI);
 constexpr float convex_limit_degrees = 20;  // convex bends count no more than this
 constexpr float concave_limit_degrees = 60; // nor concave ones more than this
 constexpr float singular_share = 0.4f; // of a bend that counts where none is defined
-constexpr std::size_t min_segment_size = 3; // n_filter of LCCP, patches
-
-float
-angleDegrees(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
-{
-  const float norms = a.norm() * b.norm();
-  if (!(norms > 0))
-    return 0;
-  return std::acos(std::max(-1.0f, std::min(1.0f, a.dot(b) / norms))) * degrees;
-}
 
 /** LCCP's sanity criterion: the planes of the two patches do not meet between them but
  * beside them, so that the edge is neither convex nor concave. */
@@ -40,46 +24,9 @@ isSingular(const Eigen::Vector3f& towards_1,
            const Eigen::Vector3f& normal_2,
            float normal_angle)
 {
-  const float angle = angleDegrees(normal_1.cross(normal_2), towards_1);
+  const float angle = pcl::indoor::angleDegrees(normal_1.cross(normal_2), towards_1);
   const float threshold = 60 / (1 + std::exp(-0.25f * (normal_angle - 25)));
   return std::min(angle, 180 - angle) < threshold;
-}
-
-/** Add each small segment to its largest neighbour, smallest segments first. */
-void
-absorbSmallSegments(DisjointSets& segments,
-                    std::size_t node_count,
-                    const std::vector<SurfaceEdge>& edges)
-{
-  for (bool changed = true; changed;) {
-    changed = false;
-    std::vector<std::uint32_t> target(node_count, pcl::indoor::Supervoxels::none);
-    const auto propose = [&](std::uint32_t small, std::uint32_t other) {
-      if (segments.size(small) > min_segment_size)
-        return;
-      auto& best = target[small];
-      if (best == pcl::indoor::Supervoxels::none ||
-          segments.size(other) > segments.size(best) ||
-          (segments.size(other) == segments.size(best) && other < best))
-        best = other;
-    };
-    for (const auto& edge : edges) {
-      const auto a = segments.find(edge.source), b = segments.find(edge.target);
-      if (a == b)
-        continue;
-      propose(a, b);
-      propose(b, a);
-    }
-    for (std::uint32_t i = 0; i < node_count; ++i) {
-      if (target[i] == pcl::indoor::Supervoxels::none || segments.find(i) != i)
-        continue;
-      const auto into = segments.find(target[i]);
-      if (into == i || segments.size(i) > min_segment_size)
-        continue;
-      segments.merge(i, into);
-      changed = true;
-    }
-  }
 }
 
 } // namespace
@@ -87,17 +34,13 @@ absorbSmallSegments(DisjointSets& segments,
 namespace pcl {
 namespace indoor {
 
-bool
-isConvexEdge(const Eigen::Vector3f& position_1,
-             const Eigen::Vector3f& normal_1,
-             const Eigen::Vector3f& position_2,
-             const Eigen::Vector3f& normal_2,
-             float concavity_tolerance_degrees)
+float
+angleDegrees(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
 {
-  const Eigen::Vector3f towards_1 = position_1 - position_2;
-  // Equal to comparing the angles between the connection and the two normals.
-  return towards_1.dot(normal_1) >= towards_1.dot(normal_2) ||
-         angleDegrees(normal_1, normal_2) < concavity_tolerance_degrees;
+  const float norms = a.norm() * b.norm();
+  if (!(norms > 0))
+    return 0;
+  return std::acos(std::max(-1.0f, std::min(1.0f, a.dot(b) / norms))) * degrees;
 }
 
 float
@@ -133,9 +76,7 @@ bendBorders(const Supervoxels& supervoxels, const std::vector<SurfaceEdge>& edge
 }
 
 std::vector<SurfaceEdge>
-surfaceEdges(const SurfaceVoxels& voxels,
-             const Supervoxels& supervoxels,
-             float concavity_tolerance_degrees)
+surfaceEdges(const SurfaceVoxels& voxels, const Supervoxels& supervoxels)
 {
   const auto& label = supervoxels.label_of_voxel;
   std::vector<std::uint64_t> pairs;
@@ -161,46 +102,9 @@ surfaceEdges(const SurfaceVoxels& voxels,
     edge.source = static_cast<std::uint32_t>(pairs[i] >> 32);
     edge.target = static_cast<std::uint32_t>(pairs[i]);
     edge.contacts = 1;
-    edge.convex = isConvexEdge(supervoxels.centroids[edge.source],
-                               supervoxels.normals[edge.source],
-                               supervoxels.centroids[edge.target],
-                               supervoxels.normals[edge.target],
-                               concavity_tolerance_degrees);
     edges.push_back(edge);
   }
   return edges;
-}
-
-std::vector<WeightedEdge>
-weighEdges(const Supervoxels& supervoxels,
-           const std::vector<SurfaceEdge>& edges,
-           const SurfaceDistance& distance,
-           float concavity_weight)
-{
-  std::vector<WeightedEdge> weighted;
-  weighted.reserve(edges.size());
-  for (const auto& edge : edges) {
-    const auto& looks = supervoxels.appearance;
-    const float d = distance(supervoxels.centroids[edge.source],
-                             supervoxels.normals[edge.source],
-                             supervoxels.centroids[edge.target],
-                             supervoxels.normals[edge.target]) +
-                    distance.ofAppearance(looks, edge.source, looks, edge.target);
-    weighted.push_back(
-        {edge.source, edge.target, edge.convex ? concavity_weight * d * d : d});
-  }
-  return weighted;
-}
-
-std::vector<std::uint32_t>
-convexSegments(std::size_t node_count, const std::vector<SurfaceEdge>& edges)
-{
-  DisjointSets segments(node_count);
-  for (const auto& edge : edges)
-    if (edge.convex)
-      segments.merge(segments.find(edge.source), segments.find(edge.target));
-  absorbSmallSegments(segments, node_count, edges);
-  return segments.labels();
 }
 
 } // namespace indoor

@@ -60,8 +60,9 @@ localInput(RoomPoints& room, const VoxelVoter& voter)
 
 /** The objects of a room whose points have no copies, or are in given objects. */
 RoomObjects
-objectsOf(RoomPoints room,
-          const ObjectSegmentationOptions& options,
+objectsOf(const SegmentDistinct& segment,
+          RoomPoints room,
+          std::size_t fewest,
           const VoxelVoter& voter)
 {
   RoomObjects objects;
@@ -71,9 +72,8 @@ objectsOf(RoomPoints room,
   takeOut(strays, room.positions);
   takeOut(strays, room.normals);
   takeOut(strays, room.given);
-  auto result = room.given.empty()
-                    ? published(segmentDistinct(localInput(room, voter), options))
-                    : segmentObjects(localInput(room, voter), options);
+  auto result = room.given.empty() ? published(segment(localInput(room, voter)))
+                                   : segmentEachPlace(localInput(room, voter), segment);
   objects.voxel_size = stepsOf(result).scene.voxel_size;
   constexpr auto none = ObjectSegmentation::none;
   const auto& segments = result.segment_of_point;
@@ -90,7 +90,7 @@ objectsOf(RoomPoints room,
     --number; // 0, no object, becomes a number beyond all objects
   objects.surfaces = objectSurfaces(result, numbers, count);
   objects.votes = std::move(result.votes);
-  separateRemainder(objects, options.fewest_points);
+  separateRemainder(objects, fewest);
   putBack(strays, 0, objects.object_of_point);
   putBack(strays, 0, objects.structure_of_point);
   if (objects.votes.class_count > 0)
@@ -101,22 +101,34 @@ objectsOf(RoomPoints room,
 } // namespace
 
 RoomObjects
-segmentRoomObjects(RoomPoints room,
-                   const ObjectSegmentationOptions& options,
-                   const VoxelVoter& voter)
+roomObjectsBy(const SegmentDistinct& segment,
+              RoomPoints room,
+              std::size_t fewest,
+              const VoxelVoter& voter)
 {
   requireSizes(room);
   const auto places =
       room.given.empty() ? placesOfCopies(room.positions) : std::nullopt;
   if (!places)
-    return objectsOf(std::move(room), options, voter);
+    return objectsOf(segment, std::move(room), fewest, voter);
   room.positions = places->once(room.positions);
   room.normals = places->least(room.normals);
-  auto objects = objectsOf(std::move(room), options, voter);
+  auto objects = objectsOf(segment, std::move(room), fewest, voter);
   objects.object_of_point = places->forAll(objects.object_of_point);
   objects.structure_of_point = places->forAll(objects.structure_of_point);
   objects.votes.voxel_of_point = places->forAll(objects.votes.voxel_of_point);
   return objects;
+}
+
+RoomObjects
+segmentRoomObjects(RoomPoints room,
+                   const ObjectSegmentationOptions& options,
+                   const VoxelVoter& voter)
+{
+  const auto segment = [&options](ObjectSegmentationInput input) {
+    return segmentDistinct(std::move(input), options);
+  };
+  return roomObjectsBy(segment, std::move(room), options.fewest_points, voter);
 }
 
 void

@@ -23,11 +23,8 @@ published(DetailedBuilding building)
   for (std::size_t i = 0; i < occupancy.cells.size(); ++i)
     if (occupancy.cells[i] < 0)
       building.outside.push_back(i);
-  for (RoomMap& map : building.room_maps) {
-    map.potential = map.field_rooms.field;
-    map.potential_factor = building.interior.factor;
+  for (RoomMap& map : building.room_maps)
     building.maps.push_back(std::move(static_cast<MappedRooms&>(map)));
-  }
   building.steps = std::make_shared<const BuildingSteps>(
       std::move(static_cast<BuildingSteps&>(building)));
   return std::move(building);

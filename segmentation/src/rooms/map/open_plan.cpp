@@ -4,7 +4,7 @@
  */
 
 #include "rooms/map/open_plan.h"
-#include "rooms/field/visibility.h"
+#include "rooms/space/visibility.h"
 
 #include <algorithm>
 #include <vector>

@@ -6,15 +6,14 @@
 #include "rooms/map/room_map.h"
 
 #include "rooms/map/ceiling_slab.h"
-#include "rooms/map/field_rooms.h"
 #include "rooms/map/inner_walls.h"
 #include "rooms/map/open_plan.h"
 #include "rooms/map/persistent_basins.h"
 #include "rooms/map/region_borders.h"
 #include "rooms/map/region_evidence.h"
 #include "rooms/map/wall_lean.h"
+#include "rooms/space/distance_map.h"
 #include "rooms/space/nearest_sites.h"
-#include "rooms/space/potential_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -307,22 +306,10 @@ divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap
   growLabels(map.labels, options.reach / size);
 }
 
-/** The rooms of the thesis's method on the pixels of the map. */
-PixelMap<std::int32_t>
-fieldRoomsOnMap(const FieldRooms& rooms, int factor, const PixelMap<float>& field)
-{
-  PixelMap<std::int32_t> labels{field.nx, field.ny, {}};
-  labels.values.resize(labels.size());
-  for (int x = 0; x < field.nx; ++x)
-    for (int y = 0; y < field.ny; ++y)
-      labels.at(x, y) = rooms.labels.at(x / factor, y / factor) + 1;
-  return labels;
-}
-
 } // namespace
 
 RoomMap
-segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
+mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options)
 {
   const VoxelBits& occupancy = space.occupancy;
   const double size = occupancy.voxel_size;
@@ -350,25 +337,21 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
       inside.values[i] &= covered.values[i];
   }
   map.field = freeDistance(map.blocked, inside, size, options.threads);
-  if (options.method == RoomMethod::CeilingSlab) {
-    BasinOptions basins;
-    basins.persistence = options.persistence;
-    basins.door = 0.5 * options.door_width;
-    map.free_labels = basinsOfWidth(map.field, basins, size, options);
-    dropNoRooms(occupancy, options, map.free_labels);
-  }
-  else {
-    map.field_rooms = segmentFieldMap(space.interior, options.field_rooms);
-    map.free_labels =
-        fieldRoomsOnMap(map.field_rooms, space.interior.factor, map.field);
-  }
+  return map;
+}
 
+void
+joinOpenRegions(const VoxelBits& occupancy,
+                const RoomMapOptions& options,
+                double open_share,
+                RoomMap& map)
+{
+  const double size = occupancy.voxel_size;
   map.labels = map.free_labels;
   growLabels(map.labels, options.reach / size);
   MergeOptions merging = options.merging;
+  merging.open_share = open_share;
   merging.door_width = options.door_width;
-  if (options.method == RoomMethod::PotentialField)
-    merging.open_share = std::numeric_limits<double>::infinity(); // HDBSCAN decides
   if (!options.merge_open)
     merging.open_share = merging.door_share = std::numeric_limits<double>::infinity();
   const auto merged = mergeOpenRegions(
@@ -376,20 +359,32 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
       sectionAreas(map.free_labels, map.field, map, size),
       merging);
   relabel(numbersOf(map.labels, merged), map);
-  if (options.method == RoomMethod::CeilingSlab) {
-    constexpr double thickest_wall = 0.5; // metres
-    divideAtInnerWalls(map.free_labels,
-                       map.room_count,
-                       space.interior.directions,
-                       static_cast<int>(std::lround(thickest_wall / size)),
-                       options.open_plan.min_wall_share,
-                       options.open_plan.habitable_area / (size * size));
-    map.labels = map.free_labels;
-    growLabels(map.labels, options.reach / size);
-    divideOpenPlans(space, options, map);
-    if (options.merge_open)
-      joinNiches(occupancy, map);
-  }
+}
+
+RoomMap
+segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
+{
+  const VoxelBits& occupancy = space.occupancy;
+  const double size = occupancy.voxel_size;
+  RoomMap map = mapWithoutRooms(space, options);
+  BasinOptions basins;
+  basins.persistence = options.persistence;
+  basins.door = 0.5 * options.door_width;
+  map.free_labels = basinsOfWidth(map.field, basins, size, options);
+  dropNoRooms(occupancy, options, map.free_labels);
+  joinOpenRegions(occupancy, options, options.merging.open_share, map);
+  constexpr double thickest_wall = 0.5; // metres
+  divideAtInnerWalls(map.free_labels,
+                     map.room_count,
+                     space.interior.directions,
+                     static_cast<int>(std::lround(thickest_wall / size)),
+                     options.open_plan.min_wall_share,
+                     options.open_plan.habitable_area / (size * size));
+  map.labels = map.free_labels;
+  growLabels(map.labels, options.reach / size);
+  divideOpenPlans(space, options, map);
+  if (options.merge_open)
+    joinNiches(occupancy, map);
   return map;
 }
 

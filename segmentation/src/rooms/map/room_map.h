@@ -6,7 +6,6 @@
 #pragma once
 
 #include "rooms/map/ceiling_slab.h"
-#include "rooms/map/field_rooms.h"
 #include "rooms/storeys/storey_space.h"
 
 #include <pcl/indoor/voxel_map.h>
@@ -24,8 +23,21 @@ struct RoomMap : MappedRooms {
   PixelMap<int> ceiling;          ///< layer of the ceiling, -1 = none
   SlabLayers slab;                ///< where the walls were looked for
   PixelMap<Eigen::Vector2f> lean; ///< see leanMap(); empty if all walls are upright
-  FieldRooms field_rooms;         ///< filled by RoomMethod::PotentialField
 };
+
+/** \brief The walls and the free space of a storey: a map that has no rooms yet. */
+RoomMap
+mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options);
+
+/** \brief Carry the labels of free pixels into the walls, and join regions with an open
+ * border between them.
+ * \param[in] open_share in place of that in the options
+ */
+void
+joinOpenRegions(const VoxelBits& occupancy,
+                const RoomMapOptions& options,
+                double open_share,
+                RoomMap& map);
 
 /** \brief Divide a storey into rooms on its map. */
 RoomMap

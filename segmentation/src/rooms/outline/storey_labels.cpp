@@ -6,7 +6,7 @@
 #include "rooms/outline/storey_labels.h"
 
 #include "rooms/map/wall_lean.h"
-#include "rooms/space/potential_field.h"
+#include "rooms/space/distance_map.h"
 
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>

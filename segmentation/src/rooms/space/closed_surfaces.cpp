@@ -5,7 +5,7 @@
 
 #include "rooms/space/closed_surfaces.h"
 
-#include "rooms/space/potential_field.h"
+#include "rooms/space/distance_map.h"
 
 #include <algorithm>
 #include <cmath>

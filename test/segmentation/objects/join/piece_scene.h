@@ -87,7 +87,7 @@ twoBoxes(const Eigen::Matrix3f& turn = Eigen::Matrix3f::Identity())
     left_out.push_back((turn.transpose() * centroid).z() < 0.02f);
   scene.plane_of_voxel.assign(left_out.begin(), left_out.end());
   scene.supervoxels = growSupervoxels(scene.voxels, left_out, 4, {}, 1);
-  scene.edges = surfaceEdges(scene.voxels, scene.supervoxels, 10);
+  scene.edges = surfaceEdges(scene.voxels, scene.supervoxels);
   scene.planes = floorAndWall(turn.cast<double>());
   scene.up = turn.col(2);
   return scene;

@@ -141,9 +141,10 @@ TEST(RoomObjects, SparsePointsAreSeenMoreFinelyWithVotes)
   ObjectSegmentationOptions given;
   given.voxel_size = 0.06;
   EXPECT_EQ(segmentRoomObjects(points, given, voter).voxel_size, 0.06);
-  auto lccp = ObjectSegmentationOptions();
-  lccp.partition = Partition::Lccp;
-  EXPECT_EQ(segmentRoomObjects(points, lccp, voter).voxel_size, alone.voxel_size);
+  thesis::ObjectOptions lccp;
+  lccp.edges.partition = thesis::EdgePartition::Lccp;
+  EXPECT_EQ(thesis::segmentRoomObjects(points, lccp, voter).voxel_size,
+            alone.voxel_size);
 }
 
 TEST(RoomObjects, AScanThatWasMergedWithItselfHasThoseOfTheScan)

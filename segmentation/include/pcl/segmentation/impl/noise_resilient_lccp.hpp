@@ -69,12 +69,22 @@ NoiseResilientLCCP<PointT>::initCompute()
               static_cast<double>(sensor.z()));
     return false;
   }
-  const auto problem = indoor::findProblem(options_);
+  const auto problem = findProblem();
   if (!problem.empty()) {
     PCL_ERROR("%s %s\n", where, problem.c_str());
     return false;
   }
   return true;
+}
+
+template <typename PointT>
+std::string
+NoiseResilientLCCP<PointT>::findProblem() const
+{
+  if (on_points_ && partition_ == Partition::Pieces)
+    return "On points there are no pieces to join.";
+  return indoor::thesis::findProblem(
+      indoor::thesis::ObjectOptions{options_, edges_, on_points_});
 }
 
 template <typename PointT>
@@ -145,7 +155,7 @@ NoiseResilientLCCP<PointT>::localInput()
     local.points[i] = in_frame(local.points[i]);
     if (normals_)
       local.normals.push_back(in_frame((*normals_)[index].getNormalVector3fMap()));
-    if (has_colors && options_.on_points && options_.on_points->color_weight > 0)
+    if (has_colors && on_points_ && on_points_->color_weight > 0)
       local.colors.push_back(colorOf(index));
   }
   const auto problem = indoor::findNormalsProblem(local.points, local.normals);
@@ -211,7 +221,11 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   try {
     if (finite_.empty())
       PCL_THROW_EXCEPTION(BadArgumentException, "No point is finite.");
-    result_ = indoor::segmentObjects(std::move(input), options, progress);
+    if (partition_ == Partition::Pieces)
+      result_ = indoor::segmentObjects(std::move(input), options, progress);
+    else
+      result_ = indoor::thesis::segmentObjects(
+          std::move(input), {options, edges_, on_points_}, progress);
   } catch (const PCLException& error) { // voxels too small for the extent of the cloud
     PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n",
               indoor::plainMessage(error).c_str());
@@ -270,11 +284,14 @@ NoiseResilientLCCP<PointT>::segment()
 {
   segment_of_supervoxel_.clear();
   const auto problem =
-      given_.names.empty() ? "No supervoxels were set." : indoor::findProblem(options_);
+      given_.names.empty() ? "No supervoxels were set." : findProblem();
   if (!problem.empty())
     PCL_ERROR("[pcl::NoiseResilientLCCP::segment] %s\n", problem.c_str());
-  else
+  else if (partition_ == Partition::Pieces)
     segment_of_supervoxel_ = indoor::segmentSupervoxels(given_, options_);
+  else
+    segment_of_supervoxel_ =
+        indoor::thesis::segmentSupervoxels(given_, {options_, edges_, on_points_});
 }
 
 template <typename PointT>

@@ -109,14 +109,17 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setPartition(Partition partition)
 {
-  set([partition](auto& options) { options.partition = partition; });
+  partition_ = partition;
+  edges_.partition = partition == Partition::Lccp
+                         ? indoor::thesis::EdgePartition::Lccp
+                         : indoor::thesis::EdgePartition::FelzenszwalbHuttenlocher;
 }
 
 template <typename PointT>
 typename NoiseResilientLCCP<PointT>::Partition
 NoiseResilientLCCP<PointT>::getPartition() const
 {
-  return options_.partition;
+  return partition_;
 }
 
 template <typename PointT>
@@ -165,14 +168,14 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setGraphScale(float value)
 {
-  set([value](auto& options) { options.edges.graph_scale = value; });
+  edges_.graph_scale = value;
 }
 
 template <typename PointT>
 float
 NoiseResilientLCCP<PointT>::getGraphScale() const
 {
-  return options_.edges.graph_scale;
+  return edges_.graph_scale;
 }
 
 template <typename PointT>
@@ -193,14 +196,14 @@ template <typename PointT>
 void
 NoiseResilientLCCP<PointT>::setConcavityToleranceThreshold(float value)
 {
-  set([value](auto& options) { options.edges.concavity_tolerance_degrees = value; });
+  edges_.concavity_tolerance_degrees = value;
 }
 
 template <typename PointT>
 float
 NoiseResilientLCCP<PointT>::getConcavityToleranceThreshold() const
 {
-  return options_.edges.concavity_tolerance_degrees;
+  return edges_.concavity_tolerance_degrees;
 }
 
 template <typename PointT>
@@ -208,6 +211,21 @@ void
 NoiseResilientLCCP<PointT>::setOptions(const indoor::ObjectSegmentationOptions& options)
 {
   set([&options](auto& all) { all = options; });
+  partition_ = Partition::Pieces;
+  edges_ = {};
+  on_points_.reset();
+}
+
+template <typename PointT>
+void
+NoiseResilientLCCP<PointT>::setOptions(const indoor::thesis::ObjectOptions& options)
+{
+  setOptions(options.shared);
+  edges_ = options.edges;
+  on_points_ = options.on_points;
+  partition_ = edges_.partition == indoor::thesis::EdgePartition::Lccp
+                   ? Partition::Lccp
+                   : Partition::FelzenszwalbHuttenlocher;
 }
 
 template <typename PointT>

@@ -50,7 +50,8 @@ RoomSegmentation<PointT>::initCompute()
       return false;
     }
   }
-  const std::string problem = indoor::findProblem(options_);
+  const std::string problem = indoor::thesis::findProblem(
+      indoor::thesis::RoomOptions{options_, field_, point_rooms_});
   if (!problem.empty()) {
     PCL_ERROR("[pcl::RoomSegmentation::initCompute] %s\n", problem.c_str());
     return false;
@@ -276,8 +277,11 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
     return share == 1.0 || tell(share, stage); // the end is told below
   };
   const auto find = [&] {
-    return indoor::segmentBuilding(
-        points, options_, progress, stationsOfBuilding(indices ? *indices : Indices()));
+    const auto stations = stationsOfBuilding(indices ? *indices : Indices());
+    if (method_ == indoor::RoomMethod::CeilingSlab)
+      return indoor::segmentBuilding(points, options_, progress, stations);
+    return indoor::thesis::segmentBuilding(
+        points, {options_, field_, point_rooms_}, progress, stations);
   };
   try {
     building_ = find();

@@ -1,0 +1,237 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+
+#include "rooms/space/visibility.h"
+
+#include <pcl/indoor/threads.h>
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+namespace pcl {
+namespace indoor {
+namespace {
+
+/** The crossings of one axis' voxel borders along a line, in a time common to all axes:
+ * twice the product of the three extents is the time at the end.
+ */
+struct AxisCrossings {
+  std::int64_t next;     // time of the next crossing
+  std::int64_t interval; // between crossings
+  std::ptrdiff_t stride; // in memory, with the sign of the direction
+};
+
+AxisCrossings
+crossings(int extent, std::int64_t product, std::ptrdiff_t stride)
+{
+  if (extent == 0)
+    return {std::numeric_limits<std::int64_t>::max(), 0, 0};
+  const std::int64_t half = product / std::abs(extent);
+  return {half, 2 * half, extent > 0 ? stride : -stride};
+}
+
+std::size_t
+bitCount(std::uint64_t word)
+{
+  word -= (word >> 1) & 0x5555555555555555u;
+  word = (word & 0x3333333333333333u) + ((word >> 2) & 0x3333333333333333u);
+  word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+  return (word * 0x0101010101010101u) >> 56;
+}
+
+/** Bits of a that b lacks, and bits of b's part `c` that a lacks; with b = c those that
+ * differ.
+ */
+using BitCounter = std::size_t (*)(const std::uint64_t* a,
+                                   const std::uint64_t* b,
+                                   const std::uint64_t* c,
+                                   std::size_t words);
+
+std::size_t
+missingBitsPortable(const std::uint64_t* a,
+                    const std::uint64_t* b,
+                    const std::uint64_t* c,
+                    std::size_t words)
+{
+  std::size_t count = 0;
+  for (std::size_t w = 0; w < words; ++w)
+    count += bitCount((a[w] & ~b[w]) | (c[w] & ~a[w]));
+  return count;
+}
+
+#if defined(__GNUC__) && defined(__x86_64__)
+__attribute__((target("popcnt"))) std::size_t
+missingBitsFast(const std::uint64_t* a,
+                const std::uint64_t* b,
+                const std::uint64_t* c,
+                std::size_t words)
+{
+  std::size_t count = 0;
+  for (std::size_t w = 0; w < words; ++w)
+    count +=
+        static_cast<std::size_t>(__builtin_popcountll((a[w] & ~b[w]) | (c[w] & ~a[w])));
+  return count;
+}
+#endif
+
+BitCounter
+fastestCounter()
+{
+#if defined(__GNUC__) && defined(__x86_64__)
+  __builtin_cpu_init(); // may run before the constructors of the runtime
+  if (__builtin_cpu_supports("popcnt"))
+    return missingBitsFast;
+#endif
+  return missingBitsPortable;
+}
+
+const BitCounter missingBits = fastestCounter();
+
+void
+requireInside(const GridShape& shape, const std::vector<Eigen::Vector3i>& voxels)
+{
+  for (const auto& v : voxels)
+    if (!shape.contains(v.x(), v.y(), v.z()))
+      PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                          "Voxel (" << v.x() << ", " << v.y() << ", " << v.z()
+                                    << ") lies outside of the grid.");
+}
+
+} // namespace
+
+bool
+lineOfSight(const VoxelMap<std::uint8_t>& occupancy,
+            const Eigen::Vector3i& a,
+            const Eigen::Vector3i& b)
+{
+  const Eigen::Vector3i extent = b - a;
+  std::int64_t product = 1;
+  for (int axis = 0; axis < 3; ++axis)
+    product *= std::max(std::abs(extent[axis]), 1);
+  const auto row = static_cast<std::ptrdiff_t>(occupancy.shape.nz);
+  AxisCrossings x = crossings(extent.x(), product, row * occupancy.shape.ny);
+  AxisCrossings y = crossings(extent.y(), product, row);
+  AxisCrossings z = crossings(extent.z(), product, 1);
+  const std::uint8_t* voxel =
+      occupancy.values.data() + occupancy.shape.index(a.x(), a.y(), a.z());
+  const std::uint8_t* end =
+      occupancy.values.data() + occupancy.shape.index(b.x(), b.y(), b.z());
+  while (voxel != end) {
+    const std::int64_t time = std::min({x.next, y.next, z.next});
+    // through an edge or a corner: straight into the voxel beyond
+    for (AxisCrossings* axis : {&x, &y, &z})
+      if (axis->next == time) {
+        axis->next += axis->interval;
+        voxel += axis->stride;
+      }
+    if (voxel != end && *voxel)
+      return false;
+  }
+  return true;
+}
+
+VisibilityVectors
+visibilityVectors(const VoxelMap<std::uint8_t>& occupancy,
+                  const std::vector<Eigen::Vector3i>& voxels,
+                  const std::vector<Eigen::Vector3i>& landmarks,
+                  int threads)
+{
+  requireInside(occupancy.shape, voxels);
+  requireInside(occupancy.shape, landmarks);
+  VisibilityVectors vectors;
+  vectors.count = voxels.size();
+  vectors.landmarks = landmarks.size();
+  vectors.words = (landmarks.size() + 63) / 64;
+  vectors.bits.assign(vectors.count * vectors.words, 0);
+  vectors.visible.assign(vectors.count, 0);
+  const auto count = static_cast<std::ptrdiff_t>(voxels.size());
+#pragma omp parallel for num_threads(usefulThreads(threads, voxels.size(), 100))       \
+    schedule(dynamic, 64)
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    for (std::size_t l = 0; l < landmarks.size(); ++l)
+      if (lineOfSight(occupancy, voxels[row], landmarks[l])) {
+        vectors.bits[row * vectors.words + l / 64] |= std::uint64_t{1} << (l % 64);
+        ++vectors.visible[row];
+      }
+  }
+  return vectors;
+}
+
+double
+visibilityDistance(const VisibilityVectors& vectors, std::size_t i, std::size_t j)
+{
+  const std::size_t sum =
+      static_cast<std::size_t>(vectors.visible[i]) + vectors.visible[j];
+  if (sum == 0)
+    return 0.0;
+  const std::uint64_t* other = vectors.bits.data() + j * vectors.words;
+  const std::size_t differing =
+      missingBits(vectors.bits.data() + i * vectors.words, other, other, vectors.words);
+  return static_cast<double>(differing) / static_cast<double>(sum);
+}
+
+void
+VisibilityGroup::add(const VisibilityVectors& vectors, std::size_t i)
+{
+  const std::uint64_t* bits = vectors.bits.data() + i * vectors.words;
+  if (any.empty()) {
+    all.assign(bits, bits + vectors.words);
+    any = all;
+  }
+  for (std::size_t w = 0; w < vectors.words; ++w) {
+    all[w] &= bits[w];
+    any[w] |= bits[w];
+  }
+  most_visible = std::max(most_visible, vectors.visible[i]);
+}
+
+double
+leastVisibilityDistance(const VisibilityVectors& vectors,
+                        std::size_t i,
+                        const VisibilityGroup& group)
+{
+  const std::size_t sum =
+      static_cast<std::size_t>(vectors.visible[i]) + group.most_visible;
+  if (sum == 0)
+    return 0.0;
+  const std::size_t differing = missingBits(vectors.bits.data() + i * vectors.words,
+                                            group.any.data(),
+                                            group.all.data(),
+                                            vectors.words);
+  return static_cast<double>(differing) / static_cast<double>(sum);
+}
+
+std::vector<Eigen::Vector3i>
+spreadLandmarks(const PixelMap<int>& heights, int spacing)
+{
+  if (spacing < 1)
+    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
+                        "The spacing of landmarks must be positive, not " << spacing
+                                                                          << ".");
+  std::vector<Eigen::Vector3i> landmarks;
+  for (int x0 = 0; x0 < heights.nx; x0 += spacing)
+    for (int y0 = 0; y0 < heights.ny; y0 += spacing) {
+      Eigen::Vector3i best(-1, -1, -1);
+      int best_distance = std::numeric_limits<int>::max();
+      for (int x = x0; x < std::min(x0 + spacing, heights.nx); ++x)
+        for (int y = y0; y < std::min(y0 + spacing, heights.ny); ++y) {
+          const int u = 2 * (x - x0) + 1 - spacing, v = 2 * (y - y0) + 1 - spacing;
+          if (heights.at(x, y) >= 0 && u * u + v * v < best_distance) {
+            best_distance = u * u + v * v;
+            best = {x, y, heights.at(x, y)};
+          }
+        }
+      if (best.z() >= 0)
+        landmarks.push_back(best);
+    }
+  return landmarks;
+}
+
+} // namespace indoor
+} // namespace pcl

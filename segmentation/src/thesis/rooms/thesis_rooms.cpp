@@ -1,0 +1,116 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#include <pcl/segmentation/thesis.h>
+
+#include "rooms/room_way.h"
+#include "thesis/rooms/field_rooms.h"
+#include "thesis/rooms/map_labels.h"
+
+#include <pcl/indoor/require_valid.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace pcl {
+namespace indoor {
+namespace thesis {
+namespace {
+
+/** The rooms of the field map on the pixels of the map. */
+PixelMap<std::int32_t>
+fieldRoomsOnMap(const FieldRooms& rooms, int factor, const PixelMap<float>& field)
+{
+  PixelMap<std::int32_t> labels{field.nx, field.ny, {}};
+  labels.values.resize(labels.size());
+  for (int x = 0; x < field.nx; ++x)
+    for (int y = 0; y < field.ny; ++y)
+      labels.at(x, y) = rooms.labels.at(x / factor, y / factor) + 1;
+  return labels;
+}
+
+/** The room of each coarse voxel of a storey, 0 = none, by the vote of Sec. 3.2.3. */
+VoxelMap<int>
+votedVoxels(const StoreySpace& space, const RoomMap& map, int threads)
+{
+  const GridShape& shape = space.interior.occupancy.shape;
+  const int factor = space.interior.factor;
+  PixelMap<int> labels{shape.nx, shape.ny, {}};
+  labels.values.resize(labels.size());
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y)
+      labels.at(x, y) =
+          map.free_labels.at(std::min(x * factor, map.free_labels.nx - 1),
+                             std::min(y * factor, map.free_labels.ny - 1)) -
+          1;
+  VoxelLabelOptions options;
+  options.threads = threads;
+  return labelVoxels(
+      space.interior.occupancy.bytes(), space.interior.inside.bytes(), labels, options);
+}
+
+/** Label the points of one storey by the voxels they lie in. */
+void
+labelByVote(int threads,
+            const std::vector<std::uint8_t>& storey_of,
+            std::size_t storey,
+            DetailedBuilding& building)
+{
+  const VoxelBits& grid = building.occupancy.grid;
+  const auto space = storeySpace(grid, building.interior, building.storeys, storey);
+  const auto votes = votedVoxels(space, building.room_maps[storey], threads);
+  const int factor = building.interior.factor;
+  const int first = building.room_maps[storey].first_layer / factor;
+  for (std::size_t i = 0; i < storey_of.size(); ++i) {
+    const std::int32_t cell = building.occupancy.cells[i];
+    if (cell < 0 || storey_of[i] != storey)
+      continue;
+    const int pixel = cell / grid.shape.nz;
+    const int x = pixel / grid.shape.ny / factor, y = pixel % grid.shape.ny / factor;
+    const int z = cell % grid.shape.nz / factor - first;
+    if (votes.shape.contains(x, y, z))
+      building.point_labels[i] = building.room_of[storey][votes.at(x, y, z) + 1];
+  }
+}
+
+/** The rooms of a storey, on the map of its walls. */
+RoomMap
+fieldRoomMap(const StoreySpace& space, const RoomOptions& options)
+{
+  RoomMap map = mapWithoutRooms(space, options.shared.map);
+  const FieldRooms rooms = segmentFieldMap(space.interior, options.field);
+  map.potential = rooms.field;
+  map.potential_factor = space.interior.factor;
+  map.free_labels = fieldRoomsOnMap(rooms, space.interior.factor, map.field);
+  constexpr double never = std::numeric_limits<double>::infinity(); // HDBSCAN decides
+  joinOpenRegions(space.occupancy, options.shared.map, never, map);
+  return map;
+}
+
+} // namespace
+
+BuildingRooms
+segmentBuilding(const std::vector<Eigen::Vector3f>& points,
+                RoomOptions options,
+                const ProgressCallback& progress,
+                const ScanStations& stations)
+{
+  requireValid(options);
+  auto& shared = options.shared = withThreads(options.shared);
+  options.field.threads = shared.threads;
+  const RoomWay way = {
+      [&options](const StoreySpace& space) { return fieldRoomMap(space, options); },
+      [&](const auto& distinct, const auto& storey_of, auto s, auto& building) {
+        if (options.point_rooms == PointRooms::WallSides)
+          labelBySides(distinct, shared, storey_of, s, building);
+        else
+          labelByVote(shared.threads, storey_of, s, building);
+      }};
+  return segmentBuildingBy(way, points, shared, progress, stations);
+}
+
+} // namespace thesis
+} // namespace indoor
+} // namespace pcl
