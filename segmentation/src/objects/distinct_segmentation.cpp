@@ -92,19 +92,13 @@ withoutUnusable(ObjectSegmentationInput input)
   return input;
 }
 
-bool
-hasAutomaticSizes(const ObjectSegmentationOptions& given)
-{
-  return given.voxel_size == 0 && given.seed_size == 0;
-}
-
 ObjectSegmentationOptions
 sizedOptions(const ObjectSegmentationInput& input,
              const ObjectSegmentationOptions& given)
 {
   auto options = withSizes(given);
   options.threads = std::min(given.threads, 1024u); // each needs memory for its stack
-  if (hasAutomaticSizes(given)) {
+  if (given.voxel_size == 0 && given.seed_size == 0) {
     const auto grid_points = gridPoints(input);
     const double size = options.voxel_size;
     options.voxel_size =

@@ -35,10 +35,6 @@ segmentEachPlace(ObjectSegmentationInput input, const SegmentDistinct& segment);
 ObjectSegmentationInput
 withoutUnusable(ObjectSegmentationInput input);
 
-/** \brief Whether both sizes follow from the points. */
-bool
-hasAutomaticSizes(const ObjectSegmentationOptions& given);
-
 /** \brief The options to work with. */
 ObjectSegmentationOptions
 sizedOptions(const ObjectSegmentationInput& input,

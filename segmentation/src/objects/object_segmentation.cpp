@@ -55,12 +55,13 @@ segmentDistinct(ObjectSegmentationInput input,
   if (input.capture == Capture::TableView)
     camera = input.viewpoint.front();
   const bool of_things = options.pieces.scale == JoiningScale::Objects;
+  const bool has_sizes = given.voxel_size != 0 || given.seed_size != 0;
   DetailedSegmentation result;
   if (stops(0, "voxels and structure"))
     return {};
   auto raw = makeRawScene(input, options);
   result.votes = votesFor(input.points, raw.planes, raw.up, input.voter);
-  if (result.votes.class_count > 0 && hasAutomaticSizes(given) && of_things)
+  if (result.votes.class_count > 0 && !has_sizes && of_things)
     refineSizes(options);
   result.scene =
       makeObjectScene(std::move(input), std::move(raw), result.votes, options);

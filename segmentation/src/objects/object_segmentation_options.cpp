@@ -4,7 +4,7 @@
  */
 #include <pcl/segmentation/object_segmentation_options.h>
 
-#include "objects/first_problem.h"
+#include "option_check.h"
 
 namespace pcl {
 namespace indoor {
@@ -12,33 +12,19 @@ namespace indoor {
 std::string
 findProblem(const ObjectSegmentationOptions& options)
 {
-  FirstProblem problem;
-  problem.require(problem.isSize(options.voxel_size),
-                  "voxel resolution must not be negative",
-                  options.voxel_size,
-                  " m");
-  problem.require(
-      problem.isSize(options.seed_size) &&
-          (options.seed_size == 0 || options.seed_size >= options.voxel_size),
-      "seed resolution must be at least the voxel resolution",
-      options.seed_size,
-      " m");
-  problem.require(options.curvature_threshold >= 0 &&
-                      options.curvature_threshold <= 1.0f / 3,
-                  "curvature threshold must be in [0, 1/3]",
-                  options.curvature_threshold);
-  problem.require(options.ratio_threshold >= 0 && options.ratio_threshold <= 1,
-                  "ratio threshold must be in [0, 1]",
-                  options.ratio_threshold);
-  problem.require(problem.isWeight(options.spatial_weight),
-                  "spatial importance must be in [0, 1e6]",
-                  options.spatial_weight);
-  problem.require(problem.isWeight(options.normal_weight),
-                  "normal importance must be in [0, 1e6]",
-                  options.normal_weight);
-  const float level = options.pieces.joining_level.value_or(0);
-  problem.require(level >= 0 && level <= 1, "joining level must be in [0, 1]", level);
-  return problem.text();
+  constexpr float highest_curvature = 1.0f / 3;
+  const double least_seed = options.seed_size == 0 ? 0 : options.voxel_size;
+  OptionCheck check;
+  check.finite("voxel resolution", options.voxel_size, " m");
+  check.between(
+      least_seed, OptionCheck::endless, "seed resolution", options.seed_size, " m");
+  check.between(
+      0, highest_curvature, "curvature threshold", options.curvature_threshold, "");
+  check.share("ratio threshold", options.ratio_threshold);
+  check.weight("spatial importance", options.spatial_weight);
+  check.weight("normal importance", options.normal_weight);
+  check.share("joining level", options.pieces.joining_level.value_or(0));
+  return check.problem();
 }
 
 ObjectSegmentationOptions

@@ -5,7 +5,7 @@
 
 #include <pcl/segmentation/building_rooms_options.h>
 
-#include "rooms/option_check.h"
+#include "option_check.h"
 
 namespace pcl {
 namespace indoor {

@@ -57,19 +57,6 @@ absorbSmallSegments(DisjointSets& segments,
 namespace pcl {
 namespace indoor {
 
-bool
-isConvexEdge(const Eigen::Vector3f& position_1,
-             const Eigen::Vector3f& normal_1,
-             const Eigen::Vector3f& position_2,
-             const Eigen::Vector3f& normal_2,
-             float concavity_tolerance_degrees)
-{
-  const Eigen::Vector3f towards_1 = position_1 - position_2;
-  // Equal to comparing the angles between the connection and the two normals.
-  return towards_1.dot(normal_1) >= towards_1.dot(normal_2) ||
-         angleDegrees(normal_1, normal_2) < concavity_tolerance_degrees;
-}
-
 std::vector<std::uint8_t>
 convexEdges(const Supervoxels& supervoxels,
             const std::vector<SurfaceEdge>& edges,
@@ -77,12 +64,15 @@ convexEdges(const Supervoxels& supervoxels,
 {
   std::vector<std::uint8_t> is_convex;
   is_convex.reserve(edges.size());
-  for (const auto& edge : edges)
-    is_convex.push_back(isConvexEdge(supervoxels.centroids[edge.source],
-                                     supervoxels.normals[edge.source],
-                                     supervoxels.centroids[edge.target],
-                                     supervoxels.normals[edge.target],
-                                     concavity_tolerance_degrees));
+  for (const auto& edge : edges) {
+    const auto &normal_1 = supervoxels.normals[edge.source],
+               &normal_2 = supervoxels.normals[edge.target];
+    const Eigen::Vector3f towards_1 =
+        supervoxels.centroids[edge.source] - supervoxels.centroids[edge.target];
+    // Equal to comparing the angles between the connection and the two normals.
+    is_convex.push_back(towards_1.dot(normal_1) >= towards_1.dot(normal_2) ||
+                        angleDegrees(normal_1, normal_2) < concavity_tolerance_degrees);
+  }
   return is_convex;
 }
 

@@ -15,19 +15,11 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Tell whether the edge between two patches is convex (LCCP, Stein et al., CVPR
- * 2014): the surface bends away from the side of the normals, or bends little.
+/** \brief Flag the edges that are convex (LCCP, Stein et al., CVPR 2014): the surface
+ * bends away from the side of the normals, or bends little.
  * \param[in] concavity_tolerance_degrees beta_thresh: concave edges count as convex if
  * the normals differ by less
  */
-bool
-isConvexEdge(const Eigen::Vector3f& position_1,
-             const Eigen::Vector3f& normal_1,
-             const Eigen::Vector3f& position_2,
-             const Eigen::Vector3f& normal_2,
-             float concavity_tolerance_degrees);
-
-/** \brief Flag the edges that are convex. */
 std::vector<std::uint8_t>
 convexEdges(const Supervoxels& supervoxels,
             const std::vector<SurfaceEdge>& edges,

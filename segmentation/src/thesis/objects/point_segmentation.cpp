@@ -8,7 +8,6 @@
 #include "objects/structure/camera_view.h"
 #include "objects/voxel_votes.h"
 #include "thesis/objects/edge_partition.h"
-#include "thesis/objects/lab_color.h"
 #include "thesis/objects/point_surface.h"
 #include "thesis/objects/ransac_planes.h"
 #include "thesis/objects/shape_supervoxels.h"

@@ -11,6 +11,7 @@
 #include "objects/structure/scene_making.h"
 #include "objects/voxel_partition.h"
 #include "objects/voxel_votes.h"
+#include "option_check.h"
 #include "thesis/objects/edge_partition.h"
 #include "thesis/objects/point_segmentation.h"
 
@@ -109,6 +110,52 @@ segmentRoomObjects(RoomPoints room,
   return roomObjectsBy(segment, std::move(room), options.shared.fewest_points, voter);
 }
 
+std::string
+findProblem(const ObjectOptions& options)
+{
+  if (const auto problem = indoor::findProblem(options.shared); !problem.empty())
+    return problem;
+  const auto& [shared, edges, on_points] = options;
+  OptionCheck check;
+  check.share("concavity weight", edges.concavity_weight);
+  check.between(
+      0, 180, "concavity tolerance", edges.concavity_tolerance_degrees, " degrees");
+  check.finite("graph scale", edges.graph_scale, "");
+  if (!on_points)
+    return check.problem();
+  check.finite("radius of the removal", on_points->removal_radius, " m");
+  check.share("share of a plane", on_points->ransac_share);
+  check.weight("color importance", on_points->color_weight);
+  check.weight("importance of FPFH", on_points->fpfh_weight);
+  return check.problem();
+}
+
 } // namespace thesis
+
+thesis::ObjectOptions
+thesisOptions()
+{
+  thesis::ObjectOptions options;
+  options.shared.voxel_size = 0.03;
+  options.shared.seed_size = 0.12;
+  options.shared.min_segment_size = 3;
+  options.on_points.emplace();
+  options.on_points->removal_radius = 0.05; // Sec. 2.1.5.2, points 2 cm apart
+  options.on_points->ransac_share = 0.05;
+  return options;
+}
+
+thesis::ObjectOptions
+thesisKinectOptions()
+{
+  auto options = thesisOptions();
+  options.on_points.emplace();
+  options.shared.curvature_threshold = 0.02f;
+  options.edges.graph_scale = 5;
+  options.shared.seed_size = 0.16;
+  options.shared.voxel_size = 0.04;
+  return options;
+}
+
 } // namespace indoor
 } // namespace pcl

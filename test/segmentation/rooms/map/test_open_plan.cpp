@@ -3,9 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "rooms/space/visibility.h"
 #include "rooms/map/open_plan.h"
 #include "rooms/space/distance_map.h"
+#include "rooms/space/visibility.h"
 #include "support/room_labels.h"
 
 #include <gtest/gtest.h>

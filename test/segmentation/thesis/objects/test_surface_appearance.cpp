@@ -8,7 +8,7 @@
 
 #include "objects/object_steps.h"
 #include "thesis/objects/edge_partition.h"
-#include "thesis/objects/lab_color.h"
+#include "thesis/objects/point_surface.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/segmentation/noise_resilient_lccp.h>

@@ -11,10 +11,11 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Keeps the first complaint about options of rooms. */
+/** \brief Keeps the first complaint about options. */
 class OptionCheck {
 public:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double endless = std::numeric_limits<double>::max(); // finite
   static constexpr double longest = 1000.0;      // metres; larger than any building
   static constexpr double shortest_voxel = 1e-4; // metres; finer than any scan
 
@@ -26,12 +27,20 @@ public:
       return;
     std::ostringstream text;
     text << "The " << what << " must ";
-    if (high == infinity)
+    if (high >= endless && low == 0.0)
       text << "not be negative";
+    else if (high >= endless)
+      text << "be at least " << low << unit;
     else
       text << "lie in " << low << " ... " << high << unit;
     text << ", not " << value << unit << '.';
     problem_ = text.str();
+  }
+
+  void
+  finite(const char* what, double value, const char* unit)
+  {
+    between(0.0, endless, what, value, unit);
   }
 
   /** Also 0; at most so many voxels of the smallest size as an int can count. */
@@ -76,6 +85,13 @@ public:
   area(const char* what, double value)
   {
     between(0.0, infinity, what, value, " m^2");
+  }
+
+  /** In distances of which the square is finite. */
+  void
+  weight(const char* what, double value)
+  {
+    between(0.0, 1e6, what, value, "");
   }
 
   void
