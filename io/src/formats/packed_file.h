@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <string>
 #include <vector>
 
@@ -21,7 +23,7 @@ hasPackedEnding(const std::string& path);
 
 /** \brief The files in an archive, or the one in a compressed file, side by side in a
  * folder for temporary files, which is removed with this. */
-class UnpackedFiles {
+class PCL_INDOOR_EXPORTS UnpackedFiles {
 public:
   /** \throws ToolError if the file is damaged or encrypted, holds no file, or there is
    * no room for what it holds */

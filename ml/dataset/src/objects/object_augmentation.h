@@ -38,7 +38,7 @@ PCL_INDOOR_EXPORTS ObjectAugmentation
 mildAugmentation();
 
 /** \brief As scans differ from models: with noise and hidden parts, too. */
-ObjectAugmentation
+PCL_INDOOR_EXPORTS ObjectAugmentation
 scanAugmentation();
 
 /** \brief An object as it might have been scanned; also turned about the z axis.
