@@ -252,7 +252,7 @@ segmentDistinct(const RoomWay& way,
   building.interior =
       interiorSpaceAlong(building.occupancy, directions, options.interior);
   if (const UnseenSides unseen = building.interior.unseen;
-      !unseen.floorIsSeen() || !unseen.ceilingIsSeen()) {
+      !unseen.floor.empty() || !unseen.ceiling.empty()) {
     closeUnseenSides(building.interior, building.occupancy.grid);
     building.interior =
         interiorSpaceAlong(building.occupancy, directions, options.interior);

@@ -101,6 +101,26 @@ TEST(PartialScans, WithoutCeilings)
   expectTwoRooms(partOfTwoRooms([](float z) { return !isCeiling(z); }), "No ceilings");
 }
 
+TEST(PartialScans, AHallSeenToTheShouldersBesideARoomWithACeiling)
+{
+  auto points =
+      test::rooms({{{0, 0, 0}, {12, 9, 2.5f}, 1}, {{12.1f, 0, 0}, {20, 9, 2.5f}, 2}},
+                  {test::doorway(11.95f, 12.15f, 4.0f, 5.0f, 2.0f)})
+          .points;
+  points.erase(
+      std::remove_if(points.begin(),
+                     points.end(),
+                     [](const auto& p) { return p.x() < 12.05f && p.z() > 1.6f; }),
+      points.end());
+  const auto building = segmentBuilding(points);
+  const auto& unseen = stepsOf(building).interior.unseen;
+  EXPECT_TRUE(unseen.ceilingIsSeen());
+  EXPECT_FALSE(unseen.ceilingIsMostlySeen());
+  ASSERT_EQ(building.rooms.size(), 2u);
+  EXPECT_NEAR(building.rooms[0].area, 108.0, 4.0);
+  EXPECT_NEAR(building.rooms[1].area, 71.1, 3.0);
+}
+
 TEST(PartialScans, WallsThatAreSeenToTheShouldersAloneDivideRooms)
 {
   const auto is_seen = [](const Eigen::Vector3f& p) {

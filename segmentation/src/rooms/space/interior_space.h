@@ -23,7 +23,7 @@ namespace indoor {
 struct UnseenSides {
   double floor_seen = 1.0;   ///< share of the space between walls with a floor below
   double ceiling_seen = 1.0; ///< share of it with a ceiling above
-  std::vector<std::size_t> floor, ceiling; ///< where they are missing: voxels of the
+  std::vector<std::size_t> floor, ceiling; ///< where they are to be put: voxels of the
                                            ///< space, at the ends of the walls
 
   bool
@@ -36,6 +36,15 @@ struct UnseenSides {
   ceilingIsSeen() const
   {
     return ceiling_seen >= least_seen;
+  }
+
+  /** \brief Whether what lacks a ceiling is a courtyard or a shaft, not a room into
+   * which a lidar looked from too low. */
+  bool
+  ceilingIsMostlySeen() const
+  {
+    constexpr double mostly = 0.7; // whole scans have .84 and more, maps up to .6
+    return ceiling_seen >= mostly;
   }
 
   static constexpr double least_seen = 0.3; ///< furniture hides the rest

@@ -144,6 +144,17 @@ lookFor(const Side& side,
                          : 1.0;
 }
 
+/** Leave out voxels over no floor: nobody looked into what is there. */
+void
+keepAboveFloors(const VoxelMap<std::uint8_t>& bits, std::vector<std::size_t>& voxels)
+{
+  const auto is_over_none = [&](std::size_t voxel) {
+    return (bits.values[voxel] & ENCLOSED_BELOW) == 0;
+  };
+  voxels.erase(std::remove_if(voxels.begin(), voxels.end(), is_over_none),
+               voxels.end());
+}
+
 } // namespace
 
 UnseenSides
@@ -165,6 +176,12 @@ findUnseenSides(const VoxelMap<std::uint8_t>& occupancy,
   const std::uint8_t ceiling = sides.ceilingIsSeen() ? ENCLOSED_ABOVE : 0;
   sides.floor_seen = lookFor(
       {1, above_floor, ENCLOSED_BELOW, ceiling}, ends, occupancy, between, sides.floor);
+  if (sides.ceilingIsMostlySeen())
+    sides.ceiling.clear();
+  else if (sides.ceilingIsSeen())
+    keepAboveFloors(bits, sides.ceiling);
+  if (sides.floorIsSeen())
+    sides.floor.clear();
   return sides;
 }
 
@@ -182,12 +199,10 @@ closeUnseenSides(const InteriorSpace& space, VoxelBits& grid)
       for (int v = y; v < std::min(y + factor, grid.shape.ny); ++v)
         grid.set(u, v, z);
   };
-  if (!space.unseen.floorIsSeen())
-    for (const std::size_t voxel : space.unseen.floor)
-      fill(voxel, 0);
-  if (!space.unseen.ceilingIsSeen())
-    for (const std::size_t voxel : space.unseen.ceiling)
-      fill(voxel, factor - 1);
+  for (const std::size_t voxel : space.unseen.floor)
+    fill(voxel, 0);
+  for (const std::size_t voxel : space.unseen.ceiling)
+    fill(voxel, factor - 1);
 }
 
 } // namespace indoor
