@@ -7,8 +7,8 @@
 #pragma once
 
 #include "datasets/depth_image.h"
-#include "datasets/scannet.h"
 #include "datasets/png_file.h"
+#include "datasets/scannet.h"
 #include "support/folder_test.h" // for bytesOf
 #include "support/png_bytes.h"
 
