@@ -21,7 +21,7 @@
 #include <pcl/common/point_tests.h>
 #include <pcl/filters/non_convex_points.h>
 #include <pcl/io/pcd_io.h>
-#include <pcl/segmentation/object_segmentation.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <algorithm>
 #include <cstdio>

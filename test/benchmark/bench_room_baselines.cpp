@@ -18,8 +18,8 @@
 #include "rooms/map/ceiling_slab.h"
 #include "rooms/space/occupancy_grid.h"
 
-#include <pcl/segmentation/building_rooms.h>
 #include <pcl/segmentation/segmentation_metrics.h>
+#include <pcl/segmentation/thesis.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,9 +63,9 @@ loadScan(const std::string& path, const std::string& field)
 }
 
 SegmentLabels
-byLibrary(const Scan& scan, const BuildingRoomsOptions& options)
+byThesis(const Scan& scan, const thesis::RoomOptions& options)
 {
-  return segmentBuilding(scan.points, options).point_labels;
+  return thesis::segmentBuilding(scan.points, options).point_labels;
 }
 
 std::size_t
@@ -228,12 +228,13 @@ methods(bool with_thesis)
   std::vector<Method> all{
       {"k-means, true k", byMeans},
       {"DBSCAN on the field map",
-       [dbscan](const Scan& scan) { return byLibrary(scan, dbscan); }},
+       [dbscan](const Scan& scan) { return byThesis(scan, dbscan); }},
       {"ceiling's pieces", byCeiling},
-      {"ours", [](const Scan& scan) { return byLibrary(scan, {}); }}};
+      {"ours",
+       [](const Scan& scan) { return segmentBuilding(scan.points).point_labels; }}};
   if (with_thesis)
     all.push_back({"thesis", [](const Scan& scan) {
-                     return byLibrary(scan, thesisRoomOptions());
+                     return byThesis(scan, thesisRoomOptions());
                    }});
   return all;
 }
