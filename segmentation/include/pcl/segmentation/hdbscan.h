@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <pcl/indoor/exports.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -130,5 +132,4 @@ minimumSpanningForest(std::size_t count, std::vector<HDBSCANEdge> edges);
 } // namespace indoor
 } // namespace pcl
 
-#include <pcl/indoor/exports.h>
 #include <pcl/segmentation/impl/hdbscan.hpp>
