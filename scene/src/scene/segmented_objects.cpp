@@ -126,7 +126,8 @@ segmentationOf(const ObjectChoices& choices,
     segmentation.setViewPoint(origin.x(), origin.y(), origin.z());
   segmentation.setInputCloud(points);
   if (choices.remove_outliers)
-    segmentation.setIndices(indicesWithoutOutliers(file, points, options.shared.threads));
+    segmentation.setIndices(
+        indicesWithoutOutliers(file, points, options.shared.threads));
   if (file.has_normals && !choices.ignore_normals)
     segmentation.setInputNormals(readNormals(file));
   if (options.on_points && options.on_points->color_weight > 0)
