@@ -225,7 +225,7 @@ withoutHangingSides(std::vector<Side> sides, const FootprintWalls& behind)
     if (corner) {
       part.push_back(*corner);
       std::reverse(part.begin(), part.end());
-      is_left_out = signedArea(part) > 0.0 && behind.may_cover(part);
+      is_left_out = ringArea(part) > 0.0 && behind.may_cover(part);
     }
     if (is_left_out)
       next.begin = *corner;
@@ -244,7 +244,7 @@ std::vector<Eigen::Vector2d>
 moveToWalls(const std::vector<Eigen::Vector2d>& ring, const FootprintWalls& behind)
 {
   std::vector<Side> sides = fittedSides(ring, behind);
-  const double area = signedArea(ring);
+  const double area = ringArea(ring);
   const bool is_held = std::any_of(
       sides.begin(), sides.end(), [](const auto& side) { return side.is_wall; });
   if (area < 0.0 && !is_held && behind.may_cover) {
@@ -264,7 +264,7 @@ moveToWalls(const std::vector<Eigen::Vector2d>& ring, const FootprintWalls& behi
     corners.push_back((corner - moved).norm() <= 3.0 ? corner : moved);
   }
   // Both sides of a thin wall may have been moved to, or past, its middle.
-  return signedArea(corners) * area > 0.0 ? corners : ring;
+  return ringArea(corners) * area > 0.0 ? corners : ring;
 }
 
 } // namespace indoor

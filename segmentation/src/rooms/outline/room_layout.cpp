@@ -244,7 +244,7 @@ addFootprints(const std::vector<Eigen::Vector3f>& points,
         const auto corners = moveToWalls(simplifyOutline(ring, tolerance), behind);
         if (corners.empty())
           continue;
-        room.area += size * size * signedArea(corners);
+        room.area += size * size * ringArea(corners);
         std::vector<Eigen::Vector3d> line;
         for (const auto& corner : corners) {
           line.push_back(on_floor(corner.x(), corner.y()));

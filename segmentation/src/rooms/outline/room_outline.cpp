@@ -232,7 +232,7 @@ fittedCorners(const OutlineRing& ring,
 } // namespace
 
 double
-signedArea(const std::vector<Eigen::Vector2d>& ring)
+ringArea(const std::vector<Eigen::Vector2d>& ring)
 {
   double twice = 0.0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -244,7 +244,7 @@ signedArea(const std::vector<Eigen::Vector2d>& ring)
 }
 
 double
-signedArea(const OutlineRing& ring)
+ringArea(const OutlineRing& ring)
 {
   std::int64_t twice = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -269,7 +269,7 @@ traceOutlines(const PixelMap<std::int32_t>& labels, std::int32_t region_count)
   for (auto& rings : outlines) {
     const auto largest = std::max_element(
         rings.begin(), rings.end(), [](const auto& first, const auto& second) {
-          return signedArea(first) < signedArea(second);
+          return ringArea(first) < ringArea(second);
         });
     if (largest != rings.end())
       std::rotate(rings.begin(), largest, largest + 1);
@@ -304,7 +304,7 @@ simplifyOutline(const OutlineRing& ring, double tolerance)
       simple.push_back(turned[i]);
       places.push_back(i);
     }
-  const bool lost = simple.size() < 3 || signedArea(simple) * signedArea(ring) <= 0.0;
+  const bool lost = simple.size() < 3 || ringArea(simple) * ringArea(ring) <= 0.0;
   if (lost || crossesItself(simple)) {
     std::vector<Eigen::Vector2d> same;
     for (const auto& corner : ring)

@@ -21,11 +21,11 @@ using OutlineRing = std::vector<Eigen::Vector2i>;
 
 /** \brief Area within a ring, square pixels; negative if it runs clockwise. */
 double
-signedArea(const OutlineRing& ring);
+ringArea(const OutlineRing& ring);
 
 /** \brief The same for corners anywhere. */
 double
-signedArea(const std::vector<Eigen::Vector2d>& ring);
+ringArea(const std::vector<Eigen::Vector2d>& ring);
 
 /** \brief Trace the borders of all regions of a label map exactly.
  *

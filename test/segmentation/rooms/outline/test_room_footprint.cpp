@@ -114,8 +114,8 @@ TEST(RoomFootprint, SidesMoveToTheirWalls)
     const auto simple = simplifyOutline(ring, 1.5);
     const auto moved = moveToWalls(simple, behind(shifted));
     const double area = box.volume();
-    EXPECT_LT(signedArea(simple), 0.97 * area) << degrees; // without the walls' pixels
-    EXPECT_NEAR(signedArea(moved), area, 0.01 * area) << degrees;
+    EXPECT_LT(ringArea(simple), 0.97 * area) << degrees; // without the walls' pixels
+    EXPECT_NEAR(ringArea(moved), area, 0.01 * area) << degrees;
     EXPECT_EQ(moved.size(), simple.size());
   }
 }
@@ -136,21 +136,21 @@ TEST(RoomFootprint, SidesWithoutAWallStay)
   ASSERT_EQ(moved.size(), 4u);
   for (std::size_t k = 0; k < 4; ++k)
     EXPECT_LT((moved[k] - expected[k]).norm(), 0.008); // half a bin along x and y
-  EXPECT_NEAR(signedArea(moved), 109.0, 0.15);
+  EXPECT_NEAR(ringArea(moved), 109.0, 0.15);
   EXPECT_TRUE(moveToWalls({}, behind(walls)).empty());
 }
 
 TEST(RoomFootprint, AThinWallInARoomKeepsItsSides)
 {
   const Line hole{{0, 0}, {0, 2}, {20, 2}, {20, 0}};
-  ASSERT_LT(signedArea(hole), 0.0);
+  ASSERT_LT(ringArea(hole), 0.0);
   Line walls;
   for (int i = 0; i <= 200; ++i) // two faces, both of them behind both long sides
     for (int k = 0; k < 5; ++k) {
       walls.emplace_back(0.1 * i, 0.2 + 0.02 * k);
       walls.emplace_back(0.1 * i, 1.8 - 0.02 * k);
     }
-  EXPECT_LE(signedArea(moveToWalls(hole, behind(walls))), 0.0);
+  EXPECT_LE(ringArea(moveToWalls(hole, behind(walls))), 0.0);
 }
 
 TEST(RoomFootprint, ASideThatIsSlightlyTurnedIsTurnedBack)
@@ -163,7 +163,7 @@ TEST(RoomFootprint, ASideThatIsSlightlyTurnedIsTurnedBack)
   ASSERT_EQ(moved.size(), 4u);
   EXPECT_NEAR(moved[0].y(), -0.2, 0.05);
   EXPECT_NEAR(moved[1].y(), -1.4, 0.05);
-  EXPECT_NEAR(signedArea(moved), 600.0 + 30 * 0.8, 1.0);
+  EXPECT_NEAR(ringArea(moved), 600.0 + 30 * 0.8, 1.0);
 }
 
 TEST(RoomFootprint, WhatHangsInACornerOrOnAWallIsLeftOut)
@@ -173,14 +173,13 @@ TEST(RoomFootprint, WhatHangsInACornerOrOnAWallIsLeftOut)
       {0, 0}, {12, 0}, {12, 4}, {28, 4}, {28, 0}, {40, 0}, {40, 30}, {0, 30}};
   for (const Line& ring : {corner, middle}) {
     const Hanging scene(ring);
-    EXPECT_NEAR(signedArea(moveToWalls(ring, scene.seen())), 1200.0, 2.0);
+    EXPECT_NEAR(ringArea(moveToWalls(ring, scene.seen())), 1200.0, 2.0);
     // not over another room
-    EXPECT_NEAR(
-        signedArea(moveToWalls(ring, scene.seen(false))), signedArea(ring), 2.0);
+    EXPECT_NEAR(ringArea(moveToWalls(ring, scene.seen(false))), ringArea(ring), 2.0);
     // what stands is a wall
     FootprintWalls standing = scene.seen();
     standing.walls = standing.others;
-    EXPECT_NEAR(signedArea(moveToWalls(ring, standing)), signedArea(ring), 2.0);
+    EXPECT_NEAR(ringArea(moveToWalls(ring, standing)), ringArea(ring), 2.0);
   }
 }
 
@@ -188,19 +187,19 @@ TEST(RoomFootprint, WhatIsDeeperThanTheReachStays)
 {
   const Line ring{{0, 0}, {25, 0}, {25, 14}, {40, 14}, {40, 30}, {0, 30}};
   FootprintWalls seen = Hanging(ring).seen();
-  EXPECT_NEAR(signedArea(moveToWalls(ring, seen)), signedArea(ring), 2.0);
+  EXPECT_NEAR(ringArea(moveToWalls(ring, seen)), ringArea(ring), 2.0);
   seen.reach = 20.0;
-  EXPECT_NEAR(signedArea(moveToWalls(ring, seen)), 1200.0, 2.0);
+  EXPECT_NEAR(ringArea(moveToWalls(ring, seen)), 1200.0, 2.0);
 }
 
 TEST(RoomFootprint, ALampIsNoHoleButAPillarIs)
 {
   const Line hole{{10, 10}, {10, 16}, {16, 16}, {16, 10}};
-  ASSERT_LT(signedArea(hole), 0.0);
+  ASSERT_LT(ringArea(hole), 0.0);
   const Hanging scene(hole);
   EXPECT_TRUE(moveToWalls(hole, scene.seen()).empty());
   EXPECT_EQ(moveToWalls(hole, scene.seen(false)).size(), 4u); // a room within a room
   FootprintWalls pillar = scene.seen();
   pillar.walls = pillar.others;
-  EXPECT_NEAR(signedArea(moveToWalls(hole, pillar)), -36.0, 0.5);
+  EXPECT_NEAR(ringArea(moveToWalls(hole, pillar)), -36.0, 0.5);
 }

@@ -59,7 +59,7 @@ area(const std::vector<OutlineRing>& rings)
 {
   double sum = 0.0;
   for (const auto& ring : rings)
-    sum += signedArea(ring);
+    sum += ringArea(ring);
   return sum;
 }
 
@@ -97,7 +97,7 @@ TEST(RoomOutline, ARectangleHasFourCorners)
   EXPECT_EQ(ring.size(), 4u);
   EXPECT_TRUE(hasCorner(ring, 2, 0) && hasCorner(ring, 9, 0) && hasCorner(ring, 9, 9) &&
               hasCorner(ring, 2, 9));
-  EXPECT_EQ(signedArea(ring), 63.0);
+  EXPECT_EQ(ringArea(ring), 63.0);
   const Line corners{{2, 0}, {9, 0}, {9, 9}, {2, 9}};
   EXPECT_EQ(simplifyOutline(ring, 1.0), corners);
 }
@@ -111,7 +111,7 @@ TEST(RoomOutline, AnLShapeHasSixCorners)
   ASSERT_EQ(rings.size(), 1u);
   EXPECT_EQ(rings[0].size(), 6u);
   EXPECT_TRUE(hasCorner(rings[0], 5, 4)); // the inner one
-  EXPECT_EQ(signedArea(rings[0]), 50.0);
+  EXPECT_EQ(ringArea(rings[0]), 50.0);
   EXPECT_EQ(simplifyOutline(rings[0], 1.0).size(), 6u);
   EXPECT_NEAR(areaOf(simplifyOutline(rings[0], 1.0)), 50.0, 1e-9);
 }
@@ -123,10 +123,10 @@ TEST(RoomOutline, AHoleIsAClockwiseRing)
   fill(map, 3, 6, 4, 6, 2); // another room within it
   const auto outlines = traceOutlines(map, 2);
   ASSERT_EQ(outlines[1].size(), 2u);
-  EXPECT_EQ(signedArea(outlines[1][0]), 100.0);
-  EXPECT_EQ(signedArea(outlines[1][1]), -6.0);
+  EXPECT_EQ(ringArea(outlines[1][0]), 100.0);
+  EXPECT_EQ(ringArea(outlines[1][1]), -6.0);
   ASSERT_EQ(outlines[2].size(), 1u);
-  EXPECT_EQ(signedArea(outlines[2][0]), 6.0);
+  EXPECT_EQ(ringArea(outlines[2][0]), 6.0);
   EXPECT_NEAR(areaOf(simplifyOutline(outlines[1][1], 1.0)), -6.0, 1e-9);
 }
 
@@ -137,8 +137,8 @@ TEST(RoomOutline, PixelsThatTouchAtACornerAreApartAndTheLargestPartIsFirst)
   fill(map, 3, 6, 3, 6, 1);
   const auto rings = traceOutlines(map, 1)[1];
   ASSERT_EQ(rings.size(), 2u);
-  EXPECT_EQ(signedArea(rings[0]), 9.0);
-  EXPECT_EQ(signedArea(rings[1]), 4.0);
+  EXPECT_EQ(ringArea(rings[0]), 9.0);
+  EXPECT_EQ(ringArea(rings[1]), 4.0);
   EXPECT_TRUE(traceOutlines(emptyMap(0, 0), 1)[1].empty());
   EXPECT_EQ(traceOutlines(emptyMap(4, 4), 0).size(), 1u);
 }
@@ -188,7 +188,7 @@ TEST(RoomOutline, ATurnedRectangleBecomesAFewCornersNearItsBorder)
     for (const auto& corner : ring)
       EXPECT_LE(distanceToRing(simple, corner), 1.5);
     // a tenth of a pixel along the 260 of the border
-    EXPECT_NEAR(areaOf(simple), signedArea(ring), 26.0) << degrees;
+    EXPECT_NEAR(areaOf(simple), ringArea(ring), 26.0) << degrees;
   }
 }
 
@@ -216,7 +216,7 @@ TEST(RoomOutline, AJaggedBorderKeepsItsAreaWithFourCorners)
   const auto simple = simplifyOutline(ring, 1.5);
   EXPECT_GT(ring.size(), 40u);
   EXPECT_EQ(simple.size(), 4u);
-  EXPECT_NEAR(areaOf(simple), signedArea(ring), 1.0);
+  EXPECT_NEAR(areaOf(simple), ringArea(ring), 1.0);
 }
 
 namespace {
