@@ -43,7 +43,7 @@ struct UnseenSides {
   bool
   ceilingIsMostlySeen() const
   {
-    constexpr double mostly = 0.7; // whole scans have .84 and more, maps up to .6
+    constexpr double mostly = 0.7; // whole scans: .84 and more; half of maps: .4 to .6
     return ceiling_seen >= mostly;
   }
 
