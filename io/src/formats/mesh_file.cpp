@@ -19,9 +19,9 @@ namespace pcl::indoor::tool {
 namespace {
 
 /** \brief The lines of a text without comments and empty ones, as their words. */
-class LineReader {
+class MeshLines {
 public:
-  LineReader(std::string text, std::string path)
+  MeshLines(std::string text, std::string path)
   : text_(std::move(text))
   , path_(std::move(path))
   {}
@@ -110,7 +110,7 @@ textOf(const std::string& path)
 }
 
 Eigen::Vector3d
-vertexOf(const LineReader& line, std::size_t first)
+vertexOf(const MeshLines& line, std::size_t first)
 {
   Eigen::Vector3d vertex;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -120,7 +120,7 @@ vertexOf(const LineReader& line, std::size_t first)
 
 /** \brief Numbers of vertices and faces, which may stand behind "OFF" on its line. */
 std::array<std::uint64_t, 2>
-offCounts(LineReader& line, const std::string& path)
+offCounts(MeshLines& line, const std::string& path)
 {
   if (!line.next())
     throw ToolError(path + ": the file is empty");
@@ -144,7 +144,7 @@ offCounts(LineReader& line, const std::string& path)
 Polygons
 readOff(std::string text, const std::string& path)
 {
-  LineReader line(std::move(text), path);
+  MeshLines line(std::move(text), path);
   const auto [vertex_count, face_count] = offCounts(line, path);
   const auto next = [&](std::uint64_t read, std::uint64_t all, const char* what) {
     if (!line.next())
@@ -177,7 +177,7 @@ readOff(std::string text, const std::string& path)
 
 /** \brief Vertex of "7", "7/1", "7//2" or "-1": from 1, or from the last backwards. */
 std::uint32_t
-objCorner(const LineReader& line, std::string_view word, std::size_t vertex_count)
+objCorner(const MeshLines& line, std::string_view word, std::size_t vertex_count)
 {
   const auto number =
       line.parse<std::int64_t>(word.substr(0, std::min(word.find('/'), word.size())));
@@ -192,7 +192,7 @@ objCorner(const LineReader& line, std::string_view word, std::size_t vertex_coun
 Polygons
 readObj(std::string text, const std::string& path)
 {
-  LineReader line(std::move(text), path);
+  MeshLines line(std::move(text), path);
   Polygons polygons;
   std::vector<std::uint32_t> corners;
   while (line.next()) {
@@ -241,7 +241,7 @@ meshFormat(const std::string& path, const std::string& beginning)
     return MeshFormat::GLB;
   if (beginning.compare(0, 5, "solid") == 0)
     return MeshFormat::STL;
-  LineReader line(beginning, path);
+  MeshLines line(beginning, path);
   const std::string word(line.next() ? line.words()[0] : "");
   if (word == "OFF" || word == "COFF" || word == "NOFF" || word == "STOFF")
     return MeshFormat::OFF;

@@ -8,12 +8,10 @@
 
 namespace pcl::indoor::tool {
 
-using Json = nlohmann::json;
-
 std::map<std::uint32_t, std::string>
 readCategoryNames(const std::string& path)
 {
-  return fromJsonFile(path, [&](const Json& json) {
+  return fromJsonFile(path, [&](const nlohmann::json& json) {
     std::map<std::uint32_t, std::string> names;
     if (json.contains("categories"))
       for (const auto& name : json.at("categories"))
@@ -34,7 +32,7 @@ readCategoryNames(const std::string& path)
 std::map<std::string, std::string>
 readClassMap(const std::string& path)
 {
-  return fromJsonFile(path, [&](const Json& json) {
+  return fromJsonFile(path, [&](const nlohmann::json& json) {
     std::map<std::string, std::string> class_of_name;
     for (const auto& [class_name, names] : json.items())
       for (const auto& name : names)
