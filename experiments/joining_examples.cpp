@@ -35,7 +35,7 @@ struct Settings {
   std::string room_field = "room", object_field = "object";
   std::string part_field = "part", part_categories, category_field = "category", names;
   std::string model;
-  bool things = false, votes = false;
+  bool objects = false, votes = false;
   double share = 0.5;
   std::uint32_t seed = 1;
 };
@@ -47,12 +47,12 @@ makeParser(Settings& settings)
       "pcl_joining_examples",
       "Joins the pieces of a labelled scan's rooms to objects and saves each pair of "
       "pieces that is judged on the way, with what is known of it and whether the two "
-      "are one thing, or each piece and union, and how well it fits a thing: what "
+      "are one object, or each piece and union, and how well it fits an object: what "
       "models/train_joining.py learns from.");
   parser.positional("scan.pcd", settings.input, "PCD or PLY file, metres, z up")
       .positional("examples",
                   settings.output,
-                  "file of 32-bit floats, a row for a pair, or two for a thing")
+                  "file of 32-bit floats, a row for a pair, or two for an object")
       .text("-room_field",
             settings.room_field,
             "room of a point, 0 = in none; an organised cloud is a camera's view")
@@ -67,14 +67,14 @@ makeParser(Settings& settings)
             "JSON file with the names of the categories, in 'categories'")
       .text("-model",
             settings.model,
-            "trees that join; without them what is one thing is joined, in random "
+            "trees that join; without them what is one object is joined, in random "
             "order")
-      .flag("-things", settings.things, "save things instead of pairs; needs -model")
+      .flag("-objects", settings.objects, "save objects instead of pairs; needs -model")
       .flag("-votes", settings.votes, "ask the bundled voxel network, in all rooms")
       .number("-share", settings.share, "of the pairs saved", "", Range::between(0, 1))
       .number("-seed", settings.seed, "of the order and of what is saved");
   parser.expert(
-      {"-part_categories", "-part_field", "-things", "-votes", "-share", "-seed"});
+      {"-part_categories", "-part_field", "-objects", "-votes", "-share", "-seed"});
   return parser;
 }
 
@@ -164,11 +164,11 @@ readCriterion(const std::string& path)
   }
 }
 
-/** How many points of each true thing a union of pieces has. */
+/** How many points of each true object a union of pieces has. */
 struct PieceTruth {
   std::map<std::uint32_t, double> counts;
 
-  /** The true thing of most points, and how many these are. */
+  /** The true object of most points, and how many these are. */
   std::pair<std::uint32_t, double>
   most() const
   {
@@ -221,11 +221,11 @@ public:
               std::uint32_t a,
               std::uint32_t b) override
   {
-    const auto [thing_a, count_a] = truth_[a].most();
-    const auto [thing_b, count_b] = truth_[b].most();
-    const bool is_one = thing_a == thing_b && thing_a != 0;
+    const auto [object_a, count_a] = truth_[a].most();
+    const auto [object_b, count_b] = truth_[b].most();
+    const bool is_one = object_a == object_b && object_a != 0;
     // Of two pieces of structure nobody says whether they are one wall.
-    if ((thing_a != 0 || thing_b != 0) && draw() < share_) {
+    if ((object_a != 0 || object_b != 0) && draw() < share_) {
       const double size_a = truth_[a].size(), size_b = truth_[b].size();
       const double purity = std::min(count_a / size_a, count_b / size_b);
       write(is_one, examples_);
@@ -242,8 +242,8 @@ public:
   void
   joined(std::uint32_t kept, std::uint32_t gone) override
   {
-    for (const auto& [thing, count] : truth_[gone].counts)
-      truth_[kept].counts[thing] += count;
+    for (const auto& [object, count] : truth_[gone].counts)
+      truth_[kept].counts[object] += count;
     truth_[gone].counts.clear();
   }
 
@@ -262,12 +262,12 @@ private:
 };
 
 /** Save each piece and each union of the tree of joins that is large enough to be told:
- * with the fit as weight as a thing, with the rest as none. */
+ * with the fit as weight as an object, with the rest as none. */
 void
-saveThings(const ObjectSegmentation& pieces,
-           const std::vector<std::uint32_t>& truth,
-           const JoinTree& tree,
-           std::ostream& examples)
+saveObjects(const ObjectSegmentation& pieces,
+            const std::vector<std::uint32_t>& truth,
+            const JoinTree& tree,
+            std::ostream& examples)
 {
   const auto& graph = stepsOf(pieces).pieces;
   const auto piece_count = graph.pieces.size();
@@ -277,29 +277,30 @@ saveThings(const ObjectSegmentation& pieces,
     ++unions[pieces.piece_of_point[i]].counts[truth[i]];
     ++all.counts[truth[i]];
   }
-  for (std::size_t i = 0; i < tree.things.size(); ++i) {
+  for (std::size_t i = 0; i < tree.objects.size(); ++i) {
     auto piece = i;
     if (i >= piece_count) {
       const auto& join = tree.joins[i - piece_count];
       piece = join.kept;
-      for (const auto& [thing, count] : unions[join.gone].counts)
-        unions[piece].counts[thing] += count;
+      for (const auto& [object, count] : unions[join.gone].counts)
+        unions[piece].counts[object] += count;
     }
     const double size = unions[piece].size();
     if (size < ObjectSegmentationOptions().fewest_points ||
         !(graph.pieces[piece].positions.count > 0))
       continue;
-    double fit = 0; // in more than half of the union of both there is one thing at most
-    for (const auto& [thing, count] : unions[piece].counts)
-      if (thing != 0 && 2 * count > size + all.counts[thing] - count)
-        fit = count / (size + all.counts[thing] - count);
-    for (const bool is_thing : {true, false}) {
-      const double weight = is_thing ? fit : 1 - fit;
+    double fit =
+        0; // in more than half of the union of both there is one object at most
+    for (const auto& [object, count] : unions[piece].counts)
+      if (object != 0 && 2 * count > size + all.counts[object] - count)
+        fit = count / (size + all.counts[object] - count);
+    for (const bool is_object : {true, false}) {
+      const double weight = is_object ? fit : 1 - fit;
       if (!(weight > 0))
         continue;
-      write(is_thing, examples);
+      write(is_object, examples);
       write(static_cast<float>(weight), examples);
-      for (const float feature : tree.things[i])
+      for (const float feature : tree.objects[i])
         write(feature, examples);
     }
   }
@@ -336,8 +337,8 @@ saveExamples(const Room& room,
     throw ToolError(settings.input + ": " + problem);
   const auto& pieces = segmentation.getResult();
   const auto& graph = stepsOf(pieces).pieces;
-  if (settings.things) {
-    saveThings(pieces, room.truth, joinPieces(graph, *learned), examples);
+  if (settings.objects) {
+    saveObjects(pieces, room.truth, joinPieces(graph, *learned), examples);
     return;
   }
   Teacher teacher(pieces, room.truth, learned, settings, room.number, examples);
@@ -355,8 +356,8 @@ main(int argc, char** argv)
     requireWritable(settings.output);
     if (!settings.part_categories.empty() && settings.names.empty())
       throw ToolError("-part_categories needs -names");
-    if (settings.things && settings.model.empty())
-      throw ToolError("-things needs -model");
+    if (settings.objects && settings.model.empty())
+      throw ToolError("-objects needs -model");
     const auto learned = readCriterion(settings.model);
     progress.start("Loading " + settings.input);
     const auto rooms = readRooms(settings);
@@ -373,8 +374,8 @@ main(int argc, char** argv)
     }
     const auto bytes = examples.str();
     saveText(settings.output, bytes);
-    const auto features = settings.things ? std::tuple_size<ThingFeatures>::value
-                                          : std::tuple_size<JoiningFeatures>::value;
+    const auto features = settings.objects ? std::tuple_size<ObjectFeatures>::value
+                                           : std::tuple_size<JoiningFeatures>::value;
     progress.done(std::to_string(bytes.size() / sizeof(float) / (2 + features)) +
                   " rows");
   });

@@ -72,7 +72,7 @@ thesisMethods(bool single_view, const Settings& settings)
 {
   const bool kinect = settings.preset == "thesis_kinect" || single_view;
   auto proposed = kinect ? thesisKinectOptions() : thesisOptions();
-  if (single_view && settings.preset != "thesis_kinect") { // things on a table
+  if (single_view && settings.preset != "thesis_kinect") { // objects on a table
     const auto view = withSizes(singleViewOptions());
     proposed.shared.voxel_size = view.voxel_size;
     proposed.shared.seed_size = view.seed_size;

@@ -36,12 +36,12 @@ addInstanceScores(const SegmentLabels& truth,
   result["average_precision"] = precision.mean();
   result["average_precision_50"] = precision.at(50);
   result["average_precision_25"] = precision.at(25);
-  const auto things = scoreThings(truth, predicted, min_points);
-  result["panoptic_quality"] = things.panopticQuality();
-  result["segmentation_quality"] = things.segmentationQuality();
-  result["recognition_quality"] = things.recognitionQuality();
-  result["recall_50"] = things.recall();
-  result["precision_50"] = things.precision();
+  const auto objects = scoreObjects(truth, predicted, min_points);
+  result["panoptic_quality"] = objects.panopticQuality();
+  result["segmentation_quality"] = objects.segmentationQuality();
+  result["recognition_quality"] = objects.recognitionQuality();
+  result["recall_50"] = objects.recall();
+  result["precision_50"] = objects.precision();
 }
 
 /** The mean of a field over the points of each segment. */

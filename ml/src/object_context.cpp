@@ -14,7 +14,7 @@ namespace indoor {
 
 namespace {
 
-constexpr float longest = 4.0f;  // metres; of larger things the size says no more
+constexpr float longest = 4.0f;  // metres; of larger objects the size says no more
 constexpr float touching = 0.1f; // metres
 
 float

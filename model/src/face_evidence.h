@@ -16,7 +16,7 @@ namespace indoor {
 /** \brief How much of a side is seen, column by column of its image. */
 struct SeenColumns {
   double cell = 0.0;         ///< width of a column, metres
-  std::vector<double> share; ///< of what no thing hides, 0 to 1; negative = all hidden
+  std::vector<double> share; ///< of what no object hides, 0 to 1; negative = all hidden
 };
 
 /** \brief What of an image shows anything of a wall: its face, or what is a little

@@ -23,9 +23,9 @@ enum class BuildingUse { Home, Offices };
 constexpr BuildingUse uses[] = {BuildingUse::Home, BuildingUse::Offices};
 
 // Of the doubts about what is seen: how often a window is found that is there
-// (docs/experiments/openings.md), and a thing is found and named as what it is
+// (docs/experiments/openings.md), and an object is found and named as what it is
 // (docs/experiments/objects.md and classes.md: 64 % whole, 63 % of them named right).
-constexpr double found_windows = 0.8, found_things = 0.4;
+constexpr double found_windows = 0.8, found_objects = 0.4;
 constexpr double trust = 0.9; // in the confidence of a class: it is a little too high
 
 /** Logarithm of the density of what varies by a factor around its median. */
@@ -58,10 +58,10 @@ stairsChance(const RoomTraits& room)
 {
   constexpr double unseen = 0.3, impossible = 0.05;
   const auto stairs = std::find_if(
-      std::begin(thing_shares), std::end(thing_shares), [](const auto& thing) {
-        return thing.name == std::string("stairs");
+      std::begin(object_shares), std::end(object_shares), [](const auto& object) {
+        return object.name == std::string("stairs");
       });
-  const double seen = room.seen[stairs - std::begin(thing_shares)];
+  const double seen = room.seen[stairs - std::begin(object_shares)];
   return std::log(seen + (1.0 - seen) * (room.may_have_stairs ? unseen : impossible));
 }
 
@@ -112,9 +112,9 @@ spaceScores(const RoomTraits& room, BuildingUse use, const BuildingTraits& build
   return scores;
 }
 
-/** The share of the rooms of each name that hold a thing. */
+/** The share of the rooms of each name that hold an object. */
 Shares
-sharesWith(const ThingShares& thing)
+sharesWith(const ObjectShares& object)
 {
   constexpr double least = 0.05, in_stairs = 0.95;
   constexpr RoomName counted[] = {RoomName::Kitchen,
@@ -127,29 +127,29 @@ sharesWith(const ThingShares& thing)
                                   RoomName::Meeting,
                                   RoomName::Storage};
   double mean = 0.0;
-  for (const double share : thing.shares)
+  for (const double share : object.shares)
     mean += share / static_cast<double>(std::size(counted));
   Shares shares{};
   shares.fill(mean);
   for (std::size_t c = 0; c < std::size(counted); ++c)
-    shares[static_cast<std::size_t>(counted[c])] = thing.shares[c];
+    shares[static_cast<std::size_t>(counted[c])] = object.shares[c];
   const auto of = [&shares](RoomName name) -> double& {
     return shares[static_cast<std::size_t>(name)];
   };
   of(RoomName::Technical) = of(RoomName::Storage);
   of(RoomName::Stairs) =
-      thing.name == std::string("stairs") ? in_stairs : of(RoomName::Corridor);
+      object.name == std::string("stairs") ? in_stairs : of(RoomName::Corridor);
   for (auto& share : shares)
     share = std::max(least, share);
   return shares;
 }
 
-std::array<Shares, thing_count>
-allThingShares()
+std::array<Shares, object_count>
+allObjectShares()
 {
-  std::array<Shares, thing_count> all{};
-  for (std::size_t t = 0; t < thing_count; ++t)
-    all[t] = sharesWith(thing_shares[t]);
+  std::array<Shares, object_count> all{};
+  for (std::size_t t = 0; t < object_count; ++t)
+    all[t] = sharesWith(object_shares[t]);
   return all;
 }
 
@@ -158,29 +158,29 @@ struct Views {
   std::array<NameScores, 2> scores; ///< as a home, as offices
 };
 
-/** How much more often a thing is seen, or not seen, in rooms of each name than in all
- * that the room may be (Jeffrey's rule: the class is sure to a degree).
- * \param[in] seen whether the thing is there
- * \param[in] share of the rooms of a name that hold it, and of all
+/** How much more often an object is seen, or not seen, in rooms of each name than in
+ * all that the room may be (Jeffrey's rule: the class is sure to a degree). \param[in]
+ * seen whether the object is there \param[in] share of the rooms of a name that hold
+ * it, and of all
  */
 double
-thingFactor(double seen, bool furnished, double share, double of_all)
+objectFactor(double seen, bool furnished, double share, double of_all)
 {
   const double unseen =
-      furnished ? (1.0 - found_things * share) / (1.0 - found_things * of_all) : 1.0;
+      furnished ? (1.0 - found_objects * share) / (1.0 - found_objects * of_all) : 1.0;
   return seen * share / of_all + (1.0 - seen) * unseen;
 }
 
-/** What the things in a room say, added to what it is like. */
+/** What the objects in a room say, added to what it is like. */
 Views
-withThings(const Views& space, const RoomTraits& room, double home)
+withObjects(const Views& space, const RoomTraits& room, double home)
 {
-  static const auto shares = allThingShares();
+  static const auto shares = allObjectShares();
   const std::array<double, 2> weights = {home, 1.0 - home};
   const std::array<Shares, 2> before = {sharesOf(space.scores[0]),
                                         sharesOf(space.scores[1])};
   Views views = space;
-  for (std::size_t t = 0; t < thing_count; ++t) {
+  for (std::size_t t = 0; t < object_count; ++t) {
     double of_all = 0.0;
     for (std::size_t use = 0; use < 2; ++use)
       for (std::size_t n = 0; n < room_name_count; ++n)
@@ -188,7 +188,7 @@ withThings(const Views& space, const RoomTraits& room, double home)
     for (auto& scores : views.scores)
       for (std::size_t n = 0; n < room_name_count; ++n)
         scores[n] += std::log(
-            thingFactor(trust * room.seen[t], room.furnished, shares[t][n], of_all));
+            objectFactor(trust * room.seen[t], room.furnished, shares[t][n], of_all));
   }
   return views;
 }
@@ -264,9 +264,9 @@ requireValid(const std::vector<RoomEvidence>& rooms)
                     isAmount(room.height) && isAmount(room.window_area);
     for (const auto neighbour : room.neighbours)
       is_valid = is_valid && neighbour < rooms.size();
-    for (const auto& thing : room.things) {
-      is_valid = is_valid && std::isfinite(thing.foot);
-      for (const auto& each : thing.classes)
+    for (const auto& object : room.objects) {
+      is_valid = is_valid && std::isfinite(object.foot);
+      for (const auto& each : object.classes)
         is_valid = is_valid && isAmount(each.second) && each.second <= 1.0 + 1e-6;
     }
     if (!is_valid)
@@ -327,7 +327,7 @@ NamedRoom::text() const
 std::vector<NamedRoom>
 nameRooms(const std::vector<RoomEvidence>& rooms)
 {
-  constexpr double doubt = 0.05; // before the things are looked at
+  constexpr double doubt = 0.05; // before the objects are looked at
   requireValid(rooms);
   if (rooms.empty())
     return {};
@@ -339,7 +339,7 @@ nameRooms(const std::vector<RoomEvidence>& rooms)
   const double before =
       std::clamp(logistic(votesFor(building, space)), doubt, 1.0 - doubt);
   for (std::size_t r = 0; r < rooms.size(); ++r)
-    full.push_back(withThings(space[r], building.rooms[r], before));
+    full.push_back(withObjects(space[r], building.rooms[r], before));
   const double home = logistic(votesFor(building, full));
   const auto as_home = jointScores(full, rooms, BuildingUse::Home),
              as_offices = jointScores(full, rooms, BuildingUse::Offices);

@@ -44,17 +44,17 @@ constexpr RoomCustom room_customs[room_name_count] = {
     // clang-format on
 };
 
-/** \brief The share of the rooms of a name that hold a thing. */
-struct ThingShares {
+/** \brief The share of the rooms of a name that hold an object. */
+struct ObjectShares {
   const char* name;
   bool several; ///< three or more
   /** Of kitchen, living, bedroom, bath, toilet, corridor, office, meeting, storage. */
   double shares[9];
 };
 
-/** Counted by models/make_room_things in simulated homes and offices; stairs are set.
+/** Counted by models/make_room_objects in simulated homes and offices; stairs are set.
  */
-constexpr ThingShares thing_shares[] = {
+constexpr ObjectShares object_shares[] = {
     {"armchair", false, {0.00, 0.58, 0.08, 0.00, 0.00, 0.00, 0.04, 0.00, 0.00}},
     {"bath", false, {0.00, 0.00, 0.00, 0.59, 0.00, 0.00, 0.00, 0.00, 0.00}},
     {"bed", false, {0.00, 0.00, 0.88, 0.00, 0.00, 0.00, 0.00, 0.00, 0.00}},
@@ -81,7 +81,7 @@ constexpr ThingShares thing_shares[] = {
     {"wall cabinet", false, {0.75, 0.00, 0.00, 0.00, 0.00, 0.00, 0.00, 0.00, 0.00}},
     {"wall cabinet", true, {0.38, 0.00, 0.00, 0.00, 0.00, 0.00, 0.00, 0.00, 0.00}},
 };
-constexpr std::size_t thing_count = sizeof(thing_shares) / sizeof(thing_shares[0]);
+constexpr std::size_t object_count = sizeof(object_shares) / sizeof(object_shares[0]);
 
 constexpr double lowest_wall_cabinet = 1.1; ///< metres: its foot above the floor
 

@@ -22,7 +22,7 @@ namespace {
 // that is enough here, since not all windows are found.
 constexpr double least_light = 1.0 / 16.0;
 
-/** Probability that at least one, and at least three, of independent things are there.
+/** Probability that at least one, and at least three, of independent objects are there.
  */
 class SeenNumber {
 public:
@@ -47,33 +47,33 @@ private:
 };
 
 bool
-isKnownThing(const std::string& name)
+isKnownObject(const std::string& name)
 {
-  return std::any_of(std::begin(thing_shares),
-                     std::end(thing_shares),
-                     [&name](const auto& thing) { return name == thing.name; });
+  return std::any_of(std::begin(object_shares),
+                     std::end(object_shares),
+                     [&name](const auto& object) { return name == object.name; });
 }
 
 void
-addThings(const std::vector<RoomThing>& things, RoomTraits& traits)
+addObjects(const std::vector<RoomObject>& objects, RoomTraits& traits)
 {
   constexpr double sure = 0.5;
   constexpr int fewest = 3;
   std::map<std::string, SeenNumber> seen;
   int known = 0;
-  for (const auto& thing : things) {
+  for (const auto& object : objects) {
     bool is_known = false;
-    for (const auto& [name, probability] : thing.classes) {
-      const bool hangs = name == "cabinet" && thing.foot > lowest_wall_cabinet;
+    for (const auto& [name, probability] : object.classes) {
+      const bool hangs = name == "cabinet" && object.foot > lowest_wall_cabinet;
       seen[hangs ? "wall cabinet" : name].add(probability);
-      is_known = is_known || (probability >= sure && isKnownThing(name));
+      is_known = is_known || (probability >= sure && isKnownObject(name));
     }
     known += is_known ? 1 : 0;
   }
   traits.furnished = known >= fewest;
-  for (std::size_t t = 0; t < thing_count; ++t)
-    if (const auto found = seen.find(thing_shares[t].name); found != seen.end())
-      traits.seen[t] = found->second.atLeast(thing_shares[t].several);
+  for (std::size_t t = 0; t < object_count; ++t)
+    if (const auto found = seen.find(object_shares[t].name); found != seen.end())
+      traits.seen[t] = found->second.atLeast(object_shares[t].several);
 }
 
 /** Areas of floor and windows of each storey. */
@@ -222,7 +222,7 @@ buildingTraits(const std::vector<RoomEvidence>& rooms)
     others.erase(r);
     traits.ways = std::clamp<std::size_t>(others.size(), 1, 3) - 1;
     traits.tall = room.height > much * height;
-    addThings(room.things, traits);
+    addObjects(room.objects, traits);
   }
   addStoreys(rooms, building);
   addUnits(rooms, building);

@@ -22,8 +22,8 @@ struct RoomTraits {
   std::optional<bool> largest;      ///< of the four rooms or more that can be reached
   bool tall = false;                ///< much higher than most rooms
   bool may_have_stairs = false;     ///< there are storeys, or it is tall
-  bool furnished = false;           ///< some things in it are known
-  std::array<double, thing_count> seen{}; ///< probability that it holds each thing
+  bool furnished = false;           ///< some objects in it are known
+  std::array<double, object_count> seen{}; ///< probability that it holds each object
 };
 
 /** \brief All of a building. */

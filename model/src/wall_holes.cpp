@@ -29,7 +29,8 @@ constexpr double border = 0.05;    // metres: a frame, or the band of face besid
 struct Columns {
   int first = 0;
   std::vector<int> low, high;
-  std::vector<std::uint8_t> hides_low; ///< whether a thing stands before what is below
+  std::vector<std::uint8_t>
+      hides_low; ///< whether an object stands before what is below
 };
 
 /** Leave out what is narrower than three cells. */
@@ -49,7 +50,7 @@ opened(const Mask& mask)
   return changed(changed(mask, false), true);
 }
 
-/** Whether a thing stands before the wall right below a cell. */
+/** Whether an object stands before the wall right below a cell. */
 bool
 hidesBelow(const WallImage& image, int x, int y)
 {

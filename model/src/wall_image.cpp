@@ -149,9 +149,9 @@ showDepths(const CellPoints& points,
       image.cells.values[i] = kindOf(image.depth.values[i], relief);
 }
 
-/** Mark empty cells with things before them. */
+/** Mark empty cells with objects before them. */
 void
-showThings(const std::vector<WallPoint>& points, double hand, WallImage& image)
+showObjects(const std::vector<WallPoint>& points, double hand, WallImage& image)
 {
   for (const auto& point : points) {
     if (point.before <= hand)
@@ -227,7 +227,7 @@ wallImage(const std::vector<WallPoint>& points,
   const double around = (2 * cells_around + 1) * image.cell; // metres
   const double of_face = spacing > 0.0 ? std::pow(around / spacing, 2) : 0.0;
   showDepths(pointsByCell(points, image, options.hand), of_face, options, image);
-  showThings(points, options.hand, image);
+  showObjects(points, options.hand, image);
   return image;
 }
 

@@ -50,7 +50,7 @@ jambOf(std::vector<std::pair<double, double>> points, double length, double piec
   return jamb;
 }
 
-/** The share of the band beyond an edge in which things before the wall hide it. */
+/** The share of the band beyond an edge in which objects before the wall hide it. */
 double
 hiddenShare(const WallImage& image, const FaceHole& hole, std::size_t side)
 {

@@ -9,7 +9,7 @@
  *   bench_object_accuracy scan.pcd ... -room_field F -object_field F [-part_field F]
  *
  * Points whose object is 0 (walls, floor) are segmented, but not scored. Rooms with
- * fewer than three objects of at least 100 points are left out. Flat things on walls
+ * fewer than three objects of at least 100 points are left out. Flat objects on walls
  * (pictures, closed doors, windows: at most 0.15 m thick in a level direction, half of
  * their points within 0.15 m of points of no object) are scored apart. "In tree" is the
  * share of the others that any cut of the tree of joins finds. A source of one
@@ -181,8 +181,8 @@ makeMethods(bool single_view, const Settings& settings)
 struct Score {
   double over = 0, under = 0, object_over = 0, object_under = 0, overlap = 0;
   double segments = 0, specks = 0, seconds = 0, quality = 0, in_tree = 0;
-  ThingScore things, flat, parts;
-  AveragePrecision precision; ///< of the things, ranked by size
+  ObjectScore objects, flat, parts;
+  AveragePrecision precision; ///< of the objects, ranked by size
 
   Score&
   operator+=(const Score& other)
@@ -197,7 +197,7 @@ struct Score {
     seconds += other.seconds;
     quality += other.quality;
     in_tree += other.in_tree;
-    things += other.things;
+    objects += other.objects;
     precision += other.precision;
     flat += other.flat;
     parts += other.parts;
@@ -283,15 +283,15 @@ evaluate(const LabelledRoom& room, const Method& method, const Settings& setting
   score.segments = static_cast<double>(sizes.size());
   score.seconds = time.count();
   if (!room.others.empty()) {
-    score.things = scoreThings(room.objects, labels, large, room.others);
+    score.objects = scoreObjects(room.objects, labels, large, room.others);
     score.precision.add(room.objects, labels, large, room.others);
   }
   if (!room.flat.empty())
-    score.flat = scoreThings(room.objects, labels, large, room.flat);
+    score.flat = scoreObjects(room.objects, labels, large, room.flat);
   if (!found.pieces.empty())
     score.in_tree = bestCut(room, found, room.others);
-  score.parts = scoreThings(room.parts, labels, large);
-  score.quality = scoreThings(room.objects, labels, large).panopticQuality();
+  score.parts = scoreObjects(room.parts, labels, large);
+  score.quality = scoreObjects(room.objects, labels, large).panopticQuality();
   return score;
 }
 
@@ -318,16 +318,16 @@ printRow(const std::string& name, const Score& sum, double count)
               100 * sum.object_over / count,
               100 * sum.object_under / count,
               100 * sum.overlap / count,
-              sum.things.panopticQuality(),
+              sum.objects.panopticQuality(),
               sum.precision.at(50),
               sum.quality / count,
               sum.parts.panopticQuality(),
-              100 * sum.things.wholeShare(),
-              sum.things.true_count,
+              100 * sum.objects.wholeShare(),
+              sum.objects.true_count,
               sum.flat.panopticQuality(),
               100 * sum.flat.wholeShare(),
               sum.flat.true_count,
-              100 * sum.in_tree / static_cast<double>(sum.things.true_count),
+              100 * sum.in_tree / static_cast<double>(sum.objects.true_count),
               sum.segments / count,
               100 * sum.specks / sum.segments,
               sum.seconds / count);

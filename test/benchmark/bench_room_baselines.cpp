@@ -252,7 +252,7 @@ compare(const std::vector<std::string>& paths,
       "MB |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: "
       "|\n");
   for (const auto& method : methods(with_thesis)) {
-    ThingScore things;
+    ObjectScore objects;
     double right = 0, rooms = 0, iou = 0, index = 0, seconds = 0, megabytes = 0;
     for (const auto& scan : scans) {
       const auto found = segmentMeasured([&] { return method.segment(scan); });
@@ -260,7 +260,7 @@ compare(const std::vector<std::string>& paths,
         throw ToolError(scan.path + ": " + found.problem);
       const auto overlaps = countOverlaps(scan.truth, found.labels);
       const auto score = scoreDetections(overlaps);
-      things += scoreThings(scan.truth, found.labels, 1);
+      objects += scoreObjects(scan.truth, found.labels, 1);
       rooms += static_cast<double>(score.true_count);
       right += static_cast<double>(score.right_count);
       iou += score.mean_iou * static_cast<double>(score.true_count);
@@ -275,9 +275,9 @@ compare(const std::vector<std::string>& paths,
         rooms,
         right,
         100 * right / rooms,
-        things.recall(),
-        things.precision(),
-        things.panopticQuality(),
+        objects.recall(),
+        objects.precision(),
+        objects.panopticQuality(),
         iou / rooms,
         index,
         seconds,

@@ -119,7 +119,7 @@ protected:
   }
 };
 
-/** How many of the pairs are one thing; expects every example to be sound. */
+/** How many of the pairs are one object; expects every example to be sound. */
 std::size_t
 soundOnes(const std::vector<Example>& examples)
 {
@@ -200,7 +200,7 @@ TEST_F(JoiningResults, TreesDecideWhatIsJoined)
   EXPECT_GT(joined.size(), apart.size());
 }
 
-TEST_F(JoiningResults, PartsOfChosenCategoriesCountAsThings)
+TEST_F(JoiningResults, PartsOfChosenCategoriesCountAsObjects)
 {
   const auto whole = examples("-share 1");
   const auto parts =
@@ -223,38 +223,38 @@ TEST_F(JoiningResults, VotesAreAskedForIfWanted)
   }
 }
 
-TEST_F(JoiningResults, ThingsAreSavedWithTheirFits)
+TEST_F(JoiningResults, ObjectsAreSavedWithTheirFits)
 {
   constexpr std::size_t row = 2 + 30;
   const auto bytes =
-      saved("-things -model " + saveTrees("yes.txt", feature_count, 2.0));
+      saved("-objects -model " + saveTrees("yes.txt", feature_count, 2.0));
   ASSERT_EQ(bytes.size() % (row * sizeof(float)), 0u);
   std::vector<float> values(bytes.size() / sizeof(float));
   std::memcpy(values.data(), bytes.data(), bytes.size());
-  std::size_t things = 0, whole = 0;
+  std::size_t objects = 0, whole = 0;
   for (std::size_t at = 0; at < values.size(); at += row) {
-    const bool is_thing = values[at] == 1;
-    ASSERT_TRUE(is_thing || values[at] == 0);
+    const bool is_object = values[at] == 1;
+    ASSERT_TRUE(is_object || values[at] == 0);
     ASSERT_GT(values[at + 1], 0);
     ASSERT_LE(values[at + 1], 1);
     for (std::size_t i = at + 2; i < at + row; ++i)
       ASSERT_TRUE(std::isfinite(values[i]));
-    things += is_thing;
-    whole += is_thing && values[at + 1] > 0.8f;
-    if (!is_thing || values[at + 1] == 1)
+    objects += is_object;
+    whole += is_object && values[at + 1] > 0.8f;
+    if (!is_object || values[at + 1] == 1)
       continue;
-    EXPECT_GT(values[at + 1], 0.5f) << "what fits less is no thing";
+    EXPECT_GT(values[at + 1], 0.5f) << "what fits less is no object";
     ASSERT_LT(at + row, values.size());
     EXPECT_EQ(values[at + row], 0) << "the rest of it";
     EXPECT_NEAR(values[at + row + 1], 1 - values[at + 1], 1e-6);
   }
-  EXPECT_GT(things, 20u);
+  EXPECT_GT(objects, 20u);
   EXPECT_GT(whole, 5u);
 }
 
 TEST_F(JoiningResults, WrongOptionsAreRefused)
 {
-  expectRefusal("-things", "-things needs -model");
+  expectRefusal("-objects", "-objects needs -model");
   expectRefusal("-part_categories chair", "-part_categories needs -names");
   expectRefusal("-part_categories chair -names " + path("missing.json"),
                 "missing.json: cannot be opened");

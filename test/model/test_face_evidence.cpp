@@ -82,7 +82,7 @@ TEST(SeenColumns, AreTheSharesThatShowTheWall)
   };
   EXPECT_NEAR(at(0.5), 1.0, 1e-9);
   EXPECT_NEAR(at(1.5), 0.5, 0.05);
-  EXPECT_NEAR(at(3.5), 1.0, 0.05) << "what a thing hides does not count";
+  EXPECT_NEAR(at(3.5), 1.0, 0.05) << "what an object hides does not count";
 }
 
 TEST(FaceEvidence, WhereHardlyAPointIsNoWallIs)

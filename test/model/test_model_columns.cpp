@@ -91,7 +91,7 @@ TEST(ModelColumns, ARoundOneWithSomethingBesideIt)
   constexpr double radius = 0.2;
   Column column;
   const auto found = column.found(0.22, [&](double around, double noise) {
-    if (around > 0.85) // a thing that leans on it
+    if (around > 0.85) // an object that leans on it
       return Eigen::Vector2d(radius + 0.06, 2.0 * (around - 0.925));
     const double angle = 1.5 * M_PI * around / 0.85; // the rest was not seen
     return Eigen::Vector2d((radius + noise) *

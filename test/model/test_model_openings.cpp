@@ -114,7 +114,7 @@ TEST(ModelOpenings, AGapToTheOutsideIsNoDoor)
   EXPECT_TRUE(inOuterWall(framedHole(rectangle(1.0, 0.0, 1.6, 2.1), 0.9)).empty());
 }
 
-TEST(ModelOpenings, WhatNoFaceFramesOrThingsHideIsNone)
+TEST(ModelOpenings, WhatNoFaceFramesOrObjectsHideIsNone)
 {
   auto hole = framedHole(rectangle(1.0, 0.8, 2.4, 2.1), 0.9);
   hole.framed[2] = 0.2; // not above: the ceiling slopes

@@ -38,8 +38,8 @@ room(double area, double window_area = 0.0, std::vector<std::size_t> neighbours 
   return evidence;
 }
 
-RoomThing
-thing(const char* name, double probability = 0.9)
+RoomObject
+object(const char* name, double probability = 0.9)
 {
   return {{{name, probability}}, 0.0};
 }
@@ -73,8 +73,8 @@ randomBuilding(std::mt19937& rng)
     for (std::size_t n = rng() % 4; n > 0; --n)
       rooms[r].neighbours.push_back(rng() % rooms.size());
     for (std::size_t t = rng() % 8; t > 0; --t)
-      rooms[r].things.push_back(
-          {{{thing_shares[rng() % thing_count].name, uniform(0.0, 1.0)},
+      rooms[r].objects.push_back(
+          {{{object_shares[rng() % object_count].name, uniform(0.0, 1.0)},
             {"cabinet", uniform(0.0, 0.3)},
             {"what no model knows", 0.5}},
            uniform(-0.1, 2.0)});
@@ -95,7 +95,7 @@ TEST(RoomNames, ProbabilitiesSumToOne)
     }
 }
 
-TEST(RoomNames, DependNeitherOnTheOrderOfRoomsNorOfThings)
+TEST(RoomNames, DependNeitherOnTheOrderOfRoomsNorOfObjects)
 {
   std::mt19937 rng(2);
   for (int trial = 0; trial < 100; ++trial) {
@@ -108,7 +108,7 @@ TEST(RoomNames, DependNeitherOnTheOrderOfRoomsNorOfThings)
     for (std::size_t i = 0; i < order.size(); ++i) {
       place[order[i]] = i;
       mixed.push_back(rooms[order[i]]);
-      std::reverse(mixed.back().things.begin(), mixed.back().things.end());
+      std::reverse(mixed.back().objects.begin(), mixed.back().objects.end());
     }
     for (auto& each : mixed)
       for (auto& neighbour : each.neighbours)
@@ -130,7 +130,7 @@ spread(double median, double factor, double value)
   return std::exp(-0.5 * z * z) / std::log(factor);
 }
 
-/** Products of the table's numbers for rooms on one storey with light, without things,
+/** Products of the table's numbers for rooms on one storey with light, without objects,
  * three rooms at most that lead nowhere: no largest one. */
 std::vector<std::array<double, room_name_count>>
 plainProducts(const std::vector<RoomEvidence>& rooms)
@@ -213,7 +213,7 @@ TEST(RoomNames, AreUnknownWhereNothingIsKnown)
   for (const auto& each : nameRooms(std::vector<RoomEvidence>(9)))
     EXPECT_EQ(each.text(), "unknown");
   auto strange = room(12.0, 2.0);
-  strange.things = {thing("what no model knows"), thing("lamp")};
+  strange.objects = {object("what no model knows"), object("lamp")};
   EXPECT_EQ(nameRooms({strange})[0].probabilities,
             nameRooms({room(12.0, 2.0)})[0].probabilities);
 }
@@ -228,14 +228,15 @@ TEST(RoomNames, TellAFlatWithoutFurnitureByItsSpaces)
   EXPECT_EQ(named[5].likeliest(), RoomName::Toilet);
 }
 
-TEST(RoomNames, ThingsTellWhatSpacesDoNot)
+TEST(RoomNames, ObjectsTellWhatSpacesDoNot)
 {
   auto rooms = flat();
   const auto empty = nameRooms(rooms);
-  rooms[2].things = {thing("bed"), thing("cabinet"), thing("pillow")};
-  rooms[3].things = {thing("table"), thing("sink"), thing("cabinet"), thing("cabinet")};
-  rooms[3].things.back().foot = 1.5;
-  rooms[4].things = {thing("bath"), thing("sink"), thing("toilet")};
+  rooms[2].objects = {object("bed"), object("cabinet"), object("pillow")};
+  rooms[3].objects = {
+      object("table"), object("sink"), object("cabinet"), object("cabinet")};
+  rooms[3].objects.back().foot = 1.5;
+  rooms[4].objects = {object("bath"), object("sink"), object("toilet")};
   const auto full = nameRooms(rooms);
   EXPECT_EQ(full[2].text(), "bedroom");
   EXPECT_EQ(full[3].text(), "kitchen");
@@ -245,12 +246,12 @@ TEST(RoomNames, ThingsTellWhatSpacesDoNot)
   EXPECT_GT(of(full[4], RoomName::Bath), of(empty[4], RoomName::Bath));
 }
 
-TEST(RoomNames, ASurerThingSaysMore)
+TEST(RoomNames, ASurerObjectSaysMore)
 {
   double before = 0.0;
   for (const double sure : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
     auto rooms = flat();
-    rooms[3].things = {thing("bed", sure)};
+    rooms[3].objects = {object("bed", sure)};
     const double now = of(nameRooms(rooms)[3], RoomName::Bedroom);
     EXPECT_GT(now, before);
     before = now;
@@ -260,9 +261,9 @@ TEST(RoomNames, ASurerThingSaysMore)
 TEST(RoomNames, CabinetsHangWhereTheirFootIsHigh)
 {
   auto low = flat(), high = flat();
-  low[3].things = {thing("cabinet")};
-  high[3].things = {thing("cabinet")};
-  high[3].things[0].foot = lowest_wall_cabinet + 0.01;
+  low[3].objects = {object("cabinet")};
+  high[3].objects = {object("cabinet")};
+  high[3].objects[0].foot = lowest_wall_cabinet + 0.01;
   EXPECT_GT(of(nameRooms(high)[3], RoomName::Kitchen),
             2.0 * of(nameRooms(low)[3], RoomName::Kitchen));
 }
@@ -296,8 +297,8 @@ TEST(RoomNames, TwoEqualHomesAreNoSurerThanOne)
   auto rooms = flat();
   for (auto& each : rooms)
     each.area *= 2.0;
-  rooms[2].things = {thing("desk"), thing("chair"), thing("screen")};
-  rooms[4].things = {thing("bath"), thing("toilet"), thing("sink")};
+  rooms[2].objects = {object("desk"), object("chair"), object("screen")};
+  rooms[4].objects = {object("bath"), object("toilet"), object("sink")};
   const auto one = nameRooms(rooms);
   for (std::size_t r = 0; r < 6; ++r) {
     rooms.push_back(rooms[r]);
@@ -329,10 +330,10 @@ TEST(RoomNames, RefuseWhatCannotBe)
   wrong.perimeter = -1.0;
   expect_refused(wrong);
   wrong = room(9.0);
-  wrong.things = {thing("bed", 1.1)};
+  wrong.objects = {object("bed", 1.1)};
   expect_refused(wrong);
-  wrong.things = {thing("bed")};
-  wrong.things[0].foot = none;
+  wrong.objects = {object("bed")};
+  wrong.objects[0].foot = none;
   expect_refused(wrong);
 }
 
@@ -349,7 +350,7 @@ TEST(RoomNames, TablesHoldShares)
     EXPECT_GE(custom.stretch, 1.0);
     EXPECT_GT(custom.in_home + custom.in_offices, 0.0);
   }
-  for (const auto& each : thing_shares)
+  for (const auto& each : object_shares)
     for (const double share : each.shares) {
       EXPECT_GE(share, 0.0);
       EXPECT_LE(share, 1.0);

@@ -25,16 +25,16 @@ holesOf(const std::vector<SimulatedHole>& simulated)
 /** A wall with a glazed front in a niche, as the side sees it that was fitted to the
  * frame of the glass: the niche's sides stand out of that plane.
  * \param[in] sides how many of left, right, above, below do
- * \param[in] things before the plane, which hide it */
+ * \param[in] objects before the plane, which hide it */
 std::vector<FaceHole>
 glassInNiche(const Eigen::AlignedBox2d& niche,
              int sides,
-             const std::vector<SimulatedHole>& things = {})
+             const std::vector<SimulatedHole>& objects = {})
 {
   constexpr double frame = 0.08, deep = 0.35; // metres
   const Eigen::AlignedBox2d glass(niche.min().array() + frame,
                                   niche.max().array() - frame);
-  auto seen = things;
+  auto seen = objects;
   seen.push_back({glass, 0.0});
   auto points = simulatedSide(5.0, 2.6, seen);
   const auto add = [&](double u, double before, double v) {

@@ -22,7 +22,7 @@ cellAt(const WallImage& image, double along, double height)
 
 } // namespace
 
-TEST(WallImage, ShowsFaceRecessLeafThingAndNothing)
+TEST(WallImage, ShowsFaceRecessLeafObjectAndNothing)
 {
   auto points = simulatedSide(4.0,
                               2.5,

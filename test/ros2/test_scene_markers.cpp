@@ -54,7 +54,7 @@ TEST(SceneMarkers, DeleteThoseOfBeforeAndAreDistinct)
     EXPECT_EQ(marker.action, Marker::ADD);
     EXPECT_GT(marker.color.a, 0.0f);
   }
-  // three rooms, three openings and three things; a floor is none
+  // three rooms, three openings and three objects; a floor is none
   EXPECT_EQ(names.size(), 2u * 3u + 3u + 2u * 3u);
 }
 
@@ -88,7 +88,7 @@ TEST(SceneMarkers, FrameOpeningsInTheirWalls)
     EXPECT_NEAR(point.x, 8.2, 1e-9);
 }
 
-TEST(SceneMarkers, BoxThingsWithTheirNames)
+TEST(SceneMarkers, BoxObjectsWithTheirNames)
 {
   const auto array = markersOf(SmallScene::json());
   const auto chair = markerOf(array, "objects", 1);

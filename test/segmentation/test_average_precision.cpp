@@ -245,13 +245,13 @@ TEST(AveragePrecision, NothingIsFoundWhereNothingIsAndBadInputIsRefused)
       pcl::BadArgumentException);
 }
 
-TEST(ThingScore, FactorsOfPanopticQualityByCountingPoints)
+TEST(ObjectScore, FactorsOfPanopticQualityByCountingPoints)
 {
   std::mt19937 rng(2);
   for (int trial = 0; trial < 40; ++trial) {
     const auto scene = randomScene(rng);
     const std::vector<Scene> scenes{scene};
-    const auto score = scoreThings(scene.truth, scene.predicted, 1);
+    const auto score = scoreObjects(scene.truth, scene.predicted, 1);
     std::set<std::uint32_t> truths(scene.truth.begin(), scene.truth.end()), guesses;
     truths.erase(0);
     double iou_sum = 0, right = 0;
@@ -291,6 +291,6 @@ TEST(ThingScore, FactorsOfPanopticQualityByCountingPoints)
     EXPECT_NEAR(score.recall(), right / (right + missed), 1e-12);
     EXPECT_NEAR(score.precision(), right / (right + wrong), 1e-12);
   }
-  EXPECT_EQ(ThingScore().recall(), 1);
-  EXPECT_EQ(ThingScore().segmentationQuality(), 0);
+  EXPECT_EQ(ObjectScore().recall(), 1);
+  EXPECT_EQ(ObjectScore().segmentationQuality(), 0);
 }

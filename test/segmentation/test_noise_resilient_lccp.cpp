@@ -186,7 +186,7 @@ TEST(NoiseResilientLCCP, OrderOfPointsChangesOnlyNames)
 TEST(NoiseResilientLCCP, WhatIsTooSmallToBeToldIsOneRemainder)
 {
   auto scene = floorWithTwoBoxes();
-  const auto things = scene.points.size();
+  const auto scene_size = scene.points.size();
   std::mt19937 rng(5);
   for (const float x : {0.9f, 1.3f, 1.7f}) // patches of 9 voxels in the air
     scene.addRectangle(
@@ -198,9 +198,9 @@ TEST(NoiseResilientLCCP, WhatIsTooSmallToBeToldIsOneRemainder)
   const auto structure = segmentation.getStructure();
   const auto remainder = static_cast<std::uint32_t>(StructureKind::Remainder);
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    EXPECT_EQ(structure[i] == remainder, i >= things);
-    if (i >= things) {
-      EXPECT_EQ(labels[i], labels[things]);
+    EXPECT_EQ(structure[i] == remainder, i >= scene_size);
+    if (i >= scene_size) {
+      EXPECT_EQ(labels[i], labels[scene_size]);
     }
   }
   segmentation.setPartition(Segmentation::Partition::Lccp); // knows no remainder
@@ -212,11 +212,11 @@ TEST(NoiseResilientLCCP, WhatIsTooSmallToBeToldIsOneRemainder)
 TEST(NoiseResilientLCCP, FewPointsAreTheRemainder)
 {
   auto scene = floorWithTwoBoxes();
-  const auto things = scene.points.size();
+  const auto scene_size = scene.points.size();
   std::mt19937 rng(5); // a patch of 25 voxels, more than a supervoxel, of 64 points
   scene.addRectangle(
       {0.9f, 0.2f, 2}, {0.16f, 0, 0}, {0, 0.16f, 0}, {0, 0, 1}, 7, 0.02f, 0, rng);
-  const auto count = scene.points.size() - things;
+  const auto count = scene.points.size() - scene_size;
   ASSERT_GT(count, 50u);
   ASSERT_LT(count, 100u);
   const auto remainder = static_cast<std::uint32_t>(StructureKind::Remainder);

@@ -106,13 +106,13 @@ TEST(NoiseResilientLCCPView, JoinsWhatTheCameraSeesInPieces)
     Labels labels;
     segmentation.segment(labels);
     ASSERT_EQ(labels.size(), view.objects.size());
-    quality += scoreThings(view.objects, labels).panopticQuality();
+    quality += scoreObjects(view.objects, labels).panopticQuality();
 
     auto options = singleViewOptions();
     options.pieces.joining_level = 1;
     segmentation.setOptions(options);
     segmentation.segment(labels);
-    quality_of_pieces += scoreThings(view.objects, labels).panopticQuality();
+    quality_of_pieces += scoreObjects(view.objects, labels).panopticQuality();
   }
   EXPECT_GT(quality, 4 * 0.4);
   EXPECT_GT(quality, quality_of_pieces + 4 * 0.1);
@@ -138,11 +138,11 @@ TEST(NoiseResilientLCCPView, ARoomIsSegmentedAsARoom)
     EXPECT_GT(stepsOf(segmentation.getResult()).scene.up.dot(upSeenFrom(pose)), 0.996)
         << "5 degrees off, seed " << seed;
     EXPECT_FALSE(segmentation.getStructureIndices().empty()) << "no wall, no floor";
-    quality += scoreThings(view.objects, labels).panopticQuality();
+    quality += scoreObjects(view.objects, labels).panopticQuality();
 
     segmentation.setUseSingleCameraTransform(true);
     segmentation.segment(labels);
-    quality_of_table += scoreThings(view.objects, labels).panopticQuality();
+    quality_of_table += scoreObjects(view.objects, labels).panopticQuality();
   }
   ASSERT_GE(rooms, 3);
   EXPECT_GT(quality, rooms * 0.4);
@@ -242,7 +242,7 @@ TEST(NoiseResilientLCCPView, ATableIsATableFromFartherOff)
         buildBuilding(randomPlan(seed, PlanKind::Table, PlanFilling::Cluttered));
     const auto view = viewOf(building, {{0.9, 0.8, 1.9}, {0, 0, 0.75}}, seed);
     Segmentation segmentation;
-    quality += scoreThings(view.objects, segmented(segmentation, view.cloud))
+    quality += scoreObjects(view.objects, segmented(segmentation, view.cloud))
                    .panopticQuality();
     tables += segmentation.getReport().view.capture == Capture::TableView;
   }
@@ -250,7 +250,7 @@ TEST(NoiseResilientLCCPView, ATableIsATableFromFartherOff)
   EXPECT_GT(quality, 4 * 0.3);
 }
 
-TEST(NoiseResilientLCCPView, ThingsOnATableAreToldInWhateverFrameItStands)
+TEST(NoiseResilientLCCPView, ObjectsOnATableAreToldInWhateverFrameItStands)
 {
   const Eigen::Quaternionf turn = Eigen::Quaternionf(3, -1, 2, 5).normalized();
   double quality = 0;
@@ -267,7 +267,7 @@ TEST(NoiseResilientLCCPView, ThingsOnATableAreToldInWhateverFrameItStands)
     const auto labels = segmented(segmentation, view.cloud);
     EXPECT_EQ(segmentation.getReport().view.capture, Capture::Scan) << "a larger scan";
     EXPECT_FALSE(segmentation.getStructureIndices().empty()) << "floor and walls";
-    quality += scoreThings(view.objects, labels).panopticQuality();
+    quality += scoreObjects(view.objects, labels).panopticQuality();
   }
   EXPECT_GT(quality, 4 * 0.3);
 }

@@ -150,7 +150,7 @@ TEST(SegmentationMetrics, CoarseEqualToFineGivesTheSingleScaleErrors)
   }
 }
 
-TEST(SegmentationMetrics, ThingsAgreeWithTheirDefinition)
+TEST(SegmentationMetrics, ObjectsAgreeWithTheirDefinition)
 {
   std::mt19937 rng(21);
   std::size_t right = 0, whole = 0;
@@ -169,25 +169,25 @@ TEST(SegmentationMetrics, ThingsAgreeWithTheirDefinition)
         sum += holds(truth[i], predicted[i]);
       return static_cast<double>(sum);
     };
-    const auto is_thing = [&](std::uint32_t label) {
+    const auto is_object = [&](std::uint32_t label) {
       return label != 0 &&
              count([&](auto t, auto) { return t == label; }) >= min_size &&
              (counted.empty() || label == 1 || label == 3);
     };
-    ThingScore expected;
+    ObjectScore expected;
     for (std::uint32_t t = 1; t <= 4; ++t)
-      expected.true_count += is_thing(t) && std::count(truth.begin(), truth.end(), t);
+      expected.true_count += is_object(t) && std::count(truth.begin(), truth.end(), t);
     for (std::uint32_t p = 1; p <= 5; ++p) {
       const double size = count([&](auto, auto q) { return q == p; });
-      const double of_things =
-          count([&](auto t, auto q) { return q == p && is_thing(t); });
-      bool counts = 2 * of_things > size;
+      const double of_objects =
+          count([&](auto t, auto q) { return q == p && is_object(t); });
+      bool counts = 2 * of_objects > size;
       for (std::uint32_t t = 1; t <= 4; ++t) {
         const double both = count([&](auto u, auto q) { return u == t && q == p; });
         const double of_truth = count([&](auto u, auto) { return u == t; });
-        if (!is_thing(t) || both == 0)
+        if (!is_object(t) || both == 0)
           continue;
-        const double iou = both / (of_truth + of_things - both);
+        const double iou = both / (of_truth + of_objects - both);
         if (iou > 0.5) {
           counts = true;
           ++expected.right_count;
@@ -197,7 +197,7 @@ TEST(SegmentationMetrics, ThingsAgreeWithTheirDefinition)
       }
       expected.predicted_count += counts;
     }
-    const auto score = scoreThings(truth, predicted, min_size, counted);
+    const auto score = scoreObjects(truth, predicted, min_size, counted);
     EXPECT_EQ(score.true_count, expected.true_count);
     EXPECT_EQ(score.predicted_count, expected.predicted_count);
     EXPECT_EQ(score.right_count, expected.right_count);
@@ -210,20 +210,20 @@ TEST(SegmentationMetrics, ThingsAgreeWithTheirDefinition)
   EXPECT_GT(whole, 50u);
 }
 
-TEST(SegmentationMetrics, ThingsOfSeveralScenesAddUp)
+TEST(SegmentationMetrics, ObjectsOfSeveralScenesAddUp)
 {
   const SegmentLabels truth{1, 1, 1, 1, 2, 2, 0, 0};
-  auto score = scoreThings(truth, truth, 1);
+  auto score = scoreObjects(truth, truth, 1);
   EXPECT_DOUBLE_EQ(score.panopticQuality(), 1);
   EXPECT_DOUBLE_EQ(score.wholeShare(), 1);
-  score += scoreThings(truth, {5, 5, 5, 6, 7, 8, 9, 9}, 1);
+  score += scoreObjects(truth, {5, 5, 5, 6, 7, 8, 9, 9}, 1);
   EXPECT_EQ(score.true_count, 4u);
-  EXPECT_EQ(score.predicted_count, 2u + 4u) << "nothing of 9 is of a thing";
+  EXPECT_EQ(score.predicted_count, 2u + 4u) << "nothing of 9 is of an object";
   EXPECT_EQ(score.right_count, 3u);
   EXPECT_DOUBLE_EQ(score.panopticQuality(), 2.75 / 5);
   EXPECT_DOUBLE_EQ(score.wholeShare(), 0.5);
-  EXPECT_EQ(scoreThings(truth, truth, 3).true_count, 1u);
-  EXPECT_DOUBLE_EQ(ThingScore().panopticQuality(), 1);
-  EXPECT_DOUBLE_EQ(ThingScore().wholeShare(), 1);
-  EXPECT_THROW(scoreThings({1, 2}, {1}), pcl::BadArgumentException);
+  EXPECT_EQ(scoreObjects(truth, truth, 3).true_count, 1u);
+  EXPECT_DOUBLE_EQ(ObjectScore().panopticQuality(), 1);
+  EXPECT_DOUBLE_EQ(ObjectScore().wholeShare(), 1);
+  EXPECT_THROW(scoreObjects({1, 2}, {1}), pcl::BadArgumentException);
 }

@@ -82,7 +82,7 @@ TEST(DrapedCloth, OverNothingItStaysAsItIs)
                           [&](const auto& s) { return s.labels.category == blanket; }));
 }
 
-TEST(DrapedCloth, OnlyClothLiesOverThings)
+TEST(DrapedCloth, OnlyClothLiesOverObjects)
 {
   EXPECT_THROW(
       buildText(planWith(R"(, {"class": "chair", "at": [1, 1], "lies": "over"})")),

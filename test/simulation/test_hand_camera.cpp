@@ -112,7 +112,7 @@ TEST(HandCamera, APerfectCameraFindsSurfacesWhereTheyAreWithTheirLabels)
   EXPECT_LT(wrong, 25);
 }
 
-TEST(HandCamera, SeesThingsAndFloorsButHardlyCeilingsAndNothingBehindThings)
+TEST(HandCamera, SeesObjectsAndFloorsButHardlyCeilingsAndNothingBehindObjects)
 {
   const auto building = room();
   std::map<std::string, int> counts;

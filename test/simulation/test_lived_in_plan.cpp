@@ -76,9 +76,9 @@ TEST(LivedInPlan, TheSameSeedGivesTheSameBuilding)
   }
 }
 
-// Where boxes share space, a thing is within the extent of what it lies in, stands
+// Where boxes share space, an object is within the extent of what it lies in, stands
 // under or is laid over.
-TEST(LivedInPlan, ThingsStandInEachOtherOrApart)
+TEST(LivedInPlan, ObjectsStandInEachOtherOrApart)
 {
   const double tolerance = 0.002; // metres
   for (const auto kind : kinds)
@@ -113,27 +113,27 @@ heightAbove(const Building& building, std::uint32_t object, const Eigen::Vector3
   return nearest;
 }
 
-TEST(LivedInPlan, SmallThingsDoNotFloat)
+TEST(LivedInPlan, SmallObjectsDoNotFloat)
 {
   constexpr std::uint32_t few = 3; // seeds
-  const std::set<std::string> things{"bag",
-                                     "books",
-                                     "bottle",
-                                     "bowl",
-                                     "box",
-                                     "cup",
-                                     "kitchenware",
-                                     "mug",
-                                     "pillow",
-                                     "shoes",
-                                     "toy"};
+  const std::set<std::string> belongings{"bag",
+                                         "books",
+                                         "bottle",
+                                         "bowl",
+                                         "box",
+                                         "cup",
+                                         "kitchenware",
+                                         "mug",
+                                         "pillow",
+                                         "shoes",
+                                         "toy"};
   std::size_t floating = 0, all = 0;
   for (const auto kind : kinds)
     for (std::uint32_t seed = 0; seed < few; ++seed) {
       const auto building = buildBuilding(randomPlan(seed, kind, PlanFilling::LivedIn));
       for (std::size_t o = 0; o < building.objects.size(); ++o) {
         const auto& object = building.objects[o];
-        if (things.count(object.category) == 0)
+        if (belongings.count(object.category) == 0)
           continue;
         const double above = 0.06; // metres, so that what it sinks into is met
         const double gap = heightAbove(building,
@@ -191,26 +191,26 @@ TEST(LivedInPlan, NewCategoriesComeLast)
   EXPECT_EQ(std::find(plain.begin(), plain.end(), "pillow"), plain.end());
 }
 
-// One of eight cluttered tables is covered: 25 things, many touch, a third of what a
+// One of eight cluttered tables is covered: 25 objects, many touch, a third of what a
 // camera sees of them and the table is table.
 TEST(LivedInPlan, SomeTablesAreCovered)
 {
   for (const std::uint32_t seed : {5u, 13u, 21u}) {
     const auto plan = randomPlan(seed, PlanKind::Table, PlanFilling::Cluttered);
     const auto& items = plan.storeys[0].furniture;
-    std::size_t things = 0, touching = 0;
+    std::size_t belongings = 0, touching = 0;
     for (std::size_t i = 1; i < items.size(); ++i) {
       if (*items[i].elevation < 0.2) // chairs
         continue;
-      ++things;
+      ++belongings;
       bool touches = false;
       for (std::size_t k = 1; k < items.size(); ++k)
         touches |= k != i && *items[k].elevation > 0.2 &&
                    overlap(inset(footprintOf(items[i]), -0.012), footprintOf(items[k]));
       touching += touches ? 1 : 0;
     }
-    EXPECT_GE(things, 18u) << seed;
-    EXPECT_GE(2 * touching, things) << seed;
+    EXPECT_GE(belongings, 18u) << seed;
+    EXPECT_GE(2 * touching, belongings) << seed;
     const auto building = buildBuilding(plan);
     const double top = items[0].size->z();
     const auto view = viewBuilding(

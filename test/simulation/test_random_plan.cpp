@@ -213,7 +213,7 @@ TEST(RandomPlan, MostHomesHaveTheirMainPieces)
     EXPECT_GT(count, 0.8 * seeds);
 }
 
-TEST(RandomPlan, ATableHasSmallThingsOnIt)
+TEST(RandomPlan, ATableHasSmallObjectsOnIt)
 {
   std::size_t alone[2] = {0, 0};
   for (std::uint32_t seed = 0; seed < 2 * seeds; ++seed) {
@@ -230,12 +230,12 @@ TEST(RandomPlan, ATableHasSmallThingsOnIt)
     EXPECT_EQ(table.at, Eigen::Vector2d(0, 0));
     const double top = table.size->z();
     for (std::size_t i = 1; i < furniture.size(); ++i) {
-      const auto& thing = furniture[i];
-      if (isSeat(thing))
+      const auto& piece = furniture[i];
+      if (isSeat(piece))
         continue;
       ++alone[cluttered];
-      EXPECT_GE(*thing.elevation, top - 1e-9) << thing.category;
-      EXPECT_LE(thing.size->maxCoeff(), 0.3) << thing.category;
+      EXPECT_GE(*piece.elevation, top - 1e-9) << piece.category;
+      EXPECT_LE(piece.size->maxCoeff(), 0.3) << piece.category;
     }
   }
   EXPECT_GE(alone[0], 2 * seeds);

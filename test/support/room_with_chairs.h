@@ -44,7 +44,7 @@ emptyRoom(const Eigen::Vector3f& place)
   return points;
 }
 
-/** The same with four chairs: too few things for furniture to tell which end is up. */
+/** The same with four chairs: too few objects for furniture to tell which end is up. */
 inline std::vector<Eigen::Vector3f>
 roomWithChairs(const Eigen::Vector3f& place)
 {

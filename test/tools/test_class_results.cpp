@@ -149,7 +149,7 @@ TEST_F(ClassResults, PipelineWritesWhatTheModelSays)
   const double sum = 1 + std::exp(1.0) + std::exp(3.0);
   const auto scene = nlohmann::json::parse(bytesOf(path("out") + "/scene.json"));
   EXPECT_EQ(scene["categories"], (nlohmann::json{"none", "lamp", "other", "thing"}));
-  std::size_t things = 0;
+  std::size_t described = 0;
   for (const auto& object : scene["objects"]) {
     if (object["structure"] != "none") { // floors, walls and ceilings have no class
       EXPECT_EQ(object["class"], "none");
@@ -159,7 +159,7 @@ TEST_F(ClassResults, PipelineWritesWhatTheModelSays)
       continue;
     }
     const bool is_described = !object["top"].empty();
-    things += is_described ? 1 : 0;
+    described += is_described ? 1 : 0;
     EXPECT_EQ(object["class"], is_described ? "thing" : "other");
     EXPECT_EQ(object["category"], is_described ? 3 : 2);
     EXPECT_NEAR(object["confidence"].get<double>(),
@@ -170,7 +170,7 @@ TEST_F(ClassResults, PipelineWritesWhatTheModelSays)
       EXPECT_EQ(object["top"][1]["class"], "other");
     }
   }
-  EXPECT_GT(things, 10u);
+  EXPECT_GT(described, 10u);
 
   const auto cloud = loadCloud(path("out") + "/cloud.pcd");
   const auto objects = readLabels(cloud, "object");

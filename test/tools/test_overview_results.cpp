@@ -181,9 +181,9 @@ TEST_F(OverviewResults, AFewChairsTellWhichEndIsUp)
   pcl::io::savePCDFileBinary(hanging, *cloudOf(pcl::indoor::test::upsideDown(points)));
   for (const std::string tool : {"pcl_indoor_pipeline", "pcl_room_segmentation"}) {
     ASSERT_EQ(run(tool, upright + " -check"), 0);
-    EXPECT_TRUE(says("Up: z, by floors and walls; things are recognised")) << said();
+    EXPECT_TRUE(says("Up: z, by floors and walls; objects are recognised")) << said();
     ASSERT_EQ(run(tool, hanging + " -check"), 0);
-    EXPECT_TRUE(says("Up: -z, by floors and walls; things are recognised")) << said();
+    EXPECT_TRUE(says("Up: -z, by floors and walls; objects are recognised")) << said();
   }
   ASSERT_EQ(run("pcl_indoor_pipeline", hanging + " -check -network none"), 0);
   EXPECT_TRUE(says("Up: z, by floors and walls; no furniture")) << said();

@@ -178,5 +178,5 @@ TEST_F(Preprocessing, TheUnitOfAViewIsSaidAndTaken)
   const auto file = loadCloud(path("out.pcd"));
   EXPECT_EQ(file.points->at(80, 60).z, -900) << "as it came";
   const auto objects = readLabels(file, "object");
-  EXPECT_NE(objects[60 * 160 + 80], objects[60 * 160 + 10]) << "two things";
+  EXPECT_NE(objects[60 * 160 + 80], objects[60 * 160 + 10]) << "two objects";
 }

@@ -152,8 +152,8 @@ structureAt(const Eigen::Vector3f& point)
       kinds.push_back(2);
   if (is_at(2, 2.5f))
     kinds.push_back(3);
-  for (const auto& thing : {table, cabinet})
-    if (thing.exteriorDistance(point) < near)
+  for (const auto& furniture : {table, cabinet})
+    if (furniture.exteriorDistance(point) < near)
       kinds.push_back(0);
   return kinds.size() == 1 ? std::optional(kinds.front()) : std::nullopt;
 }
@@ -284,7 +284,7 @@ TEST_F(ToolResults, NoiseResilientLccpTellsColoursApart)
   EXPECT_NE(bytesOf(path("said")).find("no colours"), std::string::npos);
 }
 
-TEST_F(ToolResults, NoiseResilientLccpTellsThingsOnATableApartFromAnySide)
+TEST_F(ToolResults, NoiseResilientLccpTellsObjectsOnATableApartFromAnySide)
 {
   const auto cloud = tableWithTwelveBoxes();
   pcl::io::savePCDFileBinary(path("in.pcd"), cloud);

@@ -145,7 +145,7 @@ describe(const ResultOptions& options,
   const auto add = [&](const std::string& name, const std::string& bytes) {
     files.emplace_back(options.folder + "/" + name, bytes);
   };
-  auto plan = floorPlan(scene.building, thingsFromAbove(scene));
+  auto plan = floorPlan(scene.building, objectsFromAbove(scene));
   addModel(scene.model, plan);
   addNames(knownNames(scene), plan);
   plan.origin = scene.frame.originInFile().head<2>();

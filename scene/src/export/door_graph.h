@@ -46,7 +46,7 @@ struct DoorRoute {
 
 /** \brief Make the graph: doors, open or closed, and passages join their rooms; stairs,
  * objects of that class, rooms of two storeys; in each room the shortest ways lead
- * around its corners. Things that stand about are not looked at.
+ * around its corners. Objects that stand about are not looked at.
  * \param[in] places that become nodes, too
  * \throws ToolError if a place is in no room, nor within a metre of one
  */

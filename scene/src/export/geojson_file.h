@@ -11,7 +11,7 @@
 namespace pcl::indoor::tool {
 
 /** \brief Rooms, walls, openings and objects as GeoJSON, for maps: places in metres,
- * offset included; walls of known thickness and things as polygons, other walls and
+ * offset included; walls of known thickness and objects as polygons, other walls and
  * openings as lines.
  * \param[in] epsg code of the coordinate system, which is named; 0 = not known
  */

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr int float_type = 5126, index_type = 5125;
 constexpr int corner_buffer = 34962, index_buffer = 34963;
 
-enum Material { Floor, Wall, Thing };
+enum Material { Floor, Wall, Furniture };
 
 /** A glTF file on its way: its JSON and its one buffer. */
 class GlbFile {
@@ -209,9 +209,9 @@ addColumns(GlbFile& file,
 }
 
 void
-addThings(GlbFile& file,
-          const SavedScene& scene,
-          const std::vector<std::size_t>& storeys)
+addObjects(GlbFile& file,
+           const SavedScene& scene,
+           const std::vector<std::size_t>& storeys)
 {
   SurfaceMesh cube;
   addPrism(cube, {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, -0.5, 0.5);
@@ -220,7 +220,7 @@ addThings(GlbFile& file,
     if (object.is_structure)
       continue;
     if (mesh.is_null())
-      mesh = file.addMesh(cube, Thing);
+      mesh = file.addMesh(cube, Furniture);
     const auto& box = object.box;
     const auto number = std::to_string(object.number);
     Json node = {
@@ -256,7 +256,7 @@ glbBytes(const SavedScene& scene)
   addRooms(file, scene, storeys);
   addWalls(file, scene, storeys);
   addColumns(file, scene, storeys);
-  addThings(file, scene, storeys);
+  addObjects(file, scene, storeys);
   return file.bytes();
 }
 

@@ -11,7 +11,7 @@
 namespace pcl::indoor::tool {
 
 /** \brief A scene as a binary glTF 2.0 file: a node per storey; in it the floors of
- * rooms, walls with holes where openings are, and things as boxes with their class and
+ * rooms, walls with holes where openings are, and objects as boxes with their class and
  * confidence as extras. y is up, as glTF has it; places are without the offset of the
  * scan.
  */

@@ -23,7 +23,7 @@ constexpr double leaf_thickness = 0.05; // metres, of doors and windows
 constexpr double cut_beyond = 0.1;      // metres, that a hole is deeper than its wall
 constexpr const char* no_tag = "$";
 
-/** Where a thing of the building is. */
+/** Where an object of the building is. */
 struct IfcPlace {
   StepEntity entity, placement;
   double floor = 0.0; ///< height of the placement, metres
@@ -343,7 +343,7 @@ IfcWriter::addObject(const SavedObject& object)
   const auto entity = ifcEntityOf(object);
   const auto type = entity == "IFCFURNITURE" ? ifcFurnitureType(object.name)
                                              : std::string(".NOTDEFINED.");
-  const auto thing = elements_.add(
+  const auto element = elements_.add(
       {entity,
        "object",
        std::to_string(object.number),
@@ -354,14 +354,14 @@ IfcWriter::addObject(const SavedObject& object)
        shapes_.box(Eigen::Vector3d::Zero(), box.size),
        {no_tag, type}});
   (object.room > 0 ? in_room_[object.room - 1] : in_storey_[object.storey])
-      .push_back(thing);
+      .push_back(element);
   std::vector<IfcValue> properties = {
       {"Object", "IFCINTEGER", std::to_string(object.number)}};
   if (!object.name.empty()) {
     properties.push_back({"Class", "IFCLABEL", stepText(object.name)});
     properties.push_back({"Confidence", "IFCREAL", stepReal(object.confidence)});
   }
-  elements_.addProperties(thing, "pcl_indoor_Object", properties);
+  elements_.addProperties(element, "pcl_indoor_Object", properties);
 }
 
 std::string

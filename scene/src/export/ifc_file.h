@@ -14,7 +14,7 @@ namespace pcl::indoor::tool {
  *
  * Project, site, building and storeys; of each room a space with the floor below it;
  * walls with their openings, and the doors and windows in these; stairs, columns and
- * other things as upright boxes, in their rooms. Places are those of the scan without
+ * other objects as upright boxes, in their rooms. Places are those of the scan without
  * its offset, which is the map conversion. GlobalIds follow from the name of the scan,
  * the kind and the number; the same scene gives the same bytes.
  * \param[in] epsg code of the coordinate system of the scan; 0 = not known

@@ -261,7 +261,7 @@ objectOf(const Json& json, const LevelFrame& frame, const SavedScene& scene)
 std::uint32_t
 storeyAt(double height, const std::vector<SavedStorey>& storeys)
 {
-  constexpr double step = 0.3; // metres that a thing may reach into the floor
+  constexpr double step = 0.3; // metres that an object may reach into the floor
   std::uint32_t storey = 0;
   for (std::size_t s = 0; s < storeys.size(); ++s)
     if (storeys[s].floor <= height + step)

@@ -69,7 +69,7 @@ scenePlan(const SavedScene& scene)
     storey.walls = planWalls(storey);
   for (const auto& object : scene.objects)
     if (!object.is_structure)
-      plan.storeys[object.storey].things.push_back(
+      plan.storeys[object.storey].objects.push_back(
           {object.number, object.storey, boxFromAbove(object.box)});
   if (plan.box.isEmpty())
     plan.box = {Eigen::Vector2d::Zero(), Eigen::Vector2d(1.0, 1.0)};

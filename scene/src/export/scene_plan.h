@@ -9,7 +9,7 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief The plan of a scene, to be drawn: rooms, doors and passages, things. */
+/** \brief The plan of a scene, to be drawn: rooms, doors and passages, objects. */
 FloorPlan
 scenePlan(const SavedScene& scene);
 

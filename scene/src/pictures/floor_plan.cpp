@@ -236,7 +236,7 @@ PlanOpening::leafEnd() const
 }
 
 FloorPlan
-floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things)
+floorPlan(const BuildingRooms& building, const std::vector<PlanObject>& objects)
 {
   FloorPlan plan;
   plan.storeys.resize(building.maps.size());
@@ -257,8 +257,8 @@ floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things)
   }
   for (auto& storey : plan.storeys)
     storey.walls = planWalls(storey);
-  for (const auto& thing : things)
-    plan.storeys.at(thing.storey).things.push_back(thing);
+  for (const auto& object : objects)
+    plan.storeys.at(object.storey).objects.push_back(object);
   for (const auto& station : building.stations)
     if (station.room > 0)
       plan.storeys.at(building.rooms[station.room - 1].storey)

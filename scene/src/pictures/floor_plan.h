@@ -61,8 +61,8 @@ struct PlanBar {
   corners() const;
 };
 
-/** \brief A thing from above. */
-struct PlanThing {
+/** \brief An object from above. */
+struct PlanObject {
   std::uint32_t number = 0;             ///< of the object, from 1
   std::uint32_t storey = 0;             ///< that it is drawn on
   std::vector<Eigen::Vector2d> corners; ///< of its box, counter-clockwise
@@ -72,7 +72,7 @@ struct StoreyPlan {
   std::vector<PlanRoom> rooms;
   std::vector<PlanLine> walls; ///< sides of the rooms, but for openings
   std::vector<PlanOpening> openings;
-  std::vector<PlanThing> things;
+  std::vector<PlanObject> objects;
   std::vector<PlanBar> bodies;           ///< walls of known thickness, but for openings
   std::vector<PlanBar> windows;          ///< across their walls
   std::vector<Eigen::Vector2d> stations; ///< where the scanner stood
@@ -107,10 +107,10 @@ struct FloorPlan {
 
 /** \brief Footprints as walls, openings as gaps in them, and where to write.
  * Which way a door opens is not known; it is drawn as opening into the smaller room.
- * \param[in] things may be empty
+ * \param[in] objects may be empty
  */
 PCL_INDOOR_EXPORTS FloorPlan
-floorPlan(const BuildingRooms& building, const std::vector<PlanThing>& things = {});
+floorPlan(const BuildingRooms& building, const std::vector<PlanObject>& objects = {});
 
 /** \brief Write what rooms are for into the plan.
  * \param[in] names of room 1, 2, ...; empty = not known

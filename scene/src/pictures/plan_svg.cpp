@@ -69,12 +69,12 @@ roomShape(const PlanRoom& room, const Sheet& sheet)
 }
 
 std::string
-thingShape(const PlanThing& thing, const Sheet& sheet)
+objectShape(const PlanObject& object, const Sheet& sheet)
 {
   return formatted("  <path class=\"thing\" data-object=\"%u\" fill=\"#ddd\" "
                    "stroke=\"#555\" d=\"",
-                   thing.number) +
-         ringPath(thing.corners, sheet) + "\"/>\n";
+                   object.number) +
+         ringPath(object.corners, sheet) + "\"/>\n";
 }
 
 std::string
@@ -188,14 +188,14 @@ directionOfY(double right, double top)
 }
 
 std::string
-storeyShapes(const StoreyPlan& storey, const Sheet& sheet, bool with_things)
+storeyShapes(const StoreyPlan& storey, const Sheet& sheet, bool with_objects)
 {
   std::string text = wallBodies(storey, sheet);
   for (const auto& room : storey.rooms)
     text += roomShape(room, sheet);
-  if (with_things)
-    for (const auto& thing : storey.things)
-      text += thingShape(thing, sheet);
+  if (with_objects)
+    for (const auto& object : storey.objects)
+      text += objectShape(object, sheet);
   text += wallLines(storey, sheet);
   for (const auto& window : storey.windows)
     text += windowShape(window, sheet);

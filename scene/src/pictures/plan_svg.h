@@ -22,7 +22,7 @@ PCL_INDOOR_EXPORTS std::string
 planSvg(const FloorPlan& plan);
 
 /** \brief A drawing per storey, from below, for a page that styles and names the parts
- * itself: without widths, scale bar and direction, but with the things. */
+ * itself: without widths, scale bar and direction, but with the objects. */
 std::vector<std::string>
 storeySvgs(const FloorPlan& plan);
 

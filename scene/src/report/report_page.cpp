@@ -55,32 +55,32 @@ filled(const std::string& page, const std::map<std::string, std::string>& values
 
 } // namespace
 
-std::vector<PlanThing>
-thingsFromAbove(const Scene& scene)
+std::vector<PlanObject>
+objectsFromAbove(const Scene& scene)
 {
   const Eigen::Vector3d shift = scene.frame.origin();
-  std::vector<std::pair<double, PlanThing>> things;
+  std::vector<std::pair<double, PlanObject>> drawn;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const auto& object = scene.objects[i];
     if (object.structure != 0 || object.room == 0)
       continue;
     const auto& box = object.upright;
-    PlanThing thing{
+    PlanObject shape{
         static_cast<std::uint32_t>(i + 1), scene.rooms[object.room - 1].storey, {}};
     const Eigen::Rotation2Dd turn(box.yaw);
     for (const auto& [x, y] :
          {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
-      thing.corners.emplace_back(
+      shape.corners.emplace_back(
           (box.center - shift).head<2>() +
           turn * Eigen::Vector2d(x * box.size.x(), y * box.size.y()));
-    things.emplace_back(box.size.x() * box.size.y(), std::move(thing));
+    drawn.emplace_back(box.size.x() * box.size.y(), std::move(shape));
   }
-  std::stable_sort(things.begin(), things.end(), [](const auto& a, const auto& b) {
+  std::stable_sort(drawn.begin(), drawn.end(), [](const auto& a, const auto& b) {
     return a.first > b.first;
   });
-  std::vector<PlanThing> sorted;
-  for (auto& thing : things)
-    sorted.push_back(std::move(thing.second));
+  std::vector<PlanObject> sorted;
+  for (auto& shape : drawn)
+    sorted.push_back(std::move(shape.second));
   return sorted;
 }
 

@@ -16,16 +16,16 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief The things of a scene from above, larger ones first, so that smaller ones are
- * drawn upon them. */
-PCL_INDOOR_EXPORTS std::vector<PlanThing>
-thingsFromAbove(const Scene& scene);
+/** \brief The objects of a scene from above, larger ones first, so that smaller ones
+ * are drawn upon them. */
+PCL_INDOOR_EXPORTS std::vector<PlanObject>
+objectsFromAbove(const Scene& scene);
 
 /** \brief What the report shows. */
 struct ReportInput {
   const Scene& scene;
   const nlohmann::ordered_json& json;  ///< of the scene, see sceneJson()
-  const FloorPlan& plan;               ///< with things
+  const FloorPlan& plan;               ///< with objects
   const std::string& field;            ///< SVG
   const PointCloud<PointXYZ>& upright; ///< points of the scene, z up, metres
 };

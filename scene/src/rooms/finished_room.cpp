@@ -47,7 +47,7 @@ finishRoom(RoomPoints room, const RoomWork& work)
   ObjectVotes votes;
   if (finished.objects.votes.class_count > 0) {
     votes = votesOf(finished.objects);
-    if (work.network.names_things)
+    if (work.network.names_objects)
       votes.classes = work.network.network.get().classes;
     else
       votes = {};

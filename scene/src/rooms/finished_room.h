@@ -22,7 +22,7 @@ namespace pcl::indoor::tool {
 struct VotingNetwork {
   std::shared_future<VoxelNetwork> network; ///< read when it is needed; or none
   bool in_all_rooms = false;                ///< also where a ceiling was seen
-  bool names_things = false;                ///< beside telling building from things
+  bool names_objects = false;               ///< beside telling building from objects
 };
 
 /** \brief What the rooms of a scan have in common. */

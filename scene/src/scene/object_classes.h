@@ -34,7 +34,7 @@ namingOf(const SceneOptions& options);
 std::vector<std::string>
 classNames(const ObjectNaming& naming);
 
-/** \brief Name things, each for itself; floors, walls and ceilings have no class.
+/** \brief Name objects, each for itself; floors, walls and ceilings have no class.
  * \param[in] surfaces one per object, see objectSurfaces()
  * \param[in] measures of the same objects
  * \param[in] votes of the same objects, or none: then a name's probability is the

@@ -59,9 +59,9 @@ mostSurface(const Points& points, double cell_size)
   return most;
 }
 
-/** Voxels, and those of them that are a thing of some class. */
+/** Voxels, and those of them that are an object of some class. */
 struct Recognised {
-  std::size_t things = 0, all = 0;
+  std::size_t objects = 0, all = 0;
 
   void
   add(const Points& points, const VoxelNetwork& network)
@@ -72,15 +72,15 @@ struct Recognised {
     for (auto row = voxels.probabilities.begin(); row != voxels.probabilities.end();
          row += count, ++all) {
       const auto best = std::max_element(row + building_classes, row + count);
-      things += *best > clearly &&
-                network.classes[static_cast<std::size_t>(best - row)] != "other";
+      objects += *best > clearly &&
+                 network.classes[static_cast<std::size_t>(best - row)] != "other";
     }
   }
 
   double
   share() const
   {
-    return all > 0 ? static_cast<double>(things) / static_cast<double>(all) : 0.0;
+    return all > 0 ? static_cast<double>(objects) / static_cast<double>(all) : 0.0;
   }
 };
 

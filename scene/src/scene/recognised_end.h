@@ -10,7 +10,7 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief With which end up the bundled voxel network recognises more things.
+/** \brief With which end up the bundled voxel network recognises more objects.
  *
  * Looks at the squares of 5 m that show most surface: takes one to three seconds.
  * \param[in] points metres, the vertical along z

@@ -24,18 +24,18 @@ nlohmann::ordered_json
 positionJson(const Eigen::Vector3d& position);
 
 /** \brief Number of points, box and centroid of a room or an object.
- * \param[in] offset from the frame of the thing to that of the file
+ * \param[in] offset from the frame of the object to that of the file
  */
-template <typename Thing>
+template <typename Object>
 void
 addPlaceJson(nlohmann::ordered_json& json,
-             const Thing& thing,
+             const Object& object,
              const Eigen::Vector3d& offset)
 {
-  json["points"] = thing.point_count;
-  json["box"] = {{"lower", positionJson(thing.lower + offset)},
-                 {"upper", positionJson(thing.upper + offset)}};
-  json["centroid"] = positionJson(thing.centroid + offset);
+  json["points"] = object.point_count;
+  json["box"] = {{"lower", positionJson(object.lower + offset)},
+                 {"upper", positionJson(object.upper + offset)}};
+  json["centroid"] = positionJson(object.centroid + offset);
 }
 
 /** \brief One entry per room: number, storey, points, box, centroid, area, height,

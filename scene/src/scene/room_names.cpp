@@ -58,20 +58,20 @@ addOpenings(const BuildingModel& model, std::vector<RoomEvidence>& rooms)
     }
 }
 
-RoomThing
-thingOf(const ObjectClass& object, const std::vector<std::string>& names)
+RoomObject
+objectOf(const ObjectClass& object, const std::vector<std::string>& names)
 {
-  RoomThing thing;
+  RoomObject named;
   for (const auto& [category, confidence] : object.top) {
     const auto probability = static_cast<double>(confidence);
     if (probability > 0.0) // others may name objects, too
-      thing.classes.emplace_back(names.at(category), std::min(1.0, probability));
+      named.classes.emplace_back(names.at(category), std::min(1.0, probability));
   }
-  return thing;
+  return named;
 }
 
 void
-addThings(const Scene& scene, std::vector<RoomEvidence>& rooms)
+addObjects(const Scene& scene, std::vector<RoomEvidence>& rooms)
 {
   if (scene.classes.objects.size() != scene.objects.size())
     return;
@@ -81,10 +81,10 @@ addThings(const Scene& scene, std::vector<RoomEvidence>& rooms)
     if (object.room == 0 || object.room > rooms.size() || object.structure != 0)
       continue;
     const auto storey = rooms[object.room - 1].storey;
-    auto thing = thingOf(scene.classes.objects[i], scene.classes.names);
-    thing.foot = object.upright.center.z() - 0.5 * object.upright.size.z() - origin -
+    auto named = objectOf(scene.classes.objects[i], scene.classes.names);
+    named.foot = object.upright.center.z() - 0.5 * object.upright.size.z() - origin -
                  scene.building.heights.at(storey).floor;
-    rooms[object.room - 1].things.push_back(std::move(thing));
+    rooms[object.room - 1].objects.push_back(std::move(named));
   }
 }
 
@@ -97,7 +97,7 @@ roomEvidence(const Scene& scene)
   for (const auto& room : scene.building.rooms)
     rooms.push_back(evidenceOf(room));
   addOpenings(scene.model, rooms);
-  addThings(scene, rooms);
+  addObjects(scene, rooms);
   return rooms;
 }
 

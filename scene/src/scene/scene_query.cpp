@@ -204,13 +204,13 @@ objectTable(const std::vector<Json>& objects, bool with_distances)
     header.emplace_back("distance, m>");
   TextTable table(header);
   for (const auto& object : objects) {
-    const bool is_thing = object.at("structure") == "none";
+    const bool is_object = object.at("structure") == "none";
     const auto name = object.value("class", "-");
     const auto& box = object.at("upright_box");
     std::vector<std::string> row = {
         object.at("object").dump(),
-        is_thing ? name : object["structure"].get<std::string>(),
-        is_thing && object.contains("confidence")
+        is_object ? name : object["structure"].get<std::string>(),
+        is_object && object.contains("confidence")
             ? fixedText(100.0 * object["confidence"].get<double>(), 0) + " %"
             : "-",
         object.at("room") == 0 ? "-" : object["room"].dump(),

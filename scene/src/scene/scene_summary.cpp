@@ -14,13 +14,13 @@ namespace pcl::indoor::tool {
 namespace {
 
 std::string
-counted(std::size_t count, const std::string& thing)
+counted(std::size_t count, const std::string& noun)
 {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 bool
-isThing(const SceneObject& object)
+isObject(const SceneObject& object)
 {
   return object.structure == 0;
 }
@@ -39,7 +39,7 @@ storeyTable(const Scene& scene)
       }
     const auto objects = std::count_if(
         scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
-          return isThing(object) && object.room > 0 &&
+          return isObject(object) && object.room > 0 &&
                  scene.rooms[object.room - 1].storey == s;
         });
     table.add({std::to_string(s),
@@ -55,7 +55,7 @@ classTable(const Scene& scene)
 {
   std::map<std::string, std::size_t> counts;
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (isThing(scene.objects[i]))
+    if (isObject(scene.objects[i]))
       ++counts[scene.classes.names[scene.classes.objects[i].category]];
   std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
@@ -72,10 +72,10 @@ classTable(const Scene& scene)
 std::string
 summaryOf(const Scene& scene)
 {
-  const auto things = static_cast<std::size_t>(
-      std::count_if(scene.objects.begin(), scene.objects.end(), isThing));
+  const auto object_count = static_cast<std::size_t>(
+      std::count_if(scene.objects.begin(), scene.objects.end(), isObject));
   return counted(scene.building.maps.size(), "storey") + ", " +
-         counted(scene.rooms.size(), "room") + ", " + counted(things, "object");
+         counted(scene.rooms.size(), "room") + ", " + counted(object_count, "object");
 }
 
 std::vector<TextTable>

@@ -82,8 +82,8 @@ isTable(const ObjectChoices& choices,
   const auto up = scan.up == "auto" ? vertical.upAxis() : scan.upAxis().normalized();
   if (!choices.asks_for_tables || !isTableTop(points, up))
     return false;
-  warn(path + ": The scan is no larger than what stands on a table: small things are "
-              "told apart (-preset single_view); for one thing set -preset objects.");
+  warn(path + ": The scan is no larger than what stands on a table: small objects are "
+              "told apart (-preset single_view); for one object set -preset objects.");
   return true;
 }
 

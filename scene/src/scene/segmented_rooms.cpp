@@ -19,7 +19,7 @@ SegmentedRooms
 segmentRooms(const CloudFile& file,
              const CoordinateOptions& coordinates,
              const std::optional<ScanCoordinates>& found,
-             bool looks_at_things,
+             bool looks_at_objects,
              RoomSegmentation<PointXYZ>& segmentation,
              const std::function<void(const std::string& line)>& warn)
 {
@@ -29,7 +29,7 @@ segmentRooms(const CloudFile& file,
     segmentation.setMetresPerUnit(coordinates.metresPerUnit());
   if (found)
     segmentation.setCoordinates(*found);
-  if (looks_at_things)
+  if (looks_at_objects)
     segmentation.setEndFinder(recognisedEnd);
   segmentation.setStations(scanStations(file));
   segmentation.setInputCloud(file.points);

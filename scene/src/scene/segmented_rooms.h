@@ -28,7 +28,7 @@ struct SegmentedRooms {
 
 /** \brief Find the rooms.
  * \param[in] found of the file's points with these options, if it is known
- * \param[in] looks_at_things by the bundled voxel network, where neither furniture nor
+ * \param[in] looks_at_objects by the bundled voxel network, where neither furniture nor
  * passages clearly tell which end is up
  * \param[in,out] segmentation its parameters are set; coordinates and input are set
  * here \param[in] warn is told what is implausible, a line each \throws ToolError if no
@@ -38,7 +38,7 @@ PCL_INDOOR_EXPORTS SegmentedRooms
 segmentRooms(const CloudFile& file,
              const CoordinateOptions& coordinates,
              const std::optional<ScanCoordinates>& found,
-             bool looks_at_things,
+             bool looks_at_objects,
              RoomSegmentation<PointXYZ>& segmentation,
              const std::function<void(const std::string& line)>& warn);
 

@@ -215,7 +215,7 @@ coordinatesText(const UnderstoodScan& scan)
     text += ", " + fixedText(scan.coordinates.vertical.tilt() / degree, 1) +
             " degrees from z";
   if (scan.end_is_recognised)
-    text += "; things are recognised with this end up";
+    text += "; objects are recognised with this end up";
   else if (!scan.coordinates.vertical.is_furnished)
     text += "; no furniture tells floors from ceilings";
   return text + ".";
@@ -314,7 +314,7 @@ understand(const CloudFile& file,
   scan.stations = std::max<std::size_t>(1, file.stations.size());
   const auto finite = finitePointsOf(file);
   findCoordinates(finite, coordinates, scan);
-  if (look.at_things)
+  if (look.at_objects)
     findEnd(finite, scan);
   const auto& unit = scan.likely_unit.empty() ? scan.unit : scan.likely_unit;
   scan.overview = scanOverview(finite, scan.coordinates.up_axis, metresOfUnit(unit));
@@ -347,8 +347,9 @@ consequencesOf(const UnderstoodScan& scan)
     lines.push_back("x and y extend over less than a hundredth of the height, as "
                     "longitude and latitude in degrees do: project them to metres.");
   else if (longest < room)
-    lines.push_back("The scan is " + lengthText(longest) +
-                    " large: a thing or a table, or its unit is another one (-unit).");
+    lines.push_back(
+        "The scan is " + lengthText(longest) +
+        " large: an object or a table, or its unit is another one (-unit).");
   else if (overview.extent.z() < slice)
     lines.push_back("The scan is a slice or a flat map, " +
                     fixedText(overview.extent.z(), 2) +
@@ -357,7 +358,7 @@ consequencesOf(const UnderstoodScan& scan)
     addSurfaces(overview, lines);
   if (overview.spacing > sparse)
     lines.push_back("The points are sparse: surfaces are closed between them, and "
-                    "small things are lost.");
+                    "small objects are lost.");
   return lines;
 }
 

@@ -24,7 +24,7 @@ struct ScanLook {
   bool ignores_normals = false;
   /** By the bundled voxel network, for which end is up; where rooms are found,
    * segmentRooms() does so. */
-  bool at_things = false;
+  bool at_objects = false;
 };
 
 /** \brief Look at a scan, in well under a second; in one to three more where furniture

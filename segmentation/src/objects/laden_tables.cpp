@@ -26,8 +26,8 @@ using pcl::indoor::StructureKind;
 using pcl::indoor::TopLevel;
 
 constexpr std::size_t fewest_points = 1000; // as isTableTop() has it
-constexpr std::size_t fewest_things = 4;    // fewer were seen in learning from rooms
-constexpr float largest_reach = 0.28f;      // metres from the middle of a thing
+constexpr std::size_t fewest_objects = 4;   // fewer were seen in learning from rooms
+constexpr float largest_reach = 0.28f;      // metres from the middle of an object
 
 std::size_t
 countAbove(const TopLevel& top, const SegmentMembers& members, const ObjectScene& scene)
@@ -47,11 +47,11 @@ pointsOf(const SegmentMembers& members, const std::vector<Eigen::Vector3f>& poin
   return chosen;
 }
 
-/** The segments that are things, have many points, and bear voxels of half the size: of
- * raisedToResolution() a voxel of a surface holds four points or more, and one of twice
- * the size four times as many. */
+/** The segments that are objects, have many points, and bear voxels of half the size:
+ * of raisedToResolution() a voxel of a surface holds four points or more, and one of
+ * twice the size four times as many. */
 std::vector<std::uint32_t>
-denseThings(const DetailedSegmentation& result)
+denseObjects(const DetailedSegmentation& result)
 {
   constexpr std::uint32_t fewest_per_voxel = 16;
   const auto sizes = pcl::indoor::sizesOfSegments(result, result.segment_count);
@@ -64,52 +64,53 @@ denseThings(const DetailedSegmentation& result)
   return dense;
 }
 
-/** Whether all points of a thing lie close to its middle. */
+/** Whether all points of an object lie close to its middle. */
 bool
-isSmall(const SegmentMembers& thing, const ObjectScene& scene)
+isSmall(const SegmentMembers& object, const ObjectScene& scene)
 {
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
-  for (const auto i : thing)
-    middle += scene.points[i] / static_cast<float>(thing.size());
-  return std::all_of(thing.begin(), thing.end(), [&](auto i) {
+  for (const auto i : object)
+    middle += scene.points[i] / static_cast<float>(object.size());
+  return std::all_of(object.begin(), object.end(), [&](auto i) {
     return (scene.points[i] - middle).norm() <= largest_reach;
   });
 }
 
-/** The points of each small thing that rises above the top.
+/** The points of each small object that rises above the top.
  * \return none if these are few, less than half of what lies above the top, or beside
- * larger ones with more than a fifth of it: those are parts of one larger thing, such
+ * larger ones with more than a fifth of it: those are parts of one larger object, such
  * as cushions, boards and leaves */
 std::vector<SegmentMembers>
-smallThings(const TopLevel& top, const DetailedSegmentation& small)
+smallObjects(const TopLevel& top, const DetailedSegmentation& small)
 {
   const auto& scene = small.scene;
   SegmentMembers all(scene.points.size());
   std::iota(all.begin(), all.end(), 0);
   const auto above = countAbove(top, all, scene);
   std::size_t above_in_small = 0, above_in_large = 0;
-  std::vector<SegmentMembers> things;
+  std::vector<SegmentMembers> objects;
   const std::vector<std::uint8_t> left_out(scene.points.size(), 0);
-  for (auto& thing : pcl::indoor::membersOfSegments(left_out, small.segment_of_point)) {
-    const auto segment = small.segment_of_point[thing.front()];
-    const auto rising = countAbove(top, thing, scene);
+  for (auto& object :
+       pcl::indoor::membersOfSegments(left_out, small.segment_of_point)) {
+    const auto segment = small.segment_of_point[object.front()];
+    const auto rising = countAbove(top, object, scene);
     if (small.structure_of_segment[segment] != StructureKind::None ||
-        2 * rising <= thing.size())
+        2 * rising <= object.size())
       continue;
-    if (!isSmall(thing, scene)) {
+    if (!isSmall(object, scene)) {
       above_in_large += rising;
       continue;
     }
     above_in_small += rising;
-    things.push_back(std::move(thing));
+    objects.push_back(std::move(object));
   }
-  if (things.size() < fewest_things || 2 * above_in_small < above ||
+  if (objects.size() < fewest_objects || 2 * above_in_small < above ||
       5 * above_in_large > above)
-    things.clear();
-  return things;
+    objects.clear();
+  return objects;
 }
 
-/** Give the things on one table segments of their own. */
+/** Give the objects on one table segments of their own. */
 void
 clearTable(const SegmentMembers& members,
            const ObjectSegmentationOptions& options,
@@ -130,8 +131,8 @@ clearTable(const SegmentMembers& members,
   auto small_options = pcl::indoor::singleViewOptions();
   small_options.threads = options.threads;
   const auto small = segmentDistinct(std::move(input), small_options);
-  for (const auto& thing : smallThings(*top, small)) {
-    for (const auto i : thing)
+  for (const auto& object : smallObjects(*top, small)) {
+    for (const auto i : object)
       result.segment_of_point[on_top[i]] = result.segment_count;
     ++result.segment_count;
     result.structure_of_segment.push_back(StructureKind::None);
@@ -146,7 +147,7 @@ namespace indoor {
 void
 clearLadenTables(const ObjectSegmentationOptions& options, DetailedSegmentation& result)
 {
-  const auto dense = denseThings(result);
+  const auto dense = denseObjects(result);
   if (dense.empty())
     return;
   const std::vector<std::uint8_t> left_out(result.segment_of_point.size(), 0);

@@ -10,14 +10,14 @@ namespace pcl {
 namespace indoor {
 
 /** \brief Make what stands on a table segments of their own where it came out as one
- * thing with the table. No step of the thesis.
+ * object with the table. No step of the thesis.
  *
- * What is joined to whole furniture joins such things to one. Where points are dense
+ * What is joined to whole furniture joins such objects to one. Where points are dense
  * enough for voxels of half the size, what lies on the top of a table, see ladenTop(),
- * is segmented by singleViewOptions(). If that gives four small things or more, which
+ * is segmented by singleViewOptions(). If that gives four small objects or more, which
  * reach at most 0.28 m from their middles, they become segments; all else stays with
  * the table. So does everything if they are less than half of what lies above the top,
- * or larger things more than a fifth.
+ * or larger objects more than a fifth.
  * \param[in] options that were used, with their sizes
  * \param[in,out] result with names of segments; new ones follow those that were there
  */

@@ -7,7 +7,7 @@
 #include "objects/join/building_pieces.h"
 #include "objects/join/object_joining.h"
 #include "objects/segment_names.h"
-#include "objects/split/flat_things.h"
+#include "objects/split/flat_objects.h"
 #include "objects/split/object_gaps.h"
 #include "objects/split/object_seams.h"
 #include "objects/structure/wall_casings.h"
@@ -66,9 +66,9 @@ worthOf(const JoinTree& tree,
 
 /** The segment of each piece, see PieceOptions::joining_level. */
 std::vector<std::uint32_t>
-thingsOf(const JoinTree& tree,
-         const ObjectSegmentationOptions& options,
-         const DetailedSegmentation& result)
+objectsOf(const JoinTree& tree,
+          const ObjectSegmentationOptions& options,
+          const DetailedSegmentation& result)
 {
   const auto [scale, level] = options.pieces;
   if (level || scale == JoiningScale::View)
@@ -98,7 +98,7 @@ cutPieces(const std::vector<std::uint32_t>& piece_of_voxel,
           DetailedSegmentation& result)
 {
   const auto& scene = result.scene;
-  result.segment_of_point = partFlatThings(scene, piece_of_voxel);
+  result.segment_of_point = partFlatObjects(scene, piece_of_voxel);
   std::vector<std::uint8_t> in_structure;
   for (std::size_t i = 0; i < scene.points.size(); ++i)
     in_structure.push_back(scene.planeOfPoint(i) != 0);
@@ -106,9 +106,9 @@ cutPieces(const std::vector<std::uint32_t>& piece_of_voxel,
 }
 
 void
-joinToThings(const ObjectSegmentationOptions& options,
-             const std::optional<Eigen::Vector3f>& camera,
-             DetailedSegmentation& result)
+joinToObjects(const ObjectSegmentationOptions& options,
+              const std::optional<Eigen::Vector3f>& camera,
+              DetailedSegmentation& result)
 {
   numberSegments(result);
   result.piece_of_point = result.segment_of_point;
@@ -127,7 +127,7 @@ joinToThings(const ObjectSegmentationOptions& options,
   leaveAlone(kinds, result.pieces);
   LearnedCriterion criterion(options.pieces.scale, result.pieces.has_votes);
   auto tree = joinPieces(result.pieces, criterion);
-  auto segment_of_piece = thingsOf(tree, options, result);
+  auto segment_of_piece = objectsOf(tree, options, result);
   gatherByKind(kinds, segment_of_piece);
   result.joins = std::move(tree.joins);
   for (auto& segment : result.segment_of_point)

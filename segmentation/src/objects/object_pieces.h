@@ -13,7 +13,7 @@
 namespace pcl {
 namespace indoor {
 
-/** Part pieces where points show what voxels are too coarse for: flat things from the
+/** Part pieces where points show what voxels are too coarse for: flat objects from the
  * surface they lie on, and the two sides of narrow gaps. Sets the segments of the
  * points.
  */
@@ -21,12 +21,12 @@ void
 cutPieces(const std::vector<std::uint32_t>& piece_of_voxel,
           DetailedSegmentation& result);
 
-/** Take the segments for pieces, and join those that are probably one thing.
+/** Take the segments for pieces, and join those that are probably one object.
  * \param[in] camera where it was, if the points are a camera's view */
 void
-joinToThings(const ObjectSegmentationOptions& options,
-             const std::optional<Eigen::Vector3f>& camera,
-             DetailedSegmentation& result);
+joinToObjects(const ObjectSegmentationOptions& options,
+              const std::optional<Eigen::Vector3f>& camera,
+              DetailedSegmentation& result);
 
 /** Part objects at seams between bodies that stand against each other. */
 void

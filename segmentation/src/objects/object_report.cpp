@@ -23,7 +23,7 @@ namespace {
 /** The segment with most points that is neither structure nor the remainder; the number
  * of segments if there is none. */
 std::uint32_t
-largestThing(const ObjectSegmentation& result)
+largestObject(const ObjectSegmentation& result)
 {
   std::vector<std::size_t> sizes(result.segment_count, 0);
   for (const auto segment : result.segment_of_point)
@@ -58,12 +58,13 @@ oneSegmentWarning(const ObjectSegmentation& result)
   const auto kind = result.structure_of_segment[largest - sizes.begin()];
   if (kind == StructureKind::Floor || kind == StructureKind::Wall ||
       kind == StructureKind::Ceiling)
-    line << ", of floor, wall or ceiling: there is no thing.";
+    line << ", of floor, wall or ceiling: there is no object.";
   else
-    line << ": right if the scan is of one thing. If not, the things are too small for "
+    line << ": right if the scan is of one object. If not, the objects are too small "
+            "for "
             "voxels of "
          << result.options.voxel_size
-         << " m: set the options for small things (-preset single_view), or smaller "
+         << " m: set the options for small objects (-preset single_view), or smaller "
             "voxels (-voxel_resolution).";
   return line.str();
 }
@@ -71,10 +72,10 @@ oneSegmentWarning(const ObjectSegmentation& result)
 std::string
 tableTopWarning(const ObjectSegmentation& result)
 {
-  constexpr std::size_t many = 10; // pieces; things of that size in rooms have fewer
+  constexpr std::size_t many = 10; // pieces; objects of that size in rooms have fewer
   if (result.options.pieces.scale == JoiningScale::View)
     return {};
-  const auto largest = largestThing(result);
+  const auto largest = largestObject(result);
   std::vector<std::int64_t> balance; // of each piece: points within, less others
   std::vector<Eigen::Vector3f> points;
   for (std::size_t i = 0; i < result.piece_of_point.size(); ++i) {
@@ -92,17 +93,17 @@ tableTopWarning(const ObjectSegmentation& result)
     return {};
   return "The largest segment is no larger than what stands on a table, but of " +
          std::to_string(pieces) +
-         " pieces: if it is several things, cut them out of the scan, or set the "
-         "options for small things (-preset single_view).";
+         " pieces: if it is several objects, cut them out of the scan, or set the "
+         "options for small objects (-preset single_view).";
 }
 
 std::string
-wideThingWarning(const ObjectSegmentation& result)
+wideObjectWarning(const ObjectSegmentation& result)
 {
   constexpr float widest = 4; // metres, both ways; a corner sofa has 3
   if (result.options.pieces.scale == JoiningScale::View)
     return {};
-  const auto largest = largestThing(result);
+  const auto largest = largestObject(result);
   std::vector<Eigen::Vector3f> points;
   for (std::size_t i = 0; i < result.segment_of_point.size(); ++i)
     if (result.segment_of_point[i] == largest)
@@ -116,9 +117,9 @@ wideThingWarning(const ObjectSegmentation& result)
   if (std::min(width, depth) <= widest)
     return {};
   std::ostringstream line;
-  line << "The largest thing, with " << points.size() << " points, is "
+  line << "The largest object, with " << points.size() << " points, is "
        << std::round(10 * width) / 10 << " x " << std::round(10 * depth) / 10
-       << " m wide, as no furniture is: walls or floors were not told from things. If "
+       << " m wide, as no furniture is: walls or floors were not told from objects. If "
           "the scan is of several rooms, pcl_indoor_pipeline finds them first.";
   return line.str();
 }

@@ -54,14 +54,14 @@ segmentDistinct(ObjectSegmentationInput input,
   std::optional<Eigen::Vector3f> camera;
   if (input.capture == Capture::TableView)
     camera = input.viewpoint.front();
-  const bool of_things = options.pieces.scale == JoiningScale::Objects;
+  const bool of_objects = options.pieces.scale == JoiningScale::Objects;
   const bool has_sizes = given.voxel_size != 0 || given.seed_size != 0;
   DetailedSegmentation result;
   if (stops(0, "voxels and structure"))
     return {};
   auto raw = makeRawScene(input, options);
   result.votes = votesFor(input.points, raw.planes, raw.up, input.voter);
-  if (result.votes.class_count > 0 && !has_sizes && of_things)
+  if (result.votes.class_count > 0 && !has_sizes && of_objects)
     refineSizes(options);
   result.scene =
       makeObjectScene(std::move(input), std::move(raw), result.votes, options);
@@ -80,12 +80,12 @@ segmentDistinct(ObjectSegmentationInput input,
     spreadToPoints(segment_of_voxel, result);
   else
     cutPieces(segment_of_voxel, result);
-  joinToThings(options, camera, result);
+  joinToObjects(options, camera, result);
   if (!camera)
     cutBodies(result);
   yieldEnclosed(result.scene, result.segment_of_point);
   nameSegments(options, result);
-  if (of_things)
+  if (of_objects)
     clearLadenTables(options, result);
   result.options = options;
   if (stops(1, "done"))

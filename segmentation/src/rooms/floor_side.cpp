@@ -42,7 +42,7 @@ public:
   /** \brief How often one end of the space is nearer to the middle than in the column
    * before, by the height of furniture, and stays so as far as furniture is wide. */
   int
-  countThings(End end) const
+  countObjects(End end) const
   {
     int count = 0;
     for (const auto& gap : gaps_)
@@ -114,8 +114,8 @@ private:
 
 } // namespace
 
-ThingsAtEnds&
-ThingsAtEnds::operator+=(const ThingsAtEnds& other)
+ObjectsAtEnds&
+ObjectsAtEnds::operator+=(const ObjectsAtEnds& other)
 {
   low += other.low;
   high += other.high;
@@ -124,7 +124,7 @@ ThingsAtEnds::operator+=(const ThingsAtEnds& other)
 }
 
 int
-ThingsAtEnds::clearEnd(double times) const
+ObjectsAtEnds::clearEnd(double times) const
 {
   // Furnished homes and offices have 0.04 to 0.14 per column, and 1.5 to 50 times as
   // many at the floor; empty buildings less than 0.04, at either end.
@@ -137,13 +137,13 @@ ThingsAtEnds::clearEnd(double times) const
   return !is_clear ? 0 : high > low ? 1 : -1;
 }
 
-ThingsAtEnds
-thingsAtEnds(const FreeSpace& space)
+ObjectsAtEnds
+objectsAtEnds(const FreeSpace& space)
 {
   if (!(space.length() > 0.0))
     return {};
   const RoomGaps rooms(space);
-  return {rooms.countThings(&Gap::low), rooms.countThings(&Gap::high), rooms.count()};
+  return {rooms.countObjects(&Gap::low), rooms.countObjects(&Gap::high), rooms.count()};
 }
 
 } // namespace indoor

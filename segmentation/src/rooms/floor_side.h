@@ -13,18 +13,18 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Things that stand at the ends of the free space of rooms.
+/** \brief Objects that stand at the ends of the free space of rooms.
  *
  * Where one end of the space is nearer to the middle than beside it, is level as far as
- * furniture is wide, and the other end stays where it is, a thing stands on the first
+ * furniture is wide, and the other end stays where it is, an object stands on the first
  * end. Lintels are narrower, pitched roofs are not level.
  */
-struct ThingsAtEnds {
-  int low = 0, high = 0;   ///< columns at the sides of things
+struct ObjectsAtEnds {
+  int low = 0, high = 0;   ///< columns at the sides of objects
   std::size_t columns = 0; ///< of rooms
 
-  ThingsAtEnds&
-  operator+=(const ThingsAtEnds& other);
+  ObjectsAtEnds&
+  operator+=(const ObjectsAtEnds& other);
 
   /** \brief There is furniture, and most of it at one end: -1 = low, 1 = high; else 0.
    * \param[in] times as much as at the other end, at least
@@ -34,8 +34,8 @@ struct ThingsAtEnds {
 };
 
 /** \param[in] space along a direction that is the vertical or points down */
-ThingsAtEnds
-thingsAtEnds(const FreeSpace& space);
+ObjectsAtEnds
+objectsAtEnds(const FreeSpace& space);
 
 } // namespace indoor
 } // namespace pcl

@@ -150,7 +150,7 @@ unitWarning(const Vertical& vertical, double metres_per_unit)
     const double likely = likelyMetresPerUnit(vertical.room_height);
     return likely == metres_per_unit ? std::string() : unitLine(likely, height);
   }
-  // things that stand in rooms of a hall's height are as high as in homes
+  // objects that stand in rooms of a hall's height are as high as in homes
   if (metres_per_unit == 1.0 && vertical.is_furnished &&
       isBetween(2.0, foot * height, 3.5))
     return unitLine(foot, height);
@@ -203,7 +203,8 @@ verticalNote(const Vertical& vertical)
   const Eigen::Vector3f up = vertical.upAxis();
   if (up == Eigen::Vector3f::UnitZ())
     return vertical.is_found && !vertical.is_end_known
-               ? "The scan may be upside down: more things stand out from the ceilings "
+               ? "The scan may be upside down: more objects stand out from the "
+                 "ceilings "
                  "than from the floors; if it is, set -up -z."
                : "";
   const double degrees = vertical.tilt() * 180.0 / M_PI;

@@ -287,18 +287,19 @@ chooseEnd(const Points& sample,
 {
   constexpr int views = 4; // furniture stands at angles to the columns
   const bool is_near_z = isNearZ(candidate);
-  ThingsAtEnds things;
+  ObjectsAtEnds objects;
   for (int view = 0; view < views && candidate.is_covered; ++view) {
     const double yaw = 0.5 * M_PI * view / views;
-    things += thingsAtEnds(freeSpaceAlong(sample, candidate.direction, cell_size, yaw));
-    if (is_near_z && things.low >= things.high)
+    objects +=
+        objectsAtEnds(freeSpaceAlong(sample, candidate.direction, cell_size, yaw));
+    if (is_near_z && objects.low >= objects.high)
       break; // as it should be
   }
   // Scans that lie upside down are rare, and real ones that stand upright have up
-  // to 1.9 times as many things at their ceilings.
+  // to 1.9 times as many objects at their ceilings.
   constexpr double certainly = 3.0;
-  const int certain_end = things.clearEnd(certainly);
-  const int end = candidate.has_rooms ? things.clearEnd() : certain_end;
+  const int certain_end = objects.clearEnd(certainly);
+  const int end = candidate.has_rooms ? objects.clearEnd() : certain_end;
   int axis = 0; // that the direction is most along
   candidate.direction.cwiseAbs().maxCoeff(&axis);
   const bool is_turned =
@@ -308,7 +309,7 @@ chooseEnd(const Points& sample,
   if (is_turned)
     vertical.direction = -vertical.direction;
   vertical.is_end_known = is_near_z ? end != 1 || is_turned : end != 0;
-  vertical.is_furnished = things.clearEnd() != 0; // of halls, too
+  vertical.is_furnished = objects.clearEnd() != 0; // of halls, too
 }
 
 /** 0 if the points are too few for floors and ceilings. */

@@ -53,7 +53,7 @@ heap(PartMaker& make, const Size& size, RandomDraw& draw)
   make.join(layers, "heap");
 }
 
-// Flat things that do not lie straight: papers, folders, trays.
+// Flat objects that do not lie straight: papers, folders, trays.
 void
 pile(PartMaker& make, const Size& size, RandomDraw& draw)
 {

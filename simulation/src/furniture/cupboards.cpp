@@ -197,7 +197,7 @@ tvUnit(PartMaker& make, const Size& size, RandomDraw& draw)
   }
 }
 
-// Boards on a wall with things on them.
+// Boards on a wall with objects on them.
 void
 wallShelf(PartMaker& make, const Size& size, RandomDraw& draw)
 {

@@ -70,11 +70,11 @@ overBack(RoomFurnisher& room, int on, Piece cloth)
                room.between(0.35, 0.6) * size.z());
 }
 
-// One thing where it is usually found; the number of the last that lies there.
+// One object where it is usually found; the number of the last that lies there.
 int
 place(RoomFurnisher& room, const Habit& habit, int on, int last)
 {
-  const Piece thing = room.shaped(habit.thing, habit.first, habit.last);
+  const Piece object = room.shaped(habit.object, habit.first, habit.last);
   const double turn =
       room.chance(0.5) ? room.between(-0.2, 0.2) : room.between(-M_PI, M_PI);
   Resting how;
@@ -82,36 +82,36 @@ place(RoomFurnisher& room, const Habit& habit, int on, int last)
   how.touching = last >= 0 && room.chance(0.4) ? last : -1;
   switch (habit.where) {
   case Where::On:
-    if (last >= 0 && isFlat(thing) && room.chance(0.2))
-      if (const int placed = room.restOn(last, thing, how); placed >= 0)
+    if (last >= 0 && isFlat(object) && room.chance(0.2))
+      if (const int placed = room.restOn(last, object, how); placed >= 0)
         return placed;
-    return room.restOn(on, thing, how);
+    return room.restOn(on, object, how);
   case Where::In:
     how.inside = true;
-    how.turn = thing.category == "books" ? 0.0 : room.between(-0.2, 0.2);
-    return room.restOn(on, thing, how);
+    how.turn = object.category == "books" ? 0.0 : room.between(-0.2, 0.2);
+    return room.restOn(on, object, how);
   case Where::Seat:
     how.give = 0.06;
-    how.at_rear = thing.category == "pillow" && thing.variant == 1;
+    how.at_rear = object.category == "pillow" && object.variant == 1;
     how.turn = how.at_rear ? room.between(-0.2, 0.2) : turn;
     how.touching = -1;
-    return room.restOn(on, thing, how);
+    return room.restOn(on, object, how);
   case Where::Below:
-    return room.under(on, thing);
+    return room.under(on, object);
   case Where::Around:
     return room.chance(0.5)
                ? room.before(on,
-                             thing,
+                             object,
                              room.between(0.0, 0.15),
                              room.between(-0.4, 0.4) * room.sizeOf(on).x(),
                              turn)
                : room.beside(
-                     on, thing, room.chance(0.5) ? 1 : -1, room.between(0.0, 0.1));
+                     on, object, room.chance(0.5) ? 1 : -1, room.between(0.0, 0.1));
   case Where::Over:
-    spread(room, on, thing);
+    spread(room, on, object);
     return -1;
   case Where::Back:
-    overBack(room, on, thing);
+    overBack(room, on, object);
     return -1;
   }
   return -1;
@@ -152,13 +152,13 @@ addBelongings(RoomFurnisher& room, RoomKind kind)
     if (custom.room != kind)
       continue;
     for (int i = countOf(room, mess * share * custom.expected); i > 0; --i) {
-      const Piece thing = room.shaped(custom.thing, custom.first, custom.last);
+      const Piece object = room.shaped(custom.object, custom.first, custom.last);
       if (custom.elevation < 0)
-        room.anywhere(thing);
+        room.anywhere(object);
       else if (custom.elevation == 0)
-        room.atWall(thing);
+        room.atWall(object);
       else
-        room.onWall(thing, custom.elevation + room.between(-0.1, 0.1));
+        room.onWall(object, custom.elevation + room.between(-0.1, 0.1));
     }
   }
   for (auto habits : {seatHabits(), tableHabits(), storageHabits()}) {

@@ -27,7 +27,7 @@ seatingGroup(RoomFurnisher& room)
   if (room.chance(0.85))
     table =
         room.before(sofa, room.piece("coffee_table"), room.between(0.2, 0.45), 0, M_PI);
-  room.putSmallThings(table, room.pick(4));
+  room.putSmallObjects(table, room.pick(4));
   if (room.chance(0.5))
     room.beside(sofa, room.piece("bedside_table"), room.chance(0.5) ? 1 : -1, 0.02);
   for (int i = room.pick(3); i > 0; --i)
@@ -40,7 +40,7 @@ diningPlace(RoomFurnisher& room, const std::string& seat)
   const int table =
       room.inTheMiddle(room.piece(room.chance(0.35) ? "round_table" : "table"), 0.7);
   room.around(table, seat, 2 + room.pick(5));
-  room.putSmallThings(table, room.pick(5));
+  room.putSmallObjects(table, room.pick(5));
   if (room.chance(0.4))
     room.fromCeiling(room.shaped("ceiling_lamp", 1, 4), table);
 }
@@ -60,7 +60,7 @@ furnishLiving(RoomFurnisher& room)
   for (int i = room.pick(4); i > 0; --i)
     room.atWall(room.piece("bookcase"));
   if (room.chance(0.6))
-    room.putSmallThings(room.atWall(room.piece("cabinet")), 2);
+    room.putSmallObjects(room.atWall(room.piece("cabinet")), 2);
   for (int i = room.pick(3); i > 0; --i)
     room.atWall(room.piece("floor_lamp"));
   for (int i = room.pick(3); i > 0; --i)
@@ -84,7 +84,7 @@ furnishKitchen(RoomFurnisher& room)
   if (room.chance(0.4))
     room.kitchenRow(1 + room.pick(3));
   if (room.chance(0.15))
-    room.putSmallThings(room.inTheMiddle(room.shaped("kitchen_unit", 3, 3), 0.3), 3);
+    room.putSmallObjects(room.inTheMiddle(room.shaped("kitchen_unit", 3, 3), 0.3), 3);
   else if (room.chance(0.7))
     diningPlace(room, room.chance(0.2) ? "stool" : "chair");
   if (room.chance(0.3))
@@ -133,12 +133,12 @@ furnishBedroom(RoomFurnisher& room)
       if (room.chance(0.6))
         room.onTop(table, room.piece("table_lamp"));
       else
-        room.putSmallThings(table, 1);
+        room.putSmallObjects(table, 1);
     }
   for (int i = 1 + room.pick(2); i > 0; --i)
     room.atWall(room.piece("wardrobe"));
   if (room.chance(0.5))
-    room.putSmallThings(room.atWall(room.piece("drawers")), room.pick(3));
+    room.putSmallObjects(room.atWall(room.piece("drawers")), room.pick(3));
   if (room.chance(0.4))
     room.workplace(room.piece("desk"), "chair", 0.0);
   if (room.chance(0.3))
@@ -164,7 +164,7 @@ furnishStudy(RoomFurnisher& room)
   for (int i = 1 + room.pick(3); i > 0; --i)
     room.atWall(room.piece("bookcase"));
   if (room.chance(0.5))
-    room.putSmallThings(room.atWall(room.piece("drawers")), 1);
+    room.putSmallObjects(room.atWall(room.piece("drawers")), 1);
   if (room.chance(0.3))
     room.anywhere(room.piece("treadmill"));
   if (room.chance(0.2))
@@ -181,7 +181,7 @@ void
 furnishHall(RoomFurnisher& room)
 {
   if (room.chance(0.5))
-    room.putSmallThings(
+    room.putSmallObjects(
         room.atWall(room.piece(room.chance(0.5) ? "cabinet" : "drawers")),
         room.pick(3));
   if (room.chance(0.4))

@@ -21,7 +21,7 @@ furnishOffice(RoomFurnisher& room)
   for (int i = 1 + room.pick(3); i > 0; --i)
     room.atWall(room.piece(room.chance(0.5) ? "bookcase" : "cabinet"));
   if (room.chance(0.4))
-    room.putSmallThings(room.atWall(room.piece("drawers")), 2);
+    room.putSmallObjects(room.atWall(room.piece("drawers")), 2);
   if (room.chance(0.25))
     room.atWall(room.piece("rack"));
   if (room.chance(0.4))
@@ -49,7 +49,7 @@ furnishMeeting(RoomFurnisher& room)
     const int table = room.inTheMiddle(
         room.piece("table", Eigen::Vector3d(length, width, 0.74)), 0.1);
     room.around(table, room.chance(0.5) ? "chair" : "office_chair", 12);
-    room.putSmallThings(table, room.pick(6));
+    room.putSmallObjects(table, room.pick(6));
     for (int i = room.pick(3); i > 0; --i)
       room.onTop(table, room.piece("laptop"), room.between(-3.0, 3.0));
   }
@@ -57,7 +57,7 @@ furnishMeeting(RoomFurnisher& room)
   if (room.chance(0.6))
     room.onWall(room.shaped("tv", 1, 1), 1.0);
   if (room.chance(0.5))
-    room.putSmallThings(room.atWall(room.piece("cabinet")), 2);
+    room.putSmallObjects(room.atWall(room.piece("cabinet")), 2);
 }
 
 void
@@ -67,7 +67,7 @@ furnishKitchenette(RoomFurnisher& room)
   const int table =
       room.inTheMiddle(room.piece(room.chance(0.6) ? "round_table" : "table"), 0.6);
   room.around(table, room.chance(0.3) ? "stool" : "chair", 4);
-  room.putSmallThings(table, room.pick(4));
+  room.putSmallObjects(table, room.pick(4));
   if (room.chance(0.3))
     room.atWall(room.piece("sofa"));
   if (room.chance(0.7))

@@ -15,7 +15,7 @@ furnishHomeRoom(RoomFurnisher& room, RoomKind kind);
 void
 furnishOfficeRoom(RoomFurnisher& room, RoomKind kind);
 
-/** \brief Add what people leave in a furnished room: things on, in, under and over its
+/** \brief Add what people leave in a furnished room: objects on, in, under and over its
  * furniture, on its floor and on its walls. */
 void
 addBelongings(RoomFurnisher& room, RoomKind kind);

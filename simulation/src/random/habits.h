@@ -16,7 +16,7 @@ namespace indoor {
 enum class Where {
   On,     ///< on top
   In,     ///< on any of its boards
-  Seat,   ///< on something soft, of which things lean on the back
+  Seat,   ///< on something soft, of which objects lean on the back
   Below,  ///< on the floor between its legs
   Over,   ///< cloth across it
   Back,   ///< cloth over the back of a chair
@@ -28,7 +28,7 @@ struct Habit {
   std::vector<std::string> pieces;
   Where where;
   double expected;
-  const char* thing;
+  const char* object;
   int first, last; ///< its shapes
 };
 
@@ -37,7 +37,7 @@ struct Habit {
 struct Custom {
   RoomKind room;
   double expected;
-  const char* thing;
+  const char* object;
   int first, last;
   double elevation; ///< on a wall; -1 anywhere on the floor, 0 at the foot of a wall
 };

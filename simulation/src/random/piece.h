@@ -21,13 +21,13 @@ struct Piece {
   int variant = 0;
 };
 
-/** \brief How a thing lies on or in a piece. */
+/** \brief How an object lies on or in a piece. */
 struct Resting {
   double turn = 0.0;    ///< radians, from the piece's
   bool inside = false;  ///< on any board of it; otherwise on its highest level place
   bool at_rear = false; ///< as far back as the piece reaches
   double give = 0.015;  ///< how uneven what carries it may be, metres
-  int touching = -1;    ///< beside this thing, if there is room
+  int touching = -1;    ///< beside this object, if there is room
 };
 
 } // namespace indoor

@@ -19,7 +19,7 @@ namespace {
 
 using Size = Eigen::Vector3d;
 
-struct Thing {
+struct Object {
   const char* category;
   int first, last;        // of its variants
   Size smallest, largest; // metres
@@ -27,7 +27,7 @@ struct Thing {
 
 constexpr double side = 4.0, ceiling = 2.8; // of the room, metres
 
-// One of eight cluttered tables is covered with things.
+// One of eight cluttered tables is covered with objects.
 bool
 isDense(std::uint32_t seed)
 {
@@ -36,9 +36,9 @@ isDense(std::uint32_t seed)
 
 // Packets, books, vessels, bags and small devices, as a hand can hold them.
 Piece
-thingOnTable(RoomFurnisher& room)
+objectOnTable(RoomFurnisher& room)
 {
-  static const std::array<Thing, 12> things{
+  static const std::array<Object, 12> objects{
       {{"box", 0, 0, {0.05, 0.03, 0.05}, {0.25, 0.2, 0.3}},
        {"box", 0, 0, {0.1, 0.06, 0.02}, {0.3, 0.2, 0.08}},
        {"box", 0, 0, {0.05, 0.05, 0.1}, {0.12, 0.1, 0.25}},
@@ -51,14 +51,14 @@ thingOnTable(RoomFurnisher& room)
        {"mug", 0, 0, {0.1, 0.1, 0.06}, {0.26, 0.22, 0.18}},
        {"clutter", 0, 0, {0.08, 0.08, 0.05}, {0.25, 0.2, 0.2}},
        {"clutter", 3, 3, {0.08, 0.08, 0.05}, {0.25, 0.2, 0.12}}}};
-  const auto& thing = things[room.pick(static_cast<int>(things.size()))];
+  const auto& object = objects[room.pick(static_cast<int>(objects.size()))];
   Size size;
   for (const int axis : {0, 1, 2})
-    size[axis] = room.between(thing.smallest[axis], thing.largest[axis]);
-  const std::string category = thing.category;
+    size[axis] = room.between(object.smallest[axis], object.largest[axis]);
+  const std::string category = object.category;
   if (category == "bottle" || category == "bowl")
     size.y() = size.x();
-  return room.shaped(category, thing.first, thing.last, size);
+  return room.shaped(category, object.first, object.last, size);
 }
 
 Piece
@@ -74,33 +74,33 @@ drawTable(RoomFurnisher& room)
                                                     : room.between(0.68, 0.78)));
 }
 
-// Things of all shapes that lie on tables, none longer than a hand can hold.
+// Objects of all shapes that lie on tables, none longer than a hand can hold.
 Piece
 anyThing(RoomFurnisher& room)
 {
   constexpr double longest = 0.3; // metres
-  constexpr std::array<const char*, 12> things{"bottle",
-                                               "bottle",
-                                               "bowl",
-                                               "mug",
-                                               "cup",
-                                               "box",
-                                               "box",
-                                               "books",
-                                               "clutter",
-                                               "kitchenware",
-                                               "toy",
-                                               "bag"};
-  Piece thing = room.piece(things[room.pick(static_cast<int>(things.size()))]);
-  thing.size *= std::min(1.0, longest / thing.size.maxCoeff());
-  thing.size = thing.size.cwiseMax(0.02);
-  return thing;
+  constexpr std::array<const char*, 12> objects{"bottle",
+                                                "bottle",
+                                                "bowl",
+                                                "mug",
+                                                "cup",
+                                                "box",
+                                                "box",
+                                                "books",
+                                                "clutter",
+                                                "kitchenware",
+                                                "toy",
+                                                "bag"};
+  Piece object = room.piece(objects[room.pick(static_cast<int>(objects.size()))]);
+  object.size *= std::min(1.0, longest / object.size.maxCoeff());
+  object.size = object.size.cwiseMax(0.02);
+  return object;
 }
 
 /** How full a table is. */
 struct Laying {
   int count, attempts;
-  double touching, stacked; // shares of the things
+  double touching, stacked; // shares of the objects
 };
 
 Laying
@@ -123,25 +123,25 @@ void
 layTable(RoomFurnisher& room, int table, const Laying& laying, bool any)
 {
   const double top = room.sizeOf(table).z();
-  int last = -1, things = 0;
-  for (int i = 0; i < laying.attempts && things < laying.count; ++i) {
-    const Piece thing = any ? anyThing(room) : thingOnTable(room);
+  int last = -1, objects = 0;
+  for (int i = 0; i < laying.attempts && objects < laying.count; ++i) {
+    const Piece object = any ? anyThing(room) : objectOnTable(room);
     const double turn = room.between(-M_PI, M_PI), way = room.between(0.0, 1.0);
     const bool touches = last >= 0 && way < laying.touching,
                stacked =
                    last >= 0 && !touches && way < laying.touching + laying.stacked;
     int placed = -1;
     if (touches && any)
-      placed = room.restOn(table, thing, {turn, false, false, 0.015, last});
+      placed = room.restOn(table, object, {turn, false, false, 0.015, last});
     else if (touches)
       placed = room.beside(
-          last, thing, room.chance(0.5) ? 1 : -1, room.between(0.0, 0.01), top);
+          last, object, room.chance(0.5) ? 1 : -1, room.between(0.0, 0.01), top);
     else if (stacked)
-      placed = room.onTop(last, thing, room.chance(0.5) ? 0.0 : turn);
+      placed = room.onTop(last, object, room.chance(0.5) ? 0.0 : turn);
     if (placed < 0)
-      placed = room.onTop(table, thing, turn);
+      placed = room.onTop(table, object, turn);
     last = placed >= 0 ? placed : last;
-    things += placed >= 0 ? 1 : 0;
+    objects += placed >= 0 ? 1 : 0;
   }
 }
 

@@ -12,8 +12,8 @@ namespace pcl {
 namespace indoor {
 
 /** \brief A table in the middle of a room, above the origin, with two to eight small
- * things on it, some against or on each other.
- * \param[in] filling Cluttered: 8 to 16 things, one of eight 22 to 32, so close
+ * objects on it, some against or on each other.
+ * \param[in] filling Cluttered: 8 to 16 objects, one of eight 22 to 32, so close
  * that a third of all points is table; LivedIn: 8 to 32 of many more shapes */
 Plan
 randomTable(std::uint32_t seed, PlanFilling filling);

@@ -12,14 +12,14 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief Where things can stand on and in a piece of furniture, found by rays. */
+/** \brief Where objects can stand on and in a piece of furniture, found by rays. */
 class RestingPlaces {
 public:
   explicit RestingPlaces(const FurnitureModel& model);
 
-  /** \brief Heights at which a thing would rest, ascending: tops, seats, boards.
-   * \param[in] footprint of the thing in the frame of the piece, four corners, metres
-   * \param[in] height of the thing: so much is free above
+  /** \brief Heights at which an object would rest, ascending: tops, seats, boards.
+   * \param[in] footprint of the object in the frame of the piece, four corners, metres
+   * \param[in] height of the object: so much is free above
    * \param[in] give how much what carries it may be uneven, metres
    */
   std::vector<double>

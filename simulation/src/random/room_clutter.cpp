@@ -13,7 +13,7 @@ namespace indoor {
 
 namespace {
 
-// What has a level top to put things on.
+// What has a level top to put objects on.
 constexpr std::array<const char*, 12> supports{"bedside_table",
                                                "bench",
                                                "box",
@@ -27,29 +27,29 @@ constexpr std::array<const char*, 12> supports{"bedside_table",
                                                "tv_unit",
                                                "washing_machine"};
 
-constexpr double highest_support = 1.5;   // metres, which people still reach
-constexpr double things_per_metre2 = 8.0; // at most
+constexpr double highest_support = 1.5;    // metres, which people still reach
+constexpr double objects_per_metre2 = 8.0; // at most
 
 Piece
-smallThing(RoomFurnisher& room)
+smallObject(RoomFurnisher& room)
 {
-  constexpr std::array<const char*, 16> things{"books",
-                                               "books",
-                                               "bottle",
-                                               "box",
-                                               "clutter",
-                                               "clutter",
-                                               "clutter",
-                                               "clutter",
-                                               "cup",
-                                               "cup",
-                                               "keyboard",
-                                               "laptop",
-                                               "monitor",
-                                               "table_lamp",
-                                               "vase",
-                                               "printer"};
-  return room.piece(things[room.pick(static_cast<int>(things.size()))]);
+  constexpr std::array<const char*, 16> objects{"books",
+                                                "books",
+                                                "bottle",
+                                                "box",
+                                                "clutter",
+                                                "clutter",
+                                                "clutter",
+                                                "clutter",
+                                                "cup",
+                                                "cup",
+                                                "keyboard",
+                                                "laptop",
+                                                "monitor",
+                                                "table_lamp",
+                                                "vase",
+                                                "printer"};
+  return room.piece(objects[room.pick(static_cast<int>(objects.size()))]);
 }
 
 } // namespace
@@ -87,27 +87,27 @@ RoomFurnisher::clutter()
             supports.end() ||
         top > highest_support || !chance(0.7))
       continue;
-    const double most = things_per_metre2 * size.x() * size.y();
+    const double most = objects_per_metre2 * size.x() * size.y();
     int last = -1;
     for (int k = 1 + pick(1 + static_cast<int>(most)); k > 0; --k) {
-      const Piece thing = smallThing(*this);
+      const Piece object = smallObject(*this);
       const double turn = chance(0.4) ? 0.0 : between(-M_PI, M_PI);
       const bool touches = last >= 0 && chance(0.35);
       const int placed =
-          touches ? beside(last, thing, chance(0.5) ? 1 : -1, between(0.0, 0.02), top)
-                  : onTop(i, thing, turn, chance(0.3));
+          touches ? beside(last, object, chance(0.5) ? 1 : -1, between(0.0, 0.02), top)
+                  : onTop(i, object, turn, chance(0.3));
       last = placed >= 0 ? placed : last;
       if (last >= 0 && chance(0.15))
-        onTop(last, smallThing(*this), between(-M_PI, M_PI));
+        onTop(last, smallObject(*this), between(-M_PI, M_PI));
     }
   }
   for (int i = pick(2 + static_cast<int>(size().prod() / 4)); i > 0; --i) {
-    const Piece thing =
+    const Piece object =
         piece(chance(0.5) ? "clutter" : (chance(0.7) ? "box" : "chair"));
     if (chance(0.5))
-      anywhere(thing);
+      anywhere(object);
     else
-      atWall(thing);
+      atWall(object);
   }
 }
 

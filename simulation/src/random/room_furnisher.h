@@ -117,7 +117,7 @@ public:
 
   /** \brief Books, bottles, vases, cups, lamps on top of a piece. */
   void
-  putSmallThings(int other, int count);
+  putSmallObjects(int other, int count);
 
   /** \brief A desk, its chair, and what stands on it; how often away from the walls. */
   void
@@ -129,7 +129,7 @@ public:
   kitchenRow(int cabinets);
 
   /** \brief Push more desks, tables and cabinets against those there are, put many
-   * small things on all that has a level top, some against each other, and some on the
+   * small objects on all that has a level top, some against each other, and some on the
    * floor.
    */
   void

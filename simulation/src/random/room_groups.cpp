@@ -11,12 +11,12 @@ namespace pcl {
 namespace indoor {
 
 void
-RoomFurnisher::putSmallThings(int other, int count)
+RoomFurnisher::putSmallObjects(int other, int count)
 {
-  constexpr const char* things[] = {"books", "bottle", "vase", "cup", "cup", "plant"};
+  constexpr const char* objects[] = {"books", "bottle", "vase", "cup", "cup", "plant"};
   for (int i = 0; i < count; ++i) {
-    const std::string thing = things[pick(6)];
-    const Piece small = thing == "plant" ? shaped("plant", 2, 2) : piece(thing);
+    const std::string object = objects[pick(6)];
+    const Piece small = object == "plant" ? shaped("plant", 2, 2) : piece(object);
     if (small.size.z() < 0.6)
       onTop(other, small, between(-0.5, 0.5));
   }
@@ -48,7 +48,7 @@ RoomFurnisher::workplace(const Piece& desk_piece,
         onTop(desk, piece("keyboard"), between(-0.2, 0.2));
   if (chance(0.5))
     onTop(desk, piece("table_lamp"), between(-0.4, 0.4));
-  putSmallThings(desk, pick(4));
+  putSmallObjects(desk, pick(4));
   if (chance(0.3))
     onTop(desk, piece("printer"), 0, true);
   if (chance(0.5))
@@ -114,7 +114,7 @@ RoomFurnisher::putInRow(const Piece& next, const Wall& w, double along, double u
   if (next.category == "kitchen_unit" && next.variant == 1) {
     if (chance(0.2))
       onTop(placed, piece("microwave"), 0, true);
-    putSmallThings(placed, pick(3));
+    putSmallObjects(placed, pick(3));
   }
   if (upper == 0 || next.category == "fridge")
     return;

@@ -170,7 +170,7 @@ TEST_F(SampledSurface, VerticesOfAMeshThatWasMadeOfAScanStay)
 }
 
 /** Fine furniture between walls of large faces: the walls count. */
-TEST_F(SampledSurface, LargeWallsCountMoreThanSmallThings)
+TEST_F(SampledSurface, LargeWallsCountMoreThanSmallObjects)
 {
   auto text = boxPly({5, 4, 2.5}, 1, {0, 0, 0});
   const auto fine = boxPly({0.5, 0.5, 0.5}, 20, {1, 1, 0});

@@ -16,7 +16,7 @@ using namespace pcl::indoor::tool;
 using pcl::indoor::test::SceneJson;
 using pcl::indoor::test::SmallScene;
 
-TEST(GeoJsonFile, HasAFeatureForEachThing)
+TEST(GeoJsonFile, HasAFeatureForEachObject)
 {
   const auto json = geoJson(savedScene(SmallScene::json()));
   std::map<std::string, int> kinds;

@@ -38,7 +38,7 @@ using GlbSceneFile = pcl::indoor::test::FolderTest;
 
 } // namespace
 
-TEST(GlbScene, ThingsAreNodesWithClassAndConfidence)
+TEST(GlbScene, ObjectsAreNodesWithClassAndConfidence)
 {
   const auto bytes = glbBytes(savedScene(SmallScene::json()));
   ASSERT_EQ(bytes.substr(0, 4), "glTF");

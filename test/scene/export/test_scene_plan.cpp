@@ -15,7 +15,7 @@
 using namespace pcl::indoor::tool;
 using pcl::indoor::test::SmallScene;
 
-TEST(ScenePlan, HasRoomsDoorsAndThings)
+TEST(ScenePlan, HasRoomsDoorsAndObjects)
 {
   const auto plan = scenePlan(savedScene(SmallScene::json()));
   EXPECT_EQ(plan.origin, Eigen::Vector2d(100.0, 200.0));
@@ -26,7 +26,7 @@ TEST(ScenePlan, HasRoomsDoorsAndThings)
   EXPECT_EQ(storey.openings[0].number, 1u);
   EXPECT_NEAR(std::abs(storey.openings[0].along.y()), 1.0, 1e-12);
   EXPECT_NEAR(storey.openings[0].into.x(), 1.0, 1e-12); // room 2 is smaller
-  EXPECT_EQ(storey.things.size(), 2u);
+  EXPECT_EQ(storey.objects.size(), 2u);
   EXPECT_EQ(storey.windows.size(), 1u);
   double length = 0.0;
   for (const auto& [begin, end] : storey.walls)

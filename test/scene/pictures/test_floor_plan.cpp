@@ -116,10 +116,10 @@ TEST(FloorPlan, NothingFoundIsAnEmptyPlan)
   EXPECT_EQ(readDxf(planDxf(plan)).back().second, "EOF");
 }
 
-TEST(FloorPlan, DrawingsShowRoomsDoorsAndThings)
+TEST(FloorPlan, DrawingsShowRoomsDoorsAndObjects)
 {
-  const PlanThing thing{7, 0, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
-  const auto plan = floorPlan(twoRooms(), {thing});
+  const PlanObject object{7, 0, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
+  const auto plan = floorPlan(twoRooms(), {object});
   const auto svg = planSvg(plan);
   EXPECT_EQ(count(svg, "id=\"room-"), 2u);
   EXPECT_EQ(count(svg, "class=\"door\""), 1u);

@@ -100,16 +100,16 @@ TEST(RoomEvidence, DoorsLeadToRooms)
   EXPECT_TRUE(rooms[2].neighbours.empty());
 }
 
-TEST(RoomEvidence, ThingsStandOnTheFloorOfTheirStorey)
+TEST(RoomEvidence, ObjectsStandOnTheFloorOfTheirStorey)
 {
   const auto rooms = roomEvidence(threeRooms());
-  ASSERT_EQ(rooms[0].things.size(), 1u);
-  const auto& thing = rooms[0].things[0];
-  ASSERT_EQ(thing.classes.size(), 2u);
-  EXPECT_EQ(thing.classes[0].first, "bed");
-  EXPECT_NEAR(thing.classes[0].second, 0.7, 1e-6);
-  EXPECT_NEAR(thing.foot, 101.0 - 0.3 - 100.0 - 0.5, 1e-9);
-  EXPECT_TRUE(rooms[1].things.empty()); // a floor is no thing
+  ASSERT_EQ(rooms[0].objects.size(), 1u);
+  const auto& bed = rooms[0].objects[0];
+  ASSERT_EQ(bed.classes.size(), 2u);
+  EXPECT_EQ(bed.classes[0].first, "bed");
+  EXPECT_NEAR(bed.classes[0].second, 0.7, 1e-6);
+  EXPECT_NEAR(bed.foot, 101.0 - 0.3 - 100.0 - 0.5, 1e-9);
+  EXPECT_TRUE(rooms[1].objects.empty()); // a floor is no object
 }
 
 TEST(RoomEvidence, ConfidencesBecomeProbabilities)
@@ -117,19 +117,19 @@ TEST(RoomEvidence, ConfidencesBecomeProbabilities)
   auto scene = threeRooms();
   scene.classes.objects[0].top = {{1, 7.0f}, {2, -1.0f}, {2, NAN}};
   const auto rooms = roomEvidence(scene);
-  ASSERT_EQ(rooms[0].things.size(), 1u);
-  ASSERT_EQ(rooms[0].things[0].classes.size(), 1u);
-  EXPECT_EQ(rooms[0].things[0].classes[0].second, 1.0);
+  ASSERT_EQ(rooms[0].objects.size(), 1u);
+  ASSERT_EQ(rooms[0].objects[0].classes.size(), 1u);
+  EXPECT_EQ(rooms[0].objects[0].classes[0].second, 1.0);
   EXPECT_EQ(roomNames(scene).size(), 3u);
 }
 
-TEST(RoomEvidence, ASceneWithoutClassesHasNoThings)
+TEST(RoomEvidence, ASceneWithoutClassesHasNoObjects)
 {
   auto scene = threeRooms();
   scene.classes = {};
   const auto rooms = roomEvidence(scene);
   ASSERT_EQ(rooms.size(), 3u);
-  EXPECT_TRUE(rooms[0].things.empty());
+  EXPECT_TRUE(rooms[0].objects.empty());
 }
 
 TEST(RoomNames, AreThoseOfTheEvidence)

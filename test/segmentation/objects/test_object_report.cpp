@@ -12,9 +12,9 @@ using namespace pcl::indoor;
 
 namespace {
 
-/** One thing that is as wide and deep, beside a wall. */
+/** One object that is as wide and deep, beside a wall. */
 ObjectSegmentation
-resultWithThing(float width, float depth)
+resultWithObject(float width, float depth)
 {
   DetailedSegmentation result;
   for (float x = 0; x <= width; x += 0.05f)
@@ -33,23 +33,23 @@ resultWithThing(float width, float depth)
 
 } // namespace
 
-TEST(ObjectReport, AThingAsWideAsARoomIsSaid)
+TEST(ObjectReport, AnObjectAsWideAsARoomIsSaid)
 {
-  const auto line = wideThingWarning(resultWithThing(7.0f, 5.0f));
+  const auto line = wideObjectWarning(resultWithObject(7.0f, 5.0f));
   EXPECT_NE(line.find("m wide, as no furniture is"), std::string::npos) << line;
-  EXPECT_EQ(wideThingWarning(resultWithThing(7.0f, 2.0f)), "") << "a row of cabinets";
-  EXPECT_EQ(wideThingWarning(resultWithThing(3.0f, 3.0f)), "") << "a corner sofa";
+  EXPECT_EQ(wideObjectWarning(resultWithObject(7.0f, 2.0f)), "") << "a row of cabinets";
+  EXPECT_EQ(wideObjectWarning(resultWithObject(3.0f, 3.0f)), "") << "a corner sofa";
 }
 
-TEST(ObjectReport, WhatIsNoThingIsNotSaid)
+TEST(ObjectReport, WhatIsNoObjectIsNotSaid)
 {
-  EXPECT_EQ(wideThingWarning({}), "");
-  auto result = resultWithThing(7, 5);
+  EXPECT_EQ(wideObjectWarning({}), "");
+  auto result = resultWithObject(7, 5);
   result.structure_of_segment[1] = StructureKind::Floor;
-  EXPECT_EQ(wideThingWarning(result), "");
+  EXPECT_EQ(wideObjectWarning(result), "");
   result.segment_of_point.assign(result.segment_of_point.size(), 0);
-  EXPECT_EQ(wideThingWarning(result), "") << "a wall alone";
-  result = resultWithThing(7, 5);
+  EXPECT_EQ(wideObjectWarning(result), "") << "a wall alone";
+  result = resultWithObject(7, 5);
   result.options.pieces.scale = JoiningScale::View;
-  EXPECT_EQ(wideThingWarning(result), "");
+  EXPECT_EQ(wideObjectWarning(result), "");
 }

@@ -87,7 +87,7 @@ TEST(ScanWarnings, FeetShowInFurnishedRooms)
 {
   auto hall = upright(8.2);
   EXPECT_EQ(unitWarning(hall, 1.0), "");
-  hall.is_furnished = true; // with things of two metres
+  hall.is_furnished = true; // with objects of two metres
   EXPECT_TRUE(holds(unitWarning(hall, 1.0), "(-unit ft)"));
   EXPECT_EQ(unitWarning(hall, 0.3048), "");
   hall.room_height = 5.6;
@@ -100,7 +100,7 @@ TEST(ScanWarnings, AScaleThatIsNoUnit)
   EXPECT_TRUE(holds(unitWarning(upright(0.25), 1.0), "0.3 m high"));
   auto decimetres = upright(26.0);
   EXPECT_EQ(unitWarning(decimetres, 1.0), ""); // a hall
-  decimetres.is_furnished = true;              // with things of eight metres
+  decimetres.is_furnished = true;              // with objects of eight metres
   EXPECT_TRUE(holds(unitWarning(decimetres, 1.0), "scale"));
   auto parts = upright(1.25); // such as gaps below tables
   parts.has_rooms = false;

@@ -126,7 +126,7 @@ TEST(Vertical, FurnitureTellsFloorsFromCeilings)
     }
 }
 
-TEST(Vertical, ThingsAtTheCeilingsOfLowRoomsRaiseADoubt)
+TEST(Vertical, ObjectsAtTheCeilingsOfLowRoomsRaiseADoubt)
 {
   for (const double turn : {0.0, 180.0}) {
     auto points = turned(house(), turnAbout(Eigen::Vector3d::UnitX(), turn));
@@ -138,13 +138,14 @@ TEST(Vertical, ThingsAtTheCeilingsOfLowRoomsRaiseADoubt)
   }
 }
 
-TEST(Vertical, MoreThingsAtACeilingAreNoProof)
+TEST(Vertical, MoreObjectsAtACeilingAreNoProof)
 {
-  EXPECT_EQ((ThingsAtEnds{110, 210, 1800}.clearEnd()), 1); // a real map that is upright
-  EXPECT_EQ((ThingsAtEnds{110, 210, 1800}.clearEnd(3.0)), 0);
-  EXPECT_EQ((ThingsAtEnds{60, 210, 1800}.clearEnd(3.0)), 1);
-  EXPECT_EQ((ThingsAtEnds{60, 210, 9000}.clearEnd(3.0)), 0); // hardly furnished
-  EXPECT_EQ((ThingsAtEnds{210, 60, 1800}.clearEnd()), -1);
+  EXPECT_EQ((ObjectsAtEnds{110, 210, 1800}.clearEnd()),
+            1); // a real map that is upright
+  EXPECT_EQ((ObjectsAtEnds{110, 210, 1800}.clearEnd(3.0)), 0);
+  EXPECT_EQ((ObjectsAtEnds{60, 210, 1800}.clearEnd(3.0)), 1);
+  EXPECT_EQ((ObjectsAtEnds{60, 210, 9000}.clearEnd(3.0)), 0); // hardly furnished
+  EXPECT_EQ((ObjectsAtEnds{210, 60, 1800}.clearEnd()), -1);
 }
 
 TEST(Vertical, WithoutFurnitureTheEndNearerToZIsUp)

@@ -79,12 +79,13 @@ pipelineParser(PipelineOptions& options)
             options.model,
             "file of a classifier that pcl_eppf_train has made; bundled = furniture, "
             "doors and windows, none = no classes")
-      .text("-network",
-            options.network,
-            "where a network of voxels votes on what is floor, wall or ceiling, on "
-            "what is one thing and on names of the bundled model; auto: in rooms whose "
-            "ceiling was not seen",
-            {"auto", "all", "none"})
+      .text(
+          "-network",
+          options.network,
+          "where a network of voxels votes on what is floor, wall or ceiling, on "
+          "what is one object and on names of the bundled model; auto: in rooms whose "
+          "ceiling was not seen",
+          {"auto", "all", "none"})
       .text("-report",
             options.report,
             "file of the report, a page for browsers; folder = report.html beside the "

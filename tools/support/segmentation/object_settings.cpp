@@ -55,8 +55,8 @@ addLengths(OptionParser& parser, ObjectSettings& settings)
   parser
       .text("-preset",
             settings.preset,
-            "what is wanted; objects: whole things in a room; parts: seats, backs and "
-            "arms apart; single_view: a table with small things; thesis, "
+            "what is wanted; objects: whole ones in a room; parts: seats, backs and "
+            "arms apart; single_view: a table with small objects; thesis, "
             "thesis_kinect: the method of the thesis with its parameters for laser "
             "scans or the Kinect, and no more; auto: single_view if one camera saw a "
             "table, at most 1.4 m away, up to 2 m if most of it is small, or if all is "
@@ -90,9 +90,9 @@ addPartition(OptionParser& parser, ObjectSettings& settings)
           {"auto", "graph", "felzenszwalb", "lccp"})
       .number("-level",
               settings.level,
-              "for -partition graph: probability of being one thing from which pieces "
+              "for -partition graph: probability of being one object from which pieces "
               "are joined; higher gives smaller segments; -1 = where that gives whole "
-              "things, in single views 0.9",
+              "objects, in single views 0.9",
               "",
               Range::between(-1, 1))
       .number("-ransac_share",

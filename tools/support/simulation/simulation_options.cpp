@@ -17,11 +17,12 @@ simulationParser(SimulationOptions& options)
       "a moving range sensor; every point gets the fields room, object, "
       "part and category.");
   parser
-      .positional("plan.json",
-                  options.plan_file,
-                  "plan of the building, or random:home:SEED, random:office:SEED, "
-                  "random:table:SEED, with :cluttered behind it for many small things, "
-                  "or :lived_in for belongings and furniture of all shapes")
+      .positional(
+          "plan.json",
+          options.plan_file,
+          "plan of the building, or random:home:SEED, random:office:SEED, "
+          "random:table:SEED, with :cluttered behind it for many small objects, "
+          "or :lived_in for belongings and furniture of all shapes")
       .positional("output.pcd|ply", options.output_file, "the scan");
   addScannerOptions(parser, options.scanner);
   parser

@@ -23,7 +23,7 @@ struct VoxelClasses {
   std::size_t class_count = 0;
   /** class_count per voxel, their sum is 1; of what is larger than 40 m per point */
   std::vector<float> probabilities;
-  /** one per voxel: from its points to the middle of the thing that they are part of,
+  /** one per voxel: from its points to the middle of the object that they are part of,
    * metres; means nothing where there is none */
   std::vector<Eigen::Vector3f> to_middle;
 

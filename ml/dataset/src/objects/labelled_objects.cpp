@@ -51,17 +51,17 @@ namesOf(const std::string& path)
 } // namespace
 
 void
-requireNoProblems(const std::vector<std::string>& problems, const std::string& things)
+requireNoProblems(const std::vector<std::string>& problems, const std::string& what)
 {
   const auto is_one = [](const std::string& problem) { return !problem.empty(); };
   const auto first = std::find_if(problems.begin(), problems.end(), is_one);
   if (first == problems.end())
     return;
   const auto count = std::count_if(problems.begin(), problems.end(), is_one);
-  throw ToolError(*first + (count == 1 ? std::string()
-                                       : " (the first of " + std::to_string(count) +
-                                             " " + things + " of " +
-                                             std::to_string(problems.size()) + ")"));
+  throw ToolError(*first +
+                  (count == 1 ? std::string()
+                              : " (the first of " + std::to_string(count) + " " + what +
+                                    " of " + std::to_string(problems.size()) + ")"));
 }
 
 LabelledObjects

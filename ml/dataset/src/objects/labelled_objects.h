@@ -28,13 +28,13 @@ struct LabelledObjects {
 };
 
 /** \brief Complain about the first of some problems, and say how many there are.
- * \param[in] problems one per thing, empty for those without
- * \param[in] things what those with a problem are called, for example "unreadable
+ * \param[in] problems one per object, empty for those without
+ * \param[in] what those with a problem are called, for example "unreadable
  * files"
  * \throws ToolError if there are any
  */
 PCL_INDOOR_EXPORTS void
-requireNoProblems(const std::vector<std::string>& problems, const std::string& things);
+requireNoProblems(const std::vector<std::string>& problems, const std::string& what);
 
 /** \brief Read DIR/CLASS/.../OBJECT.pcd, .ply, .off or .obj; folders within a class
  * folder do not matter.

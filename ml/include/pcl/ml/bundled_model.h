@@ -16,7 +16,7 @@ namespace indoor {
 PCL_INDOOR_EXPORTS std::string
 bundledModelFile();
 
-/** \brief The same of the voxel network that tells things from the building where no
+/** \brief The same of the voxel network that tells objects from the building where no
  * ceiling was seen. */
 PCL_INDOOR_EXPORTS std::string
 bundledNetworkFile();

@@ -15,7 +15,7 @@ namespace indoor {
 /** \brief Number of values that uprightProfile() gives. */
 constexpr std::size_t upright_profile_size = 80;
 
-/** \brief What a thing that stands upright has at which height, as shares of its
+/** \brief What an object that stands upright has at which height, as shares of its
  * points.
  *
  * Level points have a normal at most 37 degrees from the vertical.

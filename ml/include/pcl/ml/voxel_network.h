@@ -32,14 +32,14 @@ struct VoxelLayer {
  * from 5 to 80 cm. No part of the thesis. docs/method/voxel_network.md
  */
 struct VoxelNetwork {
-  std::vector<std::string> classes;      ///< floor, wall, ceiling, then those of things
-  std::vector<std::size_t> widths;       ///< values of a voxel, by level
-  double voxel_size = 0.0;               ///< of the first level, metres
-  VoxelLayer stem;                       ///< of the neighbours, from the inputs
+  std::vector<std::string> classes; ///< floor, wall, ceiling, then those of objects
+  std::vector<std::size_t> widths;  ///< values of a voxel, by level
+  double voxel_size = 0.0;          ///< of the first level, metres
+  VoxelLayer stem;                  ///< of the neighbours, from the inputs
   std::vector<VoxelLayer> first, second; ///< of the neighbours, by level
   std::vector<VoxelLayer> down, up;      ///< of the eight children, by level but one
   std::vector<VoxelLayer> joined;        ///< of the neighbours, after going up
-  VoxelLayer last; ///< one output per class, then three: to the middle of the thing
+  VoxelLayer last; ///< one output per class, then three: to the middle of the object
 };
 
 /** \brief The network of a file.

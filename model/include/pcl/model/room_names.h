@@ -41,8 +41,8 @@ constexpr std::size_t room_name_count = 14;
 PCL_INDOOR_EXPORTS const char*
 nameOf(RoomName name);
 
-/** \brief A thing in a room. */
-struct RoomThing {
+/** \brief An object in a room. */
+struct RoomObject {
   /** What it may be and how likely, for example {"chair", 0.8}; names of the bundled
    * model's classes count, others do not. */
   std::vector<std::pair<std::string, double>> classes;
@@ -58,7 +58,7 @@ struct RoomEvidence {
   double window_area = 0.0;            ///< of its windows, m^2
   std::vector<std::size_t> neighbours; ///< rooms that doors and passages lead to, as
                                        ///< places in the list of rooms
-  std::vector<RoomThing> things;
+  std::vector<RoomObject> objects;
 };
 
 /** \brief Names of a room. */
@@ -85,15 +85,15 @@ struct PCL_INDOOR_EXPORTS NamedRoom {
 
 /** \brief Tell what the rooms of a building are for.
  *
- * A Bayesian rule: size, shape, light, ways and storey of a room, the things in it,
+ * A Bayesian rule: size, shape, light, ways and storey of a room, the objects in it,
  * what the rooms behind its doors may be, and whether the building is a home or has
  * offices, for which all its rooms speak.
  * docs/method/room_names.md has the rule and where its constants come from. Names
- * depend neither on the order of the rooms nor on that of their things.
+ * depend neither on the order of the rooms nor on that of their objects.
  * \param[in] rooms all of a building
  * \return one per room
  * \throws pcl::BadArgumentException if a number is not finite, or below 0 (but for
- * RoomThing::foot), or there is no such neighbour
+ * RoomObject::foot), or there is no such neighbour
  */
 PCL_INDOOR_EXPORTS std::vector<NamedRoom>
 nameRooms(const std::vector<RoomEvidence>& rooms);

@@ -21,7 +21,7 @@ struct FaceHole {
   Eigen::AlignedBox2d box; ///< along the side from its begin, and height, metres
   bool is_proud = false;   ///< whether it stands before the face
   double seen = 0.0;       ///< share in which something before or behind is seen
-  double hidden = 0.0;     ///< share in which things stand before the wall
+  double hidden = 0.0;     ///< share in which objects stand before the wall
   double depth = 0.0;      ///< median, before the face, metres; 0 = nothing seen
   double reveal = 0.0;     ///< share of the border, without its lower side, along
                            ///< which something behind the face is seen

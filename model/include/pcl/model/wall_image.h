@@ -23,14 +23,14 @@ enum class WallCell : std::uint8_t {
   Face,   ///< the wall
   Recess, ///< something behind the wall's face: a reveal, a leaf, glass
   Proud,  ///< something before it by less than a hand: a leaf, a casing
-  Front   ///< things of the room and nothing of the wall: it is hidden
+  Front   ///< objects of the room and nothing of the wall: it is hidden
 };
 
 struct WallImageOptions {
   double relief = 0.02; ///< least depth of what is no face, metres (> 0): stations are
                         ///< registered to a centimetre, and a median over ten points
                         ///< with noise of 1.2 cm is known to 0.5 cm
-  double hand = 0.15;   ///< what stands farther before the wall is a thing, metres
+  double hand = 0.15;   ///< what stands farther before the wall is an object, metres
   double least_cell = 0.02; ///< side of a cell of dense scans, metres (> 0)
 };
 

@@ -12,7 +12,7 @@
 
 namespace pcl::indoor {
 
-/** \brief What a scene tells of its rooms: sizes, doors, windows, things.
+/** \brief What a scene tells of its rooms: sizes, doors, windows, objects.
  *
  * Doors to the outside as wide as two leaves are taken for glass, too; wider ones are
  * gates.

@@ -28,7 +28,7 @@ namespace pcl::indoor {
 /** \brief What an object was taken for. */
 struct ObjectClass {
   std::uint32_t category = 0; ///< position in SceneClasses::names; 0, "none", of
-                              ///< floors, walls and ceilings, which are no things
+                              ///< floors, walls and ceilings, which are no objects
   float confidence = 0.0f; ///< probability of that class; 0 of objects too small to be
                            ///< described, which are "other"
   std::vector<std::pair<std::uint32_t, float>>
@@ -53,7 +53,7 @@ struct PCL_INDOOR_EXPORTS UnderstoodScan {
   std::string likely_unit; ///< that the height of the rooms suggests; empty if no other
   ScanCoordinates coordinates;
   bool up_is_set = false;         ///< by the user
-  bool end_is_recognised = false; ///< by things that are recognised with it up
+  bool end_is_recognised = false; ///< by objects that are recognised with it up
   NormalsFrom normals = NormalsFrom::NoneInFile;
   bool has_colors = false;
   std::size_t stations = 1;

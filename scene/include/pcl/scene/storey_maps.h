@@ -30,7 +30,7 @@ struct StoreyMap {
 /** \brief The maps of all storeys, the lowest first, as pcl_indoor_export writes them.
  * \param[in] scene as sceneText() gives it, or a scene.json
  * \param[in] resolution side of a cell, metres
- * \param[in] with_furniture things below head height and closed doors are occupied
+ * \param[in] with_furniture objects below head height and closed doors are occupied
  * \throws InputError if it is no whole scene, or if there would be too many cells
  */
 PCL_INDOOR_EXPORTS std::vector<StoreyMap>

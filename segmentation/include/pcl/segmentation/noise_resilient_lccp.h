@@ -35,7 +35,7 @@ enum class Partition {
  * connect what does not belong together; the remaining surface is divided into
  * supervoxels, and these are joined to pieces where they bend little; the points that
  * were taken out are given to the pieces they continue. Pieces that are probably one
- * thing are then joined, by a criterion learned from simulated scans.
+ * object are then joined, by a criterion learned from simulated scans.
  *
  * Every finite point of the indices gets a segment, but for those that lie kilometres
  * away from the others. Coordinates may be large (UTM).
@@ -138,8 +138,8 @@ public:
   indoor::JoiningScale
   getJoiningScale() const;
 
-  /** \brief Set the probability of being one thing from which pieces are joined, for
-   * Partition::Pieces. Until it is set, they are joined where that gives whole things,
+  /** \brief Set the probability of being one object from which pieces are joined, for
+   * Partition::Pieces. Until it is set, they are joined where that gives whole objects,
    * see indoor::bestCut().
    * \param[in] level 0 to 1. Higher gives smaller segments; 1 joins none.
    */
@@ -347,13 +347,13 @@ public:
   getStructureIndices() const;
 
   /** \brief Get what each point of the last segment() is of.
-   * \return one per point of the input, a StructureKind: 0 a thing, or no segment, 1
+   * \return one per point of the input, a StructureKind: 0 an object, or no segment, 1
    * floor, 2 wall, 3 ceiling, 4 remainder; all points of a segment are alike */
   std::vector<std::uint32_t>
   getStructure() const;
 
   /** \brief Get the segments of the last segment() that joining up to another level
-   * would give, before things are parted at seams.
+   * would give, before objects are parted at seams.
    * \param[in] level 0.3 to 1; higher gives smaller segments
    * \return one per point of the input, from 1; 0 for points without a segment; empty
    * unless the partition is Partition::Pieces */

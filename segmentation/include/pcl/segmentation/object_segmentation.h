@@ -24,7 +24,7 @@ namespace indoor {
 /** \brief How points were taken. */
 enum class Capture {
   Scan,      ///< in any way; which direction is up is known
-  TableView, ///< by one camera that looks along z, at about 1 m: things on a table
+  TableView, ///< by one camera that looks along z, at about 1 m: objects on a table
   RoomView   ///< by one camera that looks along z, with y down, from farther off
 };
 
@@ -62,7 +62,7 @@ areBehind(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& cam
  * ways across it; and they are dense enough for smaller voxels than a room's, see
  * raisedToResolution().
  *
- * What is joined to whole furniture in rooms joins such things to one;
+ * What is joined to whole furniture in rooms joins such objects to one;
  * singleViewOptions() keep them apart, from whichever sides they were seen.
  * \param[in] points finite, metres, local frame; fewer than 1,000 do not tell
  * \param[in] up unit length
@@ -95,9 +95,9 @@ struct ObjectSegmentationInput {
   VoxelVoter voter; ///< for a Capture::Scan
 };
 
-/** \brief Whether a segment is a thing, or what else it is. */
+/** \brief Whether a segment is an object, or what else it is. */
 enum class StructureKind : std::uint8_t {
-  None = 0, ///< a thing
+  None = 0, ///< an object
   Floor = 1,
   Wall = 2,
   Ceiling = 3,
@@ -133,7 +133,7 @@ struct ObjectSegmentation {
 /** \brief Segment a scanned scene into objects or their parts (Sec. 4.2).
  * Takes out the voxels of concave and noisy regions, joins supervoxels of the others to
  * pieces, gives the voxels that were taken out to the pieces they continue, and joins
- * pieces that are probably one thing. Works on voxels throughout, so its cost is
+ * pieces that are probably one object. Works on voxels throughout, so its cost is
  * nearly linear in the number of points, and small.
  * Floor, ceiling and walls are kept out of the graph, see findRoomStructure(): nothing
  * is joined through them. With JoiningScale::View and for a Capture::TableView there
@@ -198,25 +198,26 @@ struct ObjectReport {
   Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ();
 };
 
-/** \brief Warn if nearly all points, of many, are one segment: right for one thing.
+/** \brief Warn if nearly all points, of many, are one segment: right for one object.
  * \return one line; empty if not
  */
 PCL_INDOOR_EXPORTS std::string
 oneSegmentWarning(const ObjectSegmentation& result);
 
-/** \brief Warn if the largest thing is no larger than what stands on a table, see
- * isTableTop(), but of ten pieces or more: probably it is many small things.
- * \return one line; empty if not, and with JoiningScale::View, which is for such things
+/** \brief Warn if the largest object is no larger than what stands on a table, see
+ * isTableTop(), but of ten pieces or more: probably it is many small objects.
+ * \return one line; empty if not, and with JoiningScale::View, which is for such
+ * objects
  */
 PCL_INDOOR_EXPORTS std::string
 tableTopWarning(const ObjectSegmentation& result);
 
-/** \brief Warn if the largest thing is more than 4 m wide both ways: probably several
- * rooms, or one whose walls were not told from its things.
+/** \brief Warn if the largest object is more than 4 m wide both ways: probably several
+ * rooms, or one whose walls were not told from its objects.
  * \return one line; empty if not, and with JoiningScale::View
  */
 PCL_INDOOR_EXPORTS std::string
-wideThingWarning(const ObjectSegmentation& result);
+wideObjectWarning(const ObjectSegmentation& result);
 
 /** \brief Warn that some points are so far from the others that they get no segment.
  * \return one line; empty if there are none

@@ -16,17 +16,18 @@ namespace indoor {
 
 /** \brief What pieces are joined to. */
 enum class JoiningScale {
-  Parts, ///< parts of chairs and sofas, as a seat, a back and an arm; else whole things
-  Objects, ///< whole things
-  View     ///< small things in a camera's view, as on a table
+  Parts,   ///< parts of chairs and sofas, as a seat, a back and an arm; else whole
+           ///< objects
+  Objects, ///< whole objects
+  View     ///< small objects in a camera's view, as on a table
 };
 
 /** \brief How pieces are joined. */
 struct PieceOptions {
   JoiningScale scale = JoiningScale::Objects; ///< what the pieces are joined to
-  /** least probability that two pieces are one thing for them to be joined (0 to 1);
-   * higher gives smaller segments. None: they are joined where that gives whole things,
-   * see bestCut(); for JoiningScale::View from levelOf() on */
+  /** least probability that two pieces are one object for them to be joined (0 to 1);
+   * higher gives smaller segments. None: they are joined where that gives whole
+   * objects, see bestCut(); for JoiningScale::View from levelOf() on */
   std::optional<float> joining_level;
 };
 
@@ -57,8 +58,8 @@ struct ObjectSegmentationOptions {
 PCL_INDOOR_EXPORTS ObjectSegmentationOptions
 withSizes(ObjectSegmentationOptions options);
 
-/** \brief Parts of things, as the seat and the back of a chair, instead of whole
- * things: JoiningScale::Parts. */
+/** \brief Parts of objects, as the seat and the back of a chair, instead of whole
+ * objects: JoiningScale::Parts. */
 PCL_INDOOR_EXPORTS ObjectSegmentationOptions
 partsOptions();
 

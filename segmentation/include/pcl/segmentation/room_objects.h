@@ -133,7 +133,7 @@ measureObjects(const std::vector<Eigen::Vector3f>& positions,
 /** \brief The room with whose points the objects of each point are looked for: its own,
  * and for a point in none that to which half a metre of surface leads, or 0.
  *
- * A room ends where nothing shows that it goes on: without its surroundings, things in
+ * A room ends where nothing shows that it goes on: without its surroundings, objects in
  * niches and windows, and what stands where little was seen, would be cut.
  * \param[in] positions finite, z up, metres
  * \param[in] room_of_point one per position; 0 = none

@@ -88,8 +88,8 @@ multiScaleErrors(const SegmentLabels& fine,
                  const SegmentLabels& coarse,
                  const SegmentLabels& predicted);
 
-/** \brief How well things were found as wholes, over one or several scenes. */
-struct PCL_INDOOR_EXPORTS ThingScore {
+/** \brief How well objects were found as wholes, over one or several scenes. */
+struct PCL_INDOOR_EXPORTS ObjectScore {
   std::size_t true_count = 0;      ///< true segments that are large enough
   std::size_t predicted_count = 0; ///< predicted segments that are not void
   std::size_t right_count = 0;     ///< pairs with intersection over union above 0.5
@@ -97,8 +97,8 @@ struct PCL_INDOOR_EXPORTS ThingScore {
   /** true segments of which a prediction covers 80 % or more, and that are 70 % or more
    * of it, void points included */
   std::size_t whole_count = 0;
-  ThingScore&
-  operator+=(const ThingScore& other);
+  ObjectScore&
+  operator+=(const ObjectScore& other);
 
   /** \brief Panoptic quality without classes (Kirillov et al., CVPR 2019): iou_sum over
    * the mean of true and predicted counts; 0 to 1, 1 if there is nothing. */
@@ -127,18 +127,18 @@ struct PCL_INDOOR_EXPORTS ThingScore {
   wholeShare() const;
 };
 
-/** \brief Compare true things with predicted segments. Void points, whose true label is
- * 0 or that of a segment of fewer than min_size points, count neither for nor against a
- * prediction; a prediction of which half or more is void is not counted unless it is
- * right.
- * \param[in] counted labels of the true things to score; others are void; empty: all
- * \throws pcl::BadArgumentException if the numbers of labels differ
+/** \brief Compare true objects with predicted segments. Void points, whose true label
+ * is 0 or that of a segment of fewer than min_size points, count neither for nor
+ * against a prediction; a prediction of which half or more is void is not counted
+ * unless it is right. \param[in] counted labels of the true objects to score; others
+ * are void; empty: all \throws pcl::BadArgumentException if the numbers of labels
+ * differ
  */
-PCL_INDOOR_EXPORTS ThingScore
-scoreThings(const SegmentLabels& truth,
-            const SegmentLabels& predicted,
-            std::size_t min_size = 100,
-            const std::vector<std::uint32_t>& counted = {});
+PCL_INDOOR_EXPORTS ObjectScore
+scoreObjects(const SegmentLabels& truth,
+             const SegmentLabels& predicted,
+             std::size_t min_size = 100,
+             const std::vector<std::uint32_t>& counted = {});
 
 /** \brief How well whole segments, for example rooms, were found. */
 struct DetectionScore {

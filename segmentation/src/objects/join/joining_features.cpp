@@ -20,8 +20,8 @@ namespace {
 struct VoteSummary {
   std::vector<double> shares; ///< of each class
   double building = 0;        ///< of floor, wall and ceiling together
-  double most = 0;            ///< of a class of things
-  Eigen::Vector3d middle;     ///< of the things
+  double most = 0;            ///< of a class of objects
+  Eigen::Vector3d middle;     ///< of the objects
   double spread;              ///< of the middles, metres
 
   explicit VoteSummary(const Piece& piece)
@@ -31,10 +31,10 @@ struct VoteSummary {
   {
     for (auto& share : shares)
       share /= std::max(1.0, piece.positions.count);
-    const auto things = shares.begin() + building_classes;
-    building = std::accumulate(shares.begin(), things, 0.0);
-    if (things != shares.end())
-      most = *std::max_element(things, shares.end());
+    const auto objects = shares.begin() + building_classes;
+    building = std::accumulate(shares.begin(), objects, 0.0);
+    if (objects != shares.end())
+      most = *std::max_element(objects, shares.end());
   }
 };
 
@@ -167,8 +167,8 @@ joiningFeatureNames()
         "same vote",
         "votes for the building, a",
         "votes for the building, b",
-        "most votes for a thing, a",
-        "most votes for a thing, b",
+        "most votes for an object, a",
+        "most votes for an object, b",
         "distance of middles",
         "distance of middles over their spreads",
         "spread of middles, a",
@@ -178,10 +178,10 @@ joiningFeatureNames()
   return names;
 }
 
-const std::array<const char*, std::tuple_size<ThingFeatures>::value>&
-thingFeatureNames()
+const std::array<const char*, std::tuple_size<ObjectFeatures>::value>&
+objectFeatureNames()
 {
-  static const std::array<const char*, std::tuple_size<ThingFeatures>::value> names = {
+  static const std::array<const char*, std::tuple_size<ObjectFeatures>::value> names = {
       {"log area",
        "height",
        "low",
@@ -207,11 +207,11 @@ thingFeatureNames()
        "probability of the next join",
        "log area of what it joins with, over its own",
        "votes for the building",
-       "most votes for a thing",
+       "most votes for an object",
        "evenness of votes",
        "spread of middles",
        "spread of middles over size",
-       "middles off the thing"}};
+       "middles off the object"}};
   return names;
 }
 
@@ -447,20 +447,20 @@ PairDescription::putVotes(const PairSide& a, const PairSide& b, FeatureList& lis
 }
 
 void
-PairDescription::putVotes(const PairSide& thing, FeatureList& list) const
+PairDescription::putVotes(const PairSide& object, FeatureList& list) const
 {
-  if (thing.piece.votes.classes.empty()) {
+  if (object.piece.votes.classes.empty()) {
     list.putNothing(6);
     return;
   }
-  const VoteSummary votes(thing.piece);
+  const VoteSummary votes(object.piece);
   list.put(votes.building);
   list.put(votes.most);
   list.put(std::inner_product(
       votes.shares.begin(), votes.shares.end(), votes.shares.begin(), 0.0));
   list.put(votes.spread);
-  list.put(votes.spread / (thing.shape.deviations.norm() + voxel_size_));
-  list.put((votes.middle - thing.shape.mean).norm());
+  list.put(votes.spread / (object.shape.deviations.norm() + voxel_size_));
+  list.put((votes.middle - object.shape.mean).norm());
 }
 
 JoiningFeatures
@@ -493,32 +493,32 @@ PairDescription::describe(const PairSide& side_a,
   return features;
 }
 
-ThingFeatures
-PairDescription::describeThing(const PairSide& thing,
-                               float probability,
-                               float level) const
+ObjectFeatures
+PairDescription::describeObject(const PairSide& object,
+                                float probability,
+                                float level) const
 {
-  const auto& piece = thing.piece;
-  const auto& shape = thing.shape;
+  const auto& piece = object.piece;
+  const auto& shape = object.shape;
   const double least_area = voxel_size_ * voxel_size_;
   const auto rectangle = outlineRectangle(piece.outline);
-  ThingFeatures features;
+  ObjectFeatures features;
   FeatureList list(features.data());
-  putPiece(thing, list);
+  putPiece(object, list);
   list.put(piece.positions.count * least_area /
            std::pow(std::max(std::pow(voxel_size_, 3), shape.volume), 2.0 / 3));
   list.put(shape.outline_area /
            std::max(least_area, rectangle.length * rectangle.width));
   list.put(shape.floor_area / std::max(least_area, shape.outline_area));
   list.putLog(piece.parts, 1);
-  list.put(thing.contacts);
-  list.put(thing.touching / piece.positions.count);
+  list.put(object.contacts);
+  list.put(object.touching / piece.positions.count);
   list.put(voxel_size_);
   list.put(probability);
   list.put(level);
   list.put(0); // nothing takes it up
   list.put(0);
-  putVotes(thing, list);
+  putVotes(object, list);
   assert(list.end() == features.data() + features.size());
   return features;
 }

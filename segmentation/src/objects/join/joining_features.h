@@ -50,9 +50,9 @@ public:
   JoiningFeatures
   describe(const PairSide& a, const PairSide& b, const PieceContact& contact) const;
 
-  /** All that a thing is by itself: what becomes of it follows. */
-  ThingFeatures
-  describeThing(const PairSide& thing, float probability, float level) const;
+  /** All that an object is by itself: what becomes of it follows. */
+  ObjectFeatures
+  describeObject(const PairSide& object, float probability, float level) const;
 
 private:
   class FeatureList;
@@ -85,7 +85,7 @@ private:
   putVotes(const PairSide& a, const PairSide& b, FeatureList& list) const;
 
   void
-  putVotes(const PairSide& thing, FeatureList& list) const;
+  putVotes(const PairSide& object, FeatureList& list) const;
 
   void
   putOutlines(const PairSide& a,

@@ -49,7 +49,7 @@ bundledFits(JoiningScale scale, bool has_votes)
 {
   if (scale == JoiningScale::View)
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "How well things in views fit was not learned.");
+                        "How well objects in views fit was not learned.");
   if (scale == JoiningScale::Parts)
     return bundledTrees("fit_of_parts");
   return bundledTrees(has_votes ? "fit_of_voted" : "fit_of_objects");
@@ -94,8 +94,8 @@ expectedFits(const JoinTree& tree, JoiningScale scale, bool has_votes)
 {
   const auto& trees = bundledFits(scale, has_votes);
   std::vector<float> fits;
-  for (const auto& thing : tree.things)
-    fits.push_back(trees.probability(thing.data()));
+  for (const auto& object : tree.objects)
+    fits.push_back(trees.probability(object.data()));
   return fits;
 }
 

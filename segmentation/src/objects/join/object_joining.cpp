@@ -16,18 +16,18 @@ namespace {
 
 using pcl::indoor::JoiningCriterion;
 using pcl::indoor::JoinTree;
+using pcl::indoor::ObjectFeatures;
 using pcl::indoor::PairDescription;
 using pcl::indoor::PairSide;
 using pcl::indoor::Piece;
 using pcl::indoor::PieceContact;
 using pcl::indoor::PieceGraph;
 using pcl::indoor::PieceShape;
-using pcl::indoor::ThingFeatures;
 
-/** What becomes of a thing. */
+/** What becomes of an object. */
 constexpr std::size_t next_probability = 22, next_size = 23;
 
-/** A piece with more contacts, as a floor that was not told from the things on it, is
+/** A piece with more contacts, as a floor that was not told from the objects on it, is
  * described anew only when it has grown by a share: else n joins with it would describe
  * n contacts each. Rooms have at most 40 contacts, buildings in one piece had 372. */
 constexpr std::size_t most_contacts = 512;
@@ -59,11 +59,11 @@ public:
       touching_[contact.first] += contact.first_voxels;
       touching_[contact.second] += contact.second_voxels;
     }
-    tree_.things.resize(pieces_.size());
+    tree_.objects.resize(pieces_.size());
     for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
       described_size_[p] = pieces_[p].positions.count;
       if (pieces_[p].positions.count > 0)
-        tree_.things[p] = description_.describeThing(sideOf(p), 1, 1);
+        tree_.objects[p] = description_.describeObject(sideOf(p), 1, 1);
     }
     for (const auto& contact : graph.contacts)
       propose(contact.first, contact.second);
@@ -136,7 +136,7 @@ private:
       return;
     }
     for (const auto piece : {a, b}) { // it stays so if nothing else takes it up
-      auto& next = tree_.things[node_[piece]][next_probability];
+      auto& next = tree_.objects[node_[piece]][next_probability];
       next = std::max(next, probability);
     }
   }
@@ -155,23 +155,23 @@ private:
   join(const Proposal& best, float level)
   {
     tree_.joins.push_back({best.name_a, best.name_b, level});
-    auto &first = tree_.things[node_[best.a]], &second = tree_.things[node_[best.b]];
+    auto &first = tree_.objects[node_[best.a]], &second = tree_.objects[node_[best.b]];
     const bool is_first = links_[best.a].size() >= links_[best.b].size();
     const auto kept = is_first ? best.a : best.b, gone = is_first ? best.b : best.a;
-    const float next = tree_.things[node_[kept]][next_probability];
+    const float next = tree_.objects[node_[kept]][next_probability];
     first[next_probability] = second[next_probability] = best.probability;
     first[next_size] = second.front() - first.front(); // their log areas
     second[next_size] = -first[next_size];
     criterion_.joined(best.name_a, best.name_b);
     const auto moved = unite(kept, gone);
     name_[kept] = best.name_a;
-    node_[kept] = static_cast<std::uint32_t>(tree_.things.size());
-    tree_.things.push_back(
-        description_.describeThing(sideOf(kept), best.probability, level));
+    node_[kept] = static_cast<std::uint32_t>(tree_.objects.size());
+    tree_.objects.push_back(
+        description_.describeObject(sideOf(kept), best.probability, level));
     const double size = pieces_[kept].positions.count;
     if (links_[kept].size() > most_contacts &&
         size < (1 + least_growth) * described_size_[kept]) {
-      tree_.things.back()[next_probability] = next;
+      tree_.objects.back()[next_probability] = next;
       for (const auto other : moved)
         propose(kept, other);
       return;
@@ -219,7 +219,7 @@ private:
   std::vector<Links> links_;
   std::vector<std::uint32_t> name_;
   JoinTree tree_;
-  std::vector<std::uint32_t> node_; ///< the thing that each piece stands for
+  std::vector<std::uint32_t> node_; ///< the object that each piece stands for
   std::priority_queue<Proposal> queue_;
   std::uint64_t last_number_ = 0;
 };

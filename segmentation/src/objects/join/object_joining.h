@@ -17,7 +17,8 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief What is known of two pieces that may be one thing, see joiningFeatureNames().
+/** \brief What is known of two pieces that may be one object, see
+ * joiningFeatureNames().
  */
 using JoiningFeatures = std::array<float, 86>;
 
@@ -25,22 +26,22 @@ using JoiningFeatures = std::array<float, 86>;
 const std::array<const char*, std::tuple_size<JoiningFeatures>::value>&
 joiningFeatureNames();
 
-/** \brief What is known of a piece, or of a union of pieces, that may be a whole thing,
- * see thingFeatureNames(). */
-using ThingFeatures = std::array<float, 30>;
+/** \brief What is known of a piece, or of a union of pieces, that may be a whole
+ * object, see objectFeatureNames(). */
+using ObjectFeatures = std::array<float, 30>;
 
 /** \brief Get what each of the features is. */
-const std::array<const char*, std::tuple_size<ThingFeatures>::value>&
-thingFeatureNames();
+const std::array<const char*, std::tuple_size<ObjectFeatures>::value>&
+objectFeatureNames();
 
 /** \brief The joins of pieces, a tree whose leaves are pieces. */
 struct JoinTree {
   std::vector<PieceJoin> joins; ///< in their order, by descending level
   /** of the pieces, then of the union of each join; 0 of pieces without voxels */
-  std::vector<ThingFeatures> things;
+  std::vector<ObjectFeatures> objects;
 };
 
-/** \brief Tells how probable it is that two pieces are one thing. */
+/** \brief Tells how probable it is that two pieces are one object. */
 class JoiningCriterion {
 public:
   virtual ~JoiningCriterion() = default;
@@ -100,16 +101,16 @@ segmentsAtLevel(std::size_t piece_count,
                 float level);
 
 /** \brief Get the level that suits what pieces are joined to: 0.4 for objects, 0.7 for
- * parts, 0.9 for views, where a wrong join loses the smaller of two things. */
+ * parts, 0.9 for views, where a wrong join loses the smaller of two objects. */
 float
 levelOf(JoiningScale scale);
 
-/** \brief Get how well each piece and each union is expected to fit a true thing, as
+/** \brief Get how well each piece and each union is expected to fit a true object, as
  * learned from simulated scans.
  * \param[in] scale not JoiningScale::View, for which nothing was learned
  * \param[in] has_votes as for LearnedCriterion
  * \return intersection over union, 0 where that is at most 0.5; one for each of
- * JoinTree::things
+ * JoinTree::objects
  * \throws pcl::BadArgumentException for JoiningScale::View */
 std::vector<float>
 expectedFits(const JoinTree& tree, JoiningScale scale, bool has_votes = false);

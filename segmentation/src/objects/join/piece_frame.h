@@ -17,7 +17,7 @@ namespace indoor {
 /** \brief What pieces are described in: what is up, how high, and how large. */
 struct PieceFrame {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< x, y and up, as rows
-  double floor = 0;      ///< height of what things stand on, metres
+  double floor = 0;      ///< height of what objects stand on, metres
   double voxel_size = 0; ///< metres
 };
 
@@ -26,7 +26,7 @@ struct PieceFrame {
 PieceFrame
 roomFrame(const ObjectScene& scene);
 
-/** \brief Get the frame of a camera's view: what things stand on is the largest piece,
+/** \brief Get the frame of a camera's view: what objects stand on is the largest piece,
  * and up is its normal; voxels are as large as at the median distance.
  * \param[in] piece_of_voxel 0 ... piece_count - 1
  * \param[in] viewpoint of the camera, which looks along z

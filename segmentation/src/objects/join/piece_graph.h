@@ -47,7 +47,7 @@ struct VectorMoments {
 /** \brief What the voxels of a piece were taken for. */
 struct PieceVotes {
   std::vector<double> classes; ///< of each, the sum of the probabilities of its voxels
-  VectorMoments middles;       ///< of the things its voxels are part of, metres
+  VectorMoments middles;       ///< of the objects its voxels are part of, metres
 
   PieceVotes&
   operator+=(const PieceVotes& other);

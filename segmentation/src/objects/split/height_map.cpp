@@ -13,14 +13,14 @@
 namespace {
 
 constexpr double empty = std::numeric_limits<double>::quiet_NaN();
-constexpr double outline_share = 0.35;   // of a thing's height
+constexpr double outline_share = 0.35;   // of an object's height
 constexpr double most_high_points = 0.3; // with more it is part of a higher one
 
-constexpr double min_area = 4;          // of a thing, cells
-constexpr double max_area_share = 0.25; // of a thing over that of the surface
+constexpr double min_area = 4;          // of an object, cells
+constexpr double max_area_share = 0.25; // of an object over that of the surface
 constexpr double min_surrounded = 0.5;  // share of the cells at its rim with points
 constexpr double noise_deviations =
-    3; // of the surface's heights that a thing rises, at least
+    3; // of the surface's heights that an object rises, at least
 constexpr double min_rise = 0.1; // and at least this, cells
 
 } // namespace
@@ -170,12 +170,12 @@ HeightMap::largestAbove(double outline, const Cells& raised)
 }
 
 double
-HeightMap::shareAround(const Cells& thing) const
+HeightMap::shareAround(const Cells& object) const
 {
-  auto inside = thing;
+  auto inside = object;
   std::sort(inside.begin(), inside.end());
   std::size_t around = 0, occupied = 0;
-  for (const auto cell : thing)
+  for (const auto cell : object)
     forNeighbors(cell, [&](std::uint32_t other) {
       const bool is_around = !std::binary_search(inside.begin(), inside.end(), other);
       around += is_around;
@@ -185,29 +185,29 @@ HeightMap::shareAround(const Cells& thing) const
 }
 
 bool
-HeightMap::isThing(const Cells& thing) const
+HeightMap::isObject(const Cells& object) const
 {
   double points = 0, high_points = 0;
-  for (const auto cell : thing) {
+  for (const auto cell : object) {
     points += counts_[cell] + high_counts_[cell];
     high_points += high_counts_[cell];
   }
-  const auto area = static_cast<double>(thing.size());
+  const auto area = static_cast<double>(object.size());
   return area >= min_area && high_points <= most_high_points * points &&
          area <= max_area_share * static_cast<double>(surface_cells_) &&
-         shareAround(thing) >= min_surrounded;
+         shareAround(object) >= min_surrounded;
 }
 
 std::vector<std::uint32_t>
-HeightMap::findThings()
+HeightMap::findObjects()
 {
-  std::vector<std::uint32_t> thing_of_cell(static_cast<std::size_t>(cell_count_), 0);
-  thing_count_ = 0;
+  std::vector<std::uint32_t> object_of_cell(static_cast<std::size_t>(cell_count_), 0);
+  object_count_ = 0;
   if (counts_.empty())
-    return thing_of_cell;
+    return object_of_cell;
   smoothHeights();
-  if (!measureSurface(cell_size_, min_thing_surface))
-    return thing_of_cell;
+  if (!measureSurface(cell_size_, min_object_surface))
+    return object_of_cell;
   const double high = std::max(noise_deviations * deviation_, min_rise * cell_size_);
   const double low = high / 2;
   states_.assign(counts_.size(), State::Open);
@@ -220,14 +220,14 @@ HeightMap::findThings()
       states_[cell] = State::Visited;
       return true;
     });
-    const auto thing = largestAbove(outlineOf(raised), raised);
-    if (!isThing(thing))
+    const auto object = largestAbove(outlineOf(raised), raised);
+    if (!isObject(object))
       continue;
-    ++thing_count_;
-    for (const auto cell : thing)
-      thing_of_cell[cell] = static_cast<std::uint32_t>(thing_count_);
+    ++object_count_;
+    for (const auto cell : object)
+      object_of_cell[cell] = static_cast<std::uint32_t>(object_count_);
   }
-  return thing_of_cell;
+  return object_of_cell;
 }
 
 } // namespace indoor

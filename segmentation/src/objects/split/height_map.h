@@ -12,8 +12,8 @@
 namespace pcl {
 namespace indoor {
 
-/** Least area of a surface that things lie on, voxels. */
-constexpr double min_thing_surface = 64;
+/** Least area of a surface that objects lie on, voxels. */
+constexpr double min_object_surface = 64;
 
 /** \brief Mean heights above a surface in the cells of a regular grid. */
 class HeightMap {
@@ -34,21 +34,21 @@ public:
   void
   add(std::uint32_t cell, double height);
 
-  /** \brief Count a point that is higher than things may be. */
+  /** \brief Count a point that is higher than objects may be. */
   void
   addHigh(std::uint32_t cell);
 
   /** \brief Find connected cells that rise above the others.
-   * \return the number of its thing, from 1, for each cell; 0 for all others
+   * \return the number of its object, from 1, for each cell; 0 for all others
    */
   std::vector<std::uint32_t>
-  findThings();
+  findObjects();
 
-  /** \brief Get the number of things that were found. */
+  /** \brief Get the number of objects that were found. */
   std::size_t
-  thingCount() const
+  objectCount() const
   {
-    return thing_count_;
+    return object_count_;
   }
 
 private:
@@ -67,7 +67,7 @@ private:
   smoothHeights();
 
   /** Height of the surface and its standard deviation, from the cells below it: no
-   * thing lies there. */
+   * object lies there. */
   bool
   measureSurface(double tolerance, double min_cells);
 
@@ -83,21 +83,21 @@ private:
     return sums_[cell] / counts_[cell];
   }
 
-  /** Height from which a cell is part of a thing: a share of how high the raised cells
-   * are. */
+  /** Height from which a cell is part of an object: a share of how high the raised
+   * cells are. */
   double
   outlineOf(const Cells& raised) const;
 
   Cells
   largestAbove(double outline, const Cells& raised);
 
-  /** Share of the cells at the rim of a thing that hold points; a cell counts once for
-   * each cell of the thing that it touches. */
+  /** Share of the cells at the rim of an object that hold points; a cell counts once
+   * for each cell of the object that it touches. */
   double
-  shareAround(const Cells& thing) const;
+  shareAround(const Cells& object) const;
 
   bool
-  isThing(const Cells& thing) const;
+  isObject(const Cells& object) const;
 
   double cell_size_;
   Eigen::Vector2d corner_;
@@ -107,7 +107,7 @@ private:
   std::vector<std::uint32_t> counts_, high_counts_;
   std::vector<State> states_;
   double surface_ = 0, deviation_ = 0;
-  std::size_t surface_cells_ = 0, thing_count_ = 0;
+  std::size_t surface_cells_ = 0, object_count_ = 0;
 };
 
 } // namespace indoor

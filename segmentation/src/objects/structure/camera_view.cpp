@@ -24,8 +24,8 @@ constexpr double least_in_front = 0.99; // share of a camera's points
 constexpr double widest_view = 75;      // degrees from the camera's axis
 constexpr double middle = 10;           // degrees: what the camera looks at
 constexpr float always_table = 1.4f;    // metres, half of the points in the middle
-constexpr float never_table = 2.0f;     // metres: noise hides small things
-constexpr double around_middle = 15;    // degrees: where small things are looked for
+constexpr float never_table = 2.0f;     // metres: noise hides small objects
+constexpr double around_middle = 15;    // degrees: where small objects are looked for
 constexpr double room_voxel = 0.03;     // metres
 constexpr float bent = 0.03f;           // surface variation: smaller than such voxels
 constexpr double share_of_small = 0.55; // of the voxels around the middle
@@ -41,7 +41,7 @@ isWithin(const Eigen::Vector3f& ray, double degrees)
 /** Whether most of what a camera looks at is too small for the voxels of a room: its
  * surface bends within them. */
 bool
-seesSmallThings(const Points& points, const Eigen::Vector3f& camera)
+seesSmallObjects(const Points& points, const Eigen::Vector3f& camera)
 {
   Points around;
   for (const auto& point : points)
@@ -93,7 +93,7 @@ pixelLines(const std::vector<double>& places)
 }
 
 /** The share of the points whose pixel another one has, too: in a scan from all sides
- * things stand behind each other. */
+ * objects stand behind each other. */
 double
 shareInSamePixels(const Points& points,
                   const Eigen::Vector3f& camera,
@@ -153,7 +153,7 @@ captureOf(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& cam
     return Capture::Scan;
   const float distance = distanceInMiddle(points, camera);
   const bool is_table = distance <= always_table ||
-                        (distance <= never_table && seesSmallThings(points, camera));
+                        (distance <= never_table && seesSmallObjects(points, camera));
   return is_table ? Capture::TableView : Capture::RoomView;
 }
 

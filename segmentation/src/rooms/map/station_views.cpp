@@ -206,7 +206,7 @@ StationViews::isClosed(const Eigen::Array3i& voxel, const RoomMap& map) const
   if (voxel.z() < floor || voxel.z() >= ceiling)
     return column[voxel.z()];
   if (map.free_labels.at(voxel.x(), voxel.y()) != 0)
-    return false; // things do not close a room
+    return false; // objects do not close a room
   const auto layers = [&](double height) {
     return static_cast<int>(std::lround(height / grid.voxel_size));
   };

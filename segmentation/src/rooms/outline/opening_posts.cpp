@@ -18,7 +18,7 @@ namespace {
 // the border: thicker walls hold no labels.
 constexpr double lowest = 0.3, highest = 1.6, deepest = 0.6;
 constexpr std::uint32_t least = 6;  // fewer points are outliers
-constexpr double along_reach = 4.0; // pixels from the ends that voxels say: things
+constexpr double along_reach = 4.0; // pixels from the ends that voxels say: objects
                                     // beside a post close some
 
 } // namespace

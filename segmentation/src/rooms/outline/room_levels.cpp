@@ -38,8 +38,9 @@ struct ColumnTop {
 };
 
 /** Ceilings of the rooms of a storey, column by column of their free space. A thin slab
- * is seen from above, too, and things hang from it: what counts is the lowest face that
- * many points of the room share, and elsewhere, as below a slope, what is lowest. */
+ * is seen from above, too, and objects hang from it: what counts is the lowest face
+ * that many points of the room share, and elsewhere, as below a slope, what is lowest.
+ */
 class Ceilings {
 public:
   Ceilings(const DetailedBuilding& building, std::size_t storey)

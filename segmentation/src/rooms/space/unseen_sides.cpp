@@ -162,7 +162,7 @@ findUnseenSides(const VoxelMap<std::uint8_t>& occupancy,
                 const VoxelMap<std::uint8_t>& bits,
                 int direction_count)
 {
-  constexpr double above_floor = 0.4; // metres: lower things stand on it
+  constexpr double above_floor = 0.4; // metres: lower objects stand on it
   constexpr double below_slope = 1.2; // metres: so much roofs may fall within one
   UnseenSides sides;
   if (occupancy.values.empty() || direction_count == 0)

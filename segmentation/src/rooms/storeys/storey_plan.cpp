@@ -21,8 +21,8 @@ namespace {
 /** What a storey has in a column, as bits. */
 enum Column : std::uint8_t {
   nothing = 0,
-  low = 1,   ///< a floor, or a thing on it
-  floor = 2, ///< that goes on over some square metres, as no thing does
+  low = 1,   ///< a floor, or an object on it
+  floor = 2, ///< that goes on over some square metres, as no object does
   high = 4,  ///< a ceiling, or what hangs from it
   wall = 8
 };

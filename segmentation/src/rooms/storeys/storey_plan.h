@@ -22,7 +22,7 @@ struct PlaceCounts {
   std::size_t area = 0;   ///< of places, but for walls
   std::size_t places = 0; ///< those not beside walls either, where voxels hold both
   std::size_t seen = 0;   ///< with anything in their column
-  std::size_t floors = 0, no_floors = 0; ///< under things it is not known
+  std::size_t floors = 0, no_floors = 0; ///< under objects it is not known
   std::size_t ceilings = 0;
   std::size_t sides = 0; ///< of the places that were seen, those towards a wall
 };

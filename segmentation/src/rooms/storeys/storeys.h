@@ -22,8 +22,8 @@ namespace indoor {
 struct Storeys {
   std::vector<Storey> heights; ///< at least one
   /** For each pair of storeys k and k + 1, per column of the grid: the height above
-   * which things belong to storey k + 1 (or higher); infinite where a hall is open over
-   * both.
+   * which objects belong to storey k + 1 (or higher); infinite where a hall is open
+   * over both.
    */
   std::vector<PixelMap<float>> borders;
 

@@ -19,26 +19,26 @@ namespace indoor {
 enum class PlanKind {
   Home,   ///< 4 to 8 rooms per storey: living room, kitchen, bathroom, bedrooms, hall
   Office, ///< a corridor with offices, meeting room, kitchenette and storage
-  Table   ///< one room with a table in its middle, above the origin, things on it
+  Table   ///< one room with a table in its middle, above the origin, objects on it
 };
 
 /** \brief What a random plan has besides its furniture. */
 enum class PlanFilling {
-  Plain,     ///< a few small things
-  Cluttered, ///< desks pushed together, small things on all that has a level top
+  Plain,     ///< a few small objects
+  Cluttered, ///< desks pushed together, small objects on all that has a level top
   LivedIn    ///< furniture of all shapes, and belongings where people leave them
 };
 
-/** \brief Draw a furnished building, or a table with small things on it.
+/** \brief Draw a furnished building, or a table with small objects on it.
  *
  * Rooms are rectangles that cut a rectangular or L-shaped outline into pieces; a tree
  * of doors, some of them closed, joins them all. Furniture stands as people put it for
  * the kind of each room. Pieces may touch each other and the walls; their bounding
- * boxes share space only where chairs stand under tables or things lie in pieces. Some
+ * boxes share space only where chairs stand under tables or objects lie in pieces. Some
  * buildings are turned. \param[in] seed the same seed gives the same plan; another one
  * another plan \param[in] kind of the building \param[in] filling Cluttered: desks are
- * pushed together, and many small things lie on what has a level top and on the floor,
- * all else is as without; of a table: more things on it. LivedIn: the same rooms, each
+ * pushed together, and many small objects lie on what has a level top and on the floor,
+ * all else is as without; of a table: more objects on it. LivedIn: the same rooms, each
  * piece drawn from all shapes of its class; pillows, blankets, clothes, bags, books,
  * toys, towels, kitchenware and more in, on, under and over it, on the floor, at and on
  * the walls \return a plan that buildBuilding() accepts

@@ -134,7 +134,7 @@ struct Front {
 void
 front(PartMaker& make, const Size& size, const Front& face);
 
-/** \brief Add sides, boards and, if wanted, a rear: what one can put things into.
+/** \brief Add sides, boards and, if wanted, a rear: what one can put objects into.
  * \param[in] bays,rows of its openings */
 void
 openCase(PartMaker& make, const Corners& box, int bays, int rows, bool back);

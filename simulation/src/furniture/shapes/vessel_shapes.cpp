@@ -41,7 +41,7 @@ bottle(const std::vector<Turn>& profile, bool grip)
                 });
 }
 
-// Hollow things: shares of radius and height of their outer side, from foot to rim.
+// Hollow objects: shares of radius and height of their outer side, from foot to rim.
 FurnitureClass
 vessel(const char* name,
        const Size& smallest,
@@ -79,7 +79,7 @@ vessel(const char* name,
       });
 }
 
-// What stands on the floor or a shelf and holds things.
+// What stands on the floor or a shelf and holds objects.
 // A basket of wire or wicker.
 void
 wicker(PartMaker& make, const Size& size, RandomDraw&)

@@ -148,7 +148,7 @@ TEST(BestCut, IsWorthTheMostOfAllCuts)
   EXPECT_GT(joined, 20u);
 }
 
-TEST(BestCut, OfWorthlessThingsIsThatOfTheLevel)
+TEST(BestCut, OfWorthlessObjectsIsThatOfTheLevel)
 {
   std::mt19937 rng(2);
   for (int trial = 0; trial < 50; ++trial) {
@@ -161,7 +161,7 @@ TEST(BestCut, OfWorthlessThingsIsThatOfTheLevel)
   EXPECT_THROW(bestCut({{0, 1, 1}}, {}, 0.5f), pcl::BadArgumentException);
 }
 
-TEST(BestCut, ThingsAreDescribedAsTheyAreJoined)
+TEST(BestCut, ObjectsAreDescribedAsTheyAreJoined)
 {
   struct ByFeatures : JoiningCriterion {
     float
@@ -171,7 +171,7 @@ TEST(BestCut, ThingsAreDescribedAsTheyAreJoined)
     }
   };
   const auto indexOf = [](const std::string& name) {
-    const auto& names = thingFeatureNames();
+    const auto& names = objectFeatureNames();
     const auto found = std::find(names.begin(), names.end(), name);
     EXPECT_NE(found, names.end()) << name;
     return static_cast<std::size_t>(found - names.begin());
@@ -186,49 +186,49 @@ TEST(BestCut, ThingsAreDescribedAsTheyAreJoined)
     const auto graph = randomGraph(20, 30, rng);
     ByFeatures criterion;
     const auto tree = joinPieces(graph, criterion, 0.3f);
-    ASSERT_EQ(tree.things.size(), 20 + tree.joins.size());
+    ASSERT_EQ(tree.objects.size(), 20 + tree.joins.size());
     ASSERT_GT(tree.joins.size(), 3u);
     const Nodes nodes(20, tree.joins);
-    for (std::size_t i = 0; i < tree.things.size(); ++i) {
-      const auto& thing = tree.things[i];
+    for (std::size_t i = 0; i < tree.objects.size(); ++i) {
+      const auto& object = tree.objects[i];
       if (i < 20) {
         EXPECT_NEAR(
-            thing[area], std::log(graph.pieces[i].positions.count / 1024), 1e-5);
-        EXPECT_EQ(thing[parts], 0);
-        EXPECT_EQ(thing[own], 1);
-        EXPECT_EQ(thing[least], 1);
+            object[area], std::log(graph.pieces[i].positions.count / 1024), 1e-5);
+        EXPECT_EQ(object[parts], 0);
+        EXPECT_EQ(object[own], 1);
+        EXPECT_EQ(object[least], 1);
         continue;
       }
       const auto& join = tree.joins[i - 20];
-      const auto &kept = tree.things[nodes.children[i][0]],
-                 &gone = tree.things[nodes.children[i][1]];
+      const auto &kept = tree.objects[nodes.children[i][0]],
+                 &gone = tree.objects[nodes.children[i][1]];
       EXPECT_NEAR(
-          std::exp(thing[area]), std::exp(kept[area]) + std::exp(gone[area]), 1e-3);
+          std::exp(object[area]), std::exp(kept[area]) + std::exp(gone[area]), 1e-3);
       EXPECT_NEAR(
-          std::exp(thing[parts]), std::exp(kept[parts]) + std::exp(gone[parts]), 1e-3);
-      EXPECT_NEAR(thing[low], std::min(kept[low], gone[low]), 1e-5);
-      EXPECT_NEAR(thing[high], std::max(kept[high], gone[high]), 1e-5);
-      EXPECT_EQ(thing[least], join.level);
-      EXPECT_GE(thing[own], join.level);
-      EXPECT_EQ(kept[next], thing[own]);
-      EXPECT_EQ(gone[next], thing[own]);
+          std::exp(object[parts]), std::exp(kept[parts]) + std::exp(gone[parts]), 1e-3);
+      EXPECT_NEAR(object[low], std::min(kept[low], gone[low]), 1e-5);
+      EXPECT_NEAR(object[high], std::max(kept[high], gone[high]), 1e-5);
+      EXPECT_EQ(object[least], join.level);
+      EXPECT_GE(object[own], join.level);
+      EXPECT_EQ(kept[next], object[own]);
+      EXPECT_EQ(gone[next], object[own]);
       EXPECT_NEAR(kept[other], gone[area] - kept[area], 1e-5);
       EXPECT_NEAR(gone[other], kept[area] - gone[area], 1e-5);
     }
     for (const auto root : nodes.roots) {
-      EXPECT_LT(tree.things[root][next], 0.3f) << "nothing takes it up";
-      EXPECT_EQ(tree.things[root][other], 0);
+      EXPECT_LT(tree.objects[root][next], 0.3f) << "nothing takes it up";
+      EXPECT_EQ(tree.objects[root][other], 0);
     }
     const auto fits = expectedFits(tree, JoiningScale::Objects);
-    ASSERT_EQ(fits.size(), tree.things.size());
+    ASSERT_EQ(fits.size(), tree.objects.size());
     EXPECT_NE(fits, expectedFits(tree, JoiningScale::Parts));
     const auto [worst, best] = std::minmax_element(fits.begin(), fits.end());
     EXPECT_GT(*best, *worst + 0.05f) << "they tell one from another";
     auto reversed = tree;
-    std::reverse(reversed.things.begin(), reversed.things.end());
+    std::reverse(reversed.objects.begin(), reversed.objects.end());
     const auto fits_of_reversed = expectedFits(reversed, JoiningScale::Objects);
     EXPECT_TRUE(std::equal(fits.rbegin(), fits.rend(), fits_of_reversed.begin()))
-        << "each is of its thing alone";
+        << "each is of its object alone";
   }
   EXPECT_THROW(expectedFits({}, JoiningScale::View), pcl::BadArgumentException);
 }

@@ -46,7 +46,7 @@ TEST(LearnedCriterion, AsksItsTrees)
                pcl::BadArgumentException);
 }
 
-TEST(LearnedCriterion, BundledTreesTellHalvesOfATableTopFromTwoThings)
+TEST(LearnedCriterion, BundledTreesTellHalvesOfATableTopFromTwoObjects)
 {
   const float voxel = static_cast<float>(voxel_size);
   const auto plate = [voxel](float x, float y, float z) { // 60 x 80 cm

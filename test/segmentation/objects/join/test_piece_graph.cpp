@@ -139,16 +139,16 @@ TEST(PieceGraph, VotesAreTheSumsOfThoseOfTheVoxels)
   scene.votes.class_count = 4;
   auto& cells = scene.voxels.cells.cell_of_point;
   cells.clear();
-  for (const bool is_thing : {false, true})
+  for (const bool is_object : {false, true})
     for (std::uint32_t v = 0; v < scene.voxels.size(); ++v) {
-      if (is_thing)
+      if (is_object)
         scene.points.push_back(scene.points[v]);
       cells.push_back(v);
       scene.votes.voxel_of_point.push_back(
           static_cast<std::uint32_t>(scene.votes.to_middle.size()));
       scene.votes.to_middle.push_back(middle - scene.points[v]);
       const std::vector<float> probabilities = {
-          0.0f, is_thing ? 0.0f : 1.0f, 0.0f, is_thing ? 1.0f : 0.0f};
+          0.0f, is_object ? 0.0f : 1.0f, 0.0f, is_object ? 1.0f : 0.0f};
       scene.votes.probabilities.insert(
           scene.votes.probabilities.end(), probabilities.begin(), probabilities.end());
     }

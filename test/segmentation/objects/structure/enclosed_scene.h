@@ -19,13 +19,13 @@ namespace test {
 
 constexpr double voxel_size = 0.03;
 constexpr float spacing = 0.015f, noise = 0.002f;
-constexpr std::uint32_t thing = 4;
+constexpr std::uint32_t furniture = 4;
 using Box = Eigen::AlignedBox3f;
 using Labels = std::vector<std::uint32_t>;
 enum Face { left = 1, right = 2, front = 4, back = 8, top = 16, bottom = 32 };
 constexpr int tube = left | right | top | bottom; // open in front and behind
 
-/** A corner of a room: floor (1), a wall (2) along y and one (3) along x; things have
+/** A corner of a room: floor (1), a wall (2) along y and one (3) along x; objects have
  * the numbers from 4. */
 struct EnclosedScene {
   LabelledPoints labelled;
@@ -54,7 +54,7 @@ struct EnclosedScene {
 
   /** Some faces of a box. */
   void
-  addFaces(const Box& box, int faces, std::uint32_t object = thing)
+  addFaces(const Box& box, int faces, std::uint32_t object = furniture)
   {
     const Eigen::Vector3f low = box.min(), size = box.sizes();
     for (int axis = 0; axis < 3; ++axis)

@@ -81,7 +81,7 @@ TEST(CameraView, TheDistanceOfWhatIsLookedAtTellsRoomsFromTables)
   const Eigen::Vector3f camera = Eigen::Vector3f::Zero();
   EXPECT_EQ(captureOf(wallAt(1.3f), camera), Capture::TableView);
   EXPECT_EQ(captureOf(wallAt(1.5f), camera), Capture::RoomView);
-  // A table's floor and a room's things beside the middle do not count.
+  // A table's floor and a room's objects beside the middle do not count.
   for (const auto& [middle, beside] :
        {std::make_pair(1.0f, 3.0f), std::make_pair(3.0f, 0.7f)}) {
     auto points = wallAt(beside);
@@ -122,7 +122,7 @@ TEST(CameraView, WhatIsAllAroundIsNoView)
   EXPECT_EQ(captureOf({}, camera), Capture::Scan);
 }
 
-TEST(CameraView, SmallThingsAreATableUpToTwoMetres)
+TEST(CameraView, SmallObjectsAreATableUpToTwoMetres)
 {
   const Eigen::Vector3f camera = Eigen::Vector3f::Zero();
   for (const auto& [depth, rough, capture] :

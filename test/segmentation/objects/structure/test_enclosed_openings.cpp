@@ -50,7 +50,7 @@ shareTaken(const Scene& scene, const Box& opening)
     if (scene.labelled.objects[i] != 3 || !opening.contains(place))
       continue;
     ++within;
-    taken += segments[i] == thing;
+    taken += segments[i] == furniture;
   }
   EXPECT_GT(within, 500);
   return taken / within;

@@ -41,14 +41,14 @@ isBehind(const Box& box, const Eigen::Vector3f& place, std::uint32_t plane)
   return true;
 }
 
-/** That those points of walls that lie at the box, and no others, went to the thing;
+/** That those points of walls that lie at the box, and no others, went to the object;
  * but for a rim that is a voxel wide. */
 void
 expectWithin(const Scene& scene,
              const std::vector<Eigen::Vector3f>& places, // in the frame of the box
              const Box& box,
              const Labels& segments,
-             std::uint32_t object = thing)
+             std::uint32_t object = furniture)
 {
   std::size_t inside = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -71,7 +71,7 @@ expectWithin(const Scene& scene, const Box& box)
   expectWithin(scene, scene.labelled.points, box, scene.yielded());
 }
 
-/** How far the points that planes have yielded are from the thing that has them, at
+/** How far the points that planes have yielded are from the object that has them, at
  * most, along any axis. */
 float
 farthestTaken(const Scene& scene, const Labels& segments)
@@ -208,9 +208,9 @@ TEST(EnclosedStructure, WhatLiesBehindAPlaneDoesNotCloseABox)
 TEST(EnclosedStructure, OfTwoTheSmallerGetsIt)
 {
   const Box inner = boxAt({0.8f, 0, 0.7f}, {0.4f, 0.3f, 0.3f});
-  for (const std::uint32_t small : {thing, thing + 1}) {
+  for (const std::uint32_t small : {furniture, furniture + 1}) {
     Scene scene;
-    const auto large = 2 * thing + 1 - small;
+    const auto large = 2 * furniture + 1 - small;
     scene.addFaces(cabinet, tube | front, large);
     scene.addFaces(inner, tube | front, small);
     auto segments = scene.yielded();
@@ -265,7 +265,7 @@ TEST(EnclosedStructure, APointAstrayDoesNotFillTheMemory)
   scene.addFaces(cabinet, tube | front);
   scene.labelled.points.emplace_back(5e4f, 0.5f, 5e4f);
   scene.labelled.normals.push_back(Eigen::Vector3f::UnitY());
-  scene.labelled.objects.push_back(thing);
+  scene.labelled.objects.push_back(furniture);
   std::size_t count = 1;
   EXPECT_NO_THROW(scene.yielded(&count));
   EXPECT_EQ(count, 0u);

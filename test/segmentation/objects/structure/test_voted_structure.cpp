@@ -17,7 +17,7 @@ namespace {
 TEST(VotedStructure, WhatHardlyAnybodyTakesForTheBuildingLeavesItsPlane)
 {
   VoxelClasses votes;
-  votes.class_count = 5; // two of things
+  votes.class_count = 5; // two of objects
   votes.probabilities = {0.0f, 0.1f, 0.0f, 0.6f, 0.3f, 0.0f, 0.2f, 0.0f, 0.4f, 0.4f};
   votes.voxel_of_point = {0, 1, 0, 1};
   std::vector<std::uint32_t> planes = {1, 1, 0, 2};
@@ -95,7 +95,7 @@ TEST_F(ScanOfParts, BoardsThatAreVotedToBeAWallAreOne)
             std::set<StructureKind>{StructureKind::None});
 }
 
-TEST_F(ScanOfParts, AFloorThatIsVotedToBeAThingIsNone)
+TEST_F(ScanOfParts, AFloorThatIsVotedToBeAnObjectIsNone)
 {
   const auto floorOf = [&](const ObjectSegmentation& result) {
     return result.structure_of_segment[result.segment_of_point[floor_count / 2]];

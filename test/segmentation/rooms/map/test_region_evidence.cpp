@@ -117,7 +117,7 @@ TEST(RegionEvidence, ASmallRegionOfWhichLittleWasSeenIsNoRoom)
 
 TEST(RegionEvidence, WallsOrFloorAndCeilingMakeARoom)
 {
-  EXPECT_TRUE(SquareRoom({1.0, 0.0, 0.0}, 20).isKept()); // full of things
+  EXPECT_TRUE(SquareRoom({1.0, 0.0, 0.0}, 20).isKept()); // full of objects
   EXPECT_TRUE(SquareRoom({0.5, 0.6, 0.6}, 20).isKept());
   EXPECT_TRUE(SquareRoom({0.4, 1.0, 1.0}, 20).isKept()); // an open corner
 }

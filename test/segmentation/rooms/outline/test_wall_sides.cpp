@@ -199,7 +199,7 @@ TEST(WallSides, PointsBesideTheWallFollowIt)
   EXPECT_EQ(wall.rightShare(wall.assigned()), 1.0);
 }
 
-TEST(WallSides, RoundThingsAreLeftAlone)
+TEST(WallSides, RoundObjectsAreLeftAlone)
 {
   Wall wall(0.0, 0.1, 0.0);
   wall.points.clear();

@@ -73,7 +73,7 @@ TEST(HasHoles, WhereVoxelsHaveFewNeighbors)
   EXPECT_TRUE(hasHoles(rings));
 }
 
-TEST(HasHoles, AFewThingsInAirAreNone)
+TEST(HasHoles, AFewObjectsInAirAreNone)
 {
   std::mt19937 rng(5);
   VoxelMap<std::uint8_t> grid = plane(1.0, rng);

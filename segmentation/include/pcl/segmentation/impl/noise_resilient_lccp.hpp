@@ -240,7 +240,7 @@ NoiseResilientLCCP<PointT>::segment(std::vector<std::uint32_t>& labels)
   const auto as_one = indoor::oneSegmentWarning(result_);
   warn(as_one.empty() ? indoor::tableTopWarning(result_) : as_one);
   if (as_one.empty())
-    warn(indoor::wideThingWarning(result_));
+    warn(indoor::wideObjectWarning(result_));
   input_size_ = input_->size();
   labels.assign(input_size_, 0);
   std::vector<std::uint32_t> name_of_segment(result_.segment_count, 0);

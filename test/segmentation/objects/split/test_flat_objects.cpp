@@ -5,7 +5,7 @@
 
 #include "support/labelled_points.h"
 
-#include "objects/split/flat_things.h"
+#include "objects/split/flat_objects.h"
 #include "segmentation/objects/scene_of_points.h"
 
 #include <pcl/exceptions.h>
@@ -25,13 +25,13 @@ constexpr double voxel_size = 0.03;
 
 using Area = Eigen::AlignedBox2f;
 
-/** A desk's top, 1.5 m x 0.8 m, with a gap where a thing of this height (object 2)
+/** A desk's top, 1.5 m x 0.8 m, with a gap where an object of this height (object 2)
  * hides it. */
 LabelledPoints
-deskWithThing(float height,
-              float noise,
-              const Area& area = Area(Eigen::Vector2f(0.5f, 0.3f),
-                                      Eigen::Vector2f(0.9f, 0.5f)))
+deskWithObject(float height,
+               float noise,
+               const Area& area = Area(Eigen::Vector2f(0.5f, 0.3f),
+                                       Eigen::Vector2f(0.9f, 0.5f)))
 {
   LabelledPoints scene;
   std::mt19937 rng(5);
@@ -57,7 +57,7 @@ parted(const LabelledPoints& labelled,
   scene.up = up;
   estimateNormals(scene.points, scene.voxels, 1, 2);
   scene.plane_of_voxel.assign(scene.voxels.size(), is_structure);
-  return partFlatThings(scene, std::vector<std::uint32_t>(scene.voxels.size(), 0));
+  return partFlatObjects(scene, std::vector<std::uint32_t>(scene.voxels.size(), 0));
 }
 
 /** Share of the points for which the second segment is not the scene's object 2. */
@@ -70,38 +70,38 @@ errorShare(const LabelledPoints& scene, const std::vector<std::uint32_t>& labels
   return wrong / static_cast<double>(labels.size());
 }
 
-TEST(FlatThings, PartsAKeyboardFromANoisyDesk)
+TEST(FlatObjects, PartsAKeyboardFromANoisyDesk)
 {
-  const auto scene = deskWithThing(0.02f, 0.005f);
+  const auto scene = deskWithObject(0.02f, 0.005f);
   const auto labels = parted(scene);
   EXPECT_EQ(segmentCount(labels), 2u);
-  EXPECT_LT(errorShare(scene, labels), 0.02); // the thing has 6.7 % of the points
+  EXPECT_LT(errorShare(scene, labels), 0.02); // the object has 6.7 % of the points
 }
 
-TEST(FlatThings, LeavesAPlainSurfaceWhole)
+TEST(FlatObjects, LeavesAPlainSurfaceWhole)
 {
-  EXPECT_EQ(segmentCount(parted(deskWithThing(0, 0.005f))), 1u);
+  EXPECT_EQ(segmentCount(parted(deskWithObject(0, 0.005f))), 1u);
 }
 
-TEST(FlatThings, NeedsARiseAboveTheUnevennessOfTheSurface)
+TEST(FlatObjects, NeedsARiseAboveTheUnevennessOfTheSurface)
 {
-  auto wavy = deskWithThing(0.008f, 0.002f);
+  auto wavy = deskWithObject(0.008f, 0.002f);
   for (auto& point : wavy.points)
     point.z() += 0.012f * std::sin(12 * point.x()) * std::cos(11 * point.y());
   EXPECT_EQ(segmentCount(parted(wavy)), 1u);
 }
 
-TEST(FlatThings, LeavesWhatIsHigherThanAThing)
+TEST(FlatObjects, LeavesWhatIsHigherThanAnObject)
 {
-  const auto tower = deskWithThing(0.2f, 0.002f);
+  const auto tower = deskWithObject(0.2f, 0.002f);
   EXPECT_EQ(segmentCount(parted(tower)), 1u);
-  EXPECT_EQ(segmentCount(parted(deskWithThing(0.1f, 0.002f))), 2u);
+  EXPECT_EQ(segmentCount(parted(deskWithObject(0.1f, 0.002f))), 2u);
 }
 
-TEST(FlatThings, LeavesWhatIsNoSmallerThanTheSurface)
+TEST(FlatObjects, LeavesWhatIsNoSmallerThanTheSurface)
 {
   const auto desk_with = [](float width) {
-    return deskWithThing(
+    return deskWithObject(
         0.03f,
         0.003f,
         Area(Eigen::Vector2f(0.4f, 0.1f), Eigen::Vector2f(0.4f + width, 0.7f)));
@@ -110,10 +110,10 @@ TEST(FlatThings, LeavesWhatIsNoSmallerThanTheSurface)
   EXPECT_EQ(segmentCount(parted(desk_with(0.6f))), 1u) << "30 % of the desk";
 }
 
-TEST(FlatThings, LeavesWhatTheSurfaceIsNotAround)
+TEST(FlatObjects, LeavesWhatTheSurfaceIsNotAround)
 {
   const auto desk_with_strip = [](float from) { // a board's edge, or a ruler
-    return deskWithThing(
+    return deskWithObject(
         0.03f,
         0.003f,
         Area(Eigen::Vector2f(-1, from), Eigen::Vector2f(2, from + 0.1f)));
@@ -122,9 +122,9 @@ TEST(FlatThings, LeavesWhatTheSurfaceIsNotAround)
   EXPECT_EQ(segmentCount(parted(desk_with_strip(-0.02f))), 1u);
 }
 
-TEST(FlatThings, TakesWhatStandsOnAThingAlong)
+TEST(FlatObjects, TakesWhatStandsOnAnObjectAlong)
 {
-  auto scene = deskWithThing(0.05f, 0.003f);
+  auto scene = deskWithObject(0.05f, 0.003f);
   std::mt19937 rng(6);
   scene.addRectangle(
       {0.7f, 0.38f, 0.05f}, {0, 0.04f, 0}, {0, 0, 0.3f}, {1, 0, 0}, 2, 0.007f, 0, rng);
@@ -133,14 +133,14 @@ TEST(FlatThings, TakesWhatStandsOnAThingAlong)
   EXPECT_LT(errorShare(scene, labels), 0.02);
 }
 
-TEST(FlatThings, KeepsVoxelsThatAreLeftOut)
+TEST(FlatObjects, KeepsVoxelsThatAreLeftOut)
 {
-  EXPECT_EQ(segmentCount(parted(deskWithThing(0.02f, 0.005f), {0, 0, 1}, true)), 1u);
+  EXPECT_EQ(segmentCount(parted(deskWithObject(0.02f, 0.005f), {0, 0, 1}, true)), 1u);
 }
 
-TEST(FlatThings, FollowsTheDirectionUp)
+TEST(FlatObjects, FollowsTheDirectionUp)
 {
-  const auto upright = deskWithThing(0.02f, 0.003f);
+  const auto upright = deskWithObject(0.02f, 0.003f);
   auto turned = upright;
   const Eigen::Matrix3f rotation =
       Eigen::AngleAxisf(1.1f, Eigen::Vector3f(2, -1, 1).normalized())
@@ -152,9 +152,9 @@ TEST(FlatThings, FollowsTheDirectionUp)
   EXPECT_LT(errorShare(turned, labels), 0.02);
 }
 
-TEST(FlatThings, DoesNotDependOnTheOrderOfThePoints)
+TEST(FlatObjects, DoesNotDependOnTheOrderOfThePoints)
 {
-  const auto scene = deskWithThing(0.02f, 0.005f);
+  const auto scene = deskWithObject(0.02f, 0.005f);
   std::mt19937 rng(8);
   const auto order = shuffledOrder(scene.points.size(), rng);
   const auto labels = parted(scene), other = parted(scene.reordered(order));
@@ -162,13 +162,13 @@ TEST(FlatThings, DoesNotDependOnTheOrderOfThePoints)
     ASSERT_EQ(other[i], labels[order[i]]);
 }
 
-TEST(FlatThings, RefusesWrongInput)
+TEST(FlatObjects, RefusesWrongInput)
 {
-  const auto desk = deskWithThing(0.02f, 0.005f);
+  const auto desk = deskWithObject(0.02f, 0.005f);
   EXPECT_THROW(parted(desk, {0, 0, 2}), pcl::BadArgumentException);
-  EXPECT_THROW(partFlatThings(sceneOfPoints(desk.points, voxel_size), {}),
+  EXPECT_THROW(partFlatObjects(sceneOfPoints(desk.points, voxel_size), {}),
                pcl::BadArgumentException);
-  EXPECT_TRUE(partFlatThings(sceneOfPoints({}, voxel_size), {}).empty());
+  EXPECT_TRUE(partFlatObjects(sceneOfPoints({}, voxel_size), {}).empty());
 }
 
 } // namespace

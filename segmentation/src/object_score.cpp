@@ -21,8 +21,8 @@ share(double part, std::size_t all)
 
 } // namespace
 
-ThingScore&
-ThingScore::operator+=(const ThingScore& other)
+ObjectScore&
+ObjectScore::operator+=(const ObjectScore& other)
 {
   true_count += other.true_count;
   predicted_count += other.predicted_count;
@@ -33,47 +33,47 @@ ThingScore::operator+=(const ThingScore& other)
 }
 
 double
-ThingScore::panopticQuality() const
+ObjectScore::panopticQuality() const
 {
   const auto count = 0.5 * static_cast<double>(true_count + predicted_count);
   return count > 0 ? iou_sum / count : 1;
 }
 
 double
-ThingScore::segmentationQuality() const
+ObjectScore::segmentationQuality() const
 {
   return right_count > 0 ? iou_sum / static_cast<double>(right_count) : 0;
 }
 
 double
-ThingScore::recognitionQuality() const
+ObjectScore::recognitionQuality() const
 {
   return share(2.0 * static_cast<double>(right_count), true_count + predicted_count);
 }
 
 double
-ThingScore::recall() const
+ObjectScore::recall() const
 {
   return share(static_cast<double>(right_count), true_count);
 }
 
 double
-ThingScore::precision() const
+ObjectScore::precision() const
 {
   return share(static_cast<double>(right_count), predicted_count);
 }
 
 double
-ThingScore::wholeShare() const
+ObjectScore::wholeShare() const
 {
   return share(static_cast<double>(whole_count), true_count);
 }
 
-ThingScore
-scoreThings(const SegmentLabels& truth,
-            const SegmentLabels& predicted,
-            std::size_t min_size,
-            const std::vector<std::uint32_t>& counted)
+ObjectScore
+scoreObjects(const SegmentLabels& truth,
+             const SegmentLabels& predicted,
+             std::size_t min_size,
+             const std::vector<std::uint32_t>& counted)
 {
   std::map<std::uint32_t, std::size_t> size_of_truth, size_of_predicted, scored;
   for (const auto label : truth)
@@ -85,14 +85,14 @@ scoreThings(const SegmentLabels& truth,
            (!counted.empty() &&
             std::find(counted.begin(), counted.end(), label) == counted.end());
   };
-  ThingScore score;
-  auto things = countOverlaps(truth, predicted); // also tells sizes that differ
-  things.erase(
-      std::remove_if(things.begin(),
-                     things.end(),
+  ObjectScore score;
+  auto objects = countOverlaps(truth, predicted); // also tells sizes that differ
+  objects.erase(
+      std::remove_if(objects.begin(),
+                     objects.end(),
                      [&](const auto& overlap) { return is_void(overlap.truth); }),
-      things.end());
-  for (const auto& overlap : things)
+      objects.end());
+  for (const auto& overlap : objects)
     if (overlap.predicted != 0)
       scored[overlap.predicted] += overlap.count;
   for (const auto& [label, size] : size_of_truth)
@@ -102,7 +102,7 @@ scoreThings(const SegmentLabels& truth,
   };
   for (const auto& entry : scored)
     score.predicted_count += !is_mostly_void(entry.first);
-  for (const auto& [label, prediction, count] : things) {
+  for (const auto& [label, prediction, count] : objects) {
     if (prediction == 0)
       continue;
     const auto size = size_of_truth.at(label);

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "objects/split/flat_things.h"
+#include "objects/split/flat_objects.h"
 
 #include "objects/graph/segment_members.h"
 #include "objects/split/height_map.h"
@@ -26,7 +26,7 @@ using pcl::indoor::quantile;
 constexpr double level_cosine = 0.9; // normals of a horizontal surface: 26 degrees
 constexpr double most_cells = 1 << 22;
 constexpr int fit_rounds = 5;
-// metres; a thing with more than 30 % of its points above this has sides that part it
+// metres; an object with more than 30 % of its points above this has sides that part it
 constexpr double max_height = 0.12;
 
 /** A plane over the ground: height = slope * place + offset. */
@@ -116,38 +116,38 @@ mostCommonHeight(const std::vector<Eigen::Vector3d>& places, double voxel_size)
   return chosen;
 }
 
-/** Looks for things on the segments, one after the other. */
-class ThingFinder {
+/** Looks for objects on the segments, one after the other. */
+class ObjectFinder {
 public:
-  explicit ThingFinder(const ObjectScene& scene)
+  explicit ObjectFinder(const ObjectScene& scene)
   : scene_(scene)
   , frame_(pcl::indoor::groundFrame(scene.up))
   {}
 
-  /** \return the things' points, one list per thing */
+  /** \return the objects' points, one list per object */
   std::vector<std::vector<std::uint32_t>>
-  thingsOn(const std::vector<std::uint32_t>& members) const
+  objectsOn(const std::vector<std::uint32_t>& members) const
   {
     std::vector<Eigen::Vector3d> level_places;
     for (const auto v : members)
       if (std::abs(scene_.voxels.normals[v].dot(scene_.up)) > level_cosine)
         level_places.push_back(placeOf(scene_.voxels.centroids[v]));
-    if (level_places.size() < pcl::indoor::min_thing_surface)
+    if (level_places.size() < pcl::indoor::min_object_surface)
       return {};
     level_places = mostCommonHeight(level_places, scene_.voxel_size);
-    if (level_places.size() < pcl::indoor::min_thing_surface)
+    if (level_places.size() < pcl::indoor::min_object_surface)
       return {};
     const Level level = fitLevel(level_places, scene_.voxel_size / 30);
     HeightMap map(level_places, scene_.voxel_size);
     if (map.cellCount() > most_cells)
       return {};
     const auto candidates = pointsAbove(members, level, map);
-    const auto thing_of_cell = map.findThings();
-    std::vector<std::vector<std::uint32_t>> things(map.thingCount());
+    const auto object_of_cell = map.findObjects();
+    std::vector<std::vector<std::uint32_t>> objects(map.objectCount());
     for (const auto& [point, cell] : candidates)
-      if (thing_of_cell[cell] != 0)
-        things[thing_of_cell[cell] - 1].push_back(point);
-    return things;
+      if (object_of_cell[cell] != 0)
+        objects[object_of_cell[cell] - 1].push_back(point);
+    return objects;
   }
 
 private:
@@ -192,8 +192,8 @@ namespace pcl {
 namespace indoor {
 
 std::vector<std::uint32_t>
-partFlatThings(const ObjectScene& scene,
-               const std::vector<std::uint32_t>& segment_of_voxel)
+partFlatObjects(const ObjectScene& scene,
+                const std::vector<std::uint32_t>& segment_of_voxel)
 {
   requireConsistent(scene, scene.points.size());
   const auto& voxels = scene.voxels;
@@ -208,10 +208,10 @@ partFlatThings(const ObjectScene& scene,
     return segment_of_point;
   const auto members = membersOfSegments(scene.structureFlags(), segment_of_voxel);
   auto next = static_cast<std::uint32_t>(members.size());
-  const ThingFinder finder(scene);
+  const ObjectFinder finder(scene);
   for (const auto& segment : members) {
-    for (const auto& thing : finder.thingsOn(segment)) {
-      for (const auto point : thing)
+    for (const auto& object : finder.objectsOn(segment)) {
+      for (const auto point : object)
         segment_of_point[point] = next;
       ++next;
     }
