@@ -75,8 +75,8 @@ def segment_objects(
     viewpoint : three numbers or None
         Where the scanner stood, in the coordinates of the points; None is their origin.
     preset : auto|objects|parts|single_view|thesis|thesis_kinect
-        what is wanted; objects: whole things in a room; parts: seats, backs and arms apart;
-        single_view: a table with small things; thesis, thesis_kinect: the method of the thesis with
+        what is wanted; objects: whole ones in a room; parts: seats, backs and arms apart;
+        single_view: a table with small objects; thesis, thesis_kinect: the method of the thesis with
         its parameters for laser scans or the Kinect, and no more; auto: single_view if one camera
         saw a table, at most 1.4 m away, up to 2 m if most of it is small, or if all is within 0.7 m
         of height and 1.5 m across; else objects (default: auto)
@@ -91,8 +91,8 @@ def segment_objects(
         the thesis's graph segmentation, or over all convex edges; auto: graph, for the thesis's
         presets felzenszwalb (default: auto)
     level : number
-        for -partition graph: probability of being one thing from which pieces are joined; higher
-        gives smaller segments; -1 = where that gives whole things, in single views 0.9, from -1 to
+        for -partition graph: probability of being one object from which pieces are joined; higher
+        gives smaller segments; -1 = where that gives whole objects, in single views 0.9, from -1 to
         1 (default: -1)
     ignore_normals : flag
         estimate normals although the input has some

@@ -141,12 +141,12 @@ class Opening:
 
 @dataclass(frozen=True)
 class SceneObject:
-    """A thing, or a floor, wall or ceiling; its number is that in Scene.object_of_point."""
+    """An object, or a floor, wall or ceiling; its number is that in Scene.object_of_point."""
 
     number: int
     room: int  #: 0 = none
     storey: Optional[int]  #: None without a room
-    structure: str  #: floor, wall, ceiling, or none: a thing
+    structure: str  #: floor, wall, ceiling, or none: an object
     name: Optional[str]  #: of its class; None without a model
     confidence: float  #: of the class, 0 to 1
     top: Tuple[Tuple[str, float], ...]  #: up to three classes, the likeliest first
@@ -313,7 +313,7 @@ def describe(
         file of a classifier that pcl_eppf_train has made; bundled = furniture, doors and windows,
         none = no classes (default: bundled)
     network : auto|all|none
-        where a network of voxels votes on what is floor, wall or ceiling, on what is one thing and
+        where a network of voxels votes on what is floor, wall or ceiling, on what is one object and
         on names of the bundled model; auto: in rooms whose ceiling was not seen (default: auto)
     remove_outliers : flag
         leave out points of a room that lie alone (pcl::ScanOutlierRemoval); their object is 0
