@@ -65,7 +65,8 @@ meanOf(const Points& points)
   return (sum / static_cast<double>(points.size())).cast<float>();
 }
 
-/** \brief The points around their mean, the farthest 1 away. \return false if all are
+/** \brief The points around their mean, the farthest 1 away.
+ * \return false if all are
  * in one place */
 bool
 normalize(Points& points)

@@ -37,8 +37,10 @@ struct FaceEvidence {
  * is a side there, but hardly a point on it. A side of which less than half as much is
  * seen as of the sides of its room in general is no wall. Doors and windows, which
  * glass and open leaves leave empty, do not count; nor do passages, but a side that is
- * no more than a passage is no wall. \param[in] columns per side; none = nothing is
- * seen there \param[in] holes per side
+ * no more than a passage is no wall.
+ * \param[in] columns per side; none = nothing is
+ * seen there
+ * \param[in] holes per side
  */
 std::vector<FaceEvidence>
 faceEvidence(const std::vector<WallFace>& faces,

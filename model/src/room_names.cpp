@@ -159,8 +159,9 @@ struct Views {
 };
 
 /** How much more often an object is seen, or not seen, in rooms of each name than in
- * all that the room may be (Jeffrey's rule: the class is sure to a degree). \param[in]
- * seen whether the object is there \param[in] share of the rooms of a name that hold
+ * all that the room may be (Jeffrey's rule: the class is sure to a degree).
+ * \param[in] seen whether the object is there
+ * \param[in] share of the rooms of a name that hold
  * it, and of all
  */
 double

@@ -40,7 +40,8 @@ wallPieces(const std::vector<WallFace>& faces,
  * a crossing wall between them.
  *
  * A piece with one side goes on a wall with two where it is shorter than what was seen
- * of that from both sides and lies on one of its sides. \return walls, those with two
+ * of that from both sides and lies on one of its sides.
+ * \return walls, those with two
  * sides first, the longest first
  */
 std::vector<WallPiece>

@@ -41,7 +41,7 @@ inOrder(const Values& values, const std::vector<std::size_t>& order)
   return result;
 }
 
-/** Values of objects in an order, brought back; of several for one, the last. */
+/** Values in a changed order, brought back; of several for one place, the last. */
 template <typename Values>
 Values
 backFrom(const Values& values, const std::vector<std::size_t>& order, std::size_t count)

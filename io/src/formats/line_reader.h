@@ -31,7 +31,9 @@ public:
   }
 
   /** \brief The next line that is not blank, without its end; valid until the next
-   * call. \return false behind the last one \throws ToolError if it is longer than any
+   * call.
+   * \return false behind the last one
+   * \throws ToolError if it is longer than any
    * line of numbers */
   bool
   next(std::string_view& line);

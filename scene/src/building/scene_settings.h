@@ -16,8 +16,10 @@
 namespace pcl::indoor::tool {
 
 /** \brief The options as scene.json records them: those of pcl_indoor_pipeline, of
- * which what shapes its other results is as it is by default. \param[in] columns of the
- * scan's tables \param[in] points_at_once of a scan that is read in parts; 0 of others
+ * which what shapes its other results is as it is by default.
+ * \param[in] columns of the
+ * scan's tables
+ * \param[in] points_at_once of a scan that is read in parts; 0 of others
  */
 PCL_INDOOR_EXPORTS std::vector<Setting>
 settingsOf(const SceneOptions& options,

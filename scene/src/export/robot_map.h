@@ -34,8 +34,9 @@ struct RobotMap {
  *
  * Free are the rooms and the ways through doors and passages; occupied the walls and
  * 10 cm around what is free. With furniture, objects below head height are occupied,
- * and doors that were closed. \param[in] resolution side of a cell, metres \throws
- * ToolError if there would be too many cells
+ * and doors that were closed.
+ * \param[in] resolution side of a cell, metres
+ * \throws ToolError if there would be too many cells
  */
 RobotMap
 robotMap(const SavedScene& scene,

@@ -11,7 +11,8 @@
 namespace pcl::indoor::tool {
 
 /** \brief The mean of what the voxels of each object's points are, without the names of
- * the classes. \param[in] objects with votes */
+ * the classes.
+ * \param[in] objects with votes */
 ObjectVotes
 votesOf(const RoomObjects& objects);
 

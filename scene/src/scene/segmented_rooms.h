@@ -31,7 +31,9 @@ struct SegmentedRooms {
  * \param[in] looks_at_objects by the bundled voxel network, where neither furniture nor
  * passages clearly tell which end is up
  * \param[in,out] segmentation its parameters are set; coordinates and input are set
- * here \param[in] warn is told what is implausible, a line each \throws ToolError if no
+ * here
+ * \param[in] warn is told what is implausible, a line each
+ * \throws ToolError if no
  * point has been looked at
  */
 PCL_INDOOR_EXPORTS SegmentedRooms

@@ -76,7 +76,7 @@ drawTable(RoomFurnisher& room)
 
 // Objects of all shapes that lie on tables, none longer than a hand can hold.
 Piece
-anyThing(RoomFurnisher& room)
+anyObject(RoomFurnisher& room)
 {
   constexpr double longest = 0.3; // metres
   constexpr std::array<const char*, 12> objects{"bottle",
@@ -125,7 +125,7 @@ layTable(RoomFurnisher& room, int table, const Laying& laying, bool any)
   const double top = room.sizeOf(table).z();
   int last = -1, objects = 0;
   for (int i = 0; i < laying.attempts && objects < laying.count; ++i) {
-    const Piece object = any ? anyThing(room) : objectOnTable(room);
+    const Piece object = any ? anyObject(room) : objectOnTable(room);
     const double turn = room.between(-M_PI, M_PI), way = room.between(0.0, 1.0);
     const bool touches = last >= 0 && way < laying.touching,
                stacked =

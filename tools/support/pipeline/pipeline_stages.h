@@ -28,7 +28,9 @@ ScanContent
 readScan(const PipelineOptions& options, Progress& progress);
 
 /** \brief Find the objects of the rooms, room by room, and what they are; with all
- * ranks if there are several. \param[in] upright tells which points count \return the
+ * ranks if there are several.
+ * \param[in] upright tells which points count
+ * \return the
  * cloud with all that was found, beside its place */
 OutputFile
 completedCloud(const PipelineOptions& options,

@@ -32,8 +32,9 @@ meanNeighborDistances(const std::vector<Eigen::Vector3f>& points,
 /** \brief Radius of a neighbourhood by the rule of Eq. (2.9): 2.5 times the mean
  * distance of points to their closest neighbours, 8 of them. The median stands for the
  * mean over the points, so that outliers do not matter. Of several points in exactly
- * one place one counts. \param[in] points finite points, metres, local frame \return
- * metres; 0 for less than two different points
+ * one place one counts.
+ * \param[in] points finite points, metres, local frame
+ * \return metres; 0 for less than two different points
  */
 PCL_INDOOR_EXPORTS double
 neighborhoodRadius(const std::vector<Eigen::Vector3f>& points, unsigned threads = 0);

@@ -19,7 +19,9 @@ namespace indoor {
  *
  * A stray is more than four kilometres away from the middle of all points along an
  * axis, and 100 times as far as their median: a large scan has none, nor one in
- * millimetres. \param[in] points finite \return their places in \a points, ascending
+ * millimetres.
+ * \param[in] points finite
+ * \return their places in \a points, ascending
  */
 PCL_INDOOR_EXPORTS std::vector<std::size_t>
 strayPoints(const std::vector<Eigen::Vector3f>& points);

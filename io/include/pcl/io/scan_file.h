@@ -91,7 +91,8 @@ private:
 
 /** \brief Read the scan of a building: PCD, PLY, LAS, LAZ, E57, PTX, OBJ, STL, OFF,
  * glTF or a table (XYZ, CSV, PTS ...); its content says what it is. Of a folder, all
- * scans in it are stations of one building. \throws InputError if there is no such
+ * scans in it are stations of one building.
+ * \throws InputError if there is no such
  * file, or if it is none of these or damaged
  */
 PCL_INDOOR_EXPORTS Scan

@@ -18,7 +18,8 @@ bool
 isLas(const std::string& path, const std::string& beginning);
 
 /** \brief How many points the header of a LAS or LAZ file promises; 0 if it is not
- * understood. \param[in] beginning of the file, 512 bytes if it has as many */
+ * understood.
+ * \param[in] beginning of the file, 512 bytes if it has as many */
 std::uint64_t
 lasPointCount(const std::string& path, const std::string& beginning);
 

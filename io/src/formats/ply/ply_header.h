@@ -20,7 +20,7 @@ struct PlyProperty {
   std::uint8_t list_type = 0; ///< of the number of values; 0: one value, no list
 };
 
-/** \brief Points, faces, ...: so many objects with the same properties. */
+/** \brief Points, faces, ...: so many of a kind with the same properties. */
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;

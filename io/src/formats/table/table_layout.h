@@ -26,7 +26,8 @@ columnsByValues(const std::vector<TableColumn>& columns,
                 const std::vector<double>& values);
 
 /** \brief Whether the first column, a coordinate with more than two beside it, rises
- * and never falls, as times do and coordinates of sorted points. \param[in] values row
+ * and never falls, as times do and coordinates of sorted points.
+ * \param[in] values row
  * by row
  */
 bool

@@ -28,7 +28,8 @@ struct LabelledObjects {
 };
 
 /** \brief Complain about the first of some problems, and say how many there are.
- * \param[in] problems one per object, empty for those without
+ * \param[in] problems one for each that is asked about, empty for those
+ * without
  * \param[in] what those with a problem are called, for example "unreadable
  * files"
  * \throws ToolError if there are any

@@ -69,7 +69,7 @@ struct CeilingSlabOptions {
   double min_height = 1.8; ///< a ceiling is at least so high above the floor, metres
   double gap = 0.15;       ///< least distance from the ceiling to the slab, metres
   double max_gap = 0.6;    ///< greatest distance, where noise blurs the ceiling, metres
-  double min_wall = 0.5;   ///< shorter objects in the slab are no walls, metres
+  double min_wall = 0.5;   ///< what is shorter in the slab is no wall, metres
   double depth = 0.3;      ///< height of the slab, metres
 };
 
@@ -122,7 +122,7 @@ struct RoomMapOptions {
 /** \brief How the two faces of a wall are told apart. */
 struct WallSideOptions {
   double window = 0.5;        ///< side of the square in which a wall is fitted, metres
-  double max_thickness = 0.3; ///< thicker objects are not taken for one wall, metres
+  double max_thickness = 0.3; ///< what is thicker is not taken for one wall, metres
   double reach = 0.5; ///< how far from the wall its rooms are looked for, metres
   std::size_t min_points = 8; ///< fewer points make no wall (>= 2)
   int threads = 0;            ///< 0 = automatic; the result does not depend on it

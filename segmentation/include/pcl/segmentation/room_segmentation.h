@@ -279,7 +279,8 @@ public:
 
   /** \brief Set who is asked which end is up where neither furniture nor passages
    * tell it beyond doubt and no axis is set; after the rooms were found, which are
-   * found once more if it is the other one. \param[in] finder (default none)
+   * found once more if it is the other one.
+   * \param[in] finder (default none)
    */
   void
   setEndFinder(const indoor::EndFinder& finder)

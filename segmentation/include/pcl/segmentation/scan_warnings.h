@@ -77,26 +77,31 @@ PCL_INDOOR_EXPORTS bool
 allPassagesStand(const std::vector<RoomOpening>& openings);
 
 /** \brief Warn if passages have sills and no lintels, so that floors seem to be
- * ceilings. \param[in] up_axis that the rooms were found with \return one line; empty
+ * ceilings.
+ * \param[in] up_axis that the rooms were found with
+ * \return one line; empty
  * if endOfPassages() is not the upper one
  */
 PCL_INDOOR_EXPORTS std::string
 endWarning(const std::vector<RoomOpening>& openings, const Eigen::Vector3f& up_axis);
 
 /** \brief Say that nothing tells which end is up.
- * \param[in] up_axis that was taken \return one line */
+ * \param[in] up_axis that was taken
+ * \return one line */
 PCL_INDOOR_EXPORTS std::string
 unclearEndNote(const Eigen::Vector3f& up_axis);
 
 /** \brief Say that the scan was taken the other way up for its passages.
- * \param[in] openings that were found before \param[in] vertical that was taken then
+ * \param[in] openings that were found before
+ * \param[in] vertical that was taken then
  * \return one line, in place of verticalNote(); empty if the scan is level now
  */
 PCL_INDOOR_EXPORTS std::string
 reversedNote(const std::vector<RoomOpening>& openings, const Vertical& vertical);
 
 /** \brief Say how a scan stands that was stood upright, or that it might lie on its
- * side. \return one line; empty if it is level
+ * side.
+ * \return one line; empty if it is level
  */
 PCL_INDOOR_EXPORTS std::string
 verticalNote(const Vertical& vertical);

@@ -130,8 +130,10 @@ struct PCL_INDOOR_EXPORTS ObjectScore {
 /** \brief Compare true objects with predicted segments. Void points, whose true label
  * is 0 or that of a segment of fewer than min_size points, count neither for nor
  * against a prediction; a prediction of which half or more is void is not counted
- * unless it is right. \param[in] counted labels of the true objects to score; others
- * are void; empty: all \throws pcl::BadArgumentException if the numbers of labels
+ * unless it is right.
+ * \param[in] counted labels of the true objects to score; others
+ * are void; empty: all
+ * \throws pcl::BadArgumentException if the numbers of labels
  * differ
  */
 PCL_INDOOR_EXPORTS ObjectScore

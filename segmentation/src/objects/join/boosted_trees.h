@@ -28,7 +28,7 @@ public:
 
   /** \brief Read trees as text: "trees FEATURES ROOT COUNT", then for each tree its
    * number of nodes and the nodes: "FEATURE NEXT VALUE", in a leaf "vVALUE".
-   * \throws pcl::BadArgumentException if the text is no such object */
+   * \throws pcl::BadArgumentException if the text holds none */
   static BoostedTrees
   read(std::istream& stream);
 

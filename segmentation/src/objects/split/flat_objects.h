@@ -19,8 +19,9 @@ namespace indoor {
  * mean height of the points in a cell tells them from the surface around them. An
  * object is smaller than the surface, which goes on around it. Only the largest
  * horizontal surface of each segment is looked at; one whose box holds more than 2^22
- * cells is left as it is. The cost is that of sorting heights. \param[in]
- * segment_of_voxel numbered from 0; segments of floor, walls and ceiling stay whole
+ * cells is left as it is. The cost is that of sorting heights.
+ * \param[in] segment_of_voxel numbered from 0; segments of floor, walls and
+ * ceiling stay whole
  * \return one segment per point; the objects follow the segments that were there
  * \throws pcl::BadArgumentException if sizes differ
  */

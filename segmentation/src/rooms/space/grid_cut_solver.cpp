@@ -270,7 +270,8 @@ GridCutSolver<Width>::reach(Index b, Bits voxels)
   reaching_count_ += begins;
 }
 
-/** \brief What was reached last is a level. \return how much of the flowing side is
+/** \brief What was reached last is a level.
+ * \return how much of the flowing side is
  * there */
 template <typename Width>
 std::int64_t
@@ -432,7 +433,8 @@ GridCutSolver<Width>::push(Index i, Index j, int d)
   }
 }
 
-/** \brief Reach all that can be reached from excess that is left. \return how much that
+/** \brief Reach all that can be reached from excess that is left.
+ * \return how much that
  * is
  */
 template <typename Width>

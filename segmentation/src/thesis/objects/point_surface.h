@@ -29,7 +29,8 @@ void
 estimatePointNormals(double radius, unsigned threads, SurfaceVoxels& surface);
 
 /** \brief Convert a colour of the standard sRGB (IEC 61966-2-1) to CIELab with the
- * white D65: white is (100, 0, 0). \param[in] rgb red, green and blue, 0 to 255
+ * white D65: white is (100, 0, 0).
+ * \param[in] rgb red, green and blue, 0 to 255
  */
 Eigen::Vector3f
 labOfRgb(const Eigen::Vector3f& rgb);

@@ -63,7 +63,8 @@ drawCameraPose(const Building& building,
  * the disparity, so that of the depth grows with its square, and alike for pixels a few
  * apart, as patches of the pattern are compared.
  * \return organised, in the frame of the camera: x to the right, y down, z forwards;
- * NaN and labels 0 where there is no depth \throws BadArgumentException if an option is
+ * NaN and labels 0 where there is no depth
+ * \throws BadArgumentException if an option is
  * out of its range, or the target is where the camera is
  */
 PCL_INDOOR_EXPORTS PointCloud<PointXYZScene>

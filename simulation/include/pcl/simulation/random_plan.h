@@ -35,13 +35,17 @@ enum class PlanFilling {
  * of doors, some of them closed, joins them all. Furniture stands as people put it for
  * the kind of each room. Pieces may touch each other and the walls; their bounding
  * boxes share space only where chairs stand under tables or objects lie in pieces. Some
- * buildings are turned. \param[in] seed the same seed gives the same plan; another one
- * another plan \param[in] kind of the building \param[in] filling Cluttered: desks are
+ * buildings are turned.
+ * \param[in] seed the same seed gives the same plan; another one
+ * another plan
+ * \param[in] kind of the building
+ * \param[in] filling Cluttered: desks are
  * pushed together, and many small objects lie on what has a level top and on the floor,
  * all else is as without; of a table: more objects on it. LivedIn: the same rooms, each
  * piece drawn from all shapes of its class; pillows, blankets, clothes, bags, books,
  * toys, towels, kitchenware and more in, on, under and over it, on the floor, at and on
- * the walls \return a plan that buildBuilding() accepts
+ * the walls
+ * \return a plan that buildBuilding() accepts
  */
 PCL_INDOOR_EXPORTS Plan
 randomPlan(std::uint32_t seed, PlanKind kind, PlanFilling filling = PlanFilling::Plain);

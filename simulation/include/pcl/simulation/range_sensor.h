@@ -62,8 +62,8 @@ echoProbability(double cosine, const EchoOptions& options);
  * half way to the other (a mixed pixel). Where a ray meets glass, a few return at once,
  * a few go on mirrored and are recorded on the straight ray behind the glass (category
  * "ghost", room 0), the others pass or, through an outer window, are lost. A point
- * carries the labels of the surface. Time grows with poses * rays_per_pose. \throws
- * BadArgumentException if an option is out of its range
+ * carries the labels of the surface. Time grows with poses * rays_per_pose.
+ * \throws BadArgumentException if an option is out of its range
  */
 PCL_INDOOR_EXPORTS SimulatedScan
 scanBuilding(const Building& building,
