@@ -36,7 +36,7 @@ try() { # <tool> <n>
   [ -z "$(find out -name .unfinished -prune -o -type f -print)" ] || fail "$1, allocation $2: an output beside an error"
 }
 
-"$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.12 || exit 1
+"$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.16 || exit 1
 # no process can be started: the pictures are left out, which one line says, and all else is as ever
 for tool in pipeline rooms; do
   rm -rf out with

@@ -18,7 +18,7 @@ export ASAN_OPTIONS=verify_asan_link_order=0
 
 fail() { echo "$*"; ls -l now; exit 1; }
 
-"$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.12 || exit 1
+"$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.2 || exit 1
 
 pipeline() { # old|new
   local options=(-model none -colour none)
