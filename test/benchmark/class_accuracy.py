@@ -57,7 +57,7 @@ def judge_pipeline(arguments, scan, folder, truth_of_category, row, confusion):
         command += ["-model", arguments.model]
     subprocess.run(command, check=True)
     with open(os.path.join(folder, "scene.json"), encoding="utf-8") as file:
-        classes = numpy.array([thing["class"] for thing in json.load(file)["objects"]], object)
+        classes = numpy.array([one["class"] for one in json.load(file)["objects"]], object)
     truth = truth_of_category[read_fields(scan, [arguments.category_field])[0]]
     segment = read_fields(os.path.join(folder, "cloud.pcd"), ["object"])[0].astype(int)
     judged = (truth != NOT_JUDGED) & (segment > 0)
@@ -81,11 +81,11 @@ def judge_whole(arguments, scan, folder, row, confusion):
     subprocess.run([os.path.join(arguments.tools, "pcl_eppf_classify"), arguments.model, folder,
                     "-json", output, "-quiet"], check=True, stdout=subprocess.DEVNULL)
     with open(output, encoding="utf-8") as file:
-        for thing in json.load(file):
-            truth = os.path.basename(os.path.dirname(thing["file"]))
+        for one in json.load(file):
+            truth = os.path.basename(os.path.dirname(one["file"]))
             if truth != "other":
-                row["whole"] += numpy.array([truth == thing["class"], 1])
-                confusion["whole"][truth, thing["class"]] += 1
+                row["whole"] += numpy.array([truth == one["class"], 1])
+                confusion["whole"][truth, one["class"]] += 1
 
 
 def share(counts):

@@ -88,7 +88,7 @@ def nearest(tools, data, options, seed, folder):
                     os.path.join(folder, "tested"), "-json", output, "-quiet", "-threads", "1"] + options,
                    check=True, stdout=subprocess.DEVNULL)
     with open(output, encoding="utf-8") as file:
-        return scores_of([(thing["true_class"], thing["class"]) for thing in json.load(file)])
+        return scores_of([(one["true_class"], one["class"]) for one in json.load(file)])
 
 
 def trained(tools, data, options, seed, folder):

@@ -7,10 +7,11 @@
 
 Rooms are found, not given. The scans have the true object of each point in the field object_id, 0 = the building or
 not known, and the room in the field label, 0 = outside. Right, PQ and AP50 are those of pcl_segmentation_evaluation,
-objects of fewer than 100 points void. They do not tell how much of the building is taken for things; the last columns do:
+objects of fewer than 100 points void. They do not tell how much of the building is taken for objects; the last
+columns do:
 
     flagged   share of the building's points that are floor, wall or ceiling
-    things    segments of at least 100 points that are none of these
+    objects   segments of at least 100 points that are none of these
     building  those of them most of whose points are of the building
 
 The last row has the sums, and the means of shares.
@@ -28,22 +29,22 @@ from room_quantities import read_fields
 
 
 def building_in(cloud):
-    """Share of the building that is flagged, number of things, and of those that are building."""
+    """Share of the building that is flagged, number of objects, and of those that are building."""
     room, true_object, found, structure = read_fields(cloud, ["label", "object_id", "object", "structure"])
     inside = room > 0 if room.any() else room == 0
     building = true_object == 0
-    in_thing = inside & (structure == 0) & (found > 0)
-    _, segment = numpy.unique(found[in_thing], return_inverse=True)
+    in_object = inside & (structure == 0) & (found > 0)
+    _, segment = numpy.unique(found[in_object], return_inverse=True)
     points = numpy.bincount(segment)
-    of_building = numpy.bincount(segment, weights=building[in_thing])
-    things = points >= 100
+    of_building = numpy.bincount(segment, weights=building[in_object])
+    objects = points >= 100
     flagged = numpy.isin(structure, [1, 2, 3])[inside & building].mean()
-    return flagged, things.sum(), (things & (2 * of_building > points)).sum()
+    return flagged, objects.sum(), (objects & (2 * of_building > points)).sum()
 
 
 def print_row(name, row):
-    right, true, quality, precision, share, things, wrong = row
-    print(f"| {name} | {right:.0f} of {true:.0f} | {quality:.3f} | {precision:.3f} | {100 * share:.1f} | {things:.0f} | {wrong:.0f} |",
+    right, true, quality, precision, share, objects, wrong = row
+    print(f"| {name} | {right:.0f} of {true:.0f} | {quality:.3f} | {precision:.3f} | {100 * share:.1f} | {objects:.0f} | {wrong:.0f} |",
           flush=True)
 
 
@@ -53,7 +54,7 @@ def main():
     parser.add_argument("scans", nargs="+")
     arguments = parser.parse_args()
 
-    print("| scan | right | PQ | AP50 | flagged % | things | building |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: |")
+    print("| scan | right | PQ | AP50 | flagged % | objects | building |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: |")
     rows = []
     for scan in arguments.scans:
         with tempfile.TemporaryDirectory() as folder:

@@ -5,20 +5,20 @@
 
     real_accuracy.py BUILD_FOLDER SCANS_FOLDER [-methods ours,one,thesis,upstream] [-each] [-options "..."] [-work FOLDER]
 
-Each scan.pcd of SCANS_FOLDER is a room with the fields label (thing, 0 = building or not labelled) and class_id (NYU40
+Each scan.pcd of SCANS_FOLDER is a room with the fields label (object, 0 = building or not labelled) and class_id (NYU40
 number). A simulated scan has object and category instead, and its names in scan.json. Nothing is told about rooms.
 
-PQ, WO     panoptic quality and weighted overlap over the points of things, means over scans. A segment of fewer than 50
-           such points is no false one
+PQ, WO     panoptic quality and weighted overlap over the points of objects, means over scans. A segment of fewer than
+           50 such points is no false one
 AP         without classes, over all scans, as ScanNet judges: segments ranked by size, those mostly on points of no
-           thing left out, points of no thing in the union; things and segments of 50 points or more, as the scans are
-           thinned; IoU of 0.50, 0.55 ... 0.95, and at 0.50 and 0.25
-found      things of at least 100 points with an IoU above 0.5
+           object left out, points of no object in the union; objects and segments of 50 points or more, as the scans
+           are thinned; IoU of 0.50, 0.55 ... 0.95, and at 0.50 and 0.25
+found      objects of at least 100 points with an IoU above 0.5
 whole      those of which a segment covers 80 %, and that are 70 % of it
-floor, walls, things   points that are flagged as structure, of those that are floor, walls, things; means over scans
-class      things of at least 100 points, of a kind that the model has, whose best segment has the right class
+floor, walls, objects  points that are flagged as structure, of those that are floor, walls, objects; means over scans
+class      objects of at least 100 points, of a kind that the model has, whose best segment has the right class
 names      for the segments of ours of at least 100 points with a name: how many are right, by confidence; on the
-           building no name is right, and of things of no certain kind none is judged
+           building no name is right, and of objects of no certain kind none is judged
 Needs numpy.
 """
 import argparse
@@ -37,7 +37,7 @@ WALL, FLOOR, CEILING = 1, 2, 22  # NYU40
 KINDS = {3: "cabinet", 4: "bed", 5: "chair armchair stool", 6: "sofa armchair", 7: "table desk", 8: "door", 9: "window",
          10: "bookcase", 11: "picture", 12: "cabinet table", 14: "desk table", 15: "bookcase", 16: "curtain", 17: "cabinet",
          24: "cabinet", 25: "screen", 28: "curtain", 32: "cabinet table", 33: "toilet", 34: "sink", 35: "lamp", 36: "bath"}
-ANY_KIND = (0, 38, 39, 40)  # none, other structure, furniture and things
+ANY_KIND = (0, 38, 39, 40)  # none, other structure, furniture and props
 BUILDING = {"wall": WALL, "floor": FLOOR, "ceiling": CEILING}
 NAMELESS = ("none", "other")
 BINS = (0, 0.3, 0.5, 0.7, 0.9)
@@ -45,17 +45,17 @@ THRESHOLDS = numpy.arange(0.5, 0.96, 0.05)
 
 
 class Scan:
-    """Thing of each point, kind of each point, and the classes that are right for each kind."""
+    """Object of each point, kind of each point, and the classes that are right for each kind."""
 
     def __init__(self, path):
         self.path, self.name = path, os.path.splitext(os.path.basename(path))[0]
         try:
-            self.thing, self.kind = (column.astype(int) for column in read_fields(path, ["label", "class_id"]))
+            self.object, self.kind = (column.astype(int) for column in read_fields(path, ["label", "class_id"]))
             self.classes = {number: names.split() for number, names in KINDS.items()}
             self.any_kind = ANY_KIND
-            self.thing[numpy.isin(self.kind, [WALL, FLOOR, CEILING])] = 0
+            self.object[numpy.isin(self.kind, [WALL, FLOOR, CEILING])] = 0
         except (KeyError, ValueError):  # no such field
-            self.thing, category = (column.astype(int) for column in read_fields(path, ["object", "category"]))
+            self.object, category = (column.astype(int) for column in read_fields(path, ["object", "category"]))
             with open(os.path.splitext(path)[0] + ".json", encoding="utf-8") as file:
                 names = json.load(file)["categories"]
             self.kind = numpy.array([BUILDING.get(name, 100 + k) for k, name in enumerate(names)])[category]
@@ -80,9 +80,9 @@ def iou(counts):
     return counts / (counts.sum(axis=1, keepdims=True) + counts.sum(axis=0, keepdims=True) - counts)
 
 
-def quality(thing, segment):
+def quality(truth, segment):
     """Panoptic quality and weighted overlap."""
-    _, _, counts = overlaps(thing[thing > 0], segment[thing > 0])
+    _, _, counts = overlaps(truth[truth > 0], segment[truth > 0])
     share = iou(counts)
     right = share > 0.5
     size = counts.sum(axis=0)
@@ -92,32 +92,32 @@ def quality(thing, segment):
     return share[right].sum() / (right.sum() + 0.5 * wrong + 0.5 * missed), overlap
 
 
-def things_found(thing, segment):
-    """Things of 100 points or more that are found, that are whole, and all."""
-    things, segments, counts = overlaps(thing, segment)
-    on_things = counts[things > 0].sum(axis=0)
-    counts, sizes = counts[things > 0][:, segments > 0], counts[things > 0].sum(axis=1)
-    on_things = on_things[segments > 0]
+def objects_found(truth, segment):
+    """Objects of 100 points or more that are found, that are whole, and all."""
+    objects, segments, counts = overlaps(truth, segment)
+    on_objects = counts[objects > 0].sum(axis=0)
+    counts, sizes = counts[objects > 0][:, segments > 0], counts[objects > 0].sum(axis=1)
+    on_objects = on_objects[segments > 0]
     counts, sizes = counts[sizes >= 100], sizes[sizes >= 100]
     best = counts.argmax(axis=1)
-    both, own = counts.max(axis=1), on_things[best]
+    both, own = counts.max(axis=1), on_objects[best]
     return numpy.array([numpy.sum(both > 0.5 * (sizes + own - both)),
                         numpy.sum((both >= 0.8 * sizes) & (both >= 0.7 * own)), len(sizes)])
 
 
-def ranked(thing, segment):
-    """Number of things, and for each segment its size and its IoU with each thing."""
-    things, segments, counts = overlaps(thing, segment)
+def ranked(truth, segment):
+    """Number of objects, and for each segment its size and its IoU with each object."""
+    objects, segments, counts = overlaps(truth, segment)
     share = iou(counts)
-    judged = (things > 0) & (counts.sum(axis=1) >= 50)
+    judged = (objects > 0) & (counts.sum(axis=1) >= 50)
     size = counts.sum(axis=0)
-    void = counts[things == 0].sum(axis=0)
+    void = counts[objects == 0].sum(axis=0)
     kept = (segments > 0) & (size >= 50) & (2 * void <= size)
     return judged.sum(), size[kept], share[judged][:, kept].T
 
 
 def average_precision(scans, threshold):
-    """Area below the largest precision at each recall or above; each thing is found once, by the largest segment."""
+    """Area below the largest precision at each recall or above; each object is found once, by the largest segment."""
     rows = []
     for _, sizes, shares in scans:
         taken = set()
@@ -137,17 +137,17 @@ def average_precision(scans, threshold):
 
 
 def shares_flagged(scan, structure):
-    """Of floor, walls and things; not a number where there is none."""
+    """Of floor, walls and objects; not a number where there is none."""
     flagged = (structure > 0) & (structure < 4)
-    parts = [scan.kind == FLOOR, scan.kind == WALL, scan.thing > 0]
+    parts = [scan.kind == FLOOR, scan.kind == WALL, scan.object > 0]
     return [flagged[part].mean() if part.any() else numpy.nan for part in parts]
 
 
 def classes_right(scan, segment, class_of):
-    """Things whose best segment has a right class, and all of a kind that the model has."""
+    """Objects whose best segment has a right class, and all of a kind that the model has."""
     right = count = 0
-    for thing in numpy.unique(scan.thing[scan.thing > 0]):
-        points = scan.thing == thing
+    for number in numpy.unique(scan.object[scan.object > 0]):
+        points = scan.object == number
         wanted = scan.classes.get(scan.kind_of(points))
         if wanted is None or points.sum() < 100:
             continue
@@ -179,7 +179,7 @@ def run_pipeline(tools, options, scan, folder):
     segment, structure = read_fields(os.path.join(folder, "cloud.pcd"), ["object", "structure"])
     with open(os.path.join(folder, "scene.json"), encoding="utf-8") as file:
         objects = json.load(file)["objects"]
-    classes = {thing["object"]: (thing["class"], thing["confidence"]) for thing in objects}
+    classes = {one["object"]: (one["class"], one["confidence"]) for one in objects}
     return segment.astype(int), structure, classes
 
 
@@ -210,18 +210,18 @@ class Row:
         self.quality, self.counts, self.flagged, self.ranked, self.classes, self.bins = [], [], [], [], [], []
 
     def add(self, scan, segment, structure=None, class_of=None):
-        self.quality.append(quality(scan.thing, segment))
-        self.counts.append(things_found(scan.thing, segment))
+        self.quality.append(quality(scan.object, segment))
+        self.counts.append(objects_found(scan.object, segment))
         self.flagged.append([numpy.nan] * 3 if structure is None else shares_flagged(scan, structure))
-        of_things = segment if structure is None else numpy.where(structure > 0, 0, segment)
-        self.ranked.append(ranked(scan.thing, of_things))
+        of_objects = segment if structure is None else numpy.where(structure > 0, 0, segment)
+        self.ranked.append(ranked(scan.object, of_objects))
         self.classes.append(classes_right(scan, segment, class_of) if class_of else numpy.zeros(2, int))
         self.bins.append(names_right(scan, segment, class_of) if class_of else numpy.zeros((len(BINS), 3), int))
 
     def line(self, name, which):
         """A row of the table over some of the scans."""
         pick = [list(column[k] for k in which) for column in (self.quality, self.counts, self.flagged, self.ranked, self.classes)]
-        (pq, overlap), (found, whole, all_things) = numpy.mean(pick[0], axis=0), numpy.sum(pick[1], axis=0)
+        (pq, overlap), (found, whole, all_objects) = numpy.mean(pick[0], axis=0), numpy.sum(pick[1], axis=0)
         shares = numpy.array(pick[2], float)
         means = [column[~numpy.isnan(column)] for column in shares.T]
         flags = [f"{100 * column.mean():.1f}" if len(column) else "-" for column in means]
@@ -229,11 +229,11 @@ class Row:
         precision = [average_precision(pick[3], threshold) for threshold in THRESHOLDS]
         quarter = average_precision(pick[3], 0.25)
         return (f"| {name} | {pq:.3f} | {overlap:.3f} | {numpy.mean(precision):.3f} | {precision[0]:.3f} | {quarter:.3f} | "
-                f"{found} | {whole} of {all_things} | {' | '.join(flags)} | {f'{right} of {named}' if named else '-'} |")
+                f"{found} | {whole} of {all_objects} | {' | '.join(flags)} | {f'{right} of {named}' if named else '-'} |")
 
 
 def print_table(rows, scans, each):
-    print("| method | PQ | WO | AP | AP50 | AP25 | found | whole | floor % | walls % | things % | class |")
+    print("| method | PQ | WO | AP | AP50 | AP25 | found | whole | floor % | walls % | objects % | class |")
     print("| --- |" + 11 * " ---: |")
     for row in rows:
         if each:
