@@ -79,7 +79,7 @@ const roomLinks = (rooms) => rooms.filter((room) => room > 0).map((room) => ({ k
 /** What a link to an item says. */
 const linkText = ({ kind, number }) => kind === "room" ? roomName(number) : kind === "opening" ? `${capital(scene.openings[number - 1].kind)} ${number}` : `Wall ${number}`;
 
-/** Rows of what is known of a thing: [term, text or item to go to]. */
+/** Rows of what is known of an item: [term, text or item to go to]. */
 function factsOf({ kind, number }) {
   if (kind === "room") {
     const room = scene.rooms[number - 1];
@@ -220,7 +220,7 @@ function showLegend() {
 function search() {
   const query = $("search").value;
   isFound = matcher(query);
-  const found = things.filter(isFound);
+  const found = nonStructure.filter(isFound);
   tables.objects.fill(found, state.chosen);
   const rooms = query.trim() ? new Set(found.map((object) => object.room)) : null;
   tables.rooms.fill(scene.rooms.filter((room) => !rooms || rooms.has(room.room)), state.chosen);
@@ -246,7 +246,7 @@ function setColour(colour) {
   state.colour = colour;
   $("colour").value = colour;
   plan.colour(fillOf);
-  tables.objects.fill(things.filter(isFound), state.chosen);
+  tables.objects.fill(nonStructure.filter(isFound), state.chosen);
   showLegend();
   drawSpace();
 }
@@ -285,7 +285,7 @@ function start() {
   const area = scene.rooms.reduce((sum, room) => sum + room.area, 0);
   const fact = (value, name) => `<b>${value.toLocaleString("en")}</b> ${name}`;
   $("facts").innerHTML = [fact(scene.storeys.length, scene.storeys.length === 1 ? "storey" : "storeys"), fact(scene.rooms.length, "rooms"),
-    fact(Math.round(area), "m²"), fact(things.length, "objects"), fact(scene.points, "points")].join(" · ");
+    fact(Math.round(area), "m²"), fact(nonStructure.length, "objects"), fact(scene.points, "points")].join(" · ");
   $("lacks").hidden = !scene.overview.consequences.length;
   $("lacks").textContent = scene.overview.consequences.join(" ");
   addOptions($("colour"), [...(hasClasses ? [["class", "by class"]] : []), ["object", "by object"], ["room", "by room"], ["height", "by height"]]);

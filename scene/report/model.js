@@ -9,7 +9,7 @@ const plans = JSON.parse(text("plans"));
 const cloudHeader = JSON.parse(text("cloud"));
 
 const objects = scene.objects;
-const things = objects.filter((object) => object.structure === "none");
+const nonStructure = objects.filter((object) => object.structure === "none");
 const hasClasses = Boolean(scene.categories);
 const nameOf = (object) => object.structure !== "none" ? object.structure : hasClasses ? object.class : "object";
 const sizeOf = (object) => object.upright_box.size.map((side) => side.toFixed(2)).join(" × ") + " m";
@@ -29,7 +29,7 @@ const grey = "#b4b8bc";
 const structureColours = { floor: "#cfcabf", wall: "#a3abb3", ceiling: "#c9ced3" };
 
 const counts = new Map();
-for (const thing of things) counts.set(nameOf(thing), (counts.get(nameOf(thing)) || 0) + 1);
+for (const object of nonStructure) counts.set(nameOf(object), (counts.get(nameOf(object)) || 0) + 1);
 const classNames = [...counts.keys()].filter((name) => name !== "other")
   .sort((a, b) => counts.get(b) - counts.get(a) || (a < b ? -1 : 1));
 const classColours = new Map(classNames.map((name, i) => [name, strong[i % strong.length]]));
@@ -60,7 +60,7 @@ const cloud = (() => {
   return { count, positions, rooms: values.subarray(3 * count, 4 * count), objects: values.subarray(4 * count, 5 * count) };
 })();
 
-/** Does a thing fit a search? That is the name of a class, or words: each begins a word of a class or is "room 3",
+/** Does an object fit a search? That is the name of a class, or words: each begins a word of a class or is "room 3",
  * "storey 1", or a number of an object. */
 const matcher = (query) => {
   if (counts.has(query.trim())) return (object) => nameOf(object) === query.trim();

@@ -9,11 +9,11 @@ const selfTest = () => {
   const rows = (id) => document.querySelectorAll(`#${id} tbody tr`).length;
   const drawn = [...document.querySelectorAll("#plan .thing")];
 
-  expect(rows("objects") === things.length, "the table lists all things");
+  expect(rows("objects") === nonStructure.length, "the table lists all objects");
   expect(rows("rooms") === scene.rooms.length, "the table lists all rooms");
   expect(rows("openings") === scene.openings.length && rows("walls") === scene.walls.length, "the tables list all openings and walls");
   expect(document.querySelectorAll("#plan .room").length === scene.rooms.filter((room) => room.storey === 0).length, "the plan shows the rooms");
-  expect(drawn.length === things.filter((thing) => thing.storey === 0).length, "the plan shows the things");
+  expect(drawn.length === nonStructure.filter((object) => object.storey === 0).length, "the plan shows the objects");
   expect(cloud.count === 0 || cloud.objects.reduce((most, number) => Math.max(most, number), 0) <= objects.length, "points belong to objects");
   expect(!space || drawSpace() > 0, "the 3D view has points");
   expect(scene.overview.facts.every((line) => $("about").textContent.includes(line)), "what was understood is told");
@@ -28,7 +28,7 @@ const selfTest = () => {
   shape.dispatchEvent(new PointerEvent("pointerup", mouse));
   const chosen = document.querySelector("#objects tr[aria-selected=true]");
   expect(chosen && Number(chosen.dataset.object) === number, "a click on the plan chooses the row");
-  expect(shape.classList.contains("chosen"), "a click on the plan marks the thing");
+  expect(shape.classList.contains("chosen"), "a click on the plan marks the object");
   expect(!$("details").hidden && $("details").textContent.includes(`${number}`), "details are shown");
   expect(!space || space.frame.geometry.attributes.position.count === 24, "the 3D view frames it");
   expect(location.hash === `#object=${number}`, "the address names it");
@@ -44,12 +44,12 @@ const selfTest = () => {
   expect(state.chosen.number !== number && document.querySelectorAll("#plan .chosen").length <= 1, "keys choose another");
 
   // the search filters table and plan
-  const name = nameOf(things[0]);
-  $("search").value = `${name} room ${things[0].room}`;
+  const name = nameOf(nonStructure[0]);
+  $("search").value = `${name} room ${nonStructure[0].room}`;
   $("search").dispatchEvent(new Event("input"));
-  const fits = (thing) => name.split(" ").every((word) => nameOf(thing).split(" ").some((part) => part.startsWith(word)));
-  const wanted = things.filter((thing) => fits(thing) && thing.room === things[0].room).length;
-  expect(rows("objects") === wanted, `the search finds ${wanted} things, not ${rows("objects")}`);
+  const fits = (object) => name.split(" ").every((word) => nameOf(object).split(" ").some((part) => part.startsWith(word)));
+  const wanted = nonStructure.filter((object) => fits(object) && object.room === nonStructure[0].room).length;
+  expect(rows("objects") === wanted, `the search finds ${wanted} objects, not ${rows("objects")}`);
   expect(document.querySelectorAll("#plan .thing:not(.away)").length <= wanted, "the plan fades the others");
   for (const [name, count] of hasClasses ? counts : []) {
     setColour("class");

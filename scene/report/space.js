@@ -90,7 +90,7 @@ class Space {
     this.render();
   }
 
-  /** Make a place the centre, and come so near that things are seen well. */
+  /** Make a place the centre, and come so near that objects are seen well. */
   turnTo(place, nearest) {
     this.whole = null;
     const away = this.camera.position.clone().sub(this.controls.target);

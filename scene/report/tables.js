@@ -139,7 +139,7 @@ const roomColumns = [
   { name: "Area", value: (r) => r.area, number: true, text: (r) => `${r.area.toFixed(1)} m²` },
   { name: "Height", value: (r) => r.height, number: true, text: (r) => metres(r.height) },
   { name: "Volume", value: (r) => r.volume, number: true, optional: true, text: (r) => `${r.volume.toFixed(1)} m³` },
-  { name: "Things", value: (r) => r.objects.filter((id) => objects[id - 1].structure === "none").length, number: true },
+  { name: "Objects", value: (r) => r.objects.filter((id) => objects[id - 1].structure === "none").length, number: true },
   { name: "Leads to", value: (r) => r.neighbours.length, optional: true,
     text: (r) => [...new Set(r.neighbours.map((n) => n.room))].sort((a, b) => a - b).join(", ") || "–" },
 ];
