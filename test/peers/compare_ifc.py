@@ -11,9 +11,9 @@ import sys
 def expected_counts(scene):
     kinds = [opening["kind"] for opening in scene["openings"]]
     in_wall = ["wall" in opening for opening in scene["openings"]]
-    things = [thing.get("class", "") for thing in scene["objects"] if thing["structure"] == "none"]
+    objects = [one.get("class", "") for one in scene["objects"] if one["structure"] == "none"]
     other = {"stairs": 0, "column": 0, "door": 0, "window": 0}
-    for name in things:
+    for name in objects:
         if name in other:
             other[name] += 1
     return {
@@ -23,7 +23,7 @@ def expected_counts(scene):
         "IFCVIRTUALELEMENT": sum(1 for kind, wall in zip(kinds, in_wall) if kind == "passage" and not wall),
         "IFCSTAIR": other["stairs"], "IFCCOLUMN": other["column"] + len(scene["columns"]),
         "IFCBUILDINGELEMENTPROXY": other["door"] + other["window"],
-        "IFCFURNITURE": len(things) - sum(other.values()),
+        "IFCFURNITURE": len(objects) - sum(other.values()),
     }
 
 

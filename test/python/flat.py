@@ -79,8 +79,8 @@ def living_room():
     return points()[rooms == largest]
 
 
-def things():
-    """The points of some things of the flat, the largest first."""
+def objects():
+    """The points of some objects of the flat, the largest first."""
     scene = pcl_indoor.load_scene(RESULT / "scene.json")
     labels = np.asarray(quiet_load(RESULT / "cloud.pcd").fields["object"])
     wanted = sorted(

@@ -17,11 +17,11 @@ class OfObjects(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
-        cls.things = flat.things()
+        cls.objects = flat.objects()
         cls.paths = []
-        for k, thing in enumerate(cls.things):
+        for k, one in enumerate(cls.objects):
             cls.paths.append(cls.folder / f"{k}.pcd")
-            flat.save(cls.paths[-1], x=thing[:, 0], y=thing[:, 1], z=thing[:, 2])
+            flat.save(cls.paths[-1], x=one[:, 0], y=one[:, 1], z=one[:, 2])
 
     def test_descriptors_are_those_of_the_tool(self):
         cases = [
@@ -39,9 +39,9 @@ class OfObjects(unittest.TestCase):
             status, said = flat.run("eppf_estimation", self.paths[0], out, *words)
             self.assertEqual(status, 0, said)
             expected = flat.histogram_of(out)
-            for thing in (self.things[0], self.paths[0]):
+            for one in (self.objects[0], self.paths[0]):
                 with self.subTest(options):
-                    values = pcl_indoor.descriptor(thing, **options)
+                    values = pcl_indoor.descriptor(one, **options)
                     self.assertEqual(values.dtype, np.float32)
                     self.assertAlmostEqual(float(values.sum()), 1.0, places=4)
                     np.testing.assert_array_equal(values, expected)
@@ -55,7 +55,7 @@ class OfObjects(unittest.TestCase):
         expected = json.loads(out.read_text())
         expected = expected if isinstance(expected, list) else expected["objects"]
         for options in ({}, {"model": model, "threads": 1}):
-            for objects in (self.things, self.paths):
+            for objects in (self.objects, self.paths):
                 found = pcl_indoor.classify(objects, **options)
                 self.assertEqual(len(found), len(expected))
                 for one, other in zip(found, expected):
@@ -68,7 +68,7 @@ class OfObjects(unittest.TestCase):
                     )
 
     def test_the_distance_from_the_floor_counts(self):
-        low, high = pcl_indoor.classify([self.things[0]] * 2, floor_distances=[0.0, 2.0])
+        low, high = pcl_indoor.classify([self.objects[0]] * 2, floor_distances=[0.0, 2.0])
         self.assertNotEqual(low.probabilities, high.probabilities)
 
     def test_what_cannot_be_described_has_no_class(self):
@@ -80,13 +80,13 @@ class OfObjects(unittest.TestCase):
 
     def test_what_is_wrong_is_told_in_a_line(self):
         cases = [
-            ("objects: give a list", lambda: pcl_indoor.classify(self.things[0])),
+            ("objects: give a list", lambda: pcl_indoor.classify(self.objects[0])),
             ("floor_distances: there are 1 for 2", lambda: pcl_indoor.classify(self.paths[:2], floor_distances=[0])),
             ("no.model", lambda: pcl_indoor.classify(self.paths, model="no.model")),
             ("missing.pcd", lambda: pcl_indoor.classify(["missing.pcd"])),
-            ("-bins: 'many'", lambda: pcl_indoor.descriptor(self.things[0], bins="many")),
-            ("-bins: there must be", lambda: pcl_indoor.descriptor(self.things[0], bins=(10, 3, 4, 3))),
-            ("-normal_neighbors: '2' is out of range", lambda: pcl_indoor.descriptor(self.things[0], normal_neighbors=2)),
+            ("-bins: 'many'", lambda: pcl_indoor.descriptor(self.objects[0], bins="many")),
+            ("-bins: there must be", lambda: pcl_indoor.descriptor(self.objects[0], bins=(10, 3, 4, 3))),
+            ("-normal_neighbors: '2' is out of range", lambda: pcl_indoor.descriptor(self.objects[0], normal_neighbors=2)),
         ]
         for line, call in cases:
             with self.subTest(line), self.assertRaises(pcl_indoor.InputError) as caught:

@@ -19,20 +19,20 @@ LC_ALL=C sed '1,/^end_header$/d' scan.ply | od -An -v -w$((4 * fields)) -t f4 | 
 points=$(wc -l < once.xyz)
 
 value() { sed -n "s/^ *\"$2\": \([0-9.]*\).*/\1/p" "$1"/scene.json | head -n 1; }
-things() { grep -c '"upright_box"' "$1"/scene.json; }
+objects() { grep -c '"upright_box"' "$1"/scene.json; }
 run() { # <input> <result> <options>: what is said goes to a file
   "$tools"/pcl_indoor_pipeline "$@" -quiet 2> all_said || fail "$1 fails"
   grep -v '^Note' all_said > said
 }
 same() { # <result>: as many rooms and objects as those of the scan alone
   [ "$(grep -c '"footprint"' "$1"/scene.json)" = "$(grep -c '"footprint"' once/scene.json)" ] || fail "$1: other rooms"
-  [ "$(things "$1")" = "$(things once)" ] || fail "$1: $(things "$1") objects, not $(things once)"
+  [ "$(objects "$1")" = "$(objects once)" ] || fail "$1: $(objects "$1") objects, not $(objects once)"
 }
 says() { [ "$(wc -l < said)" = 1 ] && grep -q "$1" said || fail "it does not say '$1'"; }
 
 run once.xyz once
 [ -s said ] && fail "something is odd about a plain scan"
-[ "$(things once)" -gt 5 ] || fail "there are no objects"
+[ "$(objects once)" -gt 5 ] || fail "there are no objects"
 
 cat once.xyz once.xyz > twice.xyz
 run twice.xyz twice
@@ -59,5 +59,5 @@ says "3000 of $((points + 3000)) points lie at 1.5 1.25 1.125,"
 "$tools"/pcl_room_segmentation no_normals.xyz no_normals.pcd -quiet 2> /dev/null || fail "the rooms fail"
 run no_normals.pcd no_normals_in_parts -points_at_once 10000
 says "0 of .* have length 1"
-[ "$(things no_normals_in_parts)" = "$(things zeros_in_parts)" ] || fail "in parts zeros are normals"
+[ "$(objects no_normals_in_parts)" = "$(objects zeros_in_parts)" ] || fail "in parts zeros are normals"
 exit 0
