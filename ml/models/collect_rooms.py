@@ -9,8 +9,8 @@ Three of five buildings are captured room by room by a depth camera in somebody'
 are lived in. What the work folder holds already is not made again. A capture takes half a minute on one core.
 
 ROOMS.npz: names of the classes, floor, wall and ceiling first, then those of classes.json; of each room its number of
-points and of things, and whether it was captured; of all points, room after room, place (mm from the room's middle),
-class (-1: not to be learned) and thing (0: the building). Needs numpy.
+points and of objects, and whether it was captured; of all points, room after room, place (mm from the room's middle),
+class (-1: not to be learned) and object (0: the building). Needs numpy.
 """
 import argparse
 import concurrent.futures
@@ -72,7 +72,7 @@ def scan_command(tools, seed, name):
 
 
 def rooms_of(cloud, of_category, seed):
-    """Of each room points, classes and things. Four of ten with what is around them."""
+    """Of each room points, classes and objects. Four of ten with what is around them."""
     places = numpy.stack([cloud["x"], cloud["y"], cloud["z"]], 1)
     random = numpy.random.default_rng(seed)
     for room in numpy.unique(cloud["room"][cloud["room"] > 0]):
@@ -98,8 +98,8 @@ def collect(tools, work, seed):
     with open(name + ".json", encoding="utf-8") as file:
         of_category = numpy.array([class_table()[1](category) for category in json.load(file)["categories"]], numpy.int8)
     rooms = list(rooms_of(read_ply(name + ".ply"), of_category, seed))
-    points, classes, things = (numpy.concatenate(part) for part in zip(*rooms))
-    numpy.savez(name + ".new.npz", points=points, classes=classes, objects=things.astype(numpy.uint16),
+    points, classes, objects = (numpy.concatenate(part) for part in zip(*rooms))
+    numpy.savez(name + ".new.npz", points=points, classes=classes, objects=objects.astype(numpy.uint16),
                 sizes=[len(room[0]) for room in rooms], counts=[len(numpy.unique(room[2])) - 1 for room in rooms],
                 captured=[is_captured(seed)] * len(rooms))
     os.remove(name + ".ply")

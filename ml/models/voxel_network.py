@@ -10,7 +10,7 @@ used if there is one: 7,600 steps take 16 minutes on an H100. Without one a step
 
 Convolutions are gathers and products: the rows of the neighbours that a voxel has, times one matrix (submanifold sparse
 convolution, Graham et al., CVPR 2018). Rooms are changed at random in each step, as real ones differ from simulated ones.
-Beside the classes the network learns where the middle of each voxel's thing is.
+Beside the classes the network learns where the middle of each voxel's object is.
 """
 import argparse
 import json
@@ -132,7 +132,7 @@ class Weights(nn.Module):
 
 
 class VoxelNetwork(nn.Module):
-    """Outputs: scores of the classes, and from the voxel to the middle of its thing (m)."""
+    """Outputs: scores of the classes, and from the voxel to the middle of its object (m)."""
 
     def __init__(self, classes):
         super().__init__()
@@ -197,7 +197,7 @@ class Rooms:
         self.names = [str(name) for name in data["names"]]
         self.points = torch.from_numpy(data["points"].astype(numpy.float32) * 0.001).to(device)
         self.classes = torch.from_numpy(data["classes"].astype(numpy.int64)).to(device)
-        self.things = torch.from_numpy(data["objects"].astype(numpy.int64)).to(device)  # 0: the building
+        self.objects = torch.from_numpy(data["objects"].astype(numpy.int64)).to(device)  # 0: the building
         self.ends = numpy.concatenate([[0], numpy.cumsum(data["sizes"])])
         self.captured = data["captured"]
         self.weight = data["counts"].clip(1, 12).astype(float)
@@ -224,7 +224,7 @@ def draw(rooms, chosen):
     parts = [slice(rooms.ends[c], rooms.ends[c + 1]) for c in chosen]
     points = torch.cat([rooms.points[part] for part in parts])
     classes = torch.cat([rooms.classes[part] for part in parts])
-    things = torch.cat([rooms.things[part] for part in parts])
+    objects = torch.cat([rooms.objects[part] for part in parts])
     room = torch.repeat_interleave(torch.arange(count, device=device),
                                    torch.tensor([part.stop - part.start for part in parts], device=device))
     captured = torch.from_numpy(rooms.captured[chosen]).to(device)
@@ -255,7 +255,7 @@ def draw(rooms, chosen):
     keep &= holes < torch.where(some(0.3), uniform(0.9, 2), 100)[room]
     small = wave(points, room, count, (0.15, 0.6), device)
     keep &= small < torch.where(some(0.2), uniform(1.2, 2.5), 100)[room]
-    points, classes, things, room = points[keep], classes[keep], things[keep], room[keep]
+    points, classes, objects, room = points[keep], classes[keep], objects[keep], room[keep]
 
     # other sizes, warps, noise, tilt, turns
     scale = torch.stack([uniform(0.88, 1.14), uniform(0.88, 1.14), uniform(0.92, 1.08)], 1)
@@ -272,11 +272,11 @@ def draw(rooms, chosen):
     x = (points[:, 0] * torch.cos(turn) - points[:, 1] * torch.sin(turn)) * mirrored
     y = points[:, 0] * torch.sin(turn) + points[:, 1] * torch.cos(turn)
     points = torch.stack([x, y, points[:, 2]], 1) + torch.rand(count, 3, device=device)[room] * VOXEL
-    return points, classes, things, room
+    return points, classes, objects, room
 
 
 def batch(rooms, chosen):
-    points, classes, things, room = draw(rooms, chosen)
+    points, classes, objects, room = draw(rooms, chosen)
     keys, voxel, offset = voxelised(points, room)
     first = torch.full((len(keys),), len(points), dtype=torch.long, device=points.device)
     first.scatter_reduce_(0, voxel, torch.arange(len(points), device=points.device), "amin")
@@ -284,11 +284,11 @@ def batch(rooms, chosen):
                           for k in range(len(chosen))])
     levels = levels + torch.randn_like(levels) * 0.05 - (torch.rand_like(levels) < 0.1) * torch.rand_like(levels) * 0.3
     height = points[first, 2] - levels[room[first]]
-    _, thing = torch.unique(room * (1 << 32) + things, return_inverse=True)
-    count = torch.bincount(thing)
-    middle = torch.zeros(len(count), 3, device=points.device).index_add_(0, thing, points) / count[:, None]
-    to_middle = middle[thing[first]] - points[first]
-    to_middle[things[first] == 0] = math.nan
+    _, number = torch.unique(room * (1 << 32) + objects, return_inverse=True)
+    count = torch.bincount(number)
+    middle = torch.zeros(len(count), 3, device=points.device).index_add_(0, number, points) / count[:, None]
+    to_middle = middle[number[first]] - points[first]
+    to_middle[objects[first] == 0] = math.nan
     return inputs_of(offset, height), levels_of(keys), classes[first], to_middle
 
 
@@ -352,23 +352,23 @@ def train(rooms, steps, voxels, seed, device):
             points += rooms.ends[chosen[-1] + 1] - rooms.ends[chosen[-1]]
         inputs, levels, truth, to_middle = batch(rooms, numpy.array(chosen))
         outputs = network(inputs, levels)
-        scores, on_thing = outputs[:, :-3], ~torch.isnan(to_middle[:, 0])
+        scores, on_object = outputs[:, :-3], ~torch.isnan(to_middle[:, 0])
         loss = functional.cross_entropy(scores, truth, weight, ignore_index=-1, label_smoothing=0.05)
-        error = (outputs[on_thing, -3:] - to_middle[on_thing]).abs().sum() / (3 * on_thing.sum()).clamp(min=1)
+        error = (outputs[on_object, -3:] - to_middle[on_object]).abs().sum() / (3 * on_object.sum()).clamp(min=1)
         loss = loss + error
         optimizer.zero_grad(set_to_none=True)
         loss.backward()
         nn.utils.clip_grad_norm_(network.parameters(), 5)
         optimizer.step()
         if step % 10 == 0:
-            thing = truth > 2
+            is_object = truth > 2
             losses.append(loss.detach())
             errors.append(error.detach())
-            shares.append((scores.argmax(1) == truth)[thing].float().mean())
+            shares.append((scores.argmax(1) == truth)[is_object].float().mean())
         if time.time() - told > 20 or step + 1 == steps:
             told = time.time()
             print(f"{(told - start) / 60:5.1f} min, step {step}, {len(chosen)} rooms, {len(truth)} voxels, "
-                  f"loss {mean(losses):.3f}, middle {mean(errors):.3f} m, things {mean(shares):.3f}", flush=True)
+                  f"loss {mean(losses):.3f}, middle {mean(errors):.3f} m, objects {mean(shares):.3f}", flush=True)
     return network.eval()
 
 
