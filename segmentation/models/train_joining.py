@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the pcl_indoor contributors
-"""Learn whether two pieces are one thing, or how well a union of pieces fits a thing: boosted trees from the examples
+"""Learn whether two pieces are one object, or how well a union of pieces fits one: boosted trees from the examples
 of pcl_joining_examples.
 
     train_joining.py trees.txt FEATURES TREES RATE EXAMPLES ...
@@ -18,7 +18,7 @@ LEAST_EXAMPLES = 40  # in a leaf
 
 
 def read_examples(paths, features):
-    """Rows of: is a thing, weight, features."""
+    """Rows of: is an object, weight, features."""
     rows = []
     for path in paths:
         try:
@@ -30,12 +30,12 @@ def read_examples(paths, features):
         rows.append(values.reshape(-1, 2 + features))
     rows = numpy.concatenate(rows)
     if len(numpy.unique(rows[:, 0])) != 2:
-        sys.exit("there must be both examples that are a thing and others")
+        sys.exit("there must be both examples that are an object and others")
     return rows
 
 
 def train(rows, trees, rate):
-    """Trees whose sum is the log-odds of a thing."""
+    """Trees whose sum is the log-odds of an object."""
     model = HistGradientBoostingClassifier(
         max_iter=trees, max_leaf_nodes=LEAVES, learning_rate=rate, min_samples_leaf=LEAST_EXAMPLES,
         l2_regularization=1.0, early_stopping=False, random_state=0)
@@ -77,7 +77,7 @@ def main():
     rows = read_examples(sys.argv[5:], features)
     with open(sys.argv[1], "w", encoding="ascii") as file:
         file.write(text_of(train(rows, trees, rate), features))
-    print("%d examples, %.1f %% of them a thing" % (len(rows), 100 * rows[:, 0].mean()))
+    print("%d examples, %.1f %% of them an object" % (len(rows), 100 * rows[:, 0].mean()))
 
 
 if __name__ == "__main__":
