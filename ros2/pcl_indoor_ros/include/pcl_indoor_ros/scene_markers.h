@@ -18,7 +18,7 @@
 namespace pcl_indoor_ros {
 
 /** \brief Makes the visualization_msgs/MarkerArray of a scene: outlines and names of
- * rooms, frames of openings, boxes and names of things. */
+ * rooms, frames of openings, boxes and names of objects. */
 template <typename MarkerArray>
 class SceneMarkers {
 public:
