@@ -8,6 +8,7 @@
 #include "objects/graph/segment_members.h"
 #include "objects/segment_names.h"
 #include "objects/split/laden_top.h"
+#include "objects/table_top.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -18,6 +19,7 @@
 namespace {
 
 using pcl::indoor::DetailedSegmentation;
+using pcl::indoor::fewest_points_of_table;
 using pcl::indoor::ObjectScene;
 using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
@@ -25,9 +27,8 @@ using pcl::indoor::SegmentMembers;
 using pcl::indoor::StructureKind;
 using pcl::indoor::TopLevel;
 
-constexpr std::size_t fewest_points = 1000; // as isTableTop() has it
-constexpr std::size_t fewest_objects = 4;   // fewer were seen in learning from rooms
-constexpr float largest_reach = 0.28f;      // metres from the middle of an object
+constexpr std::size_t fewest_objects = 4; // fewer were seen in learning from rooms
+constexpr float largest_reach = 0.28f;    // metres from the middle of an object
 
 std::size_t
 countAbove(const TopLevel& top, const SegmentMembers& members, const ObjectScene& scene)
@@ -58,7 +59,7 @@ denseObjects(const DetailedSegmentation& result)
   std::vector<std::uint32_t> dense;
   for (std::uint32_t s = 0; s < result.segment_count; ++s)
     if (result.structure_of_segment[s] == StructureKind::None &&
-        sizes.points[s] >= fewest_points &&
+        sizes.points[s] >= fewest_points_of_table &&
         sizes.points[s] / fewest_per_voxel >= sizes.voxels[s])
       dense.push_back(s);
   return dense;

@@ -5,6 +5,7 @@
 
 #include <pcl/segmentation/scan_warnings.h>
 
+#include "rooms/dimensions.h"
 #include "rooms/map/building_steps.h"
 #include "rooms/map/region_evidence.h"
 
@@ -304,12 +305,12 @@ unseenWarnings(const BuildingRooms& building)
 {
   std::vector<std::string> lines;
   const double height = occupiedHeight(stepsOf(building).occupancy.grid);
-  if (!building.maps.empty() && height < least_storey_height) {
+  if (!building.maps.empty() && height < standing_height) {
     std::ostringstream line;
     line << "All points lie within " << 0.01 * std::round(100.0 * height)
          << " m of height, as in a slice or a flat map: there are no rooms. Rooms need "
             "walls of at least "
-         << least_storey_height << " m.";
+         << standing_height << " m.";
     return {line.str()};
   }
   const UnseenSides& unseen = stepsOf(building).interior.unseen;

@@ -6,6 +6,8 @@
 
 #include "objects/graph/segment_members.h"
 #include "objects/split/height_map.h"
+#include "objects/structure/plane_growing.h"
+
 #include <pcl/indoor/ground_frame.h>
 #include <pcl/indoor/quantile.h>
 
@@ -20,10 +22,10 @@ namespace {
 
 using pcl::indoor::deviation_per_median;
 using pcl::indoor::HeightMap;
+using pcl::indoor::normal_cosine;
 using pcl::indoor::ObjectScene;
 using pcl::indoor::quantile;
 
-constexpr double level_cosine = 0.9; // normals of a horizontal surface: 26 degrees
 constexpr double most_cells = 1 << 22;
 constexpr int fit_rounds = 5;
 // metres; an object with more than 30 % of its points above this has sides that part it
@@ -130,7 +132,7 @@ public:
   {
     std::vector<Eigen::Vector3d> level_places;
     for (const auto v : members)
-      if (std::abs(scene_.voxels.normals[v].dot(scene_.up)) > level_cosine)
+      if (std::abs(scene_.voxels.normals[v].dot(scene_.up)) > normal_cosine)
         level_places.push_back(placeOf(scene_.voxels.centroids[v]));
     if (level_places.size() < pcl::indoor::min_object_surface)
       return {};

@@ -4,6 +4,8 @@
  */
 #include "objects/split/laden_top.h"
 
+#include "objects/table_top.h"
+
 #include <pcl/indoor/ground_frame.h>
 #include <pcl/indoor/quantile.h>
 
@@ -18,7 +20,6 @@ constexpr float cell_size = 0.02f;  // metres along the ground
 constexpr float bin_height = 0.01f; // metres; a top reaches over two bins
 constexpr std::size_t fewest = 200; // cells: 0.08 m^2, 0.4 x 0.2 m
 constexpr float narrowest = 0.3f;   // metres; less are ledges, arms and seats' fronts
-constexpr float widest = 1.5f;      // metres, as isTableTop() has it
 constexpr float tallest =
     0.5f; // metres above the top; more has a cabinet or a bed's end
 constexpr std::ptrdiff_t apart = 3; // bins, so that noise of a top is not beside it
@@ -126,7 +127,7 @@ ladenTop(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& up)
   }
   const auto fits = [](std::vector<float>& along) {
     const float width = quantile(along, 1 - strays) - quantile(along, strays);
-    return width >= narrowest && width <= widest;
+    return width >= narrowest && width <= widest_table;
   };
   if (!fits(x) || !fits(y) || above.empty() || quantile(above, 1 - strays) > tallest)
     return std::nullopt;

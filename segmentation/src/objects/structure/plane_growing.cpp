@@ -13,12 +13,12 @@
 
 namespace {
 
+using pcl::indoor::normal_cosine;
+using pcl::indoor::sheet_cosine;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
 constexpr std::size_t min_region = 50;
-constexpr double region_cosine = 0.9; // 26 degrees: noise of a voxel's normal
-constexpr double sheet_cosine = 0.97; // 14 degrees: two regions of one plane
 
 /** Sums over positions, for a plane through them. */
 struct PositionSums {
@@ -72,7 +72,7 @@ growRegion(const SurfaceVoxels& voxels,
     }
     for (const auto other : voxels.neighbors.of(v)) {
       const double cosine = voxels.normals[other].cast<double>().dot(plane.normal);
-      if (taken[other] || std::abs(cosine) < region_cosine ||
+      if (taken[other] || std::abs(cosine) < normal_cosine ||
           std::abs(plane.heightOf(place(other))) > tolerance)
         continue;
       taken[other] = 1;

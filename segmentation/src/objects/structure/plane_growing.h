@@ -9,6 +9,9 @@
 namespace pcl {
 namespace indoor {
 
+constexpr double normal_cosine = 0.9; ///< 26 degrees: noise of a voxel's normal
+constexpr double sheet_cosine = 0.97; ///< 14 degrees: two regions of one plane
+
 /** \brief Grow flat regions over touching voxels and put those of one plane together.
  * \return planes in the order of the size of their largest region; regions of fewer
  * than 50 voxels are left out

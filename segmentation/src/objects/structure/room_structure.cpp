@@ -22,6 +22,7 @@
 namespace {
 
 using pcl::indoor::PlaneRaster;
+using pcl::indoor::sheet_cosine;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
@@ -225,13 +226,12 @@ isRecessed(const SurfaceVoxels& voxels,
            const std::vector<StructurePlane>& planes,
            const StructurePlane& plane)
 {
-  constexpr double parallel = 0.97;      // cosine of 14 degrees
   constexpr double deepest_recess = 0.4; // metres: outer walls are not much thicker
   const Eigen::Vector3d middle =
       voxels.centroids[plane.voxels[plane.voxels.size() / 2]].cast<double>();
   for (const auto* wall = planes.data(); wall != &plane; ++wall) {
     const double height = wall->heightOf(middle);
-    if (wall->normal.dot(plane.normal) > parallel && height < 0 &&
+    if (wall->normal.dot(plane.normal) > sheet_cosine && height < 0 &&
         height > -deepest_recess)
       return true;
   }

@@ -5,6 +5,7 @@
 
 #include "rooms/map/ceiling_slab.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/space/map_regions.h"
 
 #include <algorithm>
@@ -196,7 +197,6 @@ seenTops(const VoxelBits& occupancy,
          const PixelMap<int>& ceiling,
          const CeilingSlabOptions& options)
 {
-  constexpr double seen_to = 1.6;   // metres: above tables and most shelves
   constexpr double stretch = 0.4;   // metres, below and above the heads
   constexpr double less_seen = 0.8; // share of what is seen below
   const auto layers = [&](double length) {
@@ -219,7 +219,7 @@ seenTops(const VoxelBits& occupancy,
   auto tops = ceiling;
   if (least(heads + 1, end) < less_seen * least(below, heads))
     for (auto& top : tops.values)
-      top = std::min(top, storey.begin + layers(seen_to));
+      top = std::min(top, storey.begin + layers(passage_height));
   return tops;
 }
 

@@ -5,6 +5,7 @@
 
 #include "rooms/map/region_borders.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/space/nearest_sites.h"
 
 #include <pcl/indoor/disjoint_sets.h>
@@ -25,8 +26,6 @@
 namespace pcl {
 namespace indoor {
 namespace {
-
-constexpr double passage_height = 1.6; // metres; lower openings let nobody pass
 
 /** Of two rooms with different ceilings, up to which one their border is looked at. */
 enum class BorderTop {

@@ -5,6 +5,7 @@
 
 #include "rooms/map/room_map.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/map/ceiling_slab.h"
 #include "rooms/map/inner_walls.h"
 #include "rooms/map/open_plan.h"
@@ -88,7 +89,7 @@ insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
   const int offset = space.first_layer % factor; // the coarse layers may begin below
   PixelMap<std::uint8_t> inside{ceiling.nx, ceiling.ny, {}};
   inside.values.assign(inside.size(), 0);
-  if (occupiedHeight(space.occupancy) < least_storey_height)
+  if (occupiedHeight(space.occupancy) < standing_height)
     return inside;
   for (int x = 0; x < inside.nx; ++x)
     for (int y = 0; y < inside.ny; ++y) {
@@ -373,11 +374,10 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   map.free_labels = basinsOfWidth(map.field, basins, size, options);
   dropNoRooms(occupancy, options, map.free_labels);
   joinOpenRegions(occupancy, options, options.merging.open_share, map);
-  constexpr double thickest_wall = 0.5; // metres
   divideAtInnerWalls(map.free_labels,
                      map.room_count,
                      space.interior.directions,
-                     static_cast<int>(std::lround(thickest_wall / size)),
+                     static_cast<int>(std::lround(wall_thickness / size)),
                      options.open_plan.min_wall_share,
                      options.open_plan.habitable_area / (size * size));
   map.labels = map.free_labels;

@@ -5,6 +5,7 @@
 
 #include "rooms/map/station_views.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/map/region_evidence.h"
 #include <pcl/indoor/disjoint_sets.h>
 
@@ -50,8 +51,8 @@ isInside(const Eigen::Array3i& voxel, const InteriorSpace& interior)
 PixelMap<RegionPair>
 partitionsOf(const RoomMap& map, double pixel_size)
 {
-  constexpr double thickest = 0.5; // metres, as of inner walls
-  const int reach = std::max(1, static_cast<int>(std::lround(thickest / pixel_size)));
+  const int reach =
+      std::max(1, static_cast<int>(std::lround(wall_thickness / pixel_size)));
   const PixelMap<std::int32_t>& labels = map.free_labels;
   PixelMap<RegionPair> sides{labels.nx, labels.ny, {}};
   sides.values.assign(labels.size(), {0, 0});
@@ -152,12 +153,12 @@ StationViews::empty() const
 bool
 StationViews::isSlabBelow(std::int32_t cell, std::size_t storey) const
 {
-  constexpr double slab = 0.5; // metres above the middle of it
   if (storey == 0)
     return false;
   const VoxelBits& grid = building_.grid;
   const double height = grid.origin.z() + grid.voxel_size * (cell % grid.shape.nz);
-  return height < storeys_.borders[storey - 1].values[cell / grid.shape.nz] + slab;
+  return height <
+         storeys_.borders[storey - 1].values[cell / grid.shape.nz] + wall_thickness;
 }
 
 bool
@@ -198,7 +199,6 @@ StationViews::regionsOf(const RoomMap& map, std::size_t storey) const
 bool
 StationViews::isClosed(const Eigen::Array3i& voxel, const RoomMap& map) const
 {
-  constexpr double sill = 0.3, door = 1.6; // metres above the floor, as of openings
   const VoxelBits& grid = building_.grid;
   const auto column = grid.column(voxel.x(), voxel.y());
   const int floor = map.first_layer + map.range.begin;
@@ -210,8 +210,9 @@ StationViews::isClosed(const Eigen::Array3i& voxel, const RoomMap& map) const
   const auto layers = [&](double height) {
     return static_cast<int>(std::lround(height / grid.voxel_size));
   };
-  return column[voxel.z()] || column.any(std::min(floor + layers(sill), grid.shape.nz),
-                                         std::min(floor + layers(door), grid.shape.nz));
+  return column[voxel.z()] ||
+         column.any(std::min(floor + layers(sill_height), grid.shape.nz),
+                    std::min(floor + layers(passage_height), grid.shape.nz));
 }
 
 bool

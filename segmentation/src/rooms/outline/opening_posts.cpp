@@ -5,6 +5,7 @@
 
 #include "rooms/outline/opening_posts.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/outline/place_profile.h"
 
 #include <algorithm>
@@ -14,9 +15,8 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-// Posts are looked for between 0.3 m and 1.6 m above the floor, and up to 0.6 m beside
-// the border: thicker walls hold no labels.
-constexpr double lowest = 0.3, highest = 1.6, deepest = 0.6;
+constexpr double deepest = 0.6;     // metres beside a border: thicker walls hold no
+                                    // labels
 constexpr std::uint32_t least = 6;  // fewer points are outliers
 constexpr double along_reach = 4.0; // pixels from the ends that voxels say: objects
                                     // beside a post close some
@@ -62,7 +62,7 @@ OpeningPosts::add(const Eigen::Vector3f& point, std::int32_t cell)
   const int below =
       map_.ceiling.values[pixel] + map_.first_layer - cell % grid.shape.nz;
   const bool in_slab = below >= map_.slab.first && below <= map_.slab.last;
-  const bool at_posts = height >= lowest && height <= highest;
+  const bool at_posts = height >= sill_height && height <= passage_height;
   if (!in_slab && !at_posts)
     return;
   const Eigen::Vector2d place =

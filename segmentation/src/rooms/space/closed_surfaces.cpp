@@ -5,6 +5,7 @@
 
 #include "rooms/space/closed_surfaces.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/space/distance_map.h"
 
 #include <algorithm>
@@ -46,10 +47,8 @@ occupiedCount(const VoxelBits& grid)
 std::optional<VoxelBits>
 withoutGrounds(const VoxelBits& grid)
 {
-  constexpr double high = 1.5;     // metres, as the clearance of storeys
-  constexpr double nearby = 1.0;   // metres
   constexpr double grounds = 0.25; // of the columns; else they hardly matter
-  const auto person = std::lround(high / grid.voxel_size);
+  const auto person = std::lround(standing_height / grid.voxel_size);
   const int nz = grid.shape.nz;
   PixelMap<std::uint8_t> held{grid.shape.nx, grid.shape.ny, {}};
   held.values.assign(held.size(), 0);
@@ -67,7 +66,7 @@ withoutGrounds(const VoxelBits& grid)
     walls.values[i] = last - first >= person;
   }
   const auto squared = squaredDistanceMap(walls, 1);
-  const double reach = std::pow(nearby / grid.voxel_size, 2);
+  const double reach = std::pow(surroundings / grid.voxel_size, 2);
   std::size_t all = 0, far = 0;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     all += held.values[i];

@@ -5,6 +5,7 @@
 
 #include "rooms/space/unseen_sides.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/space/enclosure.h"
 #include "rooms/space/nearest_sites.h"
 
@@ -38,16 +39,16 @@ leastAround(const PixelMap<int>& map, int radius)
   return result;
 }
 
-/** The ends of the columns that are as high as a person, carried to the others. */
+/** The ends of the columns that are as high as a person, carried to the others: a
+ * cupboard stands near to its wall. */
 WallEnds
 wallEnds(const VoxelMap<std::uint8_t>& occupancy)
 {
-  constexpr double high = 1.5;      // metres, as the clearance of storeys
-  constexpr double nearby = 1.0;    // metres: a cupboard stands so near to its wall
   constexpr double near_wall = 2.0; // metres: farther off, the ground may be elsewhere
   const GridShape& shape = occupancy.shape;
-  const int person = static_cast<int>(std::lround(high / occupancy.voxel_size));
-  const int radius = static_cast<int>(std::lround(nearby / occupancy.voxel_size));
+  const int person =
+      static_cast<int>(std::lround(standing_height / occupancy.voxel_size));
+  const int radius = static_cast<int>(std::lround(surroundings / occupancy.voxel_size));
   PixelMap<std::uint8_t> walls{shape.nx, shape.ny, {}};
   walls.values.assign(walls.size(), 0);
   PixelMap<int> low{shape.nx, shape.ny, {}};

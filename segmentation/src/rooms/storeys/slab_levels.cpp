@@ -5,6 +5,7 @@
 
 #include "rooms/storeys/slab_levels.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/space/map_regions.h"
 #include <pcl/indoor/quantile.h>
 #include <pcl/indoor/threads.h>
@@ -183,9 +184,8 @@ private:
 std::vector<SlabGroup>
 levelGroups(const SlabColumns& columns, double voxel_size, int threads)
 {
-  constexpr double radius = 1.0; // metres: wider than a stair's landing is deep
-  constexpr int samples = 3;     // to either side
-  const int step = std::max(1, static_cast<int>(radius / samples / voxel_size));
+  constexpr int samples = 3; // to either side
+  const int step = std::max(1, static_cast<int>(surroundings / samples / voxel_size));
   const auto& groups = columns.groups();
   const auto count = static_cast<std::ptrdiff_t>(groups.size());
   std::vector<std::uint8_t> is_level(groups.size());
@@ -278,7 +278,6 @@ std::vector<SlabLevel>
 findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options)
 {
   constexpr double level_difference = 1.0; // slabs at one level differ by less, metres
-  constexpr double wall_thickness = 0.5;   // a slab goes on behind walls, metres
   const double size = occupancy.voxel_size;
   const int tile = std::max(1, static_cast<int>(std::lround(wall_thickness / size)));
   auto groups =

@@ -4,6 +4,8 @@
  */
 #include "rooms/storeys/storey_plan.h"
 
+#include "rooms/dimensions.h"
+
 #include <pcl/indoor/flood_fill.h>
 #include <pcl/indoor/quantile.h>
 
@@ -107,8 +109,7 @@ private:
   void
   findHeights()
   {
-    constexpr double few = 0.25;        // of the median layer
-    constexpr double wall_height = 1.5; // metres: higher than most furniture
+    constexpr double few = 0.25; // of the median layer
     std::vector<std::size_t> counts(grid_.shape.nz, 0);
     for (int x = 0; x < grid_.shape.nx; ++x)
       for (int y = 0; y < grid_.shape.ny; ++y) {
@@ -127,7 +128,7 @@ private:
         top_ = z;
         heights_known_ = true;
       }
-    const int tall = static_cast<int>(std::lround(wall_height / grid_.voxel_size));
+    const int tall = static_cast<int>(std::lround(standing_height / grid_.voxel_size));
     wall_ = std::max(2, std::min(tall, (top_ - bottom_ + 2) / 2));
   }
 

@@ -5,6 +5,7 @@
 
 #include "rooms/storeys/storeys.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/storeys/rectangle_sums.h"
 #include "rooms/storeys/slab_levels.h"
 #include "rooms/storeys/storey_openings.h"
@@ -44,7 +45,6 @@ borderOf(const VoxelBits& occupancy,
          const SlabLevel& level,
          const StoreyOptions& options)
 {
-  constexpr double nearby = 1.0; // metres
   const GridShape& shape = occupancy.shape;
   const double size = occupancy.voxel_size;
   PixelMap<float> votes{shape.nx, shape.ny, {}};
@@ -62,7 +62,7 @@ borderOf(const VoxelBits& occupancy,
       occupancy, votes, static_cast<int>(std::lround(level.middle())), options);
   RectangleSums counts(thin);
   RectangleSums sums(middles);
-  const int radius = static_cast<int>(std::lround(nearby / size));
+  const int radius = static_cast<int>(std::lround(surroundings / size));
   PixelMap<float> border = votes;
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y) {

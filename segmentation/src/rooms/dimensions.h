@@ -1,0 +1,21 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026, the pcl_indoor contributors
+ */
+#pragma once
+
+namespace pcl {
+namespace indoor {
+
+/** \file Dimensions of people and buildings that several steps go by, metres. */
+
+constexpr double standing_height = 1.5; ///< nobody stands where less is free, and most
+                                        ///< furniture is lower
+constexpr double passage_height = 1.6;  ///< lower openings let nobody pass, and most
+                                        ///< shelves end below
+constexpr double sill_height = 0.3;     ///< what is lower is part of floors
+constexpr double wall_thickness = 0.5;  ///< inner walls and slabs have at most that
+constexpr double surroundings = 1.0;    ///< so near is what tells of a place
+
+} // namespace indoor
+} // namespace pcl
