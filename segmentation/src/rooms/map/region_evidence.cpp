@@ -5,6 +5,7 @@
 
 #include "rooms/map/region_evidence.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/map/region_borders.h"
 
 #include <algorithm>
@@ -244,8 +245,7 @@ dropOutdoors(const StoreySpace& space, OpenGround& ground, RoomMap& map)
 std::size_t
 dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
 {
-  constexpr double hardly = 0.6; // of what bounds it: walls decide
-  constexpr double little = 2.0; // m^2: of more, a room was seen in part
+  constexpr double half_seen = 4.5; // m^2: a room of which half was seen has more
   const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
   const std::vector<double> walls = closedBorders(map, space.occupancy.voxel_size);
   const std::vector<LevelSides> levels = levelSides(space.occupancy, map);
@@ -263,7 +263,7 @@ dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
         (4.0 * walls[label] + level_seen / static_cast<double>(level.all)) /
         (4 + has_floors + has_ceilings);
     const double area = static_cast<double>(level.all) * pixel_area;
-    is_dropped[label] = seen < hardly && seen * area < little && level.all < largest;
+    is_dropped[label] = area * seen < half_seen * (1.0 - seen) && level.all < largest;
   }
   return dropRegions(is_dropped, map);
 }

@@ -18,8 +18,6 @@
 namespace pcl {
 namespace indoor {
 
-constexpr double least_storey_height = 1.5; ///< metres, as the clearance of storeys
-
 /** \brief How high the occupied voxels of a grid reach, without the outermost
  * thousandths, metres; 0 if there are none. */
 double
@@ -68,10 +66,11 @@ struct OpenGround {
 void
 dropOutdoors(const StoreySpace& space, OpenGround& ground, RoomMap& map);
 
-/** \brief Drop the regions of whose walls, floor and ceiling little was seen, and of
- * whose area no more than 2 m^2: nobody was there, something was seen through a door or
- * a window. Each of the four walls of a room counts as much as its floor; a floor or a
- * ceiling that is missing in the whole scan does not count. The largest region stays.
+/** \brief Drop the regions that are smaller than 4.5 m^2 over the odds that their
+ * walls, floor and ceiling were seen (the share that was seen over the rest): nobody
+ * was there, something was seen through a door or a window. Each of the four walls of
+ * a room counts as much as its floor; a floor or a ceiling that is missing in the
+ * whole scan does not count. The largest region stays.
  * \param[in,out] map its labels are 1 ... n again
  * \return how many were dropped
  */

@@ -131,9 +131,15 @@ TEST(RegionEvidence, WhatTheWholeScanLacksDoesNotCount)
 
 TEST(RegionEvidence, ALargeRegionIsARoomThatWasSeenInPart)
 {
-  EXPECT_TRUE(SquareRoom({0.2, 0.4, 0.4}, 30).isKept()); // 0.27 of 9 m^2
-  EXPECT_FALSE(SquareRoom({0.1, 0.5, 0.1}, 30).isKept());
-  EXPECT_TRUE(SquareRoom({0.1, 0.5, 0.1}, 40).isKept()); // 0.17 of 16 m^2
+  EXPECT_FALSE(SquareRoom({0.2, 0.4, 0.4}, 30).isKept()); // 0.27 of 9 m^2
+  EXPECT_TRUE(SquareRoom({0.2, 0.4, 0.4}, 40).isKept());  // 0.27 of 16 m^2
+  EXPECT_FALSE(SquareRoom({0.1, 0.5, 0.1}, 40).isKept());
+}
+
+TEST(RegionEvidence, ASmallRegionIsARoomIfNearlyAllOfItWasSeen)
+{
+  EXPECT_FALSE(SquareRoom({0.7, 0.8, 0.8}, 10).isKept()); // 0.73 of 1 m^2
+  EXPECT_TRUE(SquareRoom({0.9, 0.8, 0.8}, 10).isKept());  // 0.87, a cupboard
 }
 
 namespace {
