@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 namespace pcl {
@@ -32,6 +33,13 @@ struct VoxelClasses {
   of(std::size_t point) const
   {
     return probabilities.data() + voxel_of_point[point] * class_count;
+  }
+
+  /** \brief How likely a point is part of the building, 0 ... 1. */
+  double
+  buildingShare(std::size_t point) const
+  {
+    return std::accumulate(of(point), of(point) + building_classes, 0.0);
   }
 };
 

@@ -4,6 +4,8 @@
  */
 #include "objects/join/building_pieces.h"
 
+#include "objects/structure/voted_structure.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -14,7 +16,6 @@ namespace indoor {
 std::vector<StructureKind>
 buildingPieces(const PieceGraph& graph)
 {
-  constexpr double least = 0.4; // of the votes for the building
   std::vector<StructureKind> kinds(graph.pieces.size(), StructureKind::None);
   if (!graph.has_votes)
     return kinds;
@@ -22,7 +23,7 @@ buildingPieces(const PieceGraph& graph)
     const auto& votes = graph.pieces[p].votes.classes;
     const auto end = votes.begin() + building_classes;
     if (std::accumulate(votes.begin(), end, 0.0) >
-        least * std::accumulate(votes.begin(), votes.end(), 0.0))
+        least_building_share * std::accumulate(votes.begin(), votes.end(), 0.0))
       kinds[p] = static_cast<StructureKind>(
           std::max_element(votes.begin(), end) - votes.begin() +
           static_cast<std::ptrdiff_t>(StructureKind::Floor));

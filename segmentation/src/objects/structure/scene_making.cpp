@@ -181,7 +181,7 @@ makeObjectScene(ObjectSegmentationInput input,
   const auto patch =
       static_cast<std::size_t>(std::min(seed_voxels * seed_voxels, largest));
   returnIslands(patch, options.min_segment_size * patch, scene);
-  yieldContacts(raw.voxels, scene);
+  yieldContacts(raw.voxels, votes, scene);
   return scene;
 }
 

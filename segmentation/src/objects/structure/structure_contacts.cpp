@@ -4,6 +4,8 @@
  */
 #include "objects/structure/structure_contacts.h"
 
+#include "objects/structure/voted_structure.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,7 @@ namespace {
 using pcl::indoor::Adjacency;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
+using pcl::indoor::VoxelClasses;
 
 /** A tangent plane stands for the surface around its voxel up to this distance, in
  * voxels. */
@@ -71,6 +74,13 @@ gatherAround(std::uint32_t place,
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
+bool
+isBuilding(const VoxelClasses& votes, std::size_t point)
+{
+  return votes.class_count > 0 &&
+         votes.buildingShare(point) > pcl::indoor::least_building_share;
+}
+
 /** The voxel whose surface a point is nearest to; its own if that is the plane's. */
 std::uint32_t
 nearestSurface(const Eigen::Vector3f& point,
@@ -99,7 +109,9 @@ namespace pcl {
 namespace indoor {
 
 std::size_t
-yieldContacts(const SurfaceVoxels& surroundings, ObjectScene& scene)
+yieldContacts(const SurfaceVoxels& surroundings,
+              const VoxelClasses& votes,
+              ObjectScene& scene)
 {
   requireConsistent(scene, surroundings.cells.cell_of_point.size());
   auto& voxels = scene.voxels;
@@ -112,7 +124,7 @@ yieldContacts(const SurfaceVoxels& surroundings, ObjectScene& scene)
     const auto& cells = surroundings.cells;
     for (const auto point : cells.pointsOf(place)) {
       auto& voxel = voxels.cells.cell_of_point[point];
-      if (plane_of_voxel[voxel] == 0)
+      if (plane_of_voxel[voxel] == 0 || isBuilding(votes, point))
         continue;
       if (!gathered)
         gatherAround(place, surroundings, objects, around);

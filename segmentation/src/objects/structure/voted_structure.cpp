@@ -5,7 +5,6 @@
 #include "objects/structure/voted_structure.h"
 
 #include <cstddef>
-#include <numeric>
 
 namespace pcl {
 namespace indoor {
@@ -14,11 +13,9 @@ void
 yieldToVotes(const VoxelClasses& votes, std::vector<std::uint32_t>& plane_of_point)
 {
   constexpr double least = 0.15; // of the votes for the building
-  for (std::size_t i = 0; i < plane_of_point.size(); ++i) {
-    const float* const shares = votes.of(i);
-    if (std::accumulate(shares, shares + building_classes, 0.0) < least)
+  for (std::size_t i = 0; i < plane_of_point.size(); ++i)
+    if (votes.buildingShare(i) < least)
       plane_of_point[i] = 0;
-  }
 }
 
 } // namespace indoor

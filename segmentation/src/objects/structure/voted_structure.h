@@ -12,6 +12,9 @@
 namespace pcl {
 namespace indoor {
 
+/** \brief What lies in no plane for sure is structure if more of its votes say so. */
+constexpr double least_building_share = 0.4;
+
 /** \brief Take the points that hardly anybody takes for the building out of their
  * planes: curtains, cabinets and doors in the planes of walls. A plane is evidence,
  * too: what lies in one needs fewer votes than a piece of surface that lies in none.

@@ -249,7 +249,7 @@ dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
   const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
   const std::vector<double> walls = closedBorders(map, space.occupancy.voxel_size);
   const std::vector<LevelSides> levels = levelSides(space.occupancy, map);
-  std::size_t largest = 0; // stays: there is no scan without a room
+  std::size_t largest = 0; // stays, with what is half as large: scans have rooms
   for (const LevelSides& level : levels)
     largest = std::max(largest, level.all);
   const bool has_floors = space.interior.unseen.floorIsSeen();
@@ -263,7 +263,8 @@ dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
         (4.0 * walls[label] + level_seen / static_cast<double>(level.all)) /
         (4 + has_floors + has_ceilings);
     const double area = static_cast<double>(level.all) * pixel_area;
-    is_dropped[label] = area * seen < half_seen * (1.0 - seen) && level.all < largest;
+    is_dropped[label] =
+        area * seen < half_seen * (1.0 - seen) && 2 * level.all < largest;
   }
   return dropRegions(is_dropped, map);
 }

@@ -68,9 +68,9 @@ struct Apart : ObjectScene {
   }
 
   std::size_t
-  yield()
+  yield(const VoxelClasses& votes = {})
   {
-    return yieldContacts(surroundings, *this);
+    return yieldContacts(surroundings, votes, *this);
   }
 
   /** Share of an object's points that are in a plane. */
@@ -132,6 +132,20 @@ nearestOfAll(const Apart& scene, std::uint32_t point)
 }
 
 } // namespace
+
+TEST(StructureContacts, WhatIsPartOfTheBuildingByItsVotesStays)
+{
+  const auto scene = corner();
+  VoxelClasses votes; // of one voxel, for floor and for another class
+  votes.class_count = building_classes + 1;
+  votes.voxel_of_point.assign(scene.points.size(), 0);
+  votes.probabilities = {0.5f, 0, 0, 0.5f};
+  EXPECT_EQ(Apart(scene.points).yield(votes), 0u);
+  votes.probabilities = {0.3f, 0, 0, 0.7f};
+  const auto yielded = Apart(scene.points).yield(votes);
+  EXPECT_GT(yielded, 100u);
+  EXPECT_EQ(yielded, Apart(scene.points).yield());
+}
 
 TEST(StructureContacts, SidesReachDownToFloorAndWall)
 {

@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  static constexpr int margin = 5, hall = 50;
+  static constexpr int margin = 5, hall = 80;
 
   StoreySpace space_;
   RoomMap map_;
@@ -134,6 +134,12 @@ TEST(RegionEvidence, ALargeRegionIsARoomThatWasSeenInPart)
   EXPECT_FALSE(SquareRoom({0.2, 0.4, 0.4}, 30).isKept()); // 0.27 of 9 m^2
   EXPECT_TRUE(SquareRoom({0.2, 0.4, 0.4}, 40).isKept());  // 0.27 of 16 m^2
   EXPECT_FALSE(SquareRoom({0.1, 0.5, 0.1}, 40).isKept());
+}
+
+TEST(RegionEvidence, ARegionHalfAsLargeAsTheLargestStays)
+{
+  EXPECT_TRUE(SquareRoom({0.0, 0.1, 0.0}, 60).isKept()); // of the hall's 80
+  EXPECT_FALSE(SquareRoom({0.0, 0.1, 0.0}, 55).isKept());
 }
 
 TEST(RegionEvidence, ASmallRegionIsARoomIfNearlyAllOfItWasSeen)
