@@ -5,7 +5,6 @@
 
 #include "rooms/map/region_evidence.h"
 
-#include "rooms/dimensions.h"
 #include "rooms/map/region_borders.h"
 
 #include <algorithm>
