@@ -17,6 +17,8 @@ namespace pcl {
 namespace indoor {
 namespace {
 
+constexpr double enclosed = 0.8; // share of what bounds a room: most of four walls
+
 /** Whether something lies above the heads of people in a column. */
 bool
 isCovered(const VoxelBits& occupancy, const VerticalRange& range, std::size_t pixel)
@@ -216,7 +218,6 @@ dropStreets(const StoreySpace& space, RoomMap& map)
 void
 dropOutdoors(const StoreySpace& space, OpenGround& ground, RoomMap& map)
 {
-  constexpr double enclosed = 0.8; // share of a border with walls: most of four
   const std::vector<double> walls = closedBorders(map, space.occupancy.voxel_size);
   const std::vector<LevelSides> levels = levelSides(space.occupancy, map);
   std::vector<double> ceilings, area; // of enclosed regions
@@ -262,8 +263,8 @@ dropSeenThroughOpenings(const StoreySpace& space, RoomMap& map)
         (4.0 * walls[label] + level_seen / static_cast<double>(level.all)) /
         (4 + has_floors + has_ceilings);
     const double area = static_cast<double>(level.all) * pixel_area;
-    is_dropped[label] =
-        area * seen < half_seen * (1.0 - seen) && 2 * level.all < largest;
+    is_dropped[label] = seen < enclosed && area * seen < half_seen * (1.0 - seen) &&
+                        2 * level.all < largest;
   }
   return dropRegions(is_dropped, map);
 }

@@ -70,7 +70,8 @@ dropOutdoors(const StoreySpace& space, OpenGround& ground, RoomMap& map);
  * walls, floor and ceiling were seen (the share that was seen over the rest): nobody
  * was there, something was seen through a door or a window. Each of the four walls of
  * a room counts as much as its floor; a floor or a ceiling that is missing in the
- * whole scan does not count. Regions half as large as the largest stay.
+ * whole scan does not count. Regions stay that were seen to four fifths, or that are
+ * half as large as the largest.
  * \param[in,out] map its labels are 1 ... n again
  * \return how many were dropped
  */

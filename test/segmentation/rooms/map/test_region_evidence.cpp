@@ -146,6 +146,7 @@ TEST(RegionEvidence, ASmallRegionIsARoomIfNearlyAllOfItWasSeen)
 {
   EXPECT_FALSE(SquareRoom({0.7, 0.8, 0.8}, 10).isKept()); // 0.73 of 1 m^2
   EXPECT_TRUE(SquareRoom({0.9, 0.8, 0.8}, 10).isKept());  // 0.87, a cupboard
+  EXPECT_TRUE(SquareRoom({0.8, 0.9, 0.9}, 5).isKept());   // 0.83, however small
 }
 
 namespace {
