@@ -14,8 +14,9 @@ constexpr double standing_height = 1.5; ///< nobody stands where less is free, a
 constexpr double passage_height = 1.6;  ///< lower openings let nobody pass, and most
                                         ///< shelves end below
 constexpr double sill_height = 0.3;     ///< what is lower is part of floors
-constexpr double wall_thickness = 0.5;  ///< inner walls and slabs have at most that
-constexpr double surroundings = 1.0;    ///< so near is what tells of a place
+constexpr double thickest_wall = 0.5; ///< of those between rooms; slabs are no thicker
+constexpr double surroundings = 1.0;  ///< of a place: wider than a stair's landing,
+                                      ///< deeper than a cupboard
 
 } // namespace indoor
 } // namespace pcl

@@ -12,7 +12,8 @@
 namespace pcl {
 namespace indoor {
 
-/** \brief What lies in no plane for sure is structure if more of its votes say so. */
+/** \brief Where no plane decides, a surface is structure if more than this share of its
+ * votes is for the building. */
 constexpr double least_building_share = 0.4;
 
 /** \brief Take the points that hardly anybody takes for the building out of their

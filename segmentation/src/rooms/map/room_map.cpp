@@ -377,7 +377,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   divideAtInnerWalls(map.free_labels,
                      map.room_count,
                      space.interior.directions,
-                     static_cast<int>(std::lround(wall_thickness / size)),
+                     static_cast<int>(std::lround(thickest_wall / size)),
                      options.open_plan.min_wall_share,
                      options.open_plan.habitable_area / (size * size));
   map.labels = map.free_labels;

@@ -52,7 +52,7 @@ PixelMap<RegionPair>
 partitionsOf(const RoomMap& map, double pixel_size)
 {
   const int reach =
-      std::max(1, static_cast<int>(std::lround(wall_thickness / pixel_size)));
+      std::max(1, static_cast<int>(std::lround(thickest_wall / pixel_size)));
   const PixelMap<std::int32_t>& labels = map.free_labels;
   PixelMap<RegionPair> sides{labels.nx, labels.ny, {}};
   sides.values.assign(labels.size(), {0, 0});
@@ -158,7 +158,7 @@ StationViews::isSlabBelow(std::int32_t cell, std::size_t storey) const
   const VoxelBits& grid = building_.grid;
   const double height = grid.origin.z() + grid.voxel_size * (cell % grid.shape.nz);
   return height <
-         storeys_.borders[storey - 1].values[cell / grid.shape.nz] + wall_thickness;
+         storeys_.borders[storey - 1].values[cell / grid.shape.nz] + thickest_wall;
 }
 
 bool

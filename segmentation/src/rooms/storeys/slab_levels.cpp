@@ -279,7 +279,7 @@ findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options)
 {
   constexpr double level_difference = 1.0; // slabs at one level differ by less, metres
   const double size = occupancy.voxel_size;
-  const int tile = std::max(1, static_cast<int>(std::lround(wall_thickness / size)));
+  const int tile = std::max(1, static_cast<int>(std::lround(thickest_wall / size)));
   auto groups =
       levelGroups(SlabColumns(occupancy, options), size, threadCount(options.threads));
   const int reach_in_half_voxels =
