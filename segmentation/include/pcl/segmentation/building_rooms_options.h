@@ -82,7 +82,7 @@ struct MergeOptions {
                             ///< metres (>= 0)
   double door_share = 0.75; ///< spaces with a door between them are joined above this
                             ///< open share only, 0 ... 1
-  double open_height = 0.9; ///< the opening reaches over at least this share of the
+  double open_height = 0.8; ///< the opening reaches over at least this share of the
                             ///< height: beams may be above it, lintels not, 0 ... 1;
                             ///< larger gives more rooms
 };

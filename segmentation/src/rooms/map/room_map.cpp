@@ -28,13 +28,6 @@ namespace pcl {
 namespace indoor {
 namespace {
 
-/** Whether a column holds an occupied voxel. */
-bool
-holdsSomething(const VoxelBits& grid, std::size_t pixel)
-{
-  return grid.column(pixel).any(0, grid.shape.nz);
-}
-
 /** Columns with something in them, and the gaps between those (closing by a disc; there
  * is nothing beyond the map). */
 PixelMap<std::uint8_t>
@@ -153,24 +146,17 @@ basinsOfWidth(const PixelMap<float>& field,
   return labels;
 }
 
-/** Remove labels of regions that are no rooms: too small, or of whose columns most hold
- * nothing, such as the hollow of a thick wall, which no scanner looks into. */
+/** Remove labels of regions that are too small to be rooms. */
 void
-dropNoRooms(const VoxelBits& occupancy,
-            const RoomMapOptions& options,
-            PixelMap<std::int32_t>& labels)
+dropSmall(double pixel_size, double min_area, PixelMap<std::int32_t>& labels)
 {
-  const std::int32_t count =
-      *std::max_element(labels.values.begin(), labels.values.end());
-  std::vector<std::size_t> area(count + 1, 0), held(count + 1, 0);
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels.values[i] != 0) {
-      ++area[labels.values[i]];
-      held[labels.values[i]] += holdsSomething(occupancy, i);
-    }
-  const double pixel_area = occupancy.voxel_size * occupancy.voxel_size;
+  std::vector<std::size_t> area(
+      *std::max_element(labels.values.begin(), labels.values.end()) + 1, 0);
+  for (const auto label : labels.values)
+    ++area[label];
+  const double pixel_area = pixel_size * pixel_size;
   for (auto& label : labels.values)
-    if (area[label] * pixel_area < options.min_area || 2 * held[label] < area[label])
+    if (static_cast<double>(area[label]) * pixel_area < min_area)
       label = 0;
 }
 
@@ -372,7 +358,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   basins.persistence = options.persistence;
   basins.door = 0.5 * options.door_width;
   map.free_labels = basinsOfWidth(map.field, basins, size, options);
-  dropNoRooms(occupancy, options, map.free_labels);
+  dropSmall(size, options.min_area, map.free_labels);
   joinOpenRegions(occupancy, options, options.merging.open_share, map);
   divideAtInnerWalls(map.free_labels,
                      map.room_count,

@@ -145,17 +145,6 @@ lookFor(const Side& side,
                          : 1.0;
 }
 
-/** Leave out voxels over no floor: nobody looked into what is there. */
-void
-keepAboveFloors(const VoxelMap<std::uint8_t>& bits, std::vector<std::size_t>& voxels)
-{
-  const auto is_over_none = [&](std::size_t voxel) {
-    return (bits.values[voxel] & ENCLOSED_BELOW) == 0;
-  };
-  voxels.erase(std::remove_if(voxels.begin(), voxels.end(), is_over_none),
-               voxels.end());
-}
-
 } // namespace
 
 UnseenSides
@@ -179,8 +168,6 @@ findUnseenSides(const VoxelMap<std::uint8_t>& occupancy,
       {1, above_floor, ENCLOSED_BELOW, ceiling}, ends, occupancy, between, sides.floor);
   if (sides.ceilingIsMostlySeen())
     sides.ceiling.clear();
-  else if (sides.ceilingIsSeen())
-    keepAboveFloors(bits, sides.ceiling);
   if (sides.floorIsSeen())
     sides.floor.clear();
   return sides;
