@@ -101,17 +101,20 @@ TEST(PartialScans, WithoutCeilings)
   expectTwoRooms(partOfTwoRooms([](float z) { return !isCeiling(z); }), "No ceilings");
 }
 
-TEST(PartialScans, AHallSeenToTheShouldersBesideARoomWithACeiling)
+/** A hall, 12 x 9 m, of which nothing above 1.6 m was seen, nor the floor between two
+ * lengths, and a room beside it, 8 x 9 m, that was seen whole. */
+void
+expectAHallSeenToTheShoulders(float unseen_begin, float unseen_end)
 {
   auto points =
       test::rooms({{{0, 0, 0}, {12, 9, 2.5f}, 1}, {{12.1f, 0, 0}, {20, 9, 2.5f}, 2}},
                   {test::doorway(11.95f, 12.15f, 4.0f, 5.0f, 2.0f)})
           .points;
-  points.erase(
-      std::remove_if(points.begin(),
-                     points.end(),
-                     [](const auto& p) { return p.x() < 12.05f && p.z() > 1.6f; }),
-      points.end());
+  const auto is_unseen = [&](const auto& p) {
+    return (p.x() < 12.05f && p.z() > 1.6f) ||
+           (isFloor(p.z()) && p.x() > unseen_begin && p.x() < unseen_end);
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), is_unseen), points.end());
   const auto building = segmentBuilding(points);
   const auto& unseen = stepsOf(building).interior.unseen;
   EXPECT_TRUE(unseen.ceilingIsSeen());
@@ -119,6 +122,16 @@ TEST(PartialScans, AHallSeenToTheShouldersBesideARoomWithACeiling)
   ASSERT_EQ(building.rooms.size(), 2u);
   EXPECT_NEAR(building.rooms[0].area, 108.0, 4.0);
   EXPECT_NEAR(building.rooms[1].area, 71.1, 3.0);
+}
+
+TEST(PartialScans, AHallSeenToTheShouldersBesideARoomWithACeiling)
+{
+  expectAHallSeenToTheShoulders(0, 0);
+}
+
+TEST(PartialScans, AHallSeenToTheShouldersWithoutAPartOfItsFloor)
+{
+  expectAHallSeenToTheShoulders(5, 8);
 }
 
 TEST(PartialScans, WallsThatAreSeenToTheShouldersAloneDivideRooms)

@@ -281,6 +281,15 @@ TEST(MergeOpenRegions, NotBelowALintel)
   EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, options), (Labels{0, 1, 1}));
 }
 
+TEST(MergeOpenRegions, ABeamOfAFifthOfTheHeightPartsNothing)
+{
+  RegionBorder wide = border(1, 2, 10.0, 8.1);
+  wide.opening_area = 10.0;
+  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, {}), (Labels{0, 1, 1}));
+  wide.open_area = 7.9;
+  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, {}), (Labels{0, 1, 2}));
+}
+
 TEST(MergeOpenRegions, DoorsNeedALargerShare)
 {
   RegionBorder narrow = border(1, 2, 4.0, 3.0); // 0.6 of the smaller section, 5 m^2
