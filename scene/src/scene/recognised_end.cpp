@@ -59,6 +59,21 @@ mostSurface(const Points& points, double cell_size)
   return most;
 }
 
+/** Whether points lie so close to each other that the network tells more of them than
+ * chance. */
+bool
+areDense(const std::vector<Points>& squares, double voxel_size)
+{
+  constexpr double edge = 4.0;   // voxels, of cubes
+  constexpr double enough = 2.5; // voxels in a cube: 10 cm apart 3.1, 15 cm 2
+  std::size_t voxels = 0, cubes = 0;
+  for (const auto& square : squares) {
+    voxels += groupByCell(square, voxel_size).size();
+    cubes += groupByCell(square, edge * voxel_size).size();
+  }
+  return static_cast<double>(voxels) >= enough * static_cast<double>(cubes);
+}
+
 /** Voxels, and those of them that are an object of some class. */
 struct Recognised {
   std::size_t objects = 0, all = 0;
@@ -95,6 +110,8 @@ recognisedEnd(const Points& points)
   const auto network = loadVoxelNetwork(bundledNetworkFile());
   constexpr double little = 0.01, clearly_more = 2.0;
   const auto squares = mostSurface(points, network.voxel_size);
+  if (!areDense(squares, network.voxel_size))
+    return 0;
   const auto lookAt = [&](float up) {
     Recognised recognised;
     for (auto square : squares) {

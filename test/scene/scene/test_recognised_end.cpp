@@ -35,6 +35,18 @@ TEST(RecognisedEnd, is_that_of_the_square_that_shows_most)
   EXPECT_EQ(recognisedEnd(upsideDown(points)), -1);
 }
 
+TEST(RecognisedEnd, is_not_told_by_points_that_are_too_sparse)
+{
+  const auto dense = roomWithChairs({0.0f, 0.0f, 0.0f});
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u}) {
+    auto sparse = dense;
+    std::shuffle(sparse.begin(), sparse.end(), std::mt19937(seed));
+    sparse.resize(dense.size() / 40); // one per 0.2 m
+    EXPECT_EQ(recognisedEnd(sparse), 0) << seed;
+    EXPECT_EQ(recognisedEnd(upsideDown(sparse)), 0) << seed;
+  }
+}
+
 TEST(RecognisedEnd, is_not_known_of_an_empty_room)
 {
   EXPECT_EQ(recognisedEnd({}), 0);
