@@ -153,6 +153,48 @@ TEST(PartialScans, WallsThatAreSeenToTheShouldersAloneDivideRooms)
   EXPECT_EQ(endOfPassages(building.openings), 0);
 }
 
+/** Two rooms of 6 x 5 m with a passage of a metre between them, of which nothing above
+ * 1.6 m was seen beyond a third of their length, but for the walls around them. */
+Points
+twoRoomsSeenUpToTheirCeilingsInParts()
+{
+  auto points =
+      test::rooms({{{0, 0, 0}, {6, 5, 2.5f}, 1}, {{6.1f, 0, 0}, {12, 5, 2.5f}, 2}},
+                  {test::doorway(5.95f, 6.15f, 4.0f, 5.0f, 2.0f)})
+          .points;
+  points.erase(std::remove_if(points.begin(),
+                              points.end(),
+                              [&](const auto& p) {
+                                return p.y() > 1.7f && p.z() > 1.6f && p.y() < 4.9f &&
+                                       p.x() > 0.1f && p.x() < 11.9f;
+                              }),
+               points.end());
+  return points;
+}
+
+TEST(PartialScans, AWallThatReachesUpInPartsDividesRooms)
+{
+  const auto building = segmentBuilding(twoRoomsSeenUpToTheirCeilingsInParts());
+  EXPECT_TRUE(stepsOf(building).interior.unseen.ceilingIsSeen());
+  EXPECT_FALSE(stepsOf(building).interior.unseen.ceilingIsMostlySeen());
+  ASSERT_EQ(building.rooms.size(), 2u);
+  EXPECT_NEAR(building.rooms[0].area, 30.0, 1.5);
+  EXPECT_NEAR(building.rooms[1].area, 29.5, 1.5);
+  ASSERT_EQ(building.openings.size(), 1u);
+}
+
+TEST(PartialScans, PassagesUpToCeilingsSeenInPartsDoNotHang)
+{
+  auto points = twoRoomsSeenUpToTheirCeilingsInParts();
+  LabelledPoints step; // in the passage
+  std::mt19937 rng(1);
+  step.addBox({5.95f, 4.0f, 0.0f}, {0.2f, 1.0f, 0.4f}, 0, 0.02f, 0.0f, rng);
+  points.insert(points.end(), step.points.begin(), step.points.end());
+  const auto building = segmentBuilding(points);
+  ASSERT_EQ(building.openings.size(), 1u);
+  EXPECT_LE(building.openings[0].rise, 0.0);
+}
+
 TEST(PartialScans, WallsAlone)
 {
   expectTwoRooms(partOfTwoRooms([](float z) { return !isFloor(z) && !isCeiling(z); }),

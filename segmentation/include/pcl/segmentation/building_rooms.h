@@ -121,7 +121,7 @@ struct RoomOpening {
   double width = 0.0;       ///< metres
   double area = 0.0;        ///< m^2
   /** Its middle over the middle between floor and ceiling, metres: below 0 under a
-   * lintel; 0 where that end of the rooms was not seen to which it would be nearer. */
+   * lintel; 0 where less than 0.7 was seen of the end to which it would be nearer. */
   double rise = 0.0;
 };
 

@@ -216,10 +216,20 @@ seenTops(const VoxelBits& occupancy,
     return static_cast<double>(
         *std::min_element(seen.begin() + first, seen.begin() + last));
   };
-  auto tops = ceiling;
-  if (least(heads + 1, end) < less_seen * least(below, heads))
-    for (auto& top : tops.values)
-      top = std::min(top, storey.begin + layers(passage_height));
+  const bool is_less = least(heads + 1, end) < less_seen * least(below, heads);
+  return is_less ? topsAtHeads(occupancy, storey, ceiling) : ceiling;
+}
+
+PixelMap<int>
+topsAtHeads(const VoxelBits& occupancy,
+            const VerticalRange& storey,
+            const PixelMap<int>& ceiling)
+{
+  const int heads =
+      static_cast<int>(std::lround(passage_height / occupancy.voxel_size));
+  PixelMap<int> tops = ceiling;
+  for (auto& top : tops.values)
+    top = std::min(top, storey.begin + std::max(1, heads));
   return tops;
 }
 

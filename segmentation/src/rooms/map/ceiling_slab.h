@@ -78,6 +78,15 @@ seenTops(const VoxelBits& occupancy,
          const PixelMap<int>& ceiling,
          const CeilingSlabOptions& options);
 
+/** \brief The layers below which walls reach up to the heads of people: no more than
+ * 1.6 m above the floor.
+ * \param[in] ceiling as ceilingLayers() gives it
+ */
+PixelMap<int>
+topsAtHeads(const VoxelBits& occupancy,
+            const VerticalRange& storey,
+            const PixelMap<int>& ceiling);
+
 /** \brief Free the connected parts (8 neighbours) that are too small for a wall: noise,
  * lamps, pillars.
  * \param[in,out] blocked 1 = blocked, 0 = free

@@ -7,6 +7,7 @@
 
 #include "rooms/dimensions.h"
 #include "rooms/map/ceiling_slab.h"
+#include "rooms/map/continued_walls.h"
 #include "rooms/map/inner_walls.h"
 #include "rooms/map/open_plan.h"
 #include "rooms/map/persistent_basins.h"
@@ -65,11 +66,19 @@ wallColumns(const StoreySpace& space,
             const CeilingSlabOptions& options)
 {
   const VoxelBits& occupancy = space.occupancy;
-  if (space.interior.unseen.ceilingIsSeen())
-    return blockedColumns(occupancy, map.range, map.ceiling, map.slab);
-  const auto tops = seenTops(occupancy, map.range, map.ceiling, options);
-  return blockedColumns(
-      occupancy, map.range, tops, slabLayers(occupancy, map.range, tops, options));
+  const UnseenSides& unseen = space.interior.unseen;
+  const auto blockedBelow = [&](const PixelMap<int>& tops) {
+    return blockedColumns(
+        occupancy, map.range, tops, slabLayers(occupancy, map.range, tops, options));
+  };
+  if (!unseen.ceilingIsSeen())
+    return blockedBelow(seenTops(occupancy, map.range, map.ceiling, options));
+  auto blocked = blockedColumns(occupancy, map.range, map.ceiling, map.slab);
+  if (unseen.ceilingIsMostlySeen())
+    return blocked;
+  return continuedWalls(blocked,
+                        blockedBelow(topsAtHeads(occupancy, map.range, map.ceiling)),
+                        occupancy.voxel_size);
 }
 
 /** The columns that hold no more exterior free voxels than interior ones between the

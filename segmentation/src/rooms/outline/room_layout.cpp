@@ -191,8 +191,8 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
       },
       [&](const OpeningPosts& own) { posts.add(own); });
   const UnseenSides& sides = building.interior.unseen;
-  const double lowest = sides.floorIsSeen() ? -INFINITY : 0.0;
-  const double highest = sides.ceilingIsSeen() ? INFINITY : 0.0;
+  const double lowest = sides.floorIsMostlySeen() ? -INFINITY : 0.0;
+  const double highest = sides.ceilingIsMostlySeen() ? INFINITY : 0.0;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const auto [along, against] = posts.ends(k);
     const Eigen::Vector2d middle = Eigen::Vector2d(found[k].x, found[k].y) +

@@ -43,11 +43,18 @@ struct UnseenSides {
   bool
   ceilingIsMostlySeen() const
   {
-    constexpr double mostly = 0.7; // whole scans: .84 and more; half of maps: .4 to .6
     return ceiling_seen >= mostly;
   }
 
+  bool
+  floorIsMostlySeen() const
+  {
+    return floor_seen >= mostly;
+  }
+
   static constexpr double least_seen = 0.3; ///< furniture hides the rest
+  static constexpr double mostly = 0.7; ///< whole scans: .84 and more; half of maps:
+                                        ///< .4 to .6 of the ceiling
 };
 
 /** \brief The interior free space of a building, on coarser voxels than the map's. */
