@@ -29,8 +29,14 @@ pointsAt(const NumberRange& places, const Points& points)
   return some;
 }
 
+/** Squares of a scan, and how many cells of a network's voxels their points fill. */
+struct Surface {
+  std::vector<Points> squares;
+  std::size_t cells = 0;
+};
+
 /** The squares that show most surface, of so many cells in all. */
-std::vector<Points>
+Surface
 mostSurface(const Points& points, double cell_size)
 {
   constexpr double side = 5.0;           // metres
@@ -48,13 +54,12 @@ mostSurface(const Points& points, double cell_size)
   std::stable_sort(by_cells.begin(), by_cells.end(), [](const auto& a, const auto& b) {
     return a.first > b.first;
   });
-  std::vector<Points> most;
-  std::size_t all = 0;
+  Surface most;
   for (const auto& [cells, square] : by_cells) {
-    if (all >= enough)
+    if (most.cells >= enough)
       break;
-    most.push_back(pointsAt(squares.pointsOf(square), points));
-    all += cells;
+    most.squares.push_back(pointsAt(squares.pointsOf(square), points));
+    most.cells += cells;
   }
   return most;
 }
@@ -62,16 +67,14 @@ mostSurface(const Points& points, double cell_size)
 /** Whether points lie so close to each other that the network tells more of them than
  * chance. */
 bool
-areDense(const std::vector<Points>& squares, double voxel_size)
+areDense(const Surface& surface, double voxel_size)
 {
   constexpr double edge = 4.0;   // voxels, of cubes
   constexpr double enough = 2.5; // voxels in a cube: 10 cm apart 3.1, 15 cm 2
-  std::size_t voxels = 0, cubes = 0;
-  for (const auto& square : squares) {
-    voxels += groupByCell(square, voxel_size).size();
+  std::size_t cubes = 0;
+  for (const auto& square : surface.squares)
     cubes += groupByCell(square, edge * voxel_size).size();
-  }
-  return static_cast<double>(voxels) >= enough * static_cast<double>(cubes);
+  return static_cast<double>(surface.cells) >= enough * static_cast<double>(cubes);
 }
 
 /** Voxels, and those of them that are an object of some class. */
@@ -109,12 +112,12 @@ recognisedEnd(const Points& points)
     return 0; // rooms can be had without it
   const auto network = loadVoxelNetwork(bundledNetworkFile());
   constexpr double little = 0.01, clearly_more = 2.0;
-  const auto squares = mostSurface(points, network.voxel_size);
-  if (!areDense(squares, network.voxel_size))
+  const auto surface = mostSurface(points, network.voxel_size);
+  if (!areDense(surface, network.voxel_size))
     return 0;
   const auto lookAt = [&](float up) {
     Recognised recognised;
-    for (auto square : squares) {
+    for (auto square : surface.squares) {
       for (auto& point : square)
         point = {point.x(), up * point.y(), up * point.z()};
       recognised.add(square, network);

@@ -75,8 +75,7 @@ continuedWalls(const PixelMap<std::uint8_t>& high,
                const PixelMap<std::uint8_t>& low,
                double pixel_size)
 {
-  constexpr double shortest =
-      1.0; // metres that reach up: sides of cabinets are shorter
+  constexpr double shortest = 1.0; // metres; sides of high cabinets are shorter
   const double least = std::round(shortest / pixel_size);
   PixelMap<std::uint8_t> walls = high;
   for (const bool along_x : {true, false})

@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 using namespace pcl::indoor;
 using Blocked = PixelMap<std::uint8_t>;
 
