@@ -16,8 +16,9 @@ namespace indoor {
  * height was seen.
  *
  * Along the rows and columns of the map, which lie along the walls: a line without a
- * gap, three pixels wide for walls that are rough or drift, is a wall if a metre and
- * 0.3 of it reach up. Cabinets and shelves that stand free do not, doors are gaps.
+ * gap, three pixels wide for walls that are rough or drift, is a wall where at least a
+ * metre of it, and 0.3 of its length, reaches up. Shelves that stand free do not, doors
+ * are gaps.
  *
  * \param[in] high pixels that are blocked up to the ceiling, 1 = blocked, 0 = free
  * \param[in] low those that are blocked up to the heads of people; same size
