@@ -28,8 +28,7 @@ struct Slot {
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<Eigen::Vector3f>
 DistinctPoints::least(const std::vector<Eigen::Vector3f>& values) const
@@ -111,5 +110,4 @@ mayHaveCopies(const std::vector<Eigen::Vector3f>& points)
          fewest * distinctPoints(sample).copies() > sample.size();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

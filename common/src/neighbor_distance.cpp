@@ -115,8 +115,7 @@ visitNearest(const std::vector<Eigen::Vector3f>& points,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<float>
 meanNeighborDistances(const std::vector<Eigen::Vector3f>& points,
@@ -175,5 +174,4 @@ neighborhoodRadius(const std::vector<Eigen::Vector3f>& points, unsigned threads)
   return radius_factor * median(distances);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -96,8 +96,7 @@ sortCells(pcl::indoor::PointCells& cells, const std::vector<std::uint64_t>& keys
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 listPoints(PointCells& cells)
@@ -179,5 +178,4 @@ cellIndex(std::uint64_t key)
                          static_cast<int>(key & mask) - 1);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

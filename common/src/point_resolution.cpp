@@ -122,8 +122,7 @@ spacingOf(const std::vector<Eigen::Vector3f>& points,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 double
 medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& cells)
@@ -152,5 +151,4 @@ raisedToResolution(const std::vector<Eigen::Vector3f>& points, double voxel_size
   return std::max(voxel_size, factor * resolution);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

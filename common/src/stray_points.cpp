@@ -16,8 +16,7 @@ constexpr double median_distances = 100; // a stray is farther than so many
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<std::size_t>
 strayPoints(const std::vector<Eigen::Vector3f>& points)
@@ -45,5 +44,4 @@ strayPoints(const std::vector<Eigen::Vector3f>& points)
   return strays;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

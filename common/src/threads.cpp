@@ -10,8 +10,7 @@
 #include <omp.h>
 #endif
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 int
 threadCount(int requested)
@@ -34,5 +33,4 @@ runInThreads([[maybe_unused]] int threads, const std::function<void()>& work)
   work();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -52,8 +52,7 @@ visitAround(const PointCells& cells,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<std::uint8_t>
 nonConvexPoints(const std::vector<Eigen::Vector3f>& points,
@@ -93,5 +92,4 @@ nonConvexPoints(const std::vector<Eigen::Vector3f>& points,
   return non_convex;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

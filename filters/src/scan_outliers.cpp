@@ -62,8 +62,7 @@ withNearNeighbors(const std::vector<Eigen::Vector3f>& points,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::string
 findProblem(const ScanOutlierOptions& options)
@@ -115,5 +114,4 @@ scanOutliers(const std::vector<Eigen::Vector3f>& points,
   return outliers;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -55,5 +54,4 @@ bundledNetworkFile()
   return dataFile("indoor_voxels.network");
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <numeric>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -141,5 +140,4 @@ spreadOf(const std::vector<double>& values)
   return {mean, values.size() < 2 ? 0.0 : std::sqrt(squares / (count - 1.0))};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

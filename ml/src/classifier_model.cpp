@@ -9,8 +9,7 @@
 #include <set>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -79,5 +78,4 @@ findProblem(const ClassifierModel& model, bool wants_weights)
   return "";
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief CRC-32 of bytes. */
 inline std::uint32_t
@@ -33,5 +32,4 @@ numberAt(const char* bytes)
   return number;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

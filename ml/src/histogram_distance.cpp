@@ -13,8 +13,7 @@
 #include <limits>
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -152,5 +151,4 @@ histogramDistances(const Histograms& queries,
   return table;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -19,8 +19,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -230,5 +229,4 @@ loadModel(const std::string& path)
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

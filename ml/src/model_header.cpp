@@ -10,8 +10,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -209,5 +208,4 @@ readHeader(const std::string& text)
   return header;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What the second line of a model file says. */
 struct ModelHeader {
@@ -31,5 +30,4 @@ headerText(const ModelHeader& header);
 ModelHeader
 readHeader(const std::string& text);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -15,8 +15,7 @@
 #include <random>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -301,5 +300,4 @@ trainedValueCount(const Network& network)
   return trainedValueCount(network.layers);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -158,5 +157,4 @@ maxPool(const Layer& layer, const Shape& shape, const std::vector<float>& values
   return output;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -181,5 +180,4 @@ pointNet(int class_count, int point_count, double width)
   return network;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -162,5 +161,4 @@ applyLayer(const Layer& layer, ObjectValues& objects)
   objects.shape = outputShape(layer, objects.shape);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The values of some objects: one array per object, all of one shape. */
 struct ObjectValues {
@@ -29,5 +28,4 @@ convolution(const Layer& layer, const Shape& shape, const std::vector<float>& va
 std::vector<float>
 maxPool(const Layer& layer, const Shape& shape, const std::vector<float>& values);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

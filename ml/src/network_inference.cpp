@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -52,5 +51,4 @@ networkScores(const Network& network,
   return scores;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <numeric>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -232,5 +231,4 @@ classifyObjects(const std::vector<ClassifierObject>& objects,
   return classifications;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

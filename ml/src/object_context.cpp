@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -176,5 +175,4 @@ contextValues(const std::vector<OrientedPoint>& points, const ObjectPlace& place
   return values;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -367,5 +366,4 @@ pointNNScores(const std::vector<float>& descriptor,
   return scores;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

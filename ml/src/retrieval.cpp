@@ -8,8 +8,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -52,5 +51,4 @@ leaveOneOutLabels(const DistanceTable& distances, const std::vector<int>& labels
   return labelsOfNearest(distances, labels, true);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -97,5 +96,4 @@ addRowProducts(const FloatRows& left,
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

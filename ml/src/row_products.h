@@ -6,8 +6,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Rows of equal length that lie one after the other. */
 struct FloatRows {
@@ -31,5 +30,4 @@ addRowProducts(const FloatRows& left,
                std::size_t left_stride,
                std::size_t right_stride);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -108,5 +107,4 @@ uprightProfile(const std::vector<OrientedPoint>& points, float floor_distance)
   return values;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

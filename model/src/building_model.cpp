@@ -18,8 +18,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Take what the image of a side shows: its holes, and where the wall is seen. */
@@ -119,5 +118,4 @@ buildingModel(const PointsOfRooms& points,
   return model;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

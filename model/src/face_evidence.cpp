@@ -10,8 +10,7 @@
 #include <optional>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double beside = 0.35; // metres: half of the thickest walls
@@ -141,5 +140,4 @@ faceEvidence(const std::vector<WallFace>& faces,
   return evidence;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

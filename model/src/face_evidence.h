@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How much of a side is seen, column by column of its image. */
 struct SeenColumns {
@@ -48,5 +47,4 @@ faceEvidence(const std::vector<WallFace>& faces,
              const std::vector<FaceHoles>& holes,
              const std::vector<ModelOpening>& openings);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

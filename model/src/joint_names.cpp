@@ -10,8 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -178,5 +177,4 @@ jointNames(std::vector<NameScores> scores,
   return scores;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 
 #include <pcl/model/room_names.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Probabilities that a room has each name. */
 using Shares = std::array<double, room_name_count>;
@@ -38,5 +37,4 @@ jointNames(std::vector<NameScores> scores,
            const std::vector<RoomEvidence>& rooms,
            bool home);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Places = std::vector<Eigen::Vector2d>;
@@ -220,5 +219,4 @@ modelColumns(const std::vector<Room>& rooms, const PointsOfRooms& points)
   return columns;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <numeric>
 #include <optional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double at_floor = 0.08;    // metres: thresholds are lower
@@ -364,5 +363,4 @@ modelOpenings(const std::vector<WallFace>& faces,
   return openings.found();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 #include <optional>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double thickest = 0.7;  // metres: walls of old houses
@@ -167,5 +166,4 @@ modelWalls(const std::vector<WallFace>& faces,
   return walls;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

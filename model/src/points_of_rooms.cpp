@@ -11,8 +11,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Turns points into a stretch's own frame. */
@@ -145,5 +144,4 @@ PointsOfRooms::beside(const FaceStretch& stretch,
     of_rooms_[0].forEachNear(low, high, add);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

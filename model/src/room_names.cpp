@@ -14,8 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -350,5 +349,4 @@ nameRooms(const std::vector<RoomEvidence>& rooms)
   return named;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 
 #include <pcl/model/room_names.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What rooms of a name are like, before anything stands in them. Set by what is
  * usual, not counted; docs/method/room_names.md says how. */
@@ -85,5 +84,4 @@ constexpr std::size_t object_count = sizeof(object_shares) / sizeof(object_share
 
 constexpr double lowest_wall_cabinet = 1.1; ///< metres: its foot above the floor
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -229,5 +228,4 @@ buildingTraits(const std::vector<RoomEvidence>& rooms)
   return building;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 
 #include <optional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What a room is like within its building; what is not known is not there. */
 struct RoomTraits {
@@ -37,5 +36,4 @@ struct BuildingTraits {
 BuildingTraits
 buildingTraits(const std::vector<RoomEvidence>& rooms);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

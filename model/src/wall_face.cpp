@@ -13,8 +13,7 @@
 #include <numeric>
 #include <optional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Ring = std::vector<Eigen::Vector2d>;
@@ -318,5 +317,4 @@ wallFaces(const std::vector<Room>& rooms, const PointsOfRooms& points, int threa
   return faces;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

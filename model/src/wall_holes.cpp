@@ -15,8 +15,7 @@
 #include <optional>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Mask = PixelMap<std::uint8_t>;
@@ -365,5 +364,4 @@ wallHoles(const WallImage& image, const std::vector<WallPoint>& points)
   return holes;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

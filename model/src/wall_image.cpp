@@ -9,8 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr int cells_around = 2; // cells around one whose points it shows
@@ -231,5 +230,4 @@ wallImage(const std::vector<WallPoint>& points,
   return image;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

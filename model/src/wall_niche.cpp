@@ -9,8 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** A surface that stands out of a wall's plane beside an edge of a hole. */
@@ -134,5 +133,4 @@ growToNiche(const WallImage& image,
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Let a hole whose frame fills a niche end at the sides of the niche.
  *
@@ -22,5 +21,4 @@ growToNiche(const WallImage& image,
             const std::vector<WallPoint>& points,
             FaceHole& hole);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double same_line = 0.05;      // metres: steps between walls are larger
@@ -260,5 +259,4 @@ joinedPieces(std::vector<WallPiece> pieces)
   return found;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

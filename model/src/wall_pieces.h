@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr double least_wall = 0.2; // metres: shorter ones are none
 constexpr double crossing = 0.5;   // metres: what crosses a wall is no thicker
@@ -47,5 +46,4 @@ wallPieces(const std::vector<WallFace>& faces,
 std::vector<WallPiece>
 joinedPieces(std::vector<WallPiece> pieces);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 AveragePrecision::add(const SegmentLabels& truth,
@@ -128,5 +127,4 @@ AveragePrecision::mean() const
   return sum / 10;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

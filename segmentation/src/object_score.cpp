@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** \return 1 if there is nothing to have a share of */
@@ -119,5 +118,4 @@ scoreObjects(const SegmentLabels& truth,
   return score;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include <sstream>
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Keeps the first complaint about options. */
 class OptionCheck {
@@ -110,5 +109,4 @@ private:
   std::string problem_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -111,8 +111,7 @@ intersectionOverUnion(const Overlap& overlap,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<Overlap>
 countOverlaps(const SegmentLabels& truth, const SegmentLabels& predicted)
@@ -307,5 +306,4 @@ scoreDetections(const std::vector<Overlap>& overlaps)
   return score;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 inline int
 binOf(double place, int count)
@@ -332,5 +331,4 @@ slowNoisyHistogram(const std::vector<OrientedPoint>& given, const EPPFOptions& o
   return withHarmonics(std::move(histogram), given, noise.evidence, scale, options);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -98,5 +97,4 @@ slowHarmonics(const std::vector<OrientedPoint>& points,
   return values;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

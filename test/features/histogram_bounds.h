@@ -7,8 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The L1 distance of two histograms. */
 template <typename A, typename B>
@@ -36,5 +35,4 @@ samplingBound(const std::vector<float>& histogram, double pair_count)
   return sum;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

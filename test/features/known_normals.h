@@ -14,8 +14,7 @@
 #include <random>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 /** A box with noise (metres), and the faces' normals. */
@@ -40,5 +39,4 @@ shareOfBad(const PointCloud<Normal>& normals, const std::vector<Eigen::Vector3f>
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <tuple>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 inline Eigen::Vector3d
 placeOf(const OrientedPoint& point)
@@ -221,5 +220,4 @@ slowDenoised(const std::vector<OrientedPoint>& given, const SlowNoise& noise)
   return object;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 inline float
 drawBetween(float low, float high, std::mt19937& rng)
@@ -69,5 +68,4 @@ noisyBox(const Eigen::Vector3f& size,
   return points;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <numeric>
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** \brief Expects the histogram of many drawn pairs to be that of all pairs.
@@ -147,5 +146,4 @@ TEST(EPPFHistogram, NoisyObjectsEqualTheFormulas)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 const Eigen::Vector3f box_size(1.0f, 0.6f, 0.3f);
@@ -180,5 +179,4 @@ TEST(Denoised, LargeObjectsAreThinnedEvenly)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

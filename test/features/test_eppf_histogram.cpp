@@ -17,8 +17,7 @@
 #include <numeric>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 // A value within rounding of a border may fall on either side of it: of 20,000 pairs
@@ -272,5 +271,4 @@ TEST(EPPFHistogram, RefusesEveryParameterOutOfRange)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

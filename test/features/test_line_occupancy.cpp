@@ -9,8 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 std::vector<OrientedPoint>
@@ -125,5 +124,4 @@ TEST(LineOccupancy, PointsInOnePlaceShareAVoxel)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cmath>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 std::vector<OrientedPoint>
@@ -166,5 +165,4 @@ TEST(SpaceFillingOrder, HoldsAllPointsWhateverTheirCoordinates)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

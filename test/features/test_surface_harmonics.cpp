@@ -15,8 +15,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 const Eigen::Vector3f box_size(1.0f, 0.6f, 0.3f);
@@ -179,5 +178,4 @@ TEST(SurfaceHarmonics, TellShapesApart)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

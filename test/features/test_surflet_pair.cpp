@@ -18,8 +18,7 @@
 #include <numeric>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 Eigen::Vector4f
@@ -181,5 +180,4 @@ TEST(SurfletPairEstimation, GivesTheCoresHistogram)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 inline Layer
@@ -98,5 +97,4 @@ thirds(const Network& network,
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

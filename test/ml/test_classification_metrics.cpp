@@ -9,8 +9,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 TEST(ClassificationScores, EqualACountByHand)
@@ -83,5 +82,4 @@ TEST(SpreadOf, IsThatOfASample)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <limits>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 const HistogramDistance all_distances[] = {HistogramDistance::SymmetricKullbackLeibler,
@@ -151,5 +150,4 @@ TEST(HistogramDistances, RefuseDifferentNumbersOfBins)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

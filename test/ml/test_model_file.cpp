@@ -15,8 +15,7 @@
 #include <fstream>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** CRC-32 (ISO-HDLC) bit by bit. */
@@ -341,5 +340,4 @@ TEST_F(ModelFileOnDisk, IsLoaded)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cmath>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Values = std::vector<float>;
@@ -276,5 +275,4 @@ TEST(Inference, RefusesWhatDoesNotFit)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using test::smallNetworks;
@@ -222,5 +221,4 @@ TEST(Adam, EqualsItsFormulas)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using test::layer;
@@ -361,5 +360,4 @@ TEST(FitScale, LeavesOtherNetworksAlone)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -16,8 +16,7 @@
 #include <random>
 #include <set>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Points of an ellipsoid with their normals. */
@@ -254,5 +253,4 @@ TEST(ObjectClassifier, SaysWhatIsWrongWithAModel)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

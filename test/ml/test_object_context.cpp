@@ -12,8 +12,7 @@
 #include <cmath>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Points on a grid on all six faces of a box, turned about z, 10 per metre and face.
@@ -176,5 +175,4 @@ TEST(SmallestRectangle, OfPointsOnALine)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

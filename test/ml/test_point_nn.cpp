@@ -12,8 +12,7 @@
 #include <limits>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
@@ -277,5 +276,4 @@ TEST(PointNN, ScoresAreSumsOverTheMemory)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 const float infinity = std::numeric_limits<float>::infinity();
@@ -50,5 +49,4 @@ TEST(Retrieval, RefusesWhatDoesNotFit)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

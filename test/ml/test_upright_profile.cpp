@@ -9,8 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** A round table: a level top of radius 0.5 at 0.75 m and an upright post below it. */
@@ -94,5 +93,4 @@ TEST(UprightProfile, OnePointAndNone)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

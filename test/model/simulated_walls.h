@@ -13,8 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr double simulated_spacing = 0.025; // metres
 
@@ -121,5 +120,4 @@ struct SimulatedRooms {
   }
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 inline Building
 buildText(const std::string& text)
@@ -126,5 +125,4 @@ shellVolume(const Building& building, std::uint32_t room)
   return volume;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

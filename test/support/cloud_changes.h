@@ -19,8 +19,7 @@
 #include <random>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 /** A number between two, in steps of a thousandth of their difference. */
@@ -152,5 +151,4 @@ struct UtmPoints {
 };
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 using Labels = std::vector<std::uint32_t>;
@@ -30,5 +29,4 @@ cloudOf(const std::vector<Eigen::Vector3f>& points)
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

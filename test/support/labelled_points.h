@@ -14,8 +14,7 @@
 #include <set>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 /** Points of surfaces with the number of the object that each belongs to, from 1. */
@@ -173,5 +172,4 @@ shuffledOrder(std::size_t count, std::mt19937& rng)
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -18,8 +18,7 @@
 #include <set>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 inline Labels
@@ -79,5 +78,4 @@ wrongPoints(const LabelledPoints& scene,
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 /** All six faces of a box, a point per 3 cm; LabelledPoints::addBox() has no lower one.
@@ -74,5 +73,4 @@ upsideDown(std::vector<Eigen::Vector3f> points)
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

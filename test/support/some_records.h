@@ -7,8 +7,7 @@
 
 #include "rooms/scene_record.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 /** A finished room of two objects with their classes. */
@@ -50,5 +49,4 @@ someScene()
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

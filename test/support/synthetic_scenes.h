@@ -14,8 +14,7 @@
 #include <random>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 /** The free space of a room, or of a part of it; the points of its faces get the
@@ -142,5 +141,4 @@ turned(const std::vector<Eigen::Vector3f>& points, double yaw)
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

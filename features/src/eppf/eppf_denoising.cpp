@@ -13,8 +13,7 @@
 
 #include <cassert>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -74,5 +73,4 @@ denoised(const std::vector<OrientedPoint>& points,
   return object;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -18,8 +18,7 @@
 #include <optional>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -193,5 +192,4 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
       });
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <array>
 #include <cassert>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -123,5 +122,4 @@ measureNoise(const std::vector<OrientedPoint>& points,
   return noise.evidence > 0.0f ? noise : PointNoise();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

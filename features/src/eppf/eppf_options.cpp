@@ -9,8 +9,7 @@
 #include <sstream>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 EPPFOptions
 thesisEPPFOptions()
@@ -102,5 +101,4 @@ jointLevels(const EPPFBins& bins)
   return 0;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -372,5 +371,4 @@ PairCounter::addOccupancyBins(PairBlock& block) const
       block.bin[k] += block.occupancy_bin[k];
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

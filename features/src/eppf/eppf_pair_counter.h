@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Puts the pairs of an object into bins: all that is the same for all pairs. */
 class PairCounter {
@@ -106,5 +105,4 @@ private:
   float bins_per_metre_ = 0.0f;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -41,8 +41,7 @@ innerBox(const std::vector<Eigen::Vector3f>& positions)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 FreeSpaceGrid::FreeSpaceGrid(const std::vector<Eigen::Vector3f>& positions,
                              double cell_size)
@@ -166,5 +165,4 @@ FreeSpaceGrid::sees(const Eigen::Vector3f& from, const Eigen::Vector3f& to) cons
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

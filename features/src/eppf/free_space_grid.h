@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Which cells of the box around some positions hold any, for tests of sight. */
 class FreeSpaceGrid {
@@ -102,5 +101,4 @@ private:
   std::vector<std::uint8_t> clearances_; // of each cell
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Adds up the coefficients of surfaceHarmonics(), block after block. */
 class HarmonicSums {
@@ -45,5 +44,4 @@ private:
   float distances_per_metre_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

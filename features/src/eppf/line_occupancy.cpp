@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 LineOccupancy::LineOccupancy(const std::vector<OrientedPoint>& points, int grid_size)
 {
@@ -31,5 +30,4 @@ LineOccupancy::LineOccupancy(const std::vector<OrientedPoint>& points, int grid_
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -54,5 +53,4 @@ isUsableExtent(float extent)
   return extent > 0.0f && extent <= 4.0f * largest_coordinate; // of a cube: 2 sqrt(3)
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

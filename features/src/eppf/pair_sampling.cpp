@@ -10,8 +10,7 @@
 #include <limits>
 #include <numeric>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -130,5 +129,4 @@ PairSampler::PairSampler(std::size_t point_count, std::uint32_t seed)
   assert(point_count_ >= 2);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

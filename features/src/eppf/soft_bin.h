@@ -8,8 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The bin of a value and the neighbour that it is nearest to, with the share of
  * each. */
@@ -30,5 +29,4 @@ struct SoftBin {
   }
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -240,5 +239,4 @@ surfaceHarmonics(const std::vector<OrientedPoint>& points,
   return harmonics.values(sums.data(), points.size());
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

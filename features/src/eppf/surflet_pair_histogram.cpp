@@ -14,8 +14,7 @@
 #include <numeric>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -102,5 +101,4 @@ surfletPairHistogram(const std::vector<OrientedPoint>& points,
   return histogram;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -68,8 +68,7 @@ randomRotation(std::mt19937& rng)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 HoughAccumulator::HoughAccumulator(double bin_angle_degrees,
                                    unsigned rotations,
@@ -108,5 +107,4 @@ HoughAccumulator::HoughAccumulator(double bin_angle_degrees,
     }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -43,8 +43,7 @@ orderedBits(float number)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 unsigned
 houghTripleCount(unsigned bins, double confidence, double deviation)
@@ -314,5 +313,4 @@ HoughNormalEstimator::estimate(std::vector<Eigen::Vector3f>& neighbors)
   return result;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -197,5 +196,4 @@ planeOfNearest(const PointColumns& points, std::size_t center, float radius)
   return {mean / neighbor_count, moment / neighbor_count};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Coordinates of at most 4096 points, evenly along a space-filling order. */
 struct PointColumns {
@@ -99,5 +98,4 @@ usualSpacing(std::size_t point_count, float extent)
   return extent * std::sqrt(3.0f / static_cast<float>(point_count));
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

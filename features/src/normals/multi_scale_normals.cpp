@@ -20,8 +20,7 @@
 #include <sstream>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** The plane of least squares of the points that were added. */
@@ -146,5 +145,4 @@ multiScaleNormals(const PointCloud<PointXYZ>& points,
   return normals;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -23,8 +23,7 @@ meanOf(const std::vector<Eigen::Vector3f>& positions)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 float
 sideAgreement(const Eigen::Vector3f& position_1,
@@ -94,5 +93,4 @@ orientConsistently(const std::vector<Eigen::Vector3f>& positions,
       normals[i] *= -1;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -270,8 +270,7 @@ followNeighbors(const Adjacency& neighbors,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 orientTowards(const Eigen::Vector3f& viewpoint,
@@ -340,5 +339,4 @@ orientNormals(NormalOrientation orientation,
     orientTowards(viewpoint.front(), positions, normals);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

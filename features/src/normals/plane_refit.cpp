@@ -73,8 +73,7 @@ coreInterval(const std::vector<float>& heights, std::size_t core)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 Eigen::Vector3f
 refitPlane(const std::vector<Eigen::Vector3f>& neighbors,
@@ -129,5 +128,4 @@ surfaceVariation(const std::vector<Eigen::Vector3f>& positions, float& variation
   return true;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

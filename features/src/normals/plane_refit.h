@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Fit a plane to the neighbours near the plane through the origin with a given,
  * inexact normal. Near are those whose height over that plane lies in the shortest
@@ -32,5 +31,4 @@ refitPlane(const std::vector<Eigen::Vector3f>& neighbors,
 bool
 surfaceVariation(const std::vector<Eigen::Vector3f>& positions, float& variation);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -175,8 +175,7 @@ flipSingle(const std::vector<SignEdge>& edges, std::vector<std::int8_t>& signs)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 double
 signEnergy(const std::vector<std::int8_t>& signs, const std::vector<SignEdge>& edges)
@@ -227,5 +226,4 @@ findSigns(std::size_t node_count,
   return signs;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

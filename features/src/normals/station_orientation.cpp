@@ -9,8 +9,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::size_t
 orientTowardsStations(const PointCloud<PointXYZ>& points,
@@ -42,5 +41,4 @@ orientTowardsStations(const PointCloud<PointXYZ>& points,
   return turned;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

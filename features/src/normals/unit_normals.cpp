@@ -122,8 +122,7 @@ agree(const Eigen::Vector3f& surface,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 bool
 areUnitNormals(const std::vector<Eigen::Vector3f>& normals)
@@ -164,5 +163,4 @@ findNormalsProblem(const std::vector<Eigen::Vector3f>& points,
   return {};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace tool {
 
 Eigen::Vector3d
@@ -31,5 +30,4 @@ readPlace(const std::string& option, const std::string& text)
 }
 
 } // namespace tool
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

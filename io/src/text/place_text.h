@@ -10,8 +10,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace tool {
 
 /** \brief Read a place that is given as X,Y,Z.
@@ -22,5 +21,4 @@ PCL_INDOOR_EXPORTS Eigen::Vector3d
 readPlace(const std::string& option, const std::string& text);
 
 } // namespace tool
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

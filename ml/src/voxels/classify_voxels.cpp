@@ -14,8 +14,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -344,5 +343,4 @@ classifyVoxels(const std::vector<Eigen::Vector3f>& points, const VoxelNetwork& n
              : classifyInTiles(points, network, least, low);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

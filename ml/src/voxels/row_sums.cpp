@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -112,5 +111,4 @@ addRowSums(const RowPairs& pairs,
        sums.data()});
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

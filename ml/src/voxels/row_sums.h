@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Outputs of rows are computed so many at a time. */
 constexpr std::size_t row_lanes = 16;
@@ -32,5 +31,4 @@ addRowSums(const RowPairs& pairs,
            std::size_t outputs,
            std::vector<float>& sums);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

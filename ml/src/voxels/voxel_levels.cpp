@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -102,5 +101,4 @@ voxelLevels(std::vector<std::uint64_t> keys, std::size_t count)
   return levels;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

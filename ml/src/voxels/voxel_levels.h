@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Rows that are multiplied by the weights of one tap, and the rows to which
  * that is added. */
@@ -36,5 +35,4 @@ voxelKey(std::uint64_t x, std::uint64_t y, std::uint64_t z);
 std::vector<VoxelLevel>
 voxelLevels(std::vector<std::uint64_t> keys, std::size_t count);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

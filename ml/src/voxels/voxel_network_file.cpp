@@ -16,8 +16,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -165,5 +164,4 @@ loadVoxelNetwork(const std::string& path)
   return network;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

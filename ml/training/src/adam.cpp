@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -119,5 +118,4 @@ Adam::setMoments(const std::vector<std::vector<float>>& moments)
     }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief AdamW (Loshchilov and Hutter, ICLR 2019); without decay, Adam (Kingma and Ba,
  * ICLR 2015). Rates of decay of the moments 0.9 and 0.999, epsilon 1e-8. */
@@ -35,5 +34,4 @@ private:
   double weight_decay_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

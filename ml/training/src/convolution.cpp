@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -128,5 +127,4 @@ denseLayer(const at::Tensor& input, const at::Tensor& weights, const at::Tensor&
   return at::linear(values, weights, biases);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

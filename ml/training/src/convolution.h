@@ -6,8 +6,7 @@
 
 #include <ATen/ATen.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Convolution of stride 1 over 0 to 4 extents of positions, with zeros around
  * (of n - 1, n / 2 after, the rest before), so that the positions stay.
@@ -32,5 +31,4 @@ denseLayer(const at::Tensor& input,
            const at::Tensor& weights,
            const at::Tensor& biases);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

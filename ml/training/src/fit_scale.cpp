@@ -9,8 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -96,5 +95,4 @@ fitScale(Network& network, const TrainingSet& set)
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -191,5 +190,4 @@ NetworkModule::store(std::vector<Layer>& layers, const std::vector<Weights>& wei
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <ATen/ATen.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A Network whose weights libtorch holds and can derive by. */
 class NetworkModule {
@@ -66,5 +65,4 @@ private:
   std::vector<Weights> weights_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -16,8 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -348,5 +347,4 @@ trainNetwork(const Network& network,
   return Training(network, training, validation, options).run(report);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

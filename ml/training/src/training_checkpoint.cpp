@@ -13,8 +13,7 @@
 #include <fstream>
 #include <functional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -239,5 +238,4 @@ readCheckpoint(const std::string& file,
   return true;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

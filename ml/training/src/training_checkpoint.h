@@ -6,8 +6,7 @@
 
 #include <pcl/ml/network_training.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief All that a training needs to go on as if it had not stopped; its generators
  * start anew in each epoch. */
@@ -57,5 +56,4 @@ readCheckpoint(const std::string& file,
                const TrainingIdentity& identity,
                TrainingState& state);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include <random>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 TrainingData
 trainingData(const TrainingSet& set, const at::Device& device)
@@ -64,5 +63,4 @@ batchBounds(std::int64_t object_count, std::int64_t batch_size)
   return bounds;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

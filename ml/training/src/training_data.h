@@ -8,8 +8,7 @@
 
 #include <ATen/ATen.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A TrainingSet as two arrays: a row per draw, object after object. */
 struct TrainingData {
@@ -30,5 +29,4 @@ drawnRows(const TrainingData& data, std::uint32_t seed, int epoch);
 std::vector<std::int64_t>
 batchBounds(std::int64_t object_count, std::int64_t batch_size);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

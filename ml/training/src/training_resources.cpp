@@ -11,8 +11,7 @@
 #include <malloc.h>
 #endif
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -43,5 +42,4 @@ TrainingResources::~TrainingResources()
   at::set_num_threads(threads_before_);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -4,8 +4,7 @@
  */
 #pragma once
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief For as long as this lives, libtorch has so many threads, and memory that was
  * freed stays with the process: each step allocates what the last one freed, and having
@@ -22,5 +21,4 @@ private:
   int threads_before_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

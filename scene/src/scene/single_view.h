@@ -6,8 +6,7 @@
 
 #include <pcl/segmentation/noise_resilient_lccp.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace tool {
 
 /** \brief Whether a cloud is one camera's view of a table, as pcl::NoiseResilientLCCP
@@ -21,5 +20,4 @@ isSingleView(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
 }
 
 } // namespace tool
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

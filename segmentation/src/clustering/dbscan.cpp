@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 dbscan_detail::requireValid(const DBSCANOptions& options)
@@ -84,5 +83,4 @@ dbscan(std::size_t count,
       count, minimumSpanningForest(count, std::move(near)), core, options);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 void
@@ -148,5 +147,4 @@ hdbscan(std::size_t count,
                  options);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

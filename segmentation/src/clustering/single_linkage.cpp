@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Joins components bottom up; knows the topmost node of each. */
@@ -139,5 +138,4 @@ singleLinkageTree(std::size_t count, std::vector<HDBSCANEdge> forest)
   return builder.finish();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The single-linkage hierarchy of points, as a tree.
  *
@@ -64,5 +63,4 @@ struct SingleLinkageTree {
 SingleLinkageTree
 singleLinkageTree(std::size_t count, std::vector<HDBSCANEdge> forest);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -64,8 +64,7 @@ spreadToCopies(const DistinctPoints& places, DetailedSegmentation& result)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 ObjectSegmentation
 segmentEachPlace(ObjectSegmentationInput input, const SegmentDistinct& segment)
@@ -108,5 +107,4 @@ sizedOptions(const ObjectSegmentationInput& input,
   return options;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Segments points of which nobody asks again whether some are copies. */
 using SegmentDistinct = std::function<DetailedSegmentation(ObjectSegmentationInput)>;
@@ -48,5 +47,4 @@ roomObjectsBy(const SegmentDistinct& segment,
               std::size_t fewest,
               const VoxelVoter& voter);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** The length along a direction within which 98 % of the points lie. REQUIRES: a point.
  */
@@ -32,5 +31,4 @@ extentAlong(const Eigen::Vector3f& direction,
   return at(places.size() - 1 - strays) - at(strays);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

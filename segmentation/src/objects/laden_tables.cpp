@@ -142,8 +142,7 @@ clearTable(const SegmentMembers& members,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 clearLadenTables(const ObjectSegmentationOptions& options, DetailedSegmentation& result)
@@ -157,5 +156,4 @@ clearLadenTables(const ObjectSegmentationOptions& options, DetailedSegmentation&
     clearTable(segments[s], options, result);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

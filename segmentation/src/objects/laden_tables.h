@@ -6,8 +6,7 @@
 
 #include "objects/object_steps.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Make what stands on a table segments of their own where it came out as one
  * object with the table. No step of the thesis.
@@ -25,5 +24,4 @@ void
 clearLadenTables(const ObjectSegmentationOptions& options,
                  DetailedSegmentation& result);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Neighbours nearer to the tangent plane count for neither half-space; voxels. */
@@ -40,5 +39,4 @@ findNonConvexVoxels(const ObjectScene& scene, const ObjectSegmentationOptions& o
   return removed;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

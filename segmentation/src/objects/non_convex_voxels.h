@@ -11,13 +11,11 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Flag the voxels of concave and noisy regions, Eq. (4.2): the points of the
  * voxels around are counted. Those of the structure are not looked at. */
 std::vector<std::uint8_t>
 findNonConvexVoxels(const ObjectScene& scene, const ObjectSegmentationOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

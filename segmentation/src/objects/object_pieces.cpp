@@ -90,8 +90,7 @@ gatherByKind(const std::vector<StructureKind>& kinds,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 cutPieces(const std::vector<std::uint32_t>& piece_of_voxel,
@@ -141,5 +140,4 @@ cutBodies(DetailedSegmentation& result)
   partAtSeams(result.scene, left_out, result.segment_of_point);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** Part pieces where points show what voxels are too coarse for: flat objects from the
  * surface they lie on, and the two sides of narrow gaps. Sets the segments of the
@@ -32,5 +31,4 @@ joinToObjects(const ObjectSegmentationOptions& options,
 void
 cutBodies(DetailedSegmentation& result);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

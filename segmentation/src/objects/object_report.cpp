@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -160,5 +159,4 @@ farViewWarning(const ObjectSegmentationInput& input)
   return line.str();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -37,8 +37,7 @@ refineSizes(ObjectSegmentationOptions& options)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 DetailedSegmentation
 segmentDistinct(ObjectSegmentationInput input,
@@ -103,5 +102,4 @@ segmentObjects(ObjectSegmentationInput input,
   });
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -6,8 +6,7 @@
 
 #include "option_check.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::string
 findProblem(const ObjectSegmentationOptions& options)
@@ -58,5 +57,4 @@ partsOptions()
   return options;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <memory>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 ObjectSegmentation
 published(DetailedSegmentation segmentation)
@@ -73,5 +72,4 @@ segmentsAtLevel(const ObjectSegmentation& segmentation, float level)
       stepsOf(segmentation).pieces.pieces.size(), segmentation.joins, level);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

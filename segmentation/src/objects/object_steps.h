@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What led to the segments of a scene. */
 struct ObjectSteps {
@@ -37,5 +36,4 @@ published(DetailedSegmentation segmentation);
 PCL_INDOOR_EXPORTS const ObjectSteps&
 stepsOf(const ObjectSegmentation& segmentation);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

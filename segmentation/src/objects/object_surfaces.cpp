@@ -13,8 +13,7 @@
 #include <limits>
 #include <unordered_map>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -135,5 +134,4 @@ objectSurfaces(const ObjectSegmentation& room,
   return surfaces;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

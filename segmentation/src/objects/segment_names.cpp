@@ -52,8 +52,7 @@ nameVoted(DetailedSegmentation& result)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 SegmentSizes
 sizesOfSegments(const DetailedSegmentation& result, std::size_t segment_count)
@@ -120,5 +119,4 @@ nameSegments(const ObjectSegmentationOptions& options, DetailedSegmentation& res
         StructureKind::Remainder;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

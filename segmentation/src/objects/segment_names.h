@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** How many voxels hold points of each segment, and how many points each has. */
 struct SegmentSizes {
@@ -36,5 +35,4 @@ structureOfSegments(const DetailedSegmentation& result);
 void
 nameSegments(const ObjectSegmentationOptions& options, DetailedSegmentation& result);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

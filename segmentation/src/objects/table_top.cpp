@@ -12,8 +12,7 @@
 
 #include <Eigen/Geometry>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 bool
 isTableTop(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& up)
@@ -28,5 +27,4 @@ isTableTop(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& up
              withSizes(ObjectSegmentationOptions()).voxel_size;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

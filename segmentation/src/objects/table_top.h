@@ -6,11 +6,9 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr std::size_t fewest_points_of_table = 1000; ///< that tell what stands on it
 constexpr float widest_table = 1.5f;                 ///< metres: less than rooms have
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -39,8 +39,7 @@ segmentsOfVoxels(const std::vector<std::uint32_t>& segment_of_supervoxel,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<std::uint32_t>
 partitionVoxels(const ObjectSegmentationOptions& options,
@@ -81,5 +80,4 @@ spreadToPoints(const std::vector<std::uint32_t>& segment_of_voxel,
     result.segment_of_point.push_back(segment_of_voxel[voxel]);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

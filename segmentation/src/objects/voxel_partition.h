@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Take out the voxels of concave and noisy regions, join supervoxels of the
  * others, and recover those that were taken out: sets all but the segments.
@@ -27,5 +26,4 @@ void
 spreadToPoints(const std::vector<std::uint32_t>& segment_of_voxel,
                DetailedSegmentation& result);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

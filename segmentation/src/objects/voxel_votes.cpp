@@ -28,8 +28,7 @@ hasCeiling(const std::vector<StructurePlane>& planes, const Eigen::Vector3f& up)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 VoxelClasses
 votesFor(const std::vector<Eigen::Vector3f>& points,
@@ -51,5 +50,4 @@ votesFor(const std::vector<Eigen::Vector3f>& points,
   return votes;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

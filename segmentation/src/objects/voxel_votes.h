@@ -13,8 +13,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** What the voter takes the points for, the middles in their frame; empty if it is not
  * to be asked: there is none, or a ceiling was seen. */
@@ -24,5 +23,4 @@ votesFor(const std::vector<Eigen::Vector3f>& points,
          const Eigen::Vector3f& up,
          const VoxelVoter& voter);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

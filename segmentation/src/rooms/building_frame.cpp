@@ -10,8 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** What is farther than this from the middle of a scan, along an axis, is no part of
@@ -156,5 +155,4 @@ placeInScan(const BuildingFrame& frame,
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

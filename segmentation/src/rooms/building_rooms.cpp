@@ -32,8 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** The storey of each point; points outside the grid have none that matters. */
@@ -396,5 +395,4 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
   return segmentBuildingBy(ours, points, options, progress, stations);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 
 #include "option_check.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double infinity = OptionCheck::infinity;
@@ -94,5 +93,4 @@ findProblem(const BuildingRoomsOptions& options)
   return check.problem();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -4,8 +4,7 @@
  */
 #pragma once
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \file Dimensions of people and buildings that several steps go by, metres. */
 
@@ -18,5 +17,4 @@ constexpr double thickest_wall = 0.5; ///< of those between rooms; slabs are no 
 constexpr double surroundings = 1.0;  ///< of a place: wider than a stair's landing,
                                       ///< deeper than a cupboard
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** One end of a gap. */
@@ -146,5 +145,4 @@ objectsAtEnds(const FreeSpace& space)
   return {rooms.countObjects(&Gap::low), rooms.countObjects(&Gap::high), rooms.count()};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Objects that stand at the ends of the free space of rooms.
  *
@@ -37,5 +36,4 @@ struct ObjectsAtEnds {
 ObjectsAtEnds
 objectsAtEnds(const FreeSpace& space);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

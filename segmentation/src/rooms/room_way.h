@@ -12,8 +12,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Where ways from points to rooms part. */
 struct RoomWay {
@@ -52,5 +51,4 @@ labelBySides(const std::vector<Eigen::Vector3f>& points,
              std::size_t storey,
              DetailedBuilding& building);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
@@ -234,5 +233,4 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
   return overview;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

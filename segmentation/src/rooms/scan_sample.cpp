@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
@@ -259,5 +258,4 @@ FreeSpace::length() const
   return 0.0;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A cube around all but the outermost hundredths of some points, cut into cells
  * that hold some points where there is a surface. */
@@ -75,5 +74,4 @@ struct FreeSpace {
 FreeSpace
 freeSpaceOf(const std::vector<Eigen::Vector3f>& sample, const SampleCells& cells);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 double
 likelyMetresPerUnit(double length)
@@ -23,5 +22,4 @@ likelyMetresPerUnit(double length)
   return best;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

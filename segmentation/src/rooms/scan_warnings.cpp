@@ -14,8 +14,7 @@
 #include <limits>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double foot = 0.3048;
@@ -350,5 +349,4 @@ unseenWarnings(const BuildingRooms& building)
   return lines;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
@@ -406,5 +405,4 @@ scanCoordinates(const Points& points,
   return found;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -22,8 +22,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -365,5 +364,4 @@ buildBuilding(const Plan& plan, const std::string& source)
   return building;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -113,5 +112,4 @@ ceilingRange(const CeilingPlan& ceiling, const Polygon& polygon)
   return {lowest, highest};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

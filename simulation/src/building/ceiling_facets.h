@@ -6,8 +6,7 @@
 
 #include <pcl/simulation/plan.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A flat piece of a ceiling: a plane and where, seen from above, it counts. */
 struct CeilingFacet {
@@ -24,5 +23,4 @@ ceilingFacets(const CeilingPlan& ceiling);
 std::pair<double, double>
 ceilingRange(const CeilingPlan& ceiling, const Polygon& polygon);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -110,5 +109,4 @@ ceilingSteps(const RoomInfo& room)
   return pieces;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

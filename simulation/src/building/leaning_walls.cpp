@@ -8,8 +8,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -141,5 +140,4 @@ requireLeaningWallsUsed(const Plan& plan, const std::string& source)
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -6,8 +6,7 @@
 
 #include <pcl/simulation/plan.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Metres sideways per metre up of the whole building. */
 Eigen::Vector2d
@@ -26,5 +25,4 @@ cornerDrifts(const Plan& plan, const RoomPlan& room, const std::string& source);
 void
 requireLeaningWallsUsed(const Plan& plan, const std::string& source);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -302,5 +301,4 @@ PartMaker::join(int count, const std::string& name)
   model_.parts.push_back(joined);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 
 #include <functional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief An upright rectangle's extent in x and y. */
 struct Rectangle {
@@ -199,5 +198,4 @@ fronts(PartMaker& make,
 void
 roundLegs(PartMaker& make, double x, double y, double radius, double z, double splay);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

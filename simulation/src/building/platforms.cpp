@@ -10,8 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -238,5 +237,4 @@ platformShell(const Building& building, const PlatformInfo& platform)
   return pieces;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

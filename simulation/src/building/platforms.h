@@ -6,8 +6,7 @@
 
 #include "building/room_shell.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Find the rooms above and below each hole in a floor.
  * \throws PlanError if there is none, or if the ceiling below has an edge there
@@ -34,5 +33,4 @@ wellReveal(const Building& building, const WellInfo& well, bool upper);
 std::vector<ShellPiece>
 platformShell(const Building& building, const PlatformInfo& platform);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -244,5 +243,4 @@ reveal(const PlacedOpening& opening, double y)
   return pieces;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -6,8 +6,7 @@
 
 #include "building/wall_holes.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A flat piece of a room's shell. */
 struct ShellPiece {
@@ -42,5 +41,4 @@ reveal(const PlacedOpening& opening, double y);
 std::vector<ShellPiece>
 ceilingSteps(const RoomInfo& room);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

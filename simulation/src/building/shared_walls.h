@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A piece of wall parallel to an axis. */
 struct SharedWall {
@@ -34,5 +33,4 @@ wallsOf(const std::vector<LayoutRoom>& rooms, std::size_t r);
 std::vector<std::pair<int, SharedWall>>
 treeOfDoors(const std::vector<LayoutRoom>& rooms);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

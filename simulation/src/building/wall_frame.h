@@ -6,8 +6,7 @@
 
 #include <pcl/simulation/building.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The plane of a wall's inner face: s along it on the floor, z up.
  *
@@ -56,5 +55,4 @@ wallFrame(const RoomInfo& room, std::size_t edge)
   return frame;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <limits>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -211,5 +210,4 @@ placeOpenings(const Plan& plan,
   return result;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -6,8 +6,7 @@
 
 #include <pcl/simulation/building.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A hole in the wall of one room. */
 struct WallHole {
@@ -46,5 +45,4 @@ placeOpenings(const Plan& plan,
               const std::vector<RoomInfo>& rooms,
               const std::string& source);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

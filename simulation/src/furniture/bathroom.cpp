@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -195,5 +194,4 @@ bathroomClasses()
           {"sink", {1.0, 0.58, 1.02}, {1.5, 0.65, 1.12}, kitchenSink}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief All shapes of a class; first those that plain random plans draw from.
  * \throws BadArgumentException if there is no such class */
@@ -96,5 +95,4 @@ looseShapes();
 std::vector<FurnitureClass>
 structureShapes();
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -263,5 +262,4 @@ chairVariants()
           {"bench", {1.0, 0.32, 0.42}, {1.7, 0.45, 0.5}, bench}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -118,5 +117,4 @@ clutterClasses()
           {"clutter", {0.12, 0.12, 0.1}, {0.3, 0.3, 0.25}, cluster}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

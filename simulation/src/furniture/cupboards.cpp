@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -259,5 +258,4 @@ storageVariants()
           {"coat_rack", {0.45, 0.45, 1.6}, {0.6, 0.6, 1.85}, coatRack}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

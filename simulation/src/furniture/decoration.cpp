@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -308,5 +307,4 @@ decorationClasses()
           {"ball", {0.25, 0.25, 0.25}, {0.45, 0.45, 0.45}, ball}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

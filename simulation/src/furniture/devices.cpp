@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -229,5 +228,4 @@ deviceClasses()
       {"piano", {1.4, 1.5, 0.95}, {1.5, 2.0, 1.05}, grandPiano}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -207,5 +206,4 @@ drapeCloth(const std::vector<Triangle>& supports,
   return make.take();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -6,8 +6,7 @@
 
 #include <pcl/simulation/furniture.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Lay a cloth over what stands below it.
  *
@@ -23,5 +22,4 @@ drapeCloth(const std::vector<Triangle>& supports,
            const Eigen::Vector3d& size,
            std::uint32_t seed);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -130,5 +129,4 @@ fixtureClasses()
           {"sink", {0.5, 0.42, 1.05}, {0.6, 0.48, 1.1}, sink}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

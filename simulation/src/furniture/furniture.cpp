@@ -9,8 +9,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -145,5 +144,4 @@ makeFurniture(const std::string& category,
   return make.take();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

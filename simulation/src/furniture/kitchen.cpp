@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -235,5 +234,4 @@ kitchenClasses()
           {"microwave", {0.45, 0.34, 0.26}, {0.55, 0.42, 0.32}, microwave}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

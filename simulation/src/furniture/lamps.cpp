@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -227,5 +226,4 @@ lampClasses()
           {"wall_lamp", {0.08, 0.12, 0.12}, {0.13, 0.2, 0.22}, spotlight}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

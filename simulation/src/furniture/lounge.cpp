@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -285,5 +284,4 @@ loungeVariants()
           {"bunk_bed", {2.0, 2.0, 1.5}, {2.1, 2.1, 1.75}, bunkBed}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

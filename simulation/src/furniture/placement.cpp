@@ -10,8 +10,7 @@
 #include <array>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -190,5 +189,4 @@ placeFurniture(const FurniturePlan& item,
   return result;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <pcl/simulation/building.h>
 #include <pcl/simulation/furniture.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Where furniture stands, with its size known and its height settled. */
 struct FurniturePlacement {
@@ -36,5 +35,4 @@ placeFurniture(const FurniturePlan& item,
                const StoreyPlan& storey,
                const std::string& source);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

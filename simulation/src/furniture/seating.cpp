@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -191,5 +190,4 @@ tableClasses()
           {"desk", {1.4, 0.7, 0.72}, {1.8, 0.8, 0.76}, desk}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -66,5 +65,4 @@ makeHalfTurnStairs(const Eigen::Vector3d& size)
   return make.take();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

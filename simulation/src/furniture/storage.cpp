@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -137,5 +136,4 @@ storageClasses()
           {"rack", {0.9, 0.4, 1.8}, {1.3, 0.6, 2.1}, wardrobeRack}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -192,5 +191,4 @@ makeWindow(
   return model;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

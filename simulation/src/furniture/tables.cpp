@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -206,5 +205,4 @@ tableVariants()
           {"bedside_table", {0.36, 0.36, 0.45}, {0.48, 0.48, 0.6}, tieredTable}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -58,5 +57,4 @@ vesselClasses()
           {"mug", {0.08, 0.08, 0.08}, {0.26, 0.2, 0.2}, mug}};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 JsonReader::requireKeys(std::initializer_list<const char*> known) const
@@ -83,5 +82,4 @@ JsonReader::text() const
   return value_.get<std::string>();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

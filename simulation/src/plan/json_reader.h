@@ -10,8 +10,7 @@
 
 #include <initializer_list>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A place in a JSON document that knows its path, for messages that name it. */
 class JsonReader {
@@ -90,5 +89,4 @@ private:
   std::string source_, path_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <set>
 #include <sstream>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -343,5 +342,4 @@ readPlan(const std::string& file_name)
   return parsePlan(text.str(), file_name);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -260,5 +259,4 @@ triangulate(const Polygon& polygon)
   return triangles;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -95,5 +94,4 @@ describeScene(const Building& building, const std::vector<Eigen::Vector3d>& traj
          ",\n  \"trajectory\": " + linesOf(positions) + "\n}\n";
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

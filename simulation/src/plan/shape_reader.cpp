@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -168,5 +167,4 @@ readCeiling(const JsonReader& json)
   return planes;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

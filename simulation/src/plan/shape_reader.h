@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr double radians_per_degree = M_PI / 180;
 
@@ -29,5 +28,4 @@ readPlane(const JsonReader& json);
 std::vector<CeilingPlane>
 readCeiling(const JsonReader& json);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

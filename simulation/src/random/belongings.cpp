@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -169,5 +168,4 @@ addBelongings(RoomFurnisher& room, RoomKind kind)
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

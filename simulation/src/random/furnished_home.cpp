@@ -4,8 +4,7 @@
  */
 #include "random/furnished_rooms.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -242,5 +241,4 @@ furnishHomeRoom(RoomFurnisher& room, RoomKind kind)
   finish(room, kind != RoomKind::Bathroom);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

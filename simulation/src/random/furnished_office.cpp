@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -146,5 +145,4 @@ furnishOfficeRoom(RoomFurnisher& room, RoomKind kind)
     room.anywhere(room.piece("box"));
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

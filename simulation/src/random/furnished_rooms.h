@@ -6,8 +6,7 @@
 
 #include "random/room_furnisher.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Put the furniture of its kind into a room. */
 void
@@ -20,5 +19,4 @@ furnishOfficeRoom(RoomFurnisher& room, RoomKind kind);
 void
 addBelongings(RoomFurnisher& room, RoomKind kind);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -4,8 +4,7 @@
  */
 #include "random/habits.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -210,5 +209,4 @@ customs()
   };
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Where belongings are with respect to a piece of furniture. */
 enum class Where {
@@ -58,5 +57,4 @@ storageHabits();
 std::vector<Custom>
 customs();
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

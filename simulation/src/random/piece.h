@@ -10,8 +10,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A piece of furniture that has no place yet. */
 struct Piece {
@@ -30,5 +29,4 @@ struct Resting {
   int touching = -1;    ///< beside this object, if there is room
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -216,5 +215,4 @@ canBeJoined(const std::vector<LayoutRoom>& rooms)
   return treeOfDoors(rooms).size() + 1 == rooms.size();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

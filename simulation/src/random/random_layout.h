@@ -12,8 +12,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What a room of a random plan is for. */
 enum class RoomKind {
@@ -82,5 +81,4 @@ drawOpenings(const std::vector<LayoutRoom>& rooms,
              bool front_door,
              RandomDraw& draw);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::optional<SharedWall>
 wallBetween(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b)
@@ -224,5 +223,4 @@ drawOpenings(const std::vector<LayoutRoom>& rooms,
   return drawer.openings;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

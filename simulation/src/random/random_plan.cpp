@@ -10,8 +10,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -249,5 +248,4 @@ randomPlanNamed(const std::string& name)
       "with a seed from 0 to 4294967295, and may end with :cluttered or :lived_in");
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

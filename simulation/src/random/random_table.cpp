@@ -12,8 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -180,5 +179,4 @@ randomTable(std::uint32_t seed, PlanFilling filling)
   return plan;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A table in the middle of a room, above the origin, with two to eight small
  * objects on it, some against or on each other.
@@ -18,5 +17,4 @@ namespace indoor {
 Plan
 randomTable(std::uint32_t seed, PlanFilling filling);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -95,5 +94,4 @@ RestingPlaces::isFreeBelow(const Polygon& footprint, double height) const
   });
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

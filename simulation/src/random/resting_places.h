@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Where objects can stand on and in a piece of furniture, found by rays. */
 class RestingPlaces {
@@ -35,5 +34,4 @@ private:
   std::vector<bool> is_level_; // of each triangle
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -111,5 +110,4 @@ RoomFurnisher::clutter()
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -379,5 +378,4 @@ RoomFurnisher::belowWindows(const std::string& category, double probability)
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

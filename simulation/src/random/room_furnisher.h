@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Finds places in one room, so that nothing collides.
  *
@@ -252,5 +251,4 @@ turnedRectangle(const Eigen::Vector2d& at,
                 const Eigen::Vector2d& size,
                 double rotation);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

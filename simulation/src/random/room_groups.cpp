@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 RoomFurnisher::putSmallObjects(int other, int count)
@@ -149,5 +148,4 @@ RoomFurnisher::curtains(double probability, const std::string& category)
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -132,5 +131,4 @@ RoomFurnisher::layOver(int other, Piece cloth, const Eigen::Vector2d& at, double
   pieces_.push_back(cloth);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

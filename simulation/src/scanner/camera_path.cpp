@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -129,5 +128,4 @@ registeredFrames(const std::vector<CameraFrame>& frames, double drift, RandomDra
   return registered;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

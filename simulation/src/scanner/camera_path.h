@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How somebody carries a camera through a room. */
 struct CameraPathOptions {
@@ -41,5 +40,4 @@ cameraPath(const Building& building,
 std::vector<CameraFrame>
 registeredFrames(const std::vector<CameraFrame>& frames, double drift, RandomDraw draw);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -372,5 +371,4 @@ scanAlong(const Building& building,
                        });
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <functional>
 #include <set>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -278,5 +277,4 @@ placeAt(const CarriedPath& path, double time)
   return point;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

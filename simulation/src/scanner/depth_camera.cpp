@@ -12,8 +12,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 CameraPose
 drawCameraPose(const Building& building,
@@ -81,5 +80,4 @@ viewBuilding(const Building& building,
   return view;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

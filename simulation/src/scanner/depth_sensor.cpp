@@ -12,8 +12,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -215,5 +214,4 @@ DepthSensor::see(const CameraFrame& frame, std::uint32_t seed) const
   return pixels;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What a pixel of a depth camera measures, and of what. */
 struct DepthPixel {
@@ -66,5 +65,4 @@ private:
   std::vector<char> is_blind_; ///< of each triangle: glass or dark
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -255,5 +254,4 @@ DistanceVolume::vertices(float least_weight) const
   return all;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

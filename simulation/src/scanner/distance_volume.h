@@ -12,8 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A vertex of the surface in a DistanceVolume. */
 struct LabelledVertex {
@@ -90,5 +89,4 @@ private:
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_block_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

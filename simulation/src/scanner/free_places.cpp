@@ -10,8 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -138,5 +137,4 @@ spread(const std::vector<FreePlace>& places, double spacing, double clearance)
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A place where the carrier of a sensor may be. */
 struct FreePlace {
@@ -58,5 +57,4 @@ placesOn(const Level& level, double height);
 std::vector<Eigen::Vector2d>
 spread(const std::vector<FreePlace>& places, double spacing, double clearance);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

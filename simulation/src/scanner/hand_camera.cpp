@@ -15,8 +15,7 @@
 #include <map>
 #include <tuple>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -174,5 +173,4 @@ captureRoom(const Building& building,
   return scan;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

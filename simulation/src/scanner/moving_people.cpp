@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -74,5 +73,4 @@ distanceTo(const StandingPerson& person,
   return std::min(body, head);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Somebody who stands or walks in a building: a body and a head. */
 struct StandingPerson {
@@ -28,5 +27,4 @@ distanceTo(const StandingPerson& person,
            const Eigen::Vector3d& origin,
            const Eigen::Vector3d& direction);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

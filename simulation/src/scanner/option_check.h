@@ -6,8 +6,7 @@
 
 #include <pcl/exceptions.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** Throw a BadArgumentException that names an option of a sensor, unless it is legal.
  * \param[in] range what it must be */
@@ -19,5 +18,4 @@ requireOption(bool legal, const char* name, double value, const char* range)
                         name << " must be " << range << ", not " << value);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <omp.h>
 #endif
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Call a function with 0 ... count - 1, by several threads.
  * \param[in] threads 0 = automatic
@@ -39,5 +38,4 @@ loopInParallel(std::size_t count, int threads, const Function& function)
     std::rethrow_exception(failure);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 PathDrift::PathDrift(const CarriedPath& path, double drift, RandomDraw draw)
 : errors_(path.size())
@@ -46,5 +45,4 @@ PathDrift::at(double time) const
   return {a.shift + share * (b.shift - a.shift), a.turn + share * (b.turn - a.turn)};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

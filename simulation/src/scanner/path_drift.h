@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What a map that was made on the way is wrong by. */
 struct PoseError {
@@ -38,5 +37,4 @@ private:
   double step_ = 1.0;             // seconds between them
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

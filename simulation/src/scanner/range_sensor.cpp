@@ -13,8 +13,7 @@
 #include <cmath>
 #include <unordered_set>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -111,5 +110,4 @@ thinScan(SimulatedScan& scan, double leaf_size)
   scan.poses.resize(kept);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

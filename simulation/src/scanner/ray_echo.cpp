@@ -16,8 +16,7 @@
 #include <omp.h>
 #endif
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -193,5 +192,4 @@ scanFromPoses(std::size_t poses,
   return scan;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

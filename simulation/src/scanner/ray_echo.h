@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief At this distance, metres, an error of heading moves points as far as that of
  * the position does. */
@@ -71,5 +70,4 @@ scanFromPoses(std::size_t poses,
               const EchoOptions& options,
               const PoseScan& scan_from);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

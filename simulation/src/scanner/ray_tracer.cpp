@@ -11,8 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -359,5 +358,4 @@ intersect(const Eigen::Vector3f& origin,
   return distance >= 0.0f ? distance : no_hit;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -16,8 +16,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -305,5 +304,4 @@ wayToNearest(const Roadmap& roadmap, int from, const std::vector<char>& wanted)
   return {};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

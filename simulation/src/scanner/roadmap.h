@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A place that a carried sensor may pass. */
 struct RoadNode {
@@ -60,5 +59,4 @@ stopsOn(const Roadmap& roadmap, const TrajectoryOptions& options);
 std::vector<int>
 wayToNearest(const Roadmap& roadmap, int from, const std::vector<char>& wanted);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

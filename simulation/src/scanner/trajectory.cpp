@@ -8,8 +8,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -66,5 +65,4 @@ planTrajectory(const Building& building, const TrajectoryOptions& options)
   return inWalkingOrder(std::move(positions));
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 /** A scene without structure, whose voxels have no normals. */
@@ -26,5 +25,4 @@ sceneOfPoints(const std::vector<Eigen::Vector3f>& points, double voxel_size)
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <pcl/segmentation/noise_resilient_lccp.h>
 #include <pcl/segmentation/segmentation_metrics.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 using Segmentation = pcl::NoiseResilientLCCP<pcl::PointXYZ>;
@@ -59,5 +58,4 @@ agreement(const Labels& truth, const Labels& labels)
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr float step = 0.05f;
@@ -168,5 +167,4 @@ TEST(ObjectSurfaces, NothingAndWrongSizes)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 Eigen::Vector3d
@@ -81,5 +80,4 @@ TEST(BuildingFrame, MovedPointsGoBackToTheScan)
 }
 
 } // namespace
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

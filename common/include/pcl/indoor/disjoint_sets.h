@@ -8,8 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Union-find over 0 ... n - 1, by size and with path halving. */
 class DisjointSets {
@@ -76,5 +75,4 @@ private:
   std::vector<std::uint32_t> size_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Points without their copies: scans that were merged twice, or tiles that
  * overlap, have several points in exactly one place. */
@@ -97,5 +96,4 @@ placesOfCopies(const std::vector<Eigen::Vector3f>& points)
   return places.hasCopies() ? std::optional(std::move(places)) : std::nullopt;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief For each of some points of a cloud, the first of them in the same place.
  *
@@ -43,5 +42,4 @@ firstInPlace(const PointCloud<PointT>& cloud, const Indices& indices)
   return first;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

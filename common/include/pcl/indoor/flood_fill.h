@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Reach all places that can be reached from some, step by step, the nearest
  * first. The cost is linear in the number of places and of their neighbours.
@@ -53,5 +52,4 @@ floodFill(std::vector<std::uint32_t>& reached,
       enter);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

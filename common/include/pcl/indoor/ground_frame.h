@@ -9,8 +9,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Two directions along the ground and the one up, as rows. */
 inline Eigen::Matrix3d
@@ -32,5 +31,4 @@ levelDirection(unsigned i, unsigned count)
   return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Copy coordinates and organisation of a cloud, with labels.
  * \param[in] labels one per point; empty for an empty output, then \a cloud may be null
@@ -60,5 +59,4 @@ indicesOfLabels(const CloudPtr& cloud,
   return segments;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

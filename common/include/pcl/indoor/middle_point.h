@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The median of each coordinate: an origin near the points, the same for any
  * order of them and wherever outliers lie. Of none it is zero. */
@@ -42,5 +41,4 @@ moveToMiddle(std::vector<Eigen::Vector3f>& points)
   return origin;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

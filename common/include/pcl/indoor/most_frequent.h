@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Get the value that most of them are, of equally frequent ones the smallest.
  * \param[in,out] values are put into ascending order
@@ -31,5 +30,4 @@ mostFrequent(Values& values, Value otherwise)
   return otherwise;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

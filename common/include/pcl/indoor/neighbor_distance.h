@@ -13,8 +13,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Mean distance of each point to its closest other points, Eq. (2.1).
  * Cost: one search tree, and a search in it per point.
@@ -76,5 +75,4 @@ neighborhoodRadius(const PointCloud<PointT>& cloud, unsigned threads = 0)
   return neighborhoodRadius(finitePoints(cloud), threads);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

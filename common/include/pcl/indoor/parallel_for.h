@@ -12,8 +12,7 @@
 #include <exception>
 #include <mutex>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Call with each number below a count, from several threads; what is thrown
  * arrives at the caller.
@@ -92,5 +91,4 @@ evenChunk(std::ptrdiff_t count, int threads)
   return count / std::max(1, threads) + 1;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

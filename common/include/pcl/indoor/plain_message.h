@@ -8,8 +8,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The text of an exception without the function, file and line that
  * PCL_THROW_EXCEPTION puts in front of it. */
@@ -24,5 +23,4 @@ plainMessage(const PCLException& error)
   return found == std::string::npos ? text : text.substr(found + line.size());
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Numbers that lie one after the other in an array, for range-based loops. */
 class NumberRange {
@@ -116,5 +115,4 @@ cellAdjacency(const std::vector<std::uint64_t>& keys);
 PCL_INDOOR_EXPORTS Eigen::Vector3i
 cellIndex(std::uint64_t key);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A number that the bits of a point's coordinates tell, spread over 64 bits: to
  * sample points whatever their order is, and to find those in one place. 0 and -0
@@ -27,5 +26,4 @@ pointHash(const Eigen::Vector3f& point)
   return (hash ^ hash >> 29) * 0xbf58476d1ce4e5b9u;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Median distance of points to their nearest other points, from about two
  * thousand of them: a resolution that outliers do not change, without a search tree.
@@ -32,5 +31,4 @@ medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& c
 PCL_INDOOR_EXPORTS double
 raisedToResolution(const std::vector<Eigen::Vector3f>& points, double voxel_size);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

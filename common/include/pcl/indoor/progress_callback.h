@@ -6,12 +6,10 @@
 
 #include <functional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Is told what share of the work is done, 0 ... 1 and never less than before,
  * and what comes next; returns whether to go on. */
 using ProgressCallback = std::function<bool(double share, const char* stage)>;
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

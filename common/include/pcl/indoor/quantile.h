@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** The standard deviation of normal noise over the median of its absolute values. */
 constexpr double deviation_per_median = 1.4826;
@@ -47,5 +46,4 @@ quantile(Values& values, double share)
       values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

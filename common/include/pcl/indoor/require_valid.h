@@ -8,8 +8,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Refuse options or input that findProblem() finds fault with.
  * \param[in] wishes further arguments of its findProblem()
@@ -26,5 +25,4 @@ requireValid(const Checked& checked, Wishes... wishes)
   return checked;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

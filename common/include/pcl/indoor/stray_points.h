@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Find points that are no part of a scan, as the zeros of a scanner that saw
  * nothing, in a scan with large coordinates.
@@ -63,5 +62,4 @@ putBack(const std::vector<std::size_t>& places,
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Get the number of threads to use for a request, where 0 means automatic; at
  * most 1024: each needs memory for its stack. Always 1 if the library has no OpenMP.
@@ -48,5 +47,4 @@ usefulThreads(int requested, std::size_t work, std::size_t share)
 PCL_INDOOR_EXPORTS void
 runInThreads(int threads, const std::function<void()>& work);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -6,8 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Largest coordinate that is computed with, metres: the product of four
  * distances within it is finite in a float. */
@@ -29,5 +28,4 @@ isUsablePoint(const PointT& point)
   return isUsable(Eigen::Vector3f(point.getVector3fMap()));
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

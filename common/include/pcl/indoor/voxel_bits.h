@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A bit per voxel of a regular grid with a place in space: an eighth of the
  * memory of a VoxelMap of bytes. Each vertical column is whole 64-bit words.
@@ -211,5 +210,4 @@ private:
   std::vector<std::uint64_t> words_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The first classes of a voxel are of the building: floor, wall, ceiling. */
 constexpr std::size_t building_classes = 3;
@@ -47,5 +46,4 @@ struct VoxelClasses {
 using ClassifyVoxels =
     std::function<VoxelClasses(const std::vector<Eigen::Vector3f>& points)>;
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

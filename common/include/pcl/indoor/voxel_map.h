@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The index arithmetic of a regular grid, without a place in space.
  * x runs slowest and z fastest, so that a vertical column is contiguous in memory.
@@ -141,5 +140,4 @@ struct PixelMap {
   }
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

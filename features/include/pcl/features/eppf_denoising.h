@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The noise of an object's points. */
 struct PointNoise {
@@ -63,5 +62,4 @@ denoised(const std::vector<OrientedPoint>& points,
          const PointNoise& noise,
          unsigned int number_of_threads);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

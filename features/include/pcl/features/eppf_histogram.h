@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The enhanced point pair feature (EPPF) histogram of an object, Sec. 5.2.
  *
@@ -28,5 +27,4 @@ namespace indoor {
 PCL_INDOOR_EXPORTS std::vector<float>
 eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

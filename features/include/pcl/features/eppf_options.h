@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How the two surface angles of a pair become one feature, Sec. 5.2.1
  * and 5.3.2. */
@@ -150,5 +149,4 @@ jointLevels(const EPPFBins& bins);
 PCL_INDOOR_EXPORTS std::string
 findProblem(const EPPFOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

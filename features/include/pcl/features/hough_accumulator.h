@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Bins of undirected directions (Sec. 2.1.5.2), in several rotated copies.
  *
@@ -70,5 +69,4 @@ private:
   std::vector<std::uint16_t> table_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

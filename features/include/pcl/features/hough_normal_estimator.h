@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How the three points of a triple are picked among the neighbours. */
 enum class HoughSampling {
@@ -147,5 +146,4 @@ houghTripleCount(unsigned bins, double confidence, double deviation);
 PCL_INDOOR_EXPORTS std::string
 findProblem(const HoughNormalOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief An occupancy grid of up to 64^3 voxels that counts occupied voxels along
  * lines.
@@ -154,5 +153,4 @@ private:
   float largest_coordinate_ = 0.0f;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

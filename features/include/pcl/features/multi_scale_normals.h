@@ -10,8 +10,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Parameters of multiScaleNormals(). */
 struct MultiScaleNormalOptions {
@@ -43,5 +42,4 @@ PCL_INDOOR_EXPORTS PointCloud<Normal>
 multiScaleNormals(const PointCloud<PointXYZ>& points,
                   const MultiScaleNormalOptions& options = {});
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

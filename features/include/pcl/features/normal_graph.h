@@ -12,8 +12,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Measure how far two normals agree about the side of the surface (Eq. (2.7)).
  *
@@ -55,5 +54,4 @@ orientConsistently(const std::vector<Eigen::Vector3f>& positions,
                    const std::vector<Eigen::Vector3f>& viewpoint,
                    std::vector<Eigen::Vector3f>& normals);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

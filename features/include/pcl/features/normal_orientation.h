@@ -11,8 +11,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Turn normals towards a viewpoint (Eq. (2.6)).
  * \param[in,out] normals one per position
@@ -78,5 +77,4 @@ orientNormals(NormalOrientation orientation,
               const FreeSpaceOptions& free_space,
               std::vector<Eigen::Vector3f>& normals);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A point of a surface and the surface's normal there (a "surflet"). */
 struct OrientedPoint {
@@ -35,5 +34,4 @@ objectExtent(const std::vector<OrientedPoint>& points);
 PCL_INDOOR_EXPORTS bool
 isUsableExtent(float extent);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr std::size_t pair_block_size = 512; ///< pairs that are worked on together
 
@@ -92,5 +91,4 @@ countPairs(std::size_t pair_count,
                      });
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How point pairs are chosen. */
 enum class PairSampling {
@@ -95,5 +94,4 @@ private:
       order_; // of the points along a Z curve; empty: as they lie
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief An edge that asks for the same sign of two nodes, or for different ones. */
 struct SignEdge {
@@ -47,5 +46,4 @@ findSigns(std::size_t node_count,
           const std::vector<SignEdge>& edges,
           std::vector<std::uint32_t>* component = nullptr);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

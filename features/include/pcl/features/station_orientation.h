@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Turn normals towards the stations from which their points were measured (Eq.
  * (2.6)).
@@ -34,5 +33,4 @@ orientTowardsStations(const PointCloud<PointXYZ>& points,
                       const std::vector<std::uint32_t>& station_of_point,
                       PointCloud<Normal>& normals);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How many values surfaceHarmonics() gives, and of what; all 0: none. */
 struct HarmonicBins {
@@ -83,5 +82,4 @@ surfaceHarmonics(const std::vector<OrientedPoint>& points,
                  const HarmonicBins& bins,
                  unsigned int number_of_threads = 1);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Parameters of surfletPairHistogram(). */
 struct SurfletPairOptions {
@@ -60,5 +59,4 @@ surfletPairHistogram(const std::vector<OrientedPoint>& points,
 PCL_INDOOR_EXPORTS std::string
 findProblem(const SurfletPairOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Least share of normals that have length 1 where they are normals. Estimates
  * leave out single points; colours, or zeros in half of them, are far below. */
@@ -44,5 +43,4 @@ PCL_INDOOR_EXPORTS std::string
 findNormalsProblem(const std::vector<Eigen::Vector3f>& points,
                    const std::vector<Eigen::Vector3f>& normals);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 struct NonConvexityOptions {
   double radius = 0.05; ///< R, radius of the neighbourhood, metres (> 0)
@@ -52,5 +51,4 @@ nonConvexPoints(const std::vector<Eigen::Vector3f>& points,
                 const std::vector<float>& curvatures,
                 const NonConvexityOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 struct ScanOutlierOptions {
   /** R: a point with too few others within it is removed, metres; 0: by the rule of Eq.
@@ -48,5 +47,4 @@ PCL_INDOOR_EXPORTS std::vector<std::uint8_t>
 scanOutliers(const std::vector<Eigen::Vector3f>& points,
              const ScanOutlierOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The file of the model that comes with this library, of furniture, doors and
  * windows: it is looked for from where the library lies. */
@@ -21,5 +20,4 @@ bundledModelFile();
 PCL_INDOOR_EXPORTS std::string
 bundledNetworkFile();
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

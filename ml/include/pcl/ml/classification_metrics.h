@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How often an object of one class was taken for another, Sec. 2.1.8.2. */
 struct PCL_INDOOR_EXPORTS ConfusionMatrix {
@@ -83,5 +82,4 @@ struct Spread {
 PCL_INDOOR_EXPORTS Spread
 spreadOf(const std::vector<double>& values);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

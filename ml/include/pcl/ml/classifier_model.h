@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What a model is fed with. */
 enum class ClassifierInputKind {
@@ -50,5 +49,4 @@ struct ClassifierModel {
 PCL_INDOOR_EXPORTS std::string
 findProblem(const ClassifierModel& model, bool wants_weights = true);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

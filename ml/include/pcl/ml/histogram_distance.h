@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How different two histograms are; all are symmetric and 0 between equal ones.
  */
@@ -62,5 +61,4 @@ histogramDistances(const Histograms& queries,
                    HistogramDistance distance,
                    unsigned int number_of_threads = 1);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A model as the bytes of its file.
  *
@@ -38,5 +37,4 @@ modelFromBytes(const std::string& bytes);
 PCL_INDOOR_EXPORTS ClassifierModel
 loadModel(const std::string& path);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Extents of an array, the last one fastest. */
 using Shape = std::vector<int>;
@@ -103,5 +102,4 @@ initializeWeights(Network& network, std::uint32_t seed);
 PCL_INDOOR_EXPORTS std::size_t
 trainedValueCount(const Network& network);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <pcl/indoor/exports.h>
 #include <pcl/ml/network.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The network of Table 5.1 on the thesis's descriptor of 20 x 4 x 5 x 3 bins.
  *
@@ -51,5 +50,4 @@ perceptron(int class_count, const PerceptronOptions& options);
 PCL_INDOOR_EXPORTS Network
 pointNet(int class_count, int point_count, double width = 1.0);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The network's scores (before the softmax) of a batch of inputs.
  *
@@ -25,5 +24,4 @@ networkScores(const Network& network,
               const std::vector<std::vector<float>>& inputs,
               std::vector<Tensor>* responses = nullptr);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

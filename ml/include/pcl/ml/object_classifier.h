@@ -8,8 +8,7 @@
 #include <pcl/ml/classifier_model.h>
 #include <pcl/ml/object_context.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The values that a model's networks are fed with, for one object.
  * \param[in] points with unit normals, finite, metres, near the origin
@@ -52,5 +51,4 @@ classifyObjects(const std::vector<ClassifierObject>& objects,
                 const ClassifierModel& model,
                 unsigned int number_of_threads = 1);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

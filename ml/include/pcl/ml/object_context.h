@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Where an object is in its room; z is up, lengths are metres. */
 struct ObjectPlace {
@@ -48,5 +47,4 @@ contextValues(const std::vector<OrientedPoint>& points, const ObjectPlace& place
 PCL_INDOOR_EXPORTS Eigen::Vector2f
 smallestRectangle(std::vector<Eigen::Vector2f> points);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

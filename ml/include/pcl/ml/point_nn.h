@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Parameters of pointNNDescriptor(); the defaults are the paper's. */
 struct PointNNOptions {
@@ -87,5 +86,4 @@ nearestPoints(const std::vector<Eigen::Vector3f>& points,
               const Eigen::Vector3f& place,
               std::size_t wanted);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

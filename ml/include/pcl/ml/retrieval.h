@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr int no_label = -1; ///< of an object that nothing was found for
 
@@ -33,5 +32,4 @@ nearestLabels(const DistanceTable& distances, const std::vector<int>& gallery_la
 PCL_INDOOR_EXPORTS std::vector<int>
 leaveOneOutLabels(const DistanceTable& distances, const std::vector<int>& labels);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

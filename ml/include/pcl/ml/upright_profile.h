@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Number of values that uprightProfile() gives. */
 constexpr std::size_t upright_profile_size = 80;
@@ -34,5 +33,4 @@ constexpr std::size_t upright_profile_size = 80;
 PCL_INDOOR_EXPORTS std::vector<float>
 uprightProfile(const std::vector<OrientedPoint>& points, float floor_distance);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

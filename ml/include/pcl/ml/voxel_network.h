@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Rows of weights and what is added, for each output. */
 struct VoxelLayer {
@@ -60,5 +59,4 @@ loadVoxelNetwork(const std::string& path);
 PCL_INDOOR_EXPORTS VoxelClasses
 classifyVoxels(const std::vector<Eigen::Vector3f>& points, const VoxelNetwork& network);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

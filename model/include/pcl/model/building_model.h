@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A wall: a straight piece of building between rooms, or around them. */
 struct ModelWall {
@@ -101,5 +100,4 @@ buildingModel(const PointsOfRooms& points,
               const std::vector<RoomOpening>& openings,
               int threads = 0);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Whether a hole in the outline of a room is that of a column: no side is
  * longer than a metre.
@@ -28,5 +27,4 @@ isColumn(const std::vector<Eigen::Vector3d>& line);
 PCL_INDOOR_EXPORTS std::vector<ModelColumn>
 modelColumns(const std::vector<Room>& rooms, const PointsOfRooms& points);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

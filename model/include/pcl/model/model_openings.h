@@ -12,8 +12,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What the images of walls' sides show. */
 struct FaceHoles {
@@ -39,5 +38,4 @@ modelOpenings(const std::vector<WallFace>& faces,
               const std::vector<FaceHoles>& holes,
               const std::vector<RoomOpening>& passable);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A stretch of two sides that face away from each other: both sides of a wall.
  */
@@ -44,5 +43,4 @@ modelWalls(const std::vector<WallFace>& faces,
            const std::vector<FacePair>& pairs,
            const std::vector<double>& depths = {});
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A point as seen from a wall. */
 struct WallPoint {
@@ -108,5 +107,4 @@ private:
   std::vector<TiledPoints> of_rooms_; ///< per room; first those of none
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

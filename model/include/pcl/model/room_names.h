@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What a room is for. */
 enum class RoomName {
@@ -98,5 +97,4 @@ struct PCL_INDOOR_EXPORTS NamedRoom {
 PCL_INDOOR_EXPORTS std::vector<NamedRoom>
 nameRooms(const std::vector<RoomEvidence>& rooms);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

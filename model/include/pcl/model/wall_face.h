@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A straight run of a room's outline: one side of a wall, seen from above. */
 struct WallFace {
@@ -60,5 +59,4 @@ struct WallFace {
 PCL_INDOOR_EXPORTS std::vector<WallFace>
 wallFaces(const std::vector<Room>& rooms, const PointsOfRooms& points, int threads = 0);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief An upright rectangle in a wall's side in which the wall's face is not. */
 struct FaceHole {
@@ -38,5 +37,4 @@ struct FaceHole {
 PCL_INDOOR_EXPORTS std::vector<FaceHole>
 wallHoles(const WallImage& image, const std::vector<WallPoint>& points);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

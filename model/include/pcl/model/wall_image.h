@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What a scan shows at a place of a wall's side. */
 enum class WallCell : std::uint8_t {
@@ -68,5 +67,4 @@ wallImage(const std::vector<WallPoint>& points,
           double height,
           const WallImageOptions& options = {});
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

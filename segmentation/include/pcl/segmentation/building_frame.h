@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How a building lies in its scan: brings places from one frame into another.
  *
@@ -116,5 +115,4 @@ placeInScan(const BuildingFrame& frame,
             std::vector<Room>& rooms,
             std::vector<RoomOpening>& openings);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The frame of a grid: the building's, turned about the vertical. */
 struct PCL_INDOOR_EXPORTS TurnedFrame {
@@ -161,5 +160,4 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 const ProgressCallback& progress = {},
                 const ScanStations& stations = {});
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr double smallest_automatic_voxel = 0.1; ///< metres
 constexpr double largest_automatic_voxel = 0.4;  ///< metres: half as wide as a door
@@ -147,5 +146,4 @@ struct BuildingRoomsOptions {
 PCL_INDOOR_EXPORTS std::string
 findProblem(const BuildingRoomsOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

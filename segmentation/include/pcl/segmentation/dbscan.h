@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What dbscan() looks for. */
 struct DBSCANOptions {
@@ -93,5 +92,4 @@ dbscan(std::size_t count, const Distance& distance, const DBSCANOptions& options
       options);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

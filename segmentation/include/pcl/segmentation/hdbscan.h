@@ -12,8 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How clusters are chosen from the hierarchy. */
 enum class ClusterSelection {
@@ -129,7 +128,6 @@ hdbscanFromSpanningForest(std::size_t count,
 PCL_INDOOR_EXPORTS std::vector<HDBSCANEdge>
 minimumSpanningForest(std::size_t count, std::vector<HDBSCANEdge> edges);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor
 
 #include <pcl/segmentation/impl/hdbscan.hpp>

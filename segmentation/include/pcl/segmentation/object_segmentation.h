@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How points were taken. */
 enum class Capture {
@@ -239,5 +238,4 @@ cameraNote(const CameraView& view);
 PCL_INDOOR_EXPORTS std::string
 farViewWarning(const ObjectSegmentationInput& input);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

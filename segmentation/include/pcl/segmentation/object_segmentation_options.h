@@ -11,8 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What pieces are joined to. */
 enum class JoiningScale {
@@ -75,5 +74,4 @@ singleViewOptions();
 PCL_INDOOR_EXPORTS std::string
 findProblem(const ObjectSegmentationOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The surface of an object and where it is in its room; z is up. */
 struct ObjectSurface {
@@ -162,5 +161,4 @@ pointsOfRooms(const PointCloud<PointXYZ>& points,
 PCL_INDOOR_EXPORTS std::vector<std::size_t>
 largestFirst(const std::vector<std::size_t>& sizes);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -15,8 +15,7 @@
 
 // What can be told of a scan before its rooms are looked for.
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Which way is up in a scan, in the frame of its points. */
 struct PCL_INDOOR_EXPORTS Vertical {
@@ -132,5 +131,4 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
              const Eigen::Vector3f& up_axis = Eigen::Vector3f::UnitZ(),
              double metres_per_unit = 1.0);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What was found out about the points of a room segmentation. */
 struct ScanReport : ScanCoordinates {
@@ -131,5 +130,4 @@ outsideWarning(std::size_t outside, std::size_t all);
 PCL_INDOOR_EXPORTS std::vector<std::string>
 unseenWarnings(const BuildingRooms& building);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Labels of a segmentation, one per point; 0 = no segment. */
 using SegmentLabels = std::vector<std::uint32_t>;
@@ -221,5 +220,4 @@ private:
   std::vector<Prediction> predictions_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

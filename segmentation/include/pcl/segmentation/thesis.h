@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The thesis's own methods, without what was added since, beside those of
  * pcl::indoor: results are of the same types. docs/method/thesis.md lists what the
@@ -179,5 +178,4 @@ thesisOptions();
 PCL_INDOOR_EXPORTS thesis::ObjectOptions
 thesisKinectOptions();
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

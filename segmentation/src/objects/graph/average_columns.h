@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The mean column of the members of each group.
  * \param[in] labels the group of each column, Supervoxels::none if it is in none
@@ -43,5 +42,4 @@ averageColumns(const Columns& columns,
   return means;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

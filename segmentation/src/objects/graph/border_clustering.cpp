@@ -166,8 +166,7 @@ requireValid(std::size_t node_count, const std::vector<Border>& borders)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<std::uint32_t>
 clusterByBorders(std::size_t node_count,
@@ -182,5 +181,4 @@ clusterByBorders(std::size_t node_count,
   return regions.labels();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A border between two of the nodes 0 ... n - 1. */
 struct Border {
@@ -40,5 +39,4 @@ clusterByBorders(std::size_t node_count,
                  double threshold,
                  std::uint32_t min_segment_size);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -26,8 +26,7 @@ struct Proposal {
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 recoverLabels(const std::vector<Eigen::Vector3f>& positions,
@@ -110,5 +109,4 @@ labelRemainder(const Adjacency& neighbors,
   return next;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr unsigned recovery_rounds = 20; ///< S of Algorithm 1
 
@@ -44,5 +43,4 @@ labelRemainder(const Adjacency& neighbors,
                std::uint32_t first_label,
                std::vector<std::uint32_t>& labels);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

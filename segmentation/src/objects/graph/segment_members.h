@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** The points or voxels of a segment, by their indices. */
 using SegmentMembers = std::vector<std::uint32_t>;
@@ -28,5 +27,4 @@ membersOfSegments(const std::vector<std::uint8_t>& left_out,
   return members;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -199,8 +199,7 @@ releaseFragments(const SurfaceVoxels& voxels,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 float
 SurfaceDistance::ofAppearance(const SurfaceAppearance& one,
@@ -259,5 +258,4 @@ growSupervoxels(const SurfaceVoxels& voxels,
   return supervoxels;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Weights of Eq. (4.4), shared by supervoxels, graph and recovery, and of the
  * terms that Eq. (2.19) and (2.18) have beside it. */
@@ -86,5 +85,4 @@ growSupervoxels(const SurfaceVoxels& voxels,
                 const SurfaceDistance& distance,
                 unsigned threads);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

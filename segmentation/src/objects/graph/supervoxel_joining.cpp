@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double bend_threshold = 15; // degrees, mean bend of a border of two pieces
@@ -71,5 +70,4 @@ segmentSupervoxels(const NamedSupervoxels& given,
   });
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Tells the segment of each supervoxel, numbered from 0. */
 using JoinSupervoxels = std::function<std::vector<std::uint32_t>(
@@ -35,5 +34,4 @@ joinByBends(const Supervoxels& supervoxels,
 std::map<std::uint32_t, std::uint32_t>
 joinNamed(const NamedSupervoxels& given, const JoinSupervoxels& join);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

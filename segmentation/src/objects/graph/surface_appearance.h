@@ -6,8 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What places of a surface look like beside position and normal: the other
  * parts of Eq. (2.18). One column per place; a part that is not used has none. */
@@ -16,5 +15,4 @@ struct SurfaceAppearance {
   Eigen::MatrixXf shapes;  ///< 33 rows: FPFH, not negative, of the sum 1
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

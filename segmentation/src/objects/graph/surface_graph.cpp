@@ -31,8 +31,7 @@ isSingular(const Eigen::Vector3f& towards_1,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 float
 angleDegrees(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
@@ -107,5 +106,4 @@ surfaceEdges(const SurfaceVoxels& voxels, const Supervoxels& supervoxels)
   return edges;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The angle between two directions, degrees; 0 if one has no length. */
 float
@@ -44,5 +43,4 @@ surfaceEdges(const SurfaceVoxels& voxels, const Supervoxels& supervoxels);
 std::vector<Border>
 bendBorders(const Supervoxels& supervoxels, const std::vector<SurfaceEdge>& edges);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -78,8 +78,7 @@ fitPlane(const Moments& m, Eigen::Vector3f& normal, float& curvature)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 SurfaceVoxels
 surfaceVoxels(const std::vector<Eigen::Vector3f>& points,
@@ -133,5 +132,4 @@ averageNormals(const std::vector<Eigen::Vector3f>& point_normals, SurfaceVoxels&
     normal = normal.norm() > 1e-6f ? normal.normalized() : Eigen::Vector3f::Zero();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The occupied voxels of a scanned surface, with the local geometry of each.
  * All arrays have one entry per voxel; positions are in the frame of the points.
@@ -71,5 +70,4 @@ void
 averageNormals(const std::vector<Eigen::Vector3f>& point_normals,
                SurfaceVoxels& voxels);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -21,8 +21,7 @@ struct Branch {
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<std::uint32_t>
 bestCut(const std::vector<PieceJoin>& joins,
@@ -65,5 +64,4 @@ bestCut(const std::vector<PieceJoin>& joins,
   return segments;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <istream>
 #include <string>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 BoostedTrees
 BoostedTrees::read(std::istream& stream)
@@ -62,5 +61,4 @@ BoostedTrees::probability(const float* features) const
   return 1 / (1 + std::exp(-sum));
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <iosfwd>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Boosted decision trees for a yes-or-no question: the answers of all trees are
  * added up to the log-odds of "yes". */
@@ -51,5 +50,4 @@ private:
   std::vector<std::uint32_t> roots_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

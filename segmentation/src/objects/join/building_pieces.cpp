@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<StructureKind>
 buildingPieces(const PieceGraph& graph)
@@ -47,5 +46,4 @@ leaveAlone(const std::vector<StructureKind>& kinds, PieceGraph& graph)
                  contacts.end());
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What pieces are that are part of the building by the votes of their voxels:
  * patches of walls and floors that lie in no plane. All None if nobody voted. */
@@ -23,5 +22,4 @@ buildingPieces(const PieceGraph& graph);
 void
 leaveAlone(const std::vector<StructureKind>& kinds, PieceGraph& graph);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -64,8 +64,7 @@ areaOf(const Polygon& corners)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 DirectionHulls::DirectionHulls(const Eigen::Matrix3f& axes)
 : axes_(axes)
@@ -187,5 +186,4 @@ commonHull(const KDop50& a, const KDop50& b)
   return common;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

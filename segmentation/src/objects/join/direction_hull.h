@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A k-DOP: the support of places, how far they reach, in each of the directions
  * of DirectionHulls, metres. */
@@ -79,5 +78,4 @@ hullOfBoth(const KDop50& a, const KDop50& b);
 KDop50
 commonHull(const KDop50& a, const KDop50& b);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

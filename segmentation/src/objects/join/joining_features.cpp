@@ -12,8 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** What the voxels of a piece were taken for, in the mean. */
@@ -523,5 +522,4 @@ PairDescription::describeObject(const PairSide& object,
   return features;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

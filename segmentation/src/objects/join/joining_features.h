@@ -6,8 +6,7 @@
 
 #include "objects/join/object_joining.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** What follows from a piece alone. */
 struct PieceShape {
@@ -98,5 +97,4 @@ private:
   DirectionHulls hulls_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -57,8 +57,7 @@ bundledFits(JoiningScale scale, bool has_votes)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 LearnedCriterion::LearnedCriterion(JoiningScale scale, bool has_votes)
 : LearnedCriterion(bundledTrees(scale, has_votes))
@@ -99,5 +98,4 @@ expectedFits(const JoinTree& tree, JoiningScale scale, bool has_votes)
   return fits;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

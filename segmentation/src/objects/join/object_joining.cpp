@@ -226,8 +226,7 @@ private:
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 JoinTree
 joinPieces(const PieceGraph& graph, JoiningCriterion& criterion, float least_level)
@@ -257,5 +256,4 @@ segmentsAtLevel(std::size_t piece_count,
   return parent;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

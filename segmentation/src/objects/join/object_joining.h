@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What is known of two pieces that may be one object, see
  * joiningFeatureNames().
@@ -127,5 +126,4 @@ bestCut(const std::vector<PieceJoin>& joins,
         const std::vector<float>& worth,
         float level);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

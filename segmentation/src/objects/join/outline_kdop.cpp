@@ -42,8 +42,7 @@ combine(const KDop16& a, const KDop16& b, Choose choose)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 Eigen::Vector2d
 outlineDirection(std::size_t i)
@@ -137,5 +136,4 @@ outlineRectangle(const KDop16& outline)
   return smallest;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

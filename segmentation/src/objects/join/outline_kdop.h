@@ -9,8 +9,7 @@
 #include <array>
 #include <cstddef>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief An outline seen from above as a convex polygon, a k-DOP: its support in
  * sixteen level directions, metres; direction i is turned by i * 22.5 degrees. */
@@ -59,5 +58,4 @@ struct OutlineRectangle {
 OutlineRectangle
 outlineRectangle(const KDop16& outline);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

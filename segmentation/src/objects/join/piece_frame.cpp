@@ -16,8 +16,7 @@ constexpr float least_distance = 1e-3f; // metres, from a camera
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 PieceFrame
 roomFrame(const ObjectScene& scene)
@@ -76,5 +75,4 @@ viewFrame(const ObjectScene& scene,
   return frame;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What pieces are described in: what is up, how high, and how large. */
 struct PieceFrame {
@@ -37,5 +36,4 @@ viewFrame(const ObjectScene& scene,
           std::uint32_t piece_count,
           const Eigen::Vector3f& viewpoint);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

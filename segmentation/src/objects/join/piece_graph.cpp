@@ -252,8 +252,7 @@ addBends(const PieceSurface& surface, ContactMap& contacts)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 VectorMoments::add(const Eigen::Vector3d& vector, double weight)
@@ -353,5 +352,4 @@ pieceGraph(const PieceSurface& surface, const PieceFrame& frame)
   return graph;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

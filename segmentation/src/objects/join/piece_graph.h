@@ -19,8 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Mean and covariance of vectors, kept as sums, so that those of two sets can
  * be added. */
@@ -114,5 +113,4 @@ struct PieceSurface {
 PieceGraph
 pieceGraph(const PieceSurface& surface, const PieceFrame& frame);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

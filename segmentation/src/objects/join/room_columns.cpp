@@ -25,8 +25,7 @@ stepsBetween(int first, int last)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 RoomColumns::RoomColumns(const std::vector<Eigen::Vector3f>& voxels,
                          double floor,
@@ -132,5 +131,4 @@ RoomColumns::areaBetween(const KDop16& a, const KDop16& b, Heights heights) cons
   return {open * size_ * size_, filled * size_ * size_};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What is seen of a room from above: upright columns, two voxels wide, and the
  * heights at which each has voxels, in steps of two voxels. Only columns with voxels
@@ -74,5 +73,4 @@ private:
   Columns columns_; ///< ascending by x and y
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<Indices>
 pointsOfRooms(const PointCloud<PointXYZ>& points,
@@ -55,5 +54,4 @@ largestFirst(const std::vector<std::size_t>& sizes)
   return order;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -15,8 +15,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Numbers 1 ... n for what is called otherwise, by their first points. */
@@ -193,5 +192,4 @@ measureObjects(const std::vector<Eigen::Vector3f>& positions,
   return measures;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -55,8 +55,7 @@ roomBeside(std::size_t cell,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<std::uint32_t>
 withSurroundings(const std::vector<Eigen::Vector3f>& positions,
@@ -83,5 +82,4 @@ withSurroundings(const std::vector<Eigen::Vector3f>& positions,
   return room_of_point;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

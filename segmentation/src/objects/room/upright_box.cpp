@@ -10,8 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
@@ -115,5 +114,4 @@ distanceTo(const UprightBox& box, const Eigen::Vector3d& place)
   return (away.cwiseAbs() - 0.5 * box.size).cwiseMax(0.0).norm();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -190,8 +190,7 @@ private:
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<std::uint32_t>
 partFlatObjects(const ObjectScene& scene,
@@ -221,5 +220,4 @@ partFlatObjects(const ObjectScene& scene,
   return segment_of_point;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

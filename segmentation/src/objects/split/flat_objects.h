@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Part flat objects from the horizontal surface that they lie on: keyboards,
  * stacks of paper, the foot of a monitor. No step of the thesis.
@@ -29,5 +28,4 @@ std::vector<std::uint32_t>
 partFlatObjects(const ObjectScene& scene,
                 const std::vector<std::uint32_t>& segment_of_voxel);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

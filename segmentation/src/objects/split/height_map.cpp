@@ -25,8 +25,7 @@ constexpr double min_rise = 0.1; // and at least this, cells
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 HeightMap::HeightMap(const std::vector<Eigen::Vector3d>& places, double cell_size)
 : cell_size_(cell_size)
@@ -230,5 +229,4 @@ HeightMap::findObjects()
   return object_of_cell;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** Least area of a surface that objects lie on, voxels. */
 constexpr double min_object_surface = 64;
@@ -110,5 +109,4 @@ private:
   std::size_t surface_cells_ = 0, object_count_ = 0;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

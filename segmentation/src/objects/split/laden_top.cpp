@@ -97,8 +97,7 @@ widestLevel(const std::vector<FilledBin>& filled)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::optional<TopLevel>
 ladenTop(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& up)
@@ -134,5 +133,4 @@ ladenTop(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& up)
   return top;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

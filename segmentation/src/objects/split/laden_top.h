@@ -9,8 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The heights along up between which the top of a table lies, metres. */
 struct TopLevel {
@@ -26,5 +25,4 @@ struct TopLevel {
 std::optional<TopLevel>
 ladenTop(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& up);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -212,8 +212,7 @@ private:
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 partAtGaps(const ObjectScene& scene,
@@ -228,5 +227,4 @@ partAtGaps(const ObjectScene& scene,
       segment_of_point);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

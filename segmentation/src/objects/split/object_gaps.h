@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Part segments at narrow empty gaps: bookcases side by side, the two halves of
  * a double desk, chairs in a row. No step of the thesis.
@@ -30,5 +29,4 @@ partAtGaps(const ObjectScene& scene,
            const std::vector<std::uint8_t>& left_out,
            std::vector<std::uint32_t>& segment_of_point);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -280,8 +280,7 @@ cutOnce(const Members& members, const ObjectScene& scene, const Eigen::Matrix3f&
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 partAtSeams(const ObjectScene& scene,
@@ -296,5 +295,4 @@ partAtSeams(const ObjectScene& scene,
       segment_of_point);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Part segments at the seams between closed bodies that stand against each
  * other without a gap, such as the cabinets of a kitchen. No step of the thesis.
@@ -38,5 +37,4 @@ partAtSeams(const ObjectScene& scene,
             const std::vector<std::uint8_t>& left_out,
             std::vector<std::uint32_t>& segment_of_point);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 SeamSection::SeamSection(const Eigen::AlignedBox2f& box, float cell)
 : low_(box.min())
@@ -96,5 +95,4 @@ SeamSection::middle() const
   return low_ + filled_sum_ / count * cell_;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

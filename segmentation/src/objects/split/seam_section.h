@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** An upright section through a segment, in square cells: which of them hold points of
  * the sheet in the section, and which of the segment on either side. The first
@@ -83,5 +82,4 @@ private:
   Eigen::Vector2f filled_sum_ = Eigen::Vector2f::Zero();
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** Cut a segment, and its parts, as long as cut_once returns more than one part. */
 template <typename CutOnce>
@@ -64,5 +63,4 @@ partSegments(const ObjectScene& scene,
         segment_of_point[i] = next;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

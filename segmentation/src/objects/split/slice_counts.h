@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** Slices of one width along a direction, numbered from 0. */
 struct SliceGrid {
@@ -70,5 +69,4 @@ private:
   std::vector<std::uint64_t> sums_; // of all slices before
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -138,8 +138,7 @@ turned(const Eigen::Vector3d& up,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 Capture
 captureOf(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& camera)
@@ -237,5 +236,4 @@ upOfView(const std::vector<Eigen::Vector3f>& normals)
   return up.normalized().cast<float>();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

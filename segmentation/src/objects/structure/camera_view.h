@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Tell how points were taken, if by a camera that looks along z.
  *
@@ -53,5 +52,4 @@ distanceInMiddle(const std::vector<Eigen::Vector3f>& points,
 Eigen::Vector3f
 upOfView(const std::vector<Eigen::Vector3f>& normals);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

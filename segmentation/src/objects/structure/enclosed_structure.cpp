@@ -228,8 +228,7 @@ private:
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::size_t
 yieldEnclosed(const ObjectScene& scene, std::vector<std::uint32_t>& segment_of_point)
@@ -260,5 +259,4 @@ yieldEnclosed(const ObjectScene& scene, std::vector<std::uint32_t>& segment_of_p
   return yielded;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

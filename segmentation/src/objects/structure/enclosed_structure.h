@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Give points of a wall to the closed object that hides the wall there.
  *
@@ -39,5 +38,4 @@ namespace indoor {
 std::size_t
 yieldEnclosed(const ObjectScene& scene, std::vector<std::uint32_t>& segment_of_point);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A scanned room, or a single view, as every step that looks for objects in it
  * sees it. It is made once. */
@@ -48,5 +47,4 @@ struct ObjectScene {
 void
 requireConsistent(const ObjectScene& scene, std::size_t label_count);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

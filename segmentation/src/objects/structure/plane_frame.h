@@ -11,8 +11,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** Cells of a plane, a voxel wide, along two directions of the room. */
 class PlaneFrame {
@@ -73,5 +72,4 @@ private:
   double offset_, cell_size_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

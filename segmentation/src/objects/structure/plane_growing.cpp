@@ -124,8 +124,7 @@ uniteCoplanar(const SurfaceVoxels& voxels,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<StructurePlane>
 growPlanes(const SurfaceVoxels& voxels, double voxel_size, float flat_curvature)
@@ -154,5 +153,4 @@ growPlanes(const SurfaceVoxels& voxels, double voxel_size, float flat_curvature)
   return uniteCoplanar(voxels, regions, 1.5 * voxel_size);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -6,8 +6,7 @@
 
 #include "objects/structure/room_structure.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr double normal_cosine = 0.9; ///< 26 degrees: noise of a voxel's normal
 constexpr double sheet_cosine = 0.97; ///< 14 degrees: two regions of one plane
@@ -19,5 +18,4 @@ constexpr double sheet_cosine = 0.97; ///< 14 degrees: two regions of one plane
 std::vector<StructurePlane>
 growPlanes(const SurfaceVoxels& voxels, double voxel_size, float flat_curvature);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

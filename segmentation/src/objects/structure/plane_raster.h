@@ -16,8 +16,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** The cells of a plane: which hold points of it, and behind which something lies. They
  * are kept in tiles, because parts of one plane may lie kilometres apart.
@@ -102,5 +101,4 @@ private:
   std::unordered_map<std::int64_t, Tile> tiles_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

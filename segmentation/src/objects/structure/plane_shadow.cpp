@@ -12,8 +12,7 @@ constexpr std::uint8_t seen = 4; // the object has points in the cell itself
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 PlaneShadow::PlaneShadow(const PlaneCell& low, const PlaneCell& high)
 : low_(low)
@@ -114,5 +113,4 @@ PlaneShadow::isAmong(const std::vector<std::uint8_t>& enclosed,
   return true;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** A cell of a plane: column and row. */
 using PlaneCell = std::array<std::int64_t, 2>;
@@ -71,5 +70,4 @@ private:
   std::vector<std::uint8_t> flags_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

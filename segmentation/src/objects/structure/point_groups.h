@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 using PointBox = Eigen::AlignedBox3f;
 
@@ -67,5 +66,4 @@ widened(const PointBox& box, double by)
   return PointBox(box.min() - margin, box.max() + margin);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

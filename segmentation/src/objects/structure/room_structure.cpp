@@ -328,8 +328,7 @@ private:
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 Eigen::Matrix3d
 axesOf(const std::vector<StructurePlane>& planes)
@@ -462,5 +461,4 @@ separateVoxels(const std::vector<Eigen::Vector3f>& points,
   return voxels;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A plane around a room. */
 struct StructurePlane {
@@ -110,5 +109,4 @@ separateVoxels(const std::vector<Eigen::Vector3f>& points,
                double voxel_size,
                std::vector<std::uint32_t>& plane_of_voxel);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -82,8 +82,7 @@ mayHaveStructure(const ObjectSegmentationInput& input,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<std::uint8_t>
 ObjectScene::structureFlags() const
@@ -185,5 +184,4 @@ makeObjectScene(ObjectSegmentationInput input,
   return scene;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Get where the points of a single camera lie for the purpose of the voxels:
  * LCCP's transform, so that voxels grow with the distance. Empty for all other input,
@@ -45,5 +44,4 @@ makeObjectScene(ObjectSegmentationInput input,
                 const VoxelClasses& votes,
                 const ObjectSegmentationOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

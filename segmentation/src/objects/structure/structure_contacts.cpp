@@ -105,8 +105,7 @@ nearestSurface(const Eigen::Vector3f& point,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::size_t
 yieldContacts(const SurfaceVoxels& surroundings,
@@ -143,5 +142,4 @@ yieldContacts(const SurfaceVoxels& surroundings,
   return yielded;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Give the points at which objects touch floor and walls back to the objects.
  * The sides of a cupboard reach down to the floor and back to the wall. Their points
@@ -34,5 +33,4 @@ yieldContacts(const SurfaceVoxels& surroundings,
               const VoxelClasses& votes,
               ObjectScene& scene);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 returnIslands(std::size_t patch_size, std::size_t min_size, ObjectScene& scene)
@@ -47,5 +46,4 @@ returnIslands(std::size_t patch_size, std::size_t min_size, ObjectScene& scene)
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Give small flat groups of voxels in front of a plane to the plane: they are
  * noise, or a wall that was registered twice.
@@ -20,5 +19,4 @@ namespace indoor {
 void
 returnIslands(std::size_t patch_size, std::size_t min_size, ObjectScene& scene);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

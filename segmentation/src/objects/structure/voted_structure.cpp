@@ -6,8 +6,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 void
 yieldToVotes(const VoxelClasses& votes, std::vector<std::uint32_t>& plane_of_point)
@@ -18,5 +17,4 @@ yieldToVotes(const VoxelClasses& votes, std::vector<std::uint32_t>& plane_of_poi
       plane_of_point[i] = 0;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Where no plane decides, a surface is structure if more than this share of its
  * votes is for the building. */
@@ -23,5 +22,4 @@ constexpr double least_building_share = 0.4;
 void
 yieldToVotes(const VoxelClasses& votes, std::vector<std::uint32_t>& plane_of_point);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

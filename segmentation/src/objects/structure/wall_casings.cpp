@@ -33,8 +33,7 @@ reachesBehind(const StructurePlane& wall,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 bool
 isThinAlong(const StructurePlane& plane,
@@ -78,5 +77,4 @@ flagStructureAndCasings(const ObjectScene& scene,
   return flags;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr double casing_depth = 0.2; ///< of a casing on either side of its wall, metres
 
@@ -37,5 +36,4 @@ std::vector<std::uint8_t>
 flagStructureAndCasings(const ObjectScene& scene,
                         const std::vector<std::uint32_t>& segment_of_point);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

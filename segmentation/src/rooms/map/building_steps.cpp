@@ -7,8 +7,7 @@
 #include <memory>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 BuildingRooms
 published(DetailedBuilding building)
@@ -37,5 +36,4 @@ stepsOf(const BuildingRooms& building)
   return building.steps ? *building.steps : none;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

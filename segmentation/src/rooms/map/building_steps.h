@@ -13,8 +13,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What led to the rooms of a building. */
 struct BuildingSteps {
@@ -38,5 +37,4 @@ published(DetailedBuilding building);
 const BuildingSteps&
 stepsOf(const BuildingRooms& building);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

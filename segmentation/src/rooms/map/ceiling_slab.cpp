@@ -12,8 +12,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 PixelMap<int>
@@ -252,5 +251,4 @@ removeSpecks(PixelMap<std::uint8_t>& blocked, int min_extent)
   });
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The layer of the ceiling over every map pixel.
  * A column with an occupied voxel close to the highest one of its surroundings has its
@@ -96,5 +95,4 @@ topsAtHeads(const VoxelBits& occupancy,
 void
 removeSpecks(PixelMap<std::uint8_t>& blocked, int min_extent);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Blocked = PixelMap<std::uint8_t>;
@@ -83,5 +82,4 @@ continuedWalls(const PixelMap<std::uint8_t>& high,
   return walls;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

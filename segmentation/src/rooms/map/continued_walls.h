@@ -9,8 +9,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Walls that were seen up to the ceiling in parts go on where less of their
  * height was seen.
@@ -30,5 +29,4 @@ continuedWalls(const PixelMap<std::uint8_t>& high,
                const PixelMap<std::uint8_t>& low,
                double pixel_size);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -148,5 +147,4 @@ divideAtInnerWalls(PixelMap<std::int32_t>& rooms,
   rooms = std::move(labels);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Divide rooms along walls that stand within them.
  *
@@ -36,5 +35,4 @@ divideAtInnerWalls(PixelMap<std::int32_t>& rooms,
                    double min_share,
                    double min_area);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

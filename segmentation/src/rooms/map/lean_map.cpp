@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** A lean less than this moves a wall by less than a voxel over its height. */
@@ -210,5 +209,4 @@ straightenedColumns(const VoxelBits& occupancy,
   return columns;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

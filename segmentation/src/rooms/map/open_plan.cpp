@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Pixels of a space, evenly spread over it. */
@@ -138,5 +137,4 @@ OpenPlan::separates(const std::vector<std::int32_t>& a,
          sharedView(a, b) <= options_.max_shared_view;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

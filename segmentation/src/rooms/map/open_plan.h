@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Give what stands free in a room, such as a pillar or a lamp, to the room:
  * pixels of no room that are connected and that one room surrounds (8 neighbours).
@@ -64,5 +63,4 @@ private:
   std::vector<double> width_;                      ///< per label, metres
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Pixels with a positive value, the highest first, equal ones in the map's order. */
@@ -142,5 +141,4 @@ persistentBasins(const PixelMap<float>& field, const BasinOptions& options)
   return labels;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

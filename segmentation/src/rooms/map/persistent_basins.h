@@ -9,8 +9,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief When a pass between two basins is narrow. */
 struct BasinOptions {
@@ -35,5 +34,4 @@ struct BasinOptions {
 PixelMap<std::int32_t>
 persistentBasins(const PixelMap<float>& field, const BasinOptions& options = {});
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Of two rooms with different ceilings, up to which one their border is looked at. */
@@ -442,5 +441,4 @@ mergeNiches(const std::vector<RegionOpening>& openings,
   return room_of;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

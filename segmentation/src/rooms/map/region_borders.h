@@ -17,8 +17,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The border between two adjacent regions of a room map, seen as a wall. */
 struct RegionBorder {
@@ -116,5 +115,4 @@ mergeNiches(const std::vector<RegionOpening>& openings,
             std::vector<double> area,
             std::vector<double> volume);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

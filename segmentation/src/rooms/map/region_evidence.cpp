@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double enclosed = 0.8; // share of what bounds a room: most of four walls
@@ -314,5 +313,4 @@ dropHardlySeen(const StoreySpace& space,
   return dropRegions(is_dropped, map);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

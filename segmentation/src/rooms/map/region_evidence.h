@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How high the occupied voxels of a grid reach, without the outermost
  * thousandths, metres; 0 if there are none. */
@@ -90,5 +89,4 @@ dropHardlySeen(const StoreySpace& space,
                const PixelMap<std::uint32_t>& points,
                RoomMap& map);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

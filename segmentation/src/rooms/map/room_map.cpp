@@ -25,8 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Columns with something in them, and the gaps between those (closing by a disc; there
@@ -383,5 +382,4 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   return map;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 
 #include <Eigen/Core>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The map of one storey and every step on the way to it. */
 struct RoomMap : MappedRooms {
@@ -43,5 +42,4 @@ joinOpenRegions(const VoxelBits& occupancy,
 RoomMap
 segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

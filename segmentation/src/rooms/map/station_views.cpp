@@ -16,8 +16,7 @@
 #include <tuple>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr std::size_t most_sightings = 256; // of a region: a share to a few percent
@@ -375,5 +374,4 @@ StationViews::joinMirrored(const StoreyPoints& points, RoomMap& map) const
   return mirrored.size();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What is known of a storey's points. */
 struct StoreyPoints {
@@ -148,5 +147,4 @@ private:
   bool is_known_ = false; ///< where they are, and one is in the building
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -16,8 +16,7 @@
 #include <cmath>
 #include <optional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** An occupied voxel in the vertical section across a wall. */
@@ -307,5 +306,4 @@ wallStretches(const VoxelBits& occupancy,
   return found;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

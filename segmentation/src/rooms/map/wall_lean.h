@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How far walls may lean, and over what length one is looked at. */
 struct WallLeanOptions {
@@ -90,5 +89,4 @@ straightenedColumns(const VoxelBits& occupancy,
                     const PixelMap<Eigen::Vector2f>& lean,
                     const PixelMap<float>& slab);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

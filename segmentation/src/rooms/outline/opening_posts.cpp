@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double deepest = 0.6;     // metres beside a border: thicker walls hold no
@@ -138,5 +137,4 @@ OpeningPosts::ends(std::size_t opening) const
   return {post(1), post(0)};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Measures how wide openings are by the points of their posts. By voxels alone,
  * each post would take up to one voxel of a door's width.
@@ -66,5 +65,4 @@ private:
   std::vector<Seen> seen_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr std::size_t bins_per_width = 40;
@@ -55,5 +54,4 @@ PlaceProfile::firstFace(std::uint32_t least) const
   return begin_ + bin_ * sum / static_cast<double>(crowds[first]);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

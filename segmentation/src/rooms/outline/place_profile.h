@@ -9,8 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Two standard deviations of a scanner's noise, metres: the width of a
  * PlaceProfile whose places are metres. */
@@ -51,5 +50,4 @@ private:
   std::vector<std::uint32_t> counts_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cmath>
 #include <optional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Ring = std::vector<Eigen::Vector2d>;
@@ -267,5 +266,4 @@ moveToWalls(const std::vector<Eigen::Vector2d>& ring, const FootprintWalls& behi
   return ringArea(corners) * area > 0.0 ? corners : ring;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What the sides of a footprint are moved to. */
 struct FootprintWalls {
@@ -41,5 +40,4 @@ struct FootprintWalls {
 std::vector<Eigen::Vector2d>
 moveToWalls(const std::vector<Eigen::Vector2d>& ring, const FootprintWalls& behind);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

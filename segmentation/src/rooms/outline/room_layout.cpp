@@ -21,8 +21,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Turns places on the map of a storey, pixels, into places on its floor. */
@@ -260,5 +259,4 @@ addFootprints(const std::vector<Eigen::Vector3f>& points,
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Add the openings of the last storey of a building, that of \a space.
  * \param[in] points those of the building
@@ -35,5 +34,4 @@ addFootprints(const std::vector<Eigen::Vector3f>& points,
               int threads,
               DetailedBuilding& building);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 double
@@ -252,5 +251,4 @@ roomLevels(const std::vector<Eigen::Vector3f>& points, const DetailedBuilding& b
   return levels;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Heights of a room's floor and ceiling, metres. */
 struct RoomLevels {
@@ -30,5 +29,4 @@ std::vector<RoomLevels>
 roomLevels(const std::vector<Eigen::Vector3f>& points,
            const DetailedBuilding& building);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Twice the area of a triangle, positive if it runs counter-clockwise. */
@@ -314,5 +313,4 @@ simplifyOutline(const OutlineRing& ring, double tolerance)
   return fittedCorners(turned, places, tolerance);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A closed line on the corners of pixels; the last point is joined to the
  * first. Pixel (x, y) covers x ... x + 1 and y ... y + 1. */
@@ -53,5 +52,4 @@ traceOutlines(const PixelMap<std::int32_t>& labels, std::int32_t region_count);
 std::vector<Eigen::Vector2d>
 simplifyOutline(const OutlineRing& ring, double tolerance);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -16,8 +16,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Pixels beside one of another room. */
@@ -248,5 +247,4 @@ StoreyLabels::sortByPixels(int begin_row, int end_row, NearPoints& near) const
   return sorted;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -16,8 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Labels the points of one storey: by the map, and at walls by the side they
  * are on. Where walls lean, points are judged at the place where they would be if those
@@ -87,5 +86,4 @@ private:
   const double radius_;        ///< of the windows in which walls are fitted, pixels
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <numeric>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 WallPoints::WallPoints(const std::vector<Eigen::Vector2d>& points)
 {
@@ -82,5 +81,4 @@ WallPoints::alongLine(const Eigen::Vector2d& a,
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Points of walls seen from above, found by the line they lie along. */
 class WallPoints {
@@ -43,5 +42,4 @@ private:
   double tile_size_ = 1.0;                        ///< pixels
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

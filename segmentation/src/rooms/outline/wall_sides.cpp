@@ -16,8 +16,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** A vertical plane between the two faces of a wall, or in its only one, seen from
@@ -237,5 +236,4 @@ assignWallSides(const PixelPoints& points,
   });
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Points of some rows of a map, pixel by pixel. */
 struct PixelPoints {
@@ -46,5 +45,4 @@ assignWallSides(const PixelPoints& points,
                 const WallSideOptions& options,
                 std::vector<std::int32_t>& point_labels);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

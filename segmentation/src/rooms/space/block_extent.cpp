@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -319,5 +318,4 @@ blockExtent(const std::vector<Eigen::Vector3f>& points,
   return box;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

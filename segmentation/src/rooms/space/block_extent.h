@@ -10,8 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief An axis-aligned box that holds its borders. */
 struct Box {
@@ -56,5 +55,4 @@ Box
 blockExtent(const std::vector<Eigen::Vector3f>& points,
             const BlockExtentOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 VoxelBits
@@ -153,5 +152,4 @@ closedVoxelSize(const VoxelBits& all, double largest)
   return std::min(largest, rounded);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

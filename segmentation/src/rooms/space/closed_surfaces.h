@@ -9,8 +9,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Whether the surfaces of a grid have holes: one of twenty occupied voxels has
  * fewer than five of the 26 around it occupied. With voxels of 10 cm, whole scans of
@@ -33,5 +32,4 @@ hasHoles(const VoxelBits& grid);
 double
 closedVoxelSize(const VoxelBits& all, double largest);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Lower envelope of the parabolas f(v) + (u - v)^2 over the integers of one line. */
@@ -151,5 +150,4 @@ squaredDistanceMap(const PixelMap<std::uint8_t>& obstacles, int threads)
   return map;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The squared distance where there is nothing to measure it to. */
 constexpr std::uint32_t kNoObstacle = std::numeric_limits<std::uint32_t>::max();
@@ -41,5 +40,4 @@ transformAlong(std::vector<std::uint32_t>& values,
                int length,
                int threads);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

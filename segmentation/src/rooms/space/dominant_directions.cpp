@@ -16,8 +16,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -328,5 +327,4 @@ horizontalDirections(const std::vector<ManhattanFrame>& frames,
   return directions;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 struct ManhattanFramesOptions {
   double cone = 0.14; ///< radius of the neighbourhood of an axis whose normals support
@@ -78,5 +77,4 @@ horizontalDirections(const std::vector<ManhattanFrame>& frames,
                      double max_tilt = 0.17,
                      double max_difference = 0.05);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

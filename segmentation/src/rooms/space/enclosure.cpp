@@ -16,8 +16,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -334,5 +333,4 @@ interiorGain(const VoxelMap<std::uint8_t>& occupancy,
   return gain;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Bits of enclosure(): occupied voxels exist ... */
 enum EnclosureBit : std::uint8_t {
@@ -86,5 +85,4 @@ interiorGain(const VoxelMap<std::uint8_t>& occupancy,
              const EnclosureWeights& weights = {},
              double unit = 0.01);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

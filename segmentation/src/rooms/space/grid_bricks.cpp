@@ -5,8 +5,7 @@
 
 #include "rooms/space/grid_bricks.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 GridBricks::GridBricks(const GridShape& shape)
 : shape_{(shape.nx + 3) / 4, (shape.ny + 3) / 4, (shape.nz + 3) / 4}
@@ -24,5 +23,4 @@ GridBricks::GridBricks(const GridShape& shape)
     }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

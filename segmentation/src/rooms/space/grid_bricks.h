@@ -10,8 +10,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Directions of a 6-connected grid: +x, -x, +y, -y, +z, -z. */
 inline int
@@ -107,5 +106,4 @@ forEachBit(GridBricks::Bits bits, Function function)
     function(static_cast<GridBricks::Index>(__builtin_ctzll(bits)));
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

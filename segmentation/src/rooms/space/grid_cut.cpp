@@ -13,8 +13,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -121,5 +120,4 @@ gridCutEnergy(const GridShape& shape,
   return unary + pairs * smoothness;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

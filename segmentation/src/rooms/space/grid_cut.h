@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The gain of voxels that take no part in the cut. */
 constexpr std::int16_t GRID_CUT_EXCLUDED = INT16_MIN;
@@ -85,5 +84,4 @@ gridCutEnergy(const GridShape& shape,
               int smoothness,
               const std::vector<std::uint8_t>& inside);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -478,5 +477,4 @@ GridCutSolver<Width>::inside() const
 template class GridCutSolver<NarrowNumbers>;
 template class GridCutSolver<WideNumbers>;
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -16,8 +16,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The gain of each voxel, in either form. Only a view. */
 class VoxelGains {
@@ -208,5 +207,4 @@ private:
   std::vector<Index> stuck_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include "rooms/space/enclosure.h"
 #include "rooms/space/grid_cut.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The same as interiorGain() in a byte per voxel.
  * \param[in] bits result of enclosure(), whose memory becomes that of the codes
@@ -22,5 +21,4 @@ codedInteriorGain(const VoxelMap<std::uint8_t>& occupancy,
                   const EnclosureWeights& weights = {},
                   double unit = 0.01);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -18,8 +18,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double gain_unit = 0.01; // of the energy, Eq. (3.2)
@@ -208,5 +207,4 @@ interiorSpaceAlong(const OccupancyGrid& building,
   return space;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

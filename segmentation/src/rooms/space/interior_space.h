@@ -15,8 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Floors and ceilings that a scan does not show, as those of a slice or of a
  * camera that was never tilted. */
@@ -105,5 +104,4 @@ interiorSpaceAlong(const OccupancyGrid& building,
                    const std::vector<Eigen::Vector3d>& directions,
                    const InteriorSpaceOptions& options = {});
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

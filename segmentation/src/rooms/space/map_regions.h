@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 enum class Neighbours { Four, Eight };
 
@@ -78,5 +77,4 @@ spreadValues(PixelMap<Value>& map, const MayPass& may_pass)
       });
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

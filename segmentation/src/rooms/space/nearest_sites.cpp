@@ -9,8 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr std::int64_t none = std::numeric_limits<std::int32_t>::max();
@@ -136,5 +135,4 @@ growLabels(PixelMap<std::int32_t>& labels, double reach)
       labels.values[i] = labels.values[nearest.site.values[i]];
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The nearest site of every pixel: the exact Euclidean feature transform.
  *
@@ -37,5 +36,4 @@ nearestSites(const PixelMap<std::uint8_t>& sites);
 void
 growLabels(PixelMap<std::int32_t>& labels, double reach);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -15,8 +15,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -196,5 +195,4 @@ occupancyGrid(const std::vector<Eigen::Vector3f>& points,
   return result;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 struct OccupancyGridOptions {
   double voxel_size = 0.2;   ///< edge length of a voxel, metres (> 0)
@@ -60,5 +59,4 @@ PCL_INDOOR_EXPORTS OccupancyGrid
 occupancyGrid(const std::vector<Eigen::Vector3f>& points,
               const OccupancyGridOptions& options = {});
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -162,5 +161,4 @@ sphereModes(const std::vector<WeightedDirection>& histogram,
   return modes;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

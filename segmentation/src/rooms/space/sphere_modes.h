@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A unit direction, the same as its opposite, and its share of all weight. */
 struct WeightedDirection {
@@ -39,5 +38,4 @@ sphereModes(const std::vector<WeightedDirection>& histogram,
             double min_share,
             double min_contrast);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <cstddef>
 #include <tuple>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Places = std::vector<Eigen::Vector3f>;
@@ -323,5 +322,4 @@ addTriangles(const SurfaceTriangles& triangles, int threads, OccupancyGrid& occu
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Triangles between neighbouring places of surfaces. */
 struct SurfaceTriangles {
@@ -50,5 +49,4 @@ surfaceTriangles(const std::vector<Eigen::Vector3f>& points,
 void
 addTriangles(const SurfaceTriangles& triangles, int threads, OccupancyGrid& occupancy);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Where the walls around each column begin and end, layers. */
@@ -193,5 +192,4 @@ closeUnseenSides(const InteriorSpace& space, VoxelBits& grid)
     fill(voxel, factor - 1);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

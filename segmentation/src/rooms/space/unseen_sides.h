@@ -12,8 +12,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Tell whether a scan shows floors and ceilings, and where they are missing.
  *
@@ -36,5 +35,4 @@ findUnseenSides(const VoxelMap<std::uint8_t>& occupancy,
 void
 closeUnseenSides(const InteriorSpace& space, VoxelBits& grid);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -67,5 +66,4 @@ cleanUpVertically(VoxelMap<std::uint8_t>& grid, int max_run, int threads)
   return freed;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Free what hangs in a column, such as lamps (Sec. 3.2.1.1).
  *
@@ -35,5 +34,4 @@ namespace indoor {
 std::size_t
 cleanUpVertically(VoxelMap<std::uint8_t>& grid, int max_run = 1, int threads = 0);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

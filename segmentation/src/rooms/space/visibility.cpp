@@ -13,8 +13,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** The crossings of one axis' voxel borders along a line, in a time common to all axes:
@@ -233,5 +232,4 @@ spreadLandmarks(const PixelMap<int>& heights, int spacing)
   return landmarks;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

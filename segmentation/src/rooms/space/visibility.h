@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Whether no occupied voxel lies between two voxels (Sec. 3.2.2 of the thesis).
  * Looks at every voxel whose inside the segment between the two centres crosses, in
@@ -97,5 +96,4 @@ leastVisibilityDistance(const VisibilityVectors& vectors,
 std::vector<Eigen::Vector3i>
 spreadLandmarks(const PixelMap<int>& heights, int spacing);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -15,8 +15,7 @@
 #include <bitset>
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -256,5 +255,4 @@ voxelNormals(const std::vector<Eigen::Vector3f>& points,
   return result;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

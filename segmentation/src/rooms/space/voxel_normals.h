@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 struct VoxelNormalsOptions {
   int keep_one_in =
@@ -50,5 +49,4 @@ voxelNormals(const std::vector<Eigen::Vector3f>& points,
              const OccupancyGrid& grid,
              const VoxelNormalsOptions& options = {});
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

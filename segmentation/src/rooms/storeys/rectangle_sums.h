@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Sums over all rectangles that begin at (0, 0), for sums over any. */
 class RectangleSums {
@@ -57,5 +56,4 @@ private:
   std::vector<double> sums_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

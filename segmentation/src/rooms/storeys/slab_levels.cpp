@@ -17,8 +17,7 @@
 #include <iterator>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -316,5 +315,4 @@ findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options)
   return levels;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Occupied voxels of a column with enough free space above and below: up to
  * something, or among walls. */
@@ -52,5 +51,4 @@ struct SlabLevel {
 std::vector<SlabLevel>
 findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

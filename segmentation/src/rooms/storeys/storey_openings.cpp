@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -149,5 +148,4 @@ openColumns(const VoxelBits& occupancy,
   return states;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

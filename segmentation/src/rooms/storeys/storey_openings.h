@@ -12,8 +12,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The columns in which the storeys below and above a level are one: halls.
  *
@@ -33,5 +32,4 @@ openColumns(const VoxelBits& occupancy,
             int level,
             const StoreyOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

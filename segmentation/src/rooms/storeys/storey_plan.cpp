@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** What a storey has in a column, as bits. */
@@ -254,5 +253,4 @@ countPlaces(const VoxelBits& grid,
   StoreyPlan(grid, storeys, storey).addTo(enclosed, open);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 constexpr double least_height = 1.0; // metres, of free space and of a scan with rooms
 constexpr double least_room = 4.0;   // m^2
@@ -39,5 +38,4 @@ countPlaces(const VoxelBits& grid,
             PlaceCounts& enclosed,
             PlaceCounts& open);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** Per column the layers of one storey. */
@@ -103,5 +102,4 @@ storeySpace(const VoxelBits& occupancy,
   return space;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

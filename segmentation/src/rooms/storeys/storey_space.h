@@ -12,8 +12,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The z range of a storey in a grid: voxels begin ... end - 1. */
 struct VerticalRange {
@@ -44,5 +43,4 @@ storeySpace(const VoxelBits& occupancy,
             const Storeys& storeys,
             std::size_t storey);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -227,5 +226,4 @@ refineBorders(const std::vector<Eigen::Vector3f>& points,
   }
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

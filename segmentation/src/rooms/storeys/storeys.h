@@ -15,8 +15,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The storeys of a building, lowest first. */
 struct Storeys {
@@ -67,5 +66,4 @@ refineBorders(const std::vector<Eigen::Vector3f>& points,
               const OccupancyGrid& grid,
               Storeys& storeys);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -54,8 +54,7 @@ absorbSmallSegments(DisjointSets& segments,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<std::uint8_t>
 convexEdges(const Supervoxels& supervoxels,
@@ -144,5 +143,4 @@ joinOverEdges(const Supervoxels& supervoxels,
 }
 
 } // namespace thesis
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

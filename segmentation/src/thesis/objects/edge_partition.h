@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Flag the edges that are convex (LCCP, Stein et al., CVPR 2014): the surface
  * bends away from the side of the normals, or bends little.
@@ -62,5 +61,4 @@ joinOverEdges(const Supervoxels& supervoxels,
               const ObjectOptions& options);
 
 } // namespace thesis
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -39,8 +39,7 @@ requireValid(std::size_t node_count,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<std::uint32_t>
 segmentGraph(std::size_t node_count,
@@ -76,5 +75,4 @@ segmentGraph(std::size_t node_count,
   return segments.labels();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

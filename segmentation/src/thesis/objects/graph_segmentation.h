@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief An undirected edge of a graph whose nodes are 0 ... n - 1. */
 struct WeightedEdge {
@@ -40,5 +39,4 @@ segmentGraph(std::size_t node_count,
              float scale,
              std::uint32_t min_segment_size);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

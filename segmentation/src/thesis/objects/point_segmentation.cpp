@@ -151,8 +151,7 @@ finish(DetailedSegmentation& result)
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 DetailedSegmentation
 segmentOnPoints(ObjectSegmentationInput input,
@@ -201,5 +200,4 @@ segmentOnPoints(ObjectSegmentationInput input,
   return result;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

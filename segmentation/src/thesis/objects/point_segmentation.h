@@ -8,8 +8,7 @@
 
 #include <pcl/segmentation/thesis.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Segment a scene as Sec. 4.2 does, on points: see
  * thesis::PointOptions. Each point is a voxel of the result's scene.
@@ -21,5 +20,4 @@ segmentOnPoints(ObjectSegmentationInput input,
                 const thesis::ObjectOptions& options,
                 const ProgressCallback& progress);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -41,8 +41,7 @@ visitWithin(const std::vector<Eigen::Vector3f>& points,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 SurfaceVoxels
 pointsAsVoxels(const std::vector<Eigen::Vector3f>& points)
@@ -139,5 +138,4 @@ neighborsWithin(const std::vector<Eigen::Vector3f>& points,
   return neighbors;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

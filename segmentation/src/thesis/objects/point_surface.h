@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Make each point a voxel of its own: what works on voxels then works on
  * points. Neighbours, normals and curvatures are left empty. */
@@ -43,5 +42,4 @@ neighborsWithin(const std::vector<Eigen::Vector3f>& points,
                 double radius,
                 const std::vector<std::uint8_t>& wanted);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

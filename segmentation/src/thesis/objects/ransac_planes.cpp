@@ -102,8 +102,7 @@ bestPlane(const std::vector<Eigen::Vector3f>& points,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 std::vector<StructurePlane>
 ransacPlanes(const std::vector<Eigen::Vector3f>& points,
@@ -145,5 +144,4 @@ ransacPlanes(const std::vector<Eigen::Vector3f>& points,
   return planes;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Find planes by RANSAC, one after the other, each among the points that those
  * before it left (Sec. 4.3.1.1). A plane goes through three points drawn at random; of
@@ -29,5 +28,4 @@ ransacPlanes(const std::vector<Eigen::Vector3f>& points,
              double share,
              std::vector<std::uint32_t>& plane_of_point);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -69,8 +69,7 @@ meanColors(const SurfaceVoxels& voxels,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 PointPartition
 partitionByShapes(const SurfaceVoxels& surface,
@@ -117,5 +116,4 @@ partitionByShapes(const SurfaceVoxels& surface,
   return result;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -6,8 +6,7 @@
 
 #include "thesis/objects/upstream_supervoxels.h" // for PointPartition
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Partition points as partitionWithUpstream() does, by all of Eq. (2.18): with
  * FPFH beside the colours, if there are any. PCL's supervoxels have no such term, so
@@ -19,5 +18,4 @@ partitionByShapes(const SurfaceVoxels& surface,
                   const std::optional<Eigen::Vector3f>& camera,
                   const thesis::ObjectOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -20,8 +20,7 @@
 
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace thesis {
 namespace {
 
@@ -157,5 +156,4 @@ thesisKinectOptions()
   return options;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -138,8 +138,7 @@ edgesOf(const Adjacencies& adjacency,
 
 } // namespace
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 PointPartition
 partitionWithUpstream(const SurfaceVoxels& surface,
@@ -211,5 +210,4 @@ partitionWithUpstream(const SurfaceVoxels& surface,
   return result;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Supervoxels of points and what is made of them. */
 struct PointPartition {
@@ -38,5 +37,4 @@ partitionWithUpstream(const SurfaceVoxels& surface,
                       const std::optional<Eigen::Vector3f>& camera,
                       const thesis::ObjectOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

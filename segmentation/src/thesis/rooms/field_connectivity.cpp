@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr std::size_t block_edge = 16; // gaps per block of the range minima
@@ -251,5 +250,4 @@ histogramPeaks(const std::vector<float>& values,
   return peaks;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

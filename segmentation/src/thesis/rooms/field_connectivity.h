@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Which pixels of a map touch each other. */
 enum class PixelNeighbourhood { Four = 4, Eight = 8 };
@@ -123,5 +122,4 @@ std::vector<float>
 histogramPeaks(const std::vector<float>& values,
                const thesis::HistogramPeakOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -18,8 +18,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 void
@@ -183,5 +182,4 @@ segmentFieldMap(const InteriorSpace& space, const thesis::FieldRoomsOptions& opt
   return rooms;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The rooms of a storey on its field map, and each step on the way to them. */
 struct FieldRooms {
@@ -35,5 +34,4 @@ FieldRooms
 segmentFieldMap(const InteriorSpace& space,
                 const thesis::FieldRoomsOptions& options = {});
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 #include <cstdlib>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** Lower bounds of distances are rounded differently than the distances themselves. */
 constexpr double safely = 1.0 - 1e-12;
@@ -130,5 +129,4 @@ private:
   std::vector<VisibilityGroup> view_;
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

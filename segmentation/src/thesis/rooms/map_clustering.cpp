@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using Point = std::pair<std::int64_t, std::int64_t>;
@@ -128,5 +127,4 @@ dbscanMap(const MapDistance& distance, const DBSCANOptions& options)
       distance.size(), mapSpanningTree(distance, core, options.threads), core, options);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The combined distance of pixels of a field map, Eq. (3.4) of the thesis.
  *
@@ -186,5 +185,4 @@ mapSpanningTree(const MapDistance& distance,
                 const std::vector<double>& core_distances,
                 int threads = 0);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

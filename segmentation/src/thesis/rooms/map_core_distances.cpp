@@ -13,8 +13,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 /** The k smallest distances of a point, the largest on top. */
@@ -102,5 +101,4 @@ mapCoreDistances(const MapDistance& distance, std::size_t min_samples, int threa
   return core;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

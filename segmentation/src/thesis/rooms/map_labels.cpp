@@ -13,8 +13,7 @@
 #include <cstdlib>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 struct Offset {
@@ -242,5 +241,4 @@ labelVoxels(const VoxelMap<std::uint8_t>& occupancy,
   return result;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Where a peak of a field may lie that a clustering left out. */
 enum class PeakPlaces {
@@ -70,5 +69,4 @@ labelVoxels(const VoxelMap<std::uint8_t>& occupancy,
             const PixelMap<int>& labels,
             const VoxelLabelOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -17,8 +17,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double smallest_weight = 1e-10; // keeps the Laplacian regular
@@ -210,5 +209,4 @@ mapRandomWalker(const PixelMap<float>& values,
   return Walker(values, labels, mask, options).run();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

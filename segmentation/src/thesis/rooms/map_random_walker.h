@@ -11,8 +11,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How a random walker moves over a map. */
 struct MapRandomWalkerOptions {
@@ -42,5 +41,4 @@ mapRandomWalker(const PixelMap<float>& values,
                 const PixelMap<std::uint8_t>& mask,
                 const MapRandomWalkerOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

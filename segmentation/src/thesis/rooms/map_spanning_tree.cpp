@@ -16,8 +16,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -318,5 +317,4 @@ mapSpanningTree(const MapDistance& distance,
       .build();
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 VoxelMap<std::uint32_t>
 potentialField(const VoxelMap<std::uint8_t>& occupancy, int threads)
@@ -83,5 +82,4 @@ highestFreeVoxel(const VoxelMap<std::uint8_t>& interior)
   return map;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

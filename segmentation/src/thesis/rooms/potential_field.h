@@ -7,8 +7,7 @@
 
 #include "rooms/space/distance_map.h" // for kNoObstacle
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief The anisotropic potential field (Sec. 3.2.2 of the thesis).
  * The squared distance of every voxel to the nearest occupied voxel that does not lie
@@ -39,5 +38,4 @@ fieldMap(const VoxelMap<std::uint32_t>& field, const VoxelMap<std::uint8_t>& int
 PixelMap<int>
 highestFreeVoxel(const VoxelMap<std::uint8_t>& interior);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

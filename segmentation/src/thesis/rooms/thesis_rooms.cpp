@@ -15,8 +15,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace thesis {
 namespace {
 
@@ -155,5 +154,4 @@ thesisRoomOptions()
   return options;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -14,8 +14,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What a surface is; 0 means none. */
 struct SceneLabels {
@@ -145,5 +144,4 @@ struct PCL_INDOOR_EXPORTS Building {
 PCL_INDOOR_EXPORTS Building
 buildBuilding(const Plan& plan, const std::string& source = "plan");
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

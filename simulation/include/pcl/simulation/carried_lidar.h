@@ -12,8 +12,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 enum class LidarPattern {
   Spinning,    ///< rings about an upright axis: each ring lies on a cone
@@ -93,5 +92,4 @@ scanAlong(const Building& building,
           const std::vector<CarriedPath>& paths,
           const CarriedLidarOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

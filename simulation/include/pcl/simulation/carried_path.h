@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How a sensor is carried through a building. */
 struct PathOptions : TrajectoryOptions { // its spacing: between neighbouring stops
@@ -57,5 +56,4 @@ pathThrough(const std::vector<Eigen::Vector3d>& positions, const PathOptions& op
 PCL_INDOOR_EXPORTS PathPoint
 placeAt(const CarriedPath& path, double time);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

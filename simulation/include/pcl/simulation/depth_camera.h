@@ -15,8 +15,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Properties of a camera that measures depth by a projected pattern; the
  * defaults are those of a Kinect. */
@@ -72,5 +71,4 @@ viewBuilding(const Building& building,
              const CameraPose& pose,
              const DepthCameraOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

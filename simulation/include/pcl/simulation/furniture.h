@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief One part of a piece of furniture, such as a seat or a leg. */
 struct FurniturePart {
@@ -92,5 +91,4 @@ makeWindow(double width,
            double frame_width = 0.06,
            double frame_depth = 0.08);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

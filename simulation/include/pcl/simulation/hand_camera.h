@@ -10,8 +10,7 @@
 
 #include <functional>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How rooms are captured by a depth camera in somebody's hand. */
 struct PCL_INDOOR_EXPORTS HandCameraOptions {
@@ -57,5 +56,4 @@ captureRoom(const Building& building,
             std::uint32_t room,
             const HandCameraOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -15,8 +15,7 @@
 
 #include <pcl/exceptions.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A plan that cannot be built; what() names the file, the key and the value. */
 class PlanError : public BadArgumentException {
@@ -180,5 +179,4 @@ parsePlan(const std::string& text, const std::string& source);
 PCL_INDOOR_EXPORTS Plan
 readPlan(const std::string& file_name);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

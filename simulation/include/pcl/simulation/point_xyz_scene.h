@@ -9,8 +9,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A point of a simulated scan: coordinates in metres and what was hit. */
 struct PointXYZScene {
@@ -21,8 +20,7 @@ struct PointXYZScene {
   std::uint32_t category = 0; ///< number of the category, 0 = none
 };
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor
 
 // clang-format off
 POINT_CLOUD_REGISTER_POINT_STRUCT(pcl::indoor::PointXYZScene,

@@ -11,8 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A simple polygon without holes; the last vertex is joined to the first. */
 using Polygon = std::vector<Eigen::Vector2d>;
@@ -79,5 +78,4 @@ isConvex(const Polygon& polygon);
 PCL_INDOOR_EXPORTS std::vector<std::array<int, 3>>
 triangulate(const Polygon& polygon);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

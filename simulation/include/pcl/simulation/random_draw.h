@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <random>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Random numbers that are the same with every standard library. */
 class RandomDraw {
@@ -61,5 +60,4 @@ mixSeed(std::uint32_t seed, std::uint32_t i)
   return h ^ (h >> 16);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What a random plan is a plan of. */
 enum class PlanKind {
@@ -60,5 +59,4 @@ randomPlan(std::uint32_t seed, PlanKind kind, PlanFilling filling = PlanFilling:
 PCL_INDOOR_EXPORTS std::optional<Plan>
 randomPlanNamed(const std::string& name);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -11,8 +11,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief How surfaces answer the rays of a sensor, and what it measures. */
 struct EchoOptions {
@@ -78,5 +77,4 @@ scanBuilding(const Building& building,
 PCL_INDOOR_EXPORTS void
 thinScan(SimulatedScan& scan, double leaf_size);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief A triangle; its normal (b - a) x (c - a) points out of the solid. */
 struct Triangle {
@@ -78,5 +77,4 @@ intersect(const Eigen::Vector3f& origin,
           const Eigen::Vector3f& direction,
           const Triangle& triangle);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

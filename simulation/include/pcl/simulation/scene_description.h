@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Say in JSON what the numbers in a scan mean.
  *
@@ -23,5 +22,4 @@ namespace indoor {
 PCL_INDOOR_EXPORTS std::string
 describeScene(const Building& building, const std::vector<Eigen::Vector3d>& trajectory);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

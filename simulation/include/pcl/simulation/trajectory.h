@@ -7,8 +7,7 @@
 #include <pcl/indoor/exports.h>
 #include <pcl/simulation/building.h>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 struct TrajectoryOptions {
   double spacing = 2.0;       ///< between neighbouring poses, metres (> 0)
@@ -27,5 +26,4 @@ struct TrajectoryOptions {
 PCL_INDOOR_EXPORTS std::vector<Eigen::Vector3d>
 planTrajectory(const Building& building, const TrajectoryOptions& options);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -368,5 +367,4 @@ bathroomShapes()
   };
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

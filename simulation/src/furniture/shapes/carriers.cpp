@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -292,5 +291,4 @@ rings(PartMaker& make, double x, double y, double z, double reach)
   make.join(4, "rings");
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -195,5 +194,4 @@ loungeShapes()
   };
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -283,5 +282,4 @@ seatShapes()
   };
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

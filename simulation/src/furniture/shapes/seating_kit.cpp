@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -325,5 +324,4 @@ shell(const char* name, const Size& smallest, const Size& largest, Legs carrier)
                 });
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

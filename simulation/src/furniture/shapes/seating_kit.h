@@ -6,8 +6,7 @@
 
 #include "furniture/shapes/solids.h"
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief What one sits on, leans on, rests arms on. */
 enum class Seat { Board, Saddle, Round, Padded, Cushion, Thick };
@@ -59,5 +58,4 @@ seating(const char* name,
 FurnitureClass
 shell(const char* name, const Size& smallest, const Size& largest, Legs carrier);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -343,5 +342,4 @@ fitted(const char* name,
   return {name, smallest, largest, build, true, like};
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 using Size = Eigen::Vector3d;
 using Path = std::vector<Eigen::Vector3d>;
@@ -179,5 +178,4 @@ fitted(const char* name,
        const FurnitureRecipe& build,
        int like = 0);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

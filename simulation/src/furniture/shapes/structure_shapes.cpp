@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -191,5 +190,4 @@ structureShapes()
   };
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 namespace {
 
@@ -378,5 +377,4 @@ tableShapes()
   };
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

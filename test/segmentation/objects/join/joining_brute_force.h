@@ -19,8 +19,7 @@
 #include <tuple>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 /** Places and normals are multiples of 1/64, so that sums are exact in any order. */
@@ -217,5 +216,4 @@ private:
 };
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 using Places = std::vector<Eigen::Vector3f>;
@@ -49,5 +48,4 @@ rectangle(float x0, float y0, float x1, float y1)
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

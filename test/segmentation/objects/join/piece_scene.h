@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 using Labels = std::vector<std::uint32_t>;
@@ -143,5 +142,4 @@ expectNear(const VectorMoments& a, const VectorMoments& b)
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

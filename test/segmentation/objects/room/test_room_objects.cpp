@@ -15,8 +15,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace {
 
 using test::Building;
@@ -275,5 +274,4 @@ TEST(RoomObjects, WrongUseIsRefusedAndNothingGivesNothing)
   EXPECT_EQ(largestFirst({3, 9, 3, 20}), (std::vector<std::size_t>{3, 1, 0, 2}));
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 
 #include <Eigen/Geometry>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace test {
 
 constexpr double voxel_size = 0.03;
@@ -149,5 +148,4 @@ aboutZ(float degrees)
 }
 
 } // namespace test
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Say what is wrong with the input of a descriptor: "" if nothing. */
 template <typename PointT, typename PointNT>
@@ -66,5 +65,4 @@ orientedPoints(const PointCloud<PointT>& cloud,
   return points;
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

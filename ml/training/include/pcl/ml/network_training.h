@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 
 /** \brief Objects to train with: several draws of each, as differing as the objects
  * that the network will meet (pairs, noise, hidden parts). */
@@ -85,5 +84,4 @@ trainNetwork(const Network& network,
 PCL_INDOOR_EXPORTS void
 fitScale(Network& network, const TrainingSet& set);
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor

@@ -12,8 +12,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace indoor {
+namespace pcl::indoor {
 namespace hdbscan_detail {
 
 /** Throws if an option is out of its range. */
@@ -175,5 +174,4 @@ hdbscan(std::size_t count, const Distance& distance, const HDBSCANOptions& optio
       count, hdbscan_detail::spanningTree(core, distance, options.threads), options);
 }
 
-} // namespace indoor
-} // namespace pcl
+} // namespace pcl::indoor
