@@ -124,7 +124,6 @@ directionsAllOver()
 std::vector<Candidate>
 candidatesOf(const Pieces& pieces)
 {
-  constexpr std::size_t most = 5; // three walls and floors, two roofs
   constexpr double enough = 0.55; // floors have at least 0.63 of the best
   const double near = std::cos(15.0 * degree);
   const auto directions = directionsAllOver();
@@ -151,10 +150,8 @@ candidatesOf(const Pieces& pieces)
   const auto is_weak = [&](const Candidate& candidate) {
     return candidate.agreement < enough * candidates.front().agreement;
   };
-  std::size_t count = std::min(most, candidates.size());
-  while (count > 0 && is_weak(candidates[count - 1]))
-    --count;
-  candidates.resize(count);
+  candidates.erase(std::find_if(candidates.begin(), candidates.end(), is_weak),
+                   candidates.end());
   return candidates;
 }
 
@@ -217,28 +214,40 @@ isRoomHeight(double length)
   return low <= height && height <= high;
 }
 
-/** Floors and ceilings lie in few planes with little space between them, so the
- * vertical has the largest plane share over free length. */
+/** The standard deviation of the places of the points along a direction. */
+double
+spreadAlong(const Points& sample, const Eigen::Vector3d& direction)
+{
+  double sum = 0.0, squares = 0.0;
+  for (const auto& point : sample) {
+    const double at = point.cast<double>().dot(direction);
+    sum += at;
+    squares += at * at;
+  }
+  const auto count = static_cast<double>(sample.size());
+  return std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)));
+}
+
+/** Floors and ceilings lie in few planes with little space between them, and buildings
+ * are wider than high: the vertical has the largest plane share over free length and
+ * spread. */
 void
 measure(const Pieces& pieces,
         const Points& sample,
         double cell_size,
         std::vector<Candidate>& candidates)
 {
-  constexpr double least = 0.5;  // of the first; rooms had to be three times as low
   constexpr double enough = 0.3; // of the columns
-  double share_of_first = 0.0;
   for (auto& candidate : candidates) {
     const double share = planeShare(pieces, candidate.direction, 0.25 * cell_size);
-    share_of_first = share_of_first > 0.0 ? share_of_first : share;
-    if (share < least * share_of_first)
-      continue;
     const auto space = freeSpaceAlong(sample, candidate.direction, cell_size);
     candidate.room_height = space.length();
     candidate.is_covered = roomShare(space) > enough;
     candidate.has_rooms = candidate.is_covered && isRoomHeight(candidate.room_height);
-    if (candidate.room_height > 0.0)
-      candidate.uprightness = share / candidate.room_height;
+    const double extent =
+        candidate.room_height * spreadAlong(sample, candidate.direction);
+    if (extent > 0.0)
+      candidate.uprightness = share / extent;
   }
 }
 
@@ -258,7 +267,7 @@ mostUpright(std::vector<Candidate> candidates,
             double cell_size,
             Eigen::Vector3f& doubtful)
 {
-  constexpr double clearly = 1.6; // others stay below 0.6 in scans that stand upright
+  constexpr double clearly = 1.6; // few scans that stand upright have another with it
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return a.tilt() < b.tilt();
   });

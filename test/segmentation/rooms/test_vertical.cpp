@@ -183,6 +183,25 @@ TEST(Vertical, FollowsTheUnit)
   }
 }
 
+TEST(Vertical, RoomsNarrowerThanHighStayUpright)
+{
+  std::vector<RoomBox> boxes;
+  for (int i = 0; i < 5; ++i) {
+    const Eigen::Vector3f low(0, 2.6f * i, 0);
+    boxes.push_back({low, low + Eigen::Vector3f(8, 2.4f, 3.4f), 1});
+  }
+  auto points = rooms(boxes, {}, 0.05f).points;
+  // A carried scanner drifts: floors and ceilings are seen at several heights.
+  for (auto& point : points)
+    point.z() +=
+        0.12f *
+        ((5 * static_cast<int>(point.x()) + 3 * static_cast<int>(point.y() + 1.0f)) %
+         8);
+  const auto vertical = findVertical(points);
+  EXPECT_TRUE(vertical.is_found);
+  EXPECT_EQ(vertical.upAxis(), Eigen::Vector3f::UnitZ());
+}
+
 TEST(Vertical, DependsNeitherOnTheOrderNorOnFarPoints)
 {
   auto points = turned(house(), turnAbout(Eigen::Vector3d(1, 1, 0), 17.0));
