@@ -322,16 +322,10 @@ fan(PartMaker& make, const Size& size, RandomDraw& draw)
   for (int i = 0; i < count; ++i) {
     const double a = 2 * M_PI * i / count;
     const P out(std::cos(a), std::sin(a), 0), side(-out.y(), out.x(), 0.2);
-    sheet(
-        make,
-        "blade",
-        [&](double u, double v) -> P {
-          return P(0, 0, 0.25 * z) + (0.1 + (v + 1) / 2 * (r - 0.1)) * out +
-                 0.07 * u * side;
-        },
-        2,
-        3,
-        0.008);
+    sheet(make, "blade", {2, 3, 0.008}, [&](double u, double v) -> P {
+      return P(0, 0, 0.25 * z) + (0.1 + (v + 1) / 2 * (r - 0.1)) * out +
+             0.07 * u * side;
+    });
   }
 }
 

@@ -160,18 +160,11 @@ dayBed(PartMaker& make, const Size& size, RandomDraw& draw)
           {s * (x - 0.12), y - 0.05, seat + 0.1}},
          0.1,
          10);
-  sheet(
-      make,
-      "back",
-      [&](double u, double v) -> Eigen::Vector3d {
-        return {x * u,
-                -y + 0.03,
-                seat - 0.1 +
-                    (v + 1) / 2 * (size.z() - seat + 0.1) * (1 - 0.25 * u * u)};
-      },
-      10,
-      2,
-      0.04);
+  sheet(make, "back", {10, 2, 0.04}, [&](double u, double v) -> Eigen::Vector3d {
+    return {x * u,
+            -y + 0.03,
+            seat - 0.1 + (v + 1) / 2 * (size.z() - seat + 0.1) * (1 - 0.25 * u * u)};
+  });
 }
 
 } // namespace

@@ -43,16 +43,19 @@ tube(PartMaker& make,
 /** \brief A place on a surface for u and v from -1 to 1. */
 using SheetShape = std::function<Eigen::Vector3d(double u, double v)>;
 
-/** \brief Add a thin body around a surface: cloth, bent plywood, a leaf.
- * \param[in] columns,rows quads along u and v
- * \param[in] thickness across the surface, metres */
+/** \brief Of how many quads a sheet is made along u and v, and its thickness, metres.
+ */
+struct SheetGrid {
+  int columns, rows;
+  double thickness;
+};
+
+/** \brief Add a thin body around a surface: cloth, bent plywood, a leaf. */
 void
 sheet(PartMaker& make,
       const std::string& name,
-      const SheetShape& shape,
-      int columns,
-      int rows,
-      double thickness);
+      const SheetGrid& grid,
+      const SheetShape& shape);
 
 /** \brief A flat place in space with the half axes of its extent. */
 struct Patch {

@@ -195,16 +195,9 @@ bowFront(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
   legs(make, Legs::Tapered, {0.9 * x, 0.8 * y}, 0.14, draw);
-  sheet(
-      make,
-      "body",
-      [&](double u, double v) -> Eigen::Vector3d {
-        return {
-            x * u, 0.35 * y * (1 - u * u) - 0.3 * y, 0.14 + (v + 1) / 2 * (z - 0.16)};
-      },
-      10,
-      1,
-      1.2 * y);
+  sheet(make, "body", {10, 1, 1.2 * y}, [&](double u, double v) -> Eigen::Vector3d {
+    return {x * u, 0.35 * y * (1 - u * u) - 0.3 * y, 0.14 + (v + 1) / 2 * (z - 0.16)};
+  });
   make.loft("top", {-x, -y, x, y}, {{1, z - 0.03, 0.4}, {1, z, 0.4}}, 28);
   for (int i = 0; i < 3; ++i)
     ellipsoid(

@@ -179,17 +179,11 @@ tissues(PartMaker& make, const Size& size, RandomDraw&)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
   roundBox(make, "box", {-x, -y, x, y}, 0, 0.75 * z, 0.01);
-  sheet(
-      make,
-      "tissue",
-      [&](double u, double v) -> P {
-        return {0.4 * x * u * (1 - 0.3 * v),
-                0.15 * y * std::sin(4 * u) * (v + 1),
-                0.75 * z + 0.125 * z * (v + 1) * (1.4 - 0.4 * u * u)};
-      },
-      6,
-      2,
-      0.004);
+  sheet(make, "tissue", {6, 2, 0.004}, [&](double u, double v) -> P {
+    return {0.4 * x * u * (1 - 0.3 * v),
+            0.15 * y * std::sin(4 * u) * (v + 1),
+            0.75 * z + 0.125 * z * (v + 1) * (1.4 - 0.4 * u * u)};
+  });
 }
 
 void
