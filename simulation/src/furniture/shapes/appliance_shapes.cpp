@@ -142,12 +142,7 @@ appliance(const char* name,
           const Size& largest,
           const Appliance& style)
 {
-  return fitted(name,
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildAppliance(make, size, draw, style);
-                });
+  return styled(name, smallest, largest, style, buildAppliance);
 }
 
 } // namespace

@@ -83,12 +83,7 @@ buildTub(PartMaker& make, const Size& size, RandomDraw& draw, const TubStyle& st
 FurnitureClass
 tub(const Size& smallest, const Size& largest, const TubStyle& style)
 {
-  return fitted("bath",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildTub(make, size, draw, style);
-                });
+  return styled("bath", smallest, largest, style, buildTub);
 }
 
 void
@@ -200,12 +195,7 @@ buildToilet(PartMaker& make,
 FurnitureClass
 toilet(const Size& smallest, const Size& largest, const ToiletStyle& style)
 {
-  return fitted("toilet",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildToilet(make, size, draw, style);
-                });
+  return styled("toilet", smallest, largest, style, buildToilet);
 }
 
 /** A basin and what carries it. */
@@ -267,14 +257,7 @@ buildBasin(PartMaker& make, const Size& size, RandomDraw& draw, const BasinStyle
 FurnitureClass
 basin(const Size& smallest, const Size& largest, const BasinStyle& style, int like)
 {
-  return fitted(
-      "sink",
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildBasin(make, size, draw, style);
-      },
-      like);
+  return styled("sink", smallest, largest, style, buildBasin, like);
 }
 
 // Of a kitchen: one or two deep basins in a top.

@@ -142,12 +142,7 @@ buildBed(PartMaker& make, const Size& size, RandomDraw& draw, const Bedding& sty
 FurnitureClass
 bed(const Size& smallest, const Size& largest, const Bedding& style)
 {
-  return fitted("bed",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildBed(make, size, draw, style);
-                });
+  return styled("bed", smallest, largest, style, buildBed);
 }
 
 // A small one with bars around it.
@@ -239,12 +234,7 @@ buildBunk(PartMaker& make, const Size& size, RandomDraw& draw, const Bunk& style
 FurnitureClass
 bunk(const Size& smallest, const Size& largest, const Bunk& style)
 {
-  return fitted("bunk_bed",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildBunk(make, size, draw, style);
-                });
+  return styled("bunk_bed", smallest, largest, style, buildBunk);
 }
 
 } // namespace

@@ -102,14 +102,7 @@ unit(const char* name,
      const UnitStyle& style,
      int like)
 {
-  return fitted(
-      name,
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildUnit(make, size, draw, style);
-      },
-      like);
+  return styled(name, smallest, largest, style, buildUnit, like);
 }
 
 // On the wall: two doors with rounded corners, an open shelf below them.
@@ -207,12 +200,7 @@ buildCounter(PartMaker& make,
 FurnitureClass
 counter(const Size& smallest, const Size& largest, const CounterStyle& style)
 {
-  return fitted("counter",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildCounter(make, size, draw, style);
-                });
+  return styled("counter", smallest, largest, style, buildCounter);
 }
 
 } // namespace

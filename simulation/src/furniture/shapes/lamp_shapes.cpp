@@ -211,12 +211,7 @@ standing(const char* name,
          const Size& largest,
          const StandingStyle& style)
 {
-  return fitted(name,
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildStanding(make, size, draw, style);
-                });
+  return styled(name, smallest, largest, style, buildStanding);
 }
 
 /** A lamp below a ceiling. */
@@ -265,14 +260,7 @@ buildHanging(PartMaker& make,
 FurnitureClass
 hanging(const Size& smallest, const Size& largest, const HangingStyle& style)
 {
-  return fitted(
-      "ceiling_lamp",
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildHanging(make, size, draw, style);
-      },
-      1);
+  return styled("ceiling_lamp", smallest, largest, style, buildHanging, 1);
 }
 
 // Flat on the ceiling: panels, trays, bowls, tubes.

@@ -132,12 +132,7 @@ buildCouch(PartMaker& make, const Size& size, RandomDraw& draw, const Couch& sty
 FurnitureClass
 couch(const Size& smallest, const Size& largest, const Couch& style)
 {
-  return fitted("sofa",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildCouch(make, size, draw, style);
-                });
+  return styled("sofa", smallest, largest, style, buildCouch);
 }
 
 // A mattress on a frame, a back that is a roll: futons and day beds.

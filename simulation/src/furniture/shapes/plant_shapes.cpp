@@ -156,14 +156,7 @@ buildPlant(PartMaker& make, const Size& size, RandomDraw& draw, const PlantStyle
 FurnitureClass
 plant(const Size& smallest, const Size& largest, const PlantStyle& style, int like)
 {
-  return fitted(
-      "plant",
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildPlant(make, size, draw, style);
-      },
-      like);
+  return styled("plant", smallest, largest, style, buildPlant, like);
 }
 
 // A turned vase; with branches if wanted.

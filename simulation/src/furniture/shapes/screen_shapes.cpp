@@ -100,14 +100,7 @@ screen(const char* name,
        const ScreenStyle& style,
        int like = 0)
 {
-  return fitted(
-      name,
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildScreen(make, size, draw, style);
-      },
-      like);
+  return styled(name, smallest, largest, style, buildScreen, like);
 }
 
 // On a wall: flat or tilted from an arm, with a bar for sound below.

@@ -256,14 +256,7 @@ seating(const char* name,
         const Seating& style,
         int like)
 {
-  return fitted(
-      name,
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildSeating(make, size, draw, style);
-      },
-      like);
+  return styled(name, smallest, largest, style, buildSeating, like);
 }
 
 // An egg or shell of one piece on any legs.

@@ -181,4 +181,21 @@ fitted(const char* name,
        const FurnitureRecipe& build,
        int like = 0);
 
+/** \brief A fitted shape whose recipe is told a style. */
+template <class Style>
+FurnitureClass
+styled(const char* name,
+       const Size& smallest,
+       const Size& largest,
+       const Style& style,
+       void (*build)(PartMaker&, const Size&, RandomDraw&, const Style&),
+       int like = 0)
+{
+  const auto recipe = [style,
+                       build](PartMaker& make, const Size& size, RandomDraw& draw) {
+    build(make, size, draw, style);
+  };
+  return fitted(name, smallest, largest, recipe, like);
+}
+
 } // namespace pcl::indoor

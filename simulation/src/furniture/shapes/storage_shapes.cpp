@@ -73,14 +73,7 @@ cased(const char* name,
       const CaseStyle& style,
       int like = 0)
 {
-  return fitted(
-      name,
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildCase(make, size, draw, style);
-      },
-      like);
+  return styled(name, smallest, largest, style, buildCase, like);
 }
 
 // A grid of square bays, some of them with drawers or doors.

@@ -117,12 +117,7 @@ table(const char* name,
       const Size& largest,
       const TableStyle& style)
 {
-  return fitted(name,
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildTable(make, size, draw, style);
-                });
+  return styled(name, smallest, largest, style, buildTable);
 }
 
 /** A desk: what carries it, what is below and above it. */
@@ -198,12 +193,7 @@ buildDesk(PartMaker& make, const Size& size, RandomDraw& draw, const DeskStyle& 
 FurnitureClass
 desk(const Size& smallest, const Size& largest, const DeskStyle& style)
 {
-  return fitted("desk",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildDesk(make, size, draw, style);
-                });
+  return styled("desk", smallest, largest, style, buildDesk);
 }
 
 // A bureau whose flap is down or whose top slants.
@@ -291,12 +281,8 @@ buildNight(PartMaker& make, const Size& size, RandomDraw& draw, const NightStyle
 FurnitureClass
 night(const NightStyle& style)
 {
-  return fitted("bedside_table",
-                {0.36, 0.34, 0.42},
-                {0.6, 0.48, 0.65},
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildNight(make, size, draw, style);
-                });
+  return styled(
+      "bedside_table", {0.36, 0.34, 0.42}, {0.6, 0.48, 0.65}, style, buildNight);
 }
 
 } // namespace

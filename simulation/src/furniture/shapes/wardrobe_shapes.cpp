@@ -142,12 +142,7 @@ buildWardrobe(PartMaker& make,
 FurnitureClass
 wardrobe(const WardrobeStyle& style)
 {
-  return fitted("wardrobe",
-                {0.9, 0.5, 1.7},
-                {2.2, 0.68, 2.3},
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildWardrobe(make, size, draw, style);
-                });
+  return styled("wardrobe", {0.9, 0.5, 1.7}, {2.2, 0.68, 2.3}, style, buildWardrobe);
 }
 
 } // namespace
