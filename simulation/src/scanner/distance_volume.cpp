@@ -4,7 +4,7 @@
  */
 #include "scanner/distance_volume.h"
 
-#include "scanner/parallel_loop.h"
+#include <pcl/indoor/parallel_for.h>
 
 #include <pcl/exceptions.h>
 
@@ -172,7 +172,8 @@ DistanceVolume::integrate(const std::vector<DepthPixel>& pixels,
   const Projection projection(frame, camera);
   addBlocksAlong(pixels, projection);
   const double size = side * voxel_size_, radius = std::sqrt(0.75) * size;
-  loopInParallel(blocks_.size(), threads_, [&](std::size_t b) {
+  const auto blocks = static_cast<std::ptrdiff_t>(blocks_.size());
+  parallelFor(blocks, threads_, 1, [&](std::ptrdiff_t b) {
     const Eigen::Vector3d middle =
         size * (blocks_[b]->place.cast<double>() + Eigen::Vector3d::Constant(0.5));
     if (projection.maySee(middle, radius))
@@ -223,7 +224,8 @@ std::vector<LabelledVertex>
 DistanceVolume::vertices(float least_weight) const
 {
   std::vector<std::vector<LabelledVertex>> of_block(blocks_.size());
-  loopInParallel(blocks_.size(), threads_, [&](std::size_t b) {
+  const auto blocks = static_cast<std::ptrdiff_t>(blocks_.size());
+  parallelFor(blocks, threads_, 1, [&](std::ptrdiff_t b) {
     const auto& block = *blocks_[b];
     for (int i = 0; i < side * side * side; ++i) {
       const auto& voxel = block.voxels[i];
