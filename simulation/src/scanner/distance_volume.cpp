@@ -90,16 +90,17 @@ DistanceVolume::DistanceVolume(double voxel_size, int threads)
 void
 DistanceVolume::addBlock(const Eigen::Vector3i& place)
 {
+  const auto key = keyOf(place);
+  if (number_of_block_.count(key) > 0)
+    return;
   if (blocks_.size() >= most_blocks)
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "voxels of " << voxel_size_
                                      << " m are too small for what is seen: more than "
                                         "2 GB would be needed");
-  const auto number = static_cast<std::uint32_t>(blocks_.size());
-  if (number_of_block_.emplace(keyOf(place), number).second) {
-    blocks_.push_back(std::make_unique<Block>());
-    blocks_.back()->place = place;
-  }
+  number_of_block_.emplace(key, static_cast<std::uint32_t>(blocks_.size()));
+  blocks_.push_back(std::make_unique<Block>());
+  blocks_.back()->place = place;
 }
 
 void
