@@ -40,13 +40,9 @@ RoomFurnisher::restOn(int other, const Piece& piece, const Resting& how)
   if (other < 0)
     return -1;
   const auto base = furniture_[other];
+  const auto corners = turnedRectangle({0, 0}, piece.size.head<2>(), how.turn);
   const Eigen::Vector2d half = pieces_[other].size.head<2>() / 2,
-                        own =
-                            turnedRectangle({0, 0}, piece.size.head<2>(), how.turn)[2]
-                                .cwiseAbs()
-                                .cwiseMax(turnedRectangle(
-                                              {0, 0}, piece.size.head<2>(), how.turn)[3]
-                                              .cwiseAbs());
+                        own = corners[2].cwiseAbs().cwiseMax(corners[3].cwiseAbs());
   if ((own.array() > half.array() + 0.02).any())
     return -1;
   const Eigen::Vector2d room = (half - own).cwiseMax(0.0);
