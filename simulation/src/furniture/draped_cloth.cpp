@@ -4,7 +4,7 @@
  */
 #include "furniture/draped_cloth.h"
 
-#include "building/part_maker.h"
+#include "furniture/part_maker.h"
 
 #include <algorithm>
 #include <cmath>

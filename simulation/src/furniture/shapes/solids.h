@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "building/part_maker.h"
+#include "furniture/part_maker.h"
 
 #include <Eigen/Geometry>
 
