@@ -191,8 +191,9 @@ function(pcl_addon_add_tools)
   endforeach()
 endfunction()
 
-# pcl_addon_load_first(target libraries...): of libraries that a program loads anyway, those with many symbols before all
-# others. Each symbol is looked for in one library after the other; PCL's are found a third sooner.
+# pcl_addon_load_first(target libraries...): let a program load these libraries before all others. Each symbol is looked for
+# in one library after the other, so those with many symbols should be the first: PCL's symbols are then found in two
+# thirds of the time. The program should need the libraries anyway.
 function(pcl_addon_load_first target)
   set(files)
   foreach(library ${ARGN})
