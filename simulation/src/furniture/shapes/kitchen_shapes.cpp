@@ -123,8 +123,8 @@ void
 openCabinet(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2;
-  openCase(
-      make, {{-x, -y, 0}, {x, y, size.z()}}, 1 + draw.pick(2), 2, draw.pick(2) == 0);
+  const bool back = draw.pick(2) == 0;
+  openCase(make, {{-x, -y, 0}, {x, y, size.z()}}, 1 + draw.pick(2), 2, back);
 }
 
 void

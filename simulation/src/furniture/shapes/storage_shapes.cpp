@@ -175,10 +175,11 @@ void
 boxShelf(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2;
+  const int rows = 1 + draw.pick(2), bays = 1 + draw.pick(3);
   openCase(make,
            {Eigen::Vector3d(-x, -y, 0), Eigen::Vector3d(x, y, size.z())},
-           1 + draw.pick(3),
-           1 + draw.pick(2),
+           bays,
+           rows,
            true);
 }
 
