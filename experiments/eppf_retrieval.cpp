@@ -5,6 +5,7 @@
 #include "command_line/options.h"
 #include "command_line/progress_report.h"
 #include "files/cloud_file.h"
+#include "formats/table/table_columns.h" // for listedNames
 #include "objects/eppf_options.h"
 #include "objects/labelled_objects.h"
 #include "objects/object_files.h"
@@ -41,16 +42,6 @@ struct Settings {
   EPPFCommandLine eppf;
 };
 
-std::vector<std::string>
-splitAtCommas(const std::string& text)
-{
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, ',');)
-    parts.push_back(part);
-  return parts;
-}
-
 std::vector<HistogramDistance>
 readDistances(const std::string& text)
 {
@@ -59,7 +50,7 @@ readDistances(const std::string& text)
                                    HistogramDistance::L2,
                                    HistogramDistance::ChiSquared};
   std::vector<HistogramDistance> distances;
-  for (const auto& name : splitAtCommas(text)) {
+  for (const auto& name : listedNames(text)) {
     const auto found = std::find_if(std::begin(all), std::end(all), [&](auto distance) {
       return distanceName(distance) == name;
     });
@@ -67,8 +58,6 @@ readDistances(const std::string& text)
       throw ToolError("-distances: '" + name + "' is none of kl, l1, l2, chi2");
     distances.push_back(*found);
   }
-  if (distances.empty())
-    throw ToolError("-distances: none given");
   return distances;
 }
 
@@ -76,7 +65,7 @@ std::vector<double>
 readNoise(const std::string& text)
 {
   std::vector<double> levels;
-  for (const auto& part : splitAtCommas(text)) {
+  for (const auto& part : listedNames(text)) {
     double level = 0.0;
     const auto* const end = part.data() + part.size();
     const auto result = std::from_chars(part.data(), end, level);
@@ -84,8 +73,6 @@ readNoise(const std::string& text)
       throw ToolError("-noise: '" + part + "' is not a number from 0 to 100");
     levels.push_back(level);
   }
-  if (levels.empty())
-    throw ToolError("-noise: none given");
   return levels;
 }
 
@@ -247,7 +234,7 @@ chosenDescriptors(const Settings& settings, const SetScale& scale)
   if (settings.descriptors == "all")
     return known;
   std::vector<RetrievalDescriptor> chosen;
-  for (const auto& name : splitAtCommas(settings.descriptors)) {
+  for (const auto& name : listedNames(settings.descriptors)) {
     const auto found = std::find_if(
         known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
     if (found == known.end()) {

@@ -5,6 +5,7 @@
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 #include "files/output_file.h"
+#include "formats/table/table_columns.h" // for listedNames
 #include "objects/join/object_joining.h"
 #include "objects/object_steps.h"
 #include "scene/category_names.h"
@@ -92,8 +93,7 @@ dividedCategories(const Settings& settings)
 {
   const auto names = readCategoryNames(settings.names);
   std::set<std::uint32_t> numbers;
-  std::istringstream list(settings.part_categories);
-  for (std::string wanted; std::getline(list, wanted, ',');) {
+  for (const auto& wanted : listedNames(settings.part_categories)) {
     bool is_known = false;
     for (const auto& [number, name] : names)
       if (name == wanted) {

@@ -5,17 +5,19 @@
 
 #include "command_line/options.h"
 #include "files/cloud_file.h"
+#include "formats/json_text.h"
+#include "formats/table/table_columns.h" // for listedNames
 
 #include <pcl/segmentation/segmentation_metrics.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <map>
-#include <sstream>
 #include <string>
 
 using namespace pcl::indoor;
@@ -106,14 +108,16 @@ loadLabels(const CloudFile& file, const std::string& field, std::size_t count)
 void
 leaveOut(const std::string& list, SegmentLabels& labels)
 {
+  if (list.empty())
+    return;
   std::vector<std::uint32_t> ignored;
-  std::istringstream stream(list);
-  for (std::string item; std::getline(stream, item, ',');) {
-    const bool is_number = !item.empty() && item.size() < 10 &&
-                           item.find_first_not_of("0123456789") == std::string::npos;
-    if (!is_number)
+  for (const auto& item : listedNames(list)) {
+    std::uint32_t label = 0;
+    const auto* const end = item.data() + item.size();
+    const auto result = std::from_chars(item.data(), end, label);
+    if (result.ec != std::errc() || result.ptr != end)
       throw ToolError("-ignore: \"" + item + "\" is no label.");
-    ignored.push_back(static_cast<std::uint32_t>(std::stoul(item)));
+    ignored.push_back(label);
   }
   std::sort(ignored.begin(), ignored.end());
   for (auto& label : labels)
@@ -197,6 +201,6 @@ main(int argc, char** argv)
     }
     print(result);
     if (!json_path.empty())
-      saveText(json_path, result.dump(2) + "\n");
+      saveText(json_path, jsonText(result));
   });
 }

@@ -29,7 +29,7 @@ import tempfile
 
 import numpy
 
-from room_quantities import read_fields
+from point_files import read_fields
 
 STRUCTURE = ("floor", "ceiling", "wall", "ghost")
 NOT_JUDGED = "?"

@@ -18,7 +18,7 @@ import tempfile
 
 import numpy
 
-from map_figures import read_fields
+from point_files import read_fields
 
 MOST_POINTS = 150000  # of the house
 

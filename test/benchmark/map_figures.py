@@ -18,60 +18,15 @@ those below -least_area m^2 are left out), or {"NAME of scan.pcd": {"regions": {
              stands nothing before the wall): range of the middle 80 % of the distances within
              0.2 m of the line where most points are: noise, drift and doubled walls
 
-PCD files are uncompressed or compressed binary or ascii. Needs numpy, scipy and liblzf1.
+PCD files are uncompressed or compressed binary or ascii. Needs numpy and scipy.
 """
 import argparse
-import ctypes
 import json
-import os
 
 import numpy as np
 from scipy.spatial import cKDTree
 
-
-def decompressed(data, size):
-    out = ctypes.create_string_buffer(size)
-    if ctypes.CDLL("liblzf.so.1").lzf_decompress(data, len(data), out, size) != size:
-        raise SystemExit("the compressed data is damaged")
-    return out.raw
-
-
-def read_fields(path):
-    """All fields of a PCD file that have one element, by name."""
-    with open(path, "rb") as file:
-        content = file.read()
-    lines, start = {}, 0
-    while "DATA" not in lines:
-        end = content.index(b"\n", start)
-        key, _, value = content[start:end].decode().partition(" ")
-        lines[key], start = value.split(), end + 1
-    count, mode = int(lines["POINTS"][0]), lines["DATA"][0]
-    counts = [int(c) for c in lines.get("COUNT", ["1"] * len(lines["FIELDS"]))]
-    kinds = [f"{ {'F': '<f', 'U': '<u', 'I': '<i'}[t]}{s}" for t, s in zip(lines["TYPE"], lines["SIZE"])]
-    if mode == "ascii":
-        rows = np.array([line.split() for line in content[start:].decode().splitlines()], float)
-        return {name: rows[:, sum(counts[:i])] for i, name in enumerate(lines["FIELDS"])}
-    fields = [(f"{name}{i}" if name == "_" else name, kind, c)
-              for i, (name, kind, c) in enumerate(zip(lines["FIELDS"], kinds, counts))]
-    if mode == "binary":
-        record = np.dtype([(n, k, (c,)) if c > 1 else (n, k) for n, k, c in fields])
-        rows = np.frombuffer(content, record, count, start)
-        return {n: rows[n] for n, _, c in fields if c == 1}
-    packed, size = np.frombuffer(content, "<u4", 2, start)
-    raw, at, columns = decompressed(content[start + 8:start + 8 + int(packed)], int(size)), 0, {}
-    for name, kind, c in fields:
-        columns[name] = np.frombuffer(raw, kind, count * c, at)
-        at += count * c * np.dtype(kind).itemsize
-    return {n: columns[n] for n, _, c in fields if c == 1}
-
-
-def inside(polygon, x, y):
-    """Even-odd rule."""
-    hit = np.zeros(len(x), bool)
-    for (x0, y0), (x1, y1) in zip(polygon, np.roll(polygon, -1, axis=0)):
-        with np.errstate(divide="ignore", invalid="ignore"):
-            hit ^= ((y0 > y) != (y1 > y)) & (x < (x1 - x0) * (y - y0) / (y1 - y0) + x0)
-    return hit
+from point_files import inside, name_of, read_fields
 
 
 def inside_any(polygons, x, y):
@@ -97,7 +52,7 @@ def regions_of(scan, description, least_area):
     if "rooms" in description:
         return [([np.array(room["polygon"])], room["floor"] - 1, room["floor"] + 6)
                 for room in entered_rooms(description) if area_of(room["polygon"]) >= least_area]
-    named = description[os.path.splitext(os.path.basename(scan))[0]]
+    named = description[name_of(scan)]
     return [([np.array(p) for p in polygons], -np.inf, np.inf) for polygons in named["regions"].values()]
 
 
@@ -192,7 +147,7 @@ def main():
         for polygons, low, high in regions_of(scan, description, arguments.least_area):
             rows.append(figures(points[(points[:, 2] > low) & (points[:, 2] < high)], polygons))
         m = np.nanmedian(rows, axis=0)
-        name = os.path.splitext(os.path.basename(scan))[0]
+        name = name_of(scan)
         print(f"| {name} | {len(rows)} | {100 * m[0]:.1f}, {100 * m[1]:.1f} | {m[2]:.0%} | {m[3]:.0%} | {m[4]:.0%} "
               f"| {100 * m[5]:.1f} | {m[6]:.0f} |", flush=True)
 

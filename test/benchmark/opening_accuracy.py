@@ -33,7 +33,7 @@ import tempfile
 
 import numpy
 
-from room_quantities import read_fields
+from point_files import name_of, read_fields
 
 ALONG, WIDTH, ACROSS, UP = 0.2, 0.15, 0.5, 0.6
 HIGH = 0.2  # of doors that were taken out
@@ -269,7 +269,7 @@ def main():
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for scan in sorted(glob.glob(os.path.join(arguments.buildings, "*.pcd"))):
-            name = os.path.splitext(os.path.basename(scan))[0]
+            name = name_of(scan)
             if arguments.only and name not in arguments.only:
                 continue
             output = os.path.join(arguments.results or folder, name)

@@ -25,7 +25,7 @@ import tempfile
 
 import numpy
 
-from room_quantities import read_fields
+from point_files import name_of, read_fields
 
 
 def building_in(cloud):
@@ -68,7 +68,7 @@ def main():
                 score = json.load(file)
             rows.append((score["right_segments"], score["true_segments"], score["panoptic_quality"],
                          score["average_precision_50"], *building_in(cloud)))
-        print_row(os.path.splitext(os.path.basename(scan))[0], rows[-1])
+        print_row(name_of(scan), rows[-1])
     table = numpy.array(rows)
     print_row("**all**", numpy.where([1, 1, 0, 0, 0, 1, 1], table.sum(axis=0), table.mean(axis=0)))
 

@@ -31,7 +31,7 @@ import tempfile
 
 import numpy
 
-from room_quantities import read_fields
+from point_files import name_of, read_fields
 
 WALL, FLOOR, CEILING = 1, 2, 22  # NYU40
 KINDS = {3: "cabinet", 4: "bed", 5: "chair armchair stool", 6: "sofa armchair", 7: "table desk", 8: "door", 9: "window",
@@ -48,7 +48,7 @@ class Scan:
     """Object of each point, kind of each point, and the classes that are right for each kind."""
 
     def __init__(self, path):
-        self.path, self.name = path, os.path.splitext(os.path.basename(path))[0]
+        self.path, self.name = path, name_of(path)
         try:
             self.object, self.kind = (column.astype(int) for column in read_fields(path, ["label", "class_id"]))
             self.classes = {number: names.split() for number, names in KINDS.items()}

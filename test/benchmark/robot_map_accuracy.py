@@ -17,6 +17,8 @@ import sys
 
 import numpy as np
 
+from point_files import inside
+
 
 def read_map(path):
     """Free cells, row by row from below, their origin and size."""
@@ -29,14 +31,6 @@ def read_map(path):
     origin = [float(word) for word in yaml["origin"].strip("[]").split(",")]
     values = np.frombuffer(cells, np.uint8).reshape(ny, nx)[::-1]
     return values == 254, np.array(origin[:2]), float(yaml["resolution"])
-
-
-def inside(polygon, x, y):
-    result = np.zeros(x.shape, bool)
-    for (ax, ay), (bx, by) in zip(polygon, polygon[1:] + polygon[:1]):
-        if ay != by:
-            result ^= ((ay > y) != (by > y)) & (x < ax + (bx - ax) * (y - ay) / (by - ay))
-    return result
 
 
 def door_frame(door):

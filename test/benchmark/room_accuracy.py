@@ -30,13 +30,11 @@ def moved(scan, change, output):
     """Write the scan with its places changed."""
     import numpy
 
+    from point_files import header_of
+
     with open(scan, "rb") as file:
         content = file.read()
-    lines, start = {}, 0
-    while "DATA" not in lines:
-        end = content.index(b"\n", start)
-        key, _, value = content[start:end].decode().partition(" ")
-        lines[key], start = value.split(), end + 1
+    lines, start = header_of(content)
     if lines["DATA"] != ["binary"] or lines["FIELDS"][:3] != ["x", "y", "z"] or lines["SIZE"][:3] != ["4"] * 3:
         raise SystemExit(f"{scan}: -turn and -shear read binary PCD files that begin with the floats x, y, z only.")
     step = sum(int(size) * int(count) for size, count in zip(lines["SIZE"], lines["COUNT"]))

@@ -27,16 +27,17 @@ import subprocess
 
 import numpy as np
 
-from map_figures import entered_rooms, read_fields
+from map_figures import entered_rooms
+from point_files import name_of, read_fields, write_points
 
 
-def name_of(plan):
-    return re.sub(r"[^A-Za-z0-9]+", "_", os.path.splitext(os.path.basename(plan))[0])
+def plain_name(plan):
+    return re.sub(r"[^A-Za-z0-9]+", "_", name_of(plan))
 
 
 def simulated(arguments, plan, scanner, leaf):
     """Scan a plan unless that was done before; the names of the scan and its description."""
-    scan = os.path.join(arguments.work, f"{name_of(plan)}_{scanner}.pcd")
+    scan = os.path.join(arguments.work, f"{plain_name(plan)}_{scanner}.pcd")
     description = scan[:-4] + ".json"
     if not os.path.exists(scan):
         subprocess.run([os.path.join(arguments.tools, "pcl_scan_simulation"), plan, scan, "-json", description, "-scanner",
@@ -51,17 +52,6 @@ def thinned(fields, leaf):
     cubes = np.floor(np.column_stack([fields[k] for k in "xyz"]).astype(float) / leaf + 1e-6).astype(np.int64)
     first = np.sort(np.unique(cubes, axis=0, return_index=True)[1])
     return {name: values[first] for name, values in fields.items()}
-
-
-def write_points(path, fields):
-    """An uncompressed PCD of x, y, z and the true room."""
-    record = np.zeros(len(fields["x"]), [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("truth", "<u4")])
-    for name, source in [("x", "x"), ("y", "y"), ("z", "z"), ("truth", "room")]:
-        record[name] = fields[source]
-    with open(path, "wb") as file:
-        file.write((f"VERSION 0.7\nFIELDS x y z truth\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH {len(record)}\n"
-                    f"HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(record)}\nDATA binary\n").encode())
-        file.write(record.tobytes())
 
 
 def segmented(arguments, points, result):
@@ -100,9 +90,10 @@ def judge_plan(arguments, plan, scanner, leaves):
     scan, description = simulated(arguments, plan, scanner, min(leaves))
     entered = [room["number"] for room in entered_rooms(description)]
     for leaf in leaves:
-        points = os.path.join(arguments.work, f"{name_of(plan)}_{scanner}_{leaf:g}.pcd")
+        points = os.path.join(arguments.work, f"{plain_name(plan)}_{scanner}_{leaf:g}.pcd")
         result = points[:-4] + "_rooms.pcd"
-        write_points(points, thinned(scan, leaf))
+        kept = thinned(scan, leaf)
+        write_points(points, {"x": kept["x"], "y": kept["y"], "z": kept["z"], "truth": kept["room"]})
         truth, found = segmented(arguments, points, result) or (None, None)
         yield leaf, judged(truth, found, entered)
 
@@ -127,7 +118,7 @@ def main():
             cells = dict(judge_plan(arguments, plan, scanner, leaves))
             for leaf, cell in cells.items():
                 totals.setdefault(scanner, {}).setdefault(leaf, []).append(cell)
-            print(f"| {name_of(plan)} | {scanner} | {cells[leaves[0]][0]} |" +
+            print(f"| {plain_name(plan)} | {scanner} | {cells[leaves[0]][0]} |" +
                   "".join(" {} / {} / {} |".format(*cells[leaf][1:]) for leaf in leaves), flush=True)
     for scanner in scanners:
         sums = {leaf: np.sum(totals[scanner][leaf], axis=0) for leaf in leaves}

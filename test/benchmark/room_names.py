@@ -28,7 +28,7 @@ import tempfile
 
 import numpy
 
-from room_quantities import read_fields
+from point_files import name_of, read_fields
 
 FEWEST = 6  # rooms, of a building with placeholders
 STORE = ("storage", "technical")
@@ -77,7 +77,7 @@ def matches(label, found):
 
 def described(arguments, folder, scan):
     """The folder of the pipeline's results."""
-    output = os.path.join(arguments.results or folder, os.path.splitext(os.path.basename(scan))[0])
+    output = os.path.join(arguments.results or folder, name_of(scan))
     if not os.path.exists(os.path.join(output, "scene.json")):
         subprocess.run([os.path.join(arguments.build, "tools", "pcl_indoor_pipeline"), scan, output, "-quiet",
                         "-report", "none"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -153,7 +153,7 @@ def main():
     rooms, total = [], collections.Counter()
     with tempfile.TemporaryDirectory() as folder:
         for scan in sorted(each for data in arguments.data for each in glob.glob(os.path.join(data, "*.pcd"))):
-            name = os.path.splitext(os.path.basename(scan))[0]
+            name = name_of(scan)
             if arguments.only and name not in arguments.only:
                 continue
             own = judged_rooms(scan, described(arguments, folder, scan))

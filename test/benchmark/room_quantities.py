@@ -30,50 +30,7 @@ import tempfile
 
 import numpy
 
-
-def unpacked(data, size):
-    """What LZF packed."""
-    out, at = bytearray(), 0
-    while at < len(data):
-        control = data[at]
-        at += 1
-        if control < 32:
-            out += data[at:at + control + 1]
-            at += control + 1
-            continue
-        length = control >> 5
-        if length == 7:
-            length += data[at]
-            at += 1
-        start = len(out) - ((control & 31) << 8) - data[at] - 1
-        at += 1
-        for part in range(length + 2):
-            out.append(out[start + part])
-    assert len(out) == size
-    return bytes(out)
-
-
-def read_fields(path, names):
-    """Columns of a PCD file by the names of their fields."""
-    with open(path, "rb") as file:
-        content = file.read()
-    header, start = {}, 0
-    while "DATA" not in header:
-        end = content.index(b"\n", start)
-        key, _, value = content[start:end].decode().partition(" ")
-        header[key], start = value.split(), end + 1
-    kinds = {"F4": "<f4", "F8": "<f8", "U1": "u1", "U2": "<u2", "U4": "<u4", "I1": "i1", "I2": "<i2", "I4": "<i4"}
-    types = [(name, kinds[kind + size]) for name, kind, size in zip(header["FIELDS"], header["TYPE"], header["SIZE"])]
-    count = int(header["POINTS"][0])
-    if header["DATA"] == ["binary"]:
-        points = numpy.frombuffer(content, numpy.dtype(types), count, start)
-        return [points[name] for name in names]
-    packed, size = numpy.frombuffer(content, "<u4", 2, start)
-    body, columns, at = unpacked(content[start + 8:start + 8 + int(packed)], int(size)), {}, 0
-    for name, kind in types:
-        columns[name] = numpy.frombuffer(body, kind, count, at)
-        at += columns[name].nbytes
-    return [columns[name] for name in names]
+from point_files import name_of, read_fields
 
 
 def ring_area(ring):
@@ -208,7 +165,7 @@ def main():
         for scan in arguments.scans:
             lines = []
             every.append(measure(arguments, scan, folder, lambda name, texts: lines.append(f"{name}: {', '.join(texts)}")))
-            print(f"| {os.path.splitext(os.path.basename(scan))[0]} {summary(every[-1])}", flush=True)
+            print(f"| {name_of(scan)} {summary(every[-1])}", flush=True)
             if arguments.rooms:
                 print("\n".join(lines))
     total = {"rooms": sum(errors["rooms"] for errors in every)}

@@ -15,7 +15,7 @@ trap 'rm -rf "$folder"' EXIT
 "$here/make_project.sh" "$folder/source"
 
 configure() {
-  "$cmake" -S "$folder/source" -B "$1" -Wno-dev -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$folder/prefix" > "$1.log" 2>&1
+  "$cmake" -S "$folder/source" -B "$1" -Wno-dev -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_FLAGS=-O0 -DCMAKE_PREFIX_PATH="$folder/prefix" > "$1.log" 2>&1
 }
 
 configure "$folder/build" || { cat "$folder/build.log"; exit 1; }
@@ -27,7 +27,7 @@ mkdir "$folder/guide"
 firstBlock() { awk -v begin="\`\`\`$1" '/^```/ { if (inside) exit; inside = $0 == begin; next } inside' "$here/../../docs/guide/cpp.md"; }
 firstBlock cpp > "$folder/guide/describe_building.cpp"
 firstBlock cmake > "$folder/guide/CMakeLists.txt"
-"$cmake" -S "$folder/guide" -B "$folder/guide/build" -Wno-dev -DCMAKE_PREFIX_PATH="$folder/prefix" > "$folder/guide.log" 2>&1 \
+"$cmake" -S "$folder/guide" -B "$folder/guide/build" -Wno-dev -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_FLAGS=-O0 -DCMAKE_PREFIX_PATH="$folder/prefix" > "$folder/guide.log" 2>&1 \
   || { cat "$folder/guide.log"; exit 1; }
 "$cmake" --build "$folder/guide/build"
 

@@ -36,18 +36,20 @@ struct Example {
   std::array<float, feature_count> features;
 };
 
-class JoiningResults : public pcl::indoor::test::FolderTest {
-protected:
-  void
-  SetUp() override
+struct SimulatedHome {
+  static bool
+  make(const std::string& folder)
   {
-    ASSERT_NO_FATAL_FAILURE(FolderTest::SetUp());
-    const std::string command =
-        std::string(PCL_INDOOR_TOOLS) + "/pcl_scan_simulation random:home:8 " + scan() +
-        " -json " + names() + " -rays_per_pose 20000 -leaf 0.03 -quiet";
-    ASSERT_EQ(std::system(command.c_str()), 0);
+    const std::string command = std::string(PCL_INDOOR_TOOLS) +
+                                "/pcl_scan_simulation random:home:8 " + folder +
+                                "/home.pcd -json " + folder +
+                                "/home.json -rays_per_pose 20000 -leaf 0.03 -quiet";
+    return std::system(command.c_str()) == 0;
   }
+};
 
+class JoiningResults : public pcl::indoor::test::PreparedFolderTest<SimulatedHome> {
+protected:
   std::string
   scan() const
   {

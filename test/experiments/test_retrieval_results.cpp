@@ -99,3 +99,20 @@ TEST_F(RetrievalResults, RRHTIsRefusedWhereNormalsAreOfPlanes)
   EXPECT_EQ(status("-normal_method other"), 1);
   EXPECT_EQ(status("-normals ignored"), 0); // the descriptor's own
 }
+
+TEST_F(RetrievalResults, NamesNeedNotBeUTF8)
+{
+  std::filesystem::rename(path("set/long"), path("set/l\xE4nglich"));
+  ASSERT_EQ(status("-json " + path("out.json")), 0) << bytesOf(path("said"));
+  EXPECT_NE(bytesOf(path("out.json")).find("l\xEF\xBF\xBDnglich"), std::string::npos);
+}
+
+TEST_F(RetrievalResults, ListsNameSomething)
+{
+  EXPECT_EQ(status("-distances kl,l2"), 0);
+  for (const std::string option : {"-distances", "-noise", "-descriptors"})
+    for (const std::string list : {"\"\"", "no"}) {
+      EXPECT_EQ(status(option + " " + list), 1);
+      EXPECT_NE(bytesOf(path("said")).find(option + ": '"), std::string::npos);
+    }
+}

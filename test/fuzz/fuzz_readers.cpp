@@ -2,11 +2,16 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-// fuzz_readers CORPUS AMOUNT [SEED [READER]]: gives every reader the files of the
-// corpus and changed ones; the amount is of seconds for all, or of files for each
-// ("2000x"). A reader may refuse a file by an exception of ours; anything else is a
-// defect, and the file stays in the working folder as fuzz_input.* fuzz_readers CORPUS
-// FILE: gives one file to the reader of its ending
+// fuzz_readers CORPUS AMOUNT [SEED [READER]]
+//
+// Gives every reader the files of the corpus and changed ones. The amount is of seconds
+// for all readers, or of files for each ("2000x"). A reader may refuse a file by an
+// exception of ours; anything else is a defect, and the file stays in the working
+// folder as fuzz_input.*
+//
+// fuzz_readers CORPUS FILE
+//
+// Gives one file to the reader of its ending.
 #include "amount.h"
 #include "cloud_parts.h"
 #include "command_line/options.h"

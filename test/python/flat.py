@@ -16,7 +16,7 @@ import numpy as np
 import pcl_indoor
 
 sys.path.append(str(Path(__file__).parent.parent / "benchmark"))
-from room_quantities import unpacked  # noqa: E402
+from point_files import unpacked  # noqa: E402
 
 FOLDER = Path(os.environ["PCL_INDOOR_FLAT"])
 TOOLS = Path(os.environ["PCL_INDOOR_TOOLS"])

@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "footprint.h"
+
 #include <pcl/simulation/building.h>
 #include <pcl/simulation/furniture.h>
 #include <pcl/simulation/random_plan.h>
@@ -18,21 +20,11 @@
 namespace {
 
 using namespace pcl::indoor;
+using pcl::indoor::test::footprintOf;
 
 constexpr std::uint32_t seeds = 30;
 constexpr PlanKind kinds[] = {PlanKind::Home, PlanKind::Office};
 constexpr PlanKind all_kinds[] = {PlanKind::Home, PlanKind::Office, PlanKind::Table};
-
-Polygon
-footprintOf(const FurniturePlan& item)
-{
-  const Eigen::Rotation2Dd turn(item.rotation);
-  const double x = item.size->x() / 2, y = item.size->y() / 2;
-  return {item.at + turn * Eigen::Vector2d(-x, -y),
-          item.at + turn * Eigen::Vector2d(x, -y),
-          item.at + turn * Eigen::Vector2d(x, y),
-          item.at + turn * Eigen::Vector2d(-x, y)};
-}
 
 bool
 isSeat(const FurniturePlan& item)

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <stdexcept>
 
 namespace {
 
@@ -328,6 +329,28 @@ TEST(RangeSensor, ThreadsAndRunsGiveTheSameScan)
   EXPECT_TRUE(same(one, scanBuilding(building, positions, options)));
   options.seed = 2;
   EXPECT_FALSE(same(one, scanBuilding(building, positions, options)));
+}
+
+TEST(RangeSensor, WhatTheProgressThrowsArrivesAtTheCaller)
+{
+  const auto building = emptyRoom();
+  auto options = perfect(100);
+  const std::vector<Eigen::Vector3d> positions(20, middle);
+  for (const int threads : {1, 4}) {
+    options.threads = threads;
+    std::size_t told = 0;
+    options.progress = [&](std::size_t done, std::size_t all) {
+      EXPECT_EQ(done, ++told);
+      EXPECT_EQ(all, positions.size());
+    };
+    scanBuilding(building, positions, options);
+    EXPECT_EQ(told, positions.size());
+    options.progress = [](std::size_t done, std::size_t) {
+      if (done == 3)
+        throw std::runtime_error("stop");
+    };
+    EXPECT_THROW(scanBuilding(building, positions, options), std::runtime_error);
+  }
 }
 
 TEST(RangeSensor, ThinningKeepsOnePointPerCube)

@@ -58,4 +58,37 @@ private:
   std::filesystem::path folder_;
 };
 
+/** Tests whose folders begin with the same files, which are made once. */
+template <class Maker>
+class PreparedFolderTest : public FolderTest {
+protected:
+  /** Maker::make() gets the path of a folder and returns whether it could fill it. */
+  static void
+  SetUpTestSuite()
+  {
+    std::string name =
+        (std::filesystem::temp_directory_path() / "pcl_indoor_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    prepared_ = name;
+    ASSERT_TRUE(Maker::make(prepared_.string()));
+  }
+
+  static void
+  TearDownTestSuite()
+  {
+    std::filesystem::remove_all(prepared_);
+  }
+
+  void
+  SetUp() override
+  {
+    ASSERT_NO_FATAL_FAILURE(FolderTest::SetUp());
+    for (const auto& entry : std::filesystem::directory_iterator(prepared_))
+      std::filesystem::copy(entry.path(), path(entry.path().filename().string()));
+  }
+
+private:
+  inline static std::filesystem::path prepared_;
+};
+
 } // namespace pcl::indoor::test

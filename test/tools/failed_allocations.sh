@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the pcl_indoor contributors
 #
-# failed_allocations.sh <folder of the tools> <plan> <library fail_allocation> <first n> <random n> <last n> [pipeline|rooms|objects]
-# Lets tools run out of memory at their first n allocations, one in each run, at random later ones, and at the last n. A tool then
+# failed_allocations.sh <folder of the tools> <plan> <library fail_allocation> <first n>[/step] <random n> <last n> [pipeline|rooms|objects]
+# Lets tools run out of memory at each step-th of their first n allocations, one in each run, at random later ones, and at the last n. A tool then
 # either says so in one line with exit status 1 and leaves nothing but finished rooms, or does without the memory and writes what it
 # writes otherwise; pictures, which a process of its own draws, may be missing, if a line says so.
 set -u
-tools=$1 plan=$2 library=$3 first=$4 random=$5 last=$6
+tools=$1 plan=$2 library=$3 first=${4%/*} step=1 random=$5 last=$6
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 RANDOM=1
+[[ $4 != */* ]] || step=${4#*/}
 
 pipeline() { "$tools"/pcl_indoor_pipeline scan.pcd out/scene -quiet -threads 2; }
 rooms() { "$tools"/pcl_room_segmentation scan.pcd out/rooms.pcd -map out/map -json out/rooms.json -quiet -threads 2; }
@@ -57,7 +58,7 @@ for tool in ${7:-pipeline rooms objects}; do
   count=$(sed -n 's/ allocations$//p' said)
   mv out expected_$tool
   survived=0
-  for ((n = 1; n <= first; ++n)); do
+  for ((n = 1; n <= first; n += step)); do
     try $tool $n
   done
   for ((n = 0; n < random; ++n)); do
@@ -66,5 +67,5 @@ for tool in ${7:-pipeline rooms objects}; do
   for ((n = count - last + 1; n <= count; ++n)); do
     try $tool $n
   done
-  echo "$tool: $((first + random + last)) of $count allocations failed, $survived of them without harm"
+  echo "$tool: $(((first + step - 1) / step + random + last)) of $count allocations failed, $survived of them without harm"
 done

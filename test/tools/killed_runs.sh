@@ -15,6 +15,8 @@ folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 export ASAN_OPTIONS=verify_asan_link_order=0
+RANDOM=${SEED:=$RANDOM}
+echo "seed $SEED" # the same moments again: SEED=...
 
 fail() { echo "$*"; ls -l now; exit 1; }
 
@@ -71,7 +73,7 @@ for tool in "$@"; do
   done
   [ "$step" -gt 5 ] || fail "$tool: only $step steps"
   echo "$tool: killed before each of $((step - 1)) steps"
-  for ((n = 1; n < step; ++n)); do
+  for ((n = 1; n < step; n += 4)); do
     again
     (LD_PRELOAD=$library KILL_AT=$n KILL_BY=15 $tool new)
     is_of_one_run || fail "$tool, TERM before step $n: files of two runs, or unfinished ones"
@@ -96,4 +98,6 @@ for tool in "$@"; do
     done
   done
   echo "$tool: ended amid its work at $amid of $((3 * random_moments)) random moments"
+  all_moments=$((${all_moments:-0} + 3 * random_moments)) all_amid=$((${all_amid:-0} + amid))
 done 2> /dev/null # bash tells of each program that is killed
+[ $((3 * all_amid)) -ge "$all_moments" ] || fail "too few were ended amid their work to tell anything"

@@ -12,6 +12,8 @@ shift 3
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
+RANDOM=${SEED:=$RANDOM}
+echo "seed $SEED" # the same moments again: SEED=...
 
 "$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.12 -json scan.json -quiet || exit 1
 "$tools"/pcl_hough_normals scan.pcd object.pcd -quiet || exit 1
@@ -98,4 +100,6 @@ for tool in "${all[@]}"; do
     [ "$tool" != training ] || goes_on || fail "$tool: it does not go on as if it had not been killed"
   done
   echo "$tool: ended amid its work at $amid of $moments random moments"
+  all_moments=$((${all_moments:-0} + moments)) all_amid=$((${all_amid:-0} + amid))
 done 2> /dev/null # bash tells of each program that is killed
+[ $((3 * all_amid)) -ge "$all_moments" ] || fail "too few were ended amid their work to tell anything"

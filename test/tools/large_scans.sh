@@ -62,16 +62,19 @@ done
 diff -rq -x '*.part*' now expected || fail "after it was killed the results are others"
 
 # damaged and missing files of the points are made again
-for damage in 'truncate -s -1 FILE' 'printf x | dd of=FILE conv=notrunc bs=1 seek=60 status=none' 'truncate -s 0 FILE' 'rm FILE'; do
-  for file in points_1 points_rooms points_filed; do
-    rm -rf now
-    (export LD_PRELOAD=$library KILL_AT=33; parts) 2> /dev/null
-    [ -s now/.unfinished/$file ] || fail "$file was not written in time"
-    eval "${damage/FILE/now/.unfinished/$file}"
-    (parts) || fail "after '$damage' of $file it fails"
-    diff -rq -x '*.part*' now expected || fail "after '$damage' of $file the results are others"
-  done
-done
+while IFS='|' read -r file damage; do
+  rm -rf now
+  (export LD_PRELOAD=$library KILL_AT=33; parts) 2> /dev/null < /dev/null
+  [ -s "now/.unfinished/$file" ] || fail "$file was not written in time"
+  eval "${damage//FILE/now/.unfinished/$file}"
+  (parts < /dev/null) || fail "after '$damage' of $file it fails"
+  diff -rq -x '*.part*' now expected || fail "after '$damage' of $file the results are others"
+done << 'END'
+points_1|truncate -s -1 FILE
+points_filed|printf x > byte; dd if=byte of=FILE conv=notrunc bs=1 seek=60 status=none
+points_rooms|truncate -s 0 FILE
+points_1|rm FILE
+END
 
 # what is written in parts is a scan again; it and a frame of its own
 cp expected/cloud.pcd parts.pcd

@@ -107,17 +107,20 @@ wait $first || fail "the first of two runs fails"
 as_new "beside a second run"
 
 # damaged and missing files are done again
-for damage in 'truncate -s -1 FILE' 'printf x | dd of=FILE conv=notrunc bs=1 seek=60 status=none' 'truncate -s 0 FILE' 'rm FILE'; do
-  for file in run scene room; do
-    rm -rf now
-    killed_at 13
-    target=now/.unfinished/$file
-    [ $file != room ] || target=$(a_room)
-    eval "${damage/FILE/$target}"
-    (run) || fail "after '$damage' of $file it fails"
-    as_new "after '$damage' of $file"
-  done
-done
+while IFS='|' read -r file damage; do
+  rm -rf now
+  killed_at 13
+  target=now/.unfinished/$file
+  [ "$file" != room ] || target=$(a_room)
+  eval "${damage//FILE/$target}"
+  (run < /dev/null) || fail "after '$damage' of $file it fails"
+  as_new "after '$damage' of $file"
+done << 'END'
+scene|truncate -s -1 FILE
+room|printf x > byte; dd if=byte of=FILE conv=notrunc bs=1 seek=60 status=none
+run|truncate -s 0 FILE
+room|rm FILE
+END
 
 # what others have put into the folder stays
 rm -rf now

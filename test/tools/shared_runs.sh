@@ -16,8 +16,9 @@ export OMPI_MCA_btl_base_warn_component_unused=0
 fail() { echo "$*"; ls -lAR now; exit 1; }
 
 "$tools"/pcl_scan_simulation "$plan" scan.pcd -leaf 0.12 -quiet || exit 1
-pipeline() { exec "$tools"/pcl_indoor_pipeline scan.pcd now -quiet -threads 1 "$@"; }
-shared() { exec "$mpirun" --map-by :OVERSUBSCRIBE -n "$1" "$tools"/pcl_indoor_pipeline scan.pcd now -quiet "${@:2}"; }
+"$tools"/pcl_scan_simulation "$(dirname "$plan")"/flat.json flat.pcd -leaf 0.12 -quiet || exit 1
+pipeline() { exec "$tools"/pcl_indoor_pipeline "${scan:-scan.pcd}" now -quiet -threads 1 "$@"; }
+shared() { exec "$mpirun" --map-by :OVERSUBSCRIBE -n "$1" "$tools"/pcl_indoor_pipeline "${scan:-scan.pcd}" now -quiet "${@:2}"; }
 
 (pipeline) || fail "the pipeline fails"
 mv now expected
@@ -26,14 +27,17 @@ for ranks in 1 2 3; do
   diff -rq now expected || fail "$ranks processes give other results"
   rm -rf now
 done
-(shared 2 -unit ft -up y -voxel_resolution 0.05 2> /dev/null) || fail "with a frame of its own it fails"
+(scan=flat.pcd; shared 2 -unit ft -up y -voxel_resolution 0.05 2> /dev/null) || fail "with a frame of its own it fails"
 mv now framed
-"$tools"/pcl_indoor_pipeline scan.pcd now -quiet -unit ft -up y -voxel_resolution 0.05 2> /dev/null
+"$tools"/pcl_indoor_pipeline flat.pcd now -quiet -unit ft -up y -voxel_resolution 0.05 2> /dev/null
 diff -rq now framed || fail "in a frame of its own the results are others"
 rm -rf now framed
 
-(OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=1 pipeline -single_process) || fail "a process that is to work alone fails"
-diff -rq now expected || fail "a process that works alone gives other results"
+(scan=flat.pcd; pipeline) || fail "the pipeline fails on the flat"
+mv now alone
+(export OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=1; scan=flat.pcd; pipeline -single_process) ||
+  fail "a process that is to work alone fails"
+diff -rq now alone || fail "a process that works alone gives other results"
 rm -rf now
 
 rooms() { find now/.unfinished -name 'room_*' ! -name '*.part*' 2> /dev/null; }

@@ -32,18 +32,20 @@ namespace {
 
 using pcl::indoor::test::bytesOf;
 
-class ClassResults : public pcl::indoor::test::FolderTest {
-protected:
-  void
-  SetUp() override
+struct SimulatedFlat {
+  static bool
+  make(const std::string& folder)
   {
-    ASSERT_NO_FATAL_FAILURE(FolderTest::SetUp());
-    ASSERT_EQ(run("pcl_scan_simulation",
-                  std::string(PCL_INDOOR_PLANS) + "/flat.json " + path("flat.pcd") +
-                      " -json " + path("flat.json")),
-              0);
+    const std::string command = std::string(PCL_INDOOR_TOOLS) +
+                                "/pcl_scan_simulation " PCL_INDOOR_PLANS "/flat.json " +
+                                folder + "/flat.pcd -json " + folder +
+                                "/flat.json -quiet";
+    return std::system(command.c_str()) == 0;
   }
+};
 
+class ClassResults : public pcl::indoor::test::PreparedFolderTest<SimulatedFlat> {
+protected:
   int
   run(const std::string& tool, const std::string& arguments) const
   {

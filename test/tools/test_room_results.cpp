@@ -37,17 +37,19 @@ count(const std::string& text, const std::string& part)
 
 /** The flat: a living room of 4.8 x 3.8 m, a bedroom of 3.3 x 3.8 m, a hallway of
  * 8.3 x 1.6 m between the walls' faces; the hallway has a door to each. */
-class RoomResults : public pcl::indoor::test::FolderTest {
-protected:
-  void
-  SetUp() override
+struct SimulatedFlat {
+  static bool
+  make(const std::string& folder)
   {
-    ASSERT_NO_FATAL_FAILURE(FolderTest::SetUp());
-    ASSERT_EQ(run("pcl_scan_simulation",
-                  std::string(PCL_INDOOR_PLANS) + "/flat.json " + path("flat.pcd")),
-              0);
+    const std::string command = std::string(PCL_INDOOR_TOOLS) +
+                                "/pcl_scan_simulation " PCL_INDOOR_PLANS "/flat.json " +
+                                folder + "/flat.pcd -quiet";
+    return std::system(command.c_str()) == 0;
   }
+};
 
+class RoomResults : public pcl::indoor::test::PreparedFolderTest<SimulatedFlat> {
+protected:
   int
   run(const std::string& tool, const std::string& arguments) const
   {

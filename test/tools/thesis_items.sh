@@ -8,6 +8,13 @@
 set -u
 cd "$1" || exit 1
 tools=$2 page=docs/method/thesis.md status=0
+helps=$(mktemp -d) || exit 1
+trap 'rm -rf "$helps"' EXIT
+has_option() { # <tool> <option>
+  local help=$helps/${1##*/}
+  [ -e "$help" ] || "$1" -h > "$help"
+  grep -qE "^ +$2 " "$help"
+}
 complain() { echo "$page: $1"; status=1; }
 
 rows=$(sed -n '/^## Chapter 2/,$p' $page | grep '^| ' | grep -vE '^\| (item|---) ')
@@ -62,7 +69,7 @@ while IFS='|' read -r _ item files tests commands _; do
   for name in $(names "$commands"); do
     case $name in
       pcl_*) tool=$tools/$name && [ -x "$tool" ] || complain "$item names $name, which is not there" ;;
-      -*) "$tool" -h | grep -qE "^ +$name " || complain "$item: ${tool##*/} has no option $name" ;;
+      -*) has_option "$tool" "$name" || complain "$item: ${tool##*/} has no option $name" ;;
       *.py | bench_*)
         grep -qE "^test/benchmark/$name(\.cpp)?$" <<< "$sources" || complain "$item names $name, which is not there" ;;
       *) complain "$item has the command $name" ;;
@@ -73,7 +80,7 @@ done <<< "$rows"
 page=docs/guide/reproduce.md
 while read -r tool rest; do
   for option in $(grep -oE ' -[a-z_]+' <<< " ${rest%%#*}"); do
-    "$tools/$tool" -h | grep -qE "^ +$option " || complain "$tool has no option $option"
+    has_option "$tools/$tool" "$option" || complain "$tool has no option $option"
   done
 done < <(grep '^    pcl_' $page)
 exit $status

@@ -4,7 +4,8 @@
  */
 #include "retrieval/feature_correlation.h"
 
-#include <pcl/features/impl/oriented_points.hpp>
+#include "objects/object_files.h" // for classifierPoints
+
 #include <pcl/features/line_occupancy.h>
 #include <pcl/features/pair_sampling.h>
 
@@ -18,15 +19,6 @@ namespace {
 constexpr int grid_size = 64; // N_X of Sec. 5.2.1
 constexpr std::array<std::array<std::size_t, 2>, 6> both{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-
-std::vector<OrientedPoint>
-surfaceOf(const PointCloud<PointNormal>& object)
-{
-  Indices indices(object.size());
-  for (std::size_t k = 0; k < indices.size(); ++k)
-    indices[k] = static_cast<index_t>(k);
-  return orientedPoints(object, object, indices);
-}
 
 double
 arcCosine(double cosine)
@@ -99,7 +91,7 @@ featureCorrelation(const std::vector<PointCloud<PointNormal>::Ptr>& objects,
 {
   FeatureMoments moments;
   for (const auto& object : objects)
-    addFeatures(surfaceOf(*object), options, moments);
+    addFeatures(classifierPoints(*object), options, moments);
   return moments.correlations();
 }
 
@@ -127,7 +119,7 @@ correlationText(const std::array<double, 6>& correlations)
 double
 extentOf(const PointCloud<PointNormal>& object)
 {
-  return objectExtent(surfaceOf(object));
+  return objectExtent(classifierPoints(object));
 }
 
 } // namespace pcl::indoor::tool

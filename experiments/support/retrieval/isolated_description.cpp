@@ -17,12 +17,13 @@
 namespace pcl::indoor::tool {
 namespace {
 
-/** \brief What the child does: never returns. */
-[[noreturn]] void
-describeAndExit(int output,
-                std::size_t first,
-                std::size_t object_count,
-                const std::function<std::vector<float>(std::size_t)>& describe)
+/** \brief What the child does; its objects' descriptions go through a pipe.
+ * \return whether all of them arrived */
+bool
+describeInto(int output,
+             std::size_t first,
+             std::size_t object_count,
+             const std::function<std::vector<float>(std::size_t)>& describe)
 {
   const int null = open("/dev/null", O_WRONLY); // the assertion's text
   if (null >= 0)
@@ -32,9 +33,24 @@ describeAndExit(int output,
     std::uint64_t size = histogram.size();
     if (!transfer(output, &size, sizeof(size), true) ||
         !transfer(output, histogram.data(), size * sizeof(float), true))
-      _exit(1);
+      return false;
   }
-  _exit(0);
+  return true;
+}
+
+/** \brief The child's whole life: what it throws must not run the parent's code. */
+[[noreturn]] void
+describeAndExit(int output,
+                std::size_t first,
+                std::size_t object_count,
+                const std::function<std::vector<float>(std::size_t)>& describe)
+{
+  bool done = false;
+  try {
+    done = describeInto(output, first, object_count, describe);
+  } catch (...) { // the parent sees that a description is missing
+  }
+  _exit(done ? 0 : 1);
 }
 
 } // namespace

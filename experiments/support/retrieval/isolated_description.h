@@ -13,7 +13,7 @@ namespace pcl::indoor::tool {
 /** \brief Describe objects in a child process that may be killed by an assertion.
  *
  * PCL's OUR-CVFH aborts on some objects. The child then is started again after the
- * object that ended it, whose histogram stays empty.
+ * object that ended it, whose histogram stays empty; so it does if \a describe throws.
  * \param[in] describe gives the histogram of object k
  * \return one histogram per object
  * \throws ToolError if no process can be started

@@ -10,7 +10,6 @@
 #include <pcl/features/esf.h>
 #include <pcl/features/gasd.h>
 #include <pcl/features/grsd.h>
-#include <pcl/features/impl/oriented_points.hpp>
 #include <pcl/features/our_cvfh.h>
 #include <pcl/features/shot.h>
 #include <pcl/features/surflet_pair.h>
@@ -166,13 +165,9 @@ RetrievalDescriptor
 eppfDescriptor(const std::string& name, const EPPFOptions& options)
 {
   const auto describe = [options](const RetrievalObject& object, std::uint32_t seed) {
-    Indices indices(object.surface->size());
-    for (std::size_t k = 0; k < indices.size(); ++k)
-      indices[k] = static_cast<index_t>(k);
     auto seeded = options;
     seeded.seed += seed;
-    return eppfHistogram(orientedPoints(*object.surface, *object.surface, indices),
-                         seeded);
+    return eppfHistogram(classifierPoints(*object.surface), seeded);
   };
   return {name, true, false, describe};
 }
@@ -181,14 +176,10 @@ RetrievalDescriptor
 surfletPairDescriptor(int bin_count)
 {
   const auto describe = [bin_count](const RetrievalObject& object, std::uint32_t seed) {
-    Indices indices(object.surface->size());
-    for (std::size_t k = 0; k < indices.size(); ++k)
-      indices[k] = static_cast<index_t>(k);
     SurfletPairOptions options;
     options.bin_count = bin_count;
     options.seed += seed;
-    return surfletPairHistogram(
-        orientedPoints(*object.surface, *object.surface, indices), options);
+    return surfletPairHistogram(classifierPoints(*object.surface), options);
   };
   return {bin_count == 5 ? "wahl" : "wahl_" + std::to_string(bin_count),
           true,

@@ -4,6 +4,7 @@
  */
 #include "retrieval/retrieval_report.h"
 
+#include "formats/json_text.h"
 #include "pictures/line_plot.h"
 
 #include <nlohmann/json.hpp>
@@ -92,7 +93,7 @@ resultJson(const std::vector<RetrievalLevel>& levels,
     for (const auto& result : level.results)
       document["results"].push_back(
           resultJson(result, level.noise_percent, settings.disturbance.hidden_percent));
-  return document.dump(1) + "\n";
+  return jsonText(document);
 }
 
 SvgDrawing

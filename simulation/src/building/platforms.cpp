@@ -5,10 +5,10 @@
 #include "building/platforms.h"
 
 #include "building/ceiling_facets.h"
+#include "plan/fail_at.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace pcl::indoor {
 
@@ -25,11 +25,7 @@ fail(const std::string& source,
      const Polygon& polygon,
      const std::string& problem)
 {
-  std::ostringstream message;
-  message << source << ": " << what << " of storey '" << storey.name
-          << "': the one with a corner at (" << polygon[0].x() << ", " << polygon[0].y()
-          << ") " << problem;
-  throw PlanError(message.str());
+  failAt(source, what, storey, "one with a corner", polygon[0], problem);
 }
 
 bool

@@ -16,17 +16,6 @@ namespace {
 
 using Face = ShellPiece::Face;
 
-void
-addQuad(std::vector<ShellPiece>& pieces,
-        Face face,
-        const Eigen::Vector3d& a,
-        const Eigen::Vector3d& b,
-        const Eigen::Vector3d& c,
-        const Eigen::Vector3d& d)
-{
-  addFace(pieces, face, {a, b, c, d});
-}
-
 // The border of a facet, in the plane of a wall.
 HalfPlane
 onWall(const WallFrame& wall, const HalfPlane& border)
@@ -230,16 +219,14 @@ reveal(const PlacedOpening& opening, double y)
   };
   const double y0 = std::min(y, 0.0), y1 = std::max(y, 0.0);
   const bool threshold = opening.plan.sill < 0.05; // metres: a step, not a parapet
-  addQuad(pieces,
+  addFace(pieces,
           threshold ? Face::Floor : Face::Wall,
-          at(-x, y0, 0),
-          at(x, y0, 0),
-          at(x, y1, 0),
-          at(-x, y1, 0));
-  addQuad(pieces, Face::Wall, at(-x, y1, z), at(x, y1, z), at(x, y0, z), at(-x, y0, z));
-  addQuad(
-      pieces, Face::Wall, at(-x, y0, 0), at(-x, y1, 0), at(-x, y1, z), at(-x, y0, z));
-  addQuad(pieces, Face::Wall, at(x, y1, 0), at(x, y0, 0), at(x, y0, z), at(x, y1, z));
+          {at(-x, y0, 0), at(x, y0, 0), at(x, y1, 0), at(-x, y1, 0)});
+  addFace(
+      pieces, Face::Wall, {at(-x, y1, z), at(x, y1, z), at(x, y0, z), at(-x, y0, z)});
+  addFace(
+      pieces, Face::Wall, {at(-x, y0, 0), at(-x, y1, 0), at(-x, y1, z), at(-x, y0, z)});
+  addFace(pieces, Face::Wall, {at(x, y1, 0), at(x, y0, 0), at(x, y0, z), at(x, y1, z)});
   return pieces;
 }
 

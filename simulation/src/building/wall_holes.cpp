@@ -4,11 +4,11 @@
  */
 #include "building/wall_holes.h"
 #include "building/wall_frame.h"
+#include "plan/fail_at.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace pcl::indoor {
 
@@ -43,11 +43,7 @@ fail(const std::string& source,
      const OpeningPlan& opening,
      const std::string& problem)
 {
-  std::ostringstream message;
-  message << source << ": " << nameOf(opening.kind) << " of storey '" << storey.name
-          << "': the one at (" << opening.at.x() << ", " << opening.at.y() << ") "
-          << problem;
-  throw PlanError(message.str());
+  failAt(source, nameOf(opening.kind), storey, "one", opening.at, problem);
 }
 
 // All walls whose centre line the opening lies on, whatever their height.

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "building/part_maker.h" // for FurnitureClass
+#include "furniture/part_maker.h" // for FurnitureClass
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "building/part_maker.h"
+#include "furniture/part_maker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,11 +82,12 @@ openShelves(PartMaker& make, const Size& size, RandomDraw& draw)
       continue;
     const double left = draw.uniform(-x + t, 0.3 * x),
                  wide = draw.uniform(0.1, 0.6) * x;
-    make.box(
-        "things",
-        {left, -y + 0.02, std::min(left + wide, x - t), draw.uniform(0.2, 0.9) * y},
-        i * pitch + t,
-        i * pitch + t + pitch * draw.uniform(0.3, 0.85));
+    const double high = pitch * draw.uniform(0.3, 0.85),
+                 front = draw.uniform(0.2, 0.9) * y;
+    make.box("things",
+             {left, -y + 0.02, std::min(left + wide, x - t), front},
+             i * pitch + t,
+             i * pitch + t + high);
   }
 }
 
@@ -129,7 +130,8 @@ sideboard(PartMaker& make, const Size& size, RandomDraw& draw)
                leg = draw.uniform(0.08, 0.2);
   roundLegs(make, x - 0.06, y - 0.06, 0.02, leg, 0.02);
   make.box("body", {-x, -y, x, y - 0.04}, leg, z);
-  fronts(make, size, 2 + draw.pick(3), leg + 0.02, z - 0.02, draw.pick(2) == 0);
+  const bool handles = draw.pick(2) == 0;
+  fronts(make, size, 2 + draw.pick(3), leg + 0.02, z - 0.02, handles);
 }
 
 // Metal, for papers: two doors or drawers, no plinth.
@@ -208,10 +210,10 @@ wallShelf(PartMaker& make, const Size& size, RandomDraw& draw)
     double left = -x + draw.uniform(0.0, 0.3);
     while (left < x - 0.1) {
       const double wide = std::min(draw.uniform(0.03, 0.15), x - left);
-      make.box("thing",
-               {left, -y + 0.01, left + wide, draw.uniform(-0.2, 0.9) * y},
-               low + 0.025,
-               std::min(z, low + 0.025 + draw.uniform(0.25, 0.6) * z / boards));
+      const double top =
+                       std::min(z, low + 0.025 + draw.uniform(0.25, 0.6) * z / boards),
+                   front = draw.uniform(-0.2, 0.9) * y;
+      make.box("thing", {left, -y + 0.01, left + wide, front}, low + 0.025, top);
       left += wide + (draw.pick(2) == 0 ? 0.0 : draw.uniform(0.05, 0.4));
     }
   }

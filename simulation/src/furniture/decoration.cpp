@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "building/part_maker.h"
+#include "furniture/part_maker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,10 +182,9 @@ bookRow(PartMaker& make, const Size& size, RandomDraw& draw)
   const double x = size.x() / 2, y = size.y() / 2;
   for (double left = -x; left < x - 0.015;) {
     const double wide = std::min(draw.uniform(0.02, 0.05), x - left);
-    make.box("book",
-             {left, -y, left + wide, draw.uniform(0.4, 1.0) * y},
-             0,
-             size.z() * draw.uniform(0.75, 1.0));
+    const double high = size.z() * draw.uniform(0.75, 1.0),
+                 front = draw.uniform(0.4, 1.0) * y;
+    make.box("book", {left, -y, left + wide, front}, 0, high);
     left += wide;
   }
 }

@@ -4,7 +4,7 @@
  */
 #include "furniture/draped_cloth.h"
 
-#include "building/part_maker.h"
+#include "furniture/part_maker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +98,14 @@ hang(Field& field)
     }
 }
 
+// Two numbers of a range, the second drawn first.
+Eigen::Vector2d
+drawnPair(RandomDraw& draw, double low, double high)
+{
+  const double y = draw.uniform(low, high);
+  return {draw.uniform(low, high), y};
+}
+
 // The body between the cloth's two sides where it is held; its rim is closed.
 class Body {
 public:
@@ -106,8 +114,8 @@ public:
   , top_(size.z())
   , thickness_(draw.uniform(0.006, 0.02))
   , fold_(draw.uniform(0.0, 0.02))
-  , waves_(draw.uniform(8, 20), draw.uniform(8, 20))
-  , phases_(draw.uniform(0, 6), draw.uniform(0, 6))
+  , waves_(drawnPair(draw, 8, 20))
+  , phases_(drawnPair(draw, 0, 6))
   {}
 
   std::vector<Triangle>

@@ -4,11 +4,12 @@
  */
 #include "furniture/placement.h"
 
+#include "plan/fail_at.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 namespace pcl::indoor {
 
@@ -35,11 +36,7 @@ failFurniture(const std::string& source,
               const FurniturePlan& item,
               const std::string& problem)
 {
-  std::ostringstream message;
-  message << source << ": furniture of storey '" << storey.name << "': the "
-          << item.category << " at (" << item.at.x() << ", " << item.at.y() << ") "
-          << problem;
-  throw PlanError(message.str());
+  failAt(source, "furniture", storey, item.category, item.at, problem);
 }
 
 // The number of the room of a storey in which a place lies; 0: none.

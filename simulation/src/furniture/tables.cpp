@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "building/part_maker.h"
+#include "furniture/part_maker.h"
 
 #include <algorithm>
 #include <cmath>

@@ -36,18 +36,20 @@ spread(RoomFurnisher& room, int on, Piece cloth)
              edge = base == "radiator" || base == "bath" || base == "kitchen_unit";
   double hem = room.between(0.1, 0.35) * size.z();
   Eigen::Vector2d at(room.between(-0.3, 0.3) * size.x(), 0);
-  if (cloth.category != "blanket")
-    cloth.size.head<2>() =
-        Eigen::Vector2d(room.between(0.35, 0.6), room.between(0.5, 0.8));
+  if (cloth.category != "blanket") {
+    cloth.size.y() = room.between(0.5, 0.8);
+    cloth.size.x() = room.between(0.35, 0.6);
+  }
   else if (bed) {
-    cloth.size.head<2>() = Eigen::Vector2d(size.x() + room.between(-0.3, 0.3),
-                                           room.between(0.3, 0.75) * size.y());
+    cloth.size.y() = room.between(0.3, 0.75) * size.y();
+    cloth.size.x() = size.x() + room.between(-0.3, 0.3);
     at = {room.between(-0.1, 0.1),
           room.between(0.0, 1.0) * (size.y() - cloth.size.y()) / 2 + 0.05};
   }
-  else
-    cloth.size.head<2>() = Eigen::Vector2d(
-        room.between(0.6, 1.3), std::min(1.6, room.between(0.8, 1.15) * size.y()));
+  else {
+    cloth.size.y() = std::min(1.6, room.between(0.8, 1.15) * size.y());
+    cloth.size.x() = room.between(0.6, 1.3);
+  }
   if (edge) { // from its front edge down
     cloth.size.y() = room.between(0.2, 0.4);
     cloth.size.x() = std::min(cloth.size.x(), 0.8 * size.x());
@@ -61,12 +63,11 @@ void
 overBack(RoomFurnisher& room, int on, Piece cloth)
 {
   const Eigen::Vector3d size = room.sizeOf(on);
-  cloth.size.head<2>() =
-      Eigen::Vector2d(room.between(0.7, 1.0) * size.x(), room.between(0.25, 0.45));
-  room.layOver(on,
-               cloth,
-               {room.between(-0.1, 0.1) * size.x(), -size.y() / 2 + 0.06},
-               room.between(0.35, 0.6) * size.z());
+  cloth.size.y() = room.between(0.25, 0.45);
+  cloth.size.x() = room.between(0.7, 1.0) * size.x();
+  const double hem = room.between(0.35, 0.6) * size.z(),
+               aside = room.between(-0.1, 0.1) * size.x();
+  room.layOver(on, cloth, {aside, -size.y() / 2 + 0.06}, hem);
 }
 
 // One object where it is usually found; the number of the last that lies there.
@@ -98,14 +99,14 @@ place(RoomFurnisher& room, const Habit& habit, int on, int last)
   case Where::Below:
     return room.under(on, object);
   case Where::Around:
-    return room.chance(0.5)
-               ? room.before(on,
-                             object,
-                             room.between(0.0, 0.15),
-                             room.between(-0.4, 0.4) * room.sizeOf(on).x(),
-                             turn)
-               : room.beside(
-                     on, object, room.chance(0.5) ? 1 : -1, room.between(0.0, 0.1));
+    if (room.chance(0.5)) {
+      const double aside = room.between(-0.4, 0.4) * room.sizeOf(on).x();
+      return room.before(on, object, room.between(0.0, 0.15), aside, turn);
+    }
+    else {
+      const double gap = room.between(0.0, 0.1);
+      return room.beside(on, object, room.chance(0.5) ? 1 : -1, gap);
+    }
   case Where::Over:
     spread(room, on, object);
     return -1;

@@ -23,12 +23,15 @@ seatingGroup(RoomFurnisher& room)
 {
   const int sofa = room.atWall(room.piece("sofa"));
   int table = -1;
-  if (room.chance(0.85))
-    table =
-        room.before(sofa, room.piece("coffee_table"), room.between(0.2, 0.45), 0, M_PI);
+  if (room.chance(0.85)) {
+    const double gap = room.between(0.2, 0.45);
+    table = room.before(sofa, room.piece("coffee_table"), gap, 0, M_PI);
+  }
   room.putSmallObjects(table, room.pick(4));
-  if (room.chance(0.5))
-    room.beside(sofa, room.piece("bedside_table"), room.chance(0.5) ? 1 : -1, 0.02);
+  if (room.chance(0.5)) {
+    const int side = room.chance(0.5) ? 1 : -1;
+    room.beside(sofa, room.piece("bedside_table"), side, 0.02);
+  }
   for (int i = room.pick(3); i > 0; --i)
     room.anywhere(room.piece("armchair"));
 }
@@ -90,8 +93,10 @@ furnishKitchen(RoomFurnisher& room)
     room.atWall(room.piece("cabinet"));
   if (room.chance(0.7))
     room.atWall(room.piece("bin"));
-  if (room.chance(0.4))
-    room.onWall(room.piece("shelf"), room.between(1.2, 1.6));
+  if (room.chance(0.4)) {
+    const double height = room.between(1.2, 1.6);
+    room.onWall(room.piece("shelf"), height);
+  }
 }
 
 void
@@ -102,8 +107,10 @@ furnishBathroom(RoomFurnisher& room)
   if (room.chance(0.5))
     room.atWall(room.piece("shower"));
   room.atWall(room.piece("toilet"));
-  if (room.chance(0.3))
-    room.atWall(room.shaped("sink", 2, 2), room.between(0.52, 0.62));
+  if (room.chance(0.3)) {
+    const double height = room.between(0.52, 0.62);
+    room.atWall(room.shaped("sink", 2, 2), height);
+  }
   else
     room.atWall(room.shaped("sink", 0, 1));
   if (room.chance(0.5))
@@ -116,8 +123,10 @@ furnishBathroom(RoomFurnisher& room)
     room.atWall(room.piece("bin"));
   if (room.chance(0.5)) // a mirror
     room.onWall(room.piece("picture"), 1.2);
-  if (room.chance(0.5))
-    room.onWall(room.piece("wall_lamp"), room.between(1.7, 1.95));
+  if (room.chance(0.5)) {
+    const double height = room.between(1.7, 1.95);
+    room.onWall(room.piece("wall_lamp"), height);
+  }
 }
 
 void
@@ -127,8 +136,8 @@ furnishBedroom(RoomFurnisher& room)
   const int bed = room.atWall(room.piece(bunk ? "bunk_bed" : "bed"));
   for (const int side : {-1, 1})
     if (!bunk && room.chance(0.7)) {
-      const int table = room.beside(
-          bed, room.piece("bedside_table"), side, room.between(0.005, 0.08));
+      const double gap = room.between(0.005, 0.08);
+      const int table = room.beside(bed, room.piece("bedside_table"), side, gap);
       if (room.chance(0.6))
         room.onTop(table, room.piece("table_lamp"));
       else
@@ -136,8 +145,10 @@ furnishBedroom(RoomFurnisher& room)
     }
   for (int i = 1 + room.pick(2); i > 0; --i)
     room.atWall(room.piece("wardrobe"));
-  if (room.chance(0.5))
-    room.putSmallObjects(room.atWall(room.piece("drawers")), room.pick(3));
+  if (room.chance(0.5)) {
+    const int objects = room.pick(3);
+    room.putSmallObjects(room.atWall(room.piece("drawers")), objects);
+  }
   if (room.chance(0.4))
     room.workplace(room.piece("desk"), "chair", 0.0);
   if (room.chance(0.3))
@@ -148,10 +159,14 @@ furnishBedroom(RoomFurnisher& room)
     room.before(bed, room.piece("bench"), 0.03, 0, M_PI);
   if (room.chance(0.3))
     room.atWall(room.piece("plant"));
-  if (room.chance(0.3))
-    room.onWall(room.shaped("tv", 1, 1), room.between(1.0, 1.4));
-  if (room.chance(0.3))
-    room.onWall(room.piece("shelf"), room.between(1.2, 1.6));
+  if (room.chance(0.3)) {
+    const double height = room.between(1.0, 1.4);
+    room.onWall(room.shaped("tv", 1, 1), height);
+  }
+  if (room.chance(0.3)) {
+    const double height = room.between(1.2, 1.6);
+    room.onWall(room.piece("shelf"), height);
+  }
   if (room.chance(0.2))
     room.atWall(room.piece("ball"));
 }
@@ -179,10 +194,11 @@ furnishStudy(RoomFurnisher& room)
 void
 furnishHall(RoomFurnisher& room)
 {
-  if (room.chance(0.5))
+  if (room.chance(0.5)) {
+    const int objects = room.pick(3);
     room.putSmallObjects(
-        room.atWall(room.piece(room.chance(0.5) ? "cabinet" : "drawers")),
-        room.pick(3));
+        room.atWall(room.piece(room.chance(0.5) ? "cabinet" : "drawers")), objects);
+  }
   if (room.chance(0.4))
     room.atWall(room.piece("wardrobe"));
   if (room.chance(0.4))
@@ -206,10 +222,14 @@ finish(RoomFurnisher& room, bool dry)
   if (!dry)
     return;
   room.curtains(0.5);
-  for (int i = room.pick(3); i > 0; --i)
-    room.onWall(room.piece("picture"), room.between(1.1, 1.5));
-  for (int i = room.pick(2); i > 0; --i)
-    room.onWall(room.piece("wall_lamp"), room.between(1.5, 1.9));
+  for (int i = room.pick(3); i > 0; --i) {
+    const double height = room.between(1.1, 1.5);
+    room.onWall(room.piece("picture"), height);
+  }
+  for (int i = room.pick(2); i > 0; --i) {
+    const double height = room.between(1.5, 1.9);
+    room.onWall(room.piece("wall_lamp"), height);
+  }
   for (int i = room.pick(3); i > 0; --i)
     room.anywhere(room.piece(room.chance(0.8) ? "box" : "bin"));
 }

@@ -49,8 +49,10 @@ furnishMeeting(RoomFurnisher& room)
         room.piece("table", Eigen::Vector3d(length, width, 0.74)), 0.1);
     room.around(table, room.chance(0.5) ? "chair" : "office_chair", 12);
     room.putSmallObjects(table, room.pick(6));
-    for (int i = room.pick(3); i > 0; --i)
-      room.onTop(table, room.piece("laptop"), room.between(-3.0, 3.0));
+    for (int i = room.pick(3); i > 0; --i) {
+      const double turn = room.between(-3.0, 3.0);
+      room.onTop(table, room.piece("laptop"), turn);
+    }
   }
   room.onWall(room.piece("board"), 0.9);
   if (room.chance(0.6))
@@ -139,8 +141,10 @@ furnishOfficeRoom(RoomFurnisher& room, RoomKind kind)
     room.fromCeiling(lamp);
   for (int i = room.pick(3); i > 0; --i)
     room.atWall(room.piece("plant"));
-  for (int i = room.pick(3); i > 0; --i)
-    room.onWall(room.piece("picture"), room.between(1.1, 1.5));
+  for (int i = room.pick(3); i > 0; --i) {
+    const double height = room.between(1.1, 1.5);
+    room.onWall(room.piece("picture"), height);
+  }
   for (int i = room.pick(3); i > 0; --i)
     room.anywhere(room.piece("box"));
 }

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "random/random_layout.h"
-#include "building/shared_walls.h"
+#include "random/shared_walls.h"
 
 #include <algorithm>
 #include <cmath>

@@ -39,12 +39,6 @@ struct LayoutOpening {
   std::array<int, 2> rooms{-1, -1};
 };
 
-/** \brief One storey without furniture. */
-struct Layout {
-  std::vector<LayoutRoom> rooms;
-  std::vector<LayoutOpening> openings;
-};
-
 /** \brief Name of a kind of room, for example "living room". */
 const char*
 nameOf(RoomKind kind);

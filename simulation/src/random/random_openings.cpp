@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "building/shared_walls.h"
+#include "random/shared_walls.h"
 
 #include <algorithm>
 #include <cmath>

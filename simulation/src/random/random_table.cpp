@@ -66,11 +66,10 @@ drawTable(RoomFurnisher& room)
   constexpr std::array<const char*, 4> tables{
       "table", "table", "round_table", "coffee_table"};
   const std::string category = tables[room.pick(static_cast<int>(tables.size()))];
-  return room.piece(category,
-                    Size(room.between(0.7, 1.4),
-                         room.between(0.6, 1.0),
-                         category == "coffee_table" ? room.between(0.35, 0.5)
-                                                    : room.between(0.68, 0.78)));
+  const double height =
+      category == "coffee_table" ? room.between(0.35, 0.5) : room.between(0.68, 0.78);
+  const double depth = room.between(0.6, 1.0), width = room.between(0.7, 1.4);
+  return room.piece(category, Size(width, depth, height));
 }
 
 // Objects of all shapes that lie on tables, none longer than a hand can hold.
@@ -132,9 +131,10 @@ layTable(RoomFurnisher& room, int table, const Laying& laying, bool any)
     int placed = -1;
     if (touches && any)
       placed = room.restOn(table, object, {turn, false, false, 0.015, last});
-    else if (touches)
-      placed = room.beside(
-          last, object, room.chance(0.5) ? 1 : -1, room.between(0.0, 0.01), top);
+    else if (touches) {
+      const double gap = room.between(0.0, 0.01);
+      placed = room.beside(last, object, room.chance(0.5) ? 1 : -1, gap, top);
+    }
     else if (stacked)
       placed = room.onTop(last, object, room.chance(0.5) ? 0.0 : turn);
     if (placed < 0)

@@ -92,12 +92,18 @@ RoomFurnisher::clutter()
       const Piece object = smallObject(*this);
       const double turn = chance(0.4) ? 0.0 : between(-M_PI, M_PI);
       const bool touches = last >= 0 && chance(0.35);
-      const int placed =
-          touches ? beside(last, object, chance(0.5) ? 1 : -1, between(0.0, 0.02), top)
-                  : onTop(i, object, turn, chance(0.3));
+      int placed = -1;
+      if (touches) {
+        const double gap = between(0.0, 0.02);
+        placed = beside(last, object, chance(0.5) ? 1 : -1, gap, top);
+      }
+      else
+        placed = onTop(i, object, turn, chance(0.3));
       last = placed >= 0 ? placed : last;
-      if (last >= 0 && chance(0.15))
-        onTop(last, smallObject(*this), between(-M_PI, M_PI));
+      if (last >= 0 && chance(0.15)) {
+        const double way = between(-M_PI, M_PI);
+        onTop(last, smallObject(*this), way);
+      }
     }
   }
   for (int i = pick(2 + static_cast<int>(size().prod() / 4)); i > 0; --i) {

@@ -310,8 +310,8 @@ RoomFurnisher::onTop(int other, const Piece& piece, double turn, bool at_rear)
   if (room.minCoeff() < 0)
     return -1;
   for (int attempt = 0; attempt < 6; ++attempt) {
-    const Eigen::Vector2d p(between(-1.0, 1.0) * room.x(),
-                            at_rear ? -room.y() : between(-1.0, 1.0) * room.y());
+    const double y = at_rear ? -room.y() : between(-1.0, 1.0) * room.y();
+    const Eigen::Vector2d p(between(-1.0, 1.0) * room.x(), y);
     const int placed = put(piece,
                            base.at + p.x() * sidewards(base.rotation) +
                                p.y() * forwards(base.rotation),
@@ -327,8 +327,8 @@ int
 RoomFurnisher::anywhere(const Piece& piece)
 {
   for (int attempt = 0; attempt < 30; ++attempt) {
-    const Eigen::Vector2d at(between(inner_.min().x(), inner_.max().x()),
-                             between(inner_.min().y(), inner_.max().y()));
+    const double y = between(inner_.min().y(), inner_.max().y());
+    const Eigen::Vector2d at(between(inner_.min().x(), inner_.max().x()), y);
     const int placed = put(piece, at, between(-M_PI, M_PI), 0.0);
     if (placed >= 0)
       return placed;
@@ -340,7 +340,8 @@ int
 RoomFurnisher::inTheMiddle(const Piece& piece, double share, double elevation)
 {
   for (int attempt = 0; attempt < 20; ++attempt) {
-    const Eigen::Vector2d off(between(-share, share), between(-share, share));
+    const double y = between(-share, share);
+    const Eigen::Vector2d off(between(-share, share), y);
     const double skew = chance(0.2) ? between(-0.15, 0.15) : 0.0;
     const int placed = put(piece,
                            inner_.center() + off.cwiseProduct(inner_.sizes()) / 2,

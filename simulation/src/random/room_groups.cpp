@@ -19,8 +19,10 @@ RoomFurnisher::putSmallObjects(int other, int count)
     if (small.size.z() < 0.6)
       onTop(other, small, between(-0.5, 0.5));
   }
-  if (chance(0.15))
-    onTop(other, piece("table_lamp"), between(-0.5, 0.5));
+  if (chance(0.15)) {
+    const double turn = between(-0.5, 0.5);
+    onTop(other, piece("table_lamp"), turn);
+  }
 }
 
 void
@@ -34,26 +36,33 @@ RoomFurnisher::workplace(const Piece& desk_piece,
     return;
   const double width = sizeOf(desk).x();
   const bool goes_around = lived_in_ && sizeOf(desk).y() > 1.1; // its right end
-  before(desk,
-         piece(chair),
-         between(-0.2, 0.1) - (goes_around ? sizeOf(desk).y() - 0.75 : 0.0),
-         (between(-0.1, 0.1) - (goes_around ? 0.2 : 0.0)) * width,
-         between(-0.7, 0.7));
+  const double turn = between(-0.7, 0.7);
+  const double aside = (between(-0.1, 0.1) - (goes_around ? 0.2 : 0.0)) * width;
+  const double gap = between(-0.2, 0.1) - (goes_around ? sizeOf(desk).y() - 0.75 : 0.0);
+  before(desk, piece(chair), gap, aside, turn);
+  const auto put_turned = [&](const char* object, double most, bool at_rear = false) {
+    const double way = between(-most, most);
+    return onTop(desk, piece(object), way, at_rear);
+  };
   if (chance(0.35))
-    onTop(desk, piece("laptop"), between(-0.3, 0.3));
+    put_turned("laptop", 0.3);
   else
     for (int i = 1 + pick(2); i > 0; --i)
-      if (onTop(desk, piece("monitor"), between(-0.15, 0.15), true) >= 0 && chance(0.7))
-        onTop(desk, piece("keyboard"), between(-0.2, 0.2));
+      if (put_turned("monitor", 0.15, true) >= 0 && chance(0.7))
+        put_turned("keyboard", 0.2);
   if (chance(0.5))
-    onTop(desk, piece("table_lamp"), between(-0.4, 0.4));
+    put_turned("table_lamp", 0.4);
   putSmallObjects(desk, pick(4));
   if (chance(0.3))
     onTop(desk, piece("printer"), 0, true);
-  if (chance(0.5))
-    beside(desk, shaped("drawers", 0, 0), chance(0.5) ? 1 : -1, 0.01);
-  else if (chance(0.5))
-    beside(desk, piece("computer"), chance(0.5) ? 1 : -1, 0.03);
+  if (chance(0.5)) {
+    const int side = chance(0.5) ? 1 : -1;
+    beside(desk, shaped("drawers", 0, 0), side, 0.01);
+  }
+  else if (chance(0.5)) {
+    const int side = chance(0.5) ? 1 : -1;
+    beside(desk, piece("computer"), side, 0.03);
+  }
 }
 
 std::vector<Piece>

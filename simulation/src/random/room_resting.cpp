@@ -40,20 +40,15 @@ RoomFurnisher::restOn(int other, const Piece& piece, const Resting& how)
   if (other < 0)
     return -1;
   const auto base = furniture_[other];
+  const auto corners = turnedRectangle({0, 0}, piece.size.head<2>(), how.turn);
   const Eigen::Vector2d half = pieces_[other].size.head<2>() / 2,
-                        own =
-                            turnedRectangle({0, 0}, piece.size.head<2>(), how.turn)[2]
-                                .cwiseAbs()
-                                .cwiseMax(turnedRectangle(
-                                              {0, 0}, piece.size.head<2>(), how.turn)[3]
-                                              .cwiseAbs());
+                        own = corners[2].cwiseAbs().cwiseMax(corners[3].cwiseAbs());
   if ((own.array() > half.array() + 0.02).any())
     return -1;
   const Eigen::Vector2d room = (half - own).cwiseMax(0.0);
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    Eigen::Vector2d at(between(-1.0, 1.0) * room.x(),
-                       how.at_rear ? between(-1.0, -0.8) * room.y()
-                                   : between(-1.0, 1.0) * room.y());
+    const double y = how.at_rear ? between(-1.0, -0.8) : between(-1.0, 1.0);
+    Eigen::Vector2d at(between(-1.0, 1.0) * room.x(), y * room.y());
     if (how.touching >= 0 && attempt < attempts / 2) {
       const auto& beside = furniture_[how.touching];
       const double apart =
@@ -89,8 +84,8 @@ RoomFurnisher::under(int other, const Piece& piece)
   const auto base = furniture_[other];
   const Eigen::Vector2d room = (pieces_[other].size - piece.size).head<2>() / 2;
   for (int attempt = 0; attempt < attempts && room.minCoeff() > 0; ++attempt) {
-    const Eigen::Vector2d at(between(-1.0, 1.0) * room.x(),
-                             between(-1.0, 1.0) * room.y());
+    const double y = between(-1.0, 1.0) * room.y();
+    const Eigen::Vector2d at(between(-1.0, 1.0) * room.x(), y);
     if (!placesOn(other).isFreeBelow(turnedRectangle(at, piece.size.head<2>(), 0.0),
                                      piece.size.z()))
       continue;

@@ -26,6 +26,8 @@ std::vector<Stop>
 stopsIn(const Level& level, const CameraPathOptions& options, RandomDraw& draw)
 {
   constexpr double clearance = 0.2; // metres: where somebody can stand
+  // by which they look around at a stop, radians
+  constexpr double least_turn = M_PI, most_turn = 2 * M_PI;
   auto left = spread(placesOn(level, options.highest), options.spacing, clearance);
   std::vector<Stop> stops;
   double heading = draw.uniform(0, 2 * M_PI);
@@ -36,7 +38,7 @@ stopsIn(const Level& level, const CameraPathOptions& options, RandomDraw& draw)
         const Eigen::Vector2d here = stops.back().at.head<2>();
         return (a - here).squaredNorm() < (b - here).squaredNorm();
       });
-    const double turn = draw.uniform(options.least_turn, options.most_turn);
+    const double turn = draw.uniform(least_turn, most_turn);
     const double side = draw.pick(2) == 0 ? -1 : 1;
     const double height = draw.uniform(options.lowest, options.highest);
     stops.push_back({level.sensorAt(*nearest, height), heading, heading + side * turn});
@@ -49,19 +51,18 @@ stopsIn(const Level& level, const CameraPathOptions& options, RandomDraw& draw)
 /** Writes the frames of a path, which looks up and down as it goes on. */
 class FrameWriter {
 public:
-  FrameWriter(const CameraPathOptions& options, RandomDraw& draw)
-  : options_(options)
-  , phase_(draw.uniform(0, 2 * M_PI))
+  explicit FrameWriter(RandomDraw& draw)
+  : phase_(draw.uniform(0, 2 * M_PI))
   {}
 
   void
   add(const Eigen::Vector3d& at, double heading)
   {
     constexpr double frames_up_and_down = 9;
+    constexpr double lowest = -0.8, highest = 0; // of the axis, radians
     phase_ += 2 * M_PI / frames_up_and_down;
-    const double middle = (options_.highest_look + options_.lowest_look) / 2,
-                 most = (options_.highest_look - options_.lowest_look) / 2;
-    const double slope = std::tan(middle + most * std::sin(phase_));
+    const double slope =
+        std::tan((highest + lowest) / 2 + (highest - lowest) / 2 * std::sin(phase_));
     frames.push_back(frameOf(
         {at, at + Eigen::Vector3d(std::cos(heading), std::sin(heading), slope)}));
   }
@@ -69,7 +70,6 @@ public:
   std::vector<CameraFrame> frames;
 
 private:
-  const CameraPathOptions& options_;
   double phase_; // of looking up and down, radians
 };
 
@@ -85,7 +85,7 @@ cameraPath(const Building& building,
   constexpr double turn_step = 12 * M_PI / 180; // between frames: a fifth of the view
   constexpr double way_step = 0.3;              // metres between frames
   const auto stops = stopsIn({building, room, nullptr}, options, draw);
-  FrameWriter writer(options, draw);
+  FrameWriter writer(draw);
   for (std::size_t s = 0; s < stops.size(); ++s) {
     const auto& stop = stops[s];
     const double turn = stop.to - stop.from;

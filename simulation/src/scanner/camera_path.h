@@ -14,13 +14,9 @@ namespace pcl::indoor {
 
 /** \brief How somebody carries a camera through a room. */
 struct CameraPathOptions {
-  double spacing = 0.9;        ///< between places where they stop, metres (> 0)
-  double lowest = 1.2;         ///< height of the camera above the floor, metres (> 0)
-  double highest = 1.7;        ///< metres (>= lowest)
-  double least_turn = M_PI;    ///< that they look around by at a stop, radians (>= 0)
-  double most_turn = 2 * M_PI; ///< radians (>= least_turn)
-  double highest_look = 0;     ///< of the camera's axis above the horizon, radians
-  double lowest_look = -0.8;   ///< radians (<= highest_look)
+  double spacing = 0.9; ///< between places where they stop, metres (> 0)
+  double lowest = 1.2;  ///< height of the camera above the floor, metres (> 0)
+  double highest = 1.7; ///< metres (>= lowest)
 };
 
 /** \brief The views of somebody who stops all through the free space of a room, looks

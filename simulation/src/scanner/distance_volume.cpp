@@ -4,7 +4,7 @@
  */
 #include "scanner/distance_volume.h"
 
-#include "scanner/parallel_loop.h"
+#include <pcl/indoor/parallel_for.h>
 
 #include <pcl/exceptions.h>
 
@@ -90,16 +90,17 @@ DistanceVolume::DistanceVolume(double voxel_size, int threads)
 void
 DistanceVolume::addBlock(const Eigen::Vector3i& place)
 {
+  const auto key = keyOf(place);
+  if (number_of_block_.count(key) > 0)
+    return;
   if (blocks_.size() >= most_blocks)
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "voxels of " << voxel_size_
                                      << " m are too small for what is seen: more than "
                                         "2 GB would be needed");
-  const auto number = static_cast<std::uint32_t>(blocks_.size());
-  if (number_of_block_.emplace(keyOf(place), number).second) {
-    blocks_.push_back(std::make_unique<Block>());
-    blocks_.back()->place = place;
-  }
+  number_of_block_.emplace(key, static_cast<std::uint32_t>(blocks_.size()));
+  blocks_.push_back(std::make_unique<Block>());
+  blocks_.back()->place = place;
 }
 
 void
@@ -172,7 +173,8 @@ DistanceVolume::integrate(const std::vector<DepthPixel>& pixels,
   const Projection projection(frame, camera);
   addBlocksAlong(pixels, projection);
   const double size = side * voxel_size_, radius = std::sqrt(0.75) * size;
-  loopInParallel(blocks_.size(), threads_, [&](std::size_t b) {
+  const auto blocks = static_cast<std::ptrdiff_t>(blocks_.size());
+  parallelFor(blocks, threads_, 1, [&](std::ptrdiff_t b) {
     const Eigen::Vector3d middle =
         size * (blocks_[b]->place.cast<double>() + Eigen::Vector3d::Constant(0.5));
     if (projection.maySee(middle, radius))
@@ -223,7 +225,8 @@ std::vector<LabelledVertex>
 DistanceVolume::vertices(float least_weight) const
 {
   std::vector<std::vector<LabelledVertex>> of_block(blocks_.size());
-  loopInParallel(blocks_.size(), threads_, [&](std::size_t b) {
+  const auto blocks = static_cast<std::ptrdiff_t>(blocks_.size());
+  parallelFor(blocks, threads_, 1, [&](std::ptrdiff_t b) {
     const auto& block = *blocks_[b];
     for (int i = 0; i < side * side * side; ++i) {
       const auto& voxel = block.voxels[i];

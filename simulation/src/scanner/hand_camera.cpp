@@ -7,7 +7,8 @@
 #include "scanner/camera_path.h"
 #include "scanner/distance_volume.h"
 #include "scanner/option_check.h"
-#include "scanner/parallel_loop.h"
+
+#include <pcl/indoor/parallel_for.h>
 
 #include <Eigen/Geometry>
 
@@ -89,7 +90,8 @@ fuse(const DepthSensor& sensor,
   std::vector<std::vector<DepthPixel>> views(at_once);
   for (std::size_t begin = 0; begin < frames.size(); begin += at_once) {
     const auto count = std::min(at_once, frames.size() - begin);
-    loopInParallel(count, options.threads, [&](std::size_t i) {
+    const auto views_at_once = static_cast<std::ptrdiff_t>(count);
+    parallelFor(views_at_once, options.threads, 1, [&](std::ptrdiff_t i) {
       const auto view = static_cast<std::uint32_t>(begin + i);
       views[i] = sensor.see(frames[begin + i], mixSeed(options.seed, 16 + view));
       for (auto& pixel : views[i])

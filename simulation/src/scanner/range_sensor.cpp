@@ -35,7 +35,10 @@ scanFrom(const RayScene& scene,
          RandomDraw draw)
 {
   const double turn = draw.uniform(0.0, 2 * M_PI), shift = draw.uniform();
-  Eigen::Vector3d error(draw.gaussian(), draw.gaussian(), 0.5 * draw.gaussian());
+  Eigen::Vector3d error;
+  for (const int k : {2, 1, 0})
+    error[k] = draw.gaussian();
+  error.z() *= 0.5;
   error *= options.drift;
   const double heading_error = draw.gaussian() * options.drift / typical_range;
   const Eigen::Matrix3d heading =

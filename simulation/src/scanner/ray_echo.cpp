@@ -6,15 +6,13 @@
 
 #include "scanner/option_check.h"
 
+#include <pcl/indoor/parallel_for.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include <mutex>
 
 namespace pcl::indoor {
 
@@ -157,31 +155,18 @@ scanFromPoses(std::size_t poses,
               const EchoOptions& options,
               const PoseScan& scan_from)
 {
-  const auto pose_count = static_cast<std::ptrdiff_t>(poses);
   std::vector<std::vector<PointXYZScene>> per_pose(poses);
-  std::ptrdiff_t done = 0;
-  std::exception_ptr failure; // none may leave a parallel loop
-#ifdef _OPENMP
-  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-#endif
-  for (std::ptrdiff_t i = 0; i < pose_count; ++i) {
-    try {
-      const auto seed = mixSeed(options.seed, static_cast<std::uint32_t>(i));
-      per_pose[i] = scan_from(static_cast<std::size_t>(i), RandomDraw(seed));
-    } catch (...) {
-#pragma omp critical(pcl_indoor_scan)
-      failure = std::current_exception();
-    }
-#pragma omp critical(pcl_indoor_scan)
-    {
-      ++done;
-      if (options.progress)
-        options.progress(static_cast<std::size_t>(done), poses);
-    }
-  }
-  if (failure)
-    std::rethrow_exception(failure);
+  std::size_t done = 0;
+  std::mutex mutex; // of the number and of who is told it
+  const auto pose_count = static_cast<std::ptrdiff_t>(poses);
+  parallelFor(pose_count, options.threads, 1, [&](std::ptrdiff_t i) {
+    const auto pose = static_cast<std::uint32_t>(i);
+    per_pose[i] = scan_from(pose, RandomDraw(mixSeed(options.seed, pose)));
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++done;
+    if (options.progress)
+      options.progress(done, poses);
+  });
   SimulatedScan scan;
   scan.ray_count = poses * rays_per_pose;
   for (std::size_t i = 0; i < poses; ++i) {

@@ -180,7 +180,6 @@ buildRoadmap(const Building& building,
 {
   constexpr double same_floor = 0.5; // metres
   Roadmap roadmap;
-  std::set<std::uint32_t> rooms;
   double floor = 0.0;
   for (std::uint32_t r = 1; r <= building.rooms.size(); ++r)
     if (building.rooms[r - 1].storey == storey) {

@@ -152,7 +152,8 @@ struct Plan {
   std::vector<Eigen::Vector3d> trajectory; ///< sensor positions; empty: automatic
 };
 
-/** \brief Let all that leans in a plan lean by another angle, each to its side.
+/** \brief Change by how much a plan's building and its walls lean, if they do; the
+ * directions stay.
  * \param[in,out] plan the plan
  * \param[in] angle radians, at least 0
  * \throws PlanError if nothing leans in the plan
@@ -160,7 +161,7 @@ struct Plan {
 PCL_INDOOR_EXPORTS void
 setLean(Plan& plan, double angle);
 
-/** \brief Let the whole building lean, and no wall by itself. */
+/** \brief Let the whole building lean; no wall leans otherwise. */
 PCL_INDOOR_EXPORTS void
 setLean(Plan& plan, const LeanPlan& lean);
 

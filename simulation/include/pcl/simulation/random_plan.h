@@ -35,15 +35,14 @@ enum class PlanFilling {
  * the kind of each room. Pieces may touch each other and the walls; their bounding
  * boxes share space only where chairs stand under tables or objects lie in pieces. Some
  * buildings are turned.
- * \param[in] seed the same seed gives the same plan; another one
- * another plan
+ * \param[in] seed the same seed gives the same plan, another one another plan
  * \param[in] kind of the building
- * \param[in] filling Cluttered: desks are
- * pushed together, and many small objects lie on what has a level top and on the floor,
- * all else is as without; of a table: more objects on it. LivedIn: the same rooms, each
- * piece drawn from all shapes of its class; pillows, blankets, clothes, bags, books,
- * toys, towels, kitchenware and more in, on, under and over it, on the floor, at and on
- * the walls
+ * \param[in] filling Cluttered: desks are pushed together, many small objects lie on
+ * the floor and on all that has a level top, and all else is as in a plain plan; a
+ * table has more objects. LivedIn: the rooms are those of the plain plan; each piece
+ * is drawn from all shapes of its class; pillows, blankets, clothes, bags, books, toys,
+ * towels and kitchenware lie in, on, under and over furniture, on the floor and at the
+ * walls
  * \return a plan that buildBuilding() accepts
  */
 PCL_INDOOR_EXPORTS Plan

@@ -48,17 +48,11 @@ frontOf(
       const Rectangle r{left + 0.004, y - 0.06, right - 0.004, y - 0.03};
       const double d0 = z0 + 0.004, d1 = z1 - 0.004;
       if (style.bulging)
-        sheet(
-            make,
-            "door",
-            [&](double u, double v) -> P {
-              return {(r.x0 + r.x1) / 2 + (r.x1 - r.x0) / 2 * u,
-                      y - 0.08 + 0.05 * (1 - u * u),
-                      d0 + (v + 1) / 2 * (d1 - d0)};
-            },
-            8,
-            1,
-            0.02);
+        sheet(make, "door", {8, 1, 0.02}, [&](double u, double v) -> P {
+          return {(r.x0 + r.x1) / 2 + (r.x1 - r.x0) / 2 * u,
+                  y - 0.08 + 0.05 * (1 - u * u),
+                  d0 + (v + 1) / 2 * (d1 - d0)};
+        });
       else if (style.rounded)
         roundBox(make, "door", r, d0, d1, 0.014);
       else
@@ -84,18 +78,11 @@ frontOf(
                           1.98 * M_PI,
                           18);
     tube(make, "rim", ring, 0.022, 6);
-    sheet(
-        make,
-        "glass",
-        [&](double u, double v) -> P {
-          const double r = 0.3 * size.x() * (v + 1) / 2, a = M_PI * u * 0.995;
-          return {r * std::cos(a),
-                  y - 0.035 + 0.02 * (1 - v) / 2,
-                  middle + r * std::sin(a)};
-        },
-        14,
-        2,
-        0.01);
+    sheet(make, "glass", {14, 2, 0.01}, [&](double u, double v) -> P {
+      const double r = 0.3 * size.x() * (v + 1) / 2, a = M_PI * u * 0.995;
+      return {
+          r * std::cos(a), y - 0.035 + 0.02 * (1 - v) / 2, middle + r * std::sin(a)};
+    });
   }
   if (style.window) {
     make.box("pane",
@@ -155,12 +142,7 @@ appliance(const char* name,
           const Size& largest,
           const Appliance& style)
 {
-  return fitted(name,
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildAppliance(make, size, draw, style);
-                });
+  return styled(name, smallest, largest, style, buildAppliance);
 }
 
 } // namespace

@@ -83,12 +83,7 @@ buildTub(PartMaker& make, const Size& size, RandomDraw& draw, const TubStyle& st
 FurnitureClass
 tub(const Size& smallest, const Size& largest, const TubStyle& style)
 {
-  return fitted("bath",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildTub(make, size, draw, style);
-                });
+  return styled("bath", smallest, largest, style, buildTub);
 }
 
 void
@@ -119,18 +114,12 @@ roundShower(PartMaker& make, const Size& size, RandomDraw&)
         {-x + 2 * x * std::cos(i * M_PI / 12), -y + 2 * y * std::sin(i * M_PI / 12)});
   tray.erase(tray.begin() + 1);
   make.slab("tray", tray, 0, 0.1);
-  sheet(
-      make,
-      "screen",
-      [&](double u, double v) -> P {
-        const double a = (u + 1) * M_PI / 4;
-        return {-x + 1.95 * x * std::cos(a),
-                -y + 1.95 * y * std::sin(a),
-                0.1 + (v + 1) / 2 * (z - 0.2)};
-      },
-      8,
-      1,
-      0.012);
+  sheet(make, "screen", {8, 1, 0.012}, [&](double u, double v) -> P {
+    const double a = (u + 1) * M_PI / 4;
+    return {-x + 1.95 * x * std::cos(a),
+            -y + 1.95 * y * std::sin(a),
+            0.1 + (v + 1) / 2 * (z - 0.2)};
+  });
   showerHead(make, -y, z);
 }
 
@@ -144,18 +133,12 @@ curtainShower(PartMaker& make, const Size& size, RandomDraw& draw)
             {{1, 0, 0.1}, {1, 0.08, 0.1}, {0.9, 0.08, 0.1}, {0.86, 0.03, 0.15}},
             20);
   tube(make, "rail", {{-x, y - 0.02, z - 0.05}, {x, y - 0.02, z - 0.05}}, 0.012);
-  sheet(
-      make,
-      "curtain",
-      [&](double u, double v) -> P {
-        const double t = (v + 1) / 2;
-        return {-x + (u + 1) / 2 * 2 * x * (1 - open),
-                y - 0.06 + 0.035 * t * std::sin(26 * u),
-                z - 0.05 - t * (z - 0.2)};
-      },
-      30,
-      3,
-      0.006);
+  sheet(make, "curtain", {30, 3, 0.006}, [&](double u, double v) -> P {
+    const double t = (v + 1) / 2;
+    return {-x + (u + 1) / 2 * 2 * x * (1 - open),
+            y - 0.06 + 0.035 * t * std::sin(26 * u),
+            z - 0.05 - t * (z - 0.2)};
+  });
   showerHead(make, -y, z);
 }
 
@@ -189,17 +172,11 @@ buildToilet(PartMaker& make,
   if (style.hung)
     make.box("mount", {-0.18, -y, 0.18, -y + deep}, 0.15, 0.4);
   if (style.lid_up)
-    sheet(
-        make,
-        "lid",
-        [&](double u, double v) -> P {
-          return {bowl * u * (1 - 0.2 * (v + 1) * (v + 1) / 4),
-                  -y + deep + 0.02 - 0.03 * v,
-                  seat + 0.02 + (v + 1) * 0.2};
-        },
-        6,
-        3,
-        0.02);
+    sheet(make, "lid", {6, 3, 0.02}, [&](double u, double v) -> P {
+      return {bowl * u * (1 - 0.2 * (v + 1) * (v + 1) / 4),
+              -y + deep + 0.02 - 0.03 * v,
+              seat + 0.02 + (v + 1) * 0.2};
+    });
   else
     make.loft("lid",
               {-bowl, -y + deep, bowl, y},
@@ -218,12 +195,7 @@ buildToilet(PartMaker& make,
 FurnitureClass
 toilet(const Size& smallest, const Size& largest, const ToiletStyle& style)
 {
-  return fitted("toilet",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildToilet(make, size, draw, style);
-                });
+  return styled("toilet", smallest, largest, style, buildToilet);
 }
 
 /** A basin and what carries it. */
@@ -285,14 +257,7 @@ buildBasin(PartMaker& make, const Size& size, RandomDraw& draw, const BasinStyle
 FurnitureClass
 basin(const Size& smallest, const Size& largest, const BasinStyle& style, int like)
 {
-  return fitted(
-      "sink",
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildBasin(make, size, draw, style);
-      },
-      like);
+  return styled("sink", smallest, largest, style, buildBasin, like);
 }
 
 // Of a kitchen: one or two deep basins in a top.

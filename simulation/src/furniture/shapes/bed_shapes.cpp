@@ -41,24 +41,17 @@ bedCover(PartMaker& make,
                        : kind == Cover::Puffed ? 0.025
                                                : 0.006;
   const double thick = kind == Cover::Puffed ? 0.07 : 0.025;
-  sheet(
-      make,
-      "blanket",
-      [&](double u, double v) -> Eigen::Vector3d {
-        const double along = mattress.max().y() + 0.015 - (v + 1) * share * h.y();
-        const double over = std::max(0.0, std::abs(u) - 0.85) / 0.15;
-        const double wave =
-            rough * (1 + std::sin(7 * u + 3 * v + phase) * std::cos(5 * v - 2 * u));
-        return {m.x() +
-                    std::copysign(std::min(1.0, std::abs(u) / 0.85), u) *
-                        (h.x() + 0.01) +
-                    0.02 * over * std::sin(9 * v + phase) * (u > 0 ? 1 : -1),
-                along + 0.5 * wave * std::sin(4 * u),
-                top + thick / 2 + wave * (1 - over) - drop * over};
-      },
-      14,
-      12,
-      thick);
+  sheet(make, "blanket", {14, 12, thick}, [&](double u, double v) -> Eigen::Vector3d {
+    const double along = mattress.max().y() + 0.015 - (v + 1) * share * h.y();
+    const double over = std::max(0.0, std::abs(u) - 0.85) / 0.15;
+    const double wave =
+        rough * (1 + std::sin(7 * u + 3 * v + phase) * std::cos(5 * v - 2 * u));
+    return {m.x() +
+                std::copysign(std::min(1.0, std::abs(u) / 0.85), u) * (h.x() + 0.01) +
+                0.02 * over * std::sin(9 * v + phase) * (u > 0 ? 1 : -1),
+            along + 0.5 * wave * std::sin(4 * u),
+            top + thick / 2 + wave * (1 - over) - drop * over};
+  });
   if (kind == Cover::Folded)
     roundBox(make,
              "fold",
@@ -106,14 +99,9 @@ headboard(PartMaker& make, Headboard kind, const Size& size, double low, double 
     return;
   case Headboard::Curved:
     return sheet(
-        make,
-        "headboard",
-        [&](double u, double v) -> Eigen::Vector3d {
+        make, "headboard", {12, 2, 0.05}, [&](double u, double v) -> Eigen::Vector3d {
           return {x * u, y + 0.03, (v + 1) / 2 * high * (1 - 0.25 * u * u)};
-        },
-        12,
-        2,
-        0.05);
+        });
   case Headboard::Shelf:
     make.box("headboard", {-x, y, x, y + 0.02}, 0, high);
     make.box("shelf", {-x, y, x, y + 0.2}, high - 0.03, high);
@@ -154,12 +142,7 @@ buildBed(PartMaker& make, const Size& size, RandomDraw& draw, const Bedding& sty
 FurnitureClass
 bed(const Size& smallest, const Size& largest, const Bedding& style)
 {
-  return fitted("bed",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildBed(make, size, draw, style);
-                });
+  return styled("bed", smallest, largest, style, buildBed);
 }
 
 // A small one with bars around it.
@@ -181,17 +164,11 @@ cot(PartMaker& make, const Size& size, RandomDraw& draw)
     make.box("rail", {s, -y + 0.04, s + 0.02, y - 0.04}, 0.5 * low, 0.6 * low);
   }
   for (const double s : {-y, y - 0.03})
-    sheet(
-        make,
-        "end",
-        [&](double u, double v) -> Eigen::Vector3d {
-          return {x * u,
-                  s + 0.015,
-                  0.5 * low + (v + 1) / 2 * (z - 0.5 * low) * (1 - 0.1 * (1 - u * u))};
-        },
-        8,
-        1,
-        0.024);
+    sheet(make, "end", {8, 1, 0.024}, [&](double u, double v) -> Eigen::Vector3d {
+      return {x * u,
+              s + 0.015,
+              0.5 * low + (v + 1) / 2 * (z - 0.5 * low) * (1 - 0.1 * (1 - u * u))};
+    });
   roundBox(make,
            "mattress",
            {-x + 0.04, -y + 0.04, x - 0.04, y - 0.04},
@@ -257,12 +234,7 @@ buildBunk(PartMaker& make, const Size& size, RandomDraw& draw, const Bunk& style
 FurnitureClass
 bunk(const Size& smallest, const Size& largest, const Bunk& style)
 {
-  return fitted("bunk_bed",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildBunk(make, size, draw, style);
-                });
+  return styled("bunk_bed", smallest, largest, style, buildBunk);
 }
 
 } // namespace

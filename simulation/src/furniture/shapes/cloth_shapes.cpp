@@ -34,33 +34,23 @@ curtain(Weave kind)
         for (const double side : {-1.0, 1.0}) {
           const double wide = closed * x, phase = draw.uniform(0, 6);
           const int folds = std::max(2, static_cast<int>(wide / pitch));
-          sheet(
-              make,
-              "cloth",
-              [&](double u, double v) -> P {
-                const double t = (v + 1) / 2, a = M_PI * folds * u;
-                return {side *
-                            (x - (u + 1) / 2 * wide * (1 - 0.1 * std::sin(M_PI * t))),
-                        0.8 * y * (1 - flare * (1 - t)) *
-                            std::sin(a + 0.6 * std::sin(2 * t + phase)),
-                        top * (1 - t)};
-              },
-              std::min(60, 8 * folds),
-              3,
-              0.006);
+          sheet(make,
+                "cloth",
+                {std::min(60, 8 * folds), 3, 0.006},
+                [&](double u, double v) -> P {
+                  const double t = (v + 1) / 2, a = M_PI * folds * u;
+                  return {side *
+                              (x - (u + 1) / 2 * wide * (1 - 0.1 * std::sin(M_PI * t))),
+                          0.8 * y * (1 - flare * (1 - t)) *
+                              std::sin(a + 0.6 * std::sin(2 * t + phase)),
+                          top * (1 - t)};
+                });
         }
         if (kind == Weave::Valance)
-          sheet(
-              make,
-              "valance",
-              [&](double u, double v) -> P {
-                return {x * u,
-                        y * (0.8 + 0.2 * std::sin(30 * u)),
-                        top - (v + 1) / 2 * 0.25};
-              },
-              40,
-              1,
-              0.006);
+          sheet(make, "valance", {40, 1, 0.006}, [&](double u, double v) -> P {
+            return {
+                x * u, y * (0.8 + 0.2 * std::sin(30 * u)), top - (v + 1) / 2 * 0.25};
+          });
       });
 }
 
@@ -83,17 +73,11 @@ blinds(int kind)
               std::clamp(static_cast<int>((z - 0.06 - low) / 0.05), 2, 40);
           for (int i = 0; i < slats; ++i) {
             const double at = low + (z - 0.07 - low) * i / slats;
-            sheet(
-                make,
-                "slat",
-                [&](double u, double v) -> P {
-                  return {0.98 * x * u,
-                          deep * v * std::cos(tilt),
-                          at + 0.02 + deep * v * std::sin(tilt)};
-                },
-                1,
-                1,
-                0.002);
+            sheet(make, "slat", {1, 1, 0.002}, [&](double u, double v) -> P {
+              return {0.98 * x * u,
+                      deep * v * std::cos(tilt),
+                      at + 0.02 + deep * v * std::sin(tilt)};
+            });
           }
           make.join(slats, "slats");
           return tube(make,
@@ -117,31 +101,22 @@ blinds(int kind)
           const double turn = draw.uniform(0.2, 1.2);
           for (int i = 0; i < strips; ++i) {
             const double at = -x + (i + 0.5) * 2 * x / strips;
-            sheet(
-                make,
-                "strip",
-                [&](double u, double v) -> P {
-                  return {at + 0.05 * u * std::cos(turn),
-                          0.9 * y * u * std::sin(turn),
-                          (v + 1) / 2 * (z - 0.05)};
-                },
-                1,
-                1,
-                0.003);
+            sheet(make, "strip", {1, 1, 0.003}, [&](double u, double v) -> P {
+              return {at + 0.05 * u * std::cos(turn),
+                      0.9 * y * u * std::sin(turn),
+                      (v + 1) / 2 * (z - 0.05)};
+            });
           }
           return make.join(strips, "strips");
         }
-        sheet(
-            make,
-            "cloth",
-            [&](double u, double v) -> P { // folds across
-              return {0.97 * x * u,
-                      0.9 * y * std::sin(30 * v),
-                      low + (v + 1) / 2 * (z - 0.05 - low)};
-            },
-            1,
-            40,
-            0.005);
+        sheet(make,
+              "cloth",
+              {1, 40, 0.005},
+              [&](double u, double v) -> P { // folds across
+                return {0.97 * x * u,
+                        0.9 * y * std::sin(30 * v),
+                        low + (v + 1) / 2 * (z - 0.05 - low)};
+              });
         make.box("cord", {0.97 * x, -0.01, x, 0}, 0, z - 0.05);
       });
 }
@@ -202,35 +177,29 @@ pillowOf(Filling kind)
 FurnitureClass
 thrown(const char* name, const Size& smallest, const Size& largest, double folds)
 {
-  return fitted(
-      name,
-      smallest,
-      largest,
-      [folds](PartMaker& make, const Size& size, RandomDraw& draw) {
-        double phase[6];
-        for (auto& p : phase)
-          p = draw.uniform(0, 6.3);
-        sheet(
-            make,
-            "cloth",
-            [&](double u, double v) -> P {
-              const double a = std::atan2(v, u), r = std::max(std::abs(u), std::abs(v));
-              const double reach = r * (0.8 + 0.12 * std::sin(3 * a + phase[0]) +
-                                        0.08 * std::sin(5 * a + phase[1]));
-              const double hump =
-                  (1 - r * r) * (0.55 +
-                                 0.25 * std::sin(folds * u + phase[2]) *
-                                     std::cos(folds * v + phase[3]) +
-                                 0.2 * std::sin(1.7 * folds * v + phase[4] + u));
-              return {0.5 * size.x() * reach * std::cos(a),
-                      0.5 * size.y() * reach * std::sin(a),
-                      size.z() * (0.05 + 0.9 * std::max(0.0, hump) +
-                                  0.03 * std::sin(9 * a + phase[5]))};
-            },
-            16,
-            16,
-            0.02);
-      });
+  return fitted(name,
+                smallest,
+                largest,
+                [folds](PartMaker& make, const Size& size, RandomDraw& draw) {
+                  double phase[6];
+                  for (auto& p : phase)
+                    p = draw.uniform(0, 6.3);
+                  sheet(make, "cloth", {16, 16, 0.02}, [&](double u, double v) -> P {
+                    const double a = std::atan2(v, u),
+                                 r = std::max(std::abs(u), std::abs(v));
+                    const double reach = r * (0.8 + 0.12 * std::sin(3 * a + phase[0]) +
+                                              0.08 * std::sin(5 * a + phase[1]));
+                    const double hump =
+                        (1 - r * r) * (0.55 +
+                                       0.25 * std::sin(folds * u + phase[2]) *
+                                           std::cos(folds * v + phase[3]) +
+                                       0.2 * std::sin(1.7 * folds * v + phase[4] + u));
+                    return {0.5 * size.x() * reach * std::cos(a),
+                            0.5 * size.y() * reach * std::sin(a),
+                            size.z() * (0.05 + 0.9 * std::max(0.0, hump) +
+                                        0.03 * std::sin(9 * a + phase[5]))};
+                  });
+                });
 }
 
 // Folded and laid down, one on another.
@@ -264,16 +233,10 @@ rolled(const char* name, const Size& smallest, const Size& largest)
           spiral.push_back({0,
                             r * (1 - 0.03 * i) * std::cos(0.6 * i),
                             r + r * (1 - 0.03 * i) * std::sin(0.6 * i)});
-        sheet(
-            make,
-            "cloth",
-            [&](double u, double v) -> P {
-              const auto i = static_cast<std::size_t>(std::lround((v + 1) / 2 * 21));
-              return spiral[i] + P(x * u, 0, 0);
-            },
-            2,
-            21,
-            0.012);
+        sheet(make, "cloth", {2, 21, 0.012}, [&](double u, double v) -> P {
+          const auto i = static_cast<std::size_t>(std::lround((v + 1) / 2 * 21));
+          return spiral[i] + P(x * u, 0, 0);
+        });
       });
 }
 
@@ -295,20 +258,13 @@ hung(const char* name, const Size& smallest, const Size& largest, int kind)
                0.01);
           const double wide = draw.uniform(0.6, 0.85) * x,
                        rear = draw.uniform(0.5, 0.9);
-          return sheet(
-              make,
-              "cloth",
-              [&](double u, double v) -> P {
-                const double fall = v > 0 ? v * (z - 0.04) : -v * rear * (z - 0.04),
-                             side = std::clamp(6 * v, -1.0, 1.0);
-                return {wide * u,
-                        side * 0.02 +
-                            side * fall * 0.04 * (1 + std::sin(8 * u + phase)),
-                        z - 0.01 - fall - 0.01 * side * side};
-              },
-              10,
-              12,
-              0.01);
+          return sheet(make, "cloth", {10, 12, 0.01}, [&](double u, double v) -> P {
+            const double fall = v > 0 ? v * (z - 0.04) : -v * rear * (z - 0.04),
+                         side = std::clamp(6 * v, -1.0, 1.0);
+            return {wide * u,
+                    side * 0.02 + side * fall * 0.04 * (1 + std::sin(8 * u + phase)),
+                    z - 0.01 - fall - 0.01 * side * side};
+          });
         }
         tube(make,
              "hook",
@@ -317,21 +273,18 @@ hung(const char* name, const Size& smallest, const Size& largest, int kind)
              5);
         const double shoulder =
             kind == 1 ? 0.15 : 0.9; // gathered at one point, or on a hanger
-        sheet(
-            make,
-            "cloth",
-            [&](double u, double v) -> P {
-              const double t = (v + 1) / 2,
-                           wide = x * (shoulder + (1 - shoulder) * std::sqrt(t));
-              return {wide * u,
-                      -0.2 * y + y * 0.6 * (1 - u * u) * (0.4 + 0.6 * t) +
-                          0.1 * y * std::sin(9 * u + phase) * t,
-                      high - 0.03 - t * (z - 0.08) -
-                          (kind == 2 ? 0.1 * u * u * (1 - t) : 0.0)};
-            },
-            12,
-            8,
-            kind == 2 ? 0.05 : 0.03);
+        sheet(make,
+              "cloth",
+              {12, 8, kind == 2 ? 0.05 : 0.03},
+              [&](double u, double v) -> P {
+                const double t = (v + 1) / 2,
+                             wide = x * (shoulder + (1 - shoulder) * std::sqrt(t));
+                return {wide * u,
+                        -0.2 * y + y * 0.6 * (1 - u * u) * (0.4 + 0.6 * t) +
+                            0.1 * y * std::sin(9 * u + phase) * t,
+                        high - 0.03 - t * (z - 0.08) -
+                            (kind == 2 ? 0.1 * u * u * (1 - t) : 0.0)};
+              });
         if (kind == 2) // sleeves
           for (const double s : {-1.0, 1.0})
             tube(make,

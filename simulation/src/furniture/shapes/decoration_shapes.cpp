@@ -36,15 +36,9 @@ picture(const Size& smallest, const Size& largest, Hanging kind, int like = 0)
           skin(make, "picture", rings);
         };
         if (kind == Hanging::Leaning) // its upper edge at a wall
-          return sheet(
-              make,
-              "picture",
-              [&](double u, double v) -> P {
-                return {x * u, -y * v, z * (v + 1) / 2};
-              },
-              1,
-              1,
-              0.03);
+          return sheet(make, "picture", {1, 1, 0.03}, [&](double u, double v) -> P {
+            return {x * u, -y * v, z * (v + 1) / 2};
+          });
         if (kind == Hanging::Canvas)
           return make.box("picture", {-x, -y, x, y}, 0, z);
         if (kind == Hanging::Triptych) {
@@ -108,17 +102,11 @@ writingBoard(int kind)
           for (const double s : {-0.9, 0.9})
             tube(make, "leg", {{s * x, y, 0}, {0.3 * s * x, 0, z}}, 0.015);
           tube(make, "leg", {{0, -y, 0}, {0, 0, z}}, 0.015);
-          return sheet(
-              make,
-              "board",
-              [&](double u, double v) -> P {
-                return {0.95 * x * u,
-                        0.45 * y - 0.45 * y * (v + 1) / 2 + 0.05,
-                        low + (v + 1) / 2 * (z - low)};
-              },
-              1,
-              2,
-              0.02);
+          return sheet(make, "board", {1, 2, 0.02}, [&](double u, double v) -> P {
+            return {0.95 * x * u,
+                    0.45 * y - 0.45 * y * (v + 1) / 2 + 0.05,
+                    low + (v + 1) / 2 * (z - low)};
+          });
         }
         make.box("board",
                  {-x + 0.02, -0.5 * (stands ? 0.02 : 2 * y), x - 0.02, 0.01},

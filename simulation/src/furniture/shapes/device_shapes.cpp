@@ -73,17 +73,11 @@ airConditioner(int kind)
       [kind](PartMaker& make, const Size& size, RandomDraw&) {
         const double x = size.x() / 2, y = size.y() / 2, z = size.z();
         if (kind == 0)
-          sheet(
-              make,
-              "body",
-              [&](double u, double v) -> P {
-                return {x * u,
-                        0.3 * y * (1 - v * v) - 0.2 * y,
-                        0.05 * z + (v + 1) / 2 * 0.9 * z};
-              },
-              1,
-              8,
-              y);
+          sheet(make, "body", {1, 8, y}, [&](double u, double v) -> P {
+            return {x * u,
+                    0.3 * y * (1 - v * v) - 0.2 * y,
+                    0.05 * z + (v + 1) / 2 * 0.9 * z};
+          });
         else if (kind == 3)
           lathe(make,
                 "body",
@@ -238,18 +232,12 @@ piano(int kind)
                           {x, y - 0.25}};
           make.slab("body", outline, top - 0.25, top);
           make.box("keyboard", {-x, y - 0.25, x, y}, top - 0.2, top - 0.1);
-          sheet(
-              make,
-              "lid",
-              [&](double u, double v) -> P {
-                const double t = (u + 1) / 2;
-                return {-x + 1.7 * x * t,
-                        -0.1 * y + 0.7 * y * v * (1 - 0.5 * t),
-                        top + 0.02 + t * (z - top - 0.03)};
-              },
-              4,
-              4,
-              0.02);
+          sheet(make, "lid", {4, 4, 0.02}, [&](double u, double v) -> P {
+            const double t = (u + 1) / 2;
+            return {-x + 1.7 * x * t,
+                    -0.1 * y + 0.7 * y * v * (1 - 0.5 * t),
+                    top + 0.02 + t * (z - top - 0.03)};
+          });
           return;
         }
         if (kind == 0) { // a keyboard on a stand
@@ -264,17 +252,11 @@ piano(int kind)
         }
         make.box("body", {-x, -y, x, -0.1 * y}, 0.05, z);
         for (const double s : {-x, x - 0.05}) {
-          sheet(
-              make,
-              "cheek",
-              [&](double u, double v) -> P {
-                return {s + 0.025,
-                        -0.1 * y + (u + 1) / 2 * 1.1 * y,
-                        0.05 + (v + 1) / 2 * (keys + 0.05) * (1 - 0.2 * (u + 1) / 2)};
-              },
-              3,
-              2,
-              0.05);
+          sheet(make, "cheek", {3, 2, 0.05}, [&](double u, double v) -> P {
+            return {s + 0.025,
+                    -0.1 * y + (u + 1) / 2 * 1.1 * y,
+                    0.05 + (v + 1) / 2 * (keys + 0.05) * (1 - 0.2 * (u + 1) / 2)};
+          });
           make.box("foot", {s, -y, s + 0.05, y}, 0, 0.05);
         }
         roundBox(make,
@@ -284,15 +266,9 @@ piano(int kind)
                  keys,
                  0.015);
         if (kind == 2)
-          sheet(
-              make,
-              "music",
-              [&](double u, double v) -> P {
-                return {0.4 * x * u, -0.05 * y - 0.05 * v, keys + 0.16 + 0.12 * v};
-              },
-              2,
-              2,
-              0.012);
+          sheet(make, "music", {2, 2, 0.012}, [&](double u, double v) -> P {
+            return {0.4 * x * u, -0.05 * y - 0.05 * v, keys + 0.16 + 0.12 * v};
+          });
       });
 }
 

@@ -102,14 +102,7 @@ unit(const char* name,
      const UnitStyle& style,
      int like)
 {
-  return fitted(
-      name,
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildUnit(make, size, draw, style);
-      },
-      like);
+  return styled(name, smallest, largest, style, buildUnit, like);
 }
 
 // On the wall: two doors with rounded corners, an open shelf below them.
@@ -130,8 +123,8 @@ void
 openCabinet(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2;
-  openCase(
-      make, {{-x, -y, 0}, {x, y, size.z()}}, 1 + draw.pick(2), 2, draw.pick(2) == 0);
+  const bool back = draw.pick(2) == 0;
+  openCase(make, {{-x, -y, 0}, {x, y, size.z()}}, 1 + draw.pick(2), 2, back);
 }
 
 void
@@ -157,15 +150,9 @@ slantedHood(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                high = draw.uniform(0.5, 0.65) * z;
-  sheet(
-      make,
-      "pane",
-      [&](double u, double v) -> P {
-        return {x * u, 0.2 * y + 0.7 * y * v * -1, 0.05 + (v + 1) / 2 * high};
-      },
-      2,
-      2,
-      0.04);
+  sheet(make, "pane", {2, 2, 0.04}, [&](double u, double v) -> P {
+    return {x * u, 0.2 * y + 0.7 * y * v * -1, 0.05 + (v + 1) / 2 * high};
+  });
   make.box("body", {-0.6 * x, -y, 0.6 * x, -0.3 * y}, 0.1, high);
   make.box("chimney", {-0.25 * x, -y, 0.25 * x, -0.4 * y}, high, z);
 }
@@ -185,26 +172,14 @@ buildCounter(PartMaker& make,
                work = style.raised ? 0.72 * z : z;
   const double depth = style.corner ? 0.45 * size.y() : size.y();
   if (style.round) {
-    sheet(
-        make,
-        "body",
-        [&](double u, double v) -> P {
-          return {0.95 * x * u,
-                  y - 0.3 - 0.8 * size.y() * u * u * 0.5,
-                  0.05 + (v + 1) / 2 * (z - 0.1)};
-        },
-        12,
-        1,
-        0.1);
-    return sheet(
-        make,
-        "top",
-        [&](double u, double v) -> P {
-          return {x * u, y - 0.3 - 0.8 * size.y() * u * u * 0.5 + 0.25 * v, z - 0.025};
-        },
-        12,
-        2,
-        0.05);
+    sheet(make, "body", {12, 1, 0.1}, [&](double u, double v) -> P {
+      return {0.95 * x * u,
+              y - 0.3 - 0.8 * size.y() * u * u * 0.5,
+              0.05 + (v + 1) / 2 * (z - 0.1)};
+    });
+    return sheet(make, "top", {12, 2, 0.05}, [&](double u, double v) -> P {
+      return {x * u, y - 0.3 - 0.8 * size.y() * u * u * 0.5 + 0.25 * v, z - 0.025};
+    });
   }
   if (style.legs)
     legs(make, Legs::Panels, {x - 0.05, depth / 2 - 0.05}, work - 0.05, draw);
@@ -225,12 +200,7 @@ buildCounter(PartMaker& make,
 FurnitureClass
 counter(const Size& smallest, const Size& largest, const CounterStyle& style)
 {
-  return fitted("counter",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildCounter(make, size, draw, style);
-                });
+  return styled("counter", smallest, largest, style, buildCounter);
 }
 
 } // namespace

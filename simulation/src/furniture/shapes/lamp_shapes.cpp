@@ -211,12 +211,7 @@ standing(const char* name,
          const Size& largest,
          const StandingStyle& style)
 {
-  return fitted(name,
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildStanding(make, size, draw, style);
-                });
+  return styled(name, smallest, largest, style, buildStanding);
 }
 
 /** A lamp below a ceiling. */
@@ -265,14 +260,7 @@ buildHanging(PartMaker& make,
 FurnitureClass
 hanging(const Size& smallest, const Size& largest, const HangingStyle& style)
 {
-  return fitted(
-      "ceiling_lamp",
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildHanging(make, size, draw, style);
-      },
-      1);
+  return styled("ceiling_lamp", smallest, largest, style, buildHanging, 1);
 }
 
 // Flat on the ceiling: panels, trays, bowls, tubes.
@@ -322,16 +310,10 @@ fan(PartMaker& make, const Size& size, RandomDraw& draw)
   for (int i = 0; i < count; ++i) {
     const double a = 2 * M_PI * i / count;
     const P out(std::cos(a), std::sin(a), 0), side(-out.y(), out.x(), 0.2);
-    sheet(
-        make,
-        "blade",
-        [&](double u, double v) -> P {
-          return P(0, 0, 0.25 * z) + (0.1 + (v + 1) / 2 * (r - 0.1)) * out +
-                 0.07 * u * side;
-        },
-        2,
-        3,
-        0.008);
+    sheet(make, "blade", {2, 3, 0.008}, [&](double u, double v) -> P {
+      return P(0, 0, 0.25 * z) + (0.1 + (v + 1) / 2 * (r - 0.1)) * out +
+             0.07 * u * side;
+    });
   }
 }
 

@@ -31,17 +31,11 @@ void
 backpack(PartMaker& make, const Size& size, RandomDraw&)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
-  sheet(
-      make,
-      "bag",
-      [&](double u, double v) -> P {
-        return {0.95 * x * u * (1 - 0.25 * std::pow((v + 1) / 2, 3)),
-                -0.15 * y - 0.15 * y * v,
-                (0.04 + 0.96 * (v + 1) / 2) * 0.93 * z};
-      },
-      4,
-      6,
-      0.9 * y);
+  sheet(make, "bag", {4, 6, 0.9 * y}, [&](double u, double v) -> P {
+    return {0.95 * x * u * (1 - 0.25 * std::pow((v + 1) / 2, 3)),
+            -0.15 * y - 0.15 * y * v,
+            (0.04 + 0.96 * (v + 1) / 2) * 0.93 * z};
+  });
   pillow(make,
          "pocket",
          {{0, 0.55 * y, 0.35 * z}, {0.7 * x, 0, 0}, {0, 0, 0.27 * z}},

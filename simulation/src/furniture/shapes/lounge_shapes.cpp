@@ -132,12 +132,7 @@ buildCouch(PartMaker& make, const Size& size, RandomDraw& draw, const Couch& sty
 FurnitureClass
 couch(const Size& smallest, const Size& largest, const Couch& style)
 {
-  return fitted("sofa",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildCouch(make, size, draw, style);
-                });
+  return styled("sofa", smallest, largest, style, buildCouch);
 }
 
 // A mattress on a frame, a back that is a roll: futons and day beds.
@@ -160,18 +155,11 @@ dayBed(PartMaker& make, const Size& size, RandomDraw& draw)
           {s * (x - 0.12), y - 0.05, seat + 0.1}},
          0.1,
          10);
-  sheet(
-      make,
-      "back",
-      [&](double u, double v) -> Eigen::Vector3d {
-        return {x * u,
-                -y + 0.03,
-                seat - 0.1 +
-                    (v + 1) / 2 * (size.z() - seat + 0.1) * (1 - 0.25 * u * u)};
-      },
-      10,
-      2,
-      0.04);
+  sheet(make, "back", {10, 2, 0.04}, [&](double u, double v) -> Eigen::Vector3d {
+    return {x * u,
+            -y + 0.03,
+            seat - 0.1 + (v + 1) / 2 * (size.z() - seat + 0.1) * (1 - 0.25 * u * u)};
+  });
 }
 
 } // namespace

@@ -52,18 +52,11 @@ broadLeaves(PartMaker& make, const P& root, const P& reach, int count, RandomDra
          0.006,
          4);
     const double w = 0.22 * s * std::max(reach.x(), reach.y()) + 0.02;
-    sheet(
-        make,
-        "leaf",
-        [&](double u, double v) -> P {
-          const double t = (v + 1) / 2,
-                       wide = std::sqrt(std::max(0.0, 1 - v * v)) + 0.03;
-          return tip + 1.6 * w * t * way + w * 0.7 * wide * u * side +
-                 P(0, 0, -0.7 * w * t * t + 0.1 * w * std::abs(u));
-        },
-        2,
-        4,
-        0.004);
+    sheet(make, "leaf", {2, 4, 0.004}, [&](double u, double v) -> P {
+      const double t = (v + 1) / 2, wide = std::sqrt(std::max(0.0, 1 - v * v)) + 0.03;
+      return tip + 1.6 * w * t * way + w * 0.7 * wide * u * side +
+             P(0, 0, -0.7 * w * t * t + 0.1 * w * std::abs(u));
+    });
   }
   make.join(2 * count, "leaves");
 }
@@ -163,14 +156,7 @@ buildPlant(PartMaker& make, const Size& size, RandomDraw& draw, const PlantStyle
 FurnitureClass
 plant(const Size& smallest, const Size& largest, const PlantStyle& style, int like)
 {
-  return fitted(
-      "plant",
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildPlant(make, size, draw, style);
-      },
-      like);
+  return styled("plant", smallest, largest, style, buildPlant, like);
 }
 
 // A turned vase; with branches if wanted.

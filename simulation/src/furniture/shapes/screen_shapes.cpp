@@ -33,16 +33,9 @@ buildScreen(PartMaker& make,
   const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                low = style.foot == Foot::Feet ? 0.06 : draw.uniform(0.12, 0.3) * z;
   const double t = style.thick ? 0.05 : 0.022, at = style.bend > 0 ? 0.0 : 0.1 * y;
-  sheet(
-      make,
-      "screen",
-      [&](double u, double v) -> P {
-        return {
-            x * u, at - style.bend * y * (1 - u * u), low + (v + 1) / 2 * (z - low)};
-      },
-      style.bend > 0 ? 8 : 1,
-      1,
-      t);
+  sheet(make, "screen", {style.bend > 0 ? 8 : 1, 1, t}, [&](double u, double v) -> P {
+    return {x * u, at - style.bend * y * (1 - u * u), low + (v + 1) / 2 * (z - low)};
+  });
   roundBox(make,
            "back",
            {-0.4 * x,
@@ -107,14 +100,7 @@ screen(const char* name,
        const ScreenStyle& style,
        int like = 0)
 {
-  return fitted(
-      name,
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildScreen(make, size, draw, style);
-      },
-      like);
+  return styled(name, smallest, largest, style, buildScreen, like);
 }
 
 // On a wall: flat or tilted from an arm, with a bar for sound below.
@@ -128,17 +114,10 @@ wallScreen(double tilt, bool bar)
       [=](PartMaker& make, const Size& size, RandomDraw&) {
         const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                      low = bar ? 0.12 : 0.0;
-        sheet(
-            make,
-            "screen",
-            [&](double u, double v) -> P {
-              return {x * u,
-                      0.6 * y - tilt * y * (1 - v) / 2,
-                      low + (v + 1) / 2 * (z - low)};
-            },
-            1,
-            1,
-            0.03);
+        sheet(make, "screen", {1, 1, 0.03}, [&](double u, double v) -> P {
+          return {
+              x * u, 0.6 * y - tilt * y * (1 - v) / 2, low + (v + 1) / 2 * (z - low)};
+        });
         make.box("mount", {-0.2, -y, 0.2, -y + 0.02}, low + 0.3 * z, low + 0.6 * z);
         tube(make,
              "arm",
@@ -164,18 +143,12 @@ laptop(double opening, bool stand)
                          0.9 * size.y() / (1 + std::max(0.0, std::cos(opening) * -1));
         const double wide = deep * draw.uniform(0.95, 1.05);
         roundBox(make, "base", {-x, y - deep, x, y}, lift, lift + 0.018, 0.007);
-        sheet(
-            make,
-            "lid",
-            [&](double u, double v) -> P {
-              const double t = (v + 1) / 2 * wide;
-              return {x * u,
-                      y - deep + t * std::cos(opening),
-                      lift + 0.02 + t * std::sin(opening)};
-            },
-            1,
-            1,
-            0.01);
+        sheet(make, "lid", {1, 1, 0.01}, [&](double u, double v) -> P {
+          const double t = (v + 1) / 2 * wide;
+          return {x * u,
+                  y - deep + t * std::cos(opening),
+                  lift + 0.02 + t * std::sin(opening)};
+        });
         if (stand)
           for (const double s : {-0.6, 0.6})
             tube(make,
@@ -196,17 +169,11 @@ keyboard(bool split)
       [=](PartMaker& make, const Size& size, RandomDraw&) {
         const double x = size.x() / 2, y = size.y() / 2, z = size.z();
         if (split)
-          return sheet(
-              make,
-              "board",
-              [&](double u, double v) -> P {
-                return {x * u,
-                        0.6 * y * v - 0.4 * y * (1 - u * u),
-                        0.3 * z + 0.5 * z * (1 - std::abs(u))};
-              },
-              8,
-              2,
-              0.4 * z);
+          return sheet(make, "board", {8, 2, 0.4 * z}, [&](double u, double v) -> P {
+            return {x * u,
+                    0.6 * y * v - 0.4 * y * (1 - u * u),
+                    0.3 * z + 0.5 * z * (1 - std::abs(u))};
+          });
         roundBox(make, "board", {-x, -y, x, y}, 0, 0.5 * z, 0.25 * z);
         for (int i = 0; i < 5; ++i)
           make.box(
@@ -250,17 +217,11 @@ machine(const char* name,
                    top,
                    draw.uniform(0.9, 0.95) * z,
                    0.01);
-          sheet(
-              make,
-              "feeder",
-              [&](double u, double v) -> P {
-                return {0.6 * x * u - 0.2 * x,
-                        -0.3 * y - 0.3 * y * v,
-                        0.9 * z + 0.05 * z * (v + 1)};
-              },
-              1,
-              2,
-              0.01);
+          sheet(make, "feeder", {1, 2, 0.01}, [&](double u, double v) -> P {
+            return {0.6 * x * u - 0.2 * x,
+                    -0.3 * y - 0.3 * y * v,
+                    0.9 * z + 0.05 * z * (v + 1)};
+          });
         }
         for (int i = 0; i < 3; ++i)
           make.box("vent",

@@ -118,19 +118,13 @@ recliner(PartMaker& make, const Size& size, RandomDraw& draw)
   const double x = size.x() / 2, y = size.y() / 2,
                seat = draw.uniform(0.4, 0.5) * size.z();
   legs(make, Legs::Skirt, {0.7 * x, 0.5 * y}, 0.5 * seat, draw);
-  sheet(
-      make,
-      "body",
-      [&](double u, double v) -> Eigen::Vector3d {
-        const double t = v * y;
-        const double bend = v < -0.2   ? (-0.2 - v) * 1.2 * (size.z() - seat)
-                            : v > 0.45 ? -(v - 0.45) * 0.4 * seat
-                                       : 0.03;
-        return {0.78 * x * u, t, seat + bend - 0.04 * (1 - u * u)};
-      },
-      6,
-      14,
-      0.14);
+  sheet(make, "body", {6, 14, 0.14}, [&](double u, double v) -> Eigen::Vector3d {
+    const double t = v * y;
+    const double bend = v < -0.2   ? (-0.2 - v) * 1.2 * (size.z() - seat)
+                        : v > 0.45 ? -(v - 0.45) * 0.4 * seat
+                                   : 0.03;
+    return {0.78 * x * u, t, seat + bend - 0.04 * (1 - u * u)};
+  });
   for (const double s : {-1.0, 1.0})
     roundBox(make,
              "armrest",

@@ -46,31 +46,18 @@ addBars(PartMaker& make, const Frame& f, int count, bool upright)
            0.007,
            5);
     else
-      sheet(
-          make,
-          "slat",
-          [&](double u, double v) -> Eigen::Vector3d {
-            const double s = 0.2 + 0.8 * t;
-            return {u * (f.x - in),
-                    f.rear + in - lean * s - 0.025 * (1 - u * u),
-                    f.seat + s * (f.top - f.seat) - 0.03 + 0.025 * v};
-          },
-          5,
-          1,
-          0.014);
+      sheet(make, "slat", {5, 1, 0.014}, [&](double u, double v) -> Eigen::Vector3d {
+        const double s = 0.2 + 0.8 * t;
+        return {u * (f.x - in),
+                f.rear + in - lean * s - 0.025 * (1 - u * u),
+                f.seat + s * (f.top - f.seat) - 0.03 + 0.025 * v};
+      });
   }
   if (upright)
-    sheet(
-        make,
-        "rail",
-        [&](double u, double v) -> Eigen::Vector3d {
-          return {u * f.x,
-                  f.rear + in - lean - 0.02 * (1 - u * u),
-                  f.top - 0.03 + 0.03 * v};
-        },
-        5,
-        1,
-        0.016);
+    sheet(make, "rail", {5, 1, 0.016}, [&](double u, double v) -> Eigen::Vector3d {
+      return {
+          u * f.x, f.rear + in - lean - 0.02 * (1 - u * u), f.top - 0.03 + 0.03 * v};
+    });
 }
 
 void
@@ -90,13 +77,9 @@ addMesh(PartMaker& make, const Frame& f)
                         Eigen::Vector2d(-0.98, -1)})
     rim.push_back(shape(p.x(), p.y()));
   tube(make, "frame", rim, 0.012, 5);
-  sheet(
-      make,
-      "mesh",
-      [&](double u, double v) { return shape(0.96 * u, 0.96 * v); },
-      6,
-      4,
-      0.003);
+  sheet(make, "mesh", {6, 4, 0.003}, [&](double u, double v) {
+    return shape(0.96 * u, 0.96 * v);
+  });
   tube(make,
        "spine",
        {{0, f.rear + 0.12, f.seat - 0.05},
@@ -137,18 +120,13 @@ addSeat(PartMaker& make, Seat kind, const Frame& f)
     return roundBox(make, "seat", r, f.seat - 0.03, f.seat, 0.012);
   case Seat::Saddle:
     return sheet(
-        make,
-        "seat",
-        [&](double u, double v) -> Eigen::Vector3d {
+        make, "seat", {6, 6, 0.02}, [&](double u, double v) -> Eigen::Vector3d {
           return middle +
                  Eigen::Vector3d(f.x * u,
                                  depth * v,
                                  -0.025 * (1 - u * u) * (1 - 0.5 * v) + 0.01 * v -
                                      0.02 * std::pow(std::max(0.0, v), 4));
-        },
-        6,
-        6,
-        0.02);
+        });
   case Seat::Round:
     return make.loft(
         "seat",
@@ -182,11 +160,11 @@ addBack(PartMaker& make, Back kind, const Frame& f)
   case Back::Bars:
     return addBars(make, f, 7, true);
   case Back::Board:
-    return sheet(make, "back", bentBack(f, f.seat - 0.02, 0.12, 0.06), 4, 3, 0.018);
+    return sheet(make, "back", {4, 3, 0.018}, bentBack(f, f.seat - 0.02, 0.12, 0.06));
   case Back::Curved:
-    return sheet(make, "back", bentBack(f, f.seat + 0.08, 0.55, 0.04), 8, 3, 0.018);
+    return sheet(make, "back", {8, 3, 0.018}, bentBack(f, f.seat + 0.08, 0.55, 0.04));
   case Back::Round:
-    return sheet(make, "back", bentBack(f, f.seat - 0.04, 0.9, 0.02), 12, 3, 0.05);
+    return sheet(make, "back", {12, 3, 0.05}, bentBack(f, f.seat - 0.04, 0.9, 0.02));
   case Back::Mesh:
     return addMesh(make, f);
   case Back::Padded:
@@ -260,18 +238,12 @@ addArms(PartMaker& make, Arms kind, const Frame& f)
       break;
     case Arms::Wings:
       roundBox(make, "armrest", across(0.1), f.seat - 0.2, high, 0.04);
-      sheet(
-          make,
-          "wing",
-          [&](double u, double v) -> Eigen::Vector3d {
-            const double t = (v + 1) / 2;
-            return {x + s * 0.04,
-                    f.rear + (u + 1) / 2 * (0.3 - 0.12 * t),
-                    high + t * (f.top - high)};
-          },
-          2,
-          3,
-          0.05);
+      sheet(make, "wing", {2, 3, 0.05}, [&](double u, double v) -> Eigen::Vector3d {
+        const double t = (v + 1) / 2;
+        return {x + s * 0.04,
+                f.rear + (u + 1) / 2 * (0.3 - 0.12 * t),
+                high + t * (f.top - high)};
+      });
       break;
     }
   }
@@ -284,44 +256,30 @@ seating(const char* name,
         const Seating& style,
         int like)
 {
-  return fitted(
-      name,
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildSeating(make, size, draw, style);
-      },
-      like);
+  return styled(name, smallest, largest, style, buildSeating, like);
 }
 
 // An egg or shell of one piece on any legs.
 FurnitureClass
 shell(const char* name, const Size& smallest, const Size& largest, Legs carrier)
 {
-  return fitted(name,
-                smallest,
-                largest,
-                [carrier](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  const double x = size.x() / 2, y = size.y() / 2,
-                               seat = draw.uniform(0.42, 0.48) * size.z();
-                  legs(make, carrier, {0.75 * x, 0.75 * y}, seat, draw);
-                  sheet(
-                      make,
-                      "shell",
-                      [&](double u, double v) -> Eigen::Vector3d {
-                        const double t = (v + 1) / 2,
-                                     back = std::max(0.0, t - 0.45) / 0.55;
-                        const double rim = u * u * (0.12 + 0.1 * std::sin(M_PI * t));
-                        return {x * u * (1 - 0.35 * back * back),
-                                y * (1 - 2 * std::min(1.0, t / 0.6)) - 0.04 * back +
-                                    0.12 * u * u * back,
-                                seat + rim + (size.z() - seat) * back -
-                                    0.03 * std::pow(1 - t, 4)};
-                      },
-                      8,
-                      10,
-                      0.02);
-                });
+  return fitted(
+      name,
+      smallest,
+      largest,
+      [carrier](PartMaker& make, const Size& size, RandomDraw& draw) {
+        const double x = size.x() / 2, y = size.y() / 2,
+                     seat = draw.uniform(0.42, 0.48) * size.z();
+        legs(make, carrier, {0.75 * x, 0.75 * y}, seat, draw);
+        sheet(make, "shell", {8, 10, 0.02}, [&](double u, double v) -> Eigen::Vector3d {
+          const double t = (v + 1) / 2, back = std::max(0.0, t - 0.45) / 0.55;
+          const double rim = u * u * (0.12 + 0.1 * std::sin(M_PI * t));
+          return {x * u * (1 - 0.35 * back * back),
+                  y * (1 - 2 * std::min(1.0, t / 0.6)) - 0.04 * back +
+                      0.12 * u * u * back,
+                  seat + rim + (size.z() - seat) * back - 0.03 * std::pow(1 - t, 4)};
+        });
+      });
 }
 
 } // namespace pcl::indoor

@@ -176,18 +176,20 @@ tube(PartMaker& make,
 void
 sheet(PartMaker& make,
       const std::string& name,
-      const SheetShape& shape,
-      int columns,
-      int rows,
-      double thickness)
+      const SheetGrid& grid,
+      const SheetShape& shape)
 {
-  const Grid grid(shape, columns, rows);
+  const Grid places(shape, grid.columns, grid.rows);
   const auto side = [&](double offset) {
-    return [&grid, offset](int i, int k) -> Eigen::Vector3d {
-      return grid.at(i, k) + offset * grid.normal(i, k);
+    return [&places, offset](int i, int k) -> Eigen::Vector3d {
+      return places.at(i, k) + offset * places.normal(i, k);
     };
   };
-  make.add(name, between(columns, rows, side(thickness / 2), side(-thickness / 2)));
+  make.add(name,
+           between(grid.columns,
+                   grid.rows,
+                   side(grid.thickness / 2),
+                   side(-grid.thickness / 2)));
 }
 
 void
@@ -327,7 +329,7 @@ blades(PartMaker& make,
              Eigen::Vector3d(0, 0, rise) + u * w / 2 * side +
              Eigen::Vector3d(0, 0, 0.2 * w * std::abs(u));
     };
-    sheet(make, name, blade, 2, 4, 0.004);
+    sheet(make, name, {2, 4, 0.004}, blade);
   }
   make.join(count, name);
 }

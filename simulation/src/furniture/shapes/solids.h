@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "building/part_maker.h"
+#include "furniture/part_maker.h"
 
 #include <Eigen/Geometry>
 
@@ -43,16 +43,19 @@ tube(PartMaker& make,
 /** \brief A place on a surface for u and v from -1 to 1. */
 using SheetShape = std::function<Eigen::Vector3d(double u, double v)>;
 
-/** \brief Add a thin body around a surface: cloth, bent plywood, a leaf.
- * \param[in] columns,rows quads along u and v
- * \param[in] thickness across the surface, metres */
+/** \brief Of how many quads a sheet is made along u and v, and its thickness, metres.
+ */
+struct SheetGrid {
+  int columns, rows;
+  double thickness;
+};
+
+/** \brief Add a thin body around a surface: cloth, bent plywood, a leaf. */
 void
 sheet(PartMaker& make,
       const std::string& name,
-      const SheetShape& shape,
-      int columns,
-      int rows,
-      double thickness);
+      const SheetGrid& grid,
+      const SheetShape& shape);
 
 /** \brief A flat place in space with the half axes of its extent. */
 struct Patch {
@@ -177,5 +180,22 @@ fitted(const char* name,
        const Size& largest,
        const FurnitureRecipe& build,
        int like = 0);
+
+/** \brief A fitted shape whose recipe is told a style. */
+template <class Style>
+FurnitureClass
+styled(const char* name,
+       const Size& smallest,
+       const Size& largest,
+       const Style& style,
+       void (*build)(PartMaker&, const Size&, RandomDraw&, const Style&),
+       int like = 0)
+{
+  const auto recipe = [style,
+                       build](PartMaker& make, const Size& size, RandomDraw& draw) {
+    build(make, size, draw, style);
+  };
+  return fitted(name, smallest, largest, recipe, like);
+}
 
 } // namespace pcl::indoor

@@ -73,14 +73,7 @@ cased(const char* name,
       const CaseStyle& style,
       int like = 0)
 {
-  return fitted(
-      name,
-      smallest,
-      largest,
-      [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-        buildCase(make, size, draw, style);
-      },
-      like);
+  return styled(name, smallest, largest, style, buildCase, like);
 }
 
 // A grid of square bays, some of them with drawers or doors.
@@ -182,10 +175,11 @@ void
 boxShelf(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2;
+  const int rows = 1 + draw.pick(2), bays = 1 + draw.pick(3);
   openCase(make,
            {Eigen::Vector3d(-x, -y, 0), Eigen::Vector3d(x, y, size.z())},
-           1 + draw.pick(3),
-           1 + draw.pick(2),
+           bays,
+           rows,
            true);
 }
 
@@ -195,16 +189,9 @@ bowFront(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
   legs(make, Legs::Tapered, {0.9 * x, 0.8 * y}, 0.14, draw);
-  sheet(
-      make,
-      "body",
-      [&](double u, double v) -> Eigen::Vector3d {
-        return {
-            x * u, 0.35 * y * (1 - u * u) - 0.3 * y, 0.14 + (v + 1) / 2 * (z - 0.16)};
-      },
-      10,
-      1,
-      1.2 * y);
+  sheet(make, "body", {10, 1, 1.2 * y}, [&](double u, double v) -> Eigen::Vector3d {
+    return {x * u, 0.35 * y * (1 - u * u) - 0.3 * y, 0.14 + (v + 1) / 2 * (z - 0.16)};
+  });
   make.loft("top", {-x, -y, x, y}, {{1, z - 0.03, 0.4}, {1, z, 0.4}}, 28);
   for (int i = 0; i < 3; ++i)
     ellipsoid(

@@ -135,18 +135,15 @@ flight(const FlightStyle& style)
                    top);
         }
         const auto along = [&](double side, double low, double upper, double thick) {
-          sheet(
-              make,
-              upper > 0.5 ? "parapet" : "string",
-              [&](double u, double v) -> P {
-                const double t = (u + 1) / 2;
-                return {side,
-                        -y + t * 2 * y,
-                        std::max(0.0, t * high + low) + (v + 1) / 2 * (upper - low)};
-              },
-              8,
-              1,
-              thick);
+          sheet(make,
+                upper > 0.5 ? "parapet" : "string",
+                {8, 1, thick},
+                [&](double u, double v) -> P {
+                  const double t = (u + 1) / 2;
+                  return {side,
+                          -y + t * 2 * y,
+                          std::max(0.0, t * high + low) + (v + 1) / 2 * (upper - low)};
+                });
         };
         for (const double s : {-x + 0.03, x - 0.03}) {
           if (style.open)

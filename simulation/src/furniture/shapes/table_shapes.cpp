@@ -46,14 +46,9 @@ addTop(PartMaker& make, Top kind, const Size& size, double thick)
         "top", {-x, -y, x, y}, {{0.96, low}, {1, low + 0.5 * thick}, {1, z}}, 28);
   case Top::Boat:
     return sheet(
-        make,
-        "top",
-        [&](double u, double v) -> Eigen::Vector3d {
+        make, "top", {12, 2, thick}, [&](double u, double v) -> Eigen::Vector3d {
           return {x * u, y * v * (1 - 0.25 * u * u), z - thick / 2};
-        },
-        12,
-        2,
-        thick);
+        });
   case Top::Tray:
     make.box("top", {-x, -y, x, y}, low, z - 0.03);
     for (const double s : {-1.0, 1.0}) {
@@ -122,12 +117,7 @@ table(const char* name,
       const Size& largest,
       const TableStyle& style)
 {
-  return fitted(name,
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildTable(make, size, draw, style);
-                });
+  return styled(name, smallest, largest, style, buildTable);
 }
 
 /** A desk: what carries it, what is below and above it. */
@@ -146,16 +136,9 @@ deskTop(
 {
   const double x = size.x() / 2, y = size.y() / 2, rear = -y;
   if (style.bent)
-    sheet(
-        make,
-        "top",
-        [&](double u, double v) -> Eigen::Vector3d {
-          return {
-              x * u, rear + (v + 1) / 2 * depth * (1 - 0.18 * (1 - u * u)), z - 0.0125};
-        },
-        12,
-        2,
-        0.025);
+    sheet(make, "top", {12, 2, 0.025}, [&](double u, double v) -> Eigen::Vector3d {
+      return {x * u, rear + (v + 1) / 2 * depth * (1 - 0.18 * (1 - u * u)), z - 0.0125};
+    });
   else
     make.box("top", {-x, rear, x, rear + depth}, z - 0.025, z);
   if (style.corner) {
@@ -210,12 +193,7 @@ buildDesk(PartMaker& make, const Size& size, RandomDraw& draw, const DeskStyle& 
 FurnitureClass
 desk(const Size& smallest, const Size& largest, const DeskStyle& style)
 {
-  return fitted("desk",
-                smallest,
-                largest,
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildDesk(make, size, draw, style);
-                });
+  return styled("desk", smallest, largest, style, buildDesk);
 }
 
 // A bureau whose flap is down or whose top slants.
@@ -303,12 +281,8 @@ buildNight(PartMaker& make, const Size& size, RandomDraw& draw, const NightStyle
 FurnitureClass
 night(const NightStyle& style)
 {
-  return fitted("bedside_table",
-                {0.36, 0.34, 0.42},
-                {0.6, 0.48, 0.65},
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildNight(make, size, draw, style);
-                });
+  return styled(
+      "bedside_table", {0.36, 0.34, 0.42}, {0.6, 0.48, 0.65}, style, buildNight);
 }
 
 } // namespace

@@ -105,18 +105,12 @@ baggedBin(PartMaker& make, const Size& size, RandomDraw& draw)
   make.vessel(
       "bin", {-0.95 * x, -0.95 * y, 0.95 * x, 0.95 * y}, 0, 0.95 * z, 0.8, 0.95, 1.0);
   const double phase = draw.uniform(0, 6);
-  return sheet(
-      make,
-      "bag",
-      [&](double u, double v) -> P {
-        const double a = M_PI * u * 0.999, r = 1 + 0.03 * std::sin(5 * a + phase);
-        return {r * x * std::cos(a),
-                r * y * std::sin(a),
-                z - (v + 1) * 0.1 * z - 0.02 * z * std::sin(3 * a + phase)};
-      },
-      24,
-      2,
-      0.004);
+  return sheet(make, "bag", {24, 2, 0.004}, [&](double u, double v) -> P {
+    const double a = M_PI * u * 0.999, r = 1 + 0.03 * std::sin(5 * a + phase);
+    return {r * x * std::cos(a),
+            r * y * std::sin(a),
+            z - (v + 1) * 0.1 * z - 0.02 * z * std::sin(3 * a + phase)};
+  });
 }
 
 // Two or three for sorted waste.
@@ -150,15 +144,9 @@ wheeledBin(PartMaker& make, const Size& size, RandomDraw&)
          {{s * x - 0.02, -0.7 * y, 0.07}, {s * x + 0.02, -0.7 * y, 0.07}},
          0.07,
          10);
-  return sheet(
-      make,
-      "lid",
-      [&](double u, double v) -> P {
-        return {x * u, y * v, 0.92 * z + 0.06 * z * (1 - v * v)};
-      },
-      2,
-      5,
-      0.02);
+  return sheet(make, "lid", {2, 5, 0.02}, [&](double u, double v) -> P {
+    return {x * u, y * v, 0.92 * z + 0.06 * z * (1 - v * v)};
+  });
 }
 
 void
@@ -186,28 +174,16 @@ flappedBox(PartMaker& make, const Size& size, RandomDraw& draw)
       "box", {-0.85 * x, -0.85 * y, 0.85 * x, 0.85 * y}, 0, z - flap, 1, 1, 0.02);
   for (const double s : {-1.0, 1.0}) {
     const double tilt = draw.uniform(0.05, 0.15);
-    sheet(
-        make,
-        "flap",
-        [&](double u, double v) -> P {
-          return {s * x * (0.85 + tilt * (v + 1) / 2),
-                  0.83 * y * u,
-                  z - flap + (v + 1) / 2 * flap * (1 - tilt)};
-        },
-        1,
-        1,
-        0.006);
-    sheet(
-        make,
-        "flap",
-        [&](double u, double v) -> P {
-          return {0.83 * x * u,
-                  s * y * (0.85 + (0.15 - tilt / 2) * (v + 1) / 2),
-                  z - flap + (v + 1) / 2 * flap * 0.9};
-        },
-        1,
-        1,
-        0.006);
+    sheet(make, "flap", {1, 1, 0.006}, [&](double u, double v) -> P {
+      return {s * x * (0.85 + tilt * (v + 1) / 2),
+              0.83 * y * u,
+              z - flap + (v + 1) / 2 * flap * (1 - tilt)};
+    });
+    sheet(make, "flap", {1, 1, 0.006}, [&](double u, double v) -> P {
+      return {0.83 * x * u,
+              s * y * (0.85 + (0.15 - tilt / 2) * (v + 1) / 2),
+              z - flap + (v + 1) / 2 * flap * 0.9};
+    });
   }
 }
 
@@ -302,18 +278,12 @@ books(int kind)
           return;
         }
         if (kind == 3) // open
-          return sheet(
-              make,
-              "book",
-              [&](double u, double v) -> P {
-                return {x * u,
-                        y * v,
-                        z * (0.2 +
-                             0.7 * std::sin(M_PI * std::min(1.0, 1.3 * std::abs(u))))};
-              },
-              8,
-              1,
-              0.3 * z);
+          return sheet(make, "book", {8, 1, 0.3 * z}, [&](double u, double v) -> P {
+            return {
+                x * u,
+                y * v,
+                z * (0.2 + 0.7 * std::sin(M_PI * std::min(1.0, 1.3 * std::abs(u))))};
+          });
         const double lean = kind == 2 ? 0.3 : 0.0;
         for (double left = -x;
              left < x - 0.015;) { // a row; some lean on their neighbours

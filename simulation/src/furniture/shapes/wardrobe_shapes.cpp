@@ -49,9 +49,7 @@ clothesRail(const Size& smallest, const Size& largest, bool on_wall)
           const double wide = on_wall ? 0.5 * x / 2 : 0.03,
                        deep = on_wall ? 0.05 : 0.8 * y;
           sheet(
-              make,
-              "coat",
-              [&](double u, double v) -> Eigen::Vector3d {
+              make, "coat", {8, 5, 0.035}, [&](double u, double v) -> Eigen::Vector3d {
                 const double t = (v + 1) / 2, shoulder = 0.06 * std::abs(u) * (1 - t);
                 const Eigen::Vector3d along =
                     on_wall
@@ -62,10 +60,7 @@ clothesRail(const Size& smallest, const Size& largest, bool on_wall)
                        0.02 * t *
                            Eigen::Vector3d(
                                std::sin(6 * u + phase), std::sin(7 * u + phase), 0);
-              },
-              8,
-              5,
-              0.035);
+              });
         }
       },
       on_wall ? by_number : 0);
@@ -147,12 +142,7 @@ buildWardrobe(PartMaker& make,
 FurnitureClass
 wardrobe(const WardrobeStyle& style)
 {
-  return fitted("wardrobe",
-                {0.9, 0.5, 1.7},
-                {2.2, 0.68, 2.3},
-                [style](PartMaker& make, const Size& size, RandomDraw& draw) {
-                  buildWardrobe(make, size, draw, style);
-                });
+  return styled("wardrobe", {0.9, 0.5, 1.7}, {2.2, 0.68, 2.3}, style, buildWardrobe);
 }
 
 } // namespace

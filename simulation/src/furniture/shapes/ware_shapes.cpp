@@ -179,17 +179,11 @@ tissues(PartMaker& make, const Size& size, RandomDraw&)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
   roundBox(make, "box", {-x, -y, x, y}, 0, 0.75 * z, 0.01);
-  sheet(
-      make,
-      "tissue",
-      [&](double u, double v) -> P {
-        return {0.4 * x * u * (1 - 0.3 * v),
-                0.15 * y * std::sin(4 * u) * (v + 1),
-                0.75 * z + 0.125 * z * (v + 1) * (1.4 - 0.4 * u * u)};
-      },
-      6,
-      2,
-      0.004);
+  sheet(make, "tissue", {6, 2, 0.004}, [&](double u, double v) -> P {
+    return {0.4 * x * u * (1 - 0.3 * v),
+            0.15 * y * std::sin(4 * u) * (v + 1),
+            0.75 * z + 0.125 * z * (v + 1) * (1.4 - 0.4 * u * u)};
+  });
 }
 
 void
@@ -228,11 +222,11 @@ tray(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
   make.vessel("tray", {-x, -y, x, y}, 0, 0.2 * z, 0.95, 1.0, 0.1);
-  for (int i = 0; i < 3; ++i)
-    lathe(make,
-          "cup",
-          {(i - 1) * 0.55 * x, draw.uniform(-0.3, 0.3) * y},
-          {{0.15 * x, 0.05 * z}, {0.2 * x, z * draw.uniform(0.5, 1.0)}});
+  for (int i = 0; i < 3; ++i) {
+    const double top = z * draw.uniform(0.5, 1.0), at = draw.uniform(-0.3, 0.3) * y;
+    lathe(
+        make, "cup", {(i - 1) * 0.55 * x, at}, {{0.15 * x, 0.05 * z}, {0.2 * x, top}});
+  }
 }
 
 void

@@ -178,10 +178,12 @@ struct FurnitureClass {
   Eigen::Vector3d smallest, largest;
   FurnitureRecipe build;
   bool fitted = false; ///< stretched to its size in the end, instead of cut back to it
-  int like = 0; ///< if fitted: the shape in whose place lived-in rooms may have it
+  int like = 0;        ///< if fitted: lived-in rooms may have it in place of this shape
 };
 
-constexpr int by_number = -1; ///< like none: only drawn where its number is asked for
+/** \brief In place of FurnitureClass::like: rooms have the shape only where they ask
+ * for its number. */
+constexpr int by_number = -1;
 
 /** \brief Doors side by side on the front of a body of a size, with handles or without.
  * They fill the last 0.04 m of its depth.
