@@ -20,7 +20,6 @@ namespace {
 
 using Rows = std::vector<float>;
 
-constexpr double margin = 32; // voxels before the first: even, and one on all levels
 constexpr double most_at_once = 40;     // m; what is wider is gone through in tiles
 constexpr double tile = 16, around = 4; // m, about what an output depends on
 constexpr double low_share =
@@ -63,7 +62,7 @@ keysOf(const std::vector<Eigen::Vector3f>& points, double voxel_size)
   keys.reserve(points.size());
   for (const auto& point : points) {
     const Eigen::Vector3d place =
-        cellOf(point, voxel_size) - least + Eigen::Vector3d::Constant(margin);
+        cellOf(point, voxel_size) - least + Eigen::Vector3d::Constant(least_coordinate);
     keys.push_back(voxelKey(static_cast<std::uint64_t>(place.x()),
                             static_cast<std::uint64_t>(place.y()),
                             static_cast<std::uint64_t>(place.z())));

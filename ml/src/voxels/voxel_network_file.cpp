@@ -4,6 +4,7 @@
  */
 #include "file_bytes.h"
 #include "voxels/row_sums.h"
+#include "voxels/voxel_levels.h"
 
 #include <pcl/ml/voxel_network.h>
 
@@ -21,8 +22,7 @@ namespace pcl::indoor {
 namespace {
 
 const std::string first_line = "pcl_indoor_voxel_network 1\n";
-constexpr std::size_t input_count = 5, most_levels = 8, widest = 1024,
-                      most_classes = 1000;
+constexpr std::size_t input_count = 5, widest = 1024, most_classes = 1000;
 
 [[noreturn]] void
 refuse(const std::string& path, const std::string& problem)
@@ -123,7 +123,7 @@ readHeader(const std::string& path, const std::string& line)
   bool fits = network.classes.size() >= building_classes &&
               network.classes.size() <= most_classes && network.voxel_size > 0 &&
               std::isfinite(network.voxel_size) && network.widths.size() >= 2 &&
-              network.widths.size() <= most_levels;
+              network.widths.size() <= most_voxel_levels;
   for (const auto width : network.widths)
     fits = fits && width > 0 && width <= widest && width % row_lanes == 0;
   if (!fits)
