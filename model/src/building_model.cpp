@@ -38,7 +38,7 @@ lookAt(const WallFace& face,
   const WallImage image = wallImage(near, face.length(), face.floor, height);
   columns = seenColumns(image);
   if (face.length() >= least_length)
-    holes.holes = wallHoles(image, near);
+    holes = wallHoles(image, near);
 }
 
 /** The walls that those sides make of which enough is seen. */

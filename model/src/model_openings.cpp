@@ -39,6 +39,13 @@ struct Candidate {
   bool is_used = false;
 };
 
+/** Whether something is seen behind most of a hole or of its border. */
+bool
+isSeenIn(const FaceHole& hole)
+{
+  return hole.seen >= most || hole.reveal >= most;
+}
+
 /** How well the face frames a hole: the share of the worst side, without the lower one
  * of a door. Where something is seen in it, left or right may be a corner of the room.
  */
@@ -47,8 +54,8 @@ framing(const FaceHole& hole, bool is_door)
 {
   const auto& [left, right, above, below] = hole.framed;
   const double lying = is_door ? above : std::min(above, below);
-  const bool is_seen = hole.seen >= most || hole.reveal >= most;
-  return std::min(lying, is_seen ? std::max(left, right) : std::min(left, right));
+  return std::min(lying,
+                  isSeenIn(hole) ? std::max(left, right) : std::min(left, right));
 }
 
 bool
@@ -194,7 +201,7 @@ public:
   : faces_(faces)
   {
     for (std::size_t i = 0; i < faces.size(); ++i)
-      for (Candidate& candidate : candidatesOf(faces[i], i, holes[i].holes)) {
+      for (Candidate& candidate : candidatesOf(faces[i], i, holes[i])) {
         const FacePair* pair = pairBehind(pairs, candidate);
         if (pair) {
           candidate.other_room = faces[pair->other].room;
@@ -244,9 +251,7 @@ public:
     });
     for (const std::size_t i : order) {
       Candidate& candidate = candidates_[i];
-      if (candidate.is_used)
-        continue;
-      if (candidate.certainty < most)
+      if (candidate.is_used || candidate.certainty < most)
         continue;
       candidate.is_used = true;
       bool from_both = false;
@@ -277,22 +282,18 @@ private:
            faces_[candidate.face].ceiling - candidate.hole.box.max().y() >= lintel;
   }
 
-  /** Whether a candidate is an opening, seen from one side or from both. */
+  /** Whether a framed candidate is an opening, seen from one side or from both. */
   bool
   isOpening(const Candidate& candidate, bool from_both, bool has_other_side) const
   {
     if (candidate.other_room == faces_[candidate.face].room)
       return false; // a niche, or what stands in the room
     const FaceHole& hole = candidate.hole;
-    const bool is_seen = hole.seen >= most || hole.reveal >= most;
-    if (candidate.kind == ModelOpeningKind::Window) {
-      if (hole.box.volume() < least_pane)
-        return false;
-      return has_other_side ? from_both : is_seen || candidate.certainty >= most;
-    }
+    if (candidate.kind == ModelOpeningKind::Window)
+      return hole.box.volume() >= least_pane && (from_both || !has_other_side);
     if (candidate.other_room == 0 && hole.box.sizes().x() < least_leaf)
       return false; // a gap beside a column
-    return from_both || is_seen;
+    return from_both || isSeenIn(hole);
   }
 
   bool
