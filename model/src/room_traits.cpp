@@ -6,6 +6,7 @@
 #include "room_traits.h"
 
 #include <pcl/indoor/disjoint_sets.h>
+#include <pcl/indoor/quantile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -195,8 +196,7 @@ middleHeight(const std::vector<RoomEvidence>& rooms)
   std::vector<double> heights;
   for (const auto& room : rooms)
     heights.push_back(room.height);
-  std::sort(heights.begin(), heights.end());
-  return heights[heights.size() / 2];
+  return median(heights);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "wall_niche.h"
 
 #include <pcl/indoor/flood_fill.h>
+#include <pcl/indoor/quantile.h>
 
 #include <algorithm>
 #include <array>
@@ -111,19 +112,9 @@ smoothed(const std::vector<int>& values)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     std::vector<int> near(values.begin() + std::max<std::ptrdiff_t>(0, i - 2),
                           values.begin() + std::min(n, i + 3));
-    const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
-    std::nth_element(near.begin(), middle, near.end());
-    result[static_cast<std::size_t>(i)] = *middle;
+    result[static_cast<std::size_t>(i)] = median(near);
   }
   return result;
-}
-
-int
-median(std::vector<int> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /** Rectangles of connected cells, metres. */
@@ -325,11 +316,7 @@ depthOf(const WallImage& image, const FaceHole& hole)
           hole.box.contains(Eigen::Vector2d((x + 0.5) * image.cell,
                                             image.floor + (y + 0.5) * image.cell)))
         depths.push_back(image.depth.at(x, y));
-  if (depths.empty())
-    return 0.0;
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  return *middle;
+  return depths.empty() ? 0.0 : median(depths);
 }
 
 } // namespace

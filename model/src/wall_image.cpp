@@ -5,6 +5,8 @@
 
 #include <pcl/model/wall_image.h>
 
+#include <pcl/indoor/quantile.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -45,9 +47,7 @@ spacingOf(const std::vector<WallPoint>& points)
     counts.push_back(static_cast<std::size_t>(end) - i);
     i = static_cast<std::size_t>(end);
   }
-  auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
-  std::nth_element(counts.begin(), middle, counts.end());
-  return square / std::sqrt(static_cast<double>(*middle));
+  return square / std::sqrt(static_cast<double>(median(counts)));
 }
 
 /** The cell of a point; negative outside. */
@@ -99,11 +99,7 @@ reliefOf(const WallImage& image)
   for (std::size_t i = 0; i < image.cells.size(); ++i)
     if (image.cells.values[i] != WallCell::Empty && image.depth.values[i] > 0.0f)
       out.push_back(image.depth.values[i]);
-  if (out.empty())
-    return least_relief;
-  const auto middle = out.begin() + static_cast<std::ptrdiff_t>(out.size() / 2);
-  std::nth_element(out.begin(), middle, out.end());
-  return std::max(least_relief, 3.0 * *middle);
+  return out.empty() ? least_relief : std::max(least_relief, 3.0 * median(out));
 }
 
 /** The median depth of what is seen around a cell. Where the face is seen, what lies

@@ -5,6 +5,7 @@
 #include "voxels/row_sums.h"
 #include "voxels/voxel_levels.h"
 
+#include <pcl/indoor/quantile.h>
 #include <pcl/ml/voxel_network.h>
 
 #include <algorithm>
@@ -45,11 +46,7 @@ lowLevel(const std::vector<Eigen::Vector3f>& points)
   heights.reserve(points.size());
   for (const auto& point : points)
     heights.push_back(point.z());
-  const auto low =
-      heights.begin() +
-      static_cast<std::ptrdiff_t>(low_share * static_cast<double>(heights.size() - 1));
-  std::nth_element(heights.begin(), low, heights.end());
-  return *low;
+  return quantile(heights, low_share);
 }
 
 std::vector<std::uint64_t>
