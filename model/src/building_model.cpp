@@ -4,6 +4,7 @@
  */
 
 #include "face_evidence.h"
+#include "wall_dimensions.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/parallel_for.h>
@@ -61,7 +62,7 @@ giveWalls(BuildingModel& model)
 {
   for (ModelOpening& opening : model.openings) {
     opening.wall = model.walls.size();
-    double nearest = 0.5; // metres
+    double nearest = opening_reach;
     for (std::size_t i = 0; i < model.walls.size(); ++i) {
       const ModelWall& wall = model.walls[i];
       const Eigen::Vector2d way = wall.end - wall.begin;

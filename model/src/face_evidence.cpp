@@ -4,6 +4,8 @@
  */
 #include "face_evidence.h"
 
+#include "wall_dimensions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,8 +15,7 @@
 namespace pcl::indoor {
 namespace {
 
-constexpr double beside = 0.35; // metres: half of the thickest walls
-constexpr double least = 0.2;   // metres of wall that say something
+constexpr double least = 0.2; // metres of wall that say something
 
 /** Where an opening lies in a side, from and to along it. */
 std::optional<std::pair<double, double>>
@@ -26,7 +27,7 @@ stretchIn(const WallFace& face, const ModelOpening& opening)
   const double middle = along.dot(way);
   if ((opening.room_a != face.room && opening.room_b != face.room) ||
       std::abs(along.dot(opening.along)) < parallel ||
-      std::abs(face.inward().dot(way)) > beside ||
+      std::abs(face.inward().dot(way)) > half_thickest ||
       opening.position.z() > face.ceiling ||
       opening.position.z() + opening.height < face.floor)
     return std::nullopt;

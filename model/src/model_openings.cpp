@@ -5,6 +5,8 @@
 
 #include <pcl/model/model_openings.h>
 
+#include "wall_dimensions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -21,7 +23,6 @@ constexpr double narrowest = 0.5;    // metres, of doors
 constexpr double least_leaf = 0.7;   // metres, of doors to the outside
 constexpr double least_pane = 0.25;  // m^2: windows of 50 cm by 50 cm are the smallest
 constexpr double mullion = 0.2;      // metres between two panes of one window, at most
-constexpr double in_line = 0.05;     // metres between the edges of such panes, at most
 constexpr double widest_door = 3.2;  // metres: gates of garages
 constexpr double one_leaf = 1.3;     // metres: wider ones are passages, unless lintels
                                      // or leaves are seen
@@ -103,8 +104,8 @@ joinPane(Candidate& one, const Candidate& other)
   const FaceHole& right = is_left ? other.hole : one.hole;
   const double gap = right.box.min().x() - left.box.max().x();
   if (!isPane(one) || !isPane(other) || gap < 0.0 || gap > mullion ||
-      std::abs(right.box.min().y() - left.box.min().y()) > in_line ||
-      std::abs(right.box.max().y() - left.box.max().y()) > in_line)
+      std::abs(right.box.min().y() - left.box.min().y()) > same_line ||
+      std::abs(right.box.max().y() - left.box.max().y()) > same_line)
     return false;
   const double share =
       right.box.sizes().x() / (left.box.sizes() + right.box.sizes()).x();
@@ -299,7 +300,6 @@ private:
   bool
   isAt(const RoomOpening& passable, const Candidate& candidate) const
   {
-    constexpr double beside = 0.5; // metres: half of the thickest walls, and a voxel
     const WallFace& face = faces_[candidate.face];
     const auto& box = candidate.hole.box;
     if (box.min().y() - face.floor > stride || !hasSizeOfDoor(face, candidate.hole) ||
@@ -309,7 +309,7 @@ private:
     const double place = face.along().dot(way), before = face.inward().dot(way);
     const double from = std::max(box.min().x(), place - 0.5 * passable.width);
     const double to = std::min(box.max().x(), place + 0.5 * passable.width);
-    return std::abs(before) <= beside &&
+    return std::abs(before) <= opening_reach &&
            to - from >= most * std::max(box.sizes().x(), passable.width) &&
            std::abs(passable.position.z() - box.min().y()) < 1.0;
   }

@@ -24,6 +24,7 @@ using Mask = PixelMap<std::uint8_t>;
 constexpr double least_side = 0.3; // metres: narrower ones are gaps of the scan
 constexpr double jump = 0.15;      // metres: between openings side by side
 constexpr double border = 0.05;    // metres: a frame, or the band of face beside a hole
+constexpr double frame_relief = 0.03; // metres
 
 /** Columns of connected cells: first and last row of each. */
 struct Columns {
@@ -208,14 +209,14 @@ edgeShift(const std::vector<double>& places, double uncertain)
 void
 refine(const WallImage& image, const std::vector<WallPoint>& points, FaceHole& hole)
 {
-  constexpr double most = 0.03; // metres: the relief of a frame
   constexpr double near = 0.05; // metres: farther points are of no face
-  const double limit = hole.is_proud ? std::min(most, 0.5 * hole.depth)
-                                     : -std::min(most, 0.5 * std::abs(hole.depth));
+  const double limit = hole.is_proud
+                           ? std::min(frame_relief, 0.5 * hole.depth)
+                           : -std::min(frame_relief, 0.5 * std::abs(hole.depth));
   const auto is_face = [&](const WallPoint& point) {
     return std::abs(point.before) < near &&
            (hole.is_proud ? point.before < limit
-                          : point.before > (hole.depth == 0.0 ? -most : limit));
+                          : point.before > (hole.depth == 0.0 ? -frame_relief : limit));
   };
   for (int round = 0; round < 2; ++round) {
     const Eigen::AlignedBox2d box = hole.box;
@@ -268,13 +269,11 @@ describe(const WallImage& image, FaceHole& hole)
                 (2.0 * height + width);
 }
 
-/** The shares of a hole's sides beyond which the face is seen: of pieces of a tenth of
- * a metre, or three cells. */
+/** The shares of a hole's sides beyond which the face is seen. */
 void
 findFrame(const WallImage& image, const std::vector<WallPoint>& points, FaceHole& hole)
 {
-  constexpr double relief = 0.03; // metres, of a frame
-  const double piece = std::max(0.1, 3.0 * image.cell);
+  const double piece = edgePiece(image);
   const double band = std::max(border, 1.5 * image.cell);
   const Eigen::Vector2d low = hole.box.min(), high = hole.box.max();
   const Eigen::Vector2d sizes = hole.box.sizes();
@@ -290,7 +289,7 @@ findFrame(const WallImage& image, const std::vector<WallPoint>& points, FaceHole
       pieces[static_cast<std::size_t>(i)] = 1;
   };
   for (const auto& point : points) {
-    if (std::abs(point.before) > relief)
+    if (std::abs(point.before) > frame_relief)
       continue;
     const Eigen::Vector2d place(point.along, point.height);
     mark(0, low.x() - place.x(), place.y() - low.y());

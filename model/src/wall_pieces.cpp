@@ -4,6 +4,8 @@
  */
 #include "wall_pieces.h"
 
+#include "wall_dimensions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -12,7 +14,6 @@
 namespace pcl::indoor {
 namespace {
 
-constexpr double same_line = 0.05;      // metres: steps between walls are larger
 constexpr double same_thickness = 0.04; // metres
 constexpr double same_way = 0.999;      // cosine, 2.6 degrees
 
