@@ -154,7 +154,7 @@ onCircle(const Fit& circle, const Places& places, double band)
   return found;
 }
 
-/** The same without what stands beside it. */
+/** Refitted to ever nearer places, so that things beside the column drop out. */
 std::optional<Fit>
 bestCircle(const Places& places)
 {

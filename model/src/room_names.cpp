@@ -152,16 +152,16 @@ allObjectShares()
   return all;
 }
 
-/** Both uses of a building: probabilities of its use and of the names of a room. */
+/** Scores of a room's names, if the building is a home and if it is offices. */
 struct Views {
-  std::array<NameScores, 2> scores; ///< as a home, as offices
+  std::array<NameScores, 2> scores; ///< in the order of uses
 };
 
 /** How much more often an object is seen, or not seen, in rooms of each name than in
  * all that the room may be (Jeffrey's rule: the class is sure to a degree).
  * \param[in] seen whether the object is there
- * \param[in] share of the rooms of a name that hold
- * it, and of all
+ * \param[in] share of the rooms of a name that hold it
+ * \param[in] of_all the same share of all that the room may be
  */
 double
 objectFactor(double seen, bool furnished, double share, double of_all)
