@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "cross_product.h"
 #include "face_evidence.h"
 #include "wall_dimensions.h"
 
@@ -75,7 +76,7 @@ giveWalls(BuildingModel& model)
         continue;
       const Eigen::Vector2d from = opening.position.head<2>() - wall.begin;
       const double along = from.dot(way) / length;
-      const double beside = std::abs(from.x() * way.y() - from.y() * way.x()) / length;
+      const double beside = std::abs(crossOf(from, way)) / length;
       const double distance =
           beside + std::max({0.0, -along, along - length}) +
           (opening.room_b > 0 && !bounds(opening.room_b) ? 0.1 : 0.0);

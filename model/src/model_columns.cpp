@@ -5,6 +5,7 @@
 
 #include <pcl/model/model_columns.h>
 
+#include "cross_product.h"
 #include "wall_dimensions.h"
 
 #include <pcl/indoor/quantile.h>
@@ -199,14 +200,11 @@ isColumn(const std::vector<Eigen::Vector3d>& line)
 {
   const auto outline = placesOf(line);
   double twice_area = 0.0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const auto &corner = outline[i], &next = outline[(i + 1) % outline.size()];
-    twice_area += corner.x() * next.y() - corner.y() * next.x();
-  }
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    twice_area += crossOf(outline[i], outline[(i + 1) % outline.size()]);
   if (outline.empty() || twice_area >= 0.0) // outlines of rooms turn to the left
     return false;
-  const auto size = bestRectangle(outline).size;
-  return size.maxCoeff() <= widest_column;
+  return bestRectangle(outline).size.maxCoeff() <= widest_column;
 }
 
 std::vector<ModelColumn>

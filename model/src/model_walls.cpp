@@ -6,6 +6,7 @@
 #include <pcl/indoor/quantile.h>
 #include <pcl/model/model_walls.h>
 
+#include "cross_product.h"
 #include "wall_dimensions.h"
 #include "wall_pieces.h"
 
@@ -101,7 +102,7 @@ closeCorners(std::vector<WallPiece>& pieces)
             beyondLine(before[i], before[j]) * Eigen::Vector2d(way.y(), -way.x());
         const double step = crossOf(begin - end, way) / turn;
         const double place = way.dot(end + step * along - begin);
-        const double most = (other.end - other.begin).norm() + crossing;
+        const double most = lengthOf(other) + crossing;
         if (std::abs(step) >= nearest || place < -crossing || place > most)
           continue;
         nearest = std::abs(step);
@@ -160,7 +161,7 @@ modelWalls(const std::vector<WallFace>& faces,
   closeCorners(pieces);
   std::vector<ModelWall> walls;
   for (const WallPiece& piece : pieces)
-    if ((piece.wall.end - piece.wall.begin).norm() >= least_wall)
+    if (lengthOf(piece.wall) >= least_wall)
       walls.push_back(piece.wall);
   return walls;
 }

@@ -5,6 +5,7 @@
 
 #include <pcl/model/wall_face.h>
 
+#include "cross_product.h"
 #include "wall_dimensions.h"
 
 #include <pcl/indoor/parallel_for.h>
@@ -26,12 +27,6 @@ constexpr double outline_reach = 0.25; // metres: outlines lie within 1.5 voxels
                                        // walls, or of the glass in them
 constexpr double niche_depth = 0.45; // metres: of walls in which leaves and panes stand
 
-double
-turnOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /** Whether a corner lies on the straight line between its neighbours. */
 bool
 isStraight(const Eigen::Vector2d& before,
@@ -42,10 +37,10 @@ isStraight(const Eigen::Vector2d& before,
   const double lengths = way.norm() * on.norm();
   if (lengths == 0.0)
     return true;
-  if (way.dot(on) <= 0.0 || std::abs(turnOf(way, on)) > one_run * lengths)
+  if (way.dot(on) <= 0.0 || std::abs(crossOf(way, on)) > one_run * lengths)
     return false;
   const Eigen::Vector2d whole = after - before;
-  return std::abs(turnOf(whole, way)) <= same_line * whole.norm();
+  return std::abs(crossOf(whole, way)) <= same_line * whole.norm();
 }
 
 Ring
@@ -79,14 +74,14 @@ areOfNiches(const Ring& ring, std::size_t first, std::size_t corners)
   double last = 0.0;
   for (std::size_t k = 1; k <= corners; ++k) {
     const Eigen::Vector2d from = at(k) - at(0);
-    const double before = turnOf(along, from), place = along.dot(from);
+    const double before = crossOf(along, from), place = along.dot(from);
     if (before > slack || before < -niche_depth || place < last - slack ||
         place > length)
       return false;
     last = place;
   }
   const auto isOnLine = [&](std::size_t k) {
-    return std::abs(turnOf(along, at(k) - at(0))) <= same_line;
+    return std::abs(crossOf(along, at(k) - at(0))) <= same_line;
   };
   return (isOnLine(1) && along.dot(at(1) - at(0)) >= beside) ||
          (isOnLine(corners) && along.dot(at(corners + 1) - at(corners)) >= beside);
@@ -261,10 +256,10 @@ joinCorners(const std::vector<WallFace>::iterator& faces, std::size_t count)
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t last = (i + count - 1) % count;
     const WallFace &one = before[last], &next = before[i];
-    const double turn = turnOf(one.along(), next.along());
+    const double turn = crossOf(one.along(), next.along());
     if (std::abs(turn) <= flat_corner)
       continue;
-    const double step = turnOf(next.begin - one.begin, next.along()) / turn;
+    const double step = crossOf(next.begin - one.begin, next.along()) / turn;
     const Eigen::Vector2d corner = one.begin + step * one.along();
     faces[static_cast<std::ptrdiff_t>(last)].end = corner;
     faces[static_cast<std::ptrdiff_t>(i)].begin = corner;

@@ -5,6 +5,7 @@
 
 #include <pcl/model/wall_holes.h>
 
+#include "hole_edges.h"
 #include "wall_niche.h"
 
 #include <pcl/indoor/flood_fill.h>
@@ -275,32 +276,22 @@ findFrame(const WallImage& image, const std::vector<WallPoint>& points, FaceHole
 {
   const double piece = edgePiece(image);
   const double band = std::max(border, 1.5 * image.cell);
-  const Eigen::Vector2d low = hole.box.min(), high = hole.box.max();
   const Eigen::Vector2d sizes = hole.box.sizes();
   std::array<std::vector<std::uint8_t>, 4> seen; // left, right, above, below
-  for (int side = 0; side < 4; ++side)
-    seen[static_cast<std::size_t>(side)].assign(
-        static_cast<std::size_t>(std::ceil(sizes[side < 2] / piece)), 0);
-  const auto mark = [&](int side, double beyond, double place) {
-    auto& pieces = seen[static_cast<std::size_t>(side)];
+  for (std::size_t side = 0; side < 4; ++side)
+    seen[side].assign(static_cast<std::size_t>(std::ceil(sizes[side < 2] / piece)), 0);
+  const auto mark = [&](std::size_t side, double beyond, double place) {
+    auto& pieces = seen[side];
     const auto i = static_cast<std::ptrdiff_t>(std::floor(place / piece));
     if (beyond > 0.0 && beyond <= band && i >= 0 &&
         i < static_cast<std::ptrdiff_t>(pieces.size()))
       pieces[static_cast<std::size_t>(i)] = 1;
   };
-  for (const auto& point : points) {
-    if (std::abs(point.before) > frame_relief)
-      continue;
-    const Eigen::Vector2d place(point.along, point.height);
-    mark(0, low.x() - place.x(), place.y() - low.y());
-    mark(1, place.x() - high.x(), place.y() - low.y());
-    mark(2, place.y() - high.y(), place.x() - low.x());
-    mark(3, low.y() - place.y(), place.x() - low.x());
-  }
+  for (const auto& point : points)
+    if (std::abs(point.before) <= frame_relief)
+      forEachEdge(hole.box, point, mark);
   for (std::size_t side = 0; side < 4; ++side)
-    hole.framed[side] =
-        static_cast<double>(std::count(seen[side].begin(), seen[side].end(), 1)) /
-        static_cast<double>(seen[side].size());
+    hole.framed[side] = seenShareOf(seen[side]);
 }
 
 /** The median depth of what is seen in a hole, metres. */

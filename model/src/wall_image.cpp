@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace pcl::indoor {
 namespace {
@@ -50,12 +51,19 @@ spacingOf(const std::vector<WallPoint>& points)
   return square / std::sqrt(static_cast<double>(median(counts)));
 }
 
+/** Column and row of a point, which may lie outside. */
+std::pair<int, int>
+placeOf(const WallPoint& point, const WallImage& image)
+{
+  return {static_cast<int>(std::floor(point.along / image.cell)),
+          static_cast<int>(std::floor((point.height - image.floor) / image.cell))};
+}
+
 /** The cell of a point; negative outside. */
 std::ptrdiff_t
 cellOf(const WallPoint& point, const WallImage& image)
 {
-  const int x = static_cast<int>(std::floor(point.along / image.cell));
-  const int y = static_cast<int>(std::floor((point.height - image.floor) / image.cell));
+  const auto [x, y] = placeOf(point, image);
   return image.cells.contains(x, y)
              ? static_cast<std::ptrdiff_t>(image.cells.index(x, y))
              : -1;
@@ -153,9 +161,7 @@ showObjects(const std::vector<WallPoint>& points, WallImage& image)
   for (const auto& point : points) {
     if (point.before <= hand)
       continue;
-    const int x = static_cast<int>(std::floor(point.along / image.cell));
-    const int y =
-        static_cast<int>(std::floor((point.height - image.floor) / image.cell));
+    const auto [x, y] = placeOf(point, image);
     for (int u = x - cells_around; u <= x + cells_around; ++u)
       for (int v = y - cells_around; v <= y + cells_around; ++v)
         if (image.cells.contains(u, v) && image.cells.at(u, v) == WallCell::Empty)

@@ -4,6 +4,7 @@
  */
 #include "wall_niche.h"
 
+#include "hole_edges.h"
 #include "wall_dimensions.h"
 
 #include <algorithm>
@@ -47,8 +48,7 @@ jambOf(std::vector<std::pair<double, double>> points, double length, double piec
     seen[std::min(static_cast<std::size_t>(points[i].second / piece),
                   seen.size() - 1)] = 1;
   jamb.beyond = points[(first + end) / 2].first;
-  jamb.share = static_cast<double>(std::count(seen.begin(), seen.end(), 1)) /
-               static_cast<double>(seen.size());
+  jamb.share = seenShareOf(seen);
   return jamb;
 }
 
@@ -83,9 +83,9 @@ jambsAround(const WallImage& image,
   constexpr double nearest = 0.04, reach = 0.25; // metres, before the plane
   // a ceiling is the end only of a niche that goes down to the floor
   constexpr double slab = 0.05, near_floor = 0.3; // metres
-  const Eigen::Vector2d low = box.min(), high = box.max(), sizes = box.sizes();
+  const Eigen::Vector2d sizes = box.sizes();
   const double ceiling = image.floor + image.cell * (image.cells.ny - 1);
-  const double top = low.y() > image.floor + near_floor ? ceiling - slab : INFINITY;
+  const double top = box.min().y() > image.floor + near_floor ? ceiling - slab : INFINITY;
   std::array<std::vector<std::pair<double, double>>, 4> beside;
   const auto add = [&](std::size_t side, double beyond, double along) {
     const double length = sizes[side < 2];
@@ -95,11 +95,7 @@ jambsAround(const WallImage& image,
   for (const auto& point : points) {
     if (point.before < nearest || point.before > reach || point.height > top)
       continue;
-    const double u = point.along, v = point.height;
-    add(0, low.x() - u, v - low.y());
-    add(1, u - high.x(), v - low.y());
-    add(2, v - high.y(), u - low.x());
-    add(3, low.y() - v, u - low.x());
+    forEachEdge(box, point, add);
   }
   Edges jambs;
   for (std::size_t side = 0; side < 4; ++side)

@@ -6,18 +6,9 @@
 
 #include <pcl/model/wall_holes.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace pcl::indoor {
-
-/** \brief Length of the pieces of an edge that are seen or not: metres, at least three
- * cells. */
-inline double
-edgePiece(const WallImage& image)
-{
-  return std::max(0.1, 3.0 * image.cell);
-}
 
 /** \brief Let a hole whose frame fills a niche end at the sides of the niche.
  *

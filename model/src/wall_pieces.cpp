@@ -4,6 +4,7 @@
  */
 #include "wall_pieces.h"
 
+#include "cross_product.h"
 #include "wall_dimensions.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ namespace {
 
 constexpr double same_thickness = 0.04; // metres
 constexpr double same_way = 0.999;      // cosine, 2.6 degrees
-
-double
-lengthOf(const ModelWall& wall)
-{
-  return (wall.end - wall.begin).norm();
-}
 
 WallPiece
 pieceOf(const WallFace& face, double from, double to, double gap)
