@@ -85,7 +85,8 @@ jambsAround(const WallImage& image,
   constexpr double slab = 0.05, near_floor = 0.3; // metres
   const Eigen::Vector2d sizes = box.sizes();
   const double ceiling = image.floor + image.cell * (image.cells.ny - 1);
-  const double top = box.min().y() > image.floor + near_floor ? ceiling - slab : INFINITY;
+  const double top =
+      box.min().y() > image.floor + near_floor ? ceiling - slab : INFINITY;
   std::array<std::vector<std::pair<double, double>>, 4> beside;
   const auto add = [&](std::size_t side, double beyond, double along) {
     const double length = sizes[side < 2];

@@ -30,7 +30,7 @@ constexpr double low_share =
 struct Voxels {
   std::vector<std::uint64_t> keys; ///< ascending
   std::vector<std::uint32_t> voxel_of_point;
-  Rows inputs; ///< of each: 1, height, offset of the centroid from the middle
+  Rows inputs; ///< voxel_inputs of each
 };
 
 Eigen::Vector3d
@@ -70,7 +70,6 @@ keysOf(const std::vector<Eigen::Vector3f>& points, double voxel_size)
 Voxels
 voxelsOf(const std::vector<Eigen::Vector3f>& points, double voxel_size, double low)
 {
-  constexpr std::size_t inputs = 5;
   Voxels voxels;
   const auto key_of_point = keysOf(points, voxel_size);
   voxels.keys = key_of_point;
@@ -91,7 +90,7 @@ voxelsOf(const std::vector<Eigen::Vector3f>& points, double voxel_size, double l
     heights[voxel] += points[i].z() - low;
     ++counts[voxel];
   }
-  voxels.inputs.reserve(inputs * voxels.keys.size());
+  voxels.inputs.reserve(voxel_inputs * voxels.keys.size());
   for (std::size_t v = 0; v < voxels.keys.size(); ++v) {
     const Eigen::Vector3d offset = offsets[v] / counts[v];
     const double height = std::clamp(heights[v] / counts[v] / 2, -0.5, 2.0);

@@ -24,6 +24,10 @@ struct VoxelLevel {
   std::array<RowPairs, 8> to_parent; ///< from a voxel to that of the next level
 };
 
+/** \brief What a network is told of a voxel: 1, height, offset of the centroid from the
+ * middle. */
+constexpr std::size_t voxel_inputs = 5;
+
 /** \brief Levels that a network has at most. */
 constexpr std::size_t most_voxel_levels = 6;
 
