@@ -95,8 +95,9 @@ def collect(tools, work, seed):
     if os.path.exists(name + ".npz"):
         return
     subprocess.run(scan_command(tools, seed, name), check=True, env=dict(os.environ, OMP_NUM_THREADS="1"))
+    class_of = class_table()[1]
     with open(name + ".json", encoding="utf-8") as file:
-        of_category = numpy.array([class_table()[1](category) for category in json.load(file)["categories"]], numpy.int8)
+        of_category = numpy.array([class_of(category) for category in json.load(file)["categories"]], numpy.int8)
     rooms = list(rooms_of(read_ply(name + ".ply"), of_category, seed))
     points, classes, objects = (numpy.concatenate(part) for part in zip(*rooms))
     numpy.savez(name + ".new.npz", points=points, classes=classes, objects=objects.astype(numpy.uint16),

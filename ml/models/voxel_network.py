@@ -123,12 +123,12 @@ def levels_of(keys):
 
 
 class Weights(nn.Module):
-    """A matrix and the normalisation of what it gives; met: how many inputs a row usually has."""
+    """A matrix and the normalisation of what it gives to each of some places; met: how many inputs a row usually has."""
 
-    def __init__(self, rows_in, out, met):
+    def __init__(self, rows_in, out, met, places=1):
         super().__init__()
         self.weight = nn.Parameter(torch.randn(rows_in, out) * math.sqrt(2 / met))
-        self.norm = nn.BatchNorm1d(out, eps=EPSILON, momentum=0.02)
+        self.norm = nn.BatchNorm1d(out // places, eps=EPSILON, momentum=0.02)
 
 
 class VoxelNetwork(nn.Module):
@@ -141,9 +141,7 @@ class VoxelNetwork(nn.Module):
         self.first = nn.ModuleList([Weights(27 * c, c, 10 * c) for c in w])
         self.second = nn.ModuleList([Weights(27 * c, c, 10 * c) for c in w])
         self.down = nn.ModuleList([Weights(8 * a, b, 4 * a) for a, b in zip(w, w[1:])])
-        self.up = nn.ModuleList([Weights(b, 8 * a, b) for a, b in zip(w, w[1:])])
-        for part, width in zip(self.up, w):
-            part.norm = nn.BatchNorm1d(width, eps=EPSILON, momentum=0.02)
+        self.up = nn.ModuleList([Weights(b, 8 * a, b, 8) for a, b in zip(w, w[1:])])
         self.joined = nn.ModuleList([Weights(27 * 2 * c, c, 20 * c) for c in w[:-1]])
         self.last = nn.Linear(w[0], classes + 3)
 

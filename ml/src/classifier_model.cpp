@@ -68,11 +68,9 @@ findProblem(const ClassifierModel& model, bool wants_weights)
     if (valueCount(network.input) != value_count)
       return "a network takes " + std::to_string(valueCount(network.input)) +
              " values, but an object has " + std::to_string(value_count);
-    Shape shape = network.input;
-    for (const auto& layer : network.layers)
-      shape = outputShape(layer, shape);
-    if (valueCount(shape) != model.classes.size())
-      return "a network gives " + std::to_string(valueCount(shape)) + " scores for " +
+    const auto score_count = valueCount(outputShape(network.layers, network.input));
+    if (score_count != model.classes.size())
+      return "a network gives " + std::to_string(score_count) + " scores for " +
              std::to_string(model.classes.size()) + " classes";
   }
   return "";

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace pcl::indoor {
 
@@ -29,6 +30,16 @@ numberAt(const char* bytes)
   for (std::size_t k = 0; k < sizeof(T); ++k)
     number =
         static_cast<T>(number | T(static_cast<unsigned char>(bytes[k])) << (8 * k));
+  return number;
+}
+
+/** \brief A floating-point number of 32 bits, the lowest byte first. */
+inline float
+floatAt(const char* bytes)
+{
+  const auto bits = numberAt<std::uint32_t>(bytes);
+  float number = 0.0f;
+  std::memcpy(&number, &bits, sizeof number);
   return number;
 }
 

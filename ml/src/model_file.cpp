@@ -118,8 +118,7 @@ readWeights(const char* bytes, Layer& layer, const Shape& shape, bool half_preci
         bytes += 2;
       }
       else {
-        const auto bits = numberAt<std::uint32_t>(bytes);
-        std::memcpy(&value, &bits, sizeof bits);
+        value = floatAt(bytes);
         bytes += 4;
       }
     layer.weights.push_back(std::move(weights));

@@ -54,9 +54,7 @@ isShape(const Shape& shape)
 void
 requireMatrix(const Layer& layer, const Shape& input)
 {
-  Shape shape = input;
-  for (const auto& inner : layer.inner)
-    shape = outputShape(inner, shape);
+  const Shape shape = outputShape(layer.inner, input);
   const auto channels = static_cast<std::size_t>(input.front());
   if (valueCount(shape) != channels * channels)
     doesNotFit("a transform whose layers make " + text(shape), input);
@@ -245,6 +243,15 @@ outputShape(const Layer& layer, const Shape& input)
   }
 }
 
+Shape
+outputShape(const std::vector<Layer>& layers, const Shape& input)
+{
+  Shape shape = input;
+  for (const auto& layer : layers)
+    shape = outputShape(layer, shape);
+  return shape;
+}
+
 std::vector<Shape>
 weightShapes(const Layer& layer, const Shape& input)
 {
@@ -274,9 +281,7 @@ findProblem(const Network& network, bool wants_weights)
   if (network.layers.empty())
     return "a network needs at least one layer";
   try {
-    Shape shape = network.input;
-    for (const auto& layer : network.layers)
-      shape = outputShape(layer, shape);
+    const Shape shape = outputShape(network.layers, network.input);
     if (shape.size() != 1)
       return "a network must end with one score per class, not with shape " +
              text(shape);

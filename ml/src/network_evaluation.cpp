@@ -59,8 +59,9 @@ applyBatchNorm(const Layer& layer, std::vector<float>& values)
   for (std::size_t channel = 0; channel < channels; ++channel) {
     const float mean = weights[0].values[channel];
     const float offset = weights[3].values[channel];
+    const float variance = weights[1].values[channel];
     const float factor = weights[2].values[channel] /
-                         std::sqrt(weights[1].values[channel] + batch_norm_epsilon);
+                         std::sqrt(variance + static_cast<float>(batch_norm_epsilon));
     float* const first = values.data() + channel * size;
     std::transform(first, first + size, first, [=](float value) {
       return (value - mean) * factor + offset;

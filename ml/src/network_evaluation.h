@@ -6,6 +6,7 @@
 
 #include <pcl/ml/network.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace pcl::indoor {
@@ -15,6 +16,9 @@ struct ObjectValues {
   Shape shape;
   std::vector<std::vector<float>> arrays;
 };
+
+/** \brief Inputs that a network works on together: they stay in the cache. */
+constexpr std::size_t inputs_at_once = 16;
 
 /** \brief What a layer with weights makes of the objects' values; nothing is checked.
  */

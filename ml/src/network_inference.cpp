@@ -14,12 +14,6 @@
 
 namespace pcl::indoor {
 
-namespace {
-
-constexpr std::ptrdiff_t inputs_at_once = 16; // inputs that stay in the cache together
-
-} // namespace
-
 std::vector<std::vector<float>>
 networkScores(const Network& network,
               const std::vector<std::vector<float>>& inputs,
@@ -37,9 +31,9 @@ networkScores(const Network& network,
   std::vector<std::vector<float>> scores;
   for (std::size_t first = 0; first < inputs.size(); first += inputs_at_once) {
     const auto begin = inputs.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto rest = inputs.end() - begin;
+    const auto count = std::min(inputs.size() - first, inputs_at_once);
     ObjectValues objects{network.input,
-                         {begin, begin + std::min(rest, inputs_at_once)}};
+                         {begin, begin + static_cast<std::ptrdiff_t>(count)}};
     for (const auto& layer : network.layers) {
       applyLayer(layer, objects);
       if (responses != nullptr && first == 0)

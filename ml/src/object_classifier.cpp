@@ -21,7 +21,6 @@ namespace pcl::indoor {
 
 namespace {
 
-constexpr std::size_t batch_size = 16; // inputs that a network works on at once
 constexpr std::size_t most_described_points = 4096; // of an object, by its histogram
 
 EPPFOptions
@@ -209,14 +208,15 @@ classifyObjects(const std::vector<ClassifierObject>& objects,
     if (std::isfinite(inputs[k].front()))
       usable.push_back(k);
   std::vector<std::vector<double>> probabilities(inputs.size());
-  const std::size_t batches = (usable.size() + batch_size - 1) / batch_size;
+  const std::size_t batches = (usable.size() + inputs_at_once - 1) / inputs_at_once;
   parallelFor(static_cast<std::ptrdiff_t>(batches),
               static_cast<int>(number_of_threads),
               1,
               [&](std::ptrdiff_t i) {
                 const auto batch = static_cast<std::size_t>(i);
-                const std::size_t first = batch * batch_size;
-                const std::size_t last = std::min(first + batch_size, usable.size());
+                const std::size_t first = batch * inputs_at_once;
+                const std::size_t last =
+                    std::min(first + inputs_at_once, usable.size());
                 std::vector<std::vector<float>> own;
                 for (std::size_t k = first; k < last; ++k)
                   own.push_back(std::move(inputs[usable[k]]));

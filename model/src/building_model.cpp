@@ -3,7 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "cross_product.h"
 #include "face_evidence.h"
+#include "wall_dimensions.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/indoor/parallel_for.h>
@@ -38,7 +40,7 @@ lookAt(const WallFace& face,
   const WallImage image = wallImage(near, face.length(), face.floor, height);
   columns = seenColumns(image);
   if (face.length() >= least_length)
-    holes.holes = wallHoles(image, near);
+    holes = wallHoles(image, near);
 }
 
 /** The walls that those sides make of which enough is seen. */
@@ -61,7 +63,7 @@ giveWalls(BuildingModel& model)
 {
   for (ModelOpening& opening : model.openings) {
     opening.wall = model.walls.size();
-    double nearest = 0.5; // metres
+    double nearest = opening_reach;
     for (std::size_t i = 0; i < model.walls.size(); ++i) {
       const ModelWall& wall = model.walls[i];
       const Eigen::Vector2d way = wall.end - wall.begin;
@@ -74,7 +76,7 @@ giveWalls(BuildingModel& model)
         continue;
       const Eigen::Vector2d from = opening.position.head<2>() - wall.begin;
       const double along = from.dot(way) / length;
-      const double beside = std::abs(from.x() * way.y() - from.y() * way.x()) / length;
+      const double beside = std::abs(crossOf(from, way)) / length;
       const double distance =
           beside + std::max({0.0, -along, along - length}) +
           (opening.room_b > 0 && !bounds(opening.room_b) ? 0.1 : 0.0);

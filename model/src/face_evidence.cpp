@@ -4,6 +4,8 @@
  */
 #include "face_evidence.h"
 
+#include "wall_dimensions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,8 +15,7 @@
 namespace pcl::indoor {
 namespace {
 
-constexpr double beside = 0.35; // metres: half of the thickest walls
-constexpr double least = 0.2;   // metres of wall that say something
+constexpr double least = 0.2; // metres of wall that say something
 
 /** Where an opening lies in a side, from and to along it. */
 std::optional<std::pair<double, double>>
@@ -23,11 +24,11 @@ stretchIn(const WallFace& face, const ModelOpening& opening)
   constexpr double parallel = 0.95; // cosine, 18 degrees
   const Eigen::Vector2d along = face.along();
   const Eigen::Vector2d way = opening.position.head<2>() - face.begin;
-  const double middle = along.dot(way), height = face.ceiling - face.floor;
+  const double middle = along.dot(way);
   if ((opening.room_a != face.room && opening.room_b != face.room) ||
       std::abs(along.dot(opening.along)) < parallel ||
-      std::abs(face.inward().dot(way)) > beside ||
-      opening.position.z() > face.floor + height ||
+      std::abs(face.inward().dot(way)) > half_thickest ||
+      opening.position.z() > face.ceiling ||
       opening.position.z() + opening.height < face.floor)
     return std::nullopt;
   const std::pair stretch(middle - 0.5 * opening.width, middle + 0.5 * opening.width);
@@ -95,7 +96,7 @@ depthOf(const WallFace& face,
       continue;
     const Eigen::Vector2d middle(0.5 * (stretch->first + stretch->second),
                                  opening.position.z() + 0.5 * opening.height);
-    for (const FaceHole& hole : holes.holes)
+    for (const FaceHole& hole : holes)
       if (!hole.is_proud && hole.box.contains(middle))
         depth = std::max(depth, -hole.depth);
   }

@@ -5,6 +5,8 @@
 
 #include "joint_names.h"
 
+#include "room_tables.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -160,11 +162,10 @@ jointNames(std::vector<NameScores> scores,
            const std::vector<RoomEvidence>& rooms,
            bool home)
 {
-  constexpr int rounds = 20;             // what is said fades with every door
-  constexpr std::size_t with_a_bath = 4; // rooms of a home
+  constexpr int rounds = 20; // what is said fades with every door
   auto joined = joinedRooms(scores, rooms);
   for (int round = 0; round < rounds; ++round) {
-    if (home && rooms.size() >= with_a_bath)
+    if (home && rooms.size() >= rooms_of_home)
       askForBath(joined);
     tellNeighbours(joined);
   }

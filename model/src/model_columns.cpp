@@ -3,8 +3,12 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/indoor/quantile.h>
 #include <pcl/model/model_columns.h>
+
+#include "cross_product.h"
+#include "wall_dimensions.h"
+
+#include <pcl/indoor/quantile.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -22,9 +26,7 @@ namespace {
 using Places = std::vector<Eigen::Vector2d>;
 
 constexpr double widest_column = 1.0; // metres
-constexpr double near_side = 0.02;    // metres: two deviations of a scanner's noise
 constexpr double reach = 0.15;        // metres: outlines lie within 1.5 voxels of sides
-constexpr std::size_t enough_places = 20; // or it is as its outline
 
 Places
 placesOf(const std::vector<Eigen::Vector3d>& line)
@@ -63,7 +65,7 @@ placesAround(const Places& outline, const Room& room, const PointsOfRooms& point
     if (point.height > floor + from_slabs &&
         point.height < floor + room.height - from_slabs)
       places.emplace_back(stretch.begin + Eigen::Vector2d(point.along, point.before));
-  return places.size() < enough_places ? outline : places;
+  return places.size() < enough_points ? outline : places;
 }
 
 /** A shape, and how many points lie on its sides. */
@@ -103,7 +105,7 @@ rectangleAlong(const Places& places, double yaw)
     fit.on_sides += std::min({std::abs(u[i] - left),
                               std::abs(u[i] - right),
                               std::abs(v[i] - front),
-                              std::abs(v[i] - back)}) <= near_side;
+                              std::abs(v[i] - back)}) <= scanner_noise;
   return fit;
 }
 
@@ -134,7 +136,7 @@ circleThrough(const Places& places)
     b += from.squaredNorm() * row;
   }
   const Eigen::FullPivLU<Eigen::Matrix3d> solver(a);
-  if (places.size() < enough_places || !solver.isInvertible())
+  if (places.size() < enough_points || !solver.isInvertible())
     return std::nullopt;
   const Eigen::Vector3d found = solver.solve(b);
   const double radius = std::sqrt(found.z() + found.head<2>().squaredNorm());
@@ -153,16 +155,16 @@ onCircle(const Fit& circle, const Places& places, double band)
   return found;
 }
 
-/** The same without what stands beside it. */
+/** Refitted to ever nearer places, so that things beside the column drop out. */
 std::optional<Fit>
 bestCircle(const Places& places)
 {
   auto best = circleThrough(places);
-  for (const double band : {4.0 * near_side, 2.0 * near_side, near_side})
+  for (const double band : {4.0 * scanner_noise, 2.0 * scanner_noise, scanner_noise})
     if (best)
       best = circleThrough(onCircle(*best, places, band));
   if (best)
-    best->on_sides = onCircle(*best, places, near_side).size();
+    best->on_sides = onCircle(*best, places, scanner_noise).size();
   return best;
 }
 
@@ -198,14 +200,11 @@ isColumn(const std::vector<Eigen::Vector3d>& line)
 {
   const auto outline = placesOf(line);
   double twice_area = 0.0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const auto &corner = outline[i], &next = outline[(i + 1) % outline.size()];
-    twice_area += corner.x() * next.y() - corner.y() * next.x();
-  }
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    twice_area += crossOf(outline[i], outline[(i + 1) % outline.size()]);
   if (outline.empty() || twice_area >= 0.0) // outlines of rooms turn to the left
     return false;
-  const auto size = bestRectangle(outline).size;
-  return size.maxCoeff() <= widest_column;
+  return bestRectangle(outline).size.maxCoeff() <= widest_column;
 }
 
 std::vector<ModelColumn>

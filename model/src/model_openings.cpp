@@ -5,6 +5,8 @@
 
 #include <pcl/model/model_openings.h>
 
+#include "wall_dimensions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -21,7 +23,6 @@ constexpr double narrowest = 0.5;    // metres, of doors
 constexpr double least_leaf = 0.7;   // metres, of doors to the outside
 constexpr double least_pane = 0.25;  // m^2: windows of 50 cm by 50 cm are the smallest
 constexpr double mullion = 0.2;      // metres between two panes of one window, at most
-constexpr double in_line = 0.05;     // metres between the edges of such panes, at most
 constexpr double widest_door = 3.2;  // metres: gates of garages
 constexpr double one_leaf = 1.3;     // metres: wider ones are passages, unless lintels
                                      // or leaves are seen
@@ -39,6 +40,13 @@ struct Candidate {
   bool is_used = false;
 };
 
+/** Whether something is seen behind most of a hole or of its border. */
+bool
+isSeenIn(const FaceHole& hole)
+{
+  return hole.seen >= most || hole.reveal >= most;
+}
+
 /** How well the face frames a hole: the share of the worst side, without the lower one
  * of a door. Where something is seen in it, left or right may be a corner of the room.
  */
@@ -47,8 +55,8 @@ framing(const FaceHole& hole, bool is_door)
 {
   const auto& [left, right, above, below] = hole.framed;
   const double lying = is_door ? above : std::min(above, below);
-  const bool is_seen = hole.seen >= most || hole.reveal >= most;
-  return std::min(lying, is_seen ? std::max(left, right) : std::min(left, right));
+  return std::min(lying,
+                  isSeenIn(hole) ? std::max(left, right) : std::min(left, right));
 }
 
 bool
@@ -96,8 +104,8 @@ joinPane(Candidate& one, const Candidate& other)
   const FaceHole& right = is_left ? other.hole : one.hole;
   const double gap = right.box.min().x() - left.box.max().x();
   if (!isPane(one) || !isPane(other) || gap < 0.0 || gap > mullion ||
-      std::abs(right.box.min().y() - left.box.min().y()) > in_line ||
-      std::abs(right.box.max().y() - left.box.max().y()) > in_line)
+      std::abs(right.box.min().y() - left.box.min().y()) > same_line ||
+      std::abs(right.box.max().y() - left.box.max().y()) > same_line)
     return false;
   const double share =
       right.box.sizes().x() / (left.box.sizes() + right.box.sizes()).x();
@@ -194,7 +202,7 @@ public:
   : faces_(faces)
   {
     for (std::size_t i = 0; i < faces.size(); ++i)
-      for (Candidate& candidate : candidatesOf(faces[i], i, holes[i].holes)) {
+      for (Candidate& candidate : candidatesOf(faces[i], i, holes[i])) {
         const FacePair* pair = pairBehind(pairs, candidate);
         if (pair) {
           candidate.other_room = faces[pair->other].room;
@@ -244,9 +252,7 @@ public:
     });
     for (const std::size_t i : order) {
       Candidate& candidate = candidates_[i];
-      if (candidate.is_used)
-        continue;
-      if (candidate.certainty < most)
+      if (candidate.is_used || candidate.certainty < most)
         continue;
       candidate.is_used = true;
       bool from_both = false;
@@ -277,28 +283,23 @@ private:
            faces_[candidate.face].ceiling - candidate.hole.box.max().y() >= lintel;
   }
 
-  /** Whether a candidate is an opening, seen from one side or from both. */
+  /** Whether a framed candidate is an opening, seen from one side or from both. */
   bool
   isOpening(const Candidate& candidate, bool from_both, bool has_other_side) const
   {
     if (candidate.other_room == faces_[candidate.face].room)
       return false; // a niche, or what stands in the room
     const FaceHole& hole = candidate.hole;
-    const bool is_seen = hole.seen >= most || hole.reveal >= most;
-    if (candidate.kind == ModelOpeningKind::Window) {
-      if (hole.box.volume() < least_pane)
-        return false;
-      return has_other_side ? from_both : is_seen || candidate.certainty >= most;
-    }
+    if (candidate.kind == ModelOpeningKind::Window)
+      return hole.box.volume() >= least_pane && (from_both || !has_other_side);
     if (candidate.other_room == 0 && hole.box.sizes().x() < least_leaf)
       return false; // a gap beside a column
-    return from_both || is_seen;
+    return from_both || isSeenIn(hole);
   }
 
   bool
   isAt(const RoomOpening& passable, const Candidate& candidate) const
   {
-    constexpr double beside = 0.5; // metres: half of the thickest walls, and a voxel
     const WallFace& face = faces_[candidate.face];
     const auto& box = candidate.hole.box;
     if (box.min().y() - face.floor > stride || !hasSizeOfDoor(face, candidate.hole) ||
@@ -308,7 +309,7 @@ private:
     const double place = face.along().dot(way), before = face.inward().dot(way);
     const double from = std::max(box.min().x(), place - 0.5 * passable.width);
     const double to = std::min(box.max().x(), place + 0.5 * passable.width);
-    return std::abs(before) <= beside &&
+    return std::abs(before) <= opening_reach &&
            to - from >= most * std::max(box.sizes().x(), passable.width) &&
            std::abs(passable.position.z() - box.min().y()) < 1.0;
   }

@@ -6,6 +6,8 @@
 #include <pcl/indoor/quantile.h>
 #include <pcl/model/model_walls.h>
 
+#include "cross_product.h"
+#include "wall_dimensions.h"
 #include "wall_pieces.h"
 
 #include <algorithm>
@@ -17,7 +19,6 @@
 namespace pcl::indoor {
 namespace {
 
-constexpr double thickest = 0.7;  // metres: walls of old houses
 constexpr double parallel = 0.98; // cosine, 11 degrees
 
 std::optional<FacePair>
@@ -41,7 +42,7 @@ pairOf(const std::vector<WallFace>& faces, std::size_t i, std::size_t j)
   const Eigen::Vector2d way = other.along();
   pair.gap =
       -one.inward().dot(other.begin + way.dot(middle - other.begin) * way - middle);
-  if (pair.gap < 0.01 || pair.gap > thickest)
+  if (pair.gap < 0.01 || pair.gap > thickest_old_wall)
     return std::nullopt;
   return pair;
 }
@@ -83,7 +84,6 @@ beyondLine(const WallPiece& piece, const WallPiece& other)
 void
 closeCorners(std::vector<WallPiece>& pieces)
 {
-  constexpr double flat = 0.3; // sine, 17 degrees
   const auto before = pieces;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (const bool at_end : {false, true}) {
@@ -95,14 +95,14 @@ closeCorners(std::vector<WallPiece>& pieces)
         const ModelWall& other = before[j].wall;
         const Eigen::Vector2d way = (other.end - other.begin).normalized();
         const double turn = crossOf(along, way);
-        if (i == j || wall.storey != other.storey || std::abs(turn) < flat)
+        if (i == j || wall.storey != other.storey || std::abs(turn) < flat_corner)
           continue;
         const Eigen::Vector2d begin =
             other.begin +
             beyondLine(before[i], before[j]) * Eigen::Vector2d(way.y(), -way.x());
         const double step = crossOf(begin - end, way) / turn;
         const double place = way.dot(end + step * along - begin);
-        const double most = (other.end - other.begin).norm() + crossing;
+        const double most = lengthOf(other) + crossing;
         if (std::abs(step) >= nearest || place < -crossing || place > most)
           continue;
         nearest = std::abs(step);
@@ -122,7 +122,7 @@ facePairs(const std::vector<WallFace>& faces)
     circles.emplace_back(middle.x(), middle.y(), 0.5 * face.length());
   }
   const auto areNear = [&](std::size_t i, std::size_t j) {
-    const double most = circles[i].z() + circles[j].z() + thickest;
+    const double most = circles[i].z() + circles[j].z() + thickest_old_wall;
     return (circles[i] - circles[j]).head<2>().squaredNorm() <= most * most;
   };
   std::vector<FacePair> all;
@@ -161,7 +161,7 @@ modelWalls(const std::vector<WallFace>& faces,
   closeCorners(pieces);
   std::vector<ModelWall> walls;
   for (const WallPiece& piece : pieces)
-    if ((piece.wall.end - piece.wall.begin).norm() >= least_wall)
+    if (lengthOf(piece.wall) >= least_wall)
       walls.push_back(piece.wall);
   return walls;
 }

@@ -19,7 +19,6 @@ namespace pcl::indoor {
 namespace {
 
 enum class BuildingUse { Home, Offices };
-constexpr BuildingUse uses[] = {BuildingUse::Home, BuildingUse::Offices};
 
 // Of the doubts about what is seen: how often a window is found that is there
 // (docs/experiments/openings.md), and an object is found and named as what it is
@@ -64,6 +63,13 @@ stairsChance(const RoomTraits& room)
   return std::log(seen + (1.0 - seen) * (room.may_have_stairs ? unseen : impossible));
 }
 
+/** How many rooms of a name there are. */
+double
+numberIn(BuildingUse use, const RoomCustom& custom)
+{
+  return use == BuildingUse::Home ? custom.in_home : custom.in_offices;
+}
+
 /** What size, shape, light, ways and storey say for a name. */
 double
 spaceScore(const RoomTraits& room,
@@ -73,7 +79,7 @@ spaceScore(const RoomTraits& room,
 {
   const bool home = use == BuildingUse::Home;
   const auto& custom = room_customs[static_cast<std::size_t>(name)];
-  const double number = home ? custom.in_home : custom.in_offices;
+  const double number = numberIn(use, custom);
   if (!(number > 0.0))
     return -std::numeric_limits<double>::infinity();
   constexpr double smallest = 0.3; // m^2
@@ -103,7 +109,7 @@ spaceScores(const RoomTraits& room, BuildingUse use, const BuildingTraits& build
 {
   double numbers = 0.0;
   for (const auto& custom : room_customs)
-    numbers += use == BuildingUse::Home ? custom.in_home : custom.in_offices;
+    numbers += numberIn(use, custom);
   NameScores scores{};
   for (std::size_t n = 0; n < room_name_count; ++n)
     scores[n] =
@@ -152,7 +158,7 @@ allObjectShares()
   return all;
 }
 
-/** Both uses of a building: probabilities of its use and of the names of a room. */
+/** Scores of a room's names, if the building is a home and if it is offices. */
 struct Views {
   std::array<NameScores, 2> scores; ///< as a home, as offices
 };
@@ -160,8 +166,8 @@ struct Views {
 /** How much more often an object is seen, or not seen, in rooms of each name than in
  * all that the room may be (Jeffrey's rule: the class is sure to a degree).
  * \param[in] seen whether the object is there
- * \param[in] share of the rooms of a name that hold
- * it, and of all
+ * \param[in] share of the rooms of a name that hold it
+ * \param[in] of_all the same share of all that the room may be
  */
 double
 objectFactor(double seen, bool furnished, double share, double of_all)
@@ -334,8 +340,8 @@ nameRooms(const std::vector<RoomEvidence>& rooms)
   const auto building = buildingTraits(rooms);
   std::vector<Views> space, full;
   for (const auto& room : building.rooms)
-    space.push_back(
-        {{spaceScores(room, uses[0], building), spaceScores(room, uses[1], building)}});
+    space.push_back({{spaceScores(room, BuildingUse::Home, building),
+                      spaceScores(room, BuildingUse::Offices, building)}});
   const double before =
       std::clamp(logistic(votesFor(building, space)), doubt, 1.0 - doubt);
   for (std::size_t r = 0; r < rooms.size(); ++r)

@@ -9,6 +9,8 @@
 
 namespace pcl::indoor {
 
+constexpr std::size_t rooms_of_home = 4; // at least, with a bath and a largest room
+
 /** \brief What rooms of a name are like, before anything stands in them. Set by what is
  * usual, not counted; docs/method/room_names.md says how. */
 struct RoomCustom {

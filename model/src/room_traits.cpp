@@ -6,6 +6,7 @@
 #include "room_traits.h"
 
 #include <pcl/indoor/disjoint_sets.h>
+#include <pcl/indoor/quantile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +177,6 @@ floorArea(const std::vector<RoomEvidence>& rooms,
 void
 addUnits(const std::vector<RoomEvidence>& rooms, BuildingTraits& building)
 {
-  constexpr std::size_t fewest = 4; // rooms of a home
   const auto unit_of = unitsOf(rooms);
   building.floor_area = floorArea(rooms, unit_of);
   std::map<std::uint32_t, Unit> units;
@@ -184,7 +184,7 @@ addUnits(const std::vector<RoomEvidence>& rooms, BuildingTraits& building)
     units[unit_of[r]].add(rooms[r].area);
   for (std::size_t r = 0; r < rooms.size(); ++r) {
     const auto& unit = units[unit_of[r]];
-    if (unit.rooms >= fewest && unit.largest > 0.0)
+    if (unit.rooms >= rooms_of_home && unit.largest > 0.0)
       building.rooms[r].largest = rooms[r].area == unit.largest;
   }
 }
@@ -195,8 +195,7 @@ middleHeight(const std::vector<RoomEvidence>& rooms)
   std::vector<double> heights;
   for (const auto& room : rooms)
     heights.push_back(room.height);
-  std::sort(heights.begin(), heights.end());
-  return heights[heights.size() / 2];
+  return median(heights);
 }
 
 } // namespace

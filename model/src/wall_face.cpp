@@ -3,9 +3,13 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/model/wall_face.h>
+
+#include "cross_product.h"
+#include "wall_dimensions.h"
+
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/model/model_columns.h>
-#include <pcl/model/wall_face.h>
 
 #include <algorithm>
 #include <array>
@@ -18,20 +22,10 @@ namespace {
 
 using Ring = std::vector<Eigen::Vector2d>;
 
-constexpr double one_run = 0.1;   // sine of the turn within one straight run, 6 degrees
-constexpr double one_line = 0.05; // how far its pieces may lie apart, metres
+constexpr double one_run = 0.1; // sine of the turn within one straight run, 6 degrees
 constexpr double outline_reach = 0.25; // metres: outlines lie within 1.5 voxels of
                                        // walls, or of the glass in them
 constexpr double niche_depth = 0.45; // metres: of walls in which leaves and panes stand
-constexpr double face_noise = 0.04;  // metres: two standard deviations of a scanner's,
-                                     // as outlines of rooms have it
-constexpr std::size_t enough_points = 20; // points, or a run is not seen
-
-double
-turnOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** Whether a corner lies on the straight line between its neighbours. */
 bool
@@ -43,10 +37,10 @@ isStraight(const Eigen::Vector2d& before,
   const double lengths = way.norm() * on.norm();
   if (lengths == 0.0)
     return true;
-  if (way.dot(on) <= 0.0 || std::abs(turnOf(way, on)) > one_run * lengths)
+  if (way.dot(on) <= 0.0 || std::abs(crossOf(way, on)) > one_run * lengths)
     return false;
   const Eigen::Vector2d whole = after - before;
-  return std::abs(turnOf(whole, way)) <= one_line * whole.norm();
+  return std::abs(crossOf(whole, way)) <= same_line * whole.norm();
 }
 
 Ring
@@ -80,14 +74,14 @@ areOfNiches(const Ring& ring, std::size_t first, std::size_t corners)
   double last = 0.0;
   for (std::size_t k = 1; k <= corners; ++k) {
     const Eigen::Vector2d from = at(k) - at(0);
-    const double before = turnOf(along, from), place = along.dot(from);
+    const double before = crossOf(along, from), place = along.dot(from);
     if (before > slack || before < -niche_depth || place < last - slack ||
         place > length)
       return false;
     last = place;
   }
   const auto isOnLine = [&](std::size_t k) {
-    return std::abs(turnOf(along, at(k) - at(0))) <= one_line;
+    return std::abs(crossOf(along, at(k) - at(0))) <= same_line;
   };
   return (isOnLine(1) && along.dot(at(1) - at(0)) >= beside) ||
          (isOnLine(corners) && along.dot(at(corners + 1) - at(corners)) >= beside);
@@ -126,8 +120,8 @@ struct Offset {
 
 /** Numbers of points in bands before a run, for the turn that gives each the most. */
 struct BandProfile {
-  static constexpr double bin = 0.25 * face_noise;
   static constexpr int width = 4; ///< bins of a band: as wide as the noise
+  static constexpr double bin = noise_band / width;
   static constexpr int bins = static_cast<int>(2.0 * outline_reach / bin);
 
   std::array<std::size_t, bins> counts{}; ///< by the first bin
@@ -244,7 +238,7 @@ fitToPoints(const PointsOfRooms& points, WallFace& face)
     return;
   Offset line = *found;
   for (int round = 0; round < 2; ++round)
-    if (const auto next = fitted(near, line, 0.5 * face_noise);
+    if (const auto next = fitted(near, line, scanner_noise);
         next && std::abs(next->rise) < 2.0 * one_run)
       line = *next;
   face.is_seen = true;
@@ -258,15 +252,14 @@ fitToPoints(const PointsOfRooms& points, WallFace& face)
 void
 joinCorners(const std::vector<WallFace>::iterator& faces, std::size_t count)
 {
-  constexpr double flat = 0.3; // sine: flatter ones meet anywhere
   const std::vector<WallFace> before(faces, faces + static_cast<std::ptrdiff_t>(count));
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t last = (i + count - 1) % count;
     const WallFace &one = before[last], &next = before[i];
-    const double turn = turnOf(one.along(), next.along());
-    if (std::abs(turn) <= flat)
+    const double turn = crossOf(one.along(), next.along());
+    if (std::abs(turn) <= flat_corner)
       continue;
-    const double step = turnOf(next.begin - one.begin, next.along()) / turn;
+    const double step = crossOf(next.begin - one.begin, next.along()) / turn;
     const Eigen::Vector2d corner = one.begin + step * one.along();
     faces[static_cast<std::ptrdiff_t>(last)].end = corner;
     faces[static_cast<std::ptrdiff_t>(i)].begin = corner;

@@ -5,9 +5,11 @@
 
 #include <pcl/model/wall_holes.h>
 
+#include "hole_edges.h"
 #include "wall_niche.h"
 
 #include <pcl/indoor/flood_fill.h>
+#include <pcl/indoor/quantile.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +25,7 @@ using Mask = PixelMap<std::uint8_t>;
 constexpr double least_side = 0.3; // metres: narrower ones are gaps of the scan
 constexpr double jump = 0.15;      // metres: between openings side by side
 constexpr double border = 0.05;    // metres: a frame, or the band of face beside a hole
+constexpr double frame_relief = 0.03; // metres
 
 /** Columns of connected cells: first and last row of each. */
 struct Columns {
@@ -111,19 +114,9 @@ smoothed(const std::vector<int>& values)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     std::vector<int> near(values.begin() + std::max<std::ptrdiff_t>(0, i - 2),
                           values.begin() + std::min(n, i + 3));
-    const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
-    std::nth_element(near.begin(), middle, near.end());
-    result[static_cast<std::size_t>(i)] = *middle;
+    result[static_cast<std::size_t>(i)] = median(near);
   }
   return result;
-}
-
-int
-median(std::vector<int> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /** Rectangles of connected cells, metres. */
@@ -217,14 +210,14 @@ edgeShift(const std::vector<double>& places, double uncertain)
 void
 refine(const WallImage& image, const std::vector<WallPoint>& points, FaceHole& hole)
 {
-  constexpr double most = 0.03; // metres: the relief of a frame
   constexpr double near = 0.05; // metres: farther points are of no face
-  const double limit = hole.is_proud ? std::min(most, 0.5 * hole.depth)
-                                     : -std::min(most, 0.5 * std::abs(hole.depth));
+  const double limit = hole.is_proud
+                           ? std::min(frame_relief, 0.5 * hole.depth)
+                           : -std::min(frame_relief, 0.5 * std::abs(hole.depth));
   const auto is_face = [&](const WallPoint& point) {
     return std::abs(point.before) < near &&
            (hole.is_proud ? point.before < limit
-                          : point.before > (hole.depth == 0.0 ? -most : limit));
+                          : point.before > (hole.depth == 0.0 ? -frame_relief : limit));
   };
   for (int round = 0; round < 2; ++round) {
     const Eigen::AlignedBox2d box = hole.box;
@@ -277,40 +270,28 @@ describe(const WallImage& image, FaceHole& hole)
                 (2.0 * height + width);
 }
 
-/** The shares of a hole's sides beyond which the face is seen: of pieces of a tenth of
- * a metre, or three cells. */
+/** The shares of a hole's sides beyond which the face is seen. */
 void
 findFrame(const WallImage& image, const std::vector<WallPoint>& points, FaceHole& hole)
 {
-  constexpr double relief = 0.03; // metres, of a frame
-  const double piece = std::max(0.1, 3.0 * image.cell);
+  const double piece = edgePiece(image);
   const double band = std::max(border, 1.5 * image.cell);
-  const Eigen::Vector2d low = hole.box.min(), high = hole.box.max();
   const Eigen::Vector2d sizes = hole.box.sizes();
   std::array<std::vector<std::uint8_t>, 4> seen; // left, right, above, below
-  for (int side = 0; side < 4; ++side)
-    seen[static_cast<std::size_t>(side)].assign(
-        static_cast<std::size_t>(std::ceil(sizes[side < 2] / piece)), 0);
-  const auto mark = [&](int side, double beyond, double place) {
-    auto& pieces = seen[static_cast<std::size_t>(side)];
+  for (std::size_t side = 0; side < 4; ++side)
+    seen[side].assign(static_cast<std::size_t>(std::ceil(sizes[side < 2] / piece)), 0);
+  const auto mark = [&](std::size_t side, double beyond, double place) {
+    auto& pieces = seen[side];
     const auto i = static_cast<std::ptrdiff_t>(std::floor(place / piece));
     if (beyond > 0.0 && beyond <= band && i >= 0 &&
         i < static_cast<std::ptrdiff_t>(pieces.size()))
       pieces[static_cast<std::size_t>(i)] = 1;
   };
-  for (const auto& point : points) {
-    if (std::abs(point.before) > relief)
-      continue;
-    const Eigen::Vector2d place(point.along, point.height);
-    mark(0, low.x() - place.x(), place.y() - low.y());
-    mark(1, place.x() - high.x(), place.y() - low.y());
-    mark(2, place.y() - high.y(), place.x() - low.x());
-    mark(3, low.y() - place.y(), place.x() - low.x());
-  }
+  for (const auto& point : points)
+    if (std::abs(point.before) <= frame_relief)
+      forEachEdge(hole.box, point, mark);
   for (std::size_t side = 0; side < 4; ++side)
-    hole.framed[side] =
-        static_cast<double>(std::count(seen[side].begin(), seen[side].end(), 1)) /
-        static_cast<double>(seen[side].size());
+    hole.framed[side] = seenShareOf(seen[side]);
 }
 
 /** The median depth of what is seen in a hole, metres. */
@@ -325,11 +306,7 @@ depthOf(const WallImage& image, const FaceHole& hole)
           hole.box.contains(Eigen::Vector2d((x + 0.5) * image.cell,
                                             image.floor + (y + 0.5) * image.cell)))
         depths.push_back(image.depth.at(x, y));
-  if (depths.empty())
-    return 0.0;
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  return *middle;
+  return depths.empty() ? 0.0 : median(depths);
 }
 
 } // namespace

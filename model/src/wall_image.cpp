@@ -5,14 +5,22 @@
 
 #include <pcl/model/wall_image.h>
 
+#include <pcl/indoor/quantile.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace pcl::indoor {
 namespace {
 
-constexpr int cells_around = 2; // cells around one whose points it shows
+constexpr int cells_around = 2;     // cells around one whose points it shows
+constexpr double hand = 0.15;       // metres: what stands farther before is an object
+constexpr double least_cell = 0.02; // metres: side of a cell of dense scans
+// metres, of what is no face: stations are registered to a centimetre, and a median
+// over ten points with noise of 1.2 cm is known to 0.5 cm
+constexpr double least_relief = 0.02;
 
 /** Points in the order of their cells. */
 struct CellPoints {
@@ -22,7 +30,7 @@ struct CellPoints {
 
 /** How far points of a side are apart: from how many lie in squares that have some. */
 double
-spacingOf(const std::vector<WallPoint>& points, double hand)
+spacingOf(const std::vector<WallPoint>& points)
 {
   constexpr double square = 0.1; // metres
   std::vector<std::pair<int, int>> squares;
@@ -40,24 +48,29 @@ spacingOf(const std::vector<WallPoint>& points, double hand)
     counts.push_back(static_cast<std::size_t>(end) - i);
     i = static_cast<std::size_t>(end);
   }
-  auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
-  std::nth_element(counts.begin(), middle, counts.end());
-  return square / std::sqrt(static_cast<double>(*middle));
+  return square / std::sqrt(static_cast<double>(median(counts)));
+}
+
+/** Column and row of a point, which may lie outside. */
+std::pair<int, int>
+placeOf(const WallPoint& point, const WallImage& image)
+{
+  return {static_cast<int>(std::floor(point.along / image.cell)),
+          static_cast<int>(std::floor((point.height - image.floor) / image.cell))};
 }
 
 /** The cell of a point; negative outside. */
 std::ptrdiff_t
 cellOf(const WallPoint& point, const WallImage& image)
 {
-  const int x = static_cast<int>(std::floor(point.along / image.cell));
-  const int y = static_cast<int>(std::floor((point.height - image.floor) / image.cell));
+  const auto [x, y] = placeOf(point, image);
   return image.cells.contains(x, y)
              ? static_cast<std::ptrdiff_t>(image.cells.index(x, y))
              : -1;
 }
 
 CellPoints
-pointsByCell(const std::vector<WallPoint>& points, const WallImage& image, double hand)
+pointsByCell(const std::vector<WallPoint>& points, const WallImage& image)
 {
   CellPoints cells;
   cells.first.assign(image.cells.size() + 1, 0);
@@ -88,24 +101,20 @@ kindOf(double depth, double relief)
 /** The least depth of what is no face: of uneven walls, and where stations do not fit,
  * three times the middle of what the face itself stands out. */
 double
-reliefOf(const WallImage& image, double least)
+reliefOf(const WallImage& image)
 {
   std::vector<float> out;
   for (std::size_t i = 0; i < image.cells.size(); ++i)
     if (image.cells.values[i] != WallCell::Empty && image.depth.values[i] > 0.0f)
       out.push_back(image.depth.values[i]);
-  if (out.empty())
-    return least;
-  const auto middle = out.begin() + static_cast<std::ptrdiff_t>(out.size() / 2);
-  std::nth_element(out.begin(), middle, out.end());
-  return std::max(least, 3.0 * *middle);
+  return out.empty() ? least_relief : std::max(least_relief, 3.0 * median(out));
 }
 
 /** The median depth of what is seen around a cell. Where the face is seen, what lies
  * farther behind it than a hand is the other side of the wall, seen from there.
  * \param[in] of_face points that a face has around a cell */
 float
-medianDepth(std::vector<float>& depths, double hand, double of_face)
+medianDepth(std::vector<float>& depths, double of_face)
 {
   const auto behind = std::partition(depths.begin(), depths.end(), [&](float depth) {
     return depth >= static_cast<float>(-hand);
@@ -119,10 +128,7 @@ medianDepth(std::vector<float>& depths, double hand, double of_face)
 
 /** Set what each cell shows: the median of the points around it. */
 void
-showDepths(const CellPoints& points,
-           double of_face,
-           const WallImageOptions& options,
-           WallImage& image)
+showDepths(const CellPoints& points, double of_face, WallImage& image)
 {
   std::vector<float> near;
   for (int x = 0; x < image.cells.nx; ++x)
@@ -139,10 +145,10 @@ showDepths(const CellPoints& points,
                         points.first[image.cells.index(u, high) + 1]);
       if (near.empty())
         continue;
-      image.depth.at(x, y) = medianDepth(near, options.hand, of_face);
+      image.depth.at(x, y) = medianDepth(near, of_face);
       image.cells.at(x, y) = WallCell::Face;
     }
-  const double relief = reliefOf(image, options.relief);
+  const double relief = reliefOf(image);
   for (std::size_t i = 0; i < image.cells.size(); ++i)
     if (image.cells.values[i] == WallCell::Face)
       image.cells.values[i] = kindOf(image.depth.values[i], relief);
@@ -150,14 +156,12 @@ showDepths(const CellPoints& points,
 
 /** Mark empty cells with objects before them. */
 void
-showObjects(const std::vector<WallPoint>& points, double hand, WallImage& image)
+showObjects(const std::vector<WallPoint>& points, WallImage& image)
 {
   for (const auto& point : points) {
     if (point.before <= hand)
       continue;
-    const int x = static_cast<int>(std::floor(point.along / image.cell));
-    const int y =
-        static_cast<int>(std::floor((point.height - image.floor) / image.cell));
+    const auto [x, y] = placeOf(point, image);
     for (int u = x - cells_around; u <= x + cells_around; ++u)
       for (int v = y - cells_around; v <= y + cells_around; ++v)
         if (image.cells.contains(u, v) && image.cells.at(u, v) == WallCell::Empty)
@@ -165,57 +169,35 @@ showObjects(const std::vector<WallPoint>& points, double hand, WallImage& image)
   }
 }
 
-/** Share of the cells in a box for which something holds; beyond the image nothing
- * does. */
-template <typename Holds>
-double
-shareOf(const WallImage& image, const Eigen::AlignedBox2d& box, const Holds& holds)
-{
-  const auto bound = [&](double place) {
-    return static_cast<int>(std::lround(place / image.cell));
-  };
-  const int from_y = bound(box.min().y() - image.floor);
-  const int to_y = bound(box.max().y() - image.floor);
-  std::size_t all = 0, found = 0;
-  for (int x = bound(box.min().x()); x < bound(box.max().x()); ++x)
-    for (int y = from_y; y < to_y; ++y) {
-      ++all;
-      found += image.cells.contains(x, y) && holds(image.cells.index(x, y));
-    }
-  return all > 0 ? static_cast<double>(found) / static_cast<double>(all) : 0.0;
-}
-
 } // namespace
 
 double
 WallImage::share(const Eigen::AlignedBox2d& box, WallCell kind) const
 {
-  return shareOf(
-      *this, box, [&](std::size_t cell) { return cells.values[cell] == kind; });
-}
-
-double
-WallImage::faceShare(const Eigen::AlignedBox2d& box) const
-{
-  constexpr float most = 0.03f; // metres: the relief of a frame
-  return shareOf(*this, box, [&](std::size_t cell) {
-    return cells.values[cell] != WallCell::Empty &&
-           cells.values[cell] != WallCell::Front &&
-           std::abs(depth.values[cell]) <= most;
-  });
+  const auto bound = [&](double place) {
+    return static_cast<int>(std::lround(place / cell));
+  };
+  const int from_y = bound(box.min().y() - floor);
+  const int to_y = bound(box.max().y() - floor);
+  std::size_t all = 0, found = 0;
+  for (int x = bound(box.min().x()); x < bound(box.max().x()); ++x)
+    for (int y = from_y; y < to_y; ++y) {
+      ++all;
+      found += cells.contains(x, y) && cells.at(x, y) == kind;
+    }
+  return all > 0 ? static_cast<double>(found) / static_cast<double>(all) : 0.0;
 }
 
 WallImage
 wallImage(const std::vector<WallPoint>& points,
           double length,
           double floor,
-          double height,
-          const WallImageOptions& options)
+          double height)
 {
   constexpr double cells_per_spacing = 0.6; // nine points around each cell
-  const double spacing = spacingOf(points, options.hand);
+  const double spacing = spacingOf(points);
   WallImage image;
-  image.cell = std::max(options.least_cell, cells_per_spacing * spacing);
+  image.cell = std::max(least_cell, cells_per_spacing * spacing);
   image.floor = floor;
   image.cells.nx = static_cast<int>(std::ceil(length / image.cell));
   image.cells.ny = static_cast<int>(std::ceil(height / image.cell));
@@ -225,8 +207,8 @@ wallImage(const std::vector<WallPoint>& points,
   image.depth.values.assign(image.depth.size(), 0.0f);
   const double around = (2 * cells_around + 1) * image.cell; // metres
   const double of_face = spacing > 0.0 ? std::pow(around / spacing, 2) : 0.0;
-  showDepths(pointsByCell(points, image, options.hand), of_face, options, image);
-  showObjects(points, options.hand, image);
+  showDepths(pointsByCell(points, image), of_face, image);
+  showObjects(points, image);
   return image;
 }
 

@@ -4,6 +4,9 @@
  */
 #include "wall_niche.h"
 
+#include "hole_edges.h"
+#include "wall_dimensions.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +14,8 @@
 
 namespace pcl::indoor {
 namespace {
+
+constexpr double widest_frame = 0.16; // metres
 
 /** A surface that stands out of a wall's plane beside an edge of a hole. */
 struct Jamb {
@@ -25,11 +30,10 @@ struct Jamb {
 Jamb
 jambOf(std::vector<std::pair<double, double>> points, double length, double piece)
 {
-  constexpr double band = 0.04; // metres: two standard deviations of a scanner's noise
   std::sort(points.begin(), points.end());
   std::size_t first = 0, end = 0;
   for (std::size_t i = 0, j = 0; i < points.size(); ++i) {
-    while (j < points.size() && points[j].first <= points[i].first + band)
+    while (j < points.size() && points[j].first <= points[i].first + noise_band)
       ++j;
     if (j - i > end - first) {
       first = i;
@@ -44,25 +48,24 @@ jambOf(std::vector<std::pair<double, double>> points, double length, double piec
     seen[std::min(static_cast<std::size_t>(points[i].second / piece),
                   seen.size() - 1)] = 1;
   jamb.beyond = points[(first + end) / 2].first;
-  jamb.share = static_cast<double>(std::count(seen.begin(), seen.end(), 1)) /
-               static_cast<double>(seen.size());
+  jamb.share = seenShareOf(seen);
   return jamb;
 }
 
-/** The share of the band beyond an edge in which objects before the wall hide it. */
+/** The share of what a frame may cover beyond an edge in which objects before the wall
+ * hide it. */
 double
 hiddenShare(const WallImage& image, const FaceHole& hole, std::size_t side)
 {
-  constexpr double band = 0.16; // metres
   Eigen::AlignedBox2d beyond = hole.box;
   const Eigen::Index axis = side < 2 ? 0 : 1;
   if (side == 0 || side == 3) {
     beyond.max()[axis] = hole.box.min()[axis];
-    beyond.min()[axis] = beyond.max()[axis] - band;
+    beyond.min()[axis] = beyond.max()[axis] - widest_frame;
   }
   else {
     beyond.min()[axis] = hole.box.max()[axis];
-    beyond.max()[axis] = beyond.min()[axis] + band;
+    beyond.max()[axis] = beyond.min()[axis] + widest_frame;
   }
   return image.share(beyond, WallCell::Front) + image.share(beyond, WallCell::Proud);
 }
@@ -77,14 +80,13 @@ jambsAround(const WallImage& image,
             const std::vector<WallPoint>& points,
             const Eigen::AlignedBox2d& box)
 {
-  constexpr double widest_frame = 0.16;          // metres
   constexpr double nearest = 0.04, reach = 0.25; // metres, before the plane
   // a ceiling is the end only of a niche that goes down to the floor
   constexpr double slab = 0.05, near_floor = 0.3; // metres
-  const double piece = std::max(0.1, 3.0 * image.cell);
-  const Eigen::Vector2d low = box.min(), high = box.max(), sizes = box.sizes();
+  const Eigen::Vector2d sizes = box.sizes();
   const double ceiling = image.floor + image.cell * (image.cells.ny - 1);
-  const double top = low.y() > image.floor + near_floor ? ceiling - slab : INFINITY;
+  const double top =
+      box.min().y() > image.floor + near_floor ? ceiling - slab : INFINITY;
   std::array<std::vector<std::pair<double, double>>, 4> beside;
   const auto add = [&](std::size_t side, double beyond, double along) {
     const double length = sizes[side < 2];
@@ -94,15 +96,11 @@ jambsAround(const WallImage& image,
   for (const auto& point : points) {
     if (point.before < nearest || point.before > reach || point.height > top)
       continue;
-    const double u = point.along, v = point.height;
-    add(0, low.x() - u, v - low.y());
-    add(1, u - high.x(), v - low.y());
-    add(2, v - high.y(), u - low.x());
-    add(3, low.y() - v, u - low.x());
+    forEachEdge(box, point, add);
   }
   Edges jambs;
   for (std::size_t side = 0; side < 4; ++side)
-    jambs[side] = jambOf(std::move(beside[side]), sizes[side < 2], piece);
+    jambs[side] = jambOf(std::move(beside[side]), sizes[side < 2], edgePiece(image));
   return jambs;
 }
 

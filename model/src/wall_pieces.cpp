@@ -4,6 +4,9 @@
  */
 #include "wall_pieces.h"
 
+#include "cross_product.h"
+#include "wall_dimensions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -12,15 +15,8 @@
 namespace pcl::indoor {
 namespace {
 
-constexpr double same_line = 0.05;      // metres: steps between walls are larger
 constexpr double same_thickness = 0.04; // metres
 constexpr double same_way = 0.999;      // cosine, 2.6 degrees
-
-double
-lengthOf(const ModelWall& wall)
-{
-  return (wall.end - wall.begin).norm();
-}
 
 WallPiece
 pieceOf(const WallFace& face, double from, double to, double gap)

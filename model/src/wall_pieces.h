@@ -13,11 +13,11 @@ namespace pcl::indoor {
 constexpr double least_wall = 0.2; // metres: shorter ones are none
 constexpr double crossing = 0.5;   // metres: what crosses a wall is no thicker
 
-/** \brief How far b turns to the left of a, times both lengths. */
+/** \brief Length of a wall, metres. */
 inline double
-crossOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+lengthOf(const ModelWall& wall)
 {
-  return a.x() * b.y() - a.y() * b.x();
+  return (wall.end - wall.begin).norm();
 }
 
 /** \brief A wall, or a piece of one. */

@@ -4,6 +4,7 @@
  */
 #include "support/folder_test.h"
 #include "voxels/row_sums.h"
+#include "voxels/voxel_levels.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/ml/voxel_network.h>
@@ -286,6 +287,17 @@ TEST(VoxelNetwork, wide_clouds_are_as_if_their_parts_were_alone)
   EXPECT_LT(other, both.size() / 100);
 }
 
+TEST(VoxelLevels, a_voxel_in_the_least_corner_has_no_neighbour_on_any_level)
+{
+  constexpr std::uint64_t least = least_coordinate;
+  const auto levels = voxelLevels({voxelKey(least, least, least)}, most_voxel_levels);
+  ASSERT_EQ(levels.size(), most_voxel_levels);
+  EXPECT_EQ(levels.back().keys, std::vector<std::uint64_t>{voxelKey(1, 1, 1)});
+  for (const auto& level : levels)
+    for (std::size_t tap = 0; tap < level.near.size(); ++tap)
+      EXPECT_EQ(level.near[tap].to.size(), tap == 13 ? 1u : 0u) << tap;
+}
+
 TEST(RowSums, are_made_in_the_order_of_the_inputs)
 {
   Random random;
@@ -379,6 +391,12 @@ TEST_F(VoxelNetworkFile, what_is_wrong_is_said)
       "header");
   has(bytes(R"({"classes":["a","b","c"],"widths":[16,16,16],"voxel_size":0.05})"),
       "cut off");
+  has(bytes(R"({"classes":["a","b","c"],"widths":[16,16,16,16,16,16],)"
+            R"("voxel_size":0.05})"),
+      "cut off");
+  has(bytes(R"({"classes":["a","b","c"],"widths":[16,16,16,16,16,16,16],)"
+            R"("voxel_size":0.05})"),
+      "header");
   has(bytes(R"({"classes":["a","b","c"],"widths":[16,16],"voxel_size":0.05})", 5),
       "5 bytes too many");
   EXPECT_THROW(loadVoxelNetwork(path("none")), pcl::IOException);

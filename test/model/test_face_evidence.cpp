@@ -138,7 +138,7 @@ TEST(FaceEvidence, TellsHowDeepWindowsLie)
   FaceHole hole;
   hole.box = box;
   hole.depth = -0.15;
-  seen.holes[0].holes = {hole};
+  seen.holes[0] = {hole};
   EXPECT_EQ(seen.evidence()[0].depth, 0.0) << "a hole that is no window";
   seen.addOpening(ModelOpeningKind::Window, box);
   EXPECT_NEAR(seen.evidence()[0].depth, 0.15, 1e-12);

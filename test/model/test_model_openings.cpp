@@ -44,7 +44,7 @@ inInnerWall(const std::vector<FaceHole>& one,
 {
   const std::vector<WallFace> faces{sideOf(1, {0.0, 0.1}, {4.0, 0.1}),
                                     sideOf(2, {4.0, 0.0}, {0.0, 0.0})};
-  const std::vector<FaceHoles> holes{FaceHoles{one}, FaceHoles{other}};
+  const std::vector<FaceHoles> holes{one, other};
   return modelOpenings(faces, facePairs(faces), holes, passable);
 }
 
@@ -64,8 +64,7 @@ passableAt(double x, double width)
 std::vector<ModelOpening>
 inOuterWall(const FaceHole& hole)
 {
-  const std::vector<FaceHoles> holes{FaceHoles{{hole}}};
-  return modelOpenings({sideOf(1, {0.0, 0.0}, {4.0, 0.0})}, {}, holes, {});
+  return modelOpenings({sideOf(1, {0.0, 0.0}, {4.0, 0.0})}, {}, {FaceHoles{hole}}, {});
 }
 
 } // namespace
@@ -91,7 +90,7 @@ TEST(ModelOpenings, PanesSideBySideAreOneWindow)
         framedHole(rectangle(1.6 + gap, 0.8 + rise, 2.4 + gap, 2.1 + rise), 0.9);
     left.framed[0] = right.framed[1] = 0.8;
     return modelOpenings(
-        {sideOf(1, {0.0, 0.0}, {4.0, 0.0})}, {}, {FaceHoles{{right, left}}}, {});
+        {sideOf(1, {0.0, 0.0}, {4.0, 0.0})}, {}, {FaceHoles{right, left}}, {});
   };
   const auto found = in_wall(0.1, 0.02);
   ASSERT_EQ(found.size(), 1u);

@@ -42,7 +42,7 @@ TEST(WallImage, ShowsFaceRecessLeafObjectAndNothing)
   // medians move edges by no more than the spacing: 2.5 cm on 50 cm, on each side
   EXPECT_NEAR(
       image.share(rectangle(0.4, 3.9, 1.1, 4.6), WallCell::Recess), 0.25 / 0.49, 0.1);
-  EXPECT_DOUBLE_EQ(image.faceShare(rectangle(0.1, 3.1, 0.4, 3.9)), 1.0);
+  EXPECT_DOUBLE_EQ(image.share(rectangle(0.1, 3.1, 0.4, 3.9), WallCell::Face), 1.0);
 }
 
 TEST(WallImage, UnevenWallsHaveNoHoles)

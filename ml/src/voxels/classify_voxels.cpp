@@ -5,6 +5,7 @@
 #include "voxels/row_sums.h"
 #include "voxels/voxel_levels.h"
 
+#include <pcl/indoor/quantile.h>
 #include <pcl/ml/voxel_network.h>
 
 #include <algorithm>
@@ -20,7 +21,6 @@ namespace {
 
 using Rows = std::vector<float>;
 
-constexpr double margin = 32; // voxels before the first: even, and one on all levels
 constexpr double most_at_once = 40;     // m; what is wider is gone through in tiles
 constexpr double tile = 16, around = 4; // m, about what an output depends on
 constexpr double low_share =
@@ -30,7 +30,7 @@ constexpr double low_share =
 struct Voxels {
   std::vector<std::uint64_t> keys; ///< ascending
   std::vector<std::uint32_t> voxel_of_point;
-  Rows inputs; ///< of each: 1, height, offset of the centroid from the middle
+  Rows inputs; ///< voxel_inputs of each
 };
 
 Eigen::Vector3d
@@ -46,11 +46,7 @@ lowLevel(const std::vector<Eigen::Vector3f>& points)
   heights.reserve(points.size());
   for (const auto& point : points)
     heights.push_back(point.z());
-  const auto low =
-      heights.begin() +
-      static_cast<std::ptrdiff_t>(low_share * static_cast<double>(heights.size() - 1));
-  std::nth_element(heights.begin(), low, heights.end());
-  return *low;
+  return quantile(heights, low_share);
 }
 
 std::vector<std::uint64_t>
@@ -63,7 +59,7 @@ keysOf(const std::vector<Eigen::Vector3f>& points, double voxel_size)
   keys.reserve(points.size());
   for (const auto& point : points) {
     const Eigen::Vector3d place =
-        cellOf(point, voxel_size) - least + Eigen::Vector3d::Constant(margin);
+        cellOf(point, voxel_size) - least + Eigen::Vector3d::Constant(least_coordinate);
     keys.push_back(voxelKey(static_cast<std::uint64_t>(place.x()),
                             static_cast<std::uint64_t>(place.y()),
                             static_cast<std::uint64_t>(place.z())));
@@ -74,7 +70,6 @@ keysOf(const std::vector<Eigen::Vector3f>& points, double voxel_size)
 Voxels
 voxelsOf(const std::vector<Eigen::Vector3f>& points, double voxel_size, double low)
 {
-  constexpr std::size_t inputs = 5;
   Voxels voxels;
   const auto key_of_point = keysOf(points, voxel_size);
   voxels.keys = key_of_point;
@@ -95,7 +90,7 @@ voxelsOf(const std::vector<Eigen::Vector3f>& points, double voxel_size, double l
     heights[voxel] += points[i].z() - low;
     ++counts[voxel];
   }
-  voxels.inputs.reserve(inputs * voxels.keys.size());
+  voxels.inputs.reserve(voxel_inputs * voxels.keys.size());
   for (std::size_t v = 0; v < voxels.keys.size(); ++v) {
     const Eigen::Vector3d offset = offsets[v] / counts[v];
     const double height = std::clamp(heights[v] / counts[v] / 2, -0.5, 2.0);

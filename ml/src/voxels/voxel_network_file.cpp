@@ -4,6 +4,7 @@
  */
 #include "file_bytes.h"
 #include "voxels/row_sums.h"
+#include "voxels/voxel_levels.h"
 
 #include <pcl/ml/voxel_network.h>
 
@@ -12,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -21,8 +21,7 @@ namespace pcl::indoor {
 namespace {
 
 const std::string first_line = "pcl_indoor_voxel_network 1\n";
-constexpr std::size_t input_count = 5, most_levels = 8, widest = 1024,
-                      most_classes = 1000;
+constexpr std::size_t widest = 1024, most_classes = 1000;
 
 [[noreturn]] void
 refuse(const std::string& path, const std::string& problem)
@@ -92,8 +91,7 @@ private:
     const char* const taken = take(4 * count);
     std::vector<float> values(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const auto bits = numberAt<std::uint32_t>(taken + 4 * i);
-      std::memcpy(&values[i], &bits, 4);
+      values[i] = floatAt(taken + 4 * i);
       if (!std::isfinite(values[i]))
         refuse(path_, "has a weight that is no number");
     }
@@ -123,7 +121,7 @@ readHeader(const std::string& path, const std::string& line)
   bool fits = network.classes.size() >= building_classes &&
               network.classes.size() <= most_classes && network.voxel_size > 0 &&
               std::isfinite(network.voxel_size) && network.widths.size() >= 2 &&
-              network.widths.size() <= most_levels;
+              network.widths.size() <= most_voxel_levels;
   for (const auto width : network.widths)
     fits = fits && width > 0 && width <= widest && width % row_lanes == 0;
   if (!fits)
@@ -149,7 +147,7 @@ loadVoxelNetwork(const std::string& path)
       path, content.substr(first_line.size(), header_end - first_line.size()));
   LayerReader reader(path, content.data() + header_end + 1, size - header_end - 1);
   const auto& widths = network.widths;
-  network.stem = reader.read(27, input_count, widths[0]);
+  network.stem = reader.read(27, voxel_inputs, widths[0]);
   for (const auto width : widths) {
     network.first.push_back(reader.read(27, width, width));
     network.second.push_back(reader.read(27, width, width));

@@ -19,8 +19,10 @@ struct Step {
   float root_correction; ///< 1 over the root of the second moment's correction
 };
 
-constexpr float keep_mean = 0.9f;
-constexpr float keep_square = 0.999f;
+constexpr double mean_decay = 0.9;
+constexpr double square_decay = 0.999;
+constexpr auto keep_mean = static_cast<float>(mean_decay);
+constexpr auto keep_square = static_cast<float>(square_decay);
 constexpr float epsilon = 1e-8f;
 
 /** \brief One pass over the memory instead of one per operation. */
@@ -73,8 +75,8 @@ Adam::step(double learning_rate)
 {
   ++step_count;
   const auto count = static_cast<double>(step_count);
-  const double first = 1.0 - std::pow(0.9, count);
-  const double second = 1.0 - std::pow(0.999, count);
+  const double first = 1.0 - std::pow(mean_decay, count);
+  const double second = 1.0 - std::pow(square_decay, count);
   const Step step{static_cast<float>(1.0 - learning_rate * weight_decay_),
                   static_cast<float>(learning_rate / first),
                   static_cast<float>(1.0 / std::sqrt(second))};

@@ -59,9 +59,11 @@ fitScale(Network& network, const TrainingSet& set)
       std::find_if_not(network.layers.begin(), network.layers.end(), is_plain);
   if (scale == network.layers.end() || scale->kind != LayerKind::Scale)
     return;
-  bool has_root = false;
-  for (auto layer = network.layers.begin(); layer != scale; ++layer)
-    has_root = has_root || layer->kind == LayerKind::SquareRoot;
+  const std::vector<Layer> before(network.layers.begin(), scale);
+  const bool has_root =
+      std::any_of(before.begin(), before.end(), [](const Layer& layer) {
+        return layer.kind == LayerKind::SquareRoot;
+      });
   const auto count = valueCount(network.input);
   requireDraws(set, count);
   std::vector<double> means(count, 0.0);
@@ -73,9 +75,6 @@ fitScale(Network& network, const TrainingSet& set)
   visitValues(set, has_root, [&](std::size_t k, float value) {
     squares[k] += (value - means[k]) * (value - means[k]);
   });
-  Shape shape = network.input;
-  for (auto layer = network.layers.begin(); layer != scale; ++layer)
-    shape = outputShape(*layer, shape);
   std::vector<double> deviations(count);
   std::transform(squares.begin(), squares.end(), deviations.begin(), [=](double sum) {
     return std::sqrt(sum / draw_count);
@@ -86,7 +85,8 @@ fitScale(Network& network, const TrainingSet& set)
   const auto next = scale + 1;
   const bool one_scale =
       next != network.layers.end() && next->kind == LayerKind::Convolution;
-  scale->weights.assign(2, {shape, std::vector<float>(count)});
+  scale->weights.assign(
+      2, {outputShape(before, network.input), std::vector<float>(count)});
   for (std::size_t k = 0; k < count; ++k) {
     const double deviation =
         one_scale ? mean_deviation : deviations[k] + mean_deviation;

@@ -150,8 +150,15 @@ NetworkModule::apply(const Layer& layer,
   case LayerKind::Convolution:
     return convolution(values, own[0], own[1]);
   case LayerKind::BatchNorm:
-    return at::batch_norm(
-        values, own[2], own[3], own[0], own[1], dropout != nullptr, 0.1, 1e-5, false);
+    return at::batch_norm(values,
+                          own[2],
+                          own[3],
+                          own[0],
+                          own[1],
+                          dropout != nullptr,
+                          0.1,
+                          batch_norm_epsilon,
+                          false);
   case LayerKind::Relu:
     return values.relu();
   case LayerKind::MaxPool:

@@ -55,10 +55,7 @@ requireOptions(const TrainingOptions& options)
 int
 classCount(const Network& network)
 {
-  Shape shape = network.input;
-  for (const auto& layer : network.layers)
-    shape = outputShape(layer, shape);
-  return shape.front();
+  return outputShape(network.layers, network.input).front();
 }
 
 void

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
-#include <map>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -63,11 +62,7 @@ scoreText(const std::vector<ClassifiedFile>& files)
     }
   if (numbers.empty())
     return "";
-  std::vector<std::string> names;
-  for (auto& [name, number] : numbers) {
-    number = static_cast<int>(names.size());
-    names.push_back(name);
-  }
+  const auto names = numberNames(numbers);
   std::vector<int> truth;
   std::vector<int> predicted;
   for (const auto& file : files)

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <map>
 #include <numeric>
 
 namespace pcl::indoor::tool {
@@ -54,8 +53,8 @@ forEachBatch(const std::vector<ObjectFile>& files,
   }
 }
 
-std::vector<std::pair<std::string, float>>
-sorted(std::vector<std::pair<std::string, float>> classes)
+Classes
+sorted(Classes classes)
 {
   std::stable_sort(classes.begin(), classes.end(), [](const auto& a, const auto& b) {
     return a.second > b.second;
@@ -101,7 +100,7 @@ describe(const std::vector<ObjectFile>& files,
 }
 
 /** \brief Shares of 1 / distance^2; of distances of 0 alone if there are any. */
-std::vector<std::pair<std::string, float>>
+Classes
 shares(const std::map<std::string, float>& distances)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -109,7 +108,7 @@ shares(const std::map<std::string, float>& distances)
     least = std::min<double>(least, distance);
   if (!std::isfinite(least))
     return {};
-  std::vector<std::pair<std::string, float>> classes;
+  Classes classes;
   double sum = 0.0;
   const auto share = [least](double distance) {
     return distance > least ? least * least / (distance * distance) : 1.0;
@@ -120,8 +119,6 @@ shares(const std::map<std::string, float>& distances)
     classes.emplace_back(name, static_cast<float>(share(distance) / sum));
   return sorted(classes);
 }
-
-using Classes = std::vector<std::pair<std::string, float>>;
 
 /** \brief The known files by their real paths, so that an object finds itself. */
 std::vector<fs::path>
@@ -170,11 +167,7 @@ classesByMemory(const Histograms& queries,
   std::map<std::string, int> labels;
   for (const auto& file : known)
     labels.emplace(file.true_class, 0);
-  std::vector<std::string> names;
-  for (auto& [name, label] : labels) {
-    label = static_cast<int>(names.size());
-    names.push_back(name);
-  }
+  const auto names = numberNames(labels);
   std::vector<Classes> results;
   for (std::size_t row = 0; row < queries.size(); ++row) {
     PointNNMemory memory;
@@ -193,6 +186,17 @@ classesByMemory(const Histograms& queries,
 }
 
 } // namespace
+
+std::vector<std::string>
+numberNames(std::map<std::string, int>& numbers)
+{
+  std::vector<std::string> names;
+  for (auto& [name, number] : numbers) {
+    number = static_cast<int>(names.size());
+    names.push_back(name);
+  }
+  return names;
+}
 
 std::vector<ObjectFile>
 objectsOfFolder(const std::string& folder)
@@ -235,7 +239,7 @@ classifyByModel(const std::vector<ObjectFile>& files,
                [&](std::size_t first, const auto& objects) {
                  const auto found = classifyObjects(objects, model, settings.threads);
                  for (std::size_t k = 0; k < found.size(); ++k) {
-                   std::vector<std::pair<std::string, float>> classes;
+                   Classes classes;
                    for (std::size_t c = 0; c < found[k].probabilities.size(); ++c)
                      classes.emplace_back(model.classes[c], found[k].probabilities[c]);
                    results.push_back({files[first + k], sorted(classes)});

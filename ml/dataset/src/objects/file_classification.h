@@ -9,6 +9,7 @@
 #include <pcl/indoor/exports.h>
 #include <pcl/ml/classifier_model.h>
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,12 +37,21 @@ objectsOfFolder(const std::string& folder);
 PCL_INDOOR_EXPORTS std::vector<ObjectFile>
 objectFiles(const std::vector<std::string>& paths);
 
+/** \brief Names of classes and confidences. */
+using Classes = std::vector<std::pair<std::string, float>>;
+
 /** \brief What a file's object was taken for. */
 struct ClassifiedFile {
   ObjectFile file;
-  std::vector<std::pair<std::string, float>>
-      top; ///< all classes above 0, the likeliest first; none if it cannot be described
+  Classes top; ///< all classes above 0, the likeliest first; none if it cannot be
+               ///< described
 };
+
+/** \brief Number names in their order.
+ * \return the names
+ */
+std::vector<std::string>
+numberNames(std::map<std::string, int>& numbers);
 
 /** \brief By what objects are compared without a model. */
 enum class NearestDescriptor { PairHarmonics, PointNN };

@@ -33,7 +33,7 @@ amount(std::mt19937& rng, double share, double most)
 void
 turnAndStretch(PointCloud<PointNormal>& cloud, double stretch, std::mt19937& rng)
 {
-  const double angle = 2.0 * 3.141592653589793 * uniform(rng);
+  const double angle = 2.0 * M_PI * uniform(rng);
   Eigen::Vector3d factors;
   for (int axis = 0; axis < 3; ++axis)
     factors[axis] = 1.0 + stretch * (2.0 * uniform(rng) - 1.0);

@@ -35,7 +35,7 @@ double
 normal(std::mt19937& rng)
 {
   const double radius = std::sqrt(-2.0 * std::log(uniform(rng)));
-  return radius * std::cos(6.283185307179586 * uniform(rng));
+  return radius * std::cos(2.0 * M_PI * uniform(rng));
 }
 
 Eigen::Vector3f
@@ -108,7 +108,7 @@ placeBeforeCamera(PointCloud<PointNormal>& cloud, std::uint32_t seed)
     return;
   std::mt19937 rng(seed);
   const Eigen::Vector3f view = randomDirection(rng);
-  const auto roll = static_cast<float>(6.283185307179586 * uniform(rng));
+  const auto roll = static_cast<float>(2.0 * M_PI * uniform(rng));
   const Eigen::Matrix3f turn =
       Eigen::AngleAxisf(roll, Eigen::Vector3f::UnitZ()).toRotationMatrix() *
       Eigen::Quaternionf::FromTwoVectors(view, Eigen::Vector3f::UnitZ())
@@ -130,9 +130,8 @@ neighborsUnderNoise(const Disturbance& disturbance,
                     std::size_t point_count,
                     int least_count)
 {
-  constexpr double pi = 3.141592653589793;
   const double radius = disturbance.normal_radius * disturbance.noise_percent / 100.0;
-  const double share = std::min(pi * radius * radius / 3.0, 1.0);
+  const double share = std::min(M_PI * radius * radius / 3.0, 1.0);
   return std::max(least_count,
                   static_cast<int>(share * static_cast<double>(point_count)));
 }

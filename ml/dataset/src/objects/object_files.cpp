@@ -108,6 +108,26 @@ searchablePoints(const PointCloud<PointXYZ>& cloud, int most)
   return result;
 }
 
+/** \brief Normals that face the middle of the finite points. */
+template <typename Estimation>
+PointCloud<Normal>
+normalsFromMiddle(Estimation& estimation, const PointCloud<PointXYZ>& points)
+{
+  Eigen::Vector4f centroid;
+  compute3DCentroid(points, centroid);
+  estimation.setViewPoint(centroid.x(), centroid.y(), centroid.z());
+  PointCloud<Normal> normals;
+  estimation.compute(normals);
+  return normals;
+}
+
+void
+setNormal(PointNormal& point, const Normal& normal)
+{
+  point.getNormalVector3fMap() = normal.getNormalVector3fMap();
+  point.curvature = normal.curvature;
+}
+
 } // namespace
 
 std::vector<std::string>
@@ -150,16 +170,9 @@ estimateNormals(PointCloud<PointNormal>& cloud, int neighbor_count)
   NormalEstimation<PointXYZ, Normal> estimation;
   estimation.setInputCloud(searched.points);
   estimation.setKSearch(neighbor_count);
-  Eigen::Vector4f centroid;
-  compute3DCentroid(points, centroid); // of the finite ones
-  estimation.setViewPoint(centroid.x(), centroid.y(), centroid.z());
-  PointCloud<Normal> normals;
-  estimation.compute(normals);
-  for (std::size_t k = 0; k < cloud.size(); ++k) {
-    const Normal& normal = normals[searched.place_of_point[k]];
-    cloud[k].getNormalVector3fMap() = normal.getNormalVector3fMap();
-    cloud[k].curvature = normal.curvature;
-  }
+  const auto normals = normalsFromMiddle(estimation, points);
+  for (std::size_t k = 0; k < cloud.size(); ++k)
+    setNormal(cloud[k], normals[searched.place_of_point[k]]);
 }
 
 void
@@ -169,15 +182,9 @@ estimateHoughNormals(PointCloud<PointNormal>& cloud)
   copyPointCloud(cloud, *points);
   HoughNormalEstimation<PointXYZ> estimation(1);
   estimation.setInputCloud(points);
-  Eigen::Vector4f centroid;
-  compute3DCentroid(*points, centroid);
-  estimation.setViewPoint(centroid.x(), centroid.y(), centroid.z());
-  PointCloud<Normal> normals;
-  estimation.compute(normals);
-  for (std::size_t k = 0; k < normals.size(); ++k) {
-    cloud[k].getNormalVector3fMap() = normals[k].getNormalVector3fMap();
-    cloud[k].curvature = normals[k].curvature;
-  }
+  const auto normals = normalsFromMiddle(estimation, *points);
+  for (std::size_t k = 0; k < normals.size(); ++k)
+    setNormal(cloud[k], normals[k]);
 }
 
 PlacedObject

@@ -21,7 +21,7 @@ PCL_INDOOR_EXPORTS std::size_t
 valueCount(const Shape& shape);
 
 /** \brief Added to the variances of LayerKind::BatchNorm. */
-constexpr float batch_norm_epsilon = 1e-5f;
+constexpr double batch_norm_epsilon = 1e-5;
 
 /** \brief What a layer does to the values of one object.
  *
@@ -75,6 +75,13 @@ struct Network {
  */
 PCL_INDOOR_EXPORTS Shape
 outputShape(const Layer& layer, const Shape& input);
+
+/** \brief The shape of what layers make of an input, one after the other; the input's
+ * for no layers.
+ * \throws pcl::BadArgumentException if one does not fit its input
+ */
+PCL_INDOOR_EXPORTS Shape
+outputShape(const std::vector<Layer>& layers, const Shape& input);
 
 /** \brief The shapes of a layer's weights, in the order of LayerKind; none for most.
  * \throws pcl::BadArgumentException as outputShape()

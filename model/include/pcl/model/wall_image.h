@@ -25,14 +25,6 @@ enum class WallCell : std::uint8_t {
   Front   ///< objects of the room and nothing of the wall: it is hidden
 };
 
-struct WallImageOptions {
-  double relief = 0.02; ///< least depth of what is no face, metres (> 0): stations are
-                        ///< registered to a centimetre, and a median over ten points
-                        ///< with noise of 1.2 cm is known to 0.5 cm
-  double hand = 0.15;   ///< what stands farther before the wall is an object, metres
-  double least_cell = 0.02; ///< side of a cell of dense scans, metres (> 0)
-};
-
 /** \brief A side of a wall as an image, along it and upwards. */
 struct PCL_INDOOR_EXPORTS WallImage {
   double cell = 0.0;        ///< side of a cell, metres
@@ -44,18 +36,14 @@ struct PCL_INDOOR_EXPORTS WallImage {
    * as of none. */
   double
   share(const Eigen::AlignedBox2d& box, WallCell kind) const;
-
-  /** \brief Share of cells in a box that show something at most 3 cm from the face: the
-   * wall or a frame. */
-  double
-  faceShare(const Eigen::AlignedBox2d& box) const;
 };
 
 /** \brief Make the image of a wall's side.
  *
  * A cell shows the median depth of the points within two and a half cells around it;
  * edges of what is larger stay where they are. The cells are as large as the points are
- * sparse: about ten points count for each.
+ * sparse: about ten points count for each. What stands farther before the wall than
+ * 0.15 m is an object.
  * \param[in] points near the side, see PointsOfRooms::beside()
  * \param[in] length of the side, metres (> 0)
  * \param[in] height of the side above its floor, metres (> 0)
@@ -64,7 +52,6 @@ PCL_INDOOR_EXPORTS WallImage
 wallImage(const std::vector<WallPoint>& points,
           double length,
           double floor,
-          double height,
-          const WallImageOptions& options = {});
+          double height);
 
 } // namespace pcl::indoor
