@@ -6,6 +6,9 @@
 #include <pcl/segmentation/building_rooms_options.h>
 
 #include "option_check.h"
+#include "rooms/space/enclosure.h"
+#include "rooms/space/grid_cut.h"
+#include "rooms/space/interior_space.h"
 
 namespace pcl::indoor {
 namespace {
@@ -15,8 +18,9 @@ constexpr double infinity = OptionCheck::infinity;
 void
 checkInterior(const InteriorSpaceOptions& interior, OptionCheck& check)
 {
-  constexpr double heaviest = 80.0;       // the sum of four must fit the cut's integers
-  constexpr double most_directions = 5.0; // that enclosure has bits for
+  constexpr double heaviest = 80.0;
+  static_assert(4.0 * heaviest < grid_cut_max_gain * gain_unit,
+                "the sum of four must fit the cut's integers");
   const EnclosureWeights& weights = interior.weights;
   check.positiveLength("voxel size of the interior space", interior.voxel_size);
   check.between(0, heaviest, "weight of a floor", weights.below, "");
@@ -26,7 +30,7 @@ checkInterior(const InteriorSpaceOptions& interior, OptionCheck& check)
   check.between(0, heaviest, "evidence of the exterior", weights.exterior, "");
   check.between(0, 100.0, "smoothness", interior.smoothness, "");
   check.between(0,
-                most_directions,
+                static_cast<double>(most_enclosure_directions),
                 "number of directions",
                 static_cast<double>(interior.max_directions),
                 "");

@@ -7,6 +7,7 @@
 
 #include "rooms/space/block_extent.h"
 #include "rooms/space/closed_surfaces.h"
+#include "rooms/space/interior_space.h"
 #include "rooms/space/occupancy_grid.h"
 #include "rooms/storeys/storey_plan.h"
 #include "rooms/storeys/storeys.h"
@@ -196,7 +197,6 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
              double metres_per_unit)
 {
   constexpr std::size_t enough = 200000, few = 15000;
-  constexpr double few_seen = 0.3;
   ScanOverview overview;
   if (points.empty())
     return overview;
@@ -228,7 +228,7 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
   overview.area = pixel * (has_rooms ? enclosed : open).area;
   overview.open_area = pixel * (has_rooms ? open.area : 0);
   // where few places have both, free heights end at furniture, lamps and doors
-  if (std::min(overview.floor_seen, overview.ceiling_seen) > few_seen)
+  if (std::min(overview.floor_seen, overview.ceiling_seen) > UnseenSides::least_seen)
     overview.room_height = roomHeight(sample, grid);
   return overview;
 }

@@ -22,7 +22,7 @@ constexpr double enclosed = 0.8; // share of what bounds a room: most of four wa
 bool
 isCovered(const VoxelBits& occupancy, const VerticalRange& range, std::size_t pixel)
 {
-  constexpr double person = 1.8; // metres, as the least height of a ceiling
+  constexpr double person = CeilingSlabOptions{}.min_height;
   const int heads =
       range.begin + static_cast<int>(std::lround(person / occupancy.voxel_size));
   return occupancy.column(pixel).any(std::min(heads, occupancy.shape.nz),

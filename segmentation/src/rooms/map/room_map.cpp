@@ -365,6 +365,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
   BasinOptions basins;
   basins.persistence = options.persistence;
   basins.door = 0.5 * options.door_width;
+  basins.door_persistence = options.merging.door_share;
   map.free_labels = basinsOfWidth(map.field, basins, size, options);
   dropSmall(size, options.min_area, map.free_labels);
   joinOpenRegions(occupancy, options, options.merging.open_share, map);

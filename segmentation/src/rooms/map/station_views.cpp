@@ -163,9 +163,10 @@ StationViews::isSlabBelow(std::int32_t cell, std::size_t storey) const
 bool
 StationViews::isUpright(std::int32_t cell, const RoomMap& map) const
 {
-  constexpr double level = 0.3; // metres: nearer to floor or ceiling it may be these
+  // nearer to floor or ceiling it may be these
   const GridShape& shape = building_.grid.shape;
-  const int apart = static_cast<int>(std::lround(level / building_.grid.voxel_size));
+  const int apart =
+      static_cast<int>(std::lround(sill_height / building_.grid.voxel_size));
   const int z = cell % shape.nz - map.first_layer;
   return z >= map.range.begin + apart &&
          z < map.ceiling.values[cell / shape.nz] - apart;

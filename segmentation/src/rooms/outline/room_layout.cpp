@@ -5,6 +5,7 @@
 
 #include "rooms/outline/room_layout.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/outline/opening_posts.h"
 #include "rooms/outline/room_levels.h"
 
@@ -213,7 +214,6 @@ addFootprints(const std::vector<Eigen::Vector3f>& points,
               DetailedBuilding& building)
 {
   constexpr double tolerance = 1.5; // pixels: straight walls at any angle become lines
-  constexpr double reach = 1.0;     // metres: cupboards and ducts are hardly deeper
   const double size = building.occupancy.grid.voxel_size;
   std::vector<RoomLevels> levels;
   SlabPoints in_slab;
@@ -235,7 +235,8 @@ addFootprints(const std::vector<Eigen::Vector3f>& points,
           WallPoints(placesOf(in_slab.walls[room.label], points, building.occupancy));
       behind.others =
           WallPoints(placesOf(in_slab.all[room.label], points, building.occupancy));
-      behind.reach = reach / size;
+      // cupboards and ducts are hardly deeper
+      behind.reach = surroundings / size;
       behind.may_cover = [&](const auto& part) {
         return isFreeOfOthers(part, map.free_labels, label);
       };

@@ -55,6 +55,9 @@ manhattanFrames(const std::vector<Eigen::Vector3d>& normals,
                 const std::vector<double>& weights = {},
                 const ManhattanFramesOptions& options = {});
 
+/** \brief Directions that differ less are one, radians. */
+constexpr double same_direction = 0.05;
+
 /** \brief A horizontal direction; its sense has no meaning. */
 struct HorizontalDirection {
   Eigen::Vector2d direction; ///< unit vector with an angle of (-90, 90] degrees
@@ -75,6 +78,6 @@ struct HorizontalDirection {
 std::vector<HorizontalDirection>
 horizontalDirections(const std::vector<ManhattanFrame>& frames,
                      double max_tilt = 0.17,
-                     double max_difference = 0.05);
+                     double max_difference = same_direction);
 
 } // namespace pcl::indoor

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int first_direction_bit = 2;
 constexpr int passed_bit = 7; // set between the two passes of a sweep
-constexpr std::size_t max_directions = passed_bit - first_direction_bit;
+static_assert(most_enclosure_directions == passed_bit - first_direction_bit);
 
 void
 requireSameSize(std::size_t values, const GridShape& shape)
@@ -36,9 +36,10 @@ requireSameSize(std::size_t values, const GridShape& shape)
 void
 requireValid(const std::vector<Eigen::Vector3d>& directions)
 {
-  if (directions.size() > max_directions)
+  if (directions.size() > most_enclosure_directions)
     PCL_THROW_EXCEPTION(BadArgumentException,
-                        "At most " << max_directions << " directions are possible, not "
+                        "At most " << most_enclosure_directions
+                                   << " directions are possible, not "
                                    << directions.size() << ".");
   for (const auto& direction : directions)
     if (!direction.allFinite() || direction.isZero(0.0))

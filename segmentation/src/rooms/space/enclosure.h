@@ -10,10 +10,14 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace pcl::indoor {
+
+/** \brief The most directions for which there are bits. */
+constexpr std::size_t most_enclosure_directions = 5;
 
 /** \brief Bits of enclosure(): occupied voxels exist ... */
 enum EnclosureBit : std::uint8_t {

@@ -21,8 +21,6 @@
 namespace pcl::indoor {
 namespace {
 
-constexpr double gain_unit = 0.01; // of the energy, Eq. (3.2)
-
 GridShape
 coarseShape(const GridShape& fine, int factor)
 {
@@ -141,7 +139,6 @@ dominantDirections(const std::vector<Eigen::Vector3f>& points,
                    const OccupancyGrid& building,
                    const InteriorSpaceOptions& options)
 {
-  constexpr double same = 0.05; // radians
   const WeightedNormals sample = sampledNormals(points, building, options);
   std::vector<std::pair<double, Eigen::Vector3d>> axes; // with their support
   for (const auto& frame : manhattanFrames(sample.normals, sample.weights))
@@ -155,7 +152,7 @@ dominantDirections(const std::vector<Eigen::Vector3f>& points,
   for (const auto& [support, axis] : axes) {
     const bool known = std::any_of(
         directions.begin(), directions.end(), [&, axis = axis](const auto& other) {
-          return std::abs(other.dot(axis)) >= std::cos(same);
+          return std::abs(other.dot(axis)) >= std::cos(same_direction);
         });
     const bool few = directions.size() < 2; // Eq. (3.1) has two
     if (!known &&

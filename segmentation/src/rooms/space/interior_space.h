@@ -17,6 +17,8 @@
 
 namespace pcl::indoor {
 
+constexpr double gain_unit = 0.01; ///< of the energy, Eq. (3.2)
+
 /** \brief Floors and ceilings that a scan does not show, as those of a slice or of a
  * camera that was never tilted. */
 struct UnseenSides {

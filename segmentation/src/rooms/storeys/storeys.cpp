@@ -6,6 +6,7 @@
 #include "rooms/storeys/storeys.h"
 
 #include "rooms/dimensions.h"
+#include "rooms/outline/place_profile.h" // for crowd
 #include "rooms/storeys/rectangle_sums.h"
 #include "rooms/storeys/slab_levels.h"
 #include "rooms/storeys/storey_openings.h"
@@ -20,6 +21,8 @@
 namespace pcl::indoor {
 
 namespace {
+
+constexpr double bin = 0.01; // of heights, metres
 
 void
 requireValid(const VoxelBits& occupancy, const StoreyOptions& options)
@@ -127,7 +130,8 @@ outerLevels(const VoxelBits& occupancy, double min_clearance)
 double
 valley(const std::vector<int>& counts)
 {
-  constexpr int apart = 4; // peaks that are closer are one surface
+  // peaks that are closer are one surface
+  constexpr int apart = static_cast<int>(crowd / bin + 0.5);
   const int size = static_cast<int>(counts.size());
   const int peak =
       static_cast<int>(std::max_element(counts.begin(), counts.end()) - counts.begin());
@@ -201,7 +205,6 @@ refineBorders(const std::vector<Eigen::Vector3f>& points,
               const OccupancyGrid& grid,
               Storeys& storeys)
 {
-  constexpr double bin = 0.01; // metres
   if (points.size() != grid.cells.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "The grid was made of " << grid.cells.size()
@@ -209,7 +212,8 @@ refineBorders(const std::vector<Eigen::Vector3f>& points,
                                                 << ".");
   const GridShape& shape = grid.grid.shape;
   // A voxel's surface may lie on either side of its middle.
-  const auto half = static_cast<int>(std::lround(2.0 * grid.grid.voxel_size / bin));
+  const auto half =
+      std::max(1, static_cast<int>(std::lround(2.0 * grid.grid.voxel_size / bin)));
   for (auto& border : storeys.borders) {
     std::vector<int> counts(2 * half, 0);
     for (std::size_t i = 0; i < points.size(); ++i) {
