@@ -69,7 +69,7 @@ directionText(const Eigen::Vector3f& direction)
   int axis = 0;
   const float most = direction.cwiseAbs().maxCoeff(&axis);
   std::ostringstream text;
-  if (most > 0.9999f) // within a degree of an axis
+  if (most > 0.9999f) // within 0.8 degrees of an axis
     text << (direction[axis] < 0.0f ? "-" : "") << static_cast<char>('x' + axis);
   else
     for (int i = 0; i < 3; ++i)

@@ -136,9 +136,9 @@ openColumns(const VoxelBits& occupancy,
                level - static_cast<int>(std::lround(lintel_low / size)),
                level - static_cast<int>(std::lround(lintel_high / size)),
                states);
-  constexpr double least_room = 2.0; // m^2; smaller ones are gaps in what was seen
+  constexpr double largest_gap = 2.0; // in what was seen, m^2
   cutSmallOpenings(
-      states, options.min_opening_area / (size * size), least_room / (size * size));
+      states, options.min_opening_area / (size * size), largest_gap / (size * size));
   for (auto& state : states.values)
     state = state == OPEN_BELOW_CEILING ? OPEN : State{state};
   // Unknown columns (walls, outside) go with the nearest known ones.
