@@ -121,14 +121,11 @@ describeRooms(const std::vector<Eigen::Vector3f>& points,
 std::vector<Eigen::Vector3d>
 directionsOf(const std::vector<Eigen::Vector3f>& points,
              const OccupancyGrid& building,
-             const InteriorSpaceOptions& options)
+             const InteriorSpaceOptions& options,
+             int threads)
 {
-  if (!options.upright_walls)
-    return dominantDirections(points, building, options);
-  std::vector<Eigen::Vector3d> level;
-  for (const auto& direction : wallDirections(points, building, options))
-    level.emplace_back(direction.x(), direction.y(), 0.0);
-  return level;
+  return options.upright_walls ? wallDirections(points, building, options, threads)
+                               : dominantDirections(points, building, options, threads);
 }
 
 /** How far the grid is turned so that most walls lie along its voxels, radians: less
@@ -235,7 +232,8 @@ segmentDistinct(const RoomWay& way,
     return {};
   SurfaceTriangles triangles;
   building.occupancy = gridOf(points, options.voxel_size, grid_options, triangles);
-  const auto directions = directionsOf(points, building.occupancy, options.interior);
+  const auto directions =
+      directionsOf(points, building.occupancy, options.interior, options.threads);
   if (options.align_grid)
     grid_options.yaw = yawAlong(directions);
   if (grid_options.yaw != 0.0) {
@@ -249,17 +247,17 @@ segmentDistinct(const RoomWay& way,
   if (stopped(0.2, "interior space"))
     return {};
   building.interior =
-      interiorSpaceAlong(building.occupancy, directions, options.interior);
+      interiorSpace(building.occupancy, directions, options.interior, options.threads);
   if (const UnseenSides unseen = building.interior.unseen;
       !unseen.floor.empty() || !unseen.ceiling.empty()) {
     closeUnseenSides(building.interior, building.occupancy.grid);
-    building.interior =
-        interiorSpaceAlong(building.occupancy, directions, options.interior);
+    building.interior = interiorSpace(
+        building.occupancy, directions, options.interior, options.threads);
     building.interior.unseen = unseen;
   }
   if (stopped(0.4, "storeys"))
     return {};
-  building.storeys = findStoreys(grid, options.storeys);
+  building.storeys = findStoreys(grid, options.storeys, options.threads);
   refineBorders(points, building.occupancy, building.storeys);
   const auto storey_of = storeysOfPoints(points, building, options.threads);
   const StationViews views(
@@ -320,8 +318,6 @@ spreadToCopies(const DistinctPoints& places, DetailedBuilding& building)
 {
   auto& cells = building.occupancy.cells;
   cells = places.forAll(cells);
-  building.occupancy.outside =
-      static_cast<std::size_t>(std::count(cells.begin(), cells.end(), -1));
   building.point_labels = places.forAll(building.point_labels);
   for (auto& room : building.rooms)
     room.point_count = 0;
@@ -331,16 +327,6 @@ spreadToCopies(const DistinctPoints& places, DetailedBuilding& building)
 }
 
 } // namespace
-
-BuildingRoomsOptions
-withThreads(BuildingRoomsOptions options)
-{
-  options.interior.threads = options.threads;
-  options.storeys.threads = options.threads;
-  options.map.threads = options.threads;
-  options.walls.threads = options.threads;
-  return options;
-}
 
 void
 labelBySides(const std::vector<Eigen::Vector3f>& points,
@@ -380,14 +366,14 @@ segmentBuildingBy(const RoomWay& way,
 
 BuildingRooms
 segmentBuilding(const std::vector<Eigen::Vector3f>& points,
-                BuildingRoomsOptions options,
+                const BuildingRoomsOptions& options,
                 const ProgressCallback& progress,
                 const ScanStations& stations)
 {
-  options = withThreads(requireValid(options));
+  requireValid(options);
   const RoomWay ours = {
       [&options](const StoreySpace& space) {
-        return segmentRoomMap(space, options.map);
+        return segmentRoomMap(space, options.map, options.threads);
       },
       [&options](const auto& distinct, const auto& storey_of, auto s, auto& building) {
         labelBySides(distinct, options, storey_of, s, building);

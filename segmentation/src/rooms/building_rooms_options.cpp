@@ -8,7 +8,6 @@
 #include "option_check.h"
 #include "rooms/space/enclosure.h"
 #include "rooms/space/grid_cut.h"
-#include "rooms/space/interior_space.h"
 
 namespace pcl::indoor {
 namespace {
@@ -62,7 +61,6 @@ checkMap(const RoomMapOptions& map, OptionCheck& check)
   check.share("persistence", map.persistence);
   check.length("width of a door", map.door_width);
   check.share("open share", map.merging.open_share);
-  check.length("width of a door", map.merging.door_width);
   check.share("open share of a door", map.merging.door_share);
   check.share("open height", map.merging.open_height);
   check.area("habitable area", map.open_plan.habitable_area);

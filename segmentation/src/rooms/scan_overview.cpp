@@ -73,7 +73,7 @@ OccupancyGrid
 gridOf(const Points& points)
 {
   constexpr double coarsest = 0.8;    // metres
-  constexpr double most_voxels = 2e7; // bytes
+  constexpr double most_voxels = 2e7; // 80 MB in spacingOf()
   OccupancyGridOptions options;
   options.threads = 1; // others would take longer to wake up
   const Box box = blockExtent(
@@ -215,9 +215,7 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
   overview.spacing = spacingOf(grid, static_cast<std::size_t>(places));
   if (overview.extent.z() < least_height)
     return overview;
-  StoreyOptions options;
-  options.threads = 1;
-  const auto storeys = findStoreys(grid.grid, options);
+  const auto storeys = findStoreys(grid.grid, {}, 1);
   overview.storeys = storeys.heights.size();
   PlaceCounts enclosed, open;
   for (std::size_t s = 0; s < overview.storeys; ++s)

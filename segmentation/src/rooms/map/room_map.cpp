@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -187,6 +186,14 @@ sectionAreas(const PixelMap<std::int32_t>& labels,
   return section;
 }
 
+/** Carry the labels of free pixels into the walls. */
+void
+growIntoWalls(double reach_in_pixels, RoomMap& map)
+{
+  map.labels = map.free_labels;
+  growLabels(map.labels, reach_in_pixels);
+}
+
 /** New numbers 1 ... n for merged labels, in the order of their first pixel. */
 std::vector<std::int32_t>
 numbersOf(const PixelMap<std::int32_t>& labels, const std::vector<std::int32_t>& merged)
@@ -199,6 +206,29 @@ numbersOf(const PixelMap<std::int32_t>& labels, const std::vector<std::int32_t>&
   for (std::size_t i = 0; i < merged.size(); ++i)
     number[i] = number[merged[i]];
   return number;
+}
+
+/** Labels none of which is merged. */
+std::vector<std::int32_t>
+asBefore(std::int32_t last)
+{
+  std::vector<std::int32_t> labels(last + 1);
+  std::iota(labels.begin(), labels.end(), 0);
+  return labels;
+}
+
+/** Join regions with an open border between them. */
+void
+joinOpenRegions(const VoxelBits& occupancy, const RoomMapOptions& options, RoomMap& map)
+{
+  const double size = occupancy.voxel_size;
+  growIntoWalls(options.reach / size, map);
+  const auto merged = mergeOpenRegions(
+      regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
+      sectionAreas(map.free_labels, map.field, map, size),
+      options.merging,
+      options.door_width);
+  relabel(numbersOf(map.labels, merged), map);
 }
 
 /** Join niches to the rooms that they are part of. */
@@ -216,9 +246,7 @@ joinNiches(const VoxelBits& occupancy, RoomMap& map)
   const auto openings =
       regionOpenings(occupancy, map.range, map.ceiling, map.labels, map.free_labels);
   const auto merged = mergeNiches(openings, area, volume);
-  std::vector<std::int32_t> as_before(count);
-  std::iota(as_before.begin(), as_before.end(), 0);
-  if (merged != as_before)
+  if (merged != asBefore(map.room_count))
     relabel(numbersOf(map.labels, merged), map);
 }
 
@@ -248,14 +276,17 @@ piecesOfRooms(const PixelMap<std::int32_t>& rooms,
 
 /** Divide rooms that are two spaces of an open plan. */
 void
-divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap& map)
+divideOpenPlans(const StoreySpace& space,
+                const RoomMapOptions& options,
+                int threads,
+                RoomMap& map)
 {
   const double size = space.occupancy.voxel_size;
   const auto rooms = fillIslands(map.free_labels);
   PixelMap<std::uint8_t> walls{rooms.nx, rooms.ny, {}};
   for (const auto room : rooms.values)
     walls.values.push_back(room == 0);
-  const auto field = distanceTo(walls, size, options.threads);
+  const auto field = distanceTo(walls, size, threads);
   std::vector<std::int32_t> room_of;
   BasinOptions open_plan;
   open_plan.persistence = options.open_plan.persistence;
@@ -270,6 +301,7 @@ divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap
       regionBorders(space.occupancy, map.range, map.ceiling, grown, pieces),
       sectionAreas(pieces, field, map, size),
       all,
+      0.0,
       [&](const auto& a, const auto& b) {
         return room_of[a.front()] != room_of[b.front()] || plan.separates(a, b);
       });
@@ -297,14 +329,13 @@ divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap
         label != 0 && map.free_labels.values[i] != 0)
       map.free_labels.values[i] = label;
   map.room_count = count;
-  map.labels = map.free_labels;
-  growLabels(map.labels, options.reach / size);
+  growIntoWalls(options.reach / size, map);
 }
 
 } // namespace
 
 RoomMap
-mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options)
+mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options, int threads)
 {
   const VoxelBits& occupancy = space.occupancy;
   const double size = occupancy.voxel_size;
@@ -317,69 +348,53 @@ mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options)
   removeSpecks(map.blocked,
                static_cast<int>(std::lround(options.slab.min_wall / size)));
   auto inside = insideColumns(space, map.ceiling);
-  WallLeanOptions leaning;
-  leaning.threads = options.threads;
   map.lean = leanMap(
-      wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked, leaning),
+      wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked, threads),
       map.blocked.nx,
       map.blocked.ny,
       size);
   if (!map.lean.values.empty()) { // above a wall that leans, the slab may be outside
     const auto held = straightenedColumns(
         occupancy, map.lean, slabHeights(map.range, map.ceiling, map.slab));
-    const auto covered = closed(held, 0.5, size, options.threads);
+    const auto covered = closed(held, 0.5, size, threads);
     for (std::size_t i = 0; i < inside.size(); ++i)
       inside.values[i] &= covered.values[i];
   }
-  map.field = freeDistance(map.blocked, inside, size, options.threads);
+  map.field = freeDistance(map.blocked, inside, size, threads);
   return map;
 }
 
 void
-joinOpenRegions(const VoxelBits& occupancy,
-                const RoomMapOptions& options,
-                double open_share,
-                RoomMap& map)
+numberRegions(double pixel_size, double reach, RoomMap& map)
 {
-  const double size = occupancy.voxel_size;
-  map.labels = map.free_labels;
-  growLabels(map.labels, options.reach / size);
-  MergeOptions merging = options.merging;
-  merging.open_share = open_share;
-  merging.door_width = options.door_width;
-  if (!options.merge_open)
-    merging.open_share = merging.door_share = std::numeric_limits<double>::infinity();
-  const auto merged = mergeOpenRegions(
-      regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
-      sectionAreas(map.free_labels, map.field, map, size),
-      merging);
-  relabel(numbersOf(map.labels, merged), map);
+  growIntoWalls(reach / pixel_size, map);
+  const auto last =
+      *std::max_element(map.labels.values.begin(), map.labels.values.end());
+  relabel(numbersOf(map.labels, asBefore(last)), map);
 }
 
 RoomMap
-segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
+segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options, int threads)
 {
   const VoxelBits& occupancy = space.occupancy;
   const double size = occupancy.voxel_size;
-  RoomMap map = mapWithoutRooms(space, options);
+  RoomMap map = mapWithoutRooms(space, options, threads);
   BasinOptions basins;
   basins.persistence = options.persistence;
   basins.door = 0.5 * options.door_width;
   basins.door_persistence = options.merging.door_share;
   map.free_labels = basinsOfWidth(map.field, basins, size, options);
   dropSmall(size, options.min_area, map.free_labels);
-  joinOpenRegions(occupancy, options, options.merging.open_share, map);
+  joinOpenRegions(occupancy, options, map);
   divideAtInnerWalls(map.free_labels,
                      map.room_count,
                      space.interior.directions,
                      static_cast<int>(std::lround(thickest_wall / size)),
                      options.open_plan.min_wall_share,
                      options.open_plan.habitable_area / (size * size));
-  map.labels = map.free_labels;
-  growLabels(map.labels, options.reach / size);
-  divideOpenPlans(space, options, map);
-  if (options.merge_open)
-    joinNiches(occupancy, map);
+  growIntoWalls(options.reach / size, map);
+  divideOpenPlans(space, options, threads, map);
+  joinNiches(occupancy, map);
   return map;
 }
 

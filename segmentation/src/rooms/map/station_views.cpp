@@ -89,10 +89,7 @@ joinRegions(const std::vector<RegionPair>& pairs,
     sets.merge(sets.find(a), sets.find(b));
   const std::vector<std::uint32_t> numbers = sets.labels(); // 0 stays alone
   std::vector<std::int32_t> number(numbers.begin(), numbers.end());
-  map.room_count = *std::max_element(number.begin(), number.end());
-  for (auto* labels : {&map.free_labels, &map.labels})
-    for (auto& label : labels->values)
-      label = number[label];
+  relabel(number, map);
   for (std::size_t i = 0; i < partitions.size(); ++i)
     if (std::binary_search(pairs.begin(), pairs.end(), partitions.values[i])) {
       map.free_labels.values[i] = map.labels.values[i] =

@@ -86,6 +86,7 @@ StoreyLabels::assign(const std::vector<std::uint8_t>& storey_of,
                     map_.labels,
                     map_.free_labels,
                     options_.walls,
+                    options_.threads,
                     labels);
     for (std::uint32_t k = first[begin]; k < first[end]; ++k)
       point_labels[near.points[k]] = room_of[labels[k - first[from]]];

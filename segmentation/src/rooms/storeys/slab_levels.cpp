@@ -274,13 +274,13 @@ setHeights(SlabLevel& level)
 } // namespace
 
 std::vector<SlabLevel>
-findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options)
+findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options, int threads)
 {
   constexpr double level_difference = 1.0; // slabs at one level differ by less, metres
   const double size = occupancy.voxel_size;
   const int tile = std::max(1, static_cast<int>(std::lround(thickest_wall / size)));
   auto groups =
-      levelGroups(SlabColumns(occupancy, options), size, threadCount(options.threads));
+      levelGroups(SlabColumns(occupancy, options), size, threadCount(threads));
   const int reach_in_half_voxels =
       static_cast<int>(std::lround(level_difference / size));
   std::vector<SlabLevel> found;

@@ -174,7 +174,7 @@ Storeys::storeyAt(int x, int y, double z) const
 }
 
 Storeys
-findStoreys(const VoxelBits& occupancy, const StoreyOptions& options)
+findStoreys(const VoxelBits& occupancy, const StoreyOptions& options, int threads)
 {
   requireValid(occupancy, options);
   Storeys result;
@@ -182,7 +182,7 @@ findStoreys(const VoxelBits& occupancy, const StoreyOptions& options)
     result.heights.emplace_back();
     return result;
   }
-  const auto levels = findSlabLevels(occupancy, options);
+  const auto levels = findSlabLevels(occupancy, options, threads);
   const auto heightOf = [&](double voxel) {
     return occupancy.origin.z() + (voxel + 0.5) * occupancy.voxel_size;
   };
