@@ -63,8 +63,7 @@ pointsOfColumns(const std::vector<std::uint8_t>& storey_of,
                 const OccupancyGrid& occupancy)
 {
   const GridShape& shape = occupancy.grid.shape;
-  PixelMap<std::uint32_t> counts{shape.nx, shape.ny, {}};
-  counts.values.assign(counts.size(), 0);
+  auto counts = PixelMap<std::uint32_t>::filled(shape.nx, shape.ny, 0);
   for (std::size_t i = 0; i < storey_of.size(); ++i)
     if (occupancy.cells[i] >= 0 && storey_of[i] == storey)
       ++counts.values[occupancy.cells[i] / shape.nz];

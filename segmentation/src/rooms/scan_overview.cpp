@@ -137,8 +137,7 @@ double
 roomHeight(const Points& points, const OccupancyGrid& grid)
 {
   const auto& shape = grid.grid.shape;
-  const int least =
-      std::max(1, static_cast<int>(std::lround(least_height / grid.grid.voxel_size)));
+  const int least = voxelsIn(least_height, grid.grid.voxel_size, 1);
   struct Gap {
     int below = -1, above = -1; // layers
     float floor = -1e9f, ceiling = 1e9f;

@@ -23,7 +23,7 @@ int
 headsIn(const VoxelBits& occupancy, const VerticalRange& range)
 {
   constexpr double person = CeilingSlabOptions{}.min_height;
-  const auto height = static_cast<int>(std::lround(person / occupancy.voxel_size));
+  const auto height = voxelsIn(person, occupancy.voxel_size);
   return std::min(range.begin + height, occupancy.shape.nz);
 }
 
@@ -40,7 +40,7 @@ std::size_t
 groundColumns(const VoxelBits& occupancy, const RoomMap& map)
 {
   constexpr double slope = 0.5; // metres
-  const int reach = static_cast<int>(std::lround(slope / occupancy.voxel_size));
+  const int reach = voxelsIn(slope, occupancy.voxel_size);
   const int heads = headsIn(occupancy, map.range);
   const int begin = std::max(map.range.begin - reach, 0);
   const int end = std::min(map.range.begin + reach, occupancy.shape.nz);
@@ -192,7 +192,7 @@ std::vector<double>
 closedBorders(const RoomMap& map, double pixel_size)
 {
   constexpr double nearby = 0.3; // metres: what is beside a wall may belong to nothing
-  const int reach = std::max(1, static_cast<int>(std::lround(nearby / pixel_size)));
+  const int reach = voxelsIn(nearby, pixel_size, 1);
   std::vector<double> closed;
   for (const RegionSides& sides : sidesOf(map, reach))
     closed.push_back(static_cast<double>(sides.all - sides.open) /

@@ -44,8 +44,8 @@ closed(const PixelMap<std::uint8_t>& held,
       far.values[i] = squared.values[i] > reach;
     return far;
   };
-  PixelMap<std::uint8_t> wide{held.nx + 2 * margin, held.ny + 2 * margin, {}};
-  wide.values.assign(wide.size(), 0);
+  auto wide =
+      PixelMap<std::uint8_t>::filled(held.nx + 2 * margin, held.ny + 2 * margin, 0);
   for (int x = 0; x < held.nx; ++x)
     for (int y = 0; y < held.ny; ++y)
       wide.at(x + margin, y + margin) = held.at(x, y);
@@ -87,8 +87,7 @@ insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
   const InteriorSpace& interior = space.interior;
   const int factor = interior.factor;
   const int offset = space.first_layer % factor; // the coarse layers may begin below
-  PixelMap<std::uint8_t> inside{ceiling.nx, ceiling.ny, {}};
-  inside.values.assign(inside.size(), 0);
+  auto inside = PixelMap<std::uint8_t>::filled(ceiling.nx, ceiling.ny, 0);
   if (occupiedHeight(space.occupancy) < standing_height)
     return inside;
   for (int x = 0; x < inside.nx; ++x)
@@ -257,8 +256,7 @@ piecesOfRooms(const PixelMap<std::int32_t>& rooms,
               const PixelMap<std::int32_t>& basins,
               std::vector<std::int32_t>& room_of)
 {
-  PixelMap<std::int32_t> pieces{rooms.nx, rooms.ny, {}};
-  pieces.values.assign(pieces.size(), 0);
+  auto pieces = PixelMap<std::int32_t>::filled(rooms.nx, rooms.ny, 0);
   room_of.assign(1, 0);
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> number;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -345,8 +343,7 @@ mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options, int thr
   map.ceiling = ceilingLayers(occupancy, map.range, options.slab);
   map.slab = slabLayers(occupancy, map.range, map.ceiling, options.slab);
   map.blocked = wallColumns(space, map, options.slab);
-  removeSpecks(map.blocked,
-               static_cast<int>(std::lround(options.slab.min_wall / size)));
+  removeSpecks(map.blocked, voxelsIn(options.slab.min_wall, size));
   auto inside = insideColumns(space, map.ceiling);
   map.lean = leanMap(
       wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked, threads),
@@ -389,7 +386,7 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options, int thre
   divideAtInnerWalls(map.free_labels,
                      map.room_count,
                      space.interior.directions,
-                     static_cast<int>(std::lround(thickest_wall / size)),
+                     voxelsIn(thickest_wall, size),
                      options.open_plan.min_wall_share,
                      options.open_plan.habitable_area / (size * size));
   growIntoWalls(options.reach / size, map);

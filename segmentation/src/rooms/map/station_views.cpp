@@ -50,8 +50,7 @@ isInside(const Eigen::Array3i& voxel, const InteriorSpace& interior)
 PixelMap<RegionPair>
 partitionsOf(const RoomMap& map, double pixel_size)
 {
-  const int reach =
-      std::max(1, static_cast<int>(std::lround(thickest_wall / pixel_size)));
+  const int reach = voxelsIn(thickest_wall, pixel_size, 1);
   const PixelMap<std::int32_t>& labels = map.free_labels;
   PixelMap<RegionPair> sides{labels.nx, labels.ny, {}};
   sides.values.assign(labels.size(), {0, 0});
@@ -162,8 +161,7 @@ StationViews::isUpright(std::int32_t cell, const RoomMap& map) const
 {
   // nearer to floor or ceiling it may be these
   const GridShape& shape = building_.grid.shape;
-  const int apart =
-      static_cast<int>(std::lround(sill_height / building_.grid.voxel_size));
+  const int apart = voxelsIn(sill_height, building_.grid.voxel_size);
   const int z = cell % shape.nz - map.first_layer;
   return z >= map.range.begin + apart &&
          z < map.ceiling.values[cell / shape.nz] - apart;
@@ -204,9 +202,7 @@ StationViews::isClosed(const Eigen::Array3i& voxel, const RoomMap& map) const
     return column[voxel.z()];
   if (map.free_labels.at(voxel.x(), voxel.y()) != 0)
     return false; // objects do not close a room
-  const auto layers = [&](double height) {
-    return static_cast<int>(std::lround(height / grid.voxel_size));
-  };
+  const auto layers = [&](double height) { return voxelsIn(height, grid.voxel_size); };
   return column[voxel.z()] ||
          column.any(std::min(floor + layers(sill_height), grid.shape.nz),
                     std::min(floor + layers(passage_height), grid.shape.nz));

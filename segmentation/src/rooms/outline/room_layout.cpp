@@ -54,8 +54,7 @@ PixelMap<std::uint8_t>
 uprightColumns(const OccupancyGrid& occupancy, const RoomMap& map)
 {
   const GridShape& shape = occupancy.grid.shape;
-  PixelMap<std::uint8_t> upright{shape.nx, shape.ny, {}};
-  upright.values.assign(upright.size(), 0);
+  auto upright = PixelMap<std::uint8_t>::filled(shape.nx, shape.ny, 0);
   for (int x = 1; x + 1 < shape.nx; ++x)
     for (int y = 1; y + 1 < shape.ny; ++y) {
       if (!map.blocked.at(x, y))

@@ -23,8 +23,7 @@ namespace {
 PixelMap<std::uint8_t>
 borderPixels(const PixelMap<std::int32_t>& labels)
 {
-  PixelMap<std::uint8_t> border{labels.nx, labels.ny, {}};
-  border.values.assign(border.size(), 0);
+  auto border = PixelMap<std::uint8_t>::filled(labels.nx, labels.ny, 0);
   const auto compare = [&](std::size_t a, std::size_t b) {
     if (labels.values[a] == labels.values[b])
       return;

@@ -181,8 +181,7 @@ assignWallSides(const PixelPoints& points,
   const auto place = [&](std::uint32_t k) -> Eigen::Vector2d {
     return points.places[k].cast<double>();
   };
-  const int radius =
-      std::max(1, static_cast<int>(std::lround(0.5 * options.window / pixel_size)));
+  const int radius = voxelsIn(0.5 * options.window, pixel_size, 1);
   const double reach = options.reach / pixel_size;
   WallSideOptions in_pixels = options;
   in_pixels.max_thickness /= pixel_size;

@@ -177,8 +177,7 @@ interiorSpace(const OccupancyGrid& building,
               int threads)
 {
   InteriorSpace space;
-  space.factor = std::max(
-      1, static_cast<int>(std::lround(options.voxel_size / building.grid.voxel_size)));
+  space.factor = voxelsIn(options.voxel_size, building.grid.voxel_size, 1);
   std::vector<Eigen::Vector3d> turned; // into the frame of the grid
   for (const auto& direction : directions) {
     turned.push_back(building.toGrid(direction));

@@ -117,10 +117,10 @@ openColumns(const VoxelBits& occupancy,
 {
   const GridShape& shape = occupancy.shape;
   const double size = occupancy.voxel_size;
-  const auto whole = closed(slab, static_cast<int>(std::lround(options.bridge / size)));
+  const auto whole = closed(slab, voxelsIn(options.bridge, size));
   constexpr double min_depth = 0.5; // of a floor below the level, metres
-  const int depth = static_cast<int>(std::lround(min_depth / size));
-  const int clearance = static_cast<int>(std::lround(options.min_clearance / size));
+  const int depth = voxelsIn(min_depth, size);
+  const int clearance = voxelsIn(options.min_clearance, size);
   Mask states;
   states.nx = shape.nx;
   states.ny = shape.ny;
@@ -133,8 +133,8 @@ openColumns(const VoxelBits& occupancy,
               : openness(occupancy.column(x, y), shape.nz, level, depth, clearance);
   constexpr double lintel_low = 0.7, lintel_high = 0.5; // below the level, metres
   cutGalleries(occupancy,
-               level - static_cast<int>(std::lround(lintel_low / size)),
-               level - static_cast<int>(std::lround(lintel_high / size)),
+               level - voxelsIn(lintel_low, size),
+               level - voxelsIn(lintel_high, size),
                states);
   constexpr double largest_gap = 2.0; // in what was seen, m^2
   cutSmallOpenings(

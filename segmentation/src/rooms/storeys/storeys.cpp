@@ -49,8 +49,7 @@ borderOf(const VoxelBits& occupancy,
 {
   const GridShape& shape = occupancy.shape;
   const double size = occupancy.voxel_size;
-  PixelMap<float> votes{shape.nx, shape.ny, {}};
-  votes.values.assign(votes.size(), 0.0f);
+  auto votes = PixelMap<float>::filled(shape.nx, shape.ny, 0.0f);
   PixelMap<float> thin = votes;
   PixelMap<float> middles = votes;
   for (const auto& group : level.groups) {
@@ -64,7 +63,7 @@ borderOf(const VoxelBits& occupancy,
       occupancy, votes, static_cast<int>(std::lround(level.middle())), options);
   RectangleSums counts(thin);
   RectangleSums sums(middles);
-  const int radius = static_cast<int>(std::lround(surroundings / size));
+  const int radius = voxelsIn(surroundings, size);
   PixelMap<float> border = votes;
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y) {
@@ -115,8 +114,7 @@ outerLevelsOf(const VoxelBits& occupancy, int least_height)
 std::pair<int, int>
 outerLevels(const VoxelBits& occupancy, double min_clearance)
 {
-  const int clearance =
-      static_cast<int>(std::lround(min_clearance / occupancy.voxel_size));
+  const int clearance = voxelsIn(min_clearance, occupancy.voxel_size);
   const auto levels = outerLevelsOf(occupancy, 0);
   if (levels.second - levels.first >= clearance)
     return levels;

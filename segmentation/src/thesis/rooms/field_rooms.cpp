@@ -63,9 +63,7 @@ visibilityOf(const VoxelMap<std::uint8_t>& occupancy,
 {
   if (options.distance.visibility_weight == 0.0)
     return {};
-  const int spacing = std::max(
-      1,
-      static_cast<int>(std::lround(options.landmark_spacing / occupancy.voxel_size)));
+  const int spacing = voxelsIn(options.landmark_spacing, occupancy.voxel_size, 1);
   std::vector<Eigen::Vector3i> voxels;
   for (const std::size_t pixel : pixels)
     voxels.emplace_back(static_cast<int>(pixel / highest_free.ny),
