@@ -22,10 +22,7 @@ highestOccupied(const VoxelBits& occupancy, const VerticalRange& storey)
   auto top = PixelMap<int>::filled(shape.nx, shape.ny, -1);
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y) {
-      const auto column = occupancy.column(x, y);
-      int z = storey.end - 1;
-      while (z >= storey.begin && !column[z])
-        --z;
+      const int z = occupancy.column(x, y).highest(storey.begin, storey.end);
       top.at(x, y) = z >= storey.begin ? z : -1;
     }
   return top;

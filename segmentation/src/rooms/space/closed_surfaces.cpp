@@ -53,13 +53,9 @@ withoutGrounds(const VoxelBits& grid)
   PixelMap<std::uint8_t> walls = held;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const auto column = grid.column(i);
-    if (!column.any(0, nz))
+    const int first = column.lowest(0, nz), last = column.highest(0, nz);
+    if (first == nz)
       continue;
-    int first = 0, last = nz - 1;
-    while (!column[first])
-      ++first;
-    while (!column[last])
-      --last;
     held.values[i] = 1;
     walls.values[i] = last - first >= person;
   }

@@ -103,7 +103,7 @@ gainIn(InteriorSpace& space,
        int threads)
 {
   auto occupancy = coarser(building.grid, space.factor);
-  cleanUpVertically(occupancy, 1, threads);
+  cleanUpVertically(occupancy, threads);
   space.occupancy = occupancy;
   const int count = static_cast<int>(directions.size());
   auto bits = enclosure(occupancy, directions, threads);

@@ -22,7 +22,7 @@ namespace pcl::indoor {
 
 namespace {
 
-constexpr double bin = 0.01; // of heights, metres
+constexpr double height_bin = 0.01; // metres
 
 void
 requireValid(const VoxelBits& occupancy, const StoreyOptions& options)
@@ -88,14 +88,9 @@ outerLevelsOf(const VoxelBits& occupancy, int least_height)
   std::vector<int> highest(nz + 1, 0);
   for (std::size_t pixel = 0; pixel < occupancy.columns(); ++pixel) {
     const auto column = occupancy.column(pixel);
-    if (!column.any(0, nz))
+    const int low = column.lowest(0, nz), high = column.highest(0, nz);
+    if (low == nz)
       continue;
-    int low = 0;
-    while (!column[low])
-      ++low;
-    int high = nz - 1;
-    while (!column[high])
-      --high;
     if (high - low < least_height)
       continue;
     ++lowest[low];
@@ -129,7 +124,7 @@ double
 valley(const std::vector<int>& counts)
 {
   // peaks that are closer are one surface
-  constexpr int apart = static_cast<int>(crowd / bin + 0.5);
+  constexpr int apart = static_cast<int>(crowd / height_bin + 0.5);
   const int size = static_cast<int>(counts.size());
   const int peak =
       static_cast<int>(std::max_element(counts.begin(), counts.end()) - counts.begin());
@@ -210,19 +205,19 @@ refineBorders(const std::vector<Eigen::Vector3f>& points,
                                                 << ".");
   const GridShape& shape = grid.grid.shape;
   // A voxel's surface may lie on either side of its middle.
-  const auto half =
-      std::max(1, static_cast<int>(std::lround(2.0 * grid.grid.voxel_size / bin)));
+  const auto half = std::max(
+      1, static_cast<int>(std::lround(2.0 * grid.grid.voxel_size / height_bin)));
   for (auto& border : storeys.borders) {
     std::vector<int> counts(2 * half, 0);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (grid.cells[i] < 0)
         continue;
       const double from = border.values[grid.cells[i] / shape.nz];
-      const double height = (points[i].z() - from) / bin;
+      const double height = (points[i].z() - from) / height_bin;
       if (height >= -half && height < half) // not where the border is infinite
         ++counts[static_cast<int>(std::floor(height)) + half];
     }
-    const auto shift = static_cast<float>((valley(counts) - half) * bin);
+    const auto shift = static_cast<float>((valley(counts) - half) * height_bin);
     for (float& value : border.values)
       value += shift;
   }
