@@ -169,6 +169,45 @@ gridOf(const std::vector<Eigen::Vector3f>& points,
   return grid;
 }
 
+/** Make the points' grid, along most walls if the options say so.
+ * \return the directions in which enclosure is looked for */
+std::vector<Eigen::Vector3d>
+makeGrid(const std::vector<Eigen::Vector3f>& points,
+         const BuildingRoomsOptions& options,
+         OccupancyGrid& grid)
+{
+  OccupancyGridOptions grid_options;
+  grid_options.threads = options.threads;
+  SurfaceTriangles triangles;
+  grid = gridOf(points, options.voxel_size, grid_options, triangles);
+  auto directions = directionsOf(points, grid, options.interior, options.threads);
+  if (options.align_grid)
+    grid_options.yaw = yawAlong(directions);
+  if (grid_options.yaw != 0.0) {
+    grid = occupancyGrid(points, grid_options);
+    addTriangles(triangles, options.threads, grid);
+  }
+  return directions;
+}
+
+/** The interior of a building, closed where its floors or ceilings were not seen.
+ * \param[in,out] grid what closes it is set */
+InteriorSpace
+closedInterior(const std::vector<Eigen::Vector3d>& directions,
+               const BuildingRoomsOptions& options,
+               OccupancyGrid& grid)
+{
+  auto interior = interiorSpace(grid, directions, options.interior, options.threads);
+  const UnseenSides unseen = interior.unseen;
+  if (unseen.floor.empty() && unseen.ceiling.empty())
+    return interior;
+  closeUnseenSides(interior, grid.grid);
+  interior = {}; // before there is another
+  interior = interiorSpace(grid, directions, options.interior, options.threads);
+  interior.unseen = unseen;
+  return interior;
+}
+
 /** A storey's part of the building, and its map before anything is dropped. */
 struct MappedStorey {
   StoreySpace space;
@@ -225,35 +264,13 @@ segmentDistinct(const RoomWay& way,
   if (points.empty())
     return {};
   DetailedBuilding building;
-  OccupancyGridOptions grid_options;
-  grid_options.threads = options.threads;
   if (stopped(0.0, "occupancy grid"))
     return {};
-  SurfaceTriangles triangles;
-  building.occupancy = gridOf(points, options.voxel_size, grid_options, triangles);
-  const auto directions =
-      directionsOf(points, building.occupancy, options.interior, options.threads);
-  if (options.align_grid)
-    grid_options.yaw = yawAlong(directions);
-  if (grid_options.yaw != 0.0) {
-    building.occupancy = occupancyGrid(points, grid_options);
-    addTriangles(triangles, options.threads, building.occupancy);
-  }
-
-  triangles = {}; // they may be many
-
+  const auto directions = makeGrid(points, options, building.occupancy);
   const VoxelBits& grid = building.occupancy.grid;
   if (stopped(0.2, "interior space"))
     return {};
-  building.interior =
-      interiorSpace(building.occupancy, directions, options.interior, options.threads);
-  if (const UnseenSides unseen = building.interior.unseen;
-      !unseen.floor.empty() || !unseen.ceiling.empty()) {
-    closeUnseenSides(building.interior, building.occupancy.grid);
-    building.interior = interiorSpace(
-        building.occupancy, directions, options.interior, options.threads);
-    building.interior.unseen = unseen;
-  }
+  building.interior = closedInterior(directions, options, building.occupancy);
   if (stopped(0.4, "storeys"))
     return {};
   building.storeys = findStoreys(grid, options.storeys, options.threads);
