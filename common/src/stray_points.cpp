@@ -11,7 +11,6 @@
 
 namespace {
 
-constexpr double nearest = 4096; // metres; nearer, a float holds half a millimetre
 constexpr double median_distances = 100; // a stray is farther than so many
 
 } // namespace
@@ -28,7 +27,7 @@ strayPoints(const std::vector<Eigen::Vector3f>& points)
     lower = lower.min(point.array());
     upper = upper.max(point.array());
   }
-  if (((upper.cast<double>() - lower.cast<double>()) <= nearest).all())
+  if (((upper.cast<double>() - lower.cast<double>()) <= float_reach).all())
     return {};
   const Eigen::Vector3d middle = middlePoint(points);
   std::vector<double> distances;
@@ -36,7 +35,7 @@ strayPoints(const std::vector<Eigen::Vector3f>& points)
   for (const auto& point : points)
     distances.push_back((point.cast<double>() - middle).cwiseAbs().maxCoeff());
   auto sorted = distances;
-  const double farthest = std::max(nearest, median_distances * median(sorted));
+  const double farthest = std::max(float_reach, median_distances * median(sorted));
   std::vector<std::size_t> strays;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (distances[i] > farthest)

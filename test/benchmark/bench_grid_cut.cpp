@@ -37,8 +37,11 @@ office(std::int64_t voxels, Missing missing = Missing::Nothing)
     if ((missing == Missing::Ceiling && z > 11) || (missing == Missing::Floor && z < 4))
       grid.values[v] = 0;
   }
-  const auto bits = enclosure(grid, {{1, 0}, {0, 1}});
-  return {grid.shape, interiorGain(grid, bits, 2), 60};
+  const auto coded = interiorGain(grid, enclosure(grid, {{1, 0, 0}, {0, 1, 0}}), 2);
+  CutProblem problem{grid.shape, {}, 60};
+  for (std::size_t v = 0; v < coded.codes.size(); ++v)
+    problem.gain.push_back(coded[v]);
+  return problem;
 }
 
 using Solver = GridCut (*)(const GridShape&, const std::vector<std::int16_t>&, int);

@@ -61,7 +61,7 @@ occupancy(benchmark::State& state)
   options.threads = static_cast<int>(state.range(1));
   options.yaw = 0.1;
   for (auto _ : state)
-    benchmark::DoNotOptimize(occupancyGrid(points, options).outside);
+    benchmark::DoNotOptimize(occupancyGrid(points, options).cells.data());
 }
 
 void
@@ -102,8 +102,8 @@ cleanup(benchmark::State& state)
   const auto grid = bytesOf(gridOf(floorPoints(state.range(0))).grid);
   for (auto _ : state) {
     auto copy = grid;
-    benchmark::DoNotOptimize(
-        cleanUpVertically(copy, 1, static_cast<int>(state.range(1))));
+    cleanUpVertically(copy, static_cast<int>(state.range(1)));
+    benchmark::DoNotOptimize(copy.values.data());
   }
 }
 
@@ -112,9 +112,10 @@ enclosureOf(benchmark::State& state)
 {
   const auto grid = bytesOf(gridOf(floorPoints(state.range(0))).grid);
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        enclosure(grid, {{1.0, 0.1}, {-0.1, 1.0}}, static_cast<int>(state.range(1)))
-            .values.data());
+    benchmark::DoNotOptimize(enclosure(grid,
+                                       {{1.0, 0.1, 0.0}, {-0.1, 1.0, 0.0}},
+                                       static_cast<int>(state.range(1)))
+                                 .values.data());
   state.counters["voxels"] = static_cast<double>(grid.values.size());
 }
 

@@ -84,6 +84,27 @@ TEST(VoxelBits, AnyOfAColumnEqualsLookingAtEach)
   }
 }
 
+TEST(VoxelBits, LowestAndHighestAreThoseOfAllLayersLookedAt)
+{
+  std::mt19937 rng(3);
+  for (int trial = 0; trial < 300; ++trial) {
+    const auto map = randomMap(rng);
+    if (map.values.empty())
+      continue;
+    const VoxelBits bits = map;
+    const int begin = static_cast<int>(rng() % map.shape.nz);
+    const int end = begin + static_cast<int>(rng() % (map.shape.nz - begin + 1));
+    int lowest = end, highest = begin - 1;
+    for (int z = begin; z < end; ++z)
+      if (map.at(0, 0, z)) {
+        lowest = std::min(lowest, z);
+        highest = z;
+      }
+    EXPECT_EQ(bits.column(0).lowest(begin, end), lowest) << "trial " << trial;
+    EXPECT_EQ(bits.column(0).highest(begin, end), highest) << "trial " << trial;
+  }
+}
+
 TEST(VoxelBits, SetByManyThreadsAndCleared)
 {
   constexpr int nz = 70;

@@ -162,6 +162,22 @@ TEST(RoomSegmentation, RoomsAndOriginAreInTheFrameOfTheInput)
             10.0);
 }
 
+TEST(RoomSegmentation, WithoutACloudTheFrameIsNotThatOfTheLastOne)
+{
+  std::vector<Eigen::Vector3f> moved;
+  for (const auto& point : rasteredRooms())
+    moved.push_back(point + Eigen::Vector3f(8192, -4096, 512));
+  Segmentation segmentation;
+  segmentation.setInputCloud(cloudOf(moved));
+  Labels labels;
+  segmentation.segment(labels);
+  EXPECT_GT(segmentation.getBuildingFrame().pose.translation().norm(), 1.0);
+  segmentation.setInputCloud(nullptr);
+  segmentation.segment(labels);
+  EXPECT_TRUE(labels.empty());
+  EXPECT_EQ(segmentation.getBuildingFrame().pose.translation().norm(), 0.0);
+}
+
 TEST(RoomSegmentation, AFloorOrAWallAloneDoesNotCrash)
 {
   std::mt19937 rng(3);

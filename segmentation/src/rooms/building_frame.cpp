@@ -6,6 +6,7 @@
 #include <pcl/segmentation/building_frame.h>
 
 #include <pcl/indoor/quantile.h>
+#include <pcl/indoor/stray_points.h>
 
 #include <cmath>
 #include <vector>
@@ -14,8 +15,8 @@ namespace pcl::indoor {
 namespace {
 
 /** What is farther than this from the middle of a scan, along an axis, is no part of
- * a building; nearer, a float holds half a millimetre. */
-constexpr double near = 4096.0; // metres
+ * a building. */
+constexpr double near = float_reach;
 
 /** Turned and in metres, but not moved yet; finite in any unit. */
 Eigen::Vector3d

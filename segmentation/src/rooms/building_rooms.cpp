@@ -63,8 +63,7 @@ pointsOfColumns(const std::vector<std::uint8_t>& storey_of,
                 const OccupancyGrid& occupancy)
 {
   const GridShape& shape = occupancy.grid.shape;
-  PixelMap<std::uint32_t> counts{shape.nx, shape.ny, {}};
-  counts.values.assign(counts.size(), 0);
+  auto counts = PixelMap<std::uint32_t>::filled(shape.nx, shape.ny, 0);
   for (std::size_t i = 0; i < storey_of.size(); ++i)
     if (occupancy.cells[i] >= 0 && storey_of[i] == storey)
       ++counts.values[occupancy.cells[i] / shape.nz];
@@ -121,14 +120,11 @@ describeRooms(const std::vector<Eigen::Vector3f>& points,
 std::vector<Eigen::Vector3d>
 directionsOf(const std::vector<Eigen::Vector3f>& points,
              const OccupancyGrid& building,
-             const InteriorSpaceOptions& options)
+             const InteriorSpaceOptions& options,
+             int threads)
 {
-  if (!options.upright_walls)
-    return dominantDirections(points, building, options);
-  std::vector<Eigen::Vector3d> level;
-  for (const auto& direction : wallDirections(points, building, options))
-    level.emplace_back(direction.x(), direction.y(), 0.0);
-  return level;
+  return options.upright_walls ? wallDirections(points, building, options, threads)
+                               : dominantDirections(points, building, options, threads);
 }
 
 /** How far the grid is turned so that most walls lie along its voxels, radians: less
@@ -171,6 +167,45 @@ gridOf(const std::vector<Eigen::Vector3f>& points,
     addTriangles(triangles, options.threads, grid);
   }
   return grid;
+}
+
+/** Make the points' grid, along most walls if the options say so.
+ * \return the directions in which enclosure is looked for */
+std::vector<Eigen::Vector3d>
+makeGrid(const std::vector<Eigen::Vector3f>& points,
+         const BuildingRoomsOptions& options,
+         OccupancyGrid& grid)
+{
+  OccupancyGridOptions grid_options;
+  grid_options.threads = options.threads;
+  SurfaceTriangles triangles;
+  grid = gridOf(points, options.voxel_size, grid_options, triangles);
+  auto directions = directionsOf(points, grid, options.interior, options.threads);
+  if (options.align_grid)
+    grid_options.yaw = yawAlong(directions);
+  if (grid_options.yaw != 0.0) {
+    grid = occupancyGrid(points, grid_options);
+    addTriangles(triangles, options.threads, grid);
+  }
+  return directions;
+}
+
+/** The interior of a building, closed where its floors or ceilings were not seen.
+ * \param[in,out] grid what closes it is set */
+InteriorSpace
+closedInterior(const std::vector<Eigen::Vector3d>& directions,
+               const BuildingRoomsOptions& options,
+               OccupancyGrid& grid)
+{
+  auto interior = interiorSpace(grid, directions, options.interior, options.threads);
+  const UnseenSides unseen = interior.unseen;
+  if (unseen.floor.empty() && unseen.ceiling.empty())
+    return interior;
+  closeUnseenSides(interior, grid.grid);
+  interior = {}; // before there is another
+  interior = interiorSpace(grid, directions, options.interior, options.threads);
+  interior.unseen = unseen;
+  return interior;
 }
 
 /** A storey's part of the building, and its map before anything is dropped. */
@@ -229,37 +264,16 @@ segmentDistinct(const RoomWay& way,
   if (points.empty())
     return {};
   DetailedBuilding building;
-  OccupancyGridOptions grid_options;
-  grid_options.threads = options.threads;
   if (stopped(0.0, "occupancy grid"))
     return {};
-  SurfaceTriangles triangles;
-  building.occupancy = gridOf(points, options.voxel_size, grid_options, triangles);
-  const auto directions = directionsOf(points, building.occupancy, options.interior);
-  if (options.align_grid)
-    grid_options.yaw = yawAlong(directions);
-  if (grid_options.yaw != 0.0) {
-    building.occupancy = occupancyGrid(points, grid_options);
-    addTriangles(triangles, options.threads, building.occupancy);
-  }
-
-  triangles = {}; // they may be many
-
+  const auto directions = makeGrid(points, options, building.occupancy);
   const VoxelBits& grid = building.occupancy.grid;
   if (stopped(0.2, "interior space"))
     return {};
-  building.interior =
-      interiorSpaceAlong(building.occupancy, directions, options.interior);
-  if (const UnseenSides unseen = building.interior.unseen;
-      !unseen.floor.empty() || !unseen.ceiling.empty()) {
-    closeUnseenSides(building.interior, building.occupancy.grid);
-    building.interior =
-        interiorSpaceAlong(building.occupancy, directions, options.interior);
-    building.interior.unseen = unseen;
-  }
+  building.interior = closedInterior(directions, options, building.occupancy);
   if (stopped(0.4, "storeys"))
     return {};
-  building.storeys = findStoreys(grid, options.storeys);
+  building.storeys = findStoreys(grid, options.storeys, options.threads);
   refineBorders(points, building.occupancy, building.storeys);
   const auto storey_of = storeysOfPoints(points, building, options.threads);
   const StationViews views(
@@ -320,8 +334,6 @@ spreadToCopies(const DistinctPoints& places, DetailedBuilding& building)
 {
   auto& cells = building.occupancy.cells;
   cells = places.forAll(cells);
-  building.occupancy.outside =
-      static_cast<std::size_t>(std::count(cells.begin(), cells.end(), -1));
   building.point_labels = places.forAll(building.point_labels);
   for (auto& room : building.rooms)
     room.point_count = 0;
@@ -331,16 +343,6 @@ spreadToCopies(const DistinctPoints& places, DetailedBuilding& building)
 }
 
 } // namespace
-
-BuildingRoomsOptions
-withThreads(BuildingRoomsOptions options)
-{
-  options.interior.threads = options.threads;
-  options.storeys.threads = options.threads;
-  options.map.threads = options.threads;
-  options.walls.threads = options.threads;
-  return options;
-}
 
 void
 labelBySides(const std::vector<Eigen::Vector3f>& points,
@@ -380,14 +382,14 @@ segmentBuildingBy(const RoomWay& way,
 
 BuildingRooms
 segmentBuilding(const std::vector<Eigen::Vector3f>& points,
-                BuildingRoomsOptions options,
+                const BuildingRoomsOptions& options,
                 const ProgressCallback& progress,
                 const ScanStations& stations)
 {
-  options = withThreads(requireValid(options));
+  requireValid(options);
   const RoomWay ours = {
       [&options](const StoreySpace& space) {
-        return segmentRoomMap(space, options.map);
+        return segmentRoomMap(space, options.map, options.threads);
       },
       [&options](const auto& distinct, const auto& storey_of, auto s, auto& building) {
         labelBySides(distinct, options, storey_of, s, building);

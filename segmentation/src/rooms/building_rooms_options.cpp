@@ -6,6 +6,8 @@
 #include <pcl/segmentation/building_rooms_options.h>
 
 #include "option_check.h"
+#include "rooms/space/enclosure.h"
+#include "rooms/space/grid_cut.h"
 
 namespace pcl::indoor {
 namespace {
@@ -15,8 +17,9 @@ constexpr double infinity = OptionCheck::infinity;
 void
 checkInterior(const InteriorSpaceOptions& interior, OptionCheck& check)
 {
-  constexpr double heaviest = 80.0;       // the sum of four must fit the cut's integers
-  constexpr double most_directions = 5.0; // that enclosure has bits for
+  constexpr double heaviest = 80.0;
+  static_assert(4.0 * heaviest < grid_cut_max_gain * gain_unit,
+                "the sum of four must fit the cut's integers");
   const EnclosureWeights& weights = interior.weights;
   check.positiveLength("voxel size of the interior space", interior.voxel_size);
   check.between(0, heaviest, "weight of a floor", weights.below, "");
@@ -26,7 +29,7 @@ checkInterior(const InteriorSpaceOptions& interior, OptionCheck& check)
   check.between(0, heaviest, "evidence of the exterior", weights.exterior, "");
   check.between(0, 100.0, "smoothness", interior.smoothness, "");
   check.between(0,
-                most_directions,
+                static_cast<double>(most_enclosure_directions),
                 "number of directions",
                 static_cast<double>(interior.max_directions),
                 "");
@@ -58,7 +61,6 @@ checkMap(const RoomMapOptions& map, OptionCheck& check)
   check.share("persistence", map.persistence);
   check.length("width of a door", map.door_width);
   check.share("open share", map.merging.open_share);
-  check.length("width of a door", map.merging.door_width);
   check.share("open share of a door", map.merging.door_share);
   check.share("open height", map.merging.open_height);
   check.area("habitable area", map.open_plan.habitable_area);

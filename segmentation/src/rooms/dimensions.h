@@ -6,7 +6,8 @@
 
 namespace pcl::indoor {
 
-/** \file Dimensions of people and buildings that several steps go by, metres. */
+/** \file Dimensions of people and buildings that several steps go by, metres and
+ * radians. */
 
 constexpr double standing_height = 1.5; ///< nobody stands where less is free, and most
                                         ///< furniture is lower
@@ -14,6 +15,8 @@ constexpr double passage_height = 1.6;  ///< lower openings let nobody pass, and
                                         ///< shelves end below
 constexpr double sill_height = 0.3;     ///< what is lower is part of floors
 constexpr double thickest_wall = 0.5; ///< of those between rooms; slabs are no thicker
+constexpr double steepest_lean = 0.5; ///< of walls, radians from the vertical; what
+                                      ///< leans more is a roof
 constexpr double surroundings = 1.0;  ///< of a place: wider than a stair's landing,
                                       ///< deeper than a cupboard
 

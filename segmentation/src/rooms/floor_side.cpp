@@ -108,7 +108,7 @@ private:
 
   std::vector<Gap> gaps_;
   double height_;
-  std::uint64_t furniture_width_; ///< columns, half a metre
+  std::uint64_t furniture_width_; ///< columns: a fifth of the height of rooms
 };
 
 } // namespace

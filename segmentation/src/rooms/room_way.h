@@ -14,7 +14,8 @@
 
 namespace pcl::indoor {
 
-/** \brief Where ways from points to rooms part. */
+/** \brief The two steps in which our way and the thesis's differ: dividing a storey's
+ * map into rooms, and labelling its points. */
 struct RoomWay {
   /** the rooms of a storey on its map; called for several storeys at a time */
   std::function<RoomMap(const StoreySpace& space)> map;
@@ -28,7 +29,7 @@ struct RoomWay {
 };
 
 /** \brief segmentBuilding() by a way of its own.
- * \param[in] options that are legal, withThreads()
+ * \param[in] options that are legal
  * \throws pcl::BadArgumentException if there are not as many stations as points
  */
 BuildingRooms
@@ -37,10 +38,6 @@ segmentBuildingBy(const RoomWay& way,
                   const BuildingRoomsOptions& options,
                   const ProgressCallback& progress,
                   const ScanStations& stations);
-
-/** \brief Options of which each step has the threads of the building. */
-BuildingRoomsOptions
-withThreads(BuildingRoomsOptions options);
 
 /** \brief Label the points of a storey by the map, and at walls by the side they are
  * on. */

@@ -7,6 +7,7 @@
 
 #include "rooms/space/block_extent.h"
 #include "rooms/space/closed_surfaces.h"
+#include "rooms/space/interior_space.h"
 #include "rooms/space/occupancy_grid.h"
 #include "rooms/storeys/storey_plan.h"
 #include "rooms/storeys/storeys.h"
@@ -72,7 +73,7 @@ OccupancyGrid
 gridOf(const Points& points)
 {
   constexpr double coarsest = 0.8;    // metres
-  constexpr double most_voxels = 2e7; // bytes
+  constexpr double most_voxels = 2e7; // 80 MB in spacingOf()
   OccupancyGridOptions options;
   options.threads = 1; // others would take longer to wake up
   const Box box = blockExtent(
@@ -136,8 +137,7 @@ double
 roomHeight(const Points& points, const OccupancyGrid& grid)
 {
   const auto& shape = grid.grid.shape;
-  const int least =
-      std::max(1, static_cast<int>(std::lround(least_height / grid.grid.voxel_size)));
+  const int least = voxelsIn(least_height, grid.grid.voxel_size, 1);
   struct Gap {
     int below = -1, above = -1; // layers
     float floor = -1e9f, ceiling = 1e9f;
@@ -196,7 +196,6 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
              double metres_per_unit)
 {
   constexpr std::size_t enough = 200000, few = 15000;
-  constexpr double few_seen = 0.3;
   ScanOverview overview;
   if (points.empty())
     return overview;
@@ -215,9 +214,7 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
   overview.spacing = spacingOf(grid, static_cast<std::size_t>(places));
   if (overview.extent.z() < least_height)
     return overview;
-  StoreyOptions options;
-  options.threads = 1;
-  const auto storeys = findStoreys(grid.grid, options);
+  const auto storeys = findStoreys(grid.grid, {}, 1);
   overview.storeys = storeys.heights.size();
   PlaceCounts enclosed, open;
   for (std::size_t s = 0; s < overview.storeys; ++s)
@@ -228,7 +225,7 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
   overview.area = pixel * (has_rooms ? enclosed : open).area;
   overview.open_area = pixel * (has_rooms ? open.area : 0);
   // where few places have both, free heights end at furniture, lamps and doors
-  if (std::min(overview.floor_seen, overview.ceiling_seen) > few_seen)
+  if (std::min(overview.floor_seen, overview.ceiling_seen) > UnseenSides::least_seen)
     overview.room_height = roomHeight(sample, grid);
   return overview;
 }

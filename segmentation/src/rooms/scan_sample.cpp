@@ -5,6 +5,8 @@
 
 #include "rooms/scan_sample.h"
 
+#include "rooms/space/voxel_normals.h"
+
 #include <pcl/indoor/point_hash.h>
 #include <pcl/indoor/quantile.h>
 
@@ -86,7 +88,6 @@ grouped(const Points& sample, const SampleCells& cells, const Key& key)
 std::optional<SurfacePiece>
 pieceOf(const std::vector<Eigen::Vector3d>& points)
 {
-  constexpr double flatness = 0.3; // as for the normals of voxels
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   for (const auto& p : points) {
@@ -98,7 +99,7 @@ pieceOf(const std::vector<Eigen::Vector3d>& points)
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(squares / count - mean * mean.transpose());
   const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
-  if (!(values[1] - values[0] > flatness * values[2]))
+  if (!(values[1] - values[0] > plane_flatness * values[2]))
     return {};
   return SurfacePiece{solver.eigenvectors().col(0), mean};
 }
@@ -191,7 +192,6 @@ cellsOf(const Points& sample)
 std::vector<SurfacePiece>
 surfacePieces(const Points& sample, const SampleCells& cells)
 {
-  constexpr std::size_t enough = 6; // points for a plane
   const double size = 2.0 * cells.size;
   const auto groups = grouped(sample, cells, [&](const Eigen::Vector3f& p) {
     return cells.place(p, 0, size) << 42 | cells.place(p, 1, size) << 21 |
@@ -204,7 +204,7 @@ surfacePieces(const Points& sample, const SampleCells& cells)
     const Eigen::Vector3f& first = sample[groups[begin].second];
     for (; end < groups.size() && groups[end].first == groups[begin].first; ++end)
       points.push_back((sample[groups[end].second] - first).cast<double>());
-    if (points.size() < enough)
+    if (points.size() < plane_points)
       continue;
     if (auto piece = pieceOf(points)) {
       piece->place += first.cast<double>();

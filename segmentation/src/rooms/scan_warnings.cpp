@@ -19,7 +19,6 @@ namespace {
 
 constexpr double foot = 0.3048;
 constexpr double highest_room = 50.0; // metres, the lowest one in inches
-constexpr double lowest_room = 1.5;   // metres, a person cannot stand
 
 struct Unit {
   double metres;
@@ -70,7 +69,7 @@ directionText(const Eigen::Vector3f& direction)
   int axis = 0;
   const float most = direction.cwiseAbs().maxCoeff(&axis);
   std::ostringstream text;
-  if (most > 0.9999f) // within a degree of an axis
+  if (most > 0.9999f) // within 0.8 degrees of an axis
     text << (direction[axis] < 0.0f ? "-" : "") << static_cast<char>('x' + axis);
   else
     for (int i = 0; i < 3; ++i)
@@ -154,7 +153,7 @@ unitWarning(const Vertical& vertical, double metres_per_unit)
   if (metres_per_unit == 1.0 && vertical.is_furnished &&
       isBetween(2.0, foot * height, 3.5))
     return unitLine(foot, height);
-  if ((vertical.has_rooms && height < lowest_room) ||
+  if ((vertical.has_rooms && height < standing_height) ||
       (metres_per_unit == 1.0 && vertical.is_furnished && foot * height > 3.5))
     return "The scale of the scan is probably wrong: its rooms seem to be " +
            heightText(height) + " high; scale the points, or set the unit (-unit).";

@@ -127,12 +127,10 @@ TEST(BuildingRoomsOptions, FieldsOfStoreysAndWalls)
   CHECK_FIELD(storeys.min_slab_area, (V{1, infinity}), (V{0, -1}));
   CHECK_FIELD(storeys.bridge, (V{0, 1000}), bad_length);
   CHECK_FIELD(storeys.min_opening_area, (V{0, infinity}), bad_area);
-  CHECK_FIELD(storeys.threads, V{3}, V{}); // that of the building is taken
   CHECK_FIELD(walls.window, (V{1e-4, 1000}), bad_positive);
   CHECK_FIELD(walls.max_thickness, (V{0, 1000}), bad_length);
   CHECK_FIELD(walls.reach, (V{0, 1000}), bad_length);
   CHECK_FIELD(walls.min_points, (V{2, 1e9}), (V{0, 1}));
-  CHECK_FIELD(walls.threads, V{3}, V{}); // that of the building is taken
 }
 
 TEST(BuildingRoomsOptions, FieldsOfTheMap)
@@ -149,10 +147,8 @@ TEST(BuildingRoomsOptions, FieldsOfTheMap)
   CHECK_FIELD(map.persistence, (V{0, 1}), bad_share);
   CHECK_FIELD(map.merging.open_share, (V{0, 1}), bad_share);
   CHECK_FIELD(map.door_width, (V{0, 1000}), bad_length);
-  CHECK_FIELD(map.merging.door_width, (V{0, 1000}), bad_length);
   CHECK_FIELD(map.merging.door_share, (V{0, 1}), bad_share);
   CHECK_FIELD(map.open_plan.min_wall_share, (V{0, 1}), bad_share);
-  CHECK_FIELD(map.threads, V{3}, V{}); // that of the building is taken
   CHECK_FIELD(map.merging.open_height, (V{0, 1}), bad_share);
   CHECK_FIELD(map.open_plan.habitable_area, (V{0, infinity}), bad_area);
   CHECK_FIELD(map.open_plan.max_elongation, (V{0, infinity}), bad_area);

@@ -13,6 +13,9 @@
 
 namespace pcl::indoor {
 
+/** \brief Metres: a float holds half a millimetre where coordinates are smaller. */
+constexpr double float_reach = 4096.0;
+
 /** \brief Find points that are no part of a scan, as the zeros of a scanner that saw
  * nothing, in a scan with large coordinates.
  *

@@ -49,6 +49,27 @@ public:
       return false;
     }
 
+    /** \brief The lowest of the layers begin ... end - 1 whose bit is set; \a end if
+     * none is. REQUIRES: begin >= 0. */
+    int
+    lowest(int begin, int end) const
+    {
+      for (int z = begin; z < end; z = (z / 64 + 1) * 64)
+        if (const std::uint64_t bits = words_[z / 64] >> z % 64; bits != 0)
+          return std::min(end, z + __builtin_ctzll(bits));
+      return end;
+    }
+
+    /** \brief The highest of them; begin - 1 if none is set. REQUIRES: begin >= 0. */
+    int
+    highest(int begin, int end) const
+    {
+      for (int z = end - 1; z >= begin; z = z / 64 * 64 - 1)
+        if (const std::uint64_t bits = words_[z / 64] << (63 - z % 64); bits != 0)
+          return std::max(begin - 1, z - __builtin_clzll(bits));
+      return begin - 1;
+    }
+
     /** \brief Call visit(z) for each bit that is set in the layers begin ... end - 1,
      * the lowest first. */
     template <typename Visit>

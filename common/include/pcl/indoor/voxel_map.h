@@ -7,11 +7,21 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace pcl::indoor {
+
+/** \brief How many voxels a length takes, rounded.
+ * \param[in] least the result is not less
+ */
+inline int
+voxelsIn(double length, double voxel_size, int least = 0)
+{
+  return std::max(least, static_cast<int>(std::lround(length / voxel_size)));
+}
 
 /** \brief The index arithmetic of a regular grid, without a place in space.
  * x runs slowest and z fastest, so that a vertical column is contiguous in memory.
@@ -105,6 +115,15 @@ struct PixelMap {
   int nx = 0;            ///< pixels along x
   int ny = 0;            ///< pixels along y
   std::vector<T> values; ///< nx * ny of them, at index(x, y)
+
+  /** \brief A map with one value everywhere. */
+  static PixelMap
+  filled(int nx, int ny, const T& value)
+  {
+    PixelMap map{nx, ny, {}};
+    map.values.assign(map.size(), value);
+    return map;
+  }
 
   std::size_t
   size() const

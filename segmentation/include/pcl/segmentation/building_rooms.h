@@ -119,8 +119,9 @@ struct RoomOpening {
   Eigen::Vector3d position; ///< its middle, on the storey's floor, metres
   double width = 0.0;       ///< metres
   double area = 0.0;        ///< m^2
-  /** Its middle over the middle between floor and ceiling, metres: below 0 under a
-   * lintel; 0 where less than 0.7 was seen of the end to which it would be nearer. */
+  /** How far its middle lies above the middle between floor and ceiling, metres:
+   * negative under a lintel; 0 where less than 0.7 was seen of the end to which it
+   * would be nearer. */
   double rise = 0.0;
 };
 
@@ -156,7 +157,7 @@ struct BuildingRooms {
  */
 PCL_INDOOR_EXPORTS BuildingRooms
 segmentBuilding(const std::vector<Eigen::Vector3f>& points,
-                BuildingRoomsOptions options = {},
+                const BuildingRoomsOptions& options = {},
                 const ProgressCallback& progress = {},
                 const ScanStations& stations = {});
 

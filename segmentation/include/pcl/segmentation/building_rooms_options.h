@@ -31,10 +31,8 @@ struct InteriorSpaceOptions {
   double smoothness = 0.6;        ///< E_{v,u} of Eq. (3.2) where labels differ (>= 0)
   std::size_t max_directions = 4; ///< of enclosure, the best supported ones
   double min_direction_support = 0.02; ///< see HorizontalDirection
-  double max_lean = 0.5; ///< of a wall, radians from the vertical; farther it is a roof
   bool upright_walls = true; ///< walls count by where they head; false: enclosure is
                              ///< looked for along their normals in space
-  int threads = 0;           ///< 0 = automatic
 };
 
 struct StoreyOptions {
@@ -48,7 +46,6 @@ struct StoreyOptions {
                        ///< stairs, are cut at the slab's height, metres (>= 0)
   double min_opening_area = 12.0; ///< a larger opening is a hall, m^2 (>= 0); it
                                   ///< belongs to the storey of its floor
-  int threads = 0;                ///< 0 = automatic; the result does not depend on it
 };
 
 /** \brief Where the walls of a storey are looked for: in a slab right below the
@@ -63,13 +60,14 @@ struct CeilingSlabOptions {
       1.0;           ///< side of the square in which the ceiling is looked for, metres
   double step = 0.6; ///< how far a column's own top may lie below the highest top in
                      ///< the window and still be its ceiling, metres
-  double level_share =
-      0.3;                 ///< or share of the columns there that are as high as itself
-  double min_height = 1.8; ///< a ceiling is at least so high above the floor, metres
-  double gap = 0.15;       ///< least distance from the ceiling to the slab, metres
-  double max_gap = 0.6;    ///< greatest distance, where noise blurs the ceiling, metres
-  double min_wall = 0.5;   ///< what is shorter in the slab is no wall, metres
-  double depth = 0.3;      ///< height of the slab, metres
+  double level_share = 0.3; ///< a column's own top is its ceiling, too, if more than
+                            ///< this share of the window's columns have tops within a
+                            ///< voxel of it
+  double min_height = 1.8;  ///< a ceiling is at least so high above the floor, metres
+  double gap = 0.15;        ///< least distance from the ceiling to the slab, metres
+  double max_gap = 0.6;  ///< greatest distance, where noise blurs the ceiling, metres
+  double min_wall = 0.5; ///< what is shorter in the slab is no wall, metres
+  double depth = 0.3;    ///< height of the slab, metres
 };
 
 /** \brief Which regions are one room. */
@@ -77,8 +75,6 @@ struct MergeOptions {
   double open_share = 0.55; ///< the open area is more than this share of the border and
                             ///< of the smaller region's section, 0 ... 1; larger gives
                             ///< more rooms
-  double door_width = 0.0;  ///< narrower openings are doors, also without a lintel,
-                            ///< metres (>= 0)
   double door_share = 0.75; ///< spaces with a door between them are joined above this
                             ///< open share only, 0 ... 1
   double open_height = 0.8; ///< the opening reaches over at least this share of the
@@ -108,14 +104,13 @@ struct RoomMapOptions {
   CeilingSlabOptions slab;
   double persistence = 0.5;  ///< see BasinOptions
   double door_width = 1.15;  ///< narrower passages are doors, also without a lintel,
-                             ///< metres (>= 0); see BasinOptions, MergeOptions
+                             ///< metres (>= 0); see BasinOptions,
+                             ///< mergeOpenRegions()
   MergeOptions merging;      ///< see mergeOpenRegions()
   OpenPlanOptions open_plan; ///< which open spaces are two rooms
   double min_width = 0.5;    ///< narrower spaces are no rooms, metres
   double min_area = 0.5;     ///< smaller spaces are no rooms, m^2
-  bool merge_open = true;    ///< whether rooms with an open border between them are one
   double reach = 0.6; ///< how far a room's label is carried into its walls, metres
-  int threads = 0;    ///< 0 = automatic
 };
 
 /** \brief How the two faces of a wall are told apart. */
@@ -124,7 +119,6 @@ struct WallSideOptions {
   double max_thickness = 0.3; ///< what is thicker is not taken for one wall, metres
   double reach = 0.5; ///< how far from the wall its rooms are looked for, metres
   std::size_t min_points = 8; ///< fewer points make no wall (>= 2)
-  int threads = 0;            ///< 0 = automatic; the result does not depend on it
 };
 
 /** \brief All parameters of the way from a building's points to its rooms. */

@@ -19,14 +19,10 @@ PixelMap<int>
 highestOccupied(const VoxelBits& occupancy, const VerticalRange& storey)
 {
   const GridShape& shape = occupancy.shape;
-  PixelMap<int> top{shape.nx, shape.ny, {}};
-  top.values.assign(top.size(), -1);
+  auto top = PixelMap<int>::filled(shape.nx, shape.ny, -1);
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y) {
-      const auto column = occupancy.column(x, y);
-      int z = storey.end - 1;
-      while (z >= storey.begin && !column[z])
-        --z;
+      const int z = occupancy.column(x, y).highest(storey.begin, storey.end);
       top.at(x, y) = z >= storey.begin ? z : -1;
     }
   return top;
@@ -117,7 +113,7 @@ ceilingLayers(const VoxelBits& occupancy,
     slidingMaximum(&ceiling.values[top.index(0, y)], top.nx, top.ny, radius);
 
   const auto layers = [&](double length) {
-    return static_cast<int>(std::lround(length / occupancy.voxel_size));
+    return voxelsIn(length, occupancy.voxel_size);
   };
   const int step = layers(options.step);
   const int headroom = storey.begin + layers(options.min_height);
@@ -176,8 +172,7 @@ blockedColumns(const VoxelBits& occupancy,
                const PixelMap<int>& ceiling,
                const SlabLayers& slab)
 {
-  PixelMap<std::uint8_t> blocked{ceiling.nx, ceiling.ny, {}};
-  blocked.values.assign(blocked.size(), 0);
+  auto blocked = PixelMap<std::uint8_t>::filled(ceiling.nx, ceiling.ny, 0);
   for (int x = 0; x < ceiling.nx; ++x)
     for (int y = 0; y < ceiling.ny; ++y) {
       const int top = ceiling.at(x, y);
@@ -199,7 +194,7 @@ seenTops(const VoxelBits& occupancy,
   constexpr double stretch = 0.4;   // metres, below and above the heads
   constexpr double less_seen = 0.8; // share of what is seen below
   const auto layers = [&](double length) {
-    return std::max(1, static_cast<int>(std::lround(length / occupancy.voxel_size)));
+    return voxelsIn(length, occupancy.voxel_size, 1);
   };
   const int heads = storey.begin + layers(options.min_height);
   const int below = std::max(storey.begin, heads - layers(stretch));
@@ -224,8 +219,7 @@ topsAtHeads(const VoxelBits& occupancy,
             const VerticalRange& storey,
             const PixelMap<int>& ceiling)
 {
-  const int heads =
-      static_cast<int>(std::lround(passage_height / occupancy.voxel_size));
+  const int heads = voxelsIn(passage_height, occupancy.voxel_size);
   PixelMap<int> tops = ceiling;
   for (auto& top : tops.values)
     top = std::min(top, storey.begin + std::max(1, heads));

@@ -5,6 +5,8 @@
 
 #include "rooms/map/continued_walls.h"
 
+#include "rooms/dimensions.h"
+
 #include <cmath>
 
 namespace pcl::indoor {
@@ -74,8 +76,8 @@ continuedWalls(const PixelMap<std::uint8_t>& high,
                const PixelMap<std::uint8_t>& low,
                double pixel_size)
 {
-  constexpr double shortest = 1.0; // metres; sides of high cabinets are shorter
-  const double least = std::round(shortest / pixel_size);
+  const double least = // sides of high cabinets are shorter
+      std::round(surroundings / pixel_size);
   PixelMap<std::uint8_t> walls = high;
   for (const bool along_x : {true, false})
     continueAlong({high, along_x}, {low, along_x}, least, walls);

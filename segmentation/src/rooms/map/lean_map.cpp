@@ -185,8 +185,7 @@ straightenedColumns(const VoxelBits& occupancy,
                     const PixelMap<Eigen::Vector2f>& lean,
                     const PixelMap<float>& slab)
 {
-  PixelMap<std::uint8_t> columns{lean.nx, lean.ny, {}};
-  columns.values.assign(columns.size(), 0);
+  auto columns = PixelMap<std::uint8_t>::filled(lean.nx, lean.ny, 0);
   const GridShape& shape = occupancy.shape;
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y) {

@@ -16,8 +16,9 @@ struct BasinOptions {
   double persistence = 0.5; ///< a pass is narrow if it is lower than this share of the
                             ///< lower of the two maxima, 0 ... 1; larger gives more
                             ///< basins
-  double door = 0.0;        ///< a pass up to this value is a door, and narrow if it is
-  double door_persistence = 0.75; ///< lower than this share of the lower maximum
+  double door = 0.0;        ///< half the width up to which a pass is a door
+  double door_persistence = 0.75; ///< a door parts two basins if it is lower than this
+                                  ///< share of the lower maximum
 };
 
 /** \brief Split a map into the basins around its persistent maxima.

@@ -32,8 +32,6 @@ enum class BorderTop {
   LowerCeiling   ///< where both are
 };
 
-using RegionPair = std::pair<std::int32_t, std::int32_t>;
-
 /** The way from one pixel to another, in layers. */
 struct Section {
   int height = 0; ///< from floor to ceiling
@@ -191,18 +189,14 @@ connectedPieces(const std::vector<OpenPiece>& pieces)
         const auto other = piece_at.find({here.first + dx, here.second + dy});
         if (other == piece_at.end() || dx * dx + dy * dy > 16)
           continue;
-        const int a = sets.find(piece), b = sets.find(other->second);
-        if (a != b)
-          sets.merge(a, b);
+        sets.merge(sets.find(piece), sets.find(other->second));
       }
-  std::map<int, std::size_t> group_of;
+  const auto group_of = sets.labels();
   std::vector<std::vector<OpenPiece>> groups;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const auto root = sets.find(static_cast<int>(i));
-    const auto group = group_of.emplace(root, groups.size()).first->second;
-    if (group == groups.size())
+    if (group_of[i] == groups.size())
       groups.emplace_back();
-    groups[group].push_back(pieces[i]);
+    groups[group_of[i]].push_back(pieces[i]);
   }
   return groups;
 }
@@ -212,8 +206,10 @@ class OpenBorders {
 public:
   OpenBorders(const std::vector<RegionBorder>& borders,
               std::vector<double> section,
-              const MergeOptions& options)
+              const MergeOptions& options,
+              double door_width)
   : options_(options)
+  , door_width_(door_width)
   , section_(std::move(section))
   , neighbours_(section_.size())
   {
@@ -286,7 +282,7 @@ private:
   {
     const bool below_lintel =
         border.open_area < options_.open_height * border.opening_area;
-    const bool is_door = border.opening_run.norm() < options_.door_width;
+    const bool is_door = border.opening_run.norm() < door_width_;
     const double part =
         border.open_area /
         std::max(border.border_area, std::min(section_[border.a], section_[border.b]));
@@ -304,6 +300,7 @@ private:
   }
 
   const MergeOptions& options_;
+  double door_width_;
   std::vector<double> section_;
   std::vector<std::set<std::int32_t>> neighbours_;
   std::map<RegionPair, Entry> entries_;
@@ -382,9 +379,10 @@ std::vector<std::int32_t>
 mergeOpenRegions(const std::vector<RegionBorder>& borders,
                  const std::vector<double>& section,
                  const MergeOptions& options,
+                 double door_width,
                  const StayApart& stay_apart)
 {
-  OpenBorders open(borders, section, options);
+  OpenBorders open(borders, section, options, door_width);
   std::vector<std::vector<std::int32_t>> regions_of(section.size()); // of each space
   for (std::size_t i = 0; i < section.size(); ++i)
     regions_of[i] = {static_cast<std::int32_t>(i)};

@@ -15,9 +15,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace pcl::indoor {
+
+/** \brief Two regions, the smaller label first; 0, 0 = none. */
+using RegionPair = std::pair<std::int32_t, std::int32_t>;
 
 /** \brief The border between two adjacent regions of a room map, seen as a wall. */
 struct RegionBorder {
@@ -91,6 +95,7 @@ using StayApart = std::function<bool(const std::vector<std::int32_t>& a,
  * \param[in] borders as regionBorders() gives them
  * \param[in] section per label (index 0 unused): area of the widest vertical section
  * through the region, m^2 (> 0)
+ * \param[in] door_width narrower openings are doors, also without a lintel, metres
  * \param[in] stay_apart asked before two spaces are joined, and again after one of them
  * has grown; empty: never
  * \return the new label of each old one, that of the smallest member; 0 stays 0
@@ -99,6 +104,7 @@ std::vector<std::int32_t>
 mergeOpenRegions(const std::vector<RegionBorder>& borders,
                  const std::vector<double>& section,
                  const MergeOptions& options = {},
+                 double door_width = 0.0,
                  const StayApart& stay_apart = {});
 
 /** \brief Join niches to the rooms that they are part of: small regions that are open

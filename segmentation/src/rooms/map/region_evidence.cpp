@@ -18,26 +18,37 @@ namespace {
 
 constexpr double enclosed = 0.8; // share of what bounds a room: most of four walls
 
-/** Whether something lies above the heads of people in a column. */
-bool
-isCovered(const VoxelBits& occupancy, const VerticalRange& range, std::size_t pixel)
+/** The layer of the heads of people. */
+int
+headsIn(const VoxelBits& occupancy, const VerticalRange& range)
 {
-  constexpr double person = 1.8; // metres, as the least height of a ceiling
-  const int heads =
-      range.begin + static_cast<int>(std::lround(person / occupancy.voxel_size));
-  return occupancy.column(pixel).any(std::min(heads, occupancy.shape.nz),
-                                     occupancy.shape.nz);
+  constexpr double person = CeilingSlabOptions{}.min_height;
+  const auto height = voxelsIn(person, occupancy.voxel_size);
+  return std::min(range.begin + height, occupancy.shape.nz);
 }
 
-/** Whether a column has something near the level of the floors, and nothing above. */
+/** Whether something lies above the heads of people in a column. */
 bool
-isGround(const VoxelBits& occupancy, const VerticalRange& range, std::size_t pixel)
+isCovered(const VoxelBits& occupancy, int heads, std::size_t pixel)
+{
+  return occupancy.column(pixel).any(heads, occupancy.shape.nz);
+}
+
+/** How many columns without a room have something near the level of the floors, and
+ * nothing above. */
+std::size_t
+groundColumns(const VoxelBits& occupancy, const RoomMap& map)
 {
   constexpr double slope = 0.5; // metres
-  const int reach = static_cast<int>(std::lround(slope / occupancy.voxel_size));
-  return !isCovered(occupancy, range, pixel) &&
-         occupancy.column(pixel).any(std::max(range.begin - reach, 0),
-                                     std::min(range.begin + reach, occupancy.shape.nz));
+  const int reach = voxelsIn(slope, occupancy.voxel_size);
+  const int heads = headsIn(occupancy, map.range);
+  const int begin = std::max(map.range.begin - reach, 0);
+  const int end = std::min(map.range.begin + reach, occupancy.shape.nz);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < map.free_labels.size(); ++i)
+    count += map.free_labels.values[i] == 0 && !isCovered(occupancy, heads, i) &&
+             occupancy.column(i).any(begin, end);
+  return count;
 }
 
 /** What a share of the area exceeds, or is equal to; 0 without area. */
@@ -181,7 +192,7 @@ std::vector<double>
 closedBorders(const RoomMap& map, double pixel_size)
 {
   constexpr double nearby = 0.3; // metres: what is beside a wall may belong to nothing
-  const int reach = std::max(1, static_cast<int>(std::lround(nearby / pixel_size)));
+  const int reach = voxelsIn(nearby, pixel_size, 1);
   std::vector<double> closed;
   for (const RegionSides& sides : sidesOf(map, reach))
     closed.push_back(static_cast<double>(sides.all - sides.open) /
@@ -198,11 +209,12 @@ dropStreets(const StoreySpace& space, RoomMap& map)
   if (!space.interior.unseen.ceilingIsSeen())
     return;
   const double pixel_area = std::pow(space.occupancy.voxel_size, 2);
+  const int heads = headsIn(space.occupancy, map.range);
   std::vector<std::size_t> area(map.room_count + 1, 0), covered = area;
   for (std::size_t i = 0; i < map.free_labels.size(); ++i)
     if (const std::int32_t label = map.free_labels.values[i]; label > 0) {
       ++area[label];
-      covered[label] += isCovered(space.occupancy, map.range, i);
+      covered[label] += isCovered(space.occupancy, heads, i);
     }
   const std::vector<RegionSides> sides = sidesOf(map, 1);
   std::vector<std::uint8_t> is_street(area.size(), 0);
@@ -226,9 +238,7 @@ dropOutdoors(const StoreySpace& space, OpenGround& ground, RoomMap& map)
       area.push_back(static_cast<double>(levels[label].all));
       ground.enclosed += levels[label].all;
     }
-  for (std::size_t i = 0; i < map.free_labels.size(); ++i)
-    ground.open +=
-        map.free_labels.values[i] == 0 && isGround(space.occupancy, map.range, i);
+  ground.open += groundColumns(space.occupancy, map);
   ground.usual_ceiling =
       std::max(ground.usual_ceiling, exceededBy(0.5, ceilings, area));
   if (!space.interior.unseen.ceilingIsSeen() || ground.open <= ground.enclosed ||

@@ -65,12 +65,13 @@ struct OpenGround {
 void
 dropOutdoors(const StoreySpace& space, OpenGround& ground, RoomMap& map);
 
-/** \brief Drop the regions that are smaller than 4.5 m^2 over the odds that their
- * walls, floor and ceiling were seen (the share that was seen over the rest): nobody
- * was there, something was seen through a door or a window. Each of the four walls of
- * a room counts as much as its floor; a floor or a ceiling that is missing in the
- * whole scan does not count. Regions stay that were seen to four fifths, or that are
- * half as large as the largest.
+/** \brief Drop the regions of which little was seen: nobody was there, something was
+ * seen through a door or a window.
+ *
+ * Let s be the share of walls, floor and ceiling that was seen. A region goes if
+ * area * s / (1 - s) < 4.5 m^2, s < 0.8 and it is less than half as large as the
+ * largest. Each of the four walls of a room counts as much as its floor; a floor or a
+ * ceiling that is missing in the whole scan does not count.
  * \param[in,out] map its labels are 1 ... n again
  * \return how many were dropped
  */

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -45,8 +44,8 @@ closed(const PixelMap<std::uint8_t>& held,
       far.values[i] = squared.values[i] > reach;
     return far;
   };
-  PixelMap<std::uint8_t> wide{held.nx + 2 * margin, held.ny + 2 * margin, {}};
-  wide.values.assign(wide.size(), 0);
+  auto wide =
+      PixelMap<std::uint8_t>::filled(held.nx + 2 * margin, held.ny + 2 * margin, 0);
   for (int x = 0; x < held.nx; ++x)
     for (int y = 0; y < held.ny; ++y)
       wide.at(x + margin, y + margin) = held.at(x, y);
@@ -88,8 +87,7 @@ insideColumns(const StoreySpace& space, const PixelMap<int>& ceiling)
   const InteriorSpace& interior = space.interior;
   const int factor = interior.factor;
   const int offset = space.first_layer % factor; // the coarse layers may begin below
-  PixelMap<std::uint8_t> inside{ceiling.nx, ceiling.ny, {}};
-  inside.values.assign(inside.size(), 0);
+  auto inside = PixelMap<std::uint8_t>::filled(ceiling.nx, ceiling.ny, 0);
   if (occupiedHeight(space.occupancy) < standing_height)
     return inside;
   for (int x = 0; x < inside.nx; ++x)
@@ -187,6 +185,14 @@ sectionAreas(const PixelMap<std::int32_t>& labels,
   return section;
 }
 
+/** Carry the labels of free pixels into the walls. */
+void
+growIntoWalls(double reach_in_pixels, RoomMap& map)
+{
+  map.labels = map.free_labels;
+  growLabels(map.labels, reach_in_pixels);
+}
+
 /** New numbers 1 ... n for merged labels, in the order of their first pixel. */
 std::vector<std::int32_t>
 numbersOf(const PixelMap<std::int32_t>& labels, const std::vector<std::int32_t>& merged)
@@ -199,6 +205,29 @@ numbersOf(const PixelMap<std::int32_t>& labels, const std::vector<std::int32_t>&
   for (std::size_t i = 0; i < merged.size(); ++i)
     number[i] = number[merged[i]];
   return number;
+}
+
+/** Labels none of which is merged. */
+std::vector<std::int32_t>
+asBefore(std::int32_t last)
+{
+  std::vector<std::int32_t> labels(last + 1);
+  std::iota(labels.begin(), labels.end(), 0);
+  return labels;
+}
+
+/** Join regions with an open border between them. */
+void
+joinOpenRegions(const VoxelBits& occupancy, const RoomMapOptions& options, RoomMap& map)
+{
+  const double size = occupancy.voxel_size;
+  growIntoWalls(options.reach / size, map);
+  const auto merged = mergeOpenRegions(
+      regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
+      sectionAreas(map.free_labels, map.field, map, size),
+      options.merging,
+      options.door_width);
+  relabel(numbersOf(map.labels, merged), map);
 }
 
 /** Join niches to the rooms that they are part of. */
@@ -216,9 +245,7 @@ joinNiches(const VoxelBits& occupancy, RoomMap& map)
   const auto openings =
       regionOpenings(occupancy, map.range, map.ceiling, map.labels, map.free_labels);
   const auto merged = mergeNiches(openings, area, volume);
-  std::vector<std::int32_t> as_before(count);
-  std::iota(as_before.begin(), as_before.end(), 0);
-  if (merged != as_before)
+  if (merged != asBefore(map.room_count))
     relabel(numbersOf(map.labels, merged), map);
 }
 
@@ -229,8 +256,7 @@ piecesOfRooms(const PixelMap<std::int32_t>& rooms,
               const PixelMap<std::int32_t>& basins,
               std::vector<std::int32_t>& room_of)
 {
-  PixelMap<std::int32_t> pieces{rooms.nx, rooms.ny, {}};
-  pieces.values.assign(pieces.size(), 0);
+  auto pieces = PixelMap<std::int32_t>::filled(rooms.nx, rooms.ny, 0);
   room_of.assign(1, 0);
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> number;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -248,14 +274,17 @@ piecesOfRooms(const PixelMap<std::int32_t>& rooms,
 
 /** Divide rooms that are two spaces of an open plan. */
 void
-divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap& map)
+divideOpenPlans(const StoreySpace& space,
+                const RoomMapOptions& options,
+                int threads,
+                RoomMap& map)
 {
   const double size = space.occupancy.voxel_size;
   const auto rooms = fillIslands(map.free_labels);
   PixelMap<std::uint8_t> walls{rooms.nx, rooms.ny, {}};
   for (const auto room : rooms.values)
     walls.values.push_back(room == 0);
-  const auto field = distanceTo(walls, size, options.threads);
+  const auto field = distanceTo(walls, size, threads);
   std::vector<std::int32_t> room_of;
   BasinOptions open_plan;
   open_plan.persistence = options.open_plan.persistence;
@@ -270,6 +299,7 @@ divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap
       regionBorders(space.occupancy, map.range, map.ceiling, grown, pieces),
       sectionAreas(pieces, field, map, size),
       all,
+      0.0,
       [&](const auto& a, const auto& b) {
         return room_of[a.front()] != room_of[b.front()] || plan.separates(a, b);
       });
@@ -297,14 +327,13 @@ divideOpenPlans(const StoreySpace& space, const RoomMapOptions& options, RoomMap
         label != 0 && map.free_labels.values[i] != 0)
       map.free_labels.values[i] = label;
   map.room_count = count;
-  map.labels = map.free_labels;
-  growLabels(map.labels, options.reach / size);
+  growIntoWalls(options.reach / size, map);
 }
 
 } // namespace
 
 RoomMap
-mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options)
+mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options, int threads)
 {
   const VoxelBits& occupancy = space.occupancy;
   const double size = occupancy.voxel_size;
@@ -314,71 +343,55 @@ mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options)
   map.ceiling = ceilingLayers(occupancy, map.range, options.slab);
   map.slab = slabLayers(occupancy, map.range, map.ceiling, options.slab);
   map.blocked = wallColumns(space, map, options.slab);
-  removeSpecks(map.blocked,
-               static_cast<int>(std::lround(options.slab.min_wall / size)));
+  removeSpecks(map.blocked, voxelsIn(options.slab.min_wall, size));
   auto inside = insideColumns(space, map.ceiling);
-  WallLeanOptions leaning;
-  leaning.threads = options.threads;
   map.lean = leanMap(
-      wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked, leaning),
+      wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked, threads),
       map.blocked.nx,
       map.blocked.ny,
       size);
   if (!map.lean.values.empty()) { // above a wall that leans, the slab may be outside
     const auto held = straightenedColumns(
         occupancy, map.lean, slabHeights(map.range, map.ceiling, map.slab));
-    const auto covered = closed(held, 0.5, size, options.threads);
+    const auto covered = closed(held, 0.5, size, threads);
     for (std::size_t i = 0; i < inside.size(); ++i)
       inside.values[i] &= covered.values[i];
   }
-  map.field = freeDistance(map.blocked, inside, size, options.threads);
+  map.field = freeDistance(map.blocked, inside, size, threads);
   return map;
 }
 
 void
-joinOpenRegions(const VoxelBits& occupancy,
-                const RoomMapOptions& options,
-                double open_share,
-                RoomMap& map)
+numberRegions(double pixel_size, double reach, RoomMap& map)
 {
-  const double size = occupancy.voxel_size;
-  map.labels = map.free_labels;
-  growLabels(map.labels, options.reach / size);
-  MergeOptions merging = options.merging;
-  merging.open_share = open_share;
-  merging.door_width = options.door_width;
-  if (!options.merge_open)
-    merging.open_share = merging.door_share = std::numeric_limits<double>::infinity();
-  const auto merged = mergeOpenRegions(
-      regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
-      sectionAreas(map.free_labels, map.field, map, size),
-      merging);
-  relabel(numbersOf(map.labels, merged), map);
+  growIntoWalls(reach / pixel_size, map);
+  const auto last =
+      *std::max_element(map.labels.values.begin(), map.labels.values.end());
+  relabel(numbersOf(map.labels, asBefore(last)), map);
 }
 
 RoomMap
-segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options)
+segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options, int threads)
 {
   const VoxelBits& occupancy = space.occupancy;
   const double size = occupancy.voxel_size;
-  RoomMap map = mapWithoutRooms(space, options);
+  RoomMap map = mapWithoutRooms(space, options, threads);
   BasinOptions basins;
   basins.persistence = options.persistence;
   basins.door = 0.5 * options.door_width;
+  basins.door_persistence = options.merging.door_share;
   map.free_labels = basinsOfWidth(map.field, basins, size, options);
   dropSmall(size, options.min_area, map.free_labels);
-  joinOpenRegions(occupancy, options, options.merging.open_share, map);
+  joinOpenRegions(occupancy, options, map);
   divideAtInnerWalls(map.free_labels,
                      map.room_count,
                      space.interior.directions,
-                     static_cast<int>(std::lround(thickest_wall / size)),
+                     voxelsIn(thickest_wall, size),
                      options.open_plan.min_wall_share,
                      options.open_plan.habitable_area / (size * size));
-  map.labels = map.free_labels;
-  growLabels(map.labels, options.reach / size);
-  divideOpenPlans(space, options, map);
-  if (options.merge_open)
-    joinNiches(occupancy, map);
+  growIntoWalls(options.reach / size, map);
+  divideOpenPlans(space, options, threads, map);
+  joinNiches(occupancy, map);
   return map;
 }
 

@@ -24,22 +24,25 @@ struct RoomMap : MappedRooms {
   PixelMap<Eigen::Vector2f> lean; ///< see leanMap(); empty if all walls are upright
 };
 
-/** \brief The walls and the free space of a storey: a map that has no rooms yet. */
+/** \brief The walls and the free space of a storey: a map that has no rooms yet.
+ * \param[in] threads 0 = automatic; the result does not depend on it */
 RoomMap
-mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options);
+mapWithoutRooms(const StoreySpace& space,
+                const RoomMapOptions& options,
+                int threads = 0);
 
-/** \brief Carry the labels of free pixels into the walls, and join regions with an open
- * border between them.
- * \param[in] open_share in place of that in the options
+/** \brief Carry the labels of free pixels into the walls, and number the regions
+ * 1 ... n by their first pixels.
+ * \param[in] pixel_size,reach metres
  */
 void
-joinOpenRegions(const VoxelBits& occupancy,
-                const RoomMapOptions& options,
-                double open_share,
-                RoomMap& map);
+numberRegions(double pixel_size, double reach, RoomMap& map);
 
-/** \brief Divide a storey into rooms on its map. */
+/** \brief Divide a storey into rooms on its map.
+ * \param[in] threads 0 = automatic; the result does not depend on it */
 RoomMap
-segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options);
+segmentRoomMap(const StoreySpace& space,
+               const RoomMapOptions& options,
+               int threads = 0);
 
 } // namespace pcl::indoor

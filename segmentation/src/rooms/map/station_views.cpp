@@ -50,8 +50,7 @@ isInside(const Eigen::Array3i& voxel, const InteriorSpace& interior)
 PixelMap<RegionPair>
 partitionsOf(const RoomMap& map, double pixel_size)
 {
-  const int reach =
-      std::max(1, static_cast<int>(std::lround(thickest_wall / pixel_size)));
+  const int reach = voxelsIn(thickest_wall, pixel_size, 1);
   const PixelMap<std::int32_t>& labels = map.free_labels;
   PixelMap<RegionPair> sides{labels.nx, labels.ny, {}};
   sides.values.assign(labels.size(), {0, 0});
@@ -89,10 +88,7 @@ joinRegions(const std::vector<RegionPair>& pairs,
     sets.merge(sets.find(a), sets.find(b));
   const std::vector<std::uint32_t> numbers = sets.labels(); // 0 stays alone
   std::vector<std::int32_t> number(numbers.begin(), numbers.end());
-  map.room_count = *std::max_element(number.begin(), number.end());
-  for (auto* labels : {&map.free_labels, &map.labels})
-    for (auto& label : labels->values)
-      label = number[label];
+  relabel(number, map);
   for (std::size_t i = 0; i < partitions.size(); ++i)
     if (std::binary_search(pairs.begin(), pairs.end(), partitions.values[i])) {
       map.free_labels.values[i] = map.labels.values[i] =
@@ -163,9 +159,9 @@ StationViews::isSlabBelow(std::int32_t cell, std::size_t storey) const
 bool
 StationViews::isUpright(std::int32_t cell, const RoomMap& map) const
 {
-  constexpr double level = 0.3; // metres: nearer to floor or ceiling it may be these
+  // nearer to floor or ceiling it may be these
   const GridShape& shape = building_.grid.shape;
-  const int apart = static_cast<int>(std::lround(level / building_.grid.voxel_size));
+  const int apart = voxelsIn(sill_height, building_.grid.voxel_size);
   const int z = cell % shape.nz - map.first_layer;
   return z >= map.range.begin + apart &&
          z < map.ceiling.values[cell / shape.nz] - apart;
@@ -206,9 +202,7 @@ StationViews::isClosed(const Eigen::Array3i& voxel, const RoomMap& map) const
     return column[voxel.z()];
   if (map.free_labels.at(voxel.x(), voxel.y()) != 0)
     return false; // objects do not close a room
-  const auto layers = [&](double height) {
-    return static_cast<int>(std::lround(height / grid.voxel_size));
-  };
+  const auto layers = [&](double height) { return voxelsIn(height, grid.voxel_size); };
   return column[voxel.z()] ||
          column.any(std::min(floor + layers(sill_height), grid.shape.nz),
                     std::min(floor + layers(passage_height), grid.shape.nz));

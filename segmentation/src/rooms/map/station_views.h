@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "rooms/map/region_borders.h"
 #include "rooms/map/room_map.h"
 #include "rooms/space/interior_space.h"
 #include "rooms/space/occupancy_grid.h"
@@ -30,9 +31,6 @@ struct StoreyPoints {
   const std::vector<std::uint8_t>& storey_of; ///< of each point
   std::size_t storey;                         ///< that is looked at
 };
-
-/** \brief Two regions, the smaller label first; 0, 0 = none. */
-using RegionPair = std::pair<std::int32_t, std::int32_t>;
 
 /** \brief What parts two regions. */
 struct PartitionPoints {

@@ -5,10 +5,10 @@
 
 #include "rooms/map/wall_lean.h"
 
+#include "rooms/dimensions.h"
+
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
-
-#include <pcl/exceptions.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -247,18 +247,13 @@ wallStretches(const VoxelBits& occupancy,
               const PixelMap<int>& ceiling,
               const SlabLayers& slab,
               const PixelMap<std::uint8_t>& blocked,
-              const WallLeanOptions& options)
+              int threads)
 {
-  if (!(options.max_lean > 0.0) || !(options.max_lean < 0.5 * M_PI) ||
-      !(options.window > 0.0))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The lean of walls, "
-                            << options.max_lean << " rad, or the window, "
-                            << options.window << " m, is out of range.");
+  constexpr double window = 1.0; // length of a stretch, metres
   const double whole_map = 2.0 * (blocked.nx + blocked.ny); // nothing lies farther
   const double radius =
-      std::min(whole_map, std::max(2.0, 0.5 * options.window / occupancy.voxel_size));
-  const double slope = std::tan(options.max_lean);
+      std::min(whole_map, std::max(2.0, 0.5 * window / occupancy.voxel_size));
+  const double slope = std::tan(steepest_lean);
   const auto places = spreadOver(blocked, static_cast<int>(radius));
   std::vector<WallStretch> found(places.size());
   struct State {
@@ -267,7 +262,7 @@ wallStretches(const VoxelBits& occupancy,
   };
   parallelFor(
       static_cast<std::ptrdiff_t>(places.size()),
-      threadCount(options.threads),
+      threadCount(threads),
       16,
       [&] {
         return State{LeanSearch(slope, 0.5 * radius), {}};

@@ -17,13 +17,6 @@
 
 namespace pcl::indoor {
 
-/** \brief How far walls may lean, and over what length one is looked at. */
-struct WallLeanOptions {
-  double max_lean = 0.5; ///< radians from the vertical; farther it is a roof (< pi/2)
-  double window = 1.0;   ///< length of a stretch of wall, metres (> 0)
-  int threads = 0;       ///< 0 = automatic; the result does not depend on it
-};
-
 /** \brief A stretch of wall, seen from above. */
 struct WallStretch {
   Eigen::Vector2d place;  ///< its middle in the slab, pixels
@@ -44,7 +37,6 @@ struct WallStretch {
  * \param[in] ceiling as ceilingLayers() gives it
  * \param[in] slab as slabLayers() gives it
  * \param[in] blocked as blockedColumns() gives it
- * \throws pcl::BadArgumentException if an option is out of range
  */
 std::vector<WallStretch>
 wallStretches(const VoxelBits& occupancy,
@@ -52,7 +44,7 @@ wallStretches(const VoxelBits& occupancy,
               const PixelMap<int>& ceiling,
               const SlabLayers& slab,
               const PixelMap<std::uint8_t>& blocked,
-              const WallLeanOptions& options = {});
+              int threads = 0);
 
 /** \brief The shift along x and y, per unit of height going down, of what stands around
  * each pixel: a least-squares fit to the walls within about a metre. One wall tells

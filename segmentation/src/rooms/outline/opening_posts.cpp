@@ -14,8 +14,8 @@
 namespace pcl::indoor {
 namespace {
 
-constexpr double deepest = 0.6;     // metres beside a border: thicker walls hold no
-                                    // labels
+// beside a border, metres: thicker walls hold no labels
+constexpr double deepest = RoomMapOptions{}.reach;
 constexpr std::uint32_t least = 6;  // fewer points are outliers
 constexpr double along_reach = 4.0; // pixels from the ends that voxels say: objects
                                     // beside a post close some

@@ -4,6 +4,8 @@
  */
 
 #include "rooms/outline/room_footprint.h"
+
+#include "rooms/outline/line_meeting.h"
 #include "rooms/outline/place_profile.h"
 #include "rooms/outline/room_outline.h"
 
@@ -15,12 +17,6 @@ namespace pcl::indoor {
 namespace {
 
 using Ring = std::vector<Eigen::Vector2d>;
-
-double
-cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** A line with the room on its left. */
 struct Line {
@@ -96,8 +92,8 @@ public:
     return pointsOn(turned) > pointsOn(moved) ? turned : moved;
   }
 
-  /** Whether enough of a side lies on a line: half of it, or half of a metre. What
-   * crosses it covers a piece. */
+  /** Whether enough of a side lies on a line: two thirds of it, or
+   * five pixels. What crosses it covers a piece. */
   bool
   covers(const Line& line) const
   {
@@ -171,8 +167,7 @@ fittedSides(const Ring& ring, const FootprintWalls& behind)
 Eigen::Vector2d
 meeting(const Line& a, const Line& b)
 {
-  return a.point +
-         cross(b.point - a.point, b.along) / cross(a.along, b.along) * a.along;
+  return lineMeeting(a.point, a.along, b.point, b.along);
 }
 
 /** Where the walls before and after some sides meet behind them.
@@ -183,7 +178,7 @@ cornerBehind(const Line& one, const Line& next, const Ring& chain, double reach)
 {
   constexpr double slack = 2.0; // pixels: sides lie that far from walls
   const Eigen::Vector2d first = one.foot(chain.front()), last = next.foot(chain.back());
-  const double turn = cross(one.along, next.along);
+  const double turn = crossProduct(one.along, next.along);
   if (std::abs(turn) < 0.3) { // one wall: at most its noise apart
     const bool is_one = one.along.dot(next.along) > 0.0 &&
                         std::abs(one.distance(last)) <= slack &&

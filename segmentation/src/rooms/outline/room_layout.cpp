@@ -5,6 +5,7 @@
 
 #include "rooms/outline/room_layout.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/outline/opening_posts.h"
 #include "rooms/outline/room_levels.h"
 
@@ -53,8 +54,7 @@ PixelMap<std::uint8_t>
 uprightColumns(const OccupancyGrid& occupancy, const RoomMap& map)
 {
   const GridShape& shape = occupancy.grid.shape;
-  PixelMap<std::uint8_t> upright{shape.nx, shape.ny, {}};
-  upright.values.assign(upright.size(), 0);
+  auto upright = PixelMap<std::uint8_t>::filled(shape.nx, shape.ny, 0);
   for (int x = 1; x + 1 < shape.nx; ++x)
     for (int y = 1; y + 1 < shape.ny; ++y) {
       if (!map.blocked.at(x, y))
@@ -213,7 +213,6 @@ addFootprints(const std::vector<Eigen::Vector3f>& points,
               DetailedBuilding& building)
 {
   constexpr double tolerance = 1.5; // pixels: straight walls at any angle become lines
-  constexpr double reach = 1.0;     // metres: cupboards and ducts are hardly deeper
   const double size = building.occupancy.grid.voxel_size;
   std::vector<RoomLevels> levels;
   SlabPoints in_slab;
@@ -235,7 +234,8 @@ addFootprints(const std::vector<Eigen::Vector3f>& points,
           WallPoints(placesOf(in_slab.walls[room.label], points, building.occupancy));
       behind.others =
           WallPoints(placesOf(in_slab.all[room.label], points, building.occupancy));
-      behind.reach = reach / size;
+      // cupboards and ducts are hardly deeper
+      behind.reach = surroundings / size;
       behind.may_cover = [&](const auto& part) {
         return isFreeOfOthers(part, map.free_labels, label);
       };

@@ -198,7 +198,7 @@ takeEndsOfWalls(const std::vector<Eigen::Vector3f>& points,
   std::vector<std::vector<float>> heights(levels.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     heights[building.point_labels[i]].push_back(points[i].z());
-  constexpr double seen = 0.5; // share of the area, as for the whole building
+  constexpr double seen = 0.5; // share of the area
   for (std::size_t k = 1; k < levels.size(); ++k) {
     if (heights[k].empty())
       continue;

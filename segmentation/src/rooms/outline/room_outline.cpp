@@ -5,6 +5,8 @@
 
 #include "rooms/outline/room_outline.h"
 
+#include "rooms/outline/line_meeting.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -199,12 +201,8 @@ meetingNear(const Eigen::Vector2d& corner,
             const FittedSide& after,
             double distance)
 {
-  const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-  };
-  const double part = cross(after.point - before.point, after.direction) /
-                      cross(before.direction, after.direction);
-  const Eigen::Vector2d meeting = before.point + part * before.direction;
+  const Eigen::Vector2d meeting =
+      lineMeeting(before.point, before.direction, after.point, after.direction);
   return (meeting - corner).norm() <= distance ? meeting : corner;
 }
 

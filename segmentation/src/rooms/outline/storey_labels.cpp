@@ -23,8 +23,7 @@ namespace {
 PixelMap<std::uint8_t>
 borderPixels(const PixelMap<std::int32_t>& labels)
 {
-  PixelMap<std::uint8_t> border{labels.nx, labels.ny, {}};
-  border.values.assign(border.size(), 0);
+  auto border = PixelMap<std::uint8_t>::filled(labels.nx, labels.ny, 0);
   const auto compare = [&](std::size_t a, std::size_t b) {
     if (labels.values[a] == labels.values[b])
       return;
@@ -86,6 +85,7 @@ StoreyLabels::assign(const std::vector<std::uint8_t>& storey_of,
                     map_.labels,
                     map_.free_labels,
                     options_.walls,
+                    options_.threads,
                     labels);
     for (std::uint32_t k = first[begin]; k < first[end]; ++k)
       point_labels[near.points[k]] = room_of[labels[k - first[from]]];

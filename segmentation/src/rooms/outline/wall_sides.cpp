@@ -173,6 +173,7 @@ assignWallSides(const PixelPoints& points,
                 const PixelMap<std::int32_t>& labels,
                 const PixelMap<std::int32_t>& free_labels,
                 const WallSideOptions& options,
+                int threads,
                 std::vector<std::int32_t>& point_labels)
 {
   const std::size_t first_pixel =
@@ -180,14 +181,13 @@ assignWallSides(const PixelPoints& points,
   const auto place = [&](std::uint32_t k) -> Eigen::Vector2d {
     return points.places[k].cast<double>();
   };
-  const int radius =
-      std::max(1, static_cast<int>(std::lround(0.5 * options.window / pixel_size)));
+  const int radius = voxelsIn(0.5 * options.window, pixel_size, 1);
   const double reach = options.reach / pixel_size;
   WallSideOptions in_pixels = options;
   in_pixels.max_thickness /= pixel_size;
 
-  const int threads = threadCount(options.threads);
-  parallelFor(points.end_row - points.begin_row, threads, 8, [&](std::ptrdiff_t row) {
+  const int count = threadCount(threads);
+  parallelFor(points.end_row - points.begin_row, count, 8, [&](std::ptrdiff_t row) {
     const int x = points.begin_row + static_cast<int>(row);
     std::vector<Eigen::Vector2d> window;
     for (int y = 0; y < labels.ny; ++y) {

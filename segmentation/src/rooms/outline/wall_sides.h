@@ -34,6 +34,7 @@ struct PixelPoints {
  * \param[in] pixel_size side of a pixel, metres
  * \param[in] labels room per pixel, 0 = none
  * \param[in] free_labels room per free pixel, 0 = wall or none
+ * \param[in] threads 0 = automatic; the result does not depend on it
  * \param[in,out] point_labels room per point, in their order; changed where a wall
  * separates two rooms
  */
@@ -43,6 +44,7 @@ assignWallSides(const PixelPoints& points,
                 const PixelMap<std::int32_t>& labels,
                 const PixelMap<std::int32_t>& free_labels,
                 const WallSideOptions& options,
+                int threads,
                 std::vector<std::int32_t>& point_labels);
 
 } // namespace pcl::indoor

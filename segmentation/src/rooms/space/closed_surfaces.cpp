@@ -49,18 +49,13 @@ withoutGrounds(const VoxelBits& grid)
   constexpr double grounds = 0.25; // of the columns; else they hardly matter
   const auto person = std::lround(standing_height / grid.voxel_size);
   const int nz = grid.shape.nz;
-  PixelMap<std::uint8_t> held{grid.shape.nx, grid.shape.ny, {}};
-  held.values.assign(held.size(), 0);
+  auto held = PixelMap<std::uint8_t>::filled(grid.shape.nx, grid.shape.ny, 0);
   PixelMap<std::uint8_t> walls = held;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const auto column = grid.column(i);
-    if (!column.any(0, nz))
+    const int first = column.lowest(0, nz), last = column.highest(0, nz);
+    if (first == nz)
       continue;
-    int first = 0, last = nz - 1;
-    while (!column[first])
-      ++first;
-    while (!column[last])
-      --last;
     held.values[i] = 1;
     walls.values[i] = last - first >= person;
   }

@@ -20,10 +20,19 @@ namespace pcl::indoor {
 
 namespace {
 
+constexpr double axis_cone = 0.14; // radius of the neighbourhood of an axis whose
+                                   // normals support it, radians; larger for noisier
+                                   // normals, which then tells frames apart less well
+constexpr double frame_support = 0.02; // share of all weight that a frame explains and
+                                       // no stronger one does
+constexpr double axis_contrast = 1.5; // the normals around an axis are so many times
+                                      // denser than those in the ring around them: a
+                                      // curved wall has no axis
+constexpr std::size_t most_frames = 8;
+
 void
 requireValid(const std::vector<Eigen::Vector3d>& normals,
-             const std::vector<double>& weights,
-             const ManhattanFramesOptions& options)
+             const std::vector<double>& weights)
 {
   if (!weights.empty() && weights.size() != normals.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
@@ -33,16 +42,6 @@ requireValid(const std::vector<Eigen::Vector3d>& normals,
     if (!(weight >= 0.0) || !std::isfinite(weight))
       PCL_THROW_EXCEPTION(BadArgumentException,
                           "A weight must not be negative, not " << weight << ".");
-  if (!(options.cone > 0.0) || !(options.cone <= M_PI / 8.0))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The cone must lie in 0 ... pi/8, not " << options.cone
-                                                                << " rad.");
-  if (!(options.min_support >= 0.0) || !(options.min_support <= 1.0) ||
-      !(options.min_contrast >= 0.0) || options.max_frames < 0)
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "Support " << options.min_support << ", contrast "
-                                   << options.min_contrast << " or number of frames "
-                                   << options.max_frames << " is out of range.");
 }
 
 bool
@@ -136,10 +135,9 @@ ownSupport(const std::vector<WeightedDirection>& histogram,
 /** \brief Take the best candidate in turn, until nothing is left to explain. */
 std::vector<ManhattanFrame>
 framesOfModes(const std::vector<WeightedDirection>& histogram,
-              const std::vector<WeightedDirection>& modes,
-              const ManhattanFramesOptions& options)
+              const std::vector<WeightedDirection>& modes)
 {
-  const double tolerance = options.cone / 2.0; // modes are known better than normals
+  const double tolerance = axis_cone / 2.0; // modes are known better than normals
   const auto candidates = candidateFrames(modes, tolerance);
   std::vector<char> explained(modes.size(), 0);
   std::vector<ManhattanFrame> frames;
@@ -155,11 +153,11 @@ framesOfModes(const std::vector<WeightedDirection>& histogram,
     }
     if (best == 0.0)
       return frames;
-    const double cosine = std::cos(options.cone);
+    const double cosine = std::cos(axis_cone);
     for (std::size_t m = 0; m < modes.size(); ++m)
       explained[m] |= isNearAxis(frame.axes, modes[m].direction, cosine);
     frames.push_back(frame);
-    if (ownSupport(histogram, frames, frames.size() - 1, cosine) < options.min_support)
+    if (ownSupport(histogram, frames, frames.size() - 1, cosine) < frame_support)
       frames.pop_back();
   }
 }
@@ -228,10 +226,9 @@ refineAll(const std::vector<WeightedDirection>& histogram,
  */
 void
 rank(const std::vector<WeightedDirection>& histogram,
-     const ManhattanFramesOptions& options,
      std::vector<ManhattanFrame>& frames)
 {
-  const double cosine = std::cos(options.cone);
+  const double cosine = std::cos(axis_cone);
   for (auto& frame : frames) {
     frame.axis_support.setZero();
     for (const auto& bin : histogram) {
@@ -245,7 +242,7 @@ rank(const std::vector<WeightedDirection>& histogram,
   });
   for (std::size_t f = 0; f < frames.size();) {
     frames[f].support = ownSupport(histogram, frames, f, cosine);
-    if (frames[f].support < options.min_support)
+    if (frames[f].support < frame_support)
       frames.erase(frames.begin() + f);
     else
       ++f;
@@ -253,8 +250,8 @@ rank(const std::vector<WeightedDirection>& histogram,
   std::stable_sort(frames.begin(), frames.end(), [](const auto& a, const auto& b) {
     return a.support > b.support;
   });
-  if (frames.size() > static_cast<std::size_t>(options.max_frames))
-    frames.resize(options.max_frames);
+  if (frames.size() > most_frames)
+    frames.resize(most_frames);
 }
 
 /** \brief The horizontal axes of a frame; at right angles, the stronger one first. */
@@ -285,16 +282,15 @@ horizontalPair(const ManhattanFrame& frame, double max_tilt)
 
 std::vector<ManhattanFrame>
 manhattanFrames(const std::vector<Eigen::Vector3d>& normals,
-                const std::vector<double>& weights,
-                const ManhattanFramesOptions& options)
+                const std::vector<double>& weights)
 {
-  requireValid(normals, weights, options);
+  requireValid(normals, weights);
   const auto histogram = sphereHistogram(normals, weights);
-  const auto modes = sphereModes(
-      histogram, options.cone, options.min_support / 4.0, options.min_contrast);
-  auto frames = framesOfModes(histogram, modes, options);
-  refineAll(histogram, options.cone, frames);
-  rank(histogram, options, frames);
+  const auto modes =
+      sphereModes(histogram, axis_cone, frame_support / 4.0, axis_contrast);
+  auto frames = framesOfModes(histogram, modes);
+  refineAll(histogram, axis_cone, frames);
+  rank(histogram, frames);
   return frames;
 }
 

@@ -11,18 +11,6 @@
 
 namespace pcl::indoor {
 
-struct ManhattanFramesOptions {
-  double cone = 0.14; ///< radius of the neighbourhood of an axis whose normals support
-                      ///< it, radians (0 ... pi/8); larger for noisier normals, which
-                      ///< then tells frames apart less well
-  double min_support = 0.02; ///< least share of all weight that a frame explains and no
-                             ///< stronger one does (0 ... 1)
-  double min_contrast = 1.5; ///< the normals around an axis must be so many times
-                             ///< denser than those in the ring around them (>= 0): a
-                             ///< curved wall has no axis
-  int max_frames = 8;        ///< most frames to return (>= 0)
-};
-
 /** \brief Three orthogonal directions of planes. */
 struct ManhattanFrame {
   /** A rotation; its columns are the directions. */
@@ -47,13 +35,15 @@ struct ManhattanFrame {
  * count
  * \param[in] weights one per normal, not negative; or empty for equal weights
  * \return the frames by descending support
- * \throws pcl::BadArgumentException if the sizes differ, a weight is negative or not
- * finite, or an option is out of range
+ * \throws pcl::BadArgumentException if the sizes differ, or a weight is negative or
+ * not finite
  */
 std::vector<ManhattanFrame>
 manhattanFrames(const std::vector<Eigen::Vector3d>& normals,
-                const std::vector<double>& weights = {},
-                const ManhattanFramesOptions& options = {});
+                const std::vector<double>& weights = {});
+
+/** \brief Directions that differ less are one, radians. */
+constexpr double same_direction = 0.05;
 
 /** \brief A horizontal direction; its sense has no meaning. */
 struct HorizontalDirection {
@@ -75,6 +65,6 @@ struct HorizontalDirection {
 std::vector<HorizontalDirection>
 horizontalDirections(const std::vector<ManhattanFrame>& frames,
                      double max_tilt = 0.17,
-                     double max_difference = 0.05);
+                     double max_difference = same_direction);
 
 } // namespace pcl::indoor

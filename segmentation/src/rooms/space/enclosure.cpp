@@ -5,8 +5,6 @@
 
 #include "rooms/space/enclosure.h"
 
-#include "rooms/space/interior_gain.h"
-
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
@@ -22,7 +20,7 @@ namespace {
 
 constexpr int first_direction_bit = 2;
 constexpr int passed_bit = 7; // set between the two passes of a sweep
-constexpr std::size_t max_directions = passed_bit - first_direction_bit;
+static_assert(most_enclosure_directions == passed_bit - first_direction_bit);
 
 void
 requireSameSize(std::size_t values, const GridShape& shape)
@@ -36,9 +34,10 @@ requireSameSize(std::size_t values, const GridShape& shape)
 void
 requireValid(const std::vector<Eigen::Vector3d>& directions)
 {
-  if (directions.size() > max_directions)
+  if (directions.size() > most_enclosure_directions)
     PCL_THROW_EXCEPTION(BadArgumentException,
-                        "At most " << max_directions << " directions are possible, not "
+                        "At most " << most_enclosure_directions
+                                   << " directions are possible, not "
                                    << directions.size() << ".");
   for (const auto& direction : directions)
     if (!direction.allFinite() || direction.isZero(0.0))
@@ -230,19 +229,8 @@ finishColumn(const std::uint8_t* occupied, int nz, std::uint8_t* bits)
 
 VoxelMap<std::uint8_t>
 enclosure(const VoxelMap<std::uint8_t>& occupancy,
-          const std::vector<Eigen::Vector2d>& directions,
+          const std::vector<Eigen::Vector3d>& directions,
           int threads)
-{
-  std::vector<Eigen::Vector3d> level;
-  for (const auto& direction : directions)
-    level.emplace_back(direction.x(), direction.y(), 0.0);
-  return enclosureInSpace(occupancy, level, threads);
-}
-
-VoxelMap<std::uint8_t>
-enclosureInSpace(const VoxelMap<std::uint8_t>& occupancy,
-                 const std::vector<Eigen::Vector3d>& directions,
-                 int threads)
 {
   const GridShape& shape = occupancy.shape;
   requireSameSize(occupancy.values.size(), shape);
@@ -290,11 +278,11 @@ enclosureEvidence(std::uint8_t bits,
 }
 
 CodedGains
-codedInteriorGain(const VoxelMap<std::uint8_t>& occupancy,
-                  VoxelMap<std::uint8_t> bits,
-                  int direction_count,
-                  const EnclosureWeights& weights,
-                  double unit)
+interiorGain(const VoxelMap<std::uint8_t>& occupancy,
+             VoxelMap<std::uint8_t> bits,
+             int direction_count,
+             const EnclosureWeights& weights,
+             double unit)
 {
   constexpr std::uint8_t occupied = 1 << passed_bit; // no way to be enclosed
   requireSameSize(occupancy.values.size(), occupancy.shape);
@@ -317,20 +305,6 @@ codedInteriorGain(const VoxelMap<std::uint8_t>& occupancy,
     if (occupancy.values[v] != 0)
       gains.codes[v] = occupied;
   return gains;
-}
-
-std::vector<std::int16_t>
-interiorGain(const VoxelMap<std::uint8_t>& occupancy,
-             const VoxelMap<std::uint8_t>& bits,
-             int direction_count,
-             const EnclosureWeights& weights,
-             double unit)
-{
-  const auto coded = codedInteriorGain(occupancy, bits, direction_count, weights, unit);
-  std::vector<std::int16_t> gain(coded.codes.size());
-  for (std::size_t v = 0; v < gain.size(); ++v)
-    gain[v] = coded[v];
-  return gain;
 }
 
 } // namespace pcl::indoor

@@ -5,15 +5,23 @@
 
 #pragma once
 
+#include "rooms/space/grid_cut.h"
+
 #include <pcl/indoor/voxel_map.h>
 #include <pcl/segmentation/building_rooms_options.h>
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace pcl::indoor {
+
+constexpr double gain_unit = 0.01; ///< of the energy, Eq. (3.2)
+
+/** \brief The most directions for which there are bits. */
+constexpr std::size_t most_enclosure_directions = 5;
 
 /** \brief Bits of enclosure(): occupied voxels exist ... */
 enum EnclosureBit : std::uint8_t {
@@ -27,12 +35,12 @@ enum EnclosureBit : std::uint8_t {
  * (Sec. 3.2.1.2).
  *
  * The grid is swept once to and fro per direction, along discretised lines that advance
- * by one voxel along the direction's larger component and round the other: every voxel
- * lies on exactly one line per direction. Linear in voxels and directions.
+ * by one voxel along the direction's largest component and round the others: every
+ * voxel lies on exactly one line per direction. Linear in voxels and directions.
  *
  * \param[in] occupancy occupied voxels are not 0
- * \param[in] directions horizontal directions in the frame of the grid, of any length
- * but 0, at most 5; which of the two senses does not matter
+ * \param[in] directions in the frame of the grid, of any length but 0, at most 5; they
+ * need not be level, and which of the two senses does not matter
  * \param[in] threads number of threads (>= 0; 0 = automatic)
  * \return EnclosureBit flags of every free voxel; 0 for occupied ones
  * \throws pcl::BadArgumentException if there are too many directions, one is not finite
@@ -40,17 +48,8 @@ enum EnclosureBit : std::uint8_t {
  */
 VoxelMap<std::uint8_t>
 enclosure(const VoxelMap<std::uint8_t>& occupancy,
-          const std::vector<Eigen::Vector2d>& directions,
+          const std::vector<Eigen::Vector3d>& directions,
           int threads = 0);
-
-/** \brief The same along directions that need not be level: lines advance by one voxel
- * along the direction's largest component and round the other two.
- * \param[in] directions at most 5; level ones give what the version above gives
- */
-VoxelMap<std::uint8_t>
-enclosureInSpace(const VoxelMap<std::uint8_t>& occupancy,
-                 const std::vector<Eigen::Vector3d>& directions,
-                 int threads = 0);
 
 /** \brief The evidence for a voxel to be interior, Eq. (3.1).
  * \param[in] bits EnclosureBit flags
@@ -64,25 +63,25 @@ enclosureEvidence(std::uint8_t bits,
                   const EnclosureWeights& weights = {});
 
 /** \brief How much cheaper it is to call each voxel interior than exterior: the unary
- * term of Eq. (3.2) as an integer for cutGrid().
+ * term of Eq. (3.2) as an integer for cutGrid(), in a byte per voxel.
  *
  * The gain is evidence - weights.exterior, rounded to multiples of unit. Eq. (3.1)
  * speaks for the interior only; the constant for the exterior lets voxels with weak
  * evidence go outside.
  *
  * \param[in] occupancy occupied voxels are not 0; their gain is GRID_CUT_EXCLUDED
- * \param[in] bits result of enclosure()
+ * \param[in] bits result of enclosure(), whose memory becomes that of the codes
  * \param[in] direction_count number of directions that were given to enclosure()
  * \param[in] weights see EnclosureWeights
  * \param[in] unit the value of 1 in the result (> 0)
  * \throws pcl::BadArgumentException if the sizes differ, unit is not positive or a gain
  * leaves the range of the result
  */
-std::vector<std::int16_t>
+CodedGains
 interiorGain(const VoxelMap<std::uint8_t>& occupancy,
-             const VoxelMap<std::uint8_t>& bits,
+             VoxelMap<std::uint8_t> bits,
              int direction_count,
              const EnclosureWeights& weights = {},
-             double unit = 0.01);
+             double unit = gain_unit);
 
 } // namespace pcl::indoor

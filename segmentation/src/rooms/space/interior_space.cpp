@@ -5,9 +5,10 @@
 
 #include "rooms/space/interior_space.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/space/dominant_directions.h"
+#include "rooms/space/enclosure.h"
 #include "rooms/space/grid_cut.h"
-#include "rooms/space/interior_gain.h"
 #include "rooms/space/unseen_sides.h"
 #include "rooms/space/vertical_cleanup.h"
 #include "rooms/space/voxel_normals.h"
@@ -20,8 +21,6 @@
 
 namespace pcl::indoor {
 namespace {
-
-constexpr double gain_unit = 0.01; // of the energy, Eq. (3.2)
 
 GridShape
 coarseShape(const GridShape& fine, int factor)
@@ -84,10 +83,10 @@ someTiles(const std::vector<Eigen::Vector3f>& points,
 WeightedNormals
 sampledNormals(const std::vector<Eigen::Vector3f>& points,
                const OccupancyGrid& building,
-               const InteriorSpaceOptions& options)
+               int threads)
 {
   VoxelNormalsOptions sampling;
-  sampling.threads = options.threads;
+  sampling.threads = threads;
   std::vector<Eigen::Vector3f> chosen;
   const OccupancyGrid part = someTiles(points, building, chosen);
   return voxelNormals(chosen, part, sampling);
@@ -100,38 +99,39 @@ CodedGains
 gainIn(InteriorSpace& space,
        const OccupancyGrid& building,
        const std::vector<Eigen::Vector3d>& directions,
-       const InteriorSpaceOptions& options)
+       const InteriorSpaceOptions& options,
+       int threads)
 {
   auto occupancy = coarser(building.grid, space.factor);
-  cleanUpVertically(occupancy, 1, options.threads);
+  cleanUpVertically(occupancy, threads);
   space.occupancy = occupancy;
   const int count = static_cast<int>(directions.size());
-  auto bits = enclosureInSpace(occupancy, directions, options.threads);
+  auto bits = enclosure(occupancy, directions, threads);
   space.unseen = findUnseenSides(occupancy, bits, count);
-  return codedInteriorGain(
-      occupancy, std::move(bits), count, options.weights, gain_unit);
+  return interiorGain(occupancy, std::move(bits), count, options.weights, gain_unit);
 }
 
 } // namespace
 
-std::vector<Eigen::Vector2d>
+std::vector<Eigen::Vector3d>
 wallDirections(const std::vector<Eigen::Vector3f>& points,
                const OccupancyGrid& building,
-               const InteriorSpaceOptions& options)
+               const InteriorSpaceOptions& options,
+               int threads)
 {
-  WeightedNormals sample = sampledNormals(points, building, options);
+  WeightedNormals sample = sampledNormals(points, building, threads);
   for (auto& normal : sample.normals) // a wall that leans counts by where it heads
-    if (std::abs(normal.z()) < std::sin(options.max_lean)) {
+    if (std::abs(normal.z()) < std::sin(steepest_lean)) {
       normal.z() = 0.0;
       normal.normalize();
     }
-  std::vector<Eigen::Vector2d> directions;
+  std::vector<Eigen::Vector3d> directions;
   for (const auto& found :
        horizontalDirections(manhattanFrames(sample.normals, sample.weights))) {
     const bool few = directions.size() < 2; // Eq. (3.1) has two
     if (directions.size() < options.max_directions &&
         (few || found.support >= options.min_direction_support))
-      directions.push_back(found.direction.head<2>());
+      directions.emplace_back(found.direction.x(), found.direction.y(), 0.0);
   }
   return directions;
 }
@@ -139,10 +139,10 @@ wallDirections(const std::vector<Eigen::Vector3f>& points,
 std::vector<Eigen::Vector3d>
 dominantDirections(const std::vector<Eigen::Vector3f>& points,
                    const OccupancyGrid& building,
-                   const InteriorSpaceOptions& options)
+                   const InteriorSpaceOptions& options,
+                   int threads)
 {
-  constexpr double same = 0.05; // radians
-  const WeightedNormals sample = sampledNormals(points, building, options);
+  const WeightedNormals sample = sampledNormals(points, building, threads);
   std::vector<std::pair<double, Eigen::Vector3d>> axes; // with their support
   for (const auto& frame : manhattanFrames(sample.normals, sample.weights))
     for (int axis = 0; axis < 3; ++axis)
@@ -155,7 +155,7 @@ dominantDirections(const std::vector<Eigen::Vector3f>& points,
   for (const auto& [support, axis] : axes) {
     const bool known = std::any_of(
         directions.begin(), directions.end(), [&, axis = axis](const auto& other) {
-          return std::abs(other.dot(axis)) >= std::cos(same);
+          return std::abs(other.dot(axis)) >= std::cos(same_direction);
         });
     const bool few = directions.size() < 2; // Eq. (3.1) has two
     if (!known &&
@@ -172,23 +172,12 @@ dominantDirections(const std::vector<Eigen::Vector3f>& points,
 
 InteriorSpace
 interiorSpace(const OccupancyGrid& building,
-              const std::vector<Eigen::Vector2d>& directions,
-              const InteriorSpaceOptions& options)
-{
-  std::vector<Eigen::Vector3d> level;
-  for (const auto& direction : directions)
-    level.emplace_back(direction.x(), direction.y(), 0.0);
-  return interiorSpaceAlong(building, level, options);
-}
-
-InteriorSpace
-interiorSpaceAlong(const OccupancyGrid& building,
-                   const std::vector<Eigen::Vector3d>& directions,
-                   const InteriorSpaceOptions& options)
+              const std::vector<Eigen::Vector3d>& directions,
+              const InteriorSpaceOptions& options,
+              int threads)
 {
   InteriorSpace space;
-  space.factor = std::max(
-      1, static_cast<int>(std::lround(options.voxel_size / building.grid.voxel_size)));
+  space.factor = voxelsIn(options.voxel_size, building.grid.voxel_size, 1);
   std::vector<Eigen::Vector3d> turned; // into the frame of the grid
   for (const auto& direction : directions) {
     turned.push_back(building.toGrid(direction));
@@ -197,7 +186,7 @@ interiorSpaceAlong(const OccupancyGrid& building,
   }
   VoxelMap<std::uint8_t> inside;
   inside.values = cutGrid(coarseShape(building.grid.shape, space.factor),
-                          gainIn(space, building, turned, options),
+                          gainIn(space, building, turned, options, threads),
                           static_cast<int>(std::lround(options.smoothness / gain_unit)))
                       .inside;
   inside.shape = space.occupancy.shape;

@@ -71,10 +71,11 @@ struct InteriorSpace {
  * \param[in] building their occupancy grid
  * \return horizontal unit vectors in the frame of the points, at right angles or not
  */
-std::vector<Eigen::Vector2d>
+std::vector<Eigen::Vector3d>
 wallDirections(const std::vector<Eigen::Vector3f>& points,
                const OccupancyGrid& building,
-               const InteriorSpaceOptions& options = {});
+               const InteriorSpaceOptions& options = {},
+               int threads = 0);
 
 /** \brief Find the dominant directions of a building in space, the best supported one
  * first: normals of its planes that are nearer to the horizontal than to the vertical,
@@ -86,22 +87,19 @@ wallDirections(const std::vector<Eigen::Vector3f>& points,
 std::vector<Eigen::Vector3d>
 dominantDirections(const std::vector<Eigen::Vector3f>& points,
                    const OccupancyGrid& building,
-                   const InteriorSpaceOptions& options = {});
+                   const InteriorSpaceOptions& options = {},
+                   int threads = 0);
 
 /** \brief Find the interior free space (Sec. 3.2.1): isolated voxels removed, evidence
  * of enclosure (Eq. 3.1), minimum cut (Eq. 3.2).
  * \param[in] building occupancy grid
- * \param[in] directions of the walls, in the frame of the points
+ * \param[in] directions of the walls, in the frame of the points; they need not be
+ * level
  */
 InteriorSpace
 interiorSpace(const OccupancyGrid& building,
-              const std::vector<Eigen::Vector2d>& directions,
-              const InteriorSpaceOptions& options = {});
-
-/** \brief The same with directions that need not be level. */
-InteriorSpace
-interiorSpaceAlong(const OccupancyGrid& building,
-                   const std::vector<Eigen::Vector3d>& directions,
-                   const InteriorSpaceOptions& options = {});
+              const std::vector<Eigen::Vector3d>& directions,
+              const InteriorSpaceOptions& options = {},
+              int threads = 0);
 
 } // namespace pcl::indoor

@@ -131,14 +131,12 @@ fill(const std::vector<Eigen::Vector3f>& points,
   const GridShape shape = result.grid.shape;
   const Eigen::Vector3d origin = result.grid.origin;
   const double scale = result.grid.voxel_size;
-  std::size_t outside = 0;
   result.cells.resize(points.size());
-#pragma omp parallel for schedule(static) num_threads(threads) reduction(+ : outside)
+#pragma omp parallel for schedule(static) num_threads(threads)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     const Eigen::Vector3d p = turn(points[i]);
     if (!box.contains(p)) {
       result.cells[i] = -1;
-      ++outside;
       continue;
     }
     // Inside the box the quotients are not negative: the cast is the floor.
@@ -148,7 +146,6 @@ fill(const std::vector<Eigen::Vector3f>& points,
         static_cast<std::int32_t>(shape.index(voxel.x(), voxel.y(), voxel.z()));
     result.grid.set(voxel.x(), voxel.y(), voxel.z());
   }
-  result.outside = outside;
 }
 
 } // namespace

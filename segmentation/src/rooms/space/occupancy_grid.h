@@ -38,7 +38,6 @@ struct OccupancyGrid : TurnedFrame {
                                    ///< frame
   std::vector<std::int32_t> cells; ///< grid.shape.index(...) of each point's voxel; -1
                                    ///< for points outside the kept extent
-  std::size_t outside = 0;         ///< number of points with cell -1
 };
 
 /** \brief Mark the voxels that hold a point (Sec. 3.2.1.1).

@@ -45,11 +45,9 @@ wallEnds(const VoxelMap<std::uint8_t>& occupancy)
 {
   constexpr double near_wall = 2.0; // metres: farther off, the ground may be elsewhere
   const GridShape& shape = occupancy.shape;
-  const int person =
-      static_cast<int>(std::lround(standing_height / occupancy.voxel_size));
-  const int radius = static_cast<int>(std::lround(surroundings / occupancy.voxel_size));
-  PixelMap<std::uint8_t> walls{shape.nx, shape.ny, {}};
-  walls.values.assign(walls.size(), 0);
+  const int person = voxelsIn(standing_height, occupancy.voxel_size);
+  const int radius = voxelsIn(surroundings, occupancy.voxel_size);
+  auto walls = PixelMap<std::uint8_t>::filled(shape.nx, shape.ny, 0);
   PixelMap<int> low{shape.nx, shape.ny, {}};
   low.values.assign(low.size(), shape.nz); // no wall
   PixelMap<int> negative_high = low;
@@ -119,7 +117,7 @@ lookFor(const Side& side,
         const Bits& bits,
         std::vector<std::size_t>& missing)
 {
-  const int step = static_cast<int>(std::lround(side.inside / occupancy.voxel_size));
+  const int step = voxelsIn(side.inside, occupancy.voxel_size);
   const PixelMap<int>& ends = side.inwards > 0 ? walls.low : walls.high;
   std::size_t between = 0, either = 0, seen = 0;
   for (int x = 0; x < ends.nx; ++x)

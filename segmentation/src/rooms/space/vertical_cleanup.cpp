@@ -9,47 +9,42 @@
 
 #include <pcl/exceptions.h>
 
-#include <algorithm>
+#include <cstddef>
 
 namespace pcl::indoor {
 
 namespace {
 
-/** \brief Free the short runs between the lowest and the highest run of a column. */
-std::size_t
-cleanColumn(std::uint8_t* column, int nz, int max_run)
+/** \brief Free the runs of one voxel between the lowest and the highest run of a
+ * column. */
+void
+cleanColumn(std::uint8_t* column, int nz)
 {
   int z = 0;
   while (z < nz && !column[z]) // to the lowest run
     ++z;
   while (z < nz && column[z]) // behind it
     ++z;
-  std::size_t freed = 0;
-  int candidate = 0; // a short run waits for an occupied voxel above it
-  int candidate_end = 0;
+  int candidate = -1; // waits for an occupied voxel above it
   while (z < nz) {
     while (z < nz && !column[z])
       ++z;
     if (z == nz)
       break;
-    std::fill(column + candidate, column + candidate_end, std::uint8_t{0});
-    freed += candidate_end - candidate;
-    candidate = z;
+    if (candidate >= 0)
+      column[candidate] = 0;
+    const int begin = z;
     while (z < nz && column[z])
       ++z;
-    candidate_end = z - candidate <= max_run ? z : candidate;
+    candidate = z - begin == 1 ? begin : -1;
   }
-  return freed;
 }
 
 } // namespace
 
-std::size_t
-cleanUpVertically(VoxelMap<std::uint8_t>& grid, int max_run, int threads)
+void
+cleanUpVertically(VoxelMap<std::uint8_t>& grid, int threads)
 {
-  if (max_run < 0)
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The longest run must not be negative, not " << max_run << ".");
   if (grid.values.size() != grid.shape.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         grid.values.size() << " values do not fill a grid of "
@@ -58,12 +53,10 @@ cleanUpVertically(VoxelMap<std::uint8_t>& grid, int max_run, int threads)
       static_cast<std::ptrdiff_t>(grid.shape.nx) * grid.shape.ny; // contiguous
   const int nz = grid.shape.nz;
   std::uint8_t* values = grid.values.data();
-  std::size_t freed = 0;
   const int thread_count = threadCount(threads);
-#pragma omp parallel for schedule(static) num_threads(thread_count) reduction(+ : freed)
+#pragma omp parallel for schedule(static) num_threads(thread_count)
   for (std::ptrdiff_t c = 0; c < columns; ++c)
-    freed += cleanColumn(values + c * nz, nz, max_run);
-  return freed;
+    cleanColumn(values + c * nz, nz);
 }
 
 } // namespace pcl::indoor

@@ -34,62 +34,20 @@ crossings(int extent, std::int64_t product, std::ptrdiff_t stride)
   return {half, 2 * half, extent > 0 ? stride : -stride};
 }
 
-std::size_t
-bitCount(std::uint64_t word)
-{
-  word -= (word >> 1) & 0x5555555555555555u;
-  word = (word & 0x3333333333333333u) + ((word >> 2) & 0x3333333333333333u);
-  word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
-  return (word * 0x0101010101010101u) >> 56;
-}
-
 /** Bits of a that b lacks, and bits of b's part `c` that a lacks; with b = c those that
  * differ.
  */
-using BitCounter = std::size_t (*)(const std::uint64_t* a,
-                                   const std::uint64_t* b,
-                                   const std::uint64_t* c,
-                                   std::size_t words);
-
 std::size_t
-missingBitsPortable(const std::uint64_t* a,
-                    const std::uint64_t* b,
-                    const std::uint64_t* c,
-                    std::size_t words)
+missingBits(const std::uint64_t* a,
+            const std::uint64_t* b,
+            const std::uint64_t* c,
+            std::size_t words)
 {
   std::size_t count = 0;
   for (std::size_t w = 0; w < words; ++w)
-    count += bitCount((a[w] & ~b[w]) | (c[w] & ~a[w]));
+    count += __builtin_popcountll((a[w] & ~b[w]) | (c[w] & ~a[w]));
   return count;
 }
-
-#if defined(__GNUC__) && defined(__x86_64__)
-__attribute__((target("popcnt"))) std::size_t
-missingBitsFast(const std::uint64_t* a,
-                const std::uint64_t* b,
-                const std::uint64_t* c,
-                std::size_t words)
-{
-  std::size_t count = 0;
-  for (std::size_t w = 0; w < words; ++w)
-    count +=
-        static_cast<std::size_t>(__builtin_popcountll((a[w] & ~b[w]) | (c[w] & ~a[w])));
-  return count;
-}
-#endif
-
-BitCounter
-fastestCounter()
-{
-#if defined(__GNUC__) && defined(__x86_64__)
-  __builtin_cpu_init(); // may run before the constructors of the runtime
-  if (__builtin_cpu_supports("popcnt"))
-    return missingBitsFast;
-#endif
-  return missingBitsPortable;
-}
-
-const BitCounter missingBits = fastestCounter();
 
 void
 requireInside(const GridShape& shape, const std::vector<Eigen::Vector3i>& voxels)

@@ -14,14 +14,18 @@
 
 namespace pcl::indoor {
 
+/** \brief Fewest points of a plane, and how flat they lie at least: (l2 - l1) / l3 of
+ * their scatter with eigenvalues l1 <= l2 <= l3. */
+constexpr int plane_points = 6;
+constexpr double plane_flatness = 0.3;
+
 struct VoxelNormalsOptions {
   int keep_one_in =
       0; ///< a normal for about every n-th occupied voxel (>= 0; 0 = so that
          ///< some 10,000 voxels are looked at: enough for directions)
-  int min_points = 6;        ///< fewest points of a neighbourhood (>= 3)
-  double min_flatness = 0.3; ///< least (l2 - l1) / l3 of a neighbourhood's scatter
-                             ///< with eigenvalues l1 <= l2 <= l3 (0 ... 1)
-  int threads = 0;           ///< number of threads (>= 0; 0 = automatic)
+  int min_points = plane_points;        ///< fewest points of a neighbourhood (>= 3)
+  double min_flatness = plane_flatness; ///< of a neighbourhood, at least (0 ... 1)
+  int threads = 0;                      ///< number of threads (>= 0; 0 = automatic)
 };
 
 /** \brief Unit normals without orientation, and how much each counts. */

@@ -33,12 +33,10 @@ public:
   SlabColumns(const VoxelBits& occupancy, const StoreyOptions& options)
   : occupancy_(occupancy)
   , shape_(occupancy.shape)
-  , clearance_(std::max(
-        1, static_cast<int>(std::lround(options.min_clearance / occupancy.voxel_size))))
-  , max_height_(1 +
-                static_cast<int>(std::lround(options.max_slab / occupancy.voxel_size)))
-  , breast_(std::max(1, static_cast<int>(std::lround(breast / occupancy.voxel_size))))
-  , reach_(std::max(2, static_cast<int>(std::lround(room_size / occupancy.voxel_size))))
+  , clearance_(voxelsIn(options.min_clearance, occupancy.voxel_size, 1))
+  , max_height_(1 + voxelsIn(options.max_slab, occupancy.voxel_size))
+  , breast_(voxelsIn(breast, occupancy.voxel_size, 1))
+  , reach_(voxelsIn(room_size, occupancy.voxel_size, 2))
   {
     first_group_.reserve(occupancy.columns() + 1);
     first_run_.reserve(occupancy.columns() + 1);
@@ -236,9 +234,8 @@ dropSmallParts(const GridShape& shape,
                double min_groups,
                std::vector<SlabGroup>& groups)
 {
-  PixelMap<std::uint8_t> tiles{
-      (shape.nx - 1) / tile + 1, (shape.ny - 1) / tile + 1, {}};
-  tiles.values.assign(tiles.size(), 0);
+  auto tiles = PixelMap<std::uint8_t>::filled(
+      (shape.nx - 1) / tile + 1, (shape.ny - 1) / tile + 1, 0);
   std::vector<std::size_t> counts(tiles.size(), 0);
   const auto tileOf = [&](const SlabGroup& group) {
     return tiles.index(group.x / tile, group.y / tile);
@@ -274,15 +271,14 @@ setHeights(SlabLevel& level)
 } // namespace
 
 std::vector<SlabLevel>
-findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options)
+findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options, int threads)
 {
   constexpr double level_difference = 1.0; // slabs at one level differ by less, metres
   const double size = occupancy.voxel_size;
-  const int tile = std::max(1, static_cast<int>(std::lround(thickest_wall / size)));
+  const int tile = voxelsIn(thickest_wall, size, 1);
   auto groups =
-      levelGroups(SlabColumns(occupancy, options), size, threadCount(options.threads));
-  const int reach_in_half_voxels =
-      static_cast<int>(std::lround(level_difference / size));
+      levelGroups(SlabColumns(occupancy, options), size, threadCount(threads));
+  const int reach_in_half_voxels = voxelsIn(level_difference, size);
   std::vector<SlabLevel> found;
   const double least = options.min_slab_area / (size * size);
   while (true) {

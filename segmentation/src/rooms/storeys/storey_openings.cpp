@@ -117,10 +117,10 @@ openColumns(const VoxelBits& occupancy,
 {
   const GridShape& shape = occupancy.shape;
   const double size = occupancy.voxel_size;
-  const auto whole = closed(slab, static_cast<int>(std::lround(options.bridge / size)));
+  const auto whole = closed(slab, voxelsIn(options.bridge, size));
   constexpr double min_depth = 0.5; // of a floor below the level, metres
-  const int depth = static_cast<int>(std::lround(min_depth / size));
-  const int clearance = static_cast<int>(std::lround(options.min_clearance / size));
+  const int depth = voxelsIn(min_depth, size);
+  const int clearance = voxelsIn(options.min_clearance, size);
   Mask states;
   states.nx = shape.nx;
   states.ny = shape.ny;
@@ -133,12 +133,12 @@ openColumns(const VoxelBits& occupancy,
               : openness(occupancy.column(x, y), shape.nz, level, depth, clearance);
   constexpr double lintel_low = 0.7, lintel_high = 0.5; // below the level, metres
   cutGalleries(occupancy,
-               level - static_cast<int>(std::lround(lintel_low / size)),
-               level - static_cast<int>(std::lround(lintel_high / size)),
+               level - voxelsIn(lintel_low, size),
+               level - voxelsIn(lintel_high, size),
                states);
-  constexpr double least_room = 2.0; // m^2; smaller ones are gaps in what was seen
+  constexpr double largest_gap = 2.0; // in what was seen, m^2
   cutSmallOpenings(
-      states, options.min_opening_area / (size * size), least_room / (size * size));
+      states, options.min_opening_area / (size * size), largest_gap / (size * size));
   for (auto& state : states.values)
     state = state == OPEN_BELOW_CEILING ? OPEN : State{state};
   // Unknown columns (walls, outside) go with the nearest known ones.

@@ -24,7 +24,7 @@ namespace pcl::indoor {
  *
  * \param[in] slab not 0 where there is a slab at the level
  * \param[in] level height of the level, in voxels
- * REQUIRES: valid options, as many values as voxels.
+ * REQUIRES: valid options.
  */
 PixelMap<std::uint8_t>
 openColumns(const VoxelBits& occupancy,

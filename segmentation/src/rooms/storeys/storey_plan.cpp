@@ -54,7 +54,7 @@ public:
   : grid_(grid)
   , storeys_(storeys)
   , storey_(s)
-  , gap_(std::max(1, static_cast<int>(std::lround(least_height / grid.voxel_size))))
+  , gap_(voxelsIn(least_height, grid.voxel_size, 1))
   , columns_{grid.shape.nx, grid.shape.ny, {}}
   {
     findHeights();
@@ -127,7 +127,7 @@ private:
         top_ = z;
         heights_known_ = true;
       }
-    const int tall = static_cast<int>(std::lround(standing_height / grid_.voxel_size));
+    const int tall = voxelsIn(standing_height, grid_.voxel_size);
     wall_ = std::max(2, std::min(tall, (top_ - bottom_ + 2) / 2));
   }
 
@@ -165,8 +165,7 @@ private:
   findFloors()
   {
     const double least = least_room / (grid_.voxel_size * grid_.voxel_size);
-    PixelMap<std::uint8_t> reached{columns_.nx, columns_.ny, {}};
-    reached.values.assign(reached.size(), 0);
+    auto reached = PixelMap<std::uint8_t>::filled(columns_.nx, columns_.ny, 0);
     const auto for_each_neighbor = [&](std::size_t pixel, const auto& visit) {
       const int x = static_cast<int>(pixel) / columns_.ny;
       const int y = static_cast<int>(pixel) % columns_.ny;

@@ -6,6 +6,7 @@
 #include "rooms/storeys/storeys.h"
 
 #include "rooms/dimensions.h"
+#include "rooms/outline/place_profile.h" // for crowd
 #include "rooms/storeys/rectangle_sums.h"
 #include "rooms/storeys/slab_levels.h"
 #include "rooms/storeys/storey_openings.h"
@@ -20,6 +21,8 @@
 namespace pcl::indoor {
 
 namespace {
+
+constexpr double height_bin = 0.01; // metres
 
 void
 requireValid(const VoxelBits& occupancy, const StoreyOptions& options)
@@ -46,8 +49,7 @@ borderOf(const VoxelBits& occupancy,
 {
   const GridShape& shape = occupancy.shape;
   const double size = occupancy.voxel_size;
-  PixelMap<float> votes{shape.nx, shape.ny, {}};
-  votes.values.assign(votes.size(), 0.0f);
+  auto votes = PixelMap<float>::filled(shape.nx, shape.ny, 0.0f);
   PixelMap<float> thin = votes;
   PixelMap<float> middles = votes;
   for (const auto& group : level.groups) {
@@ -61,7 +63,7 @@ borderOf(const VoxelBits& occupancy,
       occupancy, votes, static_cast<int>(std::lround(level.middle())), options);
   RectangleSums counts(thin);
   RectangleSums sums(middles);
-  const int radius = static_cast<int>(std::lround(surroundings / size));
+  const int radius = voxelsIn(surroundings, size);
   PixelMap<float> border = votes;
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y) {
@@ -86,14 +88,9 @@ outerLevelsOf(const VoxelBits& occupancy, int least_height)
   std::vector<int> highest(nz + 1, 0);
   for (std::size_t pixel = 0; pixel < occupancy.columns(); ++pixel) {
     const auto column = occupancy.column(pixel);
-    if (!column.any(0, nz))
+    const int low = column.lowest(0, nz), high = column.highest(0, nz);
+    if (low == nz)
       continue;
-    int low = 0;
-    while (!column[low])
-      ++low;
-    int high = nz - 1;
-    while (!column[high])
-      --high;
     if (high - low < least_height)
       continue;
     ++lowest[low];
@@ -112,8 +109,7 @@ outerLevelsOf(const VoxelBits& occupancy, int least_height)
 std::pair<int, int>
 outerLevels(const VoxelBits& occupancy, double min_clearance)
 {
-  const int clearance =
-      static_cast<int>(std::lround(min_clearance / occupancy.voxel_size));
+  const int clearance = voxelsIn(min_clearance, occupancy.voxel_size);
   const auto levels = outerLevelsOf(occupancy, 0);
   if (levels.second - levels.first >= clearance)
     return levels;
@@ -127,7 +123,8 @@ outerLevels(const VoxelBits& occupancy, double min_clearance)
 double
 valley(const std::vector<int>& counts)
 {
-  constexpr int apart = 4; // peaks that are closer are one surface
+  // peaks that are closer are one surface
+  constexpr int apart = static_cast<int>(crowd / height_bin + 0.5);
   const int size = static_cast<int>(counts.size());
   const int peak =
       static_cast<int>(std::max_element(counts.begin(), counts.end()) - counts.begin());
@@ -170,7 +167,7 @@ Storeys::storeyAt(int x, int y, double z) const
 }
 
 Storeys
-findStoreys(const VoxelBits& occupancy, const StoreyOptions& options)
+findStoreys(const VoxelBits& occupancy, const StoreyOptions& options, int threads)
 {
   requireValid(occupancy, options);
   Storeys result;
@@ -178,7 +175,7 @@ findStoreys(const VoxelBits& occupancy, const StoreyOptions& options)
     result.heights.emplace_back();
     return result;
   }
-  const auto levels = findSlabLevels(occupancy, options);
+  const auto levels = findSlabLevels(occupancy, options, threads);
   const auto heightOf = [&](double voxel) {
     return occupancy.origin.z() + (voxel + 0.5) * occupancy.voxel_size;
   };
@@ -201,7 +198,6 @@ refineBorders(const std::vector<Eigen::Vector3f>& points,
               const OccupancyGrid& grid,
               Storeys& storeys)
 {
-  constexpr double bin = 0.01; // metres
   if (points.size() != grid.cells.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "The grid was made of " << grid.cells.size()
@@ -209,18 +205,19 @@ refineBorders(const std::vector<Eigen::Vector3f>& points,
                                                 << ".");
   const GridShape& shape = grid.grid.shape;
   // A voxel's surface may lie on either side of its middle.
-  const auto half = static_cast<int>(std::lround(2.0 * grid.grid.voxel_size / bin));
+  const auto half = std::max(
+      1, static_cast<int>(std::lround(2.0 * grid.grid.voxel_size / height_bin)));
   for (auto& border : storeys.borders) {
     std::vector<int> counts(2 * half, 0);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (grid.cells[i] < 0)
         continue;
       const double from = border.values[grid.cells[i] / shape.nz];
-      const double height = (points[i].z() - from) / bin;
+      const double height = (points[i].z() - from) / height_bin;
       if (height >= -half && height < half) // not where the border is infinite
         ++counts[static_cast<int>(std::floor(height)) + half];
     }
-    const auto shift = static_cast<float>((valley(counts) - half) * bin);
+    const auto shift = static_cast<float>((valley(counts) - half) * height_bin);
     for (float& value : border.values)
       value += shift;
   }

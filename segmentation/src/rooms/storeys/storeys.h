@@ -46,11 +46,13 @@ struct Storeys {
  * Linear in the number of voxels.
  *
  * \param[in] occupancy occupied voxels are set
- * \throws pcl::BadArgumentException if an option is out of range or the number of
- * values does not fit the shape
+ * \param[in] threads 0 = automatic; the result does not depend on it
+ * \throws pcl::BadArgumentException if an option or the voxel size is out of range
  */
 Storeys
-findStoreys(const VoxelBits& occupancy, const StoreyOptions& options = {});
+findStoreys(const VoxelBits& occupancy,
+            const StoreyOptions& options = {},
+            int threads = 0);
 
 /** \brief Move the borders of storeys between the ceiling below and the floor above,
  * more finely than the grid: to the valley between the two peaks of the points' heights

@@ -42,11 +42,11 @@ requireValid(const thesis::FieldRoomsOptions& options)
 /** The interior without what lies above the ceiling: space over a roof has a floor and,
  * where noise sticks out of the ceiling, walls; the rooms would be joined there. */
 VoxelMap<std::uint8_t>
-belowCeiling(const InteriorSpace& space)
+belowCeiling(const InteriorSpace& space, const CeilingSlabOptions& slab)
 {
   VoxelMap<std::uint8_t> inside = space.inside.bytes();
   const GridShape& shape = inside.shape;
-  const auto ceiling = ceilingLayers(space.occupancy, {0, shape.nz}, {});
+  const auto ceiling = ceilingLayers(space.occupancy, {0, shape.nz}, slab);
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y)
       for (int z = ceiling.at(x, y) + 1; z < shape.nz; ++z)
@@ -63,9 +63,7 @@ visibilityOf(const VoxelMap<std::uint8_t>& occupancy,
 {
   if (options.distance.visibility_weight == 0.0)
     return {};
-  const int spacing = std::max(
-      1,
-      static_cast<int>(std::lround(options.landmark_spacing / occupancy.voxel_size)));
+  const int spacing = voxelsIn(options.landmark_spacing, occupancy.voxel_size, 1);
   std::vector<Eigen::Vector3i> voxels;
   for (const std::size_t pixel : pixels)
     voxels.emplace_back(static_cast<int>(pixel / highest_free.ny),
@@ -166,12 +164,14 @@ labelTheRest(const FieldRooms& rooms,
 } // namespace
 
 FieldRooms
-segmentFieldMap(const InteriorSpace& space, const thesis::FieldRoomsOptions& options)
+segmentFieldMap(const InteriorSpace& space,
+                const thesis::FieldRoomsOptions& options,
+                const CeilingSlabOptions& slab)
 {
   requireValid(options);
   const auto occupancy = space.occupancy.bytes();
   const auto interior =
-      options.above_ceiling ? space.inside.bytes() : belowCeiling(space);
+      options.above_ceiling ? space.inside.bytes() : belowCeiling(space, slab);
   FieldRooms rooms;
   rooms.potential = potentialField(occupancy, options.threads); // Sec. 3.2.2
   rooms.field = fieldMap(rooms.potential, interior);

@@ -28,10 +28,12 @@ struct FieldRooms {
 /** \brief Divide a storey into rooms as the thesis does: potential field, field map,
  * visibility, HDBSCAN of the combined distance, local peaks, random walker.
  * \param[in] space of this storey alone
+ * \param[in] slab how the ceiling is found
  * \throws pcl::BadArgumentException if an option is out of its range
  */
 FieldRooms
 segmentFieldMap(const InteriorSpace& space,
-                const thesis::FieldRoomsOptions& options = {});
+                const thesis::FieldRoomsOptions& options = {},
+                const CeilingSlabOptions& slab = {});
 
 } // namespace pcl::indoor

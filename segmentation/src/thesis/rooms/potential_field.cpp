@@ -53,8 +53,7 @@ fieldMap(const VoxelMap<std::uint32_t>& field, const VoxelMap<std::uint8_t>& int
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "The field and the interior have different shapes.");
   const GridShape& shape = field.shape;
-  PixelMap<float> map{shape.nx, shape.ny, {}};
-  map.values.assign(map.size(), 0.0f);
+  auto map = PixelMap<float>::filled(shape.nx, shape.ny, 0.0f);
   const auto nz = static_cast<std::size_t>(shape.nz);
   for (std::size_t pixel = 0; pixel < map.size(); ++pixel) {
     std::uint32_t highest = 0;
@@ -70,8 +69,7 @@ PixelMap<int>
 highestFreeVoxel(const VoxelMap<std::uint8_t>& interior)
 {
   const GridShape& shape = interior.shape;
-  PixelMap<int> map{shape.nx, shape.ny, {}};
-  map.values.assign(map.size(), -1);
+  auto map = PixelMap<int>::filled(shape.nx, shape.ny, -1);
   const auto nz = static_cast<std::size_t>(shape.nz);
   for (std::size_t pixel = 0; pixel < map.size(); ++pixel)
     for (std::size_t z = nz; z-- > 0;)

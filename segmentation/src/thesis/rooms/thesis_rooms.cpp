@@ -79,13 +79,14 @@ labelByVote(int threads,
 RoomMap
 fieldRoomMap(const StoreySpace& space, const RoomOptions& options)
 {
-  RoomMap map = mapWithoutRooms(space, options.shared.map);
-  const FieldRooms rooms = segmentFieldMap(space.interior, options.field);
+  const BuildingRoomsOptions& shared = options.shared;
+  RoomMap map = mapWithoutRooms(space, shared.map, shared.threads);
+  const FieldRooms rooms =
+      segmentFieldMap(space.interior, options.field, shared.map.slab);
   map.potential = rooms.field;
   map.potential_factor = space.interior.factor;
   map.free_labels = fieldRoomsOnMap(rooms, space.interior.factor, map.field);
-  constexpr double never = std::numeric_limits<double>::infinity(); // HDBSCAN decides
-  joinOpenRegions(space.occupancy, options.shared.map, never, map);
+  numberRegions(space.occupancy.voxel_size, shared.map.reach, map);
   return map;
 }
 
@@ -98,7 +99,7 @@ segmentBuilding(const std::vector<Eigen::Vector3f>& points,
                 const ScanStations& stations)
 {
   requireValid(options);
-  auto& shared = options.shared = withThreads(options.shared);
+  const BuildingRoomsOptions& shared = options.shared;
   options.field.threads = shared.threads;
   const RoomWay way = {
       [&options](const StoreySpace& space) { return fieldRoomMap(space, options); },
@@ -147,7 +148,6 @@ thesisRoomOptions()
   shared.align_grid = false;
   shared.interior.upright_walls = false;
   shared.interior.max_directions = 2;
-  shared.map.merge_open = false;
   options.field.landmark_spacing = 0.0;
   options.field.peaks_on_slopes = true;
   options.point_rooms = thesis::PointRooms::Vote;

@@ -129,9 +129,6 @@ TEST(MergedNiches, UnderACeilingThatMirrorsAreOneRoomWithTheCorridor)
   const auto scene = test::rooms(
       {{{0, 0, 0}, {6, 1.6f, 2.5f}, 1}, {{6, 0, 0}, {7.5f, 1.6f, 3.1f}, 2}}, {opening});
   EXPECT_EQ(segmentBuilding(scene.points).rooms.size(), 1u);
-  BuildingRoomsOptions options;
-  options.map.merge_open = false;
-  EXPECT_EQ(segmentBuilding(scene.points, options).rooms.size(), 2u);
 }
 
 } // namespace
@@ -162,8 +159,7 @@ TEST(MergedRegions, EqualsBruteForceWithSpacesThatStayApart)
     };
     MergeOptions options;
     options.open_share = 0.3;
-    options.door_width = 0.0;
-    EXPECT_EQ(mergeOpenRegions(borders, section, options, stay_apart),
+    EXPECT_EQ(mergeOpenRegions(borders, section, options, 0.0, stay_apart),
               mergedSlowly(borders, section, 0.3, stay_apart))
         << "trial " << trial;
   }

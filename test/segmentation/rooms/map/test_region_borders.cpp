@@ -296,13 +296,11 @@ TEST(MergeOpenRegions, DoorsNeedALargerShare)
   narrow.opening_run = {0.6, 0.8};              // 1 m wide
   MergeOptions options;
   options.open_share = 0.5;
-  options.door_width = 1.1;
   options.door_share = 0.59;
-  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options), (Labels{0, 1, 1}));
+  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options, 1.1), (Labels{0, 1, 1}));
   options.door_share = 0.61;
-  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options), (Labels{0, 1, 2}));
-  options.door_width = 0.9;
-  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options), (Labels{0, 1, 1}));
+  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options, 1.1), (Labels{0, 1, 2}));
+  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options, 0.9), (Labels{0, 1, 1}));
 }
 
 TEST(MergeOpenRegions, HeightsOfOpeningsAddUp)

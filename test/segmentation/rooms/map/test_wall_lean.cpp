@@ -66,9 +66,7 @@ struct Section {
   std::vector<WallStretch>
   stretches(int threads = 0) const
   {
-    WallLeanOptions options;
-    options.threads = threads;
-    return wallStretches(occupancy, range, ceiling, slab, blocked, options);
+    return wallStretches(occupancy, range, ceiling, slab, blocked, threads);
   }
 
   PixelMap<Eigen::Vector2f>
@@ -236,43 +234,6 @@ TEST(WallLean, StraightenedUndoesAShear)
       straightened(lean, height, {20.0 + 0.25 * 16, 30.0 - 0.5 * 16, 8.5});
   EXPECT_NEAR(straight.x(), 20.0, 1e-9);
   EXPECT_NEAR(straight.y(), 30.0, 1e-9);
-}
-
-TEST(WallLean, AWindowLargerThanTheMapIsTheMap)
-{
-  const Section section(20 * degree, 10 * degree);
-  const auto found = [&section](double window) {
-    WallLeanOptions options;
-    options.window = window;
-    return wallStretches(section.occupancy,
-                         section.range,
-                         section.ceiling,
-                         slab,
-                         section.blocked,
-                         options);
-  };
-  const auto whole = found(4 * voxel * (section.blocked.nx + section.blocked.ny));
-  const auto huge = found(1e9); // so many voxels would not fit into memory
-  ASSERT_EQ(huge.size(), whole.size());
-  for (std::size_t i = 0; i < huge.size(); ++i)
-    EXPECT_EQ(huge[i].lean, whole[i].lean);
-}
-
-TEST(WallLean, RejectsOptionsOutOfRange)
-{
-  const Section section(0.0, 0.0);
-  for (const auto& [lean, window] :
-       {std::pair{0.0, 1.0}, {2.0, 1.0}, {0.5, 0.0}, {std::nan(""), 1.0}}) {
-    WallLeanOptions options;
-    options.max_lean = lean;
-    options.window = window;
-    EXPECT_ANY_THROW(wallStretches(section.occupancy,
-                                   section.range,
-                                   section.ceiling,
-                                   slab,
-                                   section.blocked,
-                                   options));
-  }
 }
 
 TEST(WallLean, PointsGetTheRoomBetweenLeaningWalls)

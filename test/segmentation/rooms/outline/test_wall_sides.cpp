@@ -112,7 +112,7 @@ struct Wall {
     Labels in_order, result(before.size());
     for (const std::size_t i : order)
       in_order.push_back(before[i]);
-    assignWallSides(sorted, pixel, labels, free_labels, options, in_order);
+    assignWallSides(sorted, pixel, labels, free_labels, options, 0, in_order);
     for (std::size_t k = 0; k < order.size(); ++k)
       result[order[k]] = in_order[k];
     return result;
@@ -235,6 +235,6 @@ TEST(WallSides, FarFromBordersNothingChanges)
 TEST(WallSides, EmptyInput)
 {
   Labels none;
-  assignWallSides({}, pixel, {}, {}, {}, none);
+  assignWallSides({}, pixel, {}, {}, {}, 0, none);
   EXPECT_TRUE(none.empty());
 }

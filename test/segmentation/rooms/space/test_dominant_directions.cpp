@@ -242,13 +242,4 @@ TEST(ManhattanFrames, RefusesBadArguments)
   const std::vector<Eigen::Vector3d> normals{{1, 0, 0}};
   EXPECT_THROW(manhattanFrames(normals, {1, 2}), pcl::BadArgumentException);
   EXPECT_THROW(manhattanFrames(normals, {-1}), pcl::BadArgumentException);
-  ManhattanFramesOptions options;
-  options.cone = 0.0;
-  EXPECT_THROW(manhattanFrames(normals, {}, options), pcl::BadArgumentException);
-  options = {};
-  options.min_support = 1.5;
-  EXPECT_THROW(manhattanFrames(normals, {}, options), pcl::BadArgumentException);
-  options = {};
-  options.max_frames = -1;
-  EXPECT_THROW(manhattanFrames(normals, {}, options), pcl::BadArgumentException);
 }

@@ -102,6 +102,15 @@ bitsByWalking(const Grid& grid,
   return static_cast<std::uint8_t>(bits);
 }
 
+std::vector<Eigen::Vector3d>
+inSpace(const std::vector<Eigen::Vector2d>& level)
+{
+  std::vector<Eigen::Vector3d> directions;
+  for (const auto& direction : level)
+    directions.emplace_back(direction.x(), direction.y(), 0.0);
+  return directions;
+}
+
 /** \brief A house with one room: floor, ceiling and walls, with free space around. */
 Grid
 house(int thickness_around)
@@ -134,7 +143,7 @@ TEST(Enclosure, EqualsWalkingAlongTheLines)
     }
     if (trial % 5 == 0)
       directions = {{1, 0}, {0, 1}, {1, 1}, {-1, 1}};
-    const auto bits = enclosure(grid, directions, 1 + trial % 3);
+    const auto bits = enclosure(grid, inSpace(directions), 1 + trial % 3);
     for (int x = 0; x < grid.shape.nx; ++x)
       for (int y = 0; y < grid.shape.ny; ++y)
         for (int z = 0; z < grid.shape.nz; ++z)
@@ -148,7 +157,7 @@ TEST(Enclosure, SenseAndLengthOfADirectionDoNotMatter)
 {
   std::mt19937 rng(22);
   const Grid grid = randomGrid(rng, 20, 10);
-  const Eigen::Vector2d direction(0.3, -0.8);
+  const Eigen::Vector3d direction(0.3, -0.8, 0.0);
   EXPECT_EQ(enclosure(grid, {direction}).values,
             enclosure(grid, {-7.0 * direction}).values);
 }
@@ -172,7 +181,7 @@ TEST(EnclosureEvidence, IsEquation31)
 TEST(InteriorGain, CutsAHouseFromTheSpaceAround)
 {
   const Grid grid = house(4);
-  const auto bits = enclosure(grid, {{1, 0}, {0, 1}});
+  const auto bits = enclosure(grid, {{1, 0, 0}, {0, 1, 0}});
   const auto gain = interiorGain(grid, bits, 2);
   const GridCut cut = cutGrid(grid.shape, gain, 60);
   for (int x = 0; x < grid.shape.nx; ++x)
@@ -194,15 +203,15 @@ TEST(InteriorGain, WeakEvidenceGoesOutside)
   for (int x = 3; x < 13; ++x)
     for (int y = 3; y < 13; ++y)
       grid.at(x, y, 1) = grid.at(x, y, 8) = 0;
-  const auto gain = interiorGain(grid, enclosure(grid, {{1, 0}, {0, 1}}), 2);
+  const auto gain = interiorGain(grid, enclosure(grid, {{1, 0, 0}, {0, 1, 0}}), 2);
   const GridCut cut = cutGrid(grid.shape, gain, 60);
   EXPECT_EQ(std::count(cut.inside.begin(), cut.inside.end(), 1), 0);
 }
 
 TEST(Enclosure, EmptyGrid)
 {
-  EXPECT_TRUE(enclosure({}, {{1, 0}}).values.empty());
-  EXPECT_TRUE(interiorGain({}, {}, 1).empty());
+  EXPECT_TRUE(enclosure({}, {{1, 0, 0}}).values.empty());
+  EXPECT_TRUE(interiorGain({}, {}, 1).codes.empty());
 }
 
 TEST(Enclosure, RefusesBadArguments)
@@ -212,12 +221,12 @@ TEST(Enclosure, RefusesBadArguments)
   EXPECT_THROW(enclosure(grid, {}), pcl::BadArgumentException);
   EXPECT_THROW(interiorGain(grid, grid, 2), pcl::BadArgumentException);
   grid.values = {0};
-  EXPECT_THROW(enclosure(grid, {{0, 0}}), pcl::BadArgumentException);
+  EXPECT_THROW(enclosure(grid, {{0, 0, 0}}), pcl::BadArgumentException);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(enclosure(grid, {{nan, 1}}), pcl::BadArgumentException);
-  EXPECT_THROW(enclosure(grid, std::vector<Eigen::Vector2d>(6, {1, 0})),
+  EXPECT_THROW(enclosure(grid, {{nan, 1, 0}}), pcl::BadArgumentException);
+  EXPECT_THROW(enclosure(grid, std::vector<Eigen::Vector3d>(6, {1, 0, 0})),
                pcl::BadArgumentException);
-  EXPECT_THROW(enclosure(grid, {{1, 0}}, -1), pcl::BadArgumentException);
+  EXPECT_THROW(enclosure(grid, {{1, 0, 0}}, -1), pcl::BadArgumentException);
   EXPECT_THROW(interiorGain(grid, grid, 2, {}, 0.0), pcl::BadArgumentException);
   EXPECT_THROW(interiorGain(grid, grid, 2, {}, 1e-6), pcl::BadArgumentException);
 }
@@ -233,7 +242,7 @@ TEST(Enclosure, AlongDirectionsInSpaceAgreesWithWalking)
       directions.emplace_back(component(), component(), component());
     if (trial % 5 == 0)
       directions.emplace_back(0.6, 0.0, -0.8);
-    const auto bits = enclosureInSpace(grid, directions, 1 + trial % 3);
+    const auto bits = enclosure(grid, directions, 1 + trial % 3);
     for (int x = 0; x < grid.shape.nx; ++x)
       for (int y = 0; y < grid.shape.ny; ++y)
         for (int z = 0; z < grid.shape.nz; ++z) {
@@ -244,17 +253,5 @@ TEST(Enclosure, AlongDirectionsInSpaceAgreesWithWalking)
               expected |= ENCLOSED_ALONG_DIRECTION << i;
           ASSERT_EQ(bits.at(x, y, z), expected) << x << ' ' << y << ' ' << z;
         }
-  }
-}
-
-TEST(Enclosure, LevelDirectionsInSpaceAreThoseOfTheMap)
-{
-  std::mt19937 rng(12);
-  for (int trial = 0; trial < 20; ++trial) {
-    const Grid grid = randomGrid(rng, 12, 6);
-    const Eigen::Vector2d level(0.3 + trial, 1.0);
-    const std::vector<Eigen::Vector3d> in_space{{level.x(), level.y(), 0.0}};
-    EXPECT_EQ(enclosureInSpace(grid, in_space).values,
-              enclosure(grid, std::vector<Eigen::Vector2d>{level}).values);
   }
 }

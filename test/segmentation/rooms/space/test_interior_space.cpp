@@ -36,10 +36,10 @@ build(double yaw, int threads = 1)
   options.voxel_size = 0.1;
   options.margin = 5;
   built.building = occupancyGrid(built.points, options);
-  InteriorSpaceOptions interior;
-  interior.threads = threads;
-  built.space = interiorSpace(
-      built.building, wallDirections(built.points, built.building, interior), interior);
+  built.space = interiorSpace(built.building,
+                              wallDirections(built.points, built.building, {}, threads),
+                              {},
+                              threads);
   return built;
 }
 

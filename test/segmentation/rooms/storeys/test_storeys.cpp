@@ -437,3 +437,15 @@ TEST(FindStoreys, RefusesBadArguments)
   Storeys storeys;
   EXPECT_THROW(refineBorders({{0, 0, 0}}, {}, storeys), pcl::BadArgumentException);
 }
+
+TEST(Storeys, BordersStayWhereVoxelsAreFinerThanTheirHeightsAreCounted)
+{
+  OccupancyGrid grid;
+  grid.grid.reset({1, 1, 4});
+  grid.grid.voxel_size = 0.002;
+  grid.cells = {0, 3};
+  Storeys storeys;
+  storeys.borders.push_back({1, 1, {0.004f}});
+  refineBorders({{0.001f, 0.001f, 0.001f}, {0.001f, 0.001f, 0.007f}}, grid, storeys);
+  EXPECT_FLOAT_EQ(storeys.borders[0].at(0, 0), 0.004f);
+}

@@ -40,6 +40,25 @@ twoRooms(int door_width = 4)
   return space;
 }
 
+/** The same with free space above the ceiling, and something in it. */
+InteriorSpace
+withNoiseAbove(const InteriorSpace& space)
+{
+  InteriorSpace higher = space;
+  higher.occupancy.reset({45, 22, 17});
+  higher.inside.reset({45, 22, 17});
+  for (int x = 0; x < 45; ++x)
+    for (int y = 0; y < 22; ++y)
+      for (int z = 0; z < 17; ++z) {
+        const bool is_noise = x == 13 && y == 11 && z == 16;
+        if (is_noise || (z < 15 && space.occupancy.at(x, y, z)))
+          higher.occupancy.set(x, y, z);
+        else if (z >= 15 || space.inside.at(x, y, z))
+          higher.inside.set(x, y, z);
+      }
+  return higher;
+}
+
 std::set<int>
 labelsOf(const PixelMap<int>& labels, int begin, int end)
 {
@@ -78,20 +97,18 @@ TEST(SegmentFieldMap, PartsTwoRoomsAtADoor)
 TEST(SegmentFieldMap, SpaceAboveTheCeilingJoinsNothing)
 {
   const InteriorSpace space = twoRooms();
-  InteriorSpace higher = space;
-  higher.occupancy.reset({45, 22, 17});
-  higher.inside.reset({45, 22, 17});
-  for (int x = 0; x < 45; ++x)
-    for (int y = 0; y < 22; ++y)
-      for (int z = 0; z < 17; ++z) {
-        const bool is_noise = x == 13 && y == 11 && z == 16;
-        if (is_noise || (z < 15 && space.occupancy.at(x, y, z)))
-          higher.occupancy.set(x, y, z);
-        else if (z >= 15 || space.inside.at(x, y, z))
-          higher.inside.set(x, y, z);
-      }
-  EXPECT_EQ(segmentFieldMap(higher).labels.values,
+  EXPECT_EQ(segmentFieldMap(withNoiseAbove(space)).labels.values,
             segmentFieldMap(space).labels.values);
+}
+
+TEST(SegmentFieldMap, FindsTheCeilingByTheOptionsOfTheSlab)
+{
+  const InteriorSpace space = withNoiseAbove(twoRooms());
+  EXPECT_EQ(segmentFieldMap(space).highest_free.at(14, 11), 13);
+  pcl::indoor::CeilingSlabOptions highest;
+  highest.step = 0.0;
+  highest.level_share = 1.0;
+  EXPECT_EQ(segmentFieldMap(space, {}, highest).highest_free.at(14, 11), 16);
 }
 
 TEST(SegmentFieldMap, PartsThemWithoutVisibility)

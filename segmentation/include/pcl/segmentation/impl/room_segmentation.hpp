@@ -253,6 +253,7 @@ RoomSegmentation<PointT>::segment(std::vector<std::uint32_t>& labels)
 {
   labels.clear();
   report_ = indoor::ScanReport();
+  frame_ = indoor::BuildingFrame();
   building_ = indoor::BuildingRooms();
   rooms_.clear();
   openings_.clear();
