@@ -22,69 +22,6 @@ ScanOutlierRemoval<PointT>::ScanOutlierRemoval(bool extract_removed_indices)
 
 template <typename PointT>
 void
-ScanOutlierRemoval<PointT>::setRadiusSearch(double radius)
-{
-  options_.radius = radius;
-}
-
-template <typename PointT>
-double
-ScanOutlierRemoval<PointT>::getRadiusSearch() const
-{
-  return options_.radius;
-}
-
-template <typename PointT>
-void
-ScanOutlierRemoval<PointT>::setMinNeighborsInRadius(int count)
-{
-  options_.min_neighbors = count;
-}
-
-template <typename PointT>
-int
-ScanOutlierRemoval<PointT>::getMinNeighborsInRadius() const
-{
-  return options_.min_neighbors;
-}
-
-template <typename PointT>
-void
-ScanOutlierRemoval<PointT>::setMeanK(int count)
-{
-  options_.mean_k = count;
-}
-
-template <typename PointT>
-int
-ScanOutlierRemoval<PointT>::getMeanK() const
-{
-  return options_.mean_k;
-}
-
-template <typename PointT>
-void
-ScanOutlierRemoval<PointT>::setStddevMulThresh(double deviations)
-{
-  options_.deviations = deviations;
-}
-
-template <typename PointT>
-double
-ScanOutlierRemoval<PointT>::getStddevMulThresh() const
-{
-  return options_.deviations;
-}
-
-template <typename PointT>
-void
-ScanOutlierRemoval<PointT>::setNumberOfThreads(unsigned threads)
-{
-  options_.threads = threads;
-}
-
-template <typename PointT>
-void
 ScanOutlierRemoval<PointT>::applyFilter(Indices& indices)
 {
   indices.clear();
