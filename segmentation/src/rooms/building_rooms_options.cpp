@@ -5,7 +5,7 @@
 
 #include <pcl/segmentation/building_rooms_options.h>
 
-#include "option_check.h"
+#include "internal/option_check.h"
 
 namespace pcl::indoor {
 namespace {

@@ -59,14 +59,14 @@ protected:
   {
     // Not through the base, which would build a search tree that takes longer than all
     // else.
-    std::string problem = "No input cloud was given";
+    std::string problem = "No input cloud was given.";
     if (PCLBase<PointInT>::initCompute())
       problem = findProblem(*input_, normals_.get(), *indices_);
     if (problem.empty())
       problem = findOptionsProblem();
     if (problem.empty())
       return true;
-    PCL_ERROR("[pcl::%s::initCompute] %s.\n", feature_name_.c_str(), problem.c_str());
+    PCL_ERROR("[pcl::%s::initCompute] %s\n", feature_name_.c_str(), problem.c_str());
     this->deinitCompute();
     return false;
   }

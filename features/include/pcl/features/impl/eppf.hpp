@@ -33,11 +33,11 @@ EPPFEstimation<PointInT, PointNT, PointOutT>::findOptionsProblem() const
   const auto size = static_cast<std::size_t>(PointOutT::descriptorSize());
   if (options_.bins.size() != size)
     return std::to_string(options_.bins.size()) + " bins do not fit an output of " +
-           std::to_string(size);
+           std::to_string(size) + ".";
   constexpr bool is_for_harmonics =
       std::is_same<PointOutT, PairHarmonicsSignature1200>::value;
   if (!is_for_harmonics && options_.bins.harmonics.size() > 0)
-    return "An EPPF signature holds pairs alone, no harmonics";
+    return "An EPPF signature holds pairs alone, no harmonics.";
   return {};
 }
 
