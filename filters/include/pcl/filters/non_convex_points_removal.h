@@ -8,6 +8,8 @@
 #include <pcl/filters/non_convex_points.h>
 #include <pcl/point_cloud.h>
 
+#include <string>
+
 namespace pcl {
 
 /** \brief Removes the points of concave and of noisy regions, or keeps only them.
@@ -63,14 +65,14 @@ public:
   void
   setRadius(double radius)
   {
-    radius_ = radius;
+    options_.radius = radius;
   }
 
   /** \brief Get the radius, metres, as it was set; 0 stands for automatic. */
   double
   getRadius() const
   {
-    return radius_;
+    return options_.radius;
   }
 
   /** \brief Set the curvature above which points are looked at, theta_t.
@@ -128,11 +130,11 @@ protected:
   applyFilter(Indices& indices) override;
 
 private:
-  bool
-  hasValidInput() const;
+  /** \brief Say what is wrong with input or parameters: "" if nothing. */
+  std::string
+  findProblem() const;
 
   PointCloudNConstPtr normals_;
-  double radius_ = 0;
   indoor::NonConvexityOptions options_;
 };
 

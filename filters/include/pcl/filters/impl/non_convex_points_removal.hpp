@@ -6,9 +6,11 @@
 
 #include <pcl/filters/non_convex_points_removal.h>
 #include <pcl/indoor/exports.h>
-#include <pcl/indoor/neighbor_distance.h>
 #include <pcl/indoor/plain_message.h>
 #include <pcl/indoor/usable_point.h>
+
+#include <string>
+#include <vector>
 
 namespace pcl {
 
@@ -21,39 +23,16 @@ NonConvexPointsRemoval<PointT, PointNT>::NonConvexPointsRemoval(
 }
 
 template <typename PointT, typename PointNT>
-bool
-NonConvexPointsRemoval<PointT, PointNT>::hasValidInput() const
+std::string
+NonConvexPointsRemoval<PointT, PointNT>::findProblem() const
 {
-  const char* where = "[pcl::NonConvexPointsRemoval::applyFilter]";
-  if (!normals_ || normals_->size() != input_->size()) {
-    PCL_ERROR("%s The input has %zu points, but %zu normals.\n",
-              where,
-              static_cast<std::size_t>(input_->size()),
-              static_cast<std::size_t>(normals_ ? normals_->size() : 0));
-    return false;
-  }
+  if (!normals_ || normals_->size() != input_->size())
+    return "The input has " + std::to_string(input_->size()) + " points, but " +
+           std::to_string(normals_ ? normals_->size() : 0) + " normals.";
   for (const auto index : *indices_)
-    if (index < 0 || static_cast<std::size_t>(index) >= input_->size()) {
-      PCL_ERROR("%s Index %d is outside of the cloud.\n", where, index);
-      return false;
-    }
-  if (!(radius_ >= 0) || !std::isfinite(radius_)) {
-    PCL_ERROR("%s The radius must not be negative, not %g m.\n", where, radius_);
-    return false;
-  }
-  const float curvature = options_.curvature_threshold;
-  if (!(curvature >= 0 && curvature <= 1.0f / 3)) {
-    PCL_ERROR(
-        "%s The curvature threshold must be in [0, 1/3], not %g.\n", where, curvature);
-    return false;
-  }
-  if (!(options_.ratio_threshold >= 0 && options_.ratio_threshold <= 1)) {
-    PCL_ERROR("%s The ratio threshold must be in [0, 1], not %g.\n",
-              where,
-              options_.ratio_threshold);
-    return false;
-  }
-  return true;
+    if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
+      return "Index " + std::to_string(index) + " is outside of the cloud.";
+  return indoor::findProblem(options_);
 }
 
 template <typename PointT, typename PointNT>
@@ -62,8 +41,10 @@ NonConvexPointsRemoval<PointT, PointNT>::applyFilter(Indices& indices)
 {
   indices.clear();
   removed_indices_->clear();
-  if (!hasValidInput())
+  if (const auto problem = findProblem(); !problem.empty()) {
+    PCL_ERROR("[pcl::NonConvexPointsRemoval::applyFilter] %s\n", problem.c_str());
     return;
+  }
   std::vector<Eigen::Vector3f> points, normals;
   std::vector<float> curvatures;
   Indices finite;
@@ -83,13 +64,9 @@ NonConvexPointsRemoval<PointT, PointNT>::applyFilter(Indices& indices)
     normals.push_back((*normals_)[index].getNormalVector3fMap());
     curvatures.push_back((*normals_)[index].curvature);
   }
-  auto options = options_;
-  options.radius = radius_ > 0 ? radius_ : indoor::neighborhoodRadius(points);
-  if (!(options.radius > 0)) // no two different points: no neighbourhood
-    options.radius = 1;
   std::vector<std::uint8_t> non_convex;
   try {
-    non_convex = indoor::nonConvexPoints(points, normals, curvatures, options);
+    non_convex = indoor::nonConvexPoints(points, normals, curvatures, options_);
   } catch (const BadArgumentException& error) { // a radius too small for the extent
     PCL_ERROR("[pcl::NonConvexPointsRemoval::applyFilter] %s\n",
               indoor::plainMessage(error).c_str());
