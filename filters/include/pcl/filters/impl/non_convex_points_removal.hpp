@@ -6,6 +6,7 @@
 
 #include <pcl/filters/non_convex_points_removal.h>
 #include <pcl/indoor/exports.h>
+#include <pcl/indoor/neighbor_distance.h> // for finitePoints
 #include <pcl/indoor/plain_message.h>
 #include <pcl/indoor/usable_point.h>
 
@@ -45,25 +46,20 @@ NonConvexPointsRemoval<PointT, PointNT>::applyFilter(Indices& indices)
     PCL_ERROR("[pcl::NonConvexPointsRemoval::applyFilter] %s\n", problem.c_str());
     return;
   }
-  std::vector<Eigen::Vector3f> points, normals;
+  std::vector<Eigen::Vector3f> normals;
   std::vector<float> curvatures;
   Indices finite;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   for (const auto index : *indices_) {
-    const PointT& point = (*input_)[index];
-    if (!indoor::isUsablePoint(point)) {
+    if (!indoor::isUsablePoint((*input_)[index])) {
       if (extract_removed_indices_)
         removed_indices_->push_back(index);
       continue;
     }
-    if (finite.empty())
-      origin = point.getVector3fMap().template cast<double>();
     finite.push_back(index);
-    points.push_back((point.getVector3fMap().template cast<double>() - origin)
-                         .template cast<float>());
     normals.push_back((*normals_)[index].getNormalVector3fMap());
     curvatures.push_back((*normals_)[index].curvature);
   }
+  const auto points = indoor::finitePoints(*input_, finite);
   std::vector<std::uint8_t> non_convex;
   try {
     non_convex = indoor::nonConvexPoints(points, normals, curvatures, options_);

@@ -6,10 +6,10 @@
 
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/indoor/exports.h>
+#include <pcl/indoor/neighbor_distance.h> // for finitePoints
 #include <pcl/indoor/usable_point.h>
 
 #include <string>
-#include <vector>
 
 namespace pcl {
 
@@ -34,17 +34,7 @@ ScanOutlierRemoval<PointT>::applyFilter(Indices& indices)
     PCL_ERROR("[pcl::ScanOutlierRemoval::applyFilter] %s\n", problem.c_str());
     return;
   }
-  std::vector<Eigen::Vector3f> points;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  for (const auto index : *indices_) {
-    if (!indoor::isUsablePoint((*input_)[index]))
-      continue;
-    const Eigen::Vector3d position =
-        (*input_)[index].getVector3fMap().template cast<double>();
-    if (points.empty())
-      origin = position;
-    points.push_back((position - origin).template cast<float>());
-  }
+  const auto points = indoor::finitePoints(*input_, *indices_);
   const auto outliers = indoor::scanOutliers(points, options_);
   std::size_t i = 0;
   for (const auto index : *indices_) {
