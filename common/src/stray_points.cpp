@@ -4,6 +4,8 @@
  */
 #include <pcl/indoor/stray_points.h>
 
+#include "internal/point_bounds.h"
+
 #include <pcl/indoor/middle_point.h>
 #include <pcl/indoor/quantile.h>
 
@@ -23,12 +25,7 @@ strayPoints(const std::vector<Eigen::Vector3f>& points)
 {
   if (points.empty())
     return {};
-  Eigen::Array3f lower = points.front(), upper = points.front();
-  for (const auto& point : points) {
-    lower = lower.min(point.array());
-    upper = upper.max(point.array());
-  }
-  if (((upper.cast<double>() - lower.cast<double>()) <= nearest).all())
+  if ((boundsOf(points).cast<double>().sizes().array() <= nearest).all())
     return {};
   const Eigen::Vector3d middle = middlePoint(points);
   std::vector<double> distances;
