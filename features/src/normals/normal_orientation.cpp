@@ -4,7 +4,7 @@
  */
 #include <pcl/features/normal_orientation.h>
 
-#include "eppf/free_space_grid.h"
+#include "normals/free_space_grid.h"
 
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_graph.h>

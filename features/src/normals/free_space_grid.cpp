@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "eppf/free_space_grid.h"
+#include "normals/free_space_grid.h"
 
 #include <pcl/indoor/quantile.h>
 
