@@ -7,6 +7,7 @@
 #include "internal/point_bounds.h"
 
 #include <pcl/exceptions.h>
+#include <pcl/features/sign_graph.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,9 @@ sideAgreement(const Eigen::Vector3f& position_1,
   return std::isfinite(weight) ? weight : 0;
 }
 
+namespace {
+
+/** List each pair of neighbours once, with the agreement of their normals. */
 std::vector<SignEdge>
 normalGraph(const std::vector<Eigen::Vector3f>& positions,
             const Adjacency& neighbors,
@@ -49,6 +53,8 @@ normalGraph(const std::vector<Eigen::Vector3f>& positions,
     }
   return edges;
 }
+
+} // namespace
 
 void
 orientConsistently(const std::vector<Eigen::Vector3f>& positions,
