@@ -5,6 +5,8 @@
 
 #include <pcl/model/points_of_rooms.h>
 
+#include "internal/cross.h"
+
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -27,7 +29,7 @@ public:
   addIfNear(const Eigen::Vector3f& point, std::vector<WallPoint>& found) const
   {
     const Eigen::Vector2d from = point.head<2>().cast<double>() - stretch_.begin;
-    const double before = along_.x() * from.y() - along_.y() * from.x();
+    const double before = cross(along_, from);
     const double along = along_.dot(from);
     if (before >= -stretch_.behind && before <= stretch_.before &&
         along >= -stretch_.margin && along <= length_ + stretch_.margin)

@@ -5,6 +5,7 @@
 #include "export/room_ways.h"
 
 #include "export/shortest_paths.h"
+#include "internal/cross.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +13,6 @@
 
 namespace pcl::indoor::tool {
 namespace {
-
-double
-cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** Does a line go through a side, from one of its sides to the other? */
 bool
