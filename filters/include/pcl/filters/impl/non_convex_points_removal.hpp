@@ -6,6 +6,7 @@
 
 #include <pcl/filters/non_convex_points_removal.h>
 #include <pcl/indoor/exports.h>
+#include <pcl/indoor/index_check.h>
 #include <pcl/indoor/neighbor_distance.h> // for finitePoints
 #include <pcl/indoor/plain_message.h>
 #include <pcl/indoor/usable_point.h>
@@ -30,10 +31,8 @@ NonConvexPointsRemoval<PointT, PointNT>::findProblem() const
   if (!normals_ || normals_->size() != input_->size())
     return "The input has " + std::to_string(input_->size()) + " points, but " +
            std::to_string(normals_ ? normals_->size() : 0) + " normals.";
-  for (const auto index : *indices_)
-    if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-      return "Index " + std::to_string(index) + " is outside of the cloud.";
-  return indoor::findProblem(options_);
+  const auto problem = indoor::findIndexProblem(*indices_, input_->size());
+  return problem.empty() ? indoor::findProblem(options_) : problem;
 }
 
 template <typename PointT, typename PointNT>

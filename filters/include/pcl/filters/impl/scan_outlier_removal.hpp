@@ -6,10 +6,9 @@
 
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/indoor/exports.h>
+#include <pcl/indoor/index_check.h>
 #include <pcl/indoor/neighbor_distance.h> // for finitePoints
 #include <pcl/indoor/usable_point.h>
-
-#include <string>
 
 namespace pcl {
 
@@ -26,10 +25,9 @@ ScanOutlierRemoval<PointT>::applyFilter(Indices& indices)
 {
   indices.clear();
   removed_indices_->clear();
-  std::string problem = indoor::findProblem(options_);
-  for (const auto index : *indices_)
-    if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-      problem = "Index " + std::to_string(index) + " is outside of the cloud.";
+  auto problem = indoor::findIndexProblem(*indices_, input_->size());
+  if (problem.empty())
+    problem = indoor::findProblem(options_);
   if (!problem.empty()) {
     PCL_ERROR("[pcl::ScanOutlierRemoval::applyFilter] %s\n", problem.c_str());
     return;
