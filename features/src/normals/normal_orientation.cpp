@@ -4,6 +4,7 @@
  */
 #include <pcl/features/normal_orientation.h>
 
+#include "internal/point_bounds.h"
 #include "normals/free_viewpoints.h"
 
 #include <pcl/exceptions.h>
@@ -105,10 +106,7 @@ collectVotes(const std::vector<Eigen::Vector3f>& positions,
   std::vector<Eigen::Vector3f> sampled;
   for (std::size_t i = 0; i < positions.size(); i += options.sample_stride)
     sampled.push_back(positions[i]);
-  Eigen::AlignedBox3f all;
-  for (const auto& position : sampled)
-    all.extend(position);
-  const double extent = static_cast<double>(all.sizes().maxCoeff());
+  const double extent = pcl::indoor::boundsOf(sampled).sizes().maxCoeff();
   const auto blocks = pcl::indoor::groupByCell(
       sampled, std::max(least_block_size, extent / most_blocks));
   pcl::indoor::parallelFor(
