@@ -120,7 +120,7 @@ endfunction()
 
 # pcl_addon_add_library(module SOURCES ... PUBLIC_LINK ... PRIVATE_LINK ...): shared, or static with BUILD_SHARED_LIBS=OFF.
 # A shared library shows what is marked with PCL_INDOOR_EXPORTS only. Tests and benchmarks call private functions, too: they
-# link an archive of the same objects.
+# link an archive of the same objects. What all modules share and nobody else sees is in common/src/internal.
 function(pcl_addon_add_library module)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
   set(target ${PROJECT_NAME}_${module})
@@ -135,7 +135,7 @@ function(pcl_addon_add_library module)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/common/include>
     $<INSTALL_INTERFACE:${PCL_ADDON_INCLUDE_DIR}>
-    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/common/src)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC_LINK} PRIVATE ${ARG_PRIVATE_LINK})
   if(BUILD_SHARED_LIBS)
     add_library(${target}_archive STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${target}>)

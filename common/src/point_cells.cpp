@@ -4,6 +4,8 @@
  */
 #include <pcl/indoor/point_cells.h>
 
+#include "internal/point_bounds.h"
+
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -120,17 +122,13 @@ groupByCell(const std::vector<Eigen::Vector3f>& points, double cell_size)
   PointCells cells;
   if (points.empty())
     return cells;
-  Eigen::Array3f lower = points.front(), upper = points.front();
-  for (const auto& point : points) {
-    lower = lower.min(point.array());
-    upper = upper.max(point.array());
-  }
-  const double extent = (upper - lower).cast<double>().maxCoeff();
+  const auto bounds = boundsOf(points);
+  const double extent = bounds.sizes().maxCoeff();
   if (!(extent / cell_size < largest_cell))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "Cells of " << cell_size << " m are too small for an extent of "
                                     << extent << " m.");
-  const Eigen::Vector3d origin = lower.matrix().cast<double>();
+  const Eigen::Vector3d origin = bounds.min().cast<double>();
   KeyNumbers numbers;
   cells.cell_of_point.reserve(points.size());
   for (const auto& point : points) {

@@ -4,6 +4,8 @@
  */
 #include <pcl/indoor/stray_points.h>
 
+#include "internal/point_bounds.h"
+
 #include <pcl/indoor/middle_point.h>
 #include <pcl/indoor/quantile.h>
 
@@ -22,12 +24,7 @@ strayPoints(const std::vector<Eigen::Vector3f>& points)
 {
   if (points.empty())
     return {};
-  Eigen::Array3f lower = points.front(), upper = points.front();
-  for (const auto& point : points) {
-    lower = lower.min(point.array());
-    upper = upper.max(point.array());
-  }
-  if (((upper.cast<double>() - lower.cast<double>()) <= float_reach).all())
+  if ((boundsOf(points).cast<double>().sizes().array() <= float_reach).all())
     return {};
   const Eigen::Vector3d middle = middlePoint(points);
   std::vector<double> distances;

@@ -4,34 +4,20 @@
  */
 #include <pcl/filters/non_convex_points.h>
 
+#include "internal/option_check.h"
+
 #include <pcl/exceptions.h>
+#include <pcl/indoor/neighbor_distance.h>
 #include <pcl/indoor/point_cells.h>
+#include <pcl/indoor/require_valid.h>
 #include <pcl/indoor/threads.h>
 
 #include <cmath>
-#include <limits>
 
 namespace {
 
 using pcl::indoor::Adjacency;
-using pcl::indoor::NonConvexityOptions;
 using pcl::indoor::PointCells;
-
-void
-requireValid(const NonConvexityOptions& options)
-{
-  if (!(options.radius > 0) || !std::isfinite(options.radius))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "The radius must be positive, not " << options.radius << " m.");
-  if (!(options.curvature_threshold >= 0 && options.curvature_threshold <= 1.0f / 3))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "The curvature threshold must be in [0, 1/3], not "
-                            << options.curvature_threshold << ".");
-  if (!(options.ratio_threshold >= 0 && options.ratio_threshold <= 1))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "The ratio threshold must be in [0, 1], not "
-                            << options.ratio_threshold << ".");
-}
 
 /** Call visit(point index) for all points of a cell and of the cells around it. */
 template <typename Visit>
@@ -54,6 +40,24 @@ visitAround(const PointCells& cells,
 
 namespace pcl::indoor {
 
+std::string
+findProblem(const NonConvexityOptions& options)
+{
+  OptionCheck check;
+  check.require(options.radius >= 0 && std::isfinite(options.radius),
+                "radius must not be negative",
+                options.radius,
+                " m");
+  check.require(options.curvature_threshold >= 0 &&
+                    options.curvature_threshold <= 1.0f / 3,
+                "curvature threshold must be in [0, 1/3]",
+                options.curvature_threshold);
+  check.require(options.ratio_threshold >= 0 && options.ratio_threshold <= 1,
+                "ratio threshold must be in [0, 1]",
+                options.ratio_threshold);
+  return check.problem();
+}
+
 std::vector<std::uint8_t>
 nonConvexPoints(const std::vector<Eigen::Vector3f>& points,
                 const std::vector<Eigen::Vector3f>& normals,
@@ -66,9 +70,13 @@ nonConvexPoints(const std::vector<Eigen::Vector3f>& points,
                         points.size()
                             << " points have " << normals.size() << " normals and "
                             << curvatures.size() << " curvatures.");
-  const auto cells = groupByCell(points, options.radius);
+  double radius =
+      options.radius > 0 ? options.radius : neighborhoodRadius(points, options.threads);
+  if (!(radius > 0)) // no two different points: no neighbourhood
+    radius = 1;
+  const auto cells = groupByCell(points, radius);
   const auto around = cellAdjacency(cells.keys);
-  const auto squared_radius = static_cast<float>(options.radius * options.radius);
+  const auto squared_radius = static_cast<float>(radius * radius);
   const auto count = static_cast<std::ptrdiff_t>(points.size());
   std::vector<std::uint8_t> non_convex(points.size(), 0);
 #pragma omp parallel for schedule(dynamic, 1024)                                       \

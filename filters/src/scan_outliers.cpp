@@ -4,6 +4,8 @@
  */
 #include <pcl/filters/scan_outliers.h>
 
+#include "internal/option_check.h"
+
 #include <pcl/filters/radius_outlier_removal.h>
 #include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/neighbor_distance.h>
@@ -12,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace {
 
@@ -67,22 +68,24 @@ namespace pcl::indoor {
 std::string
 findProblem(const ScanOutlierOptions& options)
 {
-  std::ostringstream problem;
-  if (!(options.radius >= 0) || !std::isfinite(options.radius))
-    problem << "The radius must not be negative, not " << options.radius << " m.";
-  else if (options.min_neighbors < 0)
-    problem << "The number of neighbours must not be negative, not "
-            << options.min_neighbors << ".";
-  else if (options.mean_k < 1)
-    problem << "At least one neighbour must be looked at, not " << options.mean_k
-            << ".";
-  else if (!(options.deviations > 0))
-    problem << "The number of standard deviations must be positive, not "
-            << options.deviations << ".";
-  else if (!(options.least_ratio >= 1) || !std::isfinite(options.least_ratio))
-    problem << "The ratio to the mean distance must be at least 1, not "
-            << options.least_ratio << ".";
-  return problem.str();
+  OptionCheck check;
+  check.require(options.radius >= 0 && std::isfinite(options.radius),
+                "radius must not be negative",
+                options.radius,
+                " m");
+  check.require(options.min_neighbors >= 0,
+                "number of neighbours must not be negative",
+                options.min_neighbors);
+  check.require(options.mean_k >= 1,
+                "number of neighbours that are looked at must be at least 1",
+                options.mean_k);
+  check.require(options.deviations > 0,
+                "number of standard deviations must be positive",
+                options.deviations);
+  check.require(options.least_ratio >= 1 && std::isfinite(options.least_ratio),
+                "ratio to the mean distance must be at least 1",
+                options.least_ratio);
+  return check.problem();
 }
 
 std::vector<std::uint8_t>

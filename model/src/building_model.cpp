@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "cross_product.h"
+#include "internal/cross.h"
 #include "face_evidence.h"
 #include "wall_dimensions.h"
 

@@ -5,7 +5,7 @@
 
 #include <pcl/model/model_columns.h>
 
-#include "cross_product.h"
+#include "internal/cross.h"
 #include "wall_dimensions.h"
 
 #include <pcl/indoor/quantile.h>

@@ -6,7 +6,7 @@
 #include <pcl/indoor/quantile.h>
 #include <pcl/model/model_walls.h>
 
-#include "cross_product.h"
+#include "internal/cross.h"
 #include "wall_dimensions.h"
 #include "wall_pieces.h"
 

@@ -5,7 +5,7 @@
 
 #include <pcl/model/points_of_rooms.h>
 
-#include "cross_product.h"
+#include "internal/cross.h"
 
 #include <pcl/exceptions.h>
 

@@ -5,7 +5,7 @@
 
 #include <pcl/model/wall_face.h>
 
-#include "cross_product.h"
+#include "internal/cross.h"
 #include "wall_dimensions.h"
 
 #include <pcl/indoor/parallel_for.h>

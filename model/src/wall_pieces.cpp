@@ -4,7 +4,7 @@
  */
 #include "wall_pieces.h"
 
-#include "cross_product.h"
+#include "internal/cross.h"
 #include "wall_dimensions.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "eppf/free_space_grid.h" // of the library's sources
+#include "normals/free_space_grid.h" // of the library's sources
 
 #include <gtest/gtest.h>
 

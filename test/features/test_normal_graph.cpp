@@ -8,6 +8,7 @@
 #include <pcl/exceptions.h>
 #include <pcl/features/normal_graph.h>
 #include <pcl/features/normal_orientation.h>
+#include <pcl/features/sign_graph.h>
 
 #include <gtest/gtest.h>
 
@@ -26,6 +27,17 @@ randomGraph(std::uint32_t nodes, int edge_count, std::mt19937& rng)
                      static_cast<std::uint32_t>(rng() % nodes),
                      static_cast<float>(rng() % 2001) / 1000 - 1});
   return edges;
+}
+
+/** The summed strengths of the edges that signs do not satisfy. */
+double
+signEnergy(const std::vector<std::int8_t>& signs, const std::vector<SignEdge>& edges)
+{
+  double energy = 0;
+  for (const auto& edge : edges)
+    if (signs[edge.source] * signs[edge.target] * edge.weight < 0)
+      energy += std::abs(edge.weight);
+  return energy;
 }
 
 double

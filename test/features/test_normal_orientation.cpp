@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "normals/free_viewpoints.h" // of the library's sources
 #include "support/labelled_points.h"
 
 #include <pcl/exceptions.h>
@@ -114,7 +115,8 @@ TEST(NormalOrientation, ViewpointsAreFreeAndApart)
   const auto scene = room(rng);
   FreeSpaceOptions options;
   options.cell_size = 0.1;
-  const auto viewpoints = findViewpoints(scene.points, options);
+  const auto viewpoints =
+      viewpointsIn(FreeSpaceGrid(scene.points, options.cell_size), options);
   ASSERT_GE(viewpoints.size(), 3u);
   for (std::size_t i = 0; i < viewpoints.size(); ++i) {
     for (const auto& point : scene.points)
@@ -128,9 +130,13 @@ TEST(NormalOrientation, OutliersDoNotMatter)
 {
   std::mt19937 rng(7);
   auto scene = room(rng);
-  const auto expected = findViewpoints(scene.points, {});
+  const FreeSpaceOptions options;
+  const auto viewpoints_of = [&] {
+    return viewpointsIn(FreeSpaceGrid(scene.points, options.cell_size), options);
+  };
+  const auto expected = viewpoints_of();
   scene.points.emplace_back(900.0f, 0.0f, 0.0f);
-  const auto viewpoints = findViewpoints(scene.points, {});
+  const auto viewpoints = viewpoints_of();
   ASSERT_FALSE(viewpoints.empty());
   EXPECT_LT((viewpoints[0] - expected[0]).norm(), 0.7f);
 }
@@ -142,14 +148,15 @@ TEST(NormalOrientation, SmallAndBadInput)
   none.offsets = {0};
   orientTowardsFreeSpace({}, none, {}, normals);
   EXPECT_TRUE(normals.empty());
-  EXPECT_TRUE(findViewpoints({}, {}).empty());
-  EXPECT_EQ(findViewpoints({{1, 2, 3}}, {}).size(), 1u);
+  EXPECT_EQ(viewpointsIn(FreeSpaceGrid({{1, 2, 3}}, 0.06), {}).size(), 1u);
   FreeSpaceOptions options;
   options.cell_size = 0;
-  EXPECT_THROW(findViewpoints({}, options), pcl::BadArgumentException);
+  EXPECT_THROW(orientTowardsFreeSpace({}, none, options, normals),
+               pcl::BadArgumentException);
   options = {};
   options.viewpoints = 0;
-  EXPECT_THROW(findViewpoints({}, options), pcl::BadArgumentException);
+  EXPECT_THROW(orientTowardsFreeSpace({}, none, options, normals),
+               pcl::BadArgumentException);
   EXPECT_THROW(orientTowardsFreeSpace({{0, 0, 0}}, none, {}, normals),
                pcl::BadArgumentException);
 }

@@ -114,7 +114,7 @@ TEST(NonConvexPoints, IsTheSameForAnyNumberOfThreads)
 TEST(NonConvexPoints, RejectsBadOptions)
 {
   NonConvexityOptions options;
-  options.radius = 0;
+  options.radius = -1;
   EXPECT_THROW(nonConvexPoints({}, {}, {}, options), pcl::BadArgumentException);
   options = {};
   options.curvature_threshold = 0.5f;

@@ -46,14 +46,14 @@ addFeatures(const std::vector<OrientedPoint>& points,
       continue;
     const Eigen::Vector3d n1 = one.normal.cast<double>(),
                           n2 = two.normal.cast<double>();
-    const auto count = occupancy.countBetween(occupancy.cell(one.position),
-                                              occupancy.cell(two.position));
+    const auto walk = occupancy.lineBetween(occupancy.cell(one.position),
+                                            occupancy.cell(two.position));
     moments.add(
         {length / scale,
          std::max(arcCosine(n1.dot(line) / length), arcCosine(n2.dot(line) / length)) -
              M_PI / 2,
          arcCosine(std::abs(n1.dot(n2))),
-         static_cast<double>(count.occupied) / count.total});
+         static_cast<double>(occupancy.countOccupied(walk)) / (walk.steps + 1)});
   }
 }
 

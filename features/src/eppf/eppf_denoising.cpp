@@ -4,7 +4,7 @@
  */
 #include <pcl/features/eppf_denoising.h>
 
-#include "normals/local_planes.h"
+#include "eppf/local_planes.h"
 
 #include <pcl/features/pair_counting.h>
 #include <pcl/features/pair_sampling.h>

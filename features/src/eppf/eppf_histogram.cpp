@@ -16,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace pcl::indoor {
 
@@ -122,6 +121,16 @@ arranged(const std::vector<OrientedPoint>& points,
   return result;
 }
 
+/** \brief The sampler of points that are arranged if that is what stratified pairs
+ * want. */
+PairSampler
+samplerOf(const std::vector<OrientedPoint>& points, const EPPFOptions& options)
+{
+  return options.sampling == PairSampling::Stratified
+             ? PairSampler(points.size(), options.seed)
+             : PairSampler(points, options.sampling, options.seed);
+}
+
 /** \brief The histogram of an object whose noise is lowered first. */
 std::vector<float>
 noisyHistogram(const std::vector<OrientedPoint>& points,
@@ -131,11 +140,9 @@ noisyHistogram(const std::vector<OrientedPoint>& points,
                const EPPFOptions& options)
 {
   const auto object = denoised(points, order, extent, noise, options.number_of_threads);
-  auto sampler = options.sampling == PairSampling::Stratified
-                     ? PairSampler(object.points.size(), options.seed)
-                     : PairSampler(object.points, options.sampling, options.seed);
   const double scale = options.scale > 0.0 ? options.scale : object.extent;
-  const PairCounter counter(object.points, std::move(sampler), scale, options);
+  const PairCounter counter(
+      object.points, samplerOf(object.points, options), scale, options);
   // Harmonics are smooth already: of points where they are, not moved to planes.
   return histogramOf(points,
                      frameOf(points, noise.evidence, options),
@@ -172,8 +179,6 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
       return noisyHistogram(points, order, extent, noise, options);
   }
   const double scale = options.scale > 0.0 ? options.scale : extent;
-  auto sampler = is_stratified ? PairSampler(points.size(), options.seed)
-                               : PairSampler(points, options.sampling, options.seed);
   std::vector<OrientedPoint> along_order;
   if (is_stratified)
     along_order = arranged(points, order);
@@ -184,7 +189,7 @@ eppfHistogram(const std::vector<OrientedPoint>& points, const EPPFOptions& optio
     if (task == 1)
       frame = frameOf(used, 0.0f, options);
     else
-      counter.emplace(used, std::move(sampler), scale, options);
+      counter.emplace(used, samplerOf(used, options), scale, options);
   });
   return histogramOf(
       used, frame, scale, options, [&](std::size_t first, std::size_t last, auto& own) {

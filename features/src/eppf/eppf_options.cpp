@@ -4,9 +4,11 @@
  */
 #include <pcl/features/eppf_options.h>
 
+#include "eppf/pair_options.h"
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <string>
 #include <utility>
 
 namespace pcl::indoor {
@@ -50,46 +52,40 @@ automaticGridSize(std::size_t point_count)
 std::string
 findProblem(const EPPFOptions& options)
 {
-  std::ostringstream problem;
+  OptionCheck check;
   const auto& bins = options.bins;
-  const std::pair<const char*, int> counts[] = {{"distance", bins.distance},
-                                                {"surface angle", bins.surface_angle},
-                                                {"normal angle", bins.normal_angle},
-                                                {"occupancy", bins.occupancy}};
-  for (const auto& [name, count] : counts)
-    if (count < 1 || count > 64) {
-      problem << "The number of " << name << " bins must be in 1 ... 64, not " << count;
-      return problem.str();
-    }
+  const auto in = [](int low, int value, int high) {
+    return low <= value && value <= high;
+  };
+  const std::pair<const char*, int> counts[] = {
+      {"number of distance bins must be in 1 ... 64", bins.distance},
+      {"number of surface angle bins must be in 1 ... 64", bins.surface_angle},
+      {"number of normal angle bins must be in 1 ... 64", bins.normal_angle},
+      {"number of occupancy bins must be in 1 ... 64", bins.occupancy}};
+  for (const auto& [rule, count] : counts)
+    check.require(in(1, count, 64), rule, count);
   const auto& harmonics = bins.harmonics;
-  if (std::min(harmonics.shells, harmonics.distances) < 0 ||
-      std::max(harmonics.shells, harmonics.distances) > 64)
-    problem
-        << "The numbers of shells and of distances from the middle must be in 0 ... "
-           "64, not "
-        << harmonics.shells << " and " << harmonics.distances;
-  else if (harmonics.degree < 0 || harmonics.degree > 8)
-    problem << "The degree of harmonics must be in 0 ... 8, not " << harmonics.degree;
-  else if (options.pair_count < 1 || options.pair_count > 0xFFFFFFFFu)
-    problem << "The number of pairs must be in 1 ... 2^32 - 1, not "
-            << options.pair_count;
-  else if (!(options.scale >= 0.0) || !std::isfinite(options.scale))
-    problem << "The scale must be 0 (automatic) or a positive length, not "
-            << options.scale << " m";
-  else if (!(options.weighting_constant > 1.0) ||
-           !std::isfinite(options.weighting_constant))
-    problem << "The weighting constant must be above 1, not "
-            << options.weighting_constant;
-  else if (options.surface_angle_rule == SurfaceAngleRule::Joint &&
-           jointLevels(bins) == 0)
-    problem
-        << "The number of surface angle bins must be one of 1, 3, 6, 10, 15, ... for "
-           "the joint rule, not "
-        << bins.surface_angle;
-  else if (options.grid_size != 0 && (options.grid_size < 2 || options.grid_size > 64))
-    problem << "The grid size must be 0 (automatic) or in 2 ... 64 voxels, not "
-            << options.grid_size;
-  return problem.str();
+  check.require(
+      in(0, harmonics.shells, 64) && in(0, harmonics.distances, 64),
+      "numbers of shells and of distances from the middle must be in 0 ... 64",
+      std::to_string(harmonics.shells) + " and " + std::to_string(harmonics.distances));
+  check.require(in(0, harmonics.degree, 8),
+                "degree of harmonics must be in 0 ... 8",
+                harmonics.degree);
+  checkPairOptions(check, options.pair_count, options.scale);
+  check.require(options.weighting_constant > 1.0 &&
+                    std::isfinite(options.weighting_constant),
+                "weighting constant must be above 1",
+                options.weighting_constant);
+  check.require(options.surface_angle_rule != SurfaceAngleRule::Joint ||
+                    jointLevels(bins) > 0,
+                "number of surface angle bins must be one of 1, 3, 6, 10, 15, ... for "
+                "the joint rule",
+                bins.surface_angle);
+  check.require(options.grid_size == 0 || in(2, options.grid_size, 64),
+                "grid size must be 0 (automatic) or in 2 ... 64 voxels",
+                options.grid_size);
+  return check.problem();
 }
 
 int

@@ -5,6 +5,7 @@
 #include "eppf/eppf_pair_counter.h"
 
 #include "eppf/soft_bin.h"
+#include "internal/point_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,15 +38,6 @@ evenBorders(double lowest, int count)
   for (int k = 1; k < count; ++k)
     borders.push_back(static_cast<float>(lowest + (1.0 - lowest) * k / count));
   return borders;
-}
-
-Eigen::Vector3f
-centroidOf(const std::vector<OrientedPoint>& points)
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto& point : points)
-    sum += point.position.cast<double>();
-  return (sum / static_cast<double>(points.size())).cast<float>();
 }
 
 /** \brief How many normals point away from a centroid. */

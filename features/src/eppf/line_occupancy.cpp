@@ -4,6 +4,8 @@
  */
 #include <pcl/features/line_occupancy.h>
 
+#include "internal/point_bounds.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -12,14 +14,9 @@ namespace pcl::indoor {
 LineOccupancy::LineOccupancy(const std::vector<OrientedPoint>& points, int grid_size)
 {
   assert(!points.empty() && grid_size >= 2 && grid_size <= 64);
-  Eigen::Array3f lower = points.front().position;
-  Eigen::Array3f upper = lower;
-  for (const auto& point : points) {
-    lower = lower.min(point.position.array());
-    upper = upper.max(point.position.array());
-  }
-  const float edge = (upper - lower).maxCoeff();
-  origin_ = ((lower + upper - edge) / 2).matrix();
+  const auto bounds = boundsOf(points);
+  const float edge = bounds.sizes().maxCoeff();
+  origin_ = ((bounds.min() + bounds.max()).array() - edge) / 2;
   inverse_voxel_size_ = edge > 0.0f ? static_cast<float>(grid_size) / edge : 0.0f;
   largest_coordinate_ = static_cast<float>(grid_size - 1);
   for (int steps = 0; steps < 64; ++steps)

@@ -3,6 +3,9 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include <pcl/features/oriented_point.h>
+
+#include "internal/point_bounds.h"
+
 #include <pcl/indoor/usable_point.h>
 
 #include <cmath>
@@ -31,11 +34,7 @@ objectExtent(const std::vector<OrientedPoint>& points)
 {
   if (points.empty())
     return 0.0f;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto& point : points)
-    sum += point.position.cast<double>();
-  const Eigen::Vector3d centroid = sum / static_cast<double>(points.size());
-  auto end = farthestFrom(centroid.cast<float>(), points).first;
+  auto end = farthestFrom(centroidOf(points), points).first;
   float extent = 0.0f;
   for (int sweep = 0; sweep < 8; ++sweep) {
     const auto [other_end, distance] = farthestFrom(end, points);

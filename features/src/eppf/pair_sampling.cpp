@@ -4,6 +4,8 @@
  */
 #include <pcl/features/pair_sampling.h>
 
+#include "internal/point_bounds.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -67,15 +69,11 @@ spaceFillingOrder(const std::vector<OrientedPoint>& points)
 {
   if (points.empty())
     return {};
-  Eigen::Array3f lower = points.front().position;
-  Eigen::Array3f upper = lower;
-  for (const auto& point : points) {
-    lower = lower.min(point.position.array());
-    upper = upper.max(point.position.array());
-  }
+  const auto bounds = boundsOf(points);
+  const Eigen::Array3f lower = bounds.min();
   constexpr float largest =
       std::numeric_limits<float>::max(); // differences may exceed it
-  const float edge = std::clamp((upper - lower).maxCoeff(), 1e-30f, largest);
+  const float edge = std::clamp(bounds.sizes().maxCoeff(), 1e-30f, largest);
   const float scale = 1023.0f / edge;
   std::vector<Coded> order(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {

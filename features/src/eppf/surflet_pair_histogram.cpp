@@ -4,6 +4,8 @@
  */
 #include <pcl/features/surflet_pair_histogram.h>
 
+#include "eppf/pair_options.h"
+
 #include <pcl/features/pair_counting.h>
 #include <pcl/indoor/require_valid.h>
 
@@ -12,7 +14,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <sstream>
 
 namespace pcl::indoor {
 
@@ -53,17 +54,12 @@ surfletPairFeatures(const OrientedPoint& one, const OrientedPoint& two)
 std::string
 findProblem(const SurfletPairOptions& options)
 {
-  std::ostringstream problem;
-  if (options.bin_count < 1 || options.bin_count > 16)
-    problem << "The number of bins of a feature must be in 1 ... 16, not "
-            << options.bin_count;
-  else if (options.pair_count < 1 || options.pair_count > 0xFFFFFFFFu)
-    problem << "The number of pairs must be in 1 ... 2^32 - 1, not "
-            << options.pair_count;
-  else if (!(options.scale >= 0.0) || !std::isfinite(options.scale))
-    problem << "The scale must be 0 (automatic) or a positive length, not "
-            << options.scale << " m";
-  return problem.str();
+  OptionCheck check;
+  check.require(options.bin_count >= 1 && options.bin_count <= 16,
+                "number of bins of a feature must be in 1 ... 16",
+                options.bin_count);
+  checkPairOptions(check, options.pair_count, options.scale);
+  return check.problem();
 }
 
 std::vector<float>

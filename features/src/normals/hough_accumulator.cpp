@@ -4,6 +4,8 @@
  */
 #include <pcl/features/hough_accumulator.h>
 
+#include "normals/accumulator_options.h"
+
 #include <pcl/exceptions.h>
 
 #include <Eigen/Geometry>
@@ -75,14 +77,10 @@ HoughAccumulator::HoughAccumulator(double bin_angle_degrees,
                                    std::uint32_t seed)
 : rotations_(rotations)
 {
-  if (!(bin_angle_degrees >= 1 && bin_angle_degrees <= 45))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The angle of a bin must be in [1, 45], not "
-                            << bin_angle_degrees << " degrees.");
-  if (rotations < 1 || rotations > 16)
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The number of accumulators must be in [1, 16], not "
-                            << rotations << ".");
+  OptionCheck check;
+  checkAccumulator(check, bin_angle_degrees, rotations);
+  if (!check.problem().empty())
+    PCL_THROW_EXCEPTION(BadArgumentException, check.problem());
   const Rings rings(bin_angle_degrees * M_PI / 180);
   bin_count_ = static_cast<unsigned>(rings.bins());
   std::mt19937 rng(seed);

@@ -4,6 +4,7 @@
  */
 #include <pcl/features/hough_normal_estimator.h>
 
+#include "normals/accumulator_options.h"
 #include "normals/plane_refit.h"
 
 #include <pcl/indoor/require_valid.h>
@@ -13,7 +14,6 @@
 #include <cstring>
 #include <limits>
 #include <random>
-#include <sstream>
 
 namespace {
 
@@ -55,40 +55,29 @@ houghTripleCount(unsigned bins, double confidence, double deviation)
 std::string
 findProblem(const HoughNormalOptions& options)
 {
-  std::ostringstream problem;
-  const auto require =
-      [&](bool holds, const char* what, double value, const char* unit = "") {
-        if (!holds && problem.str().empty())
-          problem << "The " << what << ", not " << value << unit << '.';
-      };
-  require(options.bin_angle_degrees >= 1 && options.bin_angle_degrees <= 45,
-          "angle of a bin must be in [1, 45]",
-          options.bin_angle_degrees,
-          " degrees");
-  require(options.rotations >= 1 && options.rotations <= 16,
-          "number of accumulators must be in [1, 16]",
-          options.rotations);
-  require(options.confidence > 0 && options.confidence < 1,
-          "confidence must be in (0, 1)",
-          options.confidence);
-  require(options.deviation >= 0.01 && options.deviation <= 1,
-          "deviation must be in [0.01, 1]",
-          options.deviation);
-  require(options.triples <= 1000000,
-          "number of triples must be at most 1000000",
-          options.triples);
-  require(options.cubes_per_edge >= 1 && options.cubes_per_edge <= 16,
-          "number of cubes per edge must be in [1, 16]",
-          options.cubes_per_edge);
-  require(options.plane_distance > 0,
-          "largest distance of planes must be positive",
-          options.plane_distance);
-  require(options.cluster_tolerance_degrees >= 0 &&
-              options.cluster_tolerance_degrees <= 90,
-          "cluster tolerance must be in [0, 90]",
-          options.cluster_tolerance_degrees,
-          " degrees");
-  return problem.str();
+  OptionCheck check;
+  checkAccumulator(check, options.bin_angle_degrees, options.rotations);
+  check.require(options.confidence > 0 && options.confidence < 1,
+                "confidence must be in (0, 1)",
+                options.confidence);
+  check.require(options.deviation >= 0.01 && options.deviation <= 1,
+                "deviation must be in [0.01, 1]",
+                options.deviation);
+  check.require(options.triples <= 1000000,
+                "number of triples must be at most 1000000",
+                options.triples);
+  check.require(options.cubes_per_edge >= 1 && options.cubes_per_edge <= 16,
+                "number of cubes per edge must be in [1, 16]",
+                options.cubes_per_edge);
+  check.require(options.plane_distance > 0,
+                "largest distance of planes must be positive",
+                options.plane_distance);
+  check.require(options.cluster_tolerance_degrees >= 0 &&
+                    options.cluster_tolerance_degrees <= 90,
+                "cluster tolerance must be in [0, 90]",
+                options.cluster_tolerance_degrees,
+                " degrees");
+  return check.problem();
 }
 
 HoughNormalEstimator::HoughNormalEstimator(const HoughNormalOptions& options)

@@ -4,10 +4,12 @@
  */
 #include <pcl/features/multi_scale_normals.h>
 
-#include <pcl/exceptions.h>
+#include "internal/option_check.h"
+
 #include <pcl/indoor/first_in_place.h>
 #include <pcl/indoor/neighbor_distance.h>
 #include <pcl/indoor/parallel_for.h>
+#include <pcl/indoor/require_valid.h>
 #include <pcl/indoor/usable_point.h>
 #include <pcl/search/kdtree.h>
 
@@ -17,7 +19,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <vector>
 
 namespace pcl::indoor {
@@ -81,21 +82,22 @@ squaredRadii(double largest, unsigned scales)
 std::string
 findProblem(const MultiScaleNormalOptions& options)
 {
-  std::ostringstream problem;
-  if (!(options.radius >= 0.0) || !std::isfinite(options.radius))
-    problem << "The radius must be 0 (automatic) or a positive length, not "
-            << options.radius << " m";
-  else if (options.scales < 1 || options.scales > 16)
-    problem << "The number of scales must be in 1 ... 16, not " << options.scales;
-  return problem.str();
+  OptionCheck check;
+  check.require(options.radius >= 0.0 && std::isfinite(options.radius),
+                "radius must be 0 (automatic) or a positive length",
+                options.radius,
+                " m");
+  check.require(options.scales >= 1 && options.scales <= 16,
+                "number of scales must be in 1 ... 16",
+                options.scales);
+  return check.problem();
 }
 
 PointCloud<Normal>
 multiScaleNormals(const PointCloud<PointXYZ>& points,
                   const MultiScaleNormalOptions& options)
 {
-  if (const auto problem = findProblem(options); !problem.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, problem);
+  requireValid(options);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   PointCloud<Normal> normals(points.width, points.height, Normal(nan, nan, nan, nan));
   const auto usable = pcl::make_shared<Indices>();

@@ -4,24 +4,13 @@
  */
 #include <pcl/features/normal_graph.h>
 
+#include "internal/point_bounds.h"
+
 #include <pcl/exceptions.h>
+#include <pcl/features/sign_graph.h>
 
 #include <algorithm>
 #include <cmath>
-
-namespace {
-
-/** The middle of all positions. */
-Eigen::Vector3f
-meanOf(const std::vector<Eigen::Vector3f>& positions)
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto& position : positions)
-    sum += position.cast<double>();
-  return (sum / static_cast<double>(positions.size())).cast<float>();
-}
-
-} // namespace
 
 namespace pcl::indoor {
 
@@ -43,6 +32,9 @@ sideAgreement(const Eigen::Vector3f& position_1,
   return std::isfinite(weight) ? weight : 0;
 }
 
+namespace {
+
+/** List each pair of neighbours once, with the agreement of their normals. */
 std::vector<SignEdge>
 normalGraph(const std::vector<Eigen::Vector3f>& positions,
             const Adjacency& neighbors,
@@ -62,6 +54,8 @@ normalGraph(const std::vector<Eigen::Vector3f>& positions,
   return edges;
 }
 
+} // namespace
+
 void
 orientConsistently(const std::vector<Eigen::Vector3f>& positions,
                    const Adjacency& neighbors,
@@ -76,7 +70,7 @@ orientConsistently(const std::vector<Eigen::Vector3f>& positions,
   if (positions.empty())
     return;
   const Eigen::Vector3f target =
-      viewpoint.empty() ? meanOf(positions) : viewpoint.front();
+      viewpoint.empty() ? centroidOf(positions) : viewpoint.front();
   std::vector<std::uint32_t> component;
   const auto signs = findSigns(
       positions.size(), normalGraph(positions, neighbors, normals), &component);

@@ -177,16 +177,6 @@ flipSingle(const std::vector<SignEdge>& edges, std::vector<std::int8_t>& signs)
 
 namespace pcl::indoor {
 
-double
-signEnergy(const std::vector<std::int8_t>& signs, const std::vector<SignEdge>& edges)
-{
-  double energy = 0;
-  for (const auto& edge : edges)
-    if (signs[edge.source] * signs[edge.target] * edge.weight < 0)
-      energy += std::abs(edge.weight);
-  return energy;
-}
-
 std::vector<std::int8_t>
 findSigns(std::size_t node_count,
           const std::vector<SignEdge>& edges,

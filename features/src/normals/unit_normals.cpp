@@ -4,6 +4,8 @@
  */
 #include <pcl/features/unit_normals.h>
 
+#include "internal/point_bounds.h"
+
 #include <pcl/indoor/point_cells.h>
 #include <pcl/indoor/quantile.h>
 
@@ -52,15 +54,11 @@ struct Patches {
 Patches
 patchesOf(const Vectors& points)
 {
-  Eigen::Array3f lower = points.front(), upper = lower;
-  for (const auto& point : points) {
-    lower = lower.min(point.array());
-    upper = upper.max(point.array());
-  }
   // Cells of a room's surfaces with more points than wanted, but not many passes more.
   const double across = std::clamp(
       0.5 * std::sqrt(static_cast<double>(points.size() / most_in_patch)), 2.0, 32.0);
-  double size = std::max((upper - lower).maxCoeff() / across, 1e-6);
+  double size =
+      std::max(pcl::indoor::boundsOf(points).sizes().maxCoeff() / across, 1e-6);
   Patches patches;
   patches.points.resize(points.size());
   std::iota(patches.points.begin(), patches.points.end(), 0u);

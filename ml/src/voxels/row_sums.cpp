@@ -4,6 +4,8 @@
  */
 #include "voxels/row_sums.h"
 
+#include "internal/cpu_target.h"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -70,26 +72,15 @@ addPortably(const Products& p)
   addAll(p);
 }
 
-#if defined(__GNUC__) && defined(__x86_64__)
-__attribute__((target("avx2"))) void // without fma, whose sums would be others
+// Without fma, whose sums would be others.
+PCL_INDOOR_TARGET("avx2")
+void
 addWithAvx2(const Products& p)
 {
   addAll(p);
 }
-#endif
 
-Adder
-fastestAdder()
-{
-#if defined(__GNUC__) && defined(__x86_64__)
-  __builtin_cpu_init(); // may run before the constructors of the runtime
-  if (__builtin_cpu_supports("avx2"))
-    return addWithAvx2;
-#endif
-  return addPortably;
-}
-
-const Adder add = fastestAdder();
+const Adder add = PCL_INDOOR_CPU_HAS("avx2") ? addWithAvx2 : addPortably;
 
 } // namespace
 

@@ -5,6 +5,7 @@
 #include "export/room_ways.h"
 
 #include "export/shortest_paths.h"
+#include "internal/cross.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +13,6 @@
 
 namespace pcl::indoor::tool {
 namespace {
-
-double
-cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** Does a line go through a side, from one of its sides to the other? */
 bool
@@ -27,8 +22,8 @@ crosses(const Eigen::Vector2d& a,
         const Eigen::Vector2d& d)
 {
   constexpr double touching = 1e-9; // m^2
-  const double of_c = cross(b - a, c - a), of_d = cross(b - a, d - a);
-  const double of_a = cross(d - c, a - c), of_b = cross(d - c, b - c);
+  const double of_c = crossOf(b - a, c - a), of_d = crossOf(b - a, d - a);
+  const double of_a = crossOf(d - c, a - c), of_b = crossOf(d - c, b - c);
   const auto apart = [](double one, double other) {
     return (one > touching && other < -touching) ||
            (one < -touching && other > touching);
@@ -48,7 +43,7 @@ turningPoints(const std::vector<PlanRing>& rings, double clearance)
       const Eigen::Vector2d in =
           (corner - ring[(i + ring.size() - 1) % ring.size()]).normalized();
       const Eigen::Vector2d out = (ring[(i + 1) % ring.size()] - corner).normalized();
-      if (std::atan2(cross(in, out), in.dot(out)) > -least_turn)
+      if (std::atan2(crossOf(in, out), in.dot(out)) > -least_turn)
         continue;
       const Eigen::Vector2d away = (in - out).normalized();
       for (double share = 1.0; share > 0.1; share *= 0.5) {

@@ -4,7 +4,7 @@
  */
 #include <pcl/segmentation/object_segmentation_options.h>
 
-#include "option_check.h"
+#include "internal/option_check.h"
 
 namespace pcl::indoor {
 

@@ -5,7 +5,7 @@
 
 #include <pcl/segmentation/building_rooms_options.h>
 
-#include "option_check.h"
+#include "internal/option_check.h"
 #include "rooms/space/enclosure.h"
 #include "rooms/space/grid_cut.h"
 

@@ -8,9 +8,11 @@
 #include <pcl/indoor/point_cells.h> // for Adjacency
 #include <pcl/indoor/usable_point.h>
 #include <pcl/point_cloud.h>
+#include <pcl/types.h> // for Indices
 
 #include <Eigen/Core>
 
+#include <numeric>
 #include <vector>
 
 namespace pcl::indoor {
@@ -47,16 +49,17 @@ nearestNeighbors(const std::vector<Eigen::Vector3f>& points,
                  unsigned neighbors,
                  unsigned threads = 0);
 
-/** \brief Collect the usable points of a cloud, each minus the first of them: nothing
- * is lost in large coordinates. */
+/** \brief Collect the usable ones of some points of a cloud, each minus the first of
+ * them: nothing is lost in large coordinates. */
 template <typename PointT>
 std::vector<Eigen::Vector3f>
-finitePoints(const PointCloud<PointT>& cloud)
+finitePoints(const PointCloud<PointT>& cloud, const Indices& indices)
 {
   std::vector<Eigen::Vector3f> points;
-  points.reserve(cloud.size());
+  points.reserve(indices.size());
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  for (const auto& point : cloud) {
+  for (const auto index : indices) {
+    const PointT& point = cloud[index];
     if (!isUsablePoint(point))
       continue;
     const Eigen::Vector3d position = point.getVector3fMap().template cast<double>();
@@ -72,7 +75,9 @@ template <typename PointT>
 double
 neighborhoodRadius(const PointCloud<PointT>& cloud, unsigned threads = 0)
 {
-  return neighborhoodRadius(finitePoints(cloud), threads);
+  Indices all(cloud.size());
+  std::iota(all.begin(), all.end(), 0);
+  return neighborhoodRadius(finitePoints(cloud, all), threads);
 }
 
 } // namespace pcl::indoor

@@ -6,8 +6,8 @@
 
 #include <pcl/features/eppf_histogram.h>
 #include <pcl/features/eppf_signature.h>
-#include <pcl/features/feature.h>
 #include <pcl/features/pair_harmonics_signature.h>
+#include <pcl/features/pair_histogram_estimation.h>
 
 namespace pcl {
 
@@ -31,11 +31,11 @@ namespace pcl {
  * \ingroup features
  */
 template <typename PointInT, typename PointNT, typename PointOutT = EPPFSignature1200>
-class EPPFEstimation : public FeatureFromNormals<PointInT, PointNT, PointOutT> {
+class EPPFEstimation
+: public indoor::PairHistogramEstimation<PointInT, PointNT, PointOutT> {
 public:
   using Ptr = shared_ptr<EPPFEstimation<PointInT, PointNT, PointOutT>>;
   using ConstPtr = shared_ptr<const EPPFEstimation<PointInT, PointNT, PointOutT>>;
-  using PointCloudOut = typename Feature<PointInT, PointOutT>::PointCloudOut;
 
   EPPFEstimation();
 
@@ -216,28 +216,12 @@ public:
     return options_.denoising;
   }
 
-  /** \brief Compute the descriptor of all points in the indices. Shadows
-   * Feature::compute(), which would first allocate one output point per input point.
-   * \param[out] output one descriptor; all NaN if no two usable points differ in
-   * position; empty after an error
-   */
-  void
-  compute(PointCloudOut& output);
-
-protected:
-  using Feature<PointInT, PointOutT>::input_;
-  using Feature<PointInT, PointOutT>::indices_;
-  using Feature<PointInT, PointOutT>::k_;
-  using Feature<PointInT, PointOutT>::feature_name_;
-  using FeatureFromNormals<PointInT, PointNT, PointOutT>::normals_;
-
-  /** \brief Check input, normals and parameters. */
-  bool
-  initCompute() override;
-
 private:
-  void
-  computeFeature(PointCloudOut& output) override;
+  std::string
+  findOptionsProblem() const override;
+
+  std::vector<float>
+  histogramOf(const std::vector<indoor::OrientedPoint>& points) const override;
 
   indoor::EPPFOptions options_;
 };

@@ -26,12 +26,6 @@ public:
   /** \brief A voxel, or a place within one: x, y and z packed in fixed point. */
   using Cell = std::uint64_t;
 
-  /** \brief What a line met. */
-  struct Count {
-    int occupied = 0; ///< N_occ of Eq. (5.8)
-    int total = 0;    ///< N_total of Eq. (5.8)
-  };
-
   /** \brief Mark the voxels of points in a cube around them.
    * \param[in] points at least one; the cube's edge is the longest of their bounding
    * box
@@ -62,13 +56,6 @@ public:
       return ((voxel << fraction_bits) + center) << bits;
     };
     return field(0, 42) | field(1, 21) | field(2, 0);
-  }
-
-  /** \brief Whether a voxel is occupied. */
-  bool
-  isOccupied(Cell cell) const
-  {
-    return (rows_[row(cell)] >> column(cell)) & 1u;
   }
 
   /** \brief A line from voxel to voxel. */
@@ -107,15 +94,6 @@ public:
     for (int k = 0; k <= line.steps; ++k, place += line.step)
       occupied += (rows_[row(place)] >> column(place)) & 1u;
     return occupied;
-  }
-
-  /** \brief Count voxels on the line between the centres of two voxels, both included.
-   */
-  Count
-  countBetween(Cell from, Cell to) const
-  {
-    const auto line = lineBetween(from, to);
-    return {static_cast<int>(countOccupied(line)), line.steps + 1};
   }
 
 private:

@@ -4,7 +4,6 @@
  */
 #pragma once
 
-#include <pcl/features/sign_graph.h>
 #include <pcl/indoor/exports.h>
 #include <pcl/indoor/point_cells.h> // for Adjacency
 
@@ -29,12 +28,6 @@ sideAgreement(const Eigen::Vector3f& position_1,
               const Eigen::Vector3f& normal_1,
               const Eigen::Vector3f& position_2,
               const Eigen::Vector3f& normal_2);
-
-/** \brief List each pair of neighbours once, with the agreement of their normals. */
-PCL_INDOOR_EXPORTS std::vector<SignEdge>
-normalGraph(const std::vector<Eigen::Vector3f>& positions,
-            const Adjacency& neighbors,
-            const std::vector<Eigen::Vector3f>& normals);
 
 /** \brief Turn normals so that neighbours agree about the side of the surface: the
  * graph formulation of Sec. 2.1.5.2, Eq. (2.7). It decides each connected surface but

@@ -38,20 +38,9 @@ struct FreeSpaceOptions {
   unsigned threads = 0;       ///< 0 = automatic; the result does not depend on it
 };
 
-/** \brief Find places in the free space between the surfaces, far from them and from
- * each other: where a scanner may have stood. Free is a place that surfaces enclose
- * from at least five of the six axis directions; if there is none, the middle of the
- * bounding box is returned.
- * \param[in] positions metres, local frame; outliers are cut off
- * \return at least one place, unless there are no positions
- */
-PCL_INDOOR_EXPORTS std::vector<Eigen::Vector3f>
-findViewpoints(const std::vector<Eigen::Vector3f>& positions,
-               const FreeSpaceOptions& options);
-
 /** \brief Turn normals towards the free space that the surfaces were seen from, where
- * the poses of the sensor are not known. Places found by findViewpoints() vote for the
- * side from which they see a position; votes spread over smooth surfaces (Eq. (2.7)),
+ * the poses of the sensor are not known. Places in the free space vote for the side
+ * from which they see a position; votes spread over smooth surfaces (Eq. (2.7)),
  * so that a surface is turned as a whole. Cost is linear in the number of positions
  * times viewpoints.
  * \param[in] positions metres, local frame

@@ -18,6 +18,13 @@ struct OrientedPoint {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();   ///< unit length
 };
 
+/** \brief Where it is. */
+inline const Eigen::Vector3f&
+positionOf(const OrientedPoint& point)
+{
+  return point.position;
+}
+
 /** \brief Largest distance found between two points: the size of an object however it
  * is turned.
  *

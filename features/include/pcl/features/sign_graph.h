@@ -18,14 +18,8 @@ struct SignEdge {
   float weight = 0; ///< how strong; positive for the same sign, negative for different
 };
 
-/** \brief Sum the strengths of the edges that signs do not satisfy: the energy, which
- * should be small.
- * \param[in] signs +1 or -1, one per node
- */
-PCL_INDOOR_EXPORTS double
-signEnergy(const std::vector<std::int8_t>& signs, const std::vector<SignEdge>& edges);
-
-/** \brief Choose signs of small energy.
+/** \brief Choose signs of small energy: the summed strengths of the edges that they do
+ * not satisfy.
  *
  * The least energy is a maximum cut, hard to find in general. Signs are found by
  * contraction: nodes that are each other's strongest neighbours become one, the weights

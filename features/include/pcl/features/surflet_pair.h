@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl/features/eppf_signature.h>
-#include <pcl/features/feature.h>
+#include <pcl/features/pair_histogram_estimation.h>
 #include <pcl/features/surflet_pair_histogram.h>
 
 namespace pcl {
@@ -24,12 +24,12 @@ namespace pcl {
 template <typename PointInT,
           typename PointNT,
           typename PointOutT = SurfletPairSignature625>
-class SurfletPairEstimation : public FeatureFromNormals<PointInT, PointNT, PointOutT> {
+class SurfletPairEstimation
+: public indoor::PairHistogramEstimation<PointInT, PointNT, PointOutT> {
 public:
   using Ptr = shared_ptr<SurfletPairEstimation<PointInT, PointNT, PointOutT>>;
   using ConstPtr =
       shared_ptr<const SurfletPairEstimation<PointInT, PointNT, PointOutT>>;
-  using PointCloudOut = typename Feature<PointInT, PointOutT>::PointCloudOut;
 
   /** \brief Five bins per feature for SurfletPairSignature625, six for ...1296. */
   SurfletPairEstimation();
@@ -108,28 +108,12 @@ public:
     return options_.sampling;
   }
 
-  /** \brief Compute the descriptor of all points in the indices. Shadows
-   * Feature::compute(), which would first allocate one output point per input point.
-   * \param[out] output one descriptor; all NaN if no two usable points differ in
-   * position; empty after an error
-   */
-  void
-  compute(PointCloudOut& output);
-
-protected:
-  using Feature<PointInT, PointOutT>::input_;
-  using Feature<PointInT, PointOutT>::indices_;
-  using Feature<PointInT, PointOutT>::k_;
-  using Feature<PointInT, PointOutT>::feature_name_;
-  using FeatureFromNormals<PointInT, PointNT, PointOutT>::normals_;
-
-  /** \brief Check input, normals and parameters. */
-  bool
-  initCompute() override;
-
 private:
-  void
-  computeFeature(PointCloudOut& output) override;
+  std::string
+  findOptionsProblem() const override;
+
+  std::vector<float>
+  histogramOf(const std::vector<indoor::OrientedPoint>& points) const override;
 
   indoor::SurfletPairOptions options_;
 };

@@ -9,18 +9,27 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl::indoor {
 
 struct NonConvexityOptions {
-  double radius = 0.05; ///< R, radius of the neighbourhood, metres (> 0)
+  /** R, radius of the neighbourhood, metres (>= 0); 0: by the rule of Eq. (2.9), see
+   * neighborhoodRadius() */
+  double radius = 0;
   /** theta_t: points whose curvature is not above it are never non-convex (0 to 1/3) */
   float curvature_threshold = 0.03f;
   /** alpha_t: non-convex are points with N+ >= alpha_t * N- (0 to 1) */
   float ratio_threshold = 0.2f;
   unsigned threads = 0; ///< 0 = automatic
 };
+
+/** \brief Find what is wrong with the options.
+ * \return one sentence with parameter, value and unit; empty if nothing is
+ */
+PCL_INDOOR_EXPORTS std::string
+findProblem(const NonConvexityOptions& options);
 
 /** \brief Decide from the numbers of neighbours in the two half-spaces of the tangent
  * plane, Eq. (4.2): true (concave or ambiguous) if N+ >= alpha_t * N-.

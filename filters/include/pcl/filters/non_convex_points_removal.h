@@ -8,6 +8,8 @@
 #include <pcl/filters/non_convex_points.h>
 #include <pcl/point_cloud.h>
 
+#include <string>
+
 namespace pcl {
 
 /** \brief Removes the points of concave and of noisy regions, or keeps only them.
@@ -43,11 +45,17 @@ public:
    * Points whose normal or curvature is not finite are kept.
    */
   void
-  setInputNormals(const PointCloudNConstPtr& normals);
+  setInputNormals(const PointCloudNConstPtr& normals)
+  {
+    normals_ = normals;
+  }
 
   /** \brief Get the normals that were set; null if none were. */
   PointCloudNConstPtr
-  getInputNormals() const;
+  getInputNormals() const
+  {
+    return normals_;
+  }
 
   /** \brief Set the radius of the neighbourhood that is counted.
    * \param[in] radius metres, positive; 0 (default) for that of Eq. (2.9), see
@@ -55,38 +63,59 @@ public:
    * objects.
    */
   void
-  setRadius(double radius);
+  setRadius(double radius)
+  {
+    options_.radius = radius;
+  }
 
   /** \brief Get the radius, metres, as it was set; 0 stands for automatic. */
   double
-  getRadius() const;
+  getRadius() const
+  {
+    return options_.radius;
+  }
 
   /** \brief Set the curvature above which points are looked at, theta_t.
    * \param[in] threshold surface variation of Eq. (2.8), 0 to 1/3 (default 0.03, for
    * laser scans; 0.02 suits Kinect). Lower removes more points.
    */
   void
-  setCurvatureThreshold(float threshold);
+  setCurvatureThreshold(float threshold)
+  {
+    options_.curvature_threshold = threshold;
+  }
 
   /** \brief Get the curvature threshold. */
   float
-  getCurvatureThreshold() const;
+  getCurvatureThreshold() const
+  {
+    return options_.curvature_threshold;
+  }
 
   /** \brief Set the ratio N+ / N- from which a region is not convex, alpha_t.
    * \param[in] threshold 0 to 1 (default 0.2). Lower removes more points.
    */
   void
-  setRatioThreshold(float threshold);
+  setRatioThreshold(float threshold)
+  {
+    options_.ratio_threshold = threshold;
+  }
 
   /** \brief Get the ratio threshold. */
   float
-  getRatioThreshold() const;
+  getRatioThreshold() const
+  {
+    return options_.ratio_threshold;
+  }
 
   /** \brief Set the number of threads; the result does not depend on it.
    * \param[in] threads 0 (default) for as many as OpenMP offers
    */
   void
-  setNumberOfThreads(unsigned threads = 0);
+  setNumberOfThreads(unsigned threads = 0)
+  {
+    options_.threads = threads;
+  }
 
 protected:
   using FilterIndices<PointT>::extract_removed_indices_;
@@ -101,11 +130,11 @@ protected:
   applyFilter(Indices& indices) override;
 
 private:
-  bool
-  hasValidInput() const;
+  /** \brief Say what is wrong with input or parameters: "" if nothing. */
+  std::string
+  findProblem() const;
 
   PointCloudNConstPtr normals_;
-  double radius_ = 0;
   indoor::NonConvexityOptions options_;
 };
 

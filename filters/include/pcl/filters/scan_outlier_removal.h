@@ -35,47 +35,74 @@ public:
    * indoor::neighborhoodRadius(). Larger removes less.
    */
   void
-  setRadiusSearch(double radius);
+  setRadiusSearch(double radius)
+  {
+    options_.radius = radius;
+  }
 
   /** \brief Get the radius as it was set, metres; 0 stands for automatic. */
   double
-  getRadiusSearch() const;
+  getRadiusSearch() const
+  {
+    return options_.radius;
+  }
 
   /** \brief Set how many other points must lie within the radius.
    * \param[in] count default 2; 0 leaves out this test
    */
   void
-  setMinNeighborsInRadius(int count);
+  setMinNeighborsInRadius(int count)
+  {
+    options_.min_neighbors = count;
+  }
 
   /** \brief Get how many other points must lie within the radius. */
   int
-  getMinNeighborsInRadius() const;
+  getMinNeighborsInRadius() const
+  {
+    return options_.min_neighbors;
+  }
 
   /** \brief Set over how many neighbours the mean distance is taken, Eq. (2.1).
    * \param[in] count at least 1 (default 8)
    */
   void
-  setMeanK(int count);
+  setMeanK(int count)
+  {
+    options_.mean_k = count;
+  }
 
   /** \brief Get over how many neighbours the mean distance is taken. */
   int
-  getMeanK() const;
+  getMeanK() const
+  {
+    return options_.mean_k;
+  }
 
   /** \brief Set how far above the mean of all points a point's mean distance may lie.
    * \param[in] deviations standard deviations, positive (default 3); infinity leaves
    * out this test. Lower removes more, but nothing below twice the mean.
    */
   void
-  setStddevMulThresh(double deviations);
+  setStddevMulThresh(double deviations)
+  {
+    options_.deviations = deviations;
+  }
 
   /** \brief Get the number of standard deviations. */
   double
-  getStddevMulThresh() const;
+  getStddevMulThresh() const
+  {
+    return options_.deviations;
+  }
 
   /** \brief Set the number of threads that find the resolution; 0 (default) for as many
    * as OpenMP offers. */
   void
-  setNumberOfThreads(unsigned threads = 0);
+  setNumberOfThreads(unsigned threads = 0)
+  {
+    options_.threads = threads;
+  }
 
 protected:
   using Filter<PointT>::filter_name_;

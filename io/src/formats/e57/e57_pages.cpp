@@ -6,6 +6,7 @@
 #include "formats/e57/e57_pages.h"
 
 #include "files/tool_error.h"
+#include "internal/cpu_target.h"
 
 #include <boost/crc.hpp>
 
@@ -13,17 +14,17 @@
 #include <cstring>
 #include <filesystem>
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if PCL_INDOOR_HAS_TARGETS
 #include <nmmintrin.h>
 #endif
 
 namespace pcl::indoor::tool {
 namespace {
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if PCL_INDOOR_HAS_TARGETS
 
-__attribute__((target("sse4.2"))) std::uint32_t
-crcByInstruction(const char* bytes, std::size_t count)
+PCL_INDOOR_TARGET("sse4.2")
+std::uint32_t crcByInstruction(const char* bytes, std::size_t count)
 {
   std::uint64_t crc = 0xffffffff;
   for (; count >= sizeof(crc); count -= sizeof(crc), bytes += sizeof(crc)) {
@@ -37,25 +38,12 @@ crcByInstruction(const char* bytes, std::size_t count)
   return ~rest;
 }
 
-bool
-hasInstruction()
-{
-  static const bool has = __builtin_cpu_supports("sse4.2") != 0;
-  return has;
-}
-
 #else
 
 std::uint32_t
 crcByInstruction(const char*, std::size_t)
 {
   return 0;
-}
-
-bool
-hasInstruction()
-{
-  return false;
 }
 
 #endif
@@ -65,7 +53,8 @@ hasInstruction()
 std::uint32_t
 crc32c(const char* bytes, std::size_t count)
 {
-  if (hasInstruction())
+  static const bool has_instruction = PCL_INDOOR_CPU_HAS("sse4.2");
+  if (has_instruction)
     return crcByInstruction(bytes, count);
   boost::crc_optimal<32, 0x1edc6f41, 0xffffffff, 0xffffffff, true, true> crc;
   crc.process_bytes(bytes, count);

@@ -4,6 +4,7 @@
  */
 #include <pcl/segmentation/thesis.h>
 
+#include "internal/option_check.h"
 #include "objects/distinct_segmentation.h"
 #include "objects/graph/supervoxel_joining.h"
 #include "objects/segment_names.h"
@@ -11,7 +12,6 @@
 #include "objects/structure/scene_making.h"
 #include "objects/voxel_partition.h"
 #include "objects/voxel_votes.h"
-#include "option_check.h"
 #include "thesis/objects/edge_partition.h"
 #include "thesis/objects/point_segmentation.h"
 

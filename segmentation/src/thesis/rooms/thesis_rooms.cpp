@@ -4,7 +4,7 @@
  */
 #include <pcl/segmentation/thesis.h>
 
-#include "option_check.h"
+#include "internal/option_check.h"
 #include "rooms/room_way.h"
 #include "thesis/rooms/field_rooms.h"
 #include "thesis/rooms/map_labels.h"

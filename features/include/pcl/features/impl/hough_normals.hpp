@@ -9,6 +9,7 @@
 #include <pcl/features/hough_normals.h>
 #include <pcl/indoor/exports.h>
 #include <pcl/indoor/first_in_place.h>
+#include <pcl/indoor/index_check.h>
 #include <pcl/indoor/neighbor_distance.h>
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
@@ -49,10 +50,8 @@ bool
 HoughNormalEstimation<PointInT, PointOutT>::initCompute()
 {
   std::string problem = indoor::findProblem(options_);
-  if (input_ && indices_ && !this->fake_indices_)
-    for (const auto index : *indices_)
-      if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-        problem = "Index " + std::to_string(index) + " is outside of the cloud.";
+  if (problem.empty() && input_ && indices_ && !this->fake_indices_)
+    problem = indoor::findIndexProblem(*indices_, input_->size());
   if (!(search_radius_ >= 0) || !std::isfinite(search_radius_))
     problem = "The radius must not be negative, not " + std::to_string(search_radius_) +
               " m.";

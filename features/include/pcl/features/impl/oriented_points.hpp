@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/oriented_point.h>
+#include <pcl/indoor/index_check.h>
 #include <pcl/indoor/usable_point.h>
 #include <pcl/point_cloud.h>
 #include <pcl/types.h>
@@ -23,17 +24,13 @@ findProblem(const PointCloud<PointT>& cloud,
             const Indices& indices)
 {
   if (cloud.empty() || indices.empty())
-    return "The input cloud is empty";
+    return "The input cloud is empty.";
   if (normals == nullptr)
-    return "No normals were given";
+    return "No normals were given.";
   if (normals->size() != cloud.size())
     return std::to_string(normals->size()) + " normals do not fit " +
-           std::to_string(cloud.size()) + " points";
-  for (const auto index : indices)
-    if (index < 0 || static_cast<std::size_t>(index) >= cloud.size())
-      return "Index " + std::to_string(index) + " is outside the cloud of " +
-             std::to_string(cloud.size()) + " points";
-  return "";
+           std::to_string(cloud.size()) + " points.";
+  return findIndexProblem(indices, cloud.size());
 }
 
 /** \brief The usable points of a cloud: see isUsable(), with a finite normal that is

@@ -6,9 +6,13 @@
 
 #include <pcl/filters/non_convex_points_removal.h>
 #include <pcl/indoor/exports.h>
-#include <pcl/indoor/neighbor_distance.h>
+#include <pcl/indoor/index_check.h>
+#include <pcl/indoor/neighbor_distance.h> // for finitePoints
 #include <pcl/indoor/plain_message.h>
 #include <pcl/indoor/usable_point.h>
+
+#include <string>
+#include <vector>
 
 namespace pcl {
 
@@ -21,103 +25,14 @@ NonConvexPointsRemoval<PointT, PointNT>::NonConvexPointsRemoval(
 }
 
 template <typename PointT, typename PointNT>
-void
-NonConvexPointsRemoval<PointT, PointNT>::setInputNormals(
-    const PointCloudNConstPtr& normals)
+std::string
+NonConvexPointsRemoval<PointT, PointNT>::findProblem() const
 {
-  normals_ = normals;
-}
-
-template <typename PointT, typename PointNT>
-typename NonConvexPointsRemoval<PointT, PointNT>::PointCloudNConstPtr
-NonConvexPointsRemoval<PointT, PointNT>::getInputNormals() const
-{
-  return normals_;
-}
-
-template <typename PointT, typename PointNT>
-void
-NonConvexPointsRemoval<PointT, PointNT>::setRadius(double radius)
-{
-  radius_ = radius;
-}
-
-template <typename PointT, typename PointNT>
-double
-NonConvexPointsRemoval<PointT, PointNT>::getRadius() const
-{
-  return radius_;
-}
-
-template <typename PointT, typename PointNT>
-void
-NonConvexPointsRemoval<PointT, PointNT>::setCurvatureThreshold(float threshold)
-{
-  options_.curvature_threshold = threshold;
-}
-
-template <typename PointT, typename PointNT>
-float
-NonConvexPointsRemoval<PointT, PointNT>::getCurvatureThreshold() const
-{
-  return options_.curvature_threshold;
-}
-
-template <typename PointT, typename PointNT>
-void
-NonConvexPointsRemoval<PointT, PointNT>::setRatioThreshold(float threshold)
-{
-  options_.ratio_threshold = threshold;
-}
-
-template <typename PointT, typename PointNT>
-float
-NonConvexPointsRemoval<PointT, PointNT>::getRatioThreshold() const
-{
-  return options_.ratio_threshold;
-}
-
-template <typename PointT, typename PointNT>
-void
-NonConvexPointsRemoval<PointT, PointNT>::setNumberOfThreads(unsigned threads)
-{
-  options_.threads = threads;
-}
-
-template <typename PointT, typename PointNT>
-bool
-NonConvexPointsRemoval<PointT, PointNT>::hasValidInput() const
-{
-  const char* where = "[pcl::NonConvexPointsRemoval::applyFilter]";
-  if (!normals_ || normals_->size() != input_->size()) {
-    PCL_ERROR("%s The input has %zu points, but %zu normals.\n",
-              where,
-              static_cast<std::size_t>(input_->size()),
-              static_cast<std::size_t>(normals_ ? normals_->size() : 0));
-    return false;
-  }
-  for (const auto index : *indices_)
-    if (index < 0 || static_cast<std::size_t>(index) >= input_->size()) {
-      PCL_ERROR("%s Index %d is outside of the cloud.\n", where, index);
-      return false;
-    }
-  if (!(radius_ >= 0) || !std::isfinite(radius_)) {
-    PCL_ERROR("%s The radius must not be negative, not %g m.\n", where, radius_);
-    return false;
-  }
-  const float curvature = options_.curvature_threshold;
-  if (!(curvature >= 0 && curvature <= 1.0f / 3)) {
-    PCL_ERROR(
-        "%s The curvature threshold must be in [0, 1/3], not %g.\n", where, curvature);
-    return false;
-  }
-  if (!(options_.ratio_threshold >= 0 && options_.ratio_threshold <= 1)) {
-    PCL_ERROR("%s The ratio threshold must be in [0, 1], not %g.\n",
-              where,
-              options_.ratio_threshold);
-    return false;
-  }
-  return true;
+  if (!normals_ || normals_->size() != input_->size())
+    return "The input has " + std::to_string(input_->size()) + " points, but " +
+           std::to_string(normals_ ? normals_->size() : 0) + " normals.";
+  const auto problem = indoor::findIndexProblem(*indices_, input_->size());
+  return problem.empty() ? indoor::findProblem(options_) : problem;
 }
 
 template <typename PointT, typename PointNT>
@@ -126,34 +41,27 @@ NonConvexPointsRemoval<PointT, PointNT>::applyFilter(Indices& indices)
 {
   indices.clear();
   removed_indices_->clear();
-  if (!hasValidInput())
+  if (const auto problem = findProblem(); !problem.empty()) {
+    PCL_ERROR("[pcl::NonConvexPointsRemoval::applyFilter] %s\n", problem.c_str());
     return;
-  std::vector<Eigen::Vector3f> points, normals;
+  }
+  std::vector<Eigen::Vector3f> normals;
   std::vector<float> curvatures;
   Indices finite;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   for (const auto index : *indices_) {
-    const PointT& point = (*input_)[index];
-    if (!indoor::isUsablePoint(point)) {
+    if (!indoor::isUsablePoint((*input_)[index])) {
       if (extract_removed_indices_)
         removed_indices_->push_back(index);
       continue;
     }
-    if (finite.empty())
-      origin = point.getVector3fMap().template cast<double>();
     finite.push_back(index);
-    points.push_back((point.getVector3fMap().template cast<double>() - origin)
-                         .template cast<float>());
     normals.push_back((*normals_)[index].getNormalVector3fMap());
     curvatures.push_back((*normals_)[index].curvature);
   }
-  auto options = options_;
-  options.radius = radius_ > 0 ? radius_ : indoor::neighborhoodRadius(points);
-  if (!(options.radius > 0)) // no two different points: no neighbourhood
-    options.radius = 1;
+  const auto points = indoor::finitePoints(*input_, finite);
   std::vector<std::uint8_t> non_convex;
   try {
-    non_convex = indoor::nonConvexPoints(points, normals, curvatures, options);
+    non_convex = indoor::nonConvexPoints(points, normals, curvatures, options_);
   } catch (const BadArgumentException& error) { // a radius too small for the extent
     PCL_ERROR("[pcl::NonConvexPointsRemoval::applyFilter] %s\n",
               indoor::plainMessage(error).c_str());

@@ -6,10 +6,9 @@
 
 #include <pcl/filters/scan_outlier_removal.h>
 #include <pcl/indoor/exports.h>
+#include <pcl/indoor/index_check.h>
+#include <pcl/indoor/neighbor_distance.h> // for finitePoints
 #include <pcl/indoor/usable_point.h>
-
-#include <string>
-#include <vector>
 
 namespace pcl {
 
@@ -22,92 +21,18 @@ ScanOutlierRemoval<PointT>::ScanOutlierRemoval(bool extract_removed_indices)
 
 template <typename PointT>
 void
-ScanOutlierRemoval<PointT>::setRadiusSearch(double radius)
-{
-  options_.radius = radius;
-}
-
-template <typename PointT>
-double
-ScanOutlierRemoval<PointT>::getRadiusSearch() const
-{
-  return options_.radius;
-}
-
-template <typename PointT>
-void
-ScanOutlierRemoval<PointT>::setMinNeighborsInRadius(int count)
-{
-  options_.min_neighbors = count;
-}
-
-template <typename PointT>
-int
-ScanOutlierRemoval<PointT>::getMinNeighborsInRadius() const
-{
-  return options_.min_neighbors;
-}
-
-template <typename PointT>
-void
-ScanOutlierRemoval<PointT>::setMeanK(int count)
-{
-  options_.mean_k = count;
-}
-
-template <typename PointT>
-int
-ScanOutlierRemoval<PointT>::getMeanK() const
-{
-  return options_.mean_k;
-}
-
-template <typename PointT>
-void
-ScanOutlierRemoval<PointT>::setStddevMulThresh(double deviations)
-{
-  options_.deviations = deviations;
-}
-
-template <typename PointT>
-double
-ScanOutlierRemoval<PointT>::getStddevMulThresh() const
-{
-  return options_.deviations;
-}
-
-template <typename PointT>
-void
-ScanOutlierRemoval<PointT>::setNumberOfThreads(unsigned threads)
-{
-  options_.threads = threads;
-}
-
-template <typename PointT>
-void
 ScanOutlierRemoval<PointT>::applyFilter(Indices& indices)
 {
   indices.clear();
   removed_indices_->clear();
-  std::string problem = indoor::findProblem(options_);
-  for (const auto index : *indices_)
-    if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-      problem = "Index " + std::to_string(index) + " is outside of the cloud.";
+  auto problem = indoor::findIndexProblem(*indices_, input_->size());
+  if (problem.empty())
+    problem = indoor::findProblem(options_);
   if (!problem.empty()) {
     PCL_ERROR("[pcl::ScanOutlierRemoval::applyFilter] %s\n", problem.c_str());
     return;
   }
-  std::vector<Eigen::Vector3f> points;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  for (const auto index : *indices_) {
-    if (!indoor::isUsablePoint((*input_)[index]))
-      continue;
-    const Eigen::Vector3d position =
-        (*input_)[index].getVector3fMap().template cast<double>();
-    if (points.empty())
-      origin = position;
-    points.push_back((position - origin).template cast<float>());
-  }
+  const auto points = indoor::finitePoints(*input_, *indices_);
   const auto outliers = indoor::scanOutliers(points, options_);
   std::size_t i = 0;
   for (const auto index : *indices_) {

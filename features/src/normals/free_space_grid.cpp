@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "eppf/free_space_grid.h"
+#include "normals/free_space_grid.h"
 
 #include <pcl/indoor/quantile.h>
 
@@ -20,7 +20,6 @@ constexpr double outlier_share = 0.005;      // cut off at either end of each ax
 Eigen::AlignedBox3d
 innerBox(const std::vector<Eigen::Vector3f>& positions)
 {
-  Eigen::AlignedBox3d box;
   std::vector<float> values(positions.size());
   Eigen::Vector3d lower, upper;
   const auto cut =
@@ -36,7 +35,7 @@ innerBox(const std::vector<Eigen::Vector3f>& positions)
     lower[axis] -= margin;
     upper[axis] += margin;
   }
-  return Eigen::AlignedBox3d(lower, upper);
+  return {lower, upper};
 }
 
 } // namespace

@@ -18,6 +18,18 @@ public:
   static constexpr double longest = 1000.0;      // metres; larger than any building
   static constexpr double shortest_voxel = 1e-4; // metres; finer than any scan
 
+  /** \brief Complain unless it holds: "The <rule>, not <value>." */
+  template <typename Value>
+  void
+  require(bool holds, const char* rule, Value value, const char* unit = "")
+  {
+    if (holds || !problem_.empty())
+      return;
+    std::ostringstream text;
+    text << "The " << rule << ", not " << value << unit << '.';
+    problem_ = text.str();
+  }
+
   /** Both ends are legal; NaN never is. */
   void
   between(double low, double high, const char* what, double value, const char* unit)

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
-#include "normals/local_planes.h"
+#include "eppf/local_planes.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -8,7 +8,8 @@
 
 namespace pcl::indoor {
 
-/** \brief How far b turns to the left of a, times both lengths. */
+/** \brief The z of the cross product of two vectors of the plane: positive if the
+ * second points to the left of the first. */
 inline double
 crossOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
