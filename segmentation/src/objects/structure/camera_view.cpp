@@ -14,6 +14,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace {
@@ -21,7 +22,6 @@ namespace {
 using Points = std::vector<Eigen::Vector3f>;
 
 constexpr double least_in_front = 0.99; // share of a camera's points
-constexpr double widest_view = 75;      // degrees from the camera's axis
 constexpr double middle = 10;           // degrees: what the camera looks at
 constexpr float always_table = 1.4f;    // metres, half of the points in the middle
 constexpr float never_table = 2.0f;     // metres: noise hides small objects
@@ -145,7 +145,7 @@ captureOf(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& cam
 {
   const auto in_front =
       std::count_if(points.begin(), points.end(), [&camera](const auto& point) {
-        return isWithin(point - camera, widest_view);
+        return isWithin(point - camera, pcl::indoor::widest_view);
       });
   if (points.empty() || static_cast<double>(in_front) <
                             least_in_front * static_cast<double>(points.size()))
@@ -217,7 +217,7 @@ distanceInMiddle(const std::vector<Eigen::Vector3f>& points,
   for (const auto& point : points)
     if (isWithin(point - camera, middle))
       depths.push_back(point.z() - camera.z());
-  return depths.empty() ? 0 : median(depths);
+  return depths.empty() ? std::numeric_limits<float>::quiet_NaN() : median(depths);
 }
 
 Eigen::Vector3f
