@@ -84,7 +84,7 @@ segmentDistinct(ObjectSegmentationInput input,
     cutBodies(result);
   yieldEnclosed(result.scene, result.segment_of_point);
   nameSegments(options, result);
-  if (of_objects)
+  if (of_objects && !camera) // whose direction up is unknown
     clearLadenTables(options, result);
   result.options = options;
   if (stops(1, "done"))

@@ -20,7 +20,8 @@ namespace pcl::indoor {
 struct ObjectScene {
   std::vector<Eigen::Vector3f> points;           ///< finite, metres, local frame
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< against gravity, unit length
-  double voxel_size = 0.03;                      ///< that was used, metres (> 0)
+  Capture capture = Capture::Scan;    ///< of a table, the direction up is unknown
+  double voxel_size = 0.03;           ///< that was used, metres (> 0)
   unsigned threads = 0;               ///< 0 = automatic; no result depends on it
   SurfaceVoxels voxels;               ///< of the points, with normals
   std::vector<StructurePlane> planes; ///< floor, ceiling and walls; may be empty

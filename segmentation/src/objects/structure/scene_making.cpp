@@ -4,6 +4,7 @@
  */
 #include "objects/structure/scene_making.h"
 
+#include "objects/structure/camera_view.h"
 #include "objects/structure/structure_contacts.h"
 #include "objects/structure/structure_islands.h"
 #include "objects/structure/voted_structure.h"
@@ -116,13 +117,15 @@ requireConsistent(const ObjectScene& scene, std::size_t label_count)
 std::vector<Eigen::Vector3f>
 gridPoints(const ObjectSegmentationInput& input)
 {
+  constexpr float nearest = 1e-3f; // metres
+  const auto steepest = static_cast<float>(std::tan(widest_view * M_PI / 180));
   std::vector<Eigen::Vector3f> grid_points;
   if (input.capture != Capture::TableView)
     return grid_points;
   grid_points.reserve(input.points.size());
   for (const auto& point : input.points) {
     const Eigen::Vector3f ray = point - input.viewpoint.front();
-    const float depth = std::max(ray.z(), 1e-3f);
+    const float depth = std::max({ray.z(), ray.head<2>().norm() / steepest, nearest});
     grid_points.emplace_back(ray.x() / depth, ray.y() / depth, std::log(depth));
   }
   return grid_points;
@@ -154,6 +157,7 @@ makeObjectScene(ObjectSegmentationInput input,
 {
   ObjectScene scene;
   scene.up = raw.up;
+  scene.capture = input.capture;
   scene.voxel_size = options.voxel_size;
   scene.threads = options.threads;
   scene.planes = std::move(raw.planes);
