@@ -6,6 +6,7 @@
 
 #include "thesis/objects/edge_partition.h"
 
+#include <pcl/features/unit_normals.h>
 #include <pcl/indoor/flood_fill.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -190,9 +191,8 @@ partitionWithUpstream(const SurfaceVoxels& surface,
           colorOf(supervoxel->centroid_);
     number.emplace(name, static_cast<std::uint32_t>(number.size()));
     supervoxels.centroids.push_back(supervoxel->centroid_.getVector3fMap() + origin);
-    const Eigen::Vector3f normal = supervoxel->normal_.getNormalVector3fMap();
     supervoxels.normals.push_back(
-        normal.allFinite() ? normal : Eigen::Vector3f(Eigen::Vector3f::Zero()));
+        finiteNormal(supervoxel->normal_.getNormalVector3fMap()));
     supervoxels.voxel_counts.push_back(
         static_cast<std::uint32_t>(supervoxel->voxels_->size()));
   }
