@@ -12,6 +12,9 @@ namespace pcl::indoor {
 /** The standard deviation of normal noise over the median of its absolute values. */
 constexpr double deviation_per_median = 1.4826;
 
+/** So many standard deviations are chance: of normal noise 0.3 % is farther off. */
+constexpr double chance_deviations = 3;
+
 /** \brief Get the value that so many others do not exceed, in linear time.
  * \param[in,out] values more than \a rank; put into another order
  */

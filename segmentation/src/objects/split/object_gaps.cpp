@@ -32,7 +32,6 @@ constexpr double deviations = 2;
  * times the least width): the spaces between the lines of a scanner are alike and do
  * not count */
 constexpr double prominence = 1.5;
-constexpr unsigned directions = 60; // of upright planes that are tried, in 180 degrees
 
 /** Gaps across one direction: where to cut, and how clear the clearest is. */
 struct Cuts {
@@ -161,8 +160,8 @@ public:
       return {members};
     Cuts best;
     Eigen::Vector2f best_direction = Eigen::Vector2f::Zero();
-    for (unsigned d = 0; d < directions; ++d) {
-      const auto direction = pcl::indoor::levelDirection(d, directions);
+    for (unsigned d = 0; d < pcl::indoor::level_directions; ++d) {
+      const auto direction = pcl::indoor::levelDirection(d);
       auto cuts = cutsAcross(places, direction);
       if (cuts.clearness > best.clearness) {
         best = std::move(cuts);

@@ -26,8 +26,6 @@ constexpr double middle = 10;           // degrees: what the camera looks at
 constexpr float always_table = 1.4f;    // metres, half of the points in the middle
 constexpr float never_table = 2.0f;     // metres: noise hides small objects
 constexpr double around_middle = 15;    // degrees: where small objects are looked for
-constexpr double room_voxel = 0.03;     // metres
-constexpr float bent = 0.03f;           // surface variation: smaller than such voxels
 constexpr double share_of_small = 0.55; // of the voxels around the middle
 constexpr int rounds = 5;               // with each tolerance
 
@@ -43,15 +41,19 @@ isWithin(const Eigen::Vector3f& ray, double degrees)
 bool
 seesSmallObjects(const Points& points, const Eigen::Vector3f& camera)
 {
+  const auto of_rooms =
+      pcl::indoor::withSizes(pcl::indoor::ObjectSegmentationOptions());
+  const float bent = of_rooms.curvature_threshold;
   Points around;
   for (const auto& point : points)
     if (isWithin(point - camera, around_middle))
       around.push_back(point);
-  auto voxels = pcl::indoor::surfaceVoxels(around, {}, room_voxel);
+  auto voxels = pcl::indoor::surfaceVoxels(around, {}, of_rooms.voxel_size);
   pcl::indoor::estimateNormals(around, voxels, 1, 1);
-  const auto small = std::count_if(voxels.curvatures.begin(),
-                                   voxels.curvatures.end(),
-                                   [](float curvature) { return curvature > bent; });
+  const auto small =
+      std::count_if(voxels.curvatures.begin(),
+                    voxels.curvatures.end(),
+                    [bent](float curvature) { return curvature > bent; });
   return static_cast<double>(small) >
          share_of_small * static_cast<double>(voxels.curvatures.size());
 }

@@ -12,7 +12,8 @@
 
 namespace pcl::indoor {
 
-constexpr double widest_view = 75; ///< degrees from the axis of a camera
+constexpr double widest_view = 75;             ///< degrees from the axis of a camera
+constexpr float least_camera_distance = 1e-3f; ///< metres
 
 /** \brief Tell how points were taken, if by a camera that looks along z.
  *

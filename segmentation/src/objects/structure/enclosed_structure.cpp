@@ -17,6 +17,7 @@
 
 namespace {
 
+using pcl::indoor::near_surface_voxels;
 using pcl::indoor::ObjectScene;
 using pcl::indoor::PlaneCell;
 using pcl::indoor::PlaneFrame;
@@ -27,7 +28,6 @@ using pcl::indoor::StructurePlane;
 using Members = pcl::indoor::SegmentMembers;
 using Box = pcl::indoor::PointBox;
 
-constexpr double touch = 2;            // voxels from a plane: what is nearer touches it
 constexpr double cover = 1;            // voxels: what is farther hides the plane
 constexpr double cells_per_point = 20; // with more, a segment is too sparse
 
@@ -45,7 +45,7 @@ markEnds(const PlaneFrame& frame,
     for (auto row = low[1]; row <= high[1]; ++row)
       for (auto column = low[0]; column <= high[0]; ++column)
         if (std::abs(other->heightOf(frame.placeOf({column, row}))) <
-            touch * voxel_size)
+            near_surface_voxels * voxel_size)
           shadow.end({column, row}, side);
   }
 }
@@ -70,7 +70,7 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
   auto low = segment.front().cell, high = low;
   std::size_t touching = 0, deep = 0;
   for (const auto& [cell, depth] : segment) {
-    touching += depth < touch;
+    touching += depth < near_surface_voxels;
     deep += depth > cover;
     for (int k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], cell[k]);
@@ -84,7 +84,7 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
     return {};
   PlaneShadow shadow(low, high);
   for (const auto& [cell, depth] : segment) {
-    if (depth < touch)
+    if (depth < near_surface_voxels)
       shadow.mark(cell, PlaneShadow::closing);
     if (depth > cover)
       shadow.mark(cell, PlaneShadow::covered);
@@ -151,7 +151,8 @@ public:
   , smallest_first_(smallestFirst(objects))
   {
     for (const auto& box : structure.boxes)
-      reach_.push_back(pcl::indoor::widened(box, touch * scene.voxel_size));
+      reach_.push_back(
+          pcl::indoor::widened(box, near_surface_voxels * scene.voxel_size));
     for (const auto& members : structure.members)
       max_opening_.push_back(members.size() / 2);
   }
@@ -186,7 +187,7 @@ private:
   touches(const Members& members, const PlaneFrame& frame) const
   {
     return std::any_of(members.begin(), members.end(), [&](std::uint32_t i) {
-      return std::abs(frame.heightOf(scene_.points[i])) < touch;
+      return std::abs(frame.heightOf(scene_.points[i])) < near_surface_voxels;
     });
   }
 

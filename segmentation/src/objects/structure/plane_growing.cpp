@@ -150,7 +150,7 @@ growPlanes(const SurfaceVoxels& voxels, double voxel_size, float flat_curvature)
   std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) {
     return a.voxels.size() > b.voxels.size();
   });
-  return uniteCoplanar(voxels, regions, 1.5 * voxel_size);
+  return uniteCoplanar(voxels, regions, same_surface_voxels * voxel_size);
 }
 
 } // namespace pcl::indoor

@@ -21,27 +21,26 @@
 
 namespace {
 
+using pcl::indoor::near_surface_voxels;
 using pcl::indoor::PlaneRaster;
 using pcl::indoor::sheet_cosine;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr float flat_curvature = 0.03f; // of voxels that start a plane, at most
-constexpr double min_area = 0.02;       // share of all voxels
+constexpr double min_area = 0.02; // share of all voxels
 constexpr double min_span = 0.85; // share of the room's extent in one of its directions
 constexpr double min_length = 1.5;  // in that direction, metres: rooms are not lower
 constexpr double other_layer = 0.3; // metres behind floors and ceilings, as of a roof
 constexpr double min_free = 0.7;    // share of a plane with nothing behind it
-constexpr double behind = 2; // voxels: nearer lies a wall's ghost, of misregistration
-constexpr double most_beyond = 0.1;     // share of what is seen that is behind a wall
-constexpr double min_floor = 0.5;       // m^2
+constexpr double most_beyond = 0.1; // share of what is seen that is behind a wall
+constexpr double min_floor = 0.5;   // m^2
 constexpr double ground_relief = 0.05;  // metres: rugs lie on the ground
 constexpr double min_wall = 1.5;        // m^2, of a wall that is shorter than the room
 constexpr double min_wall_height = 0.7; // of it, as share of the room's
-constexpr double min_wall_free = 0.9;   // of it, as min_free
-constexpr double longest_row = 2e6;     // voxels beside each other, see groupByCell()
-constexpr double deviations = 3;        // within so many a point counts to its plane
-constexpr double least_tolerance = 0.2; // or within so many voxels
+constexpr double min_wall_free = 1 - most_beyond; // of it, as min_free
+constexpr double longest_row = 2e6; // voxels beside each other, see groupByCell()
+/** Within chance_deviations, or so many voxels, a point counts to its plane. */
+constexpr double least_tolerance = 0.2;
 
 /** Distance between the 1st and the 99th percentile. */
 double
@@ -88,13 +87,12 @@ deviationOf(const std::vector<Eigen::Vector3f>& points,
 std::vector<std::uint32_t>
 withSurroundings(const SurfaceVoxels& voxels, const StructurePlane& plane)
 {
-  constexpr int rounds = 2;
   std::vector<std::uint8_t> taken(voxels.size(), 0);
   auto found = plane.voxels;
   for (const auto v : found)
     taken[v] = 1;
   std::size_t begin = 0;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < near_surface_voxels; ++round) {
     const auto end = found.size();
     for (; begin < end; ++begin) {
       const auto v = found[begin];
@@ -184,7 +182,8 @@ bounds(const SurfaceVoxels& voxels, const StructurePlane& plane, double voxel_si
 {
   const auto beyond = std::count_if(
       voxels.centroids.begin(), voxels.centroids.end(), [&](const auto& centroid) {
-        return plane.heightOf(centroid.template cast<double>()) < -behind * voxel_size;
+        return plane.heightOf(centroid.template cast<double>()) <
+               -near_surface_voxels * voxel_size;
       });
   return static_cast<double>(beyond) <=
          most_beyond * static_cast<double>(voxels.size());
@@ -197,8 +196,8 @@ freeShareOf(const SurfaceVoxels& voxels,
             double margin,
             double voxel_size)
 {
-  PlaneRaster raster(voxels, plane, behind * voxel_size);
-  raster.look(voxels, std::max(margin, behind * voxel_size));
+  PlaneRaster raster(voxels, plane, near_surface_voxels * voxel_size);
+  raster.look(voxels, std::max(margin, near_surface_voxels * voxel_size));
   return raster.freeShare();
 }
 
@@ -366,14 +365,15 @@ findRoomStructure(const SurfaceVoxels& voxels,
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "The voxel size must be positive, not " << voxel_size << " m.");
   const double least = min_area * static_cast<double>(voxels.size());
-  auto planes = growPlanes(voxels, voxel_size, flat_curvature);
+  const float flat = ObjectSegmentationOptions().curvature_threshold;
+  auto planes = growPlanes(voxels, voxel_size, flat);
   if (planes.empty())
     return {};
   const auto axes = axesOf(planes);
   std::array<double, 3> room;
   for (int a = 0; a < 3; ++a)
     room[a] = extentOf(voxels, nullptr, axes.col(a));
-  const double near = behind * voxel_size;
+  const double near = near_surface_voxels * voxel_size;
   const bool is_room = *std::max_element(room.begin(), room.end()) >= min_length;
   const auto reachOf = [&](const StructurePlane& plane) {
     Reach reach{false, is_room};
@@ -390,7 +390,7 @@ findRoomStructure(const SurfaceVoxels& voxels,
   const bool is_view = capture == Capture::RoomView;
   const double height = extentOf(voxels, nullptr, up.cast<double>());
   const auto isWall = [&](const StructurePlane& plane) { // though not a whole one
-    return std::abs(plane.normal.dot(up.cast<double>())) < 0.3 &&
+    return areAcross(plane.normal, up.cast<double>()) &&
            areaOf(plane, voxel_size) >= min_wall &&
            extentOf(voxels, &plane.voxels, up.cast<double>()) >=
                min_wall_height * height &&
@@ -431,7 +431,7 @@ pointsOfStructure(const std::vector<Eigen::Vector3f>& points,
     const auto& plane = planes[p];
     const double tolerance =
         std::min(voxel_size,
-                 std::max(deviations * deviationOf(points, voxels, plane),
+                 std::max(chance_deviations * deviationOf(points, voxels, plane),
                           least_tolerance * voxel_size));
     for (const auto v : withSurroundings(voxels, plane))
       for (const auto point : voxels.cells.pointsOf(v)) {

@@ -14,6 +14,13 @@
 
 namespace pcl::indoor {
 
+/** Voxels from a surface within which what is seen may be the same surface: its points
+ * and normals are noisy, and scans are misregistered. */
+constexpr int near_surface_voxels = 2;
+
+/** Voxels within which it is taken for the same: a voxel, and half of one for noise. */
+constexpr double same_surface_voxels = 1.5;
+
 /** \brief A plane around a room. */
 struct StructurePlane {
   Eigen::Vector3d normal;            ///< unit length, into the room

@@ -117,7 +117,6 @@ requireConsistent(const ObjectScene& scene, std::size_t label_count)
 std::vector<Eigen::Vector3f>
 gridPoints(const ObjectSegmentationInput& input)
 {
-  constexpr float nearest = 1e-3f; // metres
   const auto steepest = static_cast<float>(std::tan(widest_view * M_PI / 180));
   std::vector<Eigen::Vector3f> grid_points;
   if (input.capture != Capture::TableView)
@@ -125,7 +124,8 @@ gridPoints(const ObjectSegmentationInput& input)
   grid_points.reserve(input.points.size());
   for (const auto& point : input.points) {
     const Eigen::Vector3f ray = point - input.viewpoint.front();
-    const float depth = std::max({ray.z(), ray.head<2>().norm() / steepest, nearest});
+    const float depth =
+        std::max({ray.z(), ray.head<2>().norm() / steepest, least_camera_distance});
     grid_points.emplace_back(ray.x() / depth, ray.y() / depth, std::log(depth));
   }
   return grid_points;

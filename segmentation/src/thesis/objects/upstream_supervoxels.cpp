@@ -29,7 +29,6 @@ using pcl::indoor::thesis::ObjectOptions;
 
 constexpr float zero_hue = 128;     // of a and b as bytes: those of sRGB are -108 to 98
 constexpr float color_unit = 2.55f; // PCL's colours are from 0 to 1, D_c is per 100
-constexpr unsigned smallest_segment = 3; // n_filter of LCCP in Sec. 4.3.2, supervoxels
 
 void
 putColor(const Eigen::Vector3f& lab, PointT& point)
@@ -110,7 +109,7 @@ lccpSegments(const Clusters& clusters,
                           0.1f);
   lccp.setKFactor(0);
   lccp.setInputSupervoxels(clusters, adjacency);
-  lccp.setMinSegmentSize(smallest_segment);
+  lccp.setMinSegmentSize(pcl::indoor::largest_small_segment);
   lccp.segment();
   pcl::PointCloud<pcl::PointXYZL> names;
   for (const auto& cluster : clusters) {
