@@ -5,6 +5,7 @@
 #pragma once
 
 #include "objects/join/joining_features.h"
+#include "segmentation/objects/join/joining_feature_names.h"
 #include "segmentation/objects/join/outline_of.h"
 
 #include <gtest/gtest.h>
