@@ -81,7 +81,7 @@ struct VoxelVoter {
 /** \brief What the segmentation works on, points in a local frame. */
 struct ObjectSegmentationInput {
   std::vector<Eigen::Vector3f> points; ///< finite, metres
-  /** one per point, oriented; else empty, or no areUnitNormals(): they are estimated */
+  /** one per point, oriented. If empty or not of unit length, normals are estimated. */
   std::vector<Eigen::Vector3f> normals;
   /** one per point: red, green and blue, 0 to 255; empty if there are none */
   std::vector<Eigen::Vector3f> colors;

@@ -26,7 +26,7 @@ constexpr double min_width = 0.5;    // of a gap, voxels
 /** a gap holds at most this share of the points expected from the slices of its width
  * beside it: noise blurs its sides */
 constexpr double remainder = 0.25;
-/** and this many standard deviations of its number of points fewer */
+/** and fewer than that by two standard deviations of a random count */
 constexpr double deviations = 2;
 /** a gap is this many times as wide as any other empty stretch near it (within four
  * times the least width): the spaces between the lines of a scanner are alike and do

@@ -24,7 +24,8 @@ using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::SurfaceVoxels;
 
 constexpr unsigned normal_rings = 1; // reach of normals and curvature, voxels
-constexpr unsigned fewer_votes = 4;  // enough for the sides of large planes
+constexpr unsigned fewer_votes =
+    4; // every 4th ray is enough to turn normals of large planes
 
 /** Voxels whose points have no normals have those that were estimated, turned as their
  * neighbours. */
