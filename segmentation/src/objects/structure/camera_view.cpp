@@ -49,7 +49,7 @@ seesSmallObjects(const Points& points, const Eigen::Vector3f& camera)
     if (isWithin(point - camera, around_middle))
       around.push_back(point);
   auto voxels = pcl::indoor::surfaceVoxels(around, {}, of_rooms.voxel_size);
-  pcl::indoor::estimateNormals(around, voxels, 1, 1);
+  pcl::indoor::estimateNormals(around, voxels, 1);
   const auto small =
       std::count_if(voxels.curvatures.begin(),
                     voxels.curvatures.end(),

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <unordered_map>
 
@@ -234,7 +235,7 @@ namespace pcl::indoor {
 std::size_t
 yieldEnclosed(const ObjectScene& scene, std::vector<std::uint32_t>& segment_of_point)
 {
-  requireConsistent(scene, segment_of_point.size());
+  assert(isConsistent(scene, segment_of_point.size()));
   if (scene.points.empty() || scene.planes.empty())
     return 0;
   const auto groups = groupPoints(scene, segment_of_point);

@@ -40,12 +40,11 @@ struct ObjectScene {
   structureFlags() const;
 };
 
-/** \brief Check that the parts of a scene fit each other and the labels of a step.
- * \param[in] label_count labels, one per point
- * \throws pcl::BadArgumentException if sizes differ, the voxel size is not positive or
- * the direction up is no unit vector
+/** \brief Tell whether the parts of a scene fit each other and the labels of a step,
+ * the voxel size is positive and the direction up is a unit vector. \param[in]
+ * label_count labels, one per point
  */
-void
-requireConsistent(const ObjectScene& scene, std::size_t label_count);
+bool
+isConsistent(const ObjectScene& scene, std::size_t label_count);
 
 } // namespace pcl::indoor

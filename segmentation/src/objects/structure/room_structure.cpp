@@ -7,13 +7,13 @@
 #include "objects/structure/plane_growing.h"
 #include "objects/structure/plane_raster.h"
 
-#include <pcl/exceptions.h>
 #include <pcl/indoor/quantile.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -361,9 +361,6 @@ findRoomStructure(const SurfaceVoxels& voxels,
                   const Eigen::Vector3f& up,
                   Capture capture)
 {
-  if (!(voxel_size > 0) || !std::isfinite(voxel_size))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "The voxel size must be positive, not " << voxel_size << " m.");
   const double least = min_area * static_cast<double>(voxels.size());
   const float flat = ObjectSegmentationOptions().curvature_threshold;
   auto planes = growPlanes(voxels, voxel_size, flat);
@@ -449,10 +446,7 @@ separateVoxels(const std::vector<Eigen::Vector3f>& points,
                double voxel_size,
                std::vector<std::uint32_t>& plane_of_voxel)
 {
-  if (plane_of_point.size() != points.size())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        points.size() << " points have " << plane_of_point.size()
-                                      << " numbers of planes.");
+  assert(plane_of_point.size() == points.size());
   const auto grid_points = besideEachOther(points, plane_of_point, voxel_size);
   auto voxels = surfaceVoxels(points, grid_points, voxel_size);
   plane_of_voxel.assign(voxels.size(), 0);

@@ -77,7 +77,6 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
  * \param[in] up against gravity, unit length
  * \param[in] capture whether it is a camera's view
  * \return the largest plane first; may be empty
- * \throws pcl::BadArgumentException if the voxel size is not positive
  */
 std::vector<StructurePlane>
 findRoomStructure(const SurfaceVoxels& voxels,

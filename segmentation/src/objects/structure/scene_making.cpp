@@ -9,7 +9,6 @@
 #include "objects/structure/structure_islands.h"
 #include "objects/structure/voted_structure.h"
 
-#include <pcl/exceptions.h>
 #include <pcl/features/normal_orientation.h>
 #include <pcl/features/unit_normals.h>
 
@@ -23,7 +22,6 @@ using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr unsigned normal_rings = 1; // reach of normals and curvature, voxels
 constexpr unsigned fewer_votes =
     4; // every 4th ray is enough to turn normals of large planes
 
@@ -55,7 +53,7 @@ findNormals(const ObjectSegmentationInput& input,
             unsigned thinning,
             SurfaceVoxels& voxels)
 {
-  pcl::indoor::estimateNormals(input.points, voxels, normal_rings, options.threads);
+  pcl::indoor::estimateNormals(input.points, voxels, options.threads);
   if (!input.normals.empty()) {
     const auto estimated = std::move(voxels.normals);
     pcl::indoor::averageNormals(input.normals, voxels);
@@ -96,23 +94,15 @@ ObjectScene::structureFlags() const
   return flags;
 }
 
-void
-requireConsistent(const ObjectScene& scene, std::size_t label_count)
+bool
+isConsistent(const ObjectScene& scene, std::size_t label_count)
 {
   const auto& voxels = scene.voxels;
   const auto count = scene.points.size();
-  if (voxels.cells.cell_of_point.size() != count || label_count != count ||
-      scene.plane_of_voxel.size() != voxels.size() ||
-      voxels.normals.size() != voxels.size())
-    PCL_THROW_EXCEPTION(
-        BadArgumentException,
-        count << " points are " << voxels.cells.cell_of_point.size()
-              << " in voxels, with " << label_count << " labels; " << voxels.size()
-              << " voxels have " << scene.plane_of_voxel.size()
-              << " numbers of planes and " << voxels.normals.size() << " normals.");
-  if (!(scene.voxel_size > 0) || !(std::abs(scene.up.norm() - 1) < 1e-3f))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "A scene needs a positive voxel size and a unit vector up.");
+  return voxels.cells.cell_of_point.size() == count && label_count == count &&
+         scene.plane_of_voxel.size() == voxels.size() &&
+         voxels.normals.size() == voxels.size() && scene.voxel_size > 0 &&
+         std::abs(scene.up.norm() - 1) < 1e-3f;
 }
 
 std::vector<Eigen::Vector3f>

@@ -7,6 +7,7 @@
 #include "objects/structure/voted_structure.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace {
@@ -109,7 +110,7 @@ yieldContacts(const SurfaceVoxels& surroundings,
               const VoxelClasses& votes,
               ObjectScene& scene)
 {
-  requireConsistent(scene, surroundings.cells.cell_of_point.size());
+  assert(isConsistent(scene, surroundings.cells.cell_of_point.size()));
   auto& voxels = scene.voxels;
   const auto& plane_of_voxel = scene.plane_of_voxel;
   const auto objects = objectsIn(surroundings, voxels, plane_of_voxel);

@@ -26,7 +26,6 @@ namespace pcl::indoor {
  * \param[in,out] scene whose voxels hold points of one plane only; only their cells
  * change, and voxels of planes may be left without points
  * \return how many points changed sides
- * \throws pcl::BadArgumentException if sizes differ
  */
 std::size_t
 yieldContacts(const SurfaceVoxels& surroundings,

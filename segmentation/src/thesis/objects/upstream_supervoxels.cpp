@@ -192,8 +192,6 @@ partitionWithUpstream(const SurfaceVoxels& surface,
     supervoxels.centroids.push_back(supervoxel->centroid_.getVector3fMap() + origin);
     supervoxels.normals.push_back(
         finiteNormal(supervoxel->normal_.getNormalVector3fMap()));
-    supervoxels.voxel_counts.push_back(
-        static_cast<std::uint32_t>(supervoxel->voxels_->size()));
   }
   const auto labelled = clustering.getLabeledCloud();
   for (std::size_t i = 0; i < kept.size(); ++i) {
