@@ -49,4 +49,17 @@ quantile(Values& values, double share)
       values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
+/** \brief Get the length within which 98 % of the values lie: the others, 1 % at each
+ * end, are strays.
+ * \param[in,out] values at least one; put into another order
+ */
+template <typename Values>
+auto
+extentWithoutStrays(Values& values)
+{
+  const auto strays = values.size() / 100;
+  const auto low = valueAtRank(values, strays);
+  return valueAtRank(values, values.size() - 1 - strays) - low;
+}
+
 } // namespace pcl::indoor
