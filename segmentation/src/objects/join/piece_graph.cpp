@@ -254,38 +254,6 @@ addBends(const PieceSurface& surface, ContactMap& contacts)
 
 namespace pcl::indoor {
 
-void
-VectorMoments::add(const Eigen::Vector3d& vector, double weight)
-{
-  count += weight;
-  sum += weight * vector;
-  squares += weight * vector * vector.transpose();
-}
-
-VectorMoments&
-VectorMoments::operator+=(const VectorMoments& other)
-{
-  count += other.count;
-  sum += other.sum;
-  squares += other.squares;
-  return *this;
-}
-
-Eigen::Vector3d
-VectorMoments::mean() const
-{
-  return count > 0 ? Eigen::Vector3d(sum / count) : Eigen::Vector3d(0, 0, 0);
-}
-
-Eigen::Matrix3d
-VectorMoments::covariance() const
-{
-  if (!(count > 0))
-    return Eigen::Matrix3d::Zero();
-  const Eigen::Vector3d middle = mean();
-  return squares / count - middle * middle.transpose();
-}
-
 PieceVotes&
 PieceVotes::operator+=(const PieceVotes& other)
 {
