@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "objects/join/kdop.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -14,7 +16,7 @@ namespace pcl::indoor {
 
 /** \brief A k-DOP: the support of places, how far they reach, in each of the directions
  * of DirectionHulls, metres. */
-using KDop50 = std::array<float, 50>;
+using KDop50 = KDop<50>;
 
 /** \brief Convex hulls as polytopes whose faces have 50 fixed directions.
  *
@@ -69,13 +71,5 @@ private:
   std::array<Eigen::Vector3d, count> directions_; // in the frame of the axes
   std::array<std::array<Cut, count - 1>, count> cuts_;
 };
-
-/** \brief Get the hull of two sets of places. */
-KDop50
-hullOfBoth(const KDop50& a, const KDop50& b);
-
-/** \brief Get what two hulls have in common; its supports may be too large. */
-KDop50
-commonHull(const KDop50& a, const KDop50& b);
 
 } // namespace pcl::indoor

@@ -85,9 +85,9 @@ private:
 };
 
 PairOutlines::PairOutlines(const KDop16& a, const KDop16& b)
-: both(outlineOfBoth(a, b))
+: both(hullOfBoth(a, b))
 , both_area(outlineArea(both))
-, common_area(outlineArea(commonOutline(a, b)))
+, common_area(outlineArea(commonHull(a, b)))
 {}
 
 PairDescription::PairDescription(const PieceGraph& graph)

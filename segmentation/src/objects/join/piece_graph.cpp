@@ -39,18 +39,11 @@ contactOf(std::uint32_t a, std::uint32_t b, ContactMap& contacts)
 KDop16
 outlineOf(const std::vector<Eigen::Vector3f>& places, float margin)
 {
-  KDop16 outline;
-  std::vector<float> heights(places.size());
-  const auto outliers = places.size() / 100;
-  for (std::size_t d = 0; d < outline.size(); ++d) {
+  constexpr auto count = std::tuple_size<KDop16>::value;
+  return pcl::indoor::supportsOf<count>(places, margin, [](std::size_t d) {
     const Eigen::Vector2f direction = pcl::indoor::outlineDirection(d).cast<float>();
-    std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
-      return direction.dot(p.template head<2>());
-    });
-    outline[d] =
-        pcl::indoor::valueAtRank(heights, heights.size() - 1 - outliers) + margin;
-  }
-  return outline;
+    return [direction](const Eigen::Vector3f& p) { return direction.dot(p.head<2>()); };
+  });
 }
 
 /** The voxels in no plane, in the frame of the pieces. */
@@ -269,7 +262,7 @@ Piece::operator+=(const Piece& other)
   positions += other.positions;
   normals += other.normals;
   hull = hullOfBoth(hull, other.hull);
-  outline = outlineOfBoth(outline, other.outline);
+  outline = hullOfBoth(outline, other.outline);
   parts += other.parts;
   votes += other.votes;
   return *this;
