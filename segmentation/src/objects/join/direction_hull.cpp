@@ -64,8 +64,7 @@ areaOf(const Polygon& corners)
 
 namespace pcl::indoor {
 
-DirectionHulls::DirectionHulls(const Eigen::Matrix3f& axes)
-: axes_(axes)
+DirectionHulls::DirectionHulls()
 {
   // In ascending order of length: the axes themselves come first, -x to +x.
   std::size_t next = 0;
@@ -96,7 +95,7 @@ KDop50
 DirectionHulls::kDopOf(const std::vector<Eigen::Vector3f>& places, float margin) const
 {
   return supportsOf<count>(places, margin, [this](std::size_t d) {
-    const Eigen::Vector3f direction = axes_ * directions_[d].cast<float>();
+    const Eigen::Vector3f direction = directions_[d].cast<float>();
     return [direction](const Eigen::Vector3f& p) { return direction.dot(p); };
   });
 }

@@ -32,9 +32,7 @@ using KDop50 = KDop<50>;
  */
 class DirectionHulls {
 public:
-  /** \param[in] axes three orthogonal unit directions, one per column: boxes along them
-   * are exact */
-  explicit DirectionHulls(const Eigen::Matrix3f& axes);
+  DirectionHulls();
 
   /** \brief Measure how far places reach; the farthest one in a hundred is left out.
    * \param[in] places at least one, metres
@@ -67,8 +65,7 @@ private:
            std::size_t face,
            double radius) const;
 
-  Eigen::Matrix3f axes_;
-  std::array<Eigen::Vector3d, count> directions_; // in the frame of the axes
+  std::array<Eigen::Vector3d, count> directions_;
   std::array<std::array<Cut, count - 1>, count> cuts_;
 };
 

@@ -94,7 +94,6 @@ PairDescription::PairDescription(const PieceGraph& graph)
 : voxel_size_(graph.voxel_size)
 , floor_(graph.floor)
 , columns_(graph.columns)
-, hulls_(Eigen::Matrix3f::Identity())
 {}
 
 PieceShape

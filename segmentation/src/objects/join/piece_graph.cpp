@@ -80,7 +80,7 @@ describePieces(const PieceSurface& surface, const LooseVoxels& loose, double vox
     piece.normals.add(loose.normals[i].cast<double>());
     positions_of[loose.pieces[i]].push_back(loose.positions[i]);
   }
-  const pcl::indoor::DirectionHulls hulls(Eigen::Matrix3f::Identity());
+  const pcl::indoor::DirectionHulls hulls;
   const float margin = 0.5f * static_cast<float>(voxel_size);
   for (std::uint32_t p = 0; p < surface.piece_count; ++p)
     if (!positions_of[p].empty()) {

@@ -33,7 +33,7 @@ pieceOf(const Places& places,
   for (const auto& normal : normals)
     piece.normals.add(normal.cast<double>(),
                       piece.positions.count / static_cast<double>(normals.size()));
-  piece.hull = DirectionHulls(Eigen::Matrix3f::Identity()).kDopOf(places, margin);
+  piece.hull = DirectionHulls().kDopOf(places, margin);
   piece.outline = outlineOf(places, margin);
   return piece;
 }
