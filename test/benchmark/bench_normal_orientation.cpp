@@ -56,7 +56,7 @@ void
 score(const Scan& scan, NormalOrientation orientation, Score& score)
 {
   auto voxels = surfaceVoxels(scan.points, {}, voxel_size);
-  estimateNormals(scan.points, voxels, 1, 0);
+  estimateNormals(scan.points, voxels, 0);
   std::vector<Eigen::Vector3f> seen(voxels.size(), Eigen::Vector3f::Zero());
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
   for (std::size_t i = 0; i < scan.points.size(); ++i) {

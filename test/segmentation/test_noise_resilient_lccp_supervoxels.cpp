@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <limits>
 #include <map>
 
 using namespace pcl::indoor;
@@ -100,6 +102,23 @@ TEST(NoiseResilientLCCPSupervoxels, AreJoinedByAnyPartition)
     }
     EXPECT_LT(sizes.size(), given.clusters.size() / 4);
     EXPECT_GE(sizes.size(), 2u) << "the floor and a box at least";
+  }
+}
+
+TEST(NoiseResilientLCCPSupervoxels, SomeHaveNoNormal)
+{
+  UpstreamSupervoxels given; // upstream's of one or two voxels
+  const auto nan = std::numeric_limits<float>::quiet_NaN();
+  const auto first = given.clusters.begin(), last = std::prev(given.clusters.end());
+  for (const auto each : {first, last})
+    each->second->normal_.getNormalVector3fMap().setConstant(nan);
+  Segmentation segmentation;
+  segmentation.setInputSupervoxels(given.clusters, given.adjacency);
+  for (const auto partition :
+       {Partition::Pieces, Partition::FelzenszwalbHuttenlocher, Partition::Lccp}) {
+    segmentation.setPartition(partition);
+    ASSERT_NO_THROW(segmentation.segment());
+    EXPECT_EQ(segmentation.getSupervoxelToSegmentMap().size(), given.clusters.size());
   }
 }
 

@@ -29,7 +29,7 @@ surfaceNormals(const std::vector<Eigen::Vector3f>& points, bool single_view)
       finite.push_back(point);
   const double voxel_size = raisedToResolution(finite, single_view ? 0.01 : 0.03);
   auto voxels = surfaceVoxels(finite, {}, voxel_size);
-  estimateNormals(finite, voxels, 1, 0);
+  estimateNormals(finite, voxels, 0);
   FreeSpaceOptions free_space;
   free_space.cell_size = 2 * voxel_size;
   orientNormals(single_view ? NormalOrientation::Viewpoint

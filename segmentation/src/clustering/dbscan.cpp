@@ -5,6 +5,8 @@
 
 #include <pcl/segmentation/dbscan.h>
 
+#include "clustering/single_linkage.h"
+
 #include <pcl/indoor/disjoint_sets.h>
 
 #include <pcl/exceptions.h>
@@ -40,16 +42,11 @@ dbscanFromSpanningForest(std::size_t count,
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         core_distances.size()
                             << " core distances for " << count << " points.");
+  requireWithin(count, forest);
   DisjointSets components(count);
-  for (const auto& edge : forest) {
-    if (edge.source >= count || edge.target >= count || !(edge.distance >= 0.0))
-      PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                          "Bad edge " << edge.source << " - " << edge.target
-                                      << " at distance " << edge.distance << " among "
-                                      << count << " points.");
+  for (const auto& edge : forest)
     if (edge.distance <= options.epsilon) // so both ends are core points
       components.merge(components.find(edge.source), components.find(edge.target));
-  }
   std::vector<int> label_of_root(count, -1);
   std::vector<int> labels(count, -1);
   int clusters = 0;

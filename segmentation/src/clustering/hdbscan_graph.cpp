@@ -3,27 +3,18 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include <pcl/indoor/disjoint_sets.h>
 #include <pcl/segmentation/hdbscan.h>
 
+#include "clustering/single_linkage.h"
+
 #include <pcl/exceptions.h>
+#include <pcl/indoor/disjoint_sets.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace pcl::indoor {
 namespace {
-
-void
-requireWithin(std::size_t count, const std::vector<HDBSCANEdge>& edges)
-{
-  for (const auto& edge : edges)
-    if (edge.source >= count || edge.target >= count || !(edge.distance >= 0.0))
-      PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                          "Bad edge " << edge.source << " - " << edge.target
-                                      << " at distance " << edge.distance << " among "
-                                      << count << " points.");
-}
 
 /** The neighbours of each point with the distances to them, in one array. */
 struct Adjacency {

@@ -118,15 +118,21 @@ private:
 
 } // namespace
 
-SingleLinkageTree
-singleLinkageTree(std::size_t count, std::vector<HDBSCANEdge> forest)
+void
+requireWithin(std::size_t count, const std::vector<HDBSCANEdge>& edges)
 {
-  for (const auto& edge : forest)
+  for (const auto& edge : edges)
     if (edge.source >= count || edge.target >= count || !(edge.distance >= 0.0))
       PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                           "Bad edge " << edge.source << " - " << edge.target
                                       << " at distance " << edge.distance << " among "
                                       << count << " points.");
+}
+
+SingleLinkageTree
+singleLinkageTree(std::size_t count, std::vector<HDBSCANEdge> forest)
+{
+  requireWithin(count, forest);
   const auto shorter = [](const HDBSCANEdge& a, const HDBSCANEdge& b) {
     return a.distance < b.distance;
   };

@@ -12,6 +12,13 @@
 
 namespace pcl::indoor {
 
+/** \brief Check the edges of a graph of points.
+ * \throws pcl::BadArgumentException if one leaves the points, or has a distance that is
+ * negative or NaN
+ */
+void
+requireWithin(std::size_t count, const std::vector<HDBSCANEdge>& edges);
+
 /** \brief The single-linkage hierarchy of points, as a tree.
  *
  * Nodes 0 ... count - 1 are the points, the others are merges, children before parents.

@@ -13,7 +13,7 @@
 
 namespace pcl::indoor {
 
-/** \brief Segments points of which nobody asks again whether some are copies. */
+/** \brief Segments points of which no two lie in one place. */
 using SegmentDistinct = std::function<DetailedSegmentation(ObjectSegmentationInput)>;
 
 /** \brief segmentObjects() of such points. */

@@ -4,10 +4,10 @@
  */
 #pragma once
 
+#include <pcl/indoor/quantile.h>
+
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cstddef>
 #include <vector>
 
 namespace pcl::indoor {
@@ -22,13 +22,7 @@ extentAlong(const Eigen::Vector3f& direction,
   places.reserve(points.size());
   for (const auto& point : points)
     places.push_back(point.dot(direction));
-  const auto at = [&places](std::size_t rank) {
-    const auto place = places.begin() + static_cast<std::ptrdiff_t>(rank);
-    std::nth_element(places.begin(), place, places.end());
-    return *place;
-  };
-  const std::size_t strays = places.size() / 100; // at each end
-  return at(places.size() - 1 - strays) - at(strays);
+  return extentWithoutStrays(places);
 }
 
 } // namespace pcl::indoor

@@ -39,9 +39,9 @@ piecesOfVoxels(const DetailedSegmentation& result)
   return piece_of_voxel;
 }
 
-/** What each piece and union is worth as a segment: its expected fit less the price of
- * a segment, half of the panoptic quality that is reached: what fits worse lowers it.
- * What is too small to be told is worth nothing. */
+/** Value of each piece or union as a segment: expected IoU minus 0.38, half of the
+ * panoptic quality reached; a segment that fits worse lowers that quality. 0 if below
+ * fewest_points. */
 std::vector<float>
 worthOf(const JoinTree& tree,
         const ObjectSegmentationOptions& options,

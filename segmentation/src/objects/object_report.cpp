@@ -35,6 +35,14 @@ largestObject(const ObjectSegmentation& result)
                  : static_cast<std::uint32_t>(largest - sizes.begin());
 }
 
+/** Whether the direction up of the segmented scene is known, and it may be a room. */
+bool
+knowsUp(const ObjectSegmentation& result)
+{
+  return result.options.pieces.scale != JoiningScale::View &&
+         stepsOf(result).scene.capture != Capture::TableView;
+}
+
 } // namespace
 
 std::string
@@ -72,7 +80,7 @@ std::string
 tableTopWarning(const ObjectSegmentation& result)
 {
   constexpr std::size_t many = 10; // pieces; objects of that size in rooms have fewer
-  if (result.options.pieces.scale == JoiningScale::View)
+  if (!knowsUp(result))
     return {};
   const auto largest = largestObject(result);
   std::vector<std::int64_t> balance; // of each piece: points within, less others
@@ -100,7 +108,7 @@ std::string
 wideObjectWarning(const ObjectSegmentation& result)
 {
   constexpr float widest = 4; // metres, both ways; a corner sofa has 3
-  if (result.options.pieces.scale == JoiningScale::View)
+  if (!knowsUp(result))
     return {};
   const auto largest = largestObject(result);
   std::vector<Eigen::Vector3f> points;

@@ -7,6 +7,7 @@
 #include "objects/object_steps.h"
 
 #include <pcl/exceptions.h>
+#include <pcl/indoor/most_frequent.h>
 #include <pcl/indoor/quantile.h>
 
 #include <algorithm>
@@ -73,24 +74,19 @@ private:
   std::unordered_map<std::int64_t, float> around_;
 };
 
-/** \brief The object that most points of a voxel belong to. */
+/** \brief The object that most points of a voxel belong to, of those in any. */
 std::uint32_t
 objectOfVoxel(const PointCells& cells,
               std::size_t voxel,
               const std::vector<std::uint32_t>& object_of_point,
-              std::uint32_t object_count)
+              std::uint32_t object_count,
+              std::vector<std::uint32_t>& objects)
 {
-  std::uint32_t object = nothing;
-  int lead = 0; // Boyer and Moore's vote
-  for (const auto point : cells.pointsOf(voxel)) {
-    const auto own = object_of_point[point];
-    if (own >= object_count)
-      continue;
-    if (lead == 0)
-      object = own;
-    lead += own == object ? 1 : -1;
-  }
-  return object;
+  objects.clear();
+  for (const auto point : cells.pointsOf(voxel))
+    if (object_of_point[point] < object_count)
+      objects.push_back(object_of_point[point]);
+  return mostFrequent(objects, nothing);
 }
 
 /** \brief From the lowest point to the median floor below the points. */
@@ -120,9 +116,10 @@ objectSurfaces(const ObjectSegmentation& room,
                             << " objects do not fit "
                             << voxels.cells.cell_of_point.size() << " points");
   std::vector<ObjectSurface> surfaces(object_count);
+  std::vector<std::uint32_t> of_voxel; // kept for its memory
   for (std::size_t voxel = 0; voxel < voxels.size(); ++voxel) {
     const auto object =
-        objectOfVoxel(voxels.cells, voxel, object_of_point, object_count);
+        objectOfVoxel(voxels.cells, voxel, object_of_point, object_count, of_voxel);
     if (object != nothing && voxels.normals[voxel].squaredNorm() > 0.5f)
       surfaces[object].points.push_back(
           {voxels.centroids[voxel], voxels.normals[voxel]});

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -91,9 +93,17 @@ structureOfSegments(const DetailedSegmentation& result)
 {
   const auto& planes = result.scene.planes;
   std::vector<std::map<std::uint32_t, std::size_t>> counts(planes.size());
-  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i)
-    if (const auto plane = result.scene.planeOfPoint(i))
-      ++counts[plane - 1][result.segment_of_point[i]];
+  std::vector<std::ptrdiff_t> outside(result.segment_count, 0); // less those in planes
+  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i) {
+    const auto plane = result.scene.planeOfPoint(i);
+    const auto segment = result.segment_of_point[i];
+    outside[segment] += plane == 0 ? 1 : -1;
+    if (plane != 0)
+      ++counts[plane - 1][segment];
+  }
+  for (auto& of_plane : counts)
+    for (auto each = of_plane.begin(); each != of_plane.end();)
+      each = outside[each->first] > 0 ? of_plane.erase(each) : std::next(each);
   std::vector<StructureKind> kinds(result.segment_count, StructureKind::None);
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const auto most = std::max_element(

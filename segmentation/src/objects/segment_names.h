@@ -25,7 +25,9 @@ sizesOfSegments(const DetailedSegmentation& result, std::size_t segment_count);
 void
 numberSegments(DetailedSegmentation& result);
 
-/** What the numbered segments of most points of the planes are. */
+/** What the numbered segments are. For the segment that holds most points of a plane:
+ * floor, wall or ceiling; None for all others. A segment with most of its points in no
+ * plane is an object, such as a cabinet that has got the wall behind it. */
 std::vector<StructureKind>
 structureOfSegments(const DetailedSegmentation& result);
 

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 using namespace pcl::indoor;
 
 namespace {
@@ -52,4 +54,27 @@ TEST(ObjectReport, WhatIsNoObjectIsNotSaid)
   result = resultWithObject(7, 5);
   result.options.pieces.scale = JoiningScale::View;
   EXPECT_EQ(wideObjectWarning(result), "");
+}
+
+TEST(ObjectReport, OfATableThatACameraSeesNoDirectionUpIsKnown)
+{
+  DetailedSegmentation result;
+  std::mt19937 rng(1);
+  std::uniform_real_distribution<float> share(0, 1);
+  for (std::uint32_t i = 0; i < 40000; ++i) { // ten pieces, 1.4 m wide
+    result.scene.points.emplace_back(1.4f * share(rng), 1.4f * share(rng), 0.5f);
+    result.piece_of_point.push_back(i % 10);
+    result.segment_of_point.push_back(0);
+  }
+  result.segment_count = 1;
+  result.structure_of_segment = {StructureKind::None};
+  auto of_table = result;
+  of_table.scene.capture = Capture::TableView;
+  EXPECT_NE(tableTopWarning(published(result)), "");
+  EXPECT_EQ(tableTopWarning(published(of_table)), "");
+  for (auto* each : {&result, &of_table})
+    for (auto& point : each->scene.points)
+      point *= 4;
+  EXPECT_NE(wideObjectWarning(published(result)), "");
+  EXPECT_EQ(wideObjectWarning(published(of_table)), "");
 }

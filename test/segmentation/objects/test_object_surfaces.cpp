@@ -101,6 +101,20 @@ TEST(ObjectSurfaces, EachObjectHasItsPointsAndNormals)
   }
 }
 
+TEST(ObjectSurfaces, AVoxelIsOfTheObjectOfMostOfItsPoints)
+{
+  for (const auto& order : {std::vector<std::uint32_t>{4, 4, 4, 5, 5, 6, 6},
+                            std::vector<std::uint32_t>{6, 4, 5, 4, 6, 5, 4}}) {
+    auto scene = room();
+    for (const auto object : order)
+      scene.add(object, {1, 1, 1}, {0.01f, 0, 0}, {0, 0.01f, 0}, {0, 0, 1});
+    const auto surfaces = objectSurfaces(scene.segmentation(), scene.objects, 7);
+    EXPECT_EQ(surfaces[4].points.size(), 1u);
+    EXPECT_TRUE(surfaces[5].points.empty());
+    EXPECT_TRUE(surfaces[6].points.empty());
+  }
+}
+
 TEST(ObjectSurfaces, PointsOfNoObjectAreFloorAllTheSame)
 {
   auto scene = room();

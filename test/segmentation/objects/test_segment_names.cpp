@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
@@ -63,6 +64,30 @@ TEST(SegmentNames, WhatHasTooFewVoxelsOrPointsIsTheRemainder)
     EXPECT_GT(in_remainder, 0u);
     EXPECT_LT(in_remainder, segments.size());
   }
+}
+
+TEST(SegmentNames, ACabinetWithMostOfAWallIsAnObject)
+{
+  // Voxel 0 is of a short wall, most of whose points the cabinet got; 1 of the cabinet.
+  std::vector<std::uint32_t> voxels(10, 0), segments(10, 0);
+  std::fill_n(segments.begin(), 7, 1u);
+  voxels.insert(voxels.end(), 12, 1u);
+  segments.insert(segments.end(), 12, 1u);
+  auto result = segmentationOf(voxels, 2, segments);
+  result.segment_count = 2;
+  result.scene.plane_of_voxel[0] = 1;
+  result.scene.planes.push_back({Eigen::Vector3d::UnitX(), 0, {0}});
+  using Kinds = std::vector<StructureKind>;
+  EXPECT_EQ(structureOfSegments(result),
+            (Kinds{StructureKind::Wall, StructureKind::None}));
+  std::fill_n(result.segment_of_point.begin(), 10, 1u);
+  EXPECT_EQ(structureOfSegments(result),
+            (Kinds{StructureKind::None, StructureKind::None}))
+      << "all of the wall";
+  result.scene.plane_of_voxel[1] = 1;
+  EXPECT_EQ(structureOfSegments(result),
+            (Kinds{StructureKind::None, StructureKind::Wall}))
+      << "a wall";
 }
 
 TEST(SegmentNames, ASeedOfManyVoxelsTakesNoLonger)

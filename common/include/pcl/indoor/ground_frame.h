@@ -23,11 +23,15 @@ groundFrame(const Eigen::Vector3f& up)
   return frame;
 }
 
-/** \brief The direction number i of count ones in 180 degrees, along the ground. */
+/** Directions along the ground that are tried, in 180 degrees. */
+constexpr unsigned level_directions = 60;
+
+/** \brief Get one of these directions, unit length.
+ * \param[in] i 0 ... level_directions - 1 */
 inline Eigen::Vector2f
-levelDirection(unsigned i, unsigned count)
+levelDirection(unsigned i)
 {
-  const double angle = M_PI * i / count;
+  const double angle = M_PI * i / level_directions;
   return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 

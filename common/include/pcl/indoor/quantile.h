@@ -12,6 +12,9 @@ namespace pcl::indoor {
 /** The standard deviation of normal noise over the median of its absolute values. */
 constexpr double deviation_per_median = 1.4826;
 
+/** So many standard deviations are chance: of normal noise 0.3 % is farther off. */
+constexpr double chance_deviations = 3;
+
 /** \brief Get the value that so many others do not exceed, in linear time.
  * \param[in,out] values more than \a rank; put into another order
  */
@@ -44,6 +47,19 @@ quantile(Values& values, double share)
 {
   return valueAtRank(
       values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
+}
+
+/** \brief Get the length within which 98 % of the values lie: the others, 1 % at each
+ * end, are strays.
+ * \param[in,out] values at least one; put into another order
+ */
+template <typename Values>
+auto
+extentWithoutStrays(Values& values)
+{
+  const auto strays = values.size() / 100;
+  const auto low = valueAtRank(values, strays);
+  return valueAtRank(values, values.size() - 1 - strays) - low;
 }
 
 } // namespace pcl::indoor

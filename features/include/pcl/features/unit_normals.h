@@ -25,6 +25,14 @@ isUnitNormal(const Eigen::Vector3f& normal)
   return std::abs(normal.norm() - 1.0f) <= 0.05f; // false for NaN
 }
 
+/** \brief A normal; zero where it is not finite, as PCL has them of one or two points.
+ */
+inline Eigen::Vector3f
+finiteNormal(const Eigen::Vector3f& normal)
+{
+  return normal.allFinite() ? normal : Eigen::Vector3f(Eigen::Vector3f::Zero());
+}
+
 /** \brief Have nearly all length 1? What else is called normals may be zeros or
  * colours. */
 PCL_INDOOR_EXPORTS bool

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl/features/unit_normals.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -320,7 +321,8 @@ public:
     for (const auto& [label, supervoxel] : supervoxels) {
       given_.names.push_back(label);
       given_.centroids.push_back(supervoxel->centroid_.getVector3fMap());
-      given_.normals.push_back(supervoxel->normal_.getNormalVector3fMap());
+      given_.normals.push_back(
+          indoor::finiteNormal(supervoxel->normal_.getNormalVector3fMap()));
     }
   }
 

@@ -81,7 +81,7 @@ struct VoxelVoter {
 /** \brief What the segmentation works on, points in a local frame. */
 struct ObjectSegmentationInput {
   std::vector<Eigen::Vector3f> points; ///< finite, metres
-  /** one per point, oriented; else empty, or no areUnitNormals(): they are estimated */
+  /** one per point, oriented. If empty or not of unit length, normals are estimated. */
   std::vector<Eigen::Vector3f> normals;
   /** one per point: red, green and blue, 0 to 255; empty if there are none */
   std::vector<Eigen::Vector3f> colors;
@@ -205,15 +205,16 @@ oneSegmentWarning(const ObjectSegmentation& result);
 
 /** \brief Warn if the largest object is no larger than what stands on a table, see
  * isTableTop(), but of ten pieces or more: probably it is many small objects.
- * \return one line; empty if not, and with JoiningScale::View, which is for such
- * objects
+ * \return one line; empty if not, for a Capture::TableView, and with
+ * JoiningScale::View, which is for such objects
  */
 PCL_INDOOR_EXPORTS std::string
 tableTopWarning(const ObjectSegmentation& result);
 
 /** \brief Warn if the largest object is more than 4 m wide both ways: probably several
  * rooms, or one whose walls were not told from its objects.
- * \return one line; empty if not, and with JoiningScale::View
+ * \return one line; empty if not, for a Capture::TableView, and with
+ * JoiningScale::View
  */
 PCL_INDOOR_EXPORTS std::string
 wideObjectWarning(const ObjectSegmentation& result);

@@ -4,10 +4,10 @@
  */
 #include "objects/graph/point_recovery.h"
 
-#include <pcl/exceptions.h>
 #include <pcl/indoor/flood_fill.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <tuple>
 
@@ -36,12 +36,8 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
               std::vector<std::uint32_t>& labels,
               unsigned most_rounds)
 {
-  if (positions.size() != labels.size() || normals.size() != labels.size() ||
-      neighbors.offsets.size() != labels.size() + 1)
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        labels.size()
-                            << " labels have " << positions.size() << " positions and "
-                            << normals.size() << " normals.");
+  assert(positions.size() == labels.size() && normals.size() == labels.size() &&
+         neighbors.offsets.size() == labels.size() + 1);
   std::vector<std::uint32_t> open;
   for (std::uint32_t i = 0; i < labels.size(); ++i)
     if (labels[i] == unlabelled)
@@ -85,13 +81,12 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
   }
 }
 
-std::uint32_t
+void
 labelRemainder(const Adjacency& neighbors,
-               std::uint32_t first_label,
+               std::uint32_t next,
                std::vector<std::uint32_t>& labels)
 {
   std::vector<std::uint32_t> part;
-  auto next = first_label;
   const auto enter = [&](std::uint32_t place, std::uint32_t) {
     const bool is_open = labels[place] == unlabelled;
     if (is_open)
@@ -106,7 +101,6 @@ labelRemainder(const Adjacency& neighbors,
     floodFill(part, neighbors, enter);
     ++next;
   }
-  return next;
 }
 
 } // namespace pcl::indoor

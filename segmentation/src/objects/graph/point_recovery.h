@@ -24,7 +24,6 @@ constexpr unsigned recovery_rounds = 20; ///< S of Algorithm 1
  * \param[in] neighbors which places touch
  * \param[in,out] labels one per place, Supervoxels::none for places without
  * \param[in] most_rounds no round follows so many
- * \throws pcl::BadArgumentException if an option is out of range or sizes differ
  */
 void
 recoverLabels(const std::vector<Eigen::Vector3f>& positions,
@@ -35,12 +34,11 @@ recoverLabels(const std::vector<Eigen::Vector3f>& positions,
               unsigned most_rounds = std::numeric_limits<unsigned>::max());
 
 /** \brief Give each connected group of places without label a new label of its own.
- * \param[in] first_label the label of the first group
- * \return the label after the last one used
+ * \param[in] next the label of the first group; those after it are used, too
  */
-std::uint32_t
+void
 labelRemainder(const Adjacency& neighbors,
-               std::uint32_t first_label,
+               std::uint32_t next,
                std::vector<std::uint32_t>& labels);
 
 } // namespace pcl::indoor

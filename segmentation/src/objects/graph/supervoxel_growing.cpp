@@ -12,51 +12,46 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace {
 
+using pcl::indoor::Supervoxels;
 using pcl::indoor::SurfaceDistance;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr std::uint32_t none = pcl::indoor::Supervoxels::none;
+constexpr std::uint32_t none = Supervoxels::none;
 
-/** Means of the members of each patch. */
-struct Patches {
-  std::vector<Eigen::Vector3f> centroids;
-  std::vector<Eigen::Vector3f> normals;
-  std::vector<std::uint32_t> counts;
-  pcl::indoor::SurfaceAppearance appearance;
-};
-
-Patches
+/** Means of the voxels of each label; which voxels these are is left open. */
+Supervoxels
 averagePatches(const SurfaceVoxels& voxels,
                const std::vector<std::uint32_t>& labels,
                std::size_t patch_count)
 {
   std::vector<Eigen::Vector3d> positions(patch_count, Eigen::Vector3d::Zero());
   std::vector<Eigen::Vector3d> normals(patch_count, Eigen::Vector3d::Zero());
-  Patches patches;
-  patches.counts.assign(patch_count, 0);
+  std::vector<std::uint32_t> counts(patch_count, 0);
   for (std::size_t v = 0; v < labels.size(); ++v) {
     if (labels[v] == none)
       continue;
     positions[labels[v]] += voxels.centroids[v].cast<double>();
     normals[labels[v]] += voxels.normals[v].cast<double>();
-    ++patches.counts[labels[v]];
+    ++counts[labels[v]];
   }
+  Supervoxels patches;
   patches.centroids.resize(patch_count);
   patches.normals.resize(patch_count);
   for (std::size_t i = 0; i < patch_count; ++i) {
-    const double count = std::max(patches.counts[i], 1u);
+    const double count = std::max(counts[i], 1u);
     patches.centroids[i] = (positions[i] / count).cast<float>();
     patches.normals[i] = normals[i].norm() > 1e-9
                              ? Eigen::Vector3f(normals[i].normalized().cast<float>())
                              : Eigen::Vector3f::Zero();
   }
-  patches.appearance.colors = pcl::indoor::averageColumns(
-      voxels.appearance.colors, labels, patches.counts.size());
-  patches.appearance.shapes = pcl::indoor::averageColumns(
-      voxels.appearance.shapes, labels, patches.counts.size());
+  patches.appearance.colors =
+      pcl::indoor::averageColumns(voxels.appearance.colors, labels, patch_count);
+  patches.appearance.shapes =
+      pcl::indoor::averageColumns(voxels.appearance.shapes, labels, patch_count);
   return patches;
 }
 
@@ -70,7 +65,7 @@ placeSeeds(const SurfaceVoxels& voxels,
   std::vector<std::uint32_t> members;
   std::vector<Eigen::Vector3f> places;
   for (std::uint32_t v = 0; v < voxels.size(); ++v)
-    if (left_out.empty() || !left_out[v]) {
+    if (!left_out[v]) {
       members.push_back(v);
       places.push_back(pcl::indoor::cellIndex(voxels.cells.keys[v]).cast<float>());
     }
@@ -95,7 +90,7 @@ placeSeeds(const SurfaceVoxels& voxels,
 std::uint32_t
 nearestPatch(const SurfaceVoxels& voxels,
              const std::vector<std::uint32_t>& labels,
-             const Patches& patches,
+             const Supervoxels& patches,
              const SurfaceDistance& distance,
              std::uint32_t voxel)
 {
@@ -126,7 +121,7 @@ nearestPatch(const SurfaceVoxels& voxels,
 bool
 chooseOnce(const SurfaceVoxels& voxels,
            const std::vector<std::uint8_t>& left_out,
-           const Patches& patches,
+           const Supervoxels& patches,
            const SurfaceDistance& distance,
            bool only_unassigned,
            int threads,
@@ -137,7 +132,7 @@ chooseOnce(const SurfaceVoxels& voxels,
   bool changed = false;
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(|| : changed)
   for (std::ptrdiff_t v = 0; v < count; ++v) {
-    if ((!left_out.empty() && left_out[v]) || (only_unassigned && labels[v] != none))
+    if (left_out[v] || (only_unassigned && labels[v] != none))
       continue;
     chosen[v] =
         nearestPatch(voxels, labels, patches, distance, static_cast<std::uint32_t>(v));
@@ -158,14 +153,13 @@ connectedParts(const SurfaceVoxels& voxels,
   std::vector<std::uint32_t> part(labels.size(), none), members;
   part_sizes.clear();
   for (std::uint32_t first = 0; first < labels.size(); ++first) {
-    if (part[first] != none || (!left_out.empty() && left_out[first]))
+    if (part[first] != none || left_out[first])
       continue;
     const auto number = static_cast<std::uint32_t>(part_sizes.size());
     part[first] = number;
     members.assign(1, first);
     pcl::indoor::floodFill(members, voxels.neighbors, [&](auto other, auto) {
-      if (part[other] != none || labels[other] != labels[first] ||
-          (!left_out.empty() && left_out[other]))
+      if (part[other] != none || labels[other] != labels[first] || left_out[other])
         return false;
       part[other] = number;
       return true;
@@ -248,13 +242,9 @@ growSupervoxels(const SurfaceVoxels& voxels,
     if (!chooseOnce(voxels, left_out, patches, distance, true, workers, labels))
       break;
   std::vector<std::uint32_t> sizes;
-  Supervoxels supervoxels;
-  supervoxels.label_of_voxel = connectedParts(voxels, left_out, labels, sizes);
-  patches = averagePatches(voxels, supervoxels.label_of_voxel, sizes.size());
-  supervoxels.centroids = std::move(patches.centroids);
-  supervoxels.normals = std::move(patches.normals);
-  supervoxels.voxel_counts = std::move(sizes);
-  supervoxels.appearance = std::move(patches.appearance);
+  labels = connectedParts(voxels, left_out, labels, sizes);
+  auto supervoxels = averagePatches(voxels, labels, sizes.size());
+  supervoxels.label_of_voxel = std::move(labels);
   return supervoxels;
 }
 

@@ -51,11 +51,10 @@ struct SurfaceDistance {
 struct Supervoxels {
   static constexpr std::uint32_t none = 0xffffffffu;
   std::vector<std::uint32_t>
-      label_of_voxel;                      ///< 0 ... n - 1, or none for voxels left out
-  std::vector<Eigen::Vector3f> centroids;  ///< mean of the points, one per supervoxel
-  std::vector<Eigen::Vector3f> normals;    ///< mean of the voxels', unit length or zero
-  std::vector<std::uint32_t> voxel_counts; ///< one per supervoxel
-  SurfaceAppearance appearance;            ///< means, as far as the voxels have any
+      label_of_voxel;                     ///< 0 ... n - 1, or none for voxels left out
+  std::vector<Eigen::Vector3f> centroids; ///< mean of the points, one per supervoxel
+  std::vector<Eigen::Vector3f> normals;   ///< mean of the voxels', unit length or zero
+  SurfaceAppearance appearance;           ///< means, as far as the voxels have any
 
   /** \brief Get the number of supervoxels. */
   std::size_t
@@ -74,8 +73,7 @@ struct Supervoxels {
  * connected, and the result depends neither on the order of the points nor on the
  * number of threads.
  * \param[in] voxels with centroids, neighbours and normals
- * \param[in] left_out one flag per voxel, not 0 for voxels that take no part; may be
- * empty
+ * \param[in] left_out one flag per voxel, not 0 for voxels that take no part
  * \param[in] grid_scale seeds are this many voxels apart, in the grid's unit (>= 1)
  */
 Supervoxels

@@ -41,7 +41,6 @@ joinNamed(const NamedSupervoxels& given, const JoinSupervoxels& join)
   Supervoxels supervoxels;
   supervoxels.centroids = centroids;
   supervoxels.normals = normals;
-  supervoxels.voxel_counts.assign(names.size(), 1);
   const auto number = [&names = names](std::uint32_t name) {
     return static_cast<std::uint32_t>(
         std::lower_bound(names.begin(), names.end(), name) - names.begin());

@@ -4,13 +4,13 @@
  */
 #include "objects/graph/surface_voxels.h"
 
-#include <pcl/exceptions.h>
 #include <pcl/features/unit_normals.h>
 #include <pcl/indoor/threads.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cassert>
 
 namespace {
 
@@ -85,10 +85,7 @@ surfaceVoxels(const std::vector<Eigen::Vector3f>& points,
               const std::vector<Eigen::Vector3f>& grid_points,
               double voxel_size)
 {
-  if (!grid_points.empty() && grid_points.size() != points.size())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        points.size() << " points have " << grid_points.size()
-                                      << " places in the grid.");
+  assert(grid_points.empty() || grid_points.size() == points.size());
   SurfaceVoxels voxels;
   voxels.cells = groupByCell(grid_points.empty() ? points : grid_points, voxel_size);
   voxels.neighbors = cellAdjacency(voxels.cells.keys);
@@ -107,12 +104,10 @@ surfaceVoxels(const std::vector<Eigen::Vector3f>& points,
 void
 estimateNormals(const std::vector<Eigen::Vector3f>& points,
                 SurfaceVoxels& voxels,
-                unsigned rings,
                 unsigned threads)
 {
-  auto moments = voxelMoments(points, voxels);
-  for (unsigned ring = 0; ring < std::max(rings, 1u); ++ring)
-    moments = spread(moments, voxels, threadCount(threads));
+  const auto moments =
+      spread(voxelMoments(points, voxels), voxels, threadCount(threads));
   voxels.normals.resize(voxels.size());
   voxels.curvatures.resize(voxels.size());
   const auto count = static_cast<std::ptrdiff_t>(voxels.size());

@@ -41,7 +41,7 @@ struct SurfaceVoxels {
  * \param[in] grid_points where the points lie for the purpose of the grid, one per
  * point; empty for the points themselves
  * \param[in] voxel_size edge of a voxel in the unit of grid_points, positive
- * \throws pcl::BadArgumentException as groupByCell() does, or if sizes differ
+ * \throws pcl::BadArgumentException as groupByCell() does
  */
 PCL_INDOOR_EXPORTS SurfaceVoxels
 surfaceVoxels(const std::vector<Eigen::Vector3f>& points,
@@ -49,18 +49,15 @@ surfaceVoxels(const std::vector<Eigen::Vector3f>& points,
               double voxel_size);
 
 /** \brief Estimate normal and curvature of each voxel by principal component analysis
- * of the points around it (Sec. 2.1.5.2), from summed moments, without a search. The
- * neighbourhood is reached over voxels that touch, so a parallel surface behind a gap
- * has no influence; after the first ring nearer voxels weigh more (psi of Eq. (2.4)).
- * The sign of a normal is arbitrary.
+ * of the points in it and in the voxels that touch it (Sec. 2.1.5.2), from summed
+ * moments, without a search: a parallel surface behind a gap has no influence. The sign
+ * of a normal is arbitrary.
  * \param[in] points as given to surfaceVoxels()
- * \param[in] rings how many voxels far the neighbourhood reaches, at least 1
  * \param[in] threads 0 = automatic; the result does not depend on it
  */
 PCL_INDOOR_EXPORTS void
 estimateNormals(const std::vector<Eigen::Vector3f>& points,
                 SurfaceVoxels& voxels,
-                unsigned rings,
                 unsigned threads);
 
 /** \brief Average the points' normals in each voxel instead, and keep their sign.

@@ -4,9 +4,8 @@
  */
 #include "objects/join/object_joining.h"
 
-#include <pcl/exceptions.h>
-
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace {
@@ -28,10 +27,7 @@ bestCut(const std::vector<PieceJoin>& joins,
         const std::vector<float>& worth,
         float level)
 {
-  if (worth.size() < joins.size())
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        worth.size()
-                            << " worths are too few for " << joins.size() << " joins.");
+  assert(worth.size() >= joins.size());
   const auto piece_count = worth.size() - joins.size();
   std::vector<std::size_t> node(piece_count); // that stands for a piece
   std::iota(node.begin(), node.end(), std::size_t(0));

@@ -4,8 +4,6 @@
  */
 #include "objects/join/direction_hull.h"
 
-#include <pcl/indoor/quantile.h>
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -66,8 +64,7 @@ areaOf(const Polygon& corners)
 
 namespace pcl::indoor {
 
-DirectionHulls::DirectionHulls(const Eigen::Matrix3f& axes)
-: axes_(axes)
+DirectionHulls::DirectionHulls()
 {
   // In ascending order of length: the axes themselves come first, -x to +x.
   std::size_t next = 0;
@@ -97,17 +94,10 @@ DirectionHulls::DirectionHulls(const Eigen::Matrix3f& axes)
 KDop50
 DirectionHulls::kDopOf(const std::vector<Eigen::Vector3f>& places, float margin) const
 {
-  KDop50 hull;
-  std::vector<float> heights(places.size());
-  const auto outliers = places.size() / 100;
-  for (std::size_t d = 0; d < count; ++d) {
-    const Eigen::Vector3f direction = axes_ * directions_[d].cast<float>();
-    std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
-      return direction.dot(p);
-    });
-    hull[d] = valueAtRank(heights, heights.size() - 1 - outliers) + margin;
-  }
-  return hull;
+  return supportsOf<count>(places, margin, [this](std::size_t d) {
+    const Eigen::Vector3f direction = directions_[d].cast<float>();
+    return [direction](const Eigen::Vector3f& p) { return direction.dot(p); };
+  });
 }
 
 double
@@ -164,26 +154,6 @@ DirectionHulls::faceArea(const std::array<double, count>& heights,
       return 0;
   }
   return areaOf(*corners);
-}
-
-KDop50
-hullOfBoth(const KDop50& a, const KDop50& b)
-{
-  KDop50 both;
-  std::transform(a.begin(), a.end(), b.begin(), both.begin(), [](float x, float y) {
-    return std::max(x, y);
-  });
-  return both;
-}
-
-KDop50
-commonHull(const KDop50& a, const KDop50& b)
-{
-  KDop50 common;
-  std::transform(a.begin(), a.end(), b.begin(), common.begin(), [](float x, float y) {
-    return std::min(x, y);
-  });
-  return common;
 }
 
 } // namespace pcl::indoor

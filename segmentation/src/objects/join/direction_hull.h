@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "objects/join/kdop.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -14,7 +16,7 @@ namespace pcl::indoor {
 
 /** \brief A k-DOP: the support of places, how far they reach, in each of the directions
  * of DirectionHulls, metres. */
-using KDop50 = std::array<float, 50>;
+using KDop50 = KDop<50>;
 
 /** \brief Convex hulls as polytopes whose faces have 50 fixed directions.
  *
@@ -30,9 +32,7 @@ using KDop50 = std::array<float, 50>;
  */
 class DirectionHulls {
 public:
-  /** \param[in] axes three orthogonal unit directions, one per column: boxes along them
-   * are exact */
-  explicit DirectionHulls(const Eigen::Matrix3f& axes);
+  DirectionHulls();
 
   /** \brief Measure how far places reach; the farthest one in a hundred is left out.
    * \param[in] places at least one, metres
@@ -65,17 +65,8 @@ private:
            std::size_t face,
            double radius) const;
 
-  Eigen::Matrix3f axes_;
-  std::array<Eigen::Vector3d, count> directions_; // in the frame of the axes
+  std::array<Eigen::Vector3d, count> directions_;
   std::array<std::array<Cut, count - 1>, count> cuts_;
 };
-
-/** \brief Get the hull of two sets of places. */
-KDop50
-hullOfBoth(const KDop50& a, const KDop50& b);
-
-/** \brief Get what two hulls have in common; its supports may be too large. */
-KDop50
-commonHull(const KDop50& a, const KDop50& b);
 
 } // namespace pcl::indoor

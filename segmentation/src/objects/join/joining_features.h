@@ -6,6 +6,8 @@
 
 #include "objects/join/object_joining.h"
 
+#include <cstddef>
+
 namespace pcl::indoor {
 
 /** What follows from a piece alone. */
@@ -36,6 +38,10 @@ struct PairOutlines {
   PairOutlines(const KDop16& a, const KDop16& b);
 };
 
+/** Features of an object that tell what becomes of it: the probability of the next
+ * join, and the log area of what it joins with, over its own. */
+constexpr std::size_t next_probability = 22, next_size = 23;
+
 /** Tells how two pieces lie to each other. */
 class PairDescription {
 public:
@@ -49,7 +55,7 @@ public:
   JoiningFeatures
   describe(const PairSide& a, const PairSide& b, const PieceContact& contact) const;
 
-  /** All that an object is by itself: what becomes of it follows. */
+  /** All that an object is by itself: next_probability and next_size follow. */
   ObjectFeatures
   describeObject(const PairSide& object, float probability, float level) const;
 

@@ -16,6 +16,8 @@ namespace {
 
 using pcl::indoor::JoiningCriterion;
 using pcl::indoor::JoinTree;
+using pcl::indoor::next_probability;
+using pcl::indoor::next_size;
 using pcl::indoor::ObjectFeatures;
 using pcl::indoor::PairDescription;
 using pcl::indoor::PairSide;
@@ -23,9 +25,6 @@ using pcl::indoor::Piece;
 using pcl::indoor::PieceContact;
 using pcl::indoor::PieceGraph;
 using pcl::indoor::PieceShape;
-
-/** What becomes of an object. */
-constexpr std::size_t next_probability = 22, next_size = 23;
 
 /** A piece with more contacts, as a floor that was not told from the objects on it, is
  * described anew only when it has grown by a share: else n joins with it would describe

@@ -17,21 +17,12 @@
 namespace pcl::indoor {
 
 /** \brief What is known of two pieces that may be one object, see
- * joiningFeatureNames().
- */
+ * PairDescription::describe(). */
 using JoiningFeatures = std::array<float, 86>;
 
-/** \brief Get what each of the features is. */
-const std::array<const char*, std::tuple_size<JoiningFeatures>::value>&
-joiningFeatureNames();
-
 /** \brief What is known of a piece, or of a union of pieces, that may be a whole
- * object, see objectFeatureNames(). */
+ * object, see PairDescription::describeObject(). */
 using ObjectFeatures = std::array<float, 30>;
-
-/** \brief Get what each of the features is. */
-const std::array<const char*, std::tuple_size<ObjectFeatures>::value>&
-objectFeatureNames();
 
 /** \brief The joins of pieces, a tree whose leaves are pieces. */
 struct JoinTree {

@@ -30,16 +30,6 @@ directions()
   return all;
 }
 
-template <typename Choose>
-KDop16
-combine(const KDop16& a, const KDop16& b, Choose choose)
-{
-  KDop16 outline;
-  for (std::size_t d = 0; d < outline.size(); ++d)
-    outline[d] = choose(a[d], b[d]);
-  return outline;
-}
-
 } // namespace
 
 namespace pcl::indoor {
@@ -90,18 +80,6 @@ outlineArea(const KDop16& outline)
     twice += u.x() * v.y() - u.y() * v.x();
   }
   return twice / 2;
-}
-
-KDop16
-outlineOfBoth(const KDop16& a, const KDop16& b)
-{
-  return combine(a, b, [](float x, float y) { return std::max(x, y); });
-}
-
-KDop16
-commonOutline(const KDop16& a, const KDop16& b)
-{
-  return combine(a, b, [](float x, float y) { return std::min(x, y); });
 }
 
 OutlineSpan

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "objects/join/kdop.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -13,7 +15,7 @@ namespace pcl::indoor {
 
 /** \brief An outline seen from above as a convex polygon, a k-DOP: its support in
  * sixteen level directions, metres; direction i is turned by i * 22.5 degrees. */
-using KDop16 = std::array<float, 16>;
+using KDop16 = KDop<16>;
 
 /** \brief Get a direction, unit length.
  * \param[in] i 0 ... 15 */
@@ -23,14 +25,6 @@ outlineDirection(std::size_t i);
 /** \brief Get the area, m^2; 0 if the polygon is empty. */
 double
 outlineArea(const KDop16& outline);
-
-/** \brief Get the outline of two together. */
-KDop16
-outlineOfBoth(const KDop16& a, const KDop16& b);
-
-/** \brief Get what two outlines have in common. */
-KDop16
-commonOutline(const KDop16& a, const KDop16& b);
 
 /** \brief Part of a line. */
 struct OutlineSpan {

@@ -4,6 +4,8 @@
  */
 #include "objects/join/piece_frame.h"
 
+#include "objects/structure/camera_view.h"
+
 #include <pcl/indoor/ground_frame.h>
 #include <pcl/indoor/quantile.h>
 
@@ -11,8 +13,7 @@
 
 namespace {
 
-constexpr double lowest_share = 0.005;  // of all voxels, below the floor's height
-constexpr float least_distance = 1e-3f; // metres, from a camera
+constexpr double lowest_share = 0.005; // of all voxels, below the floor's height
 
 } // namespace
 
@@ -71,7 +72,7 @@ viewFrame(const ObjectScene& scene,
       heights.push_back(
           frame.axes.row(2).dot(scene.voxels.centroids[v].cast<double>()));
   frame.floor = median(heights);
-  frame.voxel_size *= std::max(median(distances), least_distance);
+  frame.voxel_size *= std::max(median(distances), least_camera_distance);
   return frame;
 }
 

@@ -39,18 +39,11 @@ contactOf(std::uint32_t a, std::uint32_t b, ContactMap& contacts)
 KDop16
 outlineOf(const std::vector<Eigen::Vector3f>& places, float margin)
 {
-  KDop16 outline;
-  std::vector<float> heights(places.size());
-  const auto outliers = places.size() / 100;
-  for (std::size_t d = 0; d < outline.size(); ++d) {
+  constexpr auto count = std::tuple_size<KDop16>::value;
+  return pcl::indoor::supportsOf<count>(places, margin, [](std::size_t d) {
     const Eigen::Vector2f direction = pcl::indoor::outlineDirection(d).cast<float>();
-    std::transform(places.begin(), places.end(), heights.begin(), [&](const auto& p) {
-      return direction.dot(p.template head<2>());
-    });
-    outline[d] =
-        pcl::indoor::valueAtRank(heights, heights.size() - 1 - outliers) + margin;
-  }
-  return outline;
+    return [direction](const Eigen::Vector3f& p) { return direction.dot(p.head<2>()); };
+  });
 }
 
 /** The voxels in no plane, in the frame of the pieces. */
@@ -87,7 +80,7 @@ describePieces(const PieceSurface& surface, const LooseVoxels& loose, double vox
     piece.normals.add(loose.normals[i].cast<double>());
     positions_of[loose.pieces[i]].push_back(loose.positions[i]);
   }
-  const pcl::indoor::DirectionHulls hulls(Eigen::Matrix3f::Identity());
+  const pcl::indoor::DirectionHulls hulls;
   const float margin = 0.5f * static_cast<float>(voxel_size);
   for (std::uint32_t p = 0; p < surface.piece_count; ++p)
     if (!positions_of[p].empty()) {
@@ -254,38 +247,6 @@ addBends(const PieceSurface& surface, ContactMap& contacts)
 
 namespace pcl::indoor {
 
-void
-VectorMoments::add(const Eigen::Vector3d& vector, double weight)
-{
-  count += weight;
-  sum += weight * vector;
-  squares += weight * vector * vector.transpose();
-}
-
-VectorMoments&
-VectorMoments::operator+=(const VectorMoments& other)
-{
-  count += other.count;
-  sum += other.sum;
-  squares += other.squares;
-  return *this;
-}
-
-Eigen::Vector3d
-VectorMoments::mean() const
-{
-  return count > 0 ? Eigen::Vector3d(sum / count) : Eigen::Vector3d(0, 0, 0);
-}
-
-Eigen::Matrix3d
-VectorMoments::covariance() const
-{
-  if (!(count > 0))
-    return Eigen::Matrix3d::Zero();
-  const Eigen::Vector3d middle = mean();
-  return squares / count - middle * middle.transpose();
-}
-
 PieceVotes&
 PieceVotes::operator+=(const PieceVotes& other)
 {
@@ -301,7 +262,7 @@ Piece::operator+=(const Piece& other)
   positions += other.positions;
   normals += other.normals;
   hull = hullOfBoth(hull, other.hull);
-  outline = outlineOfBoth(outline, other.outline);
+  outline = hullOfBoth(outline, other.outline);
   parts += other.parts;
   votes += other.votes;
   return *this;

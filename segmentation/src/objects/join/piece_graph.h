@@ -11,6 +11,7 @@
 #include "objects/join/piece_frame.h"
 #include "objects/join/room_columns.h"
 #include "objects/structure/object_scene.h"
+#include "objects/vector_moments.h"
 
 #include <pcl/indoor/voxel_classes.h>
 
@@ -20,28 +21,6 @@
 #include <vector>
 
 namespace pcl::indoor {
-
-/** \brief Mean and covariance of vectors, kept as sums, so that those of two sets can
- * be added. */
-struct VectorMoments {
-  double count = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero(); ///< sum of v * v^T
-
-  void
-  add(const Eigen::Vector3d& vector, double weight = 1);
-
-  VectorMoments&
-  operator+=(const VectorMoments& other);
-
-  /** \brief Get the mean; zero if there are none. */
-  Eigen::Vector3d
-  mean() const;
-
-  /** \brief Get the covariance; zero if there are none. */
-  Eigen::Matrix3d
-  covariance() const;
-};
 
 /** \brief What the voxels of a piece were taken for. */
 struct PieceVotes {

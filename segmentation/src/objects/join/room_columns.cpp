@@ -116,7 +116,7 @@ RoomColumns::areaBetween(const KDop16& a, const KDop16& b, Heights heights) cons
   const int first = std::max(1, stepOf(from)), last = std::max(first, stepOf(to));
   const auto between = stepsBetween(first, last), below = stepsBetween(0, first - 1);
   std::size_t open = 0, filled = 0;
-  forRowsIn(outlineOfBoth(a, b), [&](double x, auto begin, auto end) {
+  forRowsIn(hullOfBoth(a, b), [&](double x, auto begin, auto end) {
     const auto in_a = outlineSpan(a, x), in_b = outlineSpan(b, x);
     for (auto column = begin; column != end; ++column) {
       const double y = middleOf(column->y, 1);

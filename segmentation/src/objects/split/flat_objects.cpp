@@ -11,11 +11,10 @@
 #include <pcl/indoor/ground_frame.h>
 #include <pcl/indoor/quantile.h>
 
-#include <pcl/exceptions.h>
-
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace {
@@ -196,12 +195,9 @@ std::vector<std::uint32_t>
 partFlatObjects(const ObjectScene& scene,
                 const std::vector<std::uint32_t>& segment_of_voxel)
 {
-  requireConsistent(scene, scene.points.size());
+  assert(isConsistent(scene, scene.points.size()));
   const auto& voxels = scene.voxels;
-  if (segment_of_voxel.size() != voxels.size())
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        voxels.size() << " voxels have " << segment_of_voxel.size()
-                                      << " segments.");
+  assert(segment_of_voxel.size() == voxels.size());
   std::vector<std::uint32_t> segment_of_point(scene.points.size());
   for (std::size_t i = 0; i < scene.points.size(); ++i)
     segment_of_point[i] = segment_of_voxel[voxels.cells.cell_of_point[i]];

@@ -22,7 +22,6 @@ namespace pcl::indoor {
  * \param[in] segment_of_voxel numbered from 0; segments of floor, walls and
  * ceiling stay whole
  * \return one segment per point; the objects follow the segments that were there
- * \throws pcl::BadArgumentException if sizes differ
  */
 std::vector<std::uint32_t>
 partFlatObjects(const ObjectScene& scene,

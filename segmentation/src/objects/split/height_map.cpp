@@ -19,9 +19,8 @@ constexpr double most_high_points = 0.3; // with more it is part of a higher one
 constexpr double min_area = 4;          // of an object, cells
 constexpr double max_area_share = 0.25; // of an object over that of the surface
 constexpr double min_surrounded = 0.5;  // share of the cells at its rim with points
-constexpr double noise_deviations =
-    3; // of the surface's heights that an object rises, at least
-constexpr double min_rise = 0.1; // and at least this, cells
+/** An object rises by chance_deviations of the surface's heights, and so many cells. */
+constexpr double min_rise = 0.1;
 
 } // namespace
 
@@ -207,7 +206,7 @@ HeightMap::findObjects()
   smoothHeights();
   if (!measureSurface(cell_size_, min_object_surface))
     return object_of_cell;
-  const double high = std::max(noise_deviations * deviation_, min_rise * cell_size_);
+  const double high = std::max(chance_deviations * deviation_, min_rise * cell_size_);
   const double low = high / 2;
   states_.assign(counts_.size(), State::Open);
   for (std::uint32_t first = 0; first < counts_.size(); ++first) {

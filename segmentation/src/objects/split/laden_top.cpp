@@ -16,10 +16,10 @@
 
 namespace {
 
-constexpr float cell_size = 0.02f;  // metres along the ground
-constexpr float bin_height = 0.01f; // metres; a top reaches over two bins
-constexpr std::size_t fewest = 200; // cells: 0.08 m^2, 0.4 x 0.2 m
-constexpr float narrowest = 0.3f;   // metres; less are ledges, arms and seats' fronts
+constexpr float bin_height = 0.01f;         // metres; a top reaches over two bins
+constexpr float cell_size = 2 * bin_height; // along the ground
+constexpr std::size_t fewest = 200;         // cells: 0.08 m^2, 0.4 x 0.2 m
+constexpr float narrowest = 0.3f; // metres; less are ledges, arms and seats' fronts
 constexpr float tallest =
     0.5f; // metres above the top; more has a cabinet or a bed's end
 constexpr std::ptrdiff_t apart = 3; // bins, so that noise of a top is not beside it

@@ -26,13 +26,12 @@ constexpr double min_width = 0.5;    // of a gap, voxels
 /** a gap holds at most this share of the points expected from the slices of its width
  * beside it: noise blurs its sides */
 constexpr double remainder = 0.25;
-/** and this many standard deviations of its number of points fewer */
+/** and fewer than that by two standard deviations of a random count */
 constexpr double deviations = 2;
 /** a gap is this many times as wide as any other empty stretch near it (within four
  * times the least width): the spaces between the lines of a scanner are alike and do
  * not count */
 constexpr double prominence = 1.5;
-constexpr unsigned directions = 60; // of upright planes that are tried, in 180 degrees
 
 /** Gaps across one direction: where to cut, and how clear the clearest is. */
 struct Cuts {
@@ -161,8 +160,8 @@ public:
       return {members};
     Cuts best;
     Eigen::Vector2f best_direction = Eigen::Vector2f::Zero();
-    for (unsigned d = 0; d < directions; ++d) {
-      const auto direction = pcl::indoor::levelDirection(d, directions);
+    for (unsigned d = 0; d < pcl::indoor::level_directions; ++d) {
+      const auto direction = pcl::indoor::levelDirection(d);
       auto cuts = cutsAcross(places, direction);
       if (cuts.clearness > best.clearness) {
         best = std::move(cuts);

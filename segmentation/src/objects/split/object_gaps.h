@@ -22,7 +22,6 @@ namespace pcl::indoor {
  * \param[in] left_out one per point: such points (floor, walls) keep their segment
  * \param[in,out] segment_of_point numbered from 0; new segments follow those that were
  * there
- * \throws pcl::BadArgumentException if sizes differ
  */
 void
 partAtGaps(const ObjectScene& scene,

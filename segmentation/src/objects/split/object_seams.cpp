@@ -19,6 +19,7 @@
 
 namespace {
 
+using pcl::indoor::chance_deviations;
 using pcl::indoor::ObjectScene;
 using pcl::indoor::SeamSection;
 using pcl::indoor::SliceCounts;
@@ -28,13 +29,10 @@ using Members = pcl::indoor::SegmentMembers;
 constexpr double longest = 4096;  // extent of a segment, voxels
 constexpr double min_side = 0.35; // of a segment beside a seam, metres
 constexpr double density = 1.8;   // points of a sheet over those of what is beside it
-constexpr double chance_deviations = 3; // of a count, that are chance
-constexpr double min_cover = 0.5;       // share of the inside that a seam fills
-constexpr unsigned min_cells = 8;       // of a voxel that a seam fills there
+constexpr double min_cover = 0.5; // share of the inside that a seam fills
+constexpr unsigned min_cells = 8; // of a voxel that a seam fills there
 /** share of the points on either side whose normals point away from the inside */
 constexpr double min_outward = 0.5;
-constexpr unsigned seam_directions =
-    60; // of upright planes that are tried, in 180 degrees
 
 /** The points of a segment along one level direction, counted in thin slices. */
 class Profile {
@@ -161,9 +159,8 @@ public:
   find() const
   {
     Seam best;
-    for (unsigned d = 0; d < seam_directions; ++d) {
-      const Profile profile(
-          places_, pcl::indoor::levelDirection(d, seam_directions), voxel_size_);
+    for (unsigned d = 0; d < pcl::indoor::level_directions; ++d) {
+      const Profile profile(places_, pcl::indoor::levelDirection(d), voxel_size_);
       for (const auto peak : profile.peaks()) {
         const auto seam = seamAt(profile, peak);
         if (seam.excess > best.excess)

@@ -10,6 +10,7 @@
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
+#include <cassert>
 #include <cstdint>
 #include <iterator>
 #include <utility>
@@ -36,7 +37,6 @@ cutRepeatedly(const SegmentMembers& members, const CutOnce& cut_once)
 /** Cut each segment, and its parts, as long as cut_once returns more than one part of
  * some members; the first part keeps the segment's number, the others follow those that
  * were there. Points that are left out keep their segment.
- * \throws pcl::BadArgumentException if sizes differ
  */
 template <typename CutOnce>
 void
@@ -45,8 +45,8 @@ partSegments(const ObjectScene& scene,
              const CutOnce& cut_once,
              std::vector<std::uint32_t>& segment_of_point)
 {
-  requireConsistent(scene, segment_of_point.size());
-  requireConsistent(scene, left_out.size());
+  assert(isConsistent(scene, segment_of_point.size()));
+  assert(isConsistent(scene, left_out.size()));
   if (scene.points.empty())
     return;
   const auto segments = membersOfSegments(left_out, segment_of_point);

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace {
@@ -21,13 +22,10 @@ namespace {
 using Points = std::vector<Eigen::Vector3f>;
 
 constexpr double least_in_front = 0.99; // share of a camera's points
-constexpr double widest_view = 75;      // degrees from the camera's axis
 constexpr double middle = 10;           // degrees: what the camera looks at
 constexpr float always_table = 1.4f;    // metres, half of the points in the middle
 constexpr float never_table = 2.0f;     // metres: noise hides small objects
 constexpr double around_middle = 15;    // degrees: where small objects are looked for
-constexpr double room_voxel = 0.03;     // metres
-constexpr float bent = 0.03f;           // surface variation: smaller than such voxels
 constexpr double share_of_small = 0.55; // of the voxels around the middle
 constexpr int rounds = 5;               // with each tolerance
 
@@ -43,15 +41,19 @@ isWithin(const Eigen::Vector3f& ray, double degrees)
 bool
 seesSmallObjects(const Points& points, const Eigen::Vector3f& camera)
 {
+  const auto of_rooms =
+      pcl::indoor::withSizes(pcl::indoor::ObjectSegmentationOptions());
+  const float bent = of_rooms.curvature_threshold;
   Points around;
   for (const auto& point : points)
     if (isWithin(point - camera, around_middle))
       around.push_back(point);
-  auto voxels = pcl::indoor::surfaceVoxels(around, {}, room_voxel);
-  pcl::indoor::estimateNormals(around, voxels, 1, 1);
-  const auto small = std::count_if(voxels.curvatures.begin(),
-                                   voxels.curvatures.end(),
-                                   [](float curvature) { return curvature > bent; });
+  auto voxels = pcl::indoor::surfaceVoxels(around, {}, of_rooms.voxel_size);
+  pcl::indoor::estimateNormals(around, voxels, 1);
+  const auto small =
+      std::count_if(voxels.curvatures.begin(),
+                    voxels.curvatures.end(),
+                    [bent](float curvature) { return curvature > bent; });
   return static_cast<double>(small) >
          share_of_small * static_cast<double>(voxels.curvatures.size());
 }
@@ -145,7 +147,7 @@ captureOf(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& cam
 {
   const auto in_front =
       std::count_if(points.begin(), points.end(), [&camera](const auto& point) {
-        return isWithin(point - camera, widest_view);
+        return isWithin(point - camera, pcl::indoor::widest_view);
       });
   if (points.empty() || static_cast<double>(in_front) <
                             least_in_front * static_cast<double>(points.size()))
@@ -217,7 +219,7 @@ distanceInMiddle(const std::vector<Eigen::Vector3f>& points,
   for (const auto& point : points)
     if (isWithin(point - camera, middle))
       depths.push_back(point.z() - camera.z());
-  return depths.empty() ? 0 : median(depths);
+  return depths.empty() ? std::numeric_limits<float>::quiet_NaN() : median(depths);
 }
 
 Eigen::Vector3f

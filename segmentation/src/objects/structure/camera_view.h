@@ -12,9 +12,12 @@
 
 namespace pcl::indoor {
 
+constexpr double widest_view = 75;             ///< degrees from the axis of a camera
+constexpr float least_camera_distance = 1e-3f; ///< metres
+
 /** \brief Tell how points were taken, if by a camera that looks along z.
  *
- * A camera has 99 % of them in front of it, within 75 degrees of z. It sees a table if
+ * A camera has 99 % of them in front of it, within widest_view of z. It sees a table if
  * half of what it looks at, within 10 degrees of z, is at most 1.4 m away; or at most
  * 2 m, where most of that is too small for the voxels of a room: their surface
  * variation is above 0.03 in 55 % of voxels of 3 cm within 15 degrees. Else it sees a
@@ -33,8 +36,8 @@ captureOf(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& cam
 bool
 arePixels(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& camera);
 
-/** \brief The median of z of what a camera looks at, within 10 degrees of z; 0 if there
- * is nothing. */
+/** \brief The median of z of what a camera looks at, within 10 degrees of z; NaN if
+ * there is nothing. */
 float
 distanceInMiddle(const std::vector<Eigen::Vector3f>& points,
                  const Eigen::Vector3f& camera);

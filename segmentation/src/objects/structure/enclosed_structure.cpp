@@ -12,11 +12,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <unordered_map>
 
 namespace {
 
+using pcl::indoor::near_surface_voxels;
 using pcl::indoor::ObjectScene;
 using pcl::indoor::PlaneCell;
 using pcl::indoor::PlaneFrame;
@@ -27,7 +29,6 @@ using pcl::indoor::StructurePlane;
 using Members = pcl::indoor::SegmentMembers;
 using Box = pcl::indoor::PointBox;
 
-constexpr double touch = 2;            // voxels from a plane: what is nearer touches it
 constexpr double cover = 1;            // voxels: what is farther hides the plane
 constexpr double cells_per_point = 20; // with more, a segment is too sparse
 
@@ -45,7 +46,7 @@ markEnds(const PlaneFrame& frame,
     for (auto row = low[1]; row <= high[1]; ++row)
       for (auto column = low[0]; column <= high[0]; ++column)
         if (std::abs(other->heightOf(frame.placeOf({column, row}))) <
-            touch * voxel_size)
+            near_surface_voxels * voxel_size)
           shadow.end({column, row}, side);
   }
 }
@@ -70,7 +71,7 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
   auto low = segment.front().cell, high = low;
   std::size_t touching = 0, deep = 0;
   for (const auto& [cell, depth] : segment) {
-    touching += depth < touch;
+    touching += depth < near_surface_voxels;
     deep += depth > cover;
     for (int k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], cell[k]);
@@ -84,7 +85,7 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
     return {};
   PlaneShadow shadow(low, high);
   for (const auto& [cell, depth] : segment) {
-    if (depth < touch)
+    if (depth < near_surface_voxels)
       shadow.mark(cell, PlaneShadow::closing);
     if (depth > cover)
       shadow.mark(cell, PlaneShadow::covered);
@@ -151,7 +152,8 @@ public:
   , smallest_first_(smallestFirst(objects))
   {
     for (const auto& box : structure.boxes)
-      reach_.push_back(pcl::indoor::widened(box, touch * scene.voxel_size));
+      reach_.push_back(
+          pcl::indoor::widened(box, near_surface_voxels * scene.voxel_size));
     for (const auto& members : structure.members)
       max_opening_.push_back(members.size() / 2);
   }
@@ -186,7 +188,7 @@ private:
   touches(const Members& members, const PlaneFrame& frame) const
   {
     return std::any_of(members.begin(), members.end(), [&](std::uint32_t i) {
-      return std::abs(frame.heightOf(scene_.points[i])) < touch;
+      return std::abs(frame.heightOf(scene_.points[i])) < near_surface_voxels;
     });
   }
 
@@ -233,7 +235,7 @@ namespace pcl::indoor {
 std::size_t
 yieldEnclosed(const ObjectScene& scene, std::vector<std::uint32_t>& segment_of_point)
 {
-  requireConsistent(scene, segment_of_point.size());
+  assert(isConsistent(scene, segment_of_point.size()));
   if (scene.points.empty() || scene.planes.empty())
     return 0;
   const auto groups = groupPoints(scene, segment_of_point);

@@ -33,7 +33,6 @@ namespace pcl::indoor {
  * The cost is linear in the points and in the cells of the segments that reach planes.
  * \param[in,out] segment_of_point numbered from 0
  * \return how many points changed sides
- * \throws pcl::BadArgumentException if sizes differ
  */
 std::size_t
 yieldEnclosed(const ObjectScene& scene, std::vector<std::uint32_t>& segment_of_point);

@@ -20,7 +20,8 @@ namespace pcl::indoor {
 struct ObjectScene {
   std::vector<Eigen::Vector3f> points;           ///< finite, metres, local frame
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< against gravity, unit length
-  double voxel_size = 0.03;                      ///< that was used, metres (> 0)
+  Capture capture = Capture::Scan;    ///< of a table, the direction up is unknown
+  double voxel_size = 0.03;           ///< that was used, metres (> 0)
   unsigned threads = 0;               ///< 0 = automatic; no result depends on it
   SurfaceVoxels voxels;               ///< of the points, with normals
   std::vector<StructurePlane> planes; ///< floor, ceiling and walls; may be empty
@@ -39,12 +40,11 @@ struct ObjectScene {
   structureFlags() const;
 };
 
-/** \brief Check that the parts of a scene fit each other and the labels of a step.
- * \param[in] label_count labels, one per point
- * \throws pcl::BadArgumentException if sizes differ, the voxel size is not positive or
- * the direction up is no unit vector
+/** \brief Tell whether the parts of a scene fit each other and the labels of a step,
+ * the voxel size is positive and the direction up is a unit vector. \param[in]
+ * label_count labels, one per point
  */
-void
-requireConsistent(const ObjectScene& scene, std::size_t label_count);
+bool
+isConsistent(const ObjectScene& scene, std::size_t label_count);
 
 } // namespace pcl::indoor

@@ -4,6 +4,8 @@
  */
 #include "objects/structure/plane_growing.h"
 
+#include "objects/vector_moments.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -17,34 +19,19 @@ using pcl::indoor::normal_cosine;
 using pcl::indoor::sheet_cosine;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
+using pcl::indoor::VectorMoments;
 
 constexpr std::size_t min_region = 50;
 
-/** Sums over positions, for a plane through them. */
-struct PositionSums {
-  double count = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-
-  void
-  add(const Eigen::Vector3d& position)
-  {
-    count += 1;
-    sum += position;
-    squares += position * position.transpose();
-  }
-
-  void
-  fit(StructurePlane& plane) const
-  {
-    const Eigen::Vector3d mean = sum / count;
-    const Eigen::Matrix3d scatter = squares / count - mean * mean.transpose();
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(scatter);
-    plane.normal = solver.eigenvectors().col(0).normalized();
-    plane.offset = plane.normal.dot(mean);
-  }
-};
+/** Lay a plane through positions. */
+void
+fitThrough(const VectorMoments& positions, StructurePlane& plane)
+{
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(positions.covariance());
+  plane.normal = solver.eigenvectors().col(0).normalized();
+  plane.offset = plane.normal.dot(positions.mean());
+}
 
 /** Grow one region from a voxel; the plane is fitted anew whenever it has doubled. */
 StructurePlane
@@ -61,13 +48,13 @@ growRegion(const SurfaceVoxels& voxels,
   plane.offset = plane.normal.dot(place(seed));
   plane.voxels.assign(1, seed);
   taken[seed] = 1;
-  PositionSums sums;
+  VectorMoments positions;
   std::size_t next_fit = min_region / 2;
   for (std::size_t i = 0; i < plane.voxels.size(); ++i) {
     const auto v = plane.voxels[i];
-    sums.add(place(v));
+    positions.add(place(v));
     if (i + 1 >= next_fit) {
-      sums.fit(plane);
+      fitThrough(positions, plane);
       next_fit *= 2;
     }
     for (const auto other : voxels.neighbors.of(v)) {
@@ -80,7 +67,7 @@ growRegion(const SurfaceVoxels& voxels,
     }
   }
   if (plane.voxels.size() >= min_region)
-    sums.fit(plane);
+    fitThrough(positions, plane);
   return plane;
 }
 
@@ -150,7 +137,7 @@ growPlanes(const SurfaceVoxels& voxels, double voxel_size, float flat_curvature)
   std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) {
     return a.voxels.size() > b.voxels.size();
   });
-  return uniteCoplanar(voxels, regions, 1.5 * voxel_size);
+  return uniteCoplanar(voxels, regions, same_surface_voxels * voxel_size);
 }
 
 } // namespace pcl::indoor

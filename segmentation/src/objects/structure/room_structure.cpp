@@ -4,53 +4,37 @@
  */
 #include "objects/structure/room_structure.h"
 
+#include "objects/structure/floor_search.h"
 #include "objects/structure/plane_growing.h"
-#include "objects/structure/plane_raster.h"
 
-#include <pcl/exceptions.h>
 #include <pcl/indoor/quantile.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 namespace {
 
-using pcl::indoor::PlaneRaster;
+using pcl::indoor::near_surface_voxels;
 using pcl::indoor::sheet_cosine;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr float flat_curvature = 0.03f; // of voxels that start a plane, at most
-constexpr double min_area = 0.02;       // share of all voxels
+constexpr double min_area = 0.02; // share of all voxels
 constexpr double min_span = 0.85; // share of the room's extent in one of its directions
 constexpr double min_length = 1.5;  // in that direction, metres: rooms are not lower
-constexpr double other_layer = 0.3; // metres behind floors and ceilings, as of a roof
-constexpr double min_free = 0.7;    // share of a plane with nothing behind it
-constexpr double behind = 2; // voxels: nearer lies a wall's ghost, of misregistration
-constexpr double most_beyond = 0.1;     // share of what is seen that is behind a wall
-constexpr double min_floor = 0.5;       // m^2
-constexpr double ground_relief = 0.05;  // metres: rugs lie on the ground
-constexpr double min_wall = 1.5;        // m^2, of a wall that is shorter than the room
-constexpr double min_wall_height = 0.7; // of it, as share of the room's
-constexpr double min_wall_free = 0.9;   // of it, as min_free
-constexpr double longest_row = 2e6;     // voxels beside each other, see groupByCell()
-constexpr double deviations = 3;        // within so many a point counts to its plane
-constexpr double least_tolerance = 0.2; // or within so many voxels
-
-/** Distance between the 1st and the 99th percentile. */
-double
-spreadOf(std::vector<double>& heights)
-{
-  const auto outliers = heights.size() / 100;
-  const double low = pcl::indoor::valueAtRank(heights, outliers);
-  return pcl::indoor::valueAtRank(heights, heights.size() - 1 - outliers) - low;
-}
+constexpr double most_beyond = 0.1; // share of what is seen that is behind a wall
+constexpr double min_wall = 1.5;    // m^2, of a wall that is shorter than the room
+constexpr double min_wall_height = 0.7;           // of it, as share of the room's
+constexpr double min_wall_free = 1 - most_beyond; // of it, as min_free
+constexpr double longest_row = 2e6; // voxels beside each other, see groupByCell()
+/** Within chance_deviations, or so many voxels, a point counts to its plane. */
+constexpr double least_tolerance = 0.2;
 
 double
 extentOf(const SurfaceVoxels& voxels,
@@ -67,7 +51,7 @@ extentOf(const SurfaceVoxels& voxels,
   else
     for (std::uint32_t v = 0; v < voxels.size(); ++v)
       add(v);
-  return spreadOf(heights);
+  return pcl::indoor::extentWithoutStrays(heights);
 }
 
 /** The standard deviation of a plane's points, from their median distance. */
@@ -88,13 +72,12 @@ deviationOf(const std::vector<Eigen::Vector3f>& points,
 std::vector<std::uint32_t>
 withSurroundings(const SurfaceVoxels& voxels, const StructurePlane& plane)
 {
-  constexpr int rounds = 2;
   std::vector<std::uint8_t> taken(voxels.size(), 0);
   auto found = plane.voxels;
   for (const auto v : found)
     taken[v] = 1;
   std::size_t begin = 0;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < near_surface_voxels; ++round) {
     const auto end = found.size();
     for (; begin < end; ++begin) {
       const auto v = found[begin];
@@ -184,39 +167,11 @@ bounds(const SurfaceVoxels& voxels, const StructurePlane& plane, double voxel_si
 {
   const auto beyond = std::count_if(
       voxels.centroids.begin(), voxels.centroids.end(), [&](const auto& centroid) {
-        return plane.heightOf(centroid.template cast<double>()) < -behind * voxel_size;
+        return plane.heightOf(centroid.template cast<double>()) <
+               -near_surface_voxels * voxel_size;
       });
   return static_cast<double>(beyond) <=
          most_beyond * static_cast<double>(voxels.size());
-}
-
-/** The share of a plane with nothing farther behind it than a margin. */
-double
-freeShareOf(const SurfaceVoxels& voxels,
-            const StructurePlane& plane,
-            double margin,
-            double voxel_size)
-{
-  PlaneRaster raster(voxels, plane, behind * voxel_size);
-  raster.look(voxels, std::max(margin, behind * voxel_size));
-  return raster.freeShare();
-}
-
-double
-areaOf(const StructurePlane& plane, double voxel_size)
-{
-  return static_cast<double>(plane.voxels.size()) * voxel_size * voxel_size;
-}
-
-double
-middleHeight(const SurfaceVoxels& voxels,
-             const StructurePlane& plane,
-             const Eigen::Vector3f& up)
-{
-  std::vector<double> heights;
-  for (const auto v : plane.voxels)
-    heights.push_back(up.dot(voxels.centroids[v]));
-  return pcl::indoor::median(heights);
 }
 
 /** Whether a plane lies in a recess of a larger one, as doors and windows do in walls.
@@ -238,92 +193,94 @@ isRecessed(const SurfaceVoxels& voxels,
   return false;
 }
 
-/** \brief Finds the floors among planes: the lowest level ones, and those with which
- * these go on, as floors do that drift or slope. What lies below a plane is looked for
- * only where that decides: it costs a look at all voxels. */
-class FloorSearch {
+/** \brief Tells which planes enclose a room. */
+class StructureSearch {
 public:
-  FloorSearch(const std::vector<StructurePlane>& planes,
-              const SurfaceVoxels& voxels,
-              double voxel_size,
-              const Eigen::Vector3f& up)
+  /** \param[in] planes the largest first, at least one; must outlive the search */
+  StructureSearch(const std::vector<StructurePlane>& planes,
+                  const SurfaceVoxels& voxels,
+                  double voxel_size,
+                  const Eigen::Vector3f& up,
+                  pcl::indoor::Capture capture)
   : planes_(planes)
   , voxels_(voxels)
   , voxel_size_(voxel_size)
+  , near_(near_surface_voxels * voxel_size)
+  , least_(min_area * static_cast<double>(voxels.size()))
+  , up_(up.cast<double>())
+  , is_view_(capture == pcl::indoor::Capture::RoomView)
+  , axes_(pcl::indoor::axesOf(planes))
+  , height_(extentOf(voxels, nullptr, up_))
   {
-    constexpr double level = 0.95; // cosine of 18 degrees: small regions
-    for (std::size_t p = 0; p < planes.size(); ++p)
-      if (planes[p].normal.dot(up.cast<double>()) > level)
-        rising_.push_back({middleHeight(voxels, planes[p], up), p});
-    std::sort(rising_.begin(), rising_.end());
+    for (int a = 0; a < 3; ++a)
+      room_[a] = extentOf(voxels, nullptr, axes_.col(a));
   }
 
-  /** Whether each plane is a floor. */
-  std::vector<std::uint8_t>
-  floors()
+  /** Whether what was seen is as long as a room is, at least. */
+  bool
+  isRoom() const
   {
-    std::vector<std::uint8_t> is_floor(planes_.size(), 0);
-    const auto ground = std::find_if(rising_.begin(), rising_.end(), [&](auto& each) {
-      return isLarge(each.second) && isLowest(each.second);
-    });
-    std::vector<std::size_t> open;
-    for (auto each = rising_.begin();
-         each != rising_.end() && ground != rising_.end() &&
-         each->first <= ground->first + ground_relief;
-         ++each)
-      if (each >= ground || !isLarge(each->second)) {
-        is_floor[each->second] = 1;
-        open.push_back(each->second);
-      }
-    goOn(std::move(open), is_floor);
-    return is_floor;
+    return *std::max_element(room_.begin(), room_.end()) >= min_length;
+  }
+
+  bool
+  encloses(const StructurePlane& plane) const
+  {
+    if (static_cast<double>(plane.voxels.size()) < least_)
+      return false;
+    const auto reach = reachOf(plane);
+    if (!reach.one_way && !reach.both_ways)
+      return is_view_ ? bounds(voxels_, plane, voxel_size_) &&
+                            freeShare(plane, near_) >= pcl::indoor::min_free
+                      : isRoom() && isWall(plane);
+    // Walls seen from several places appear double: what is near does not count.
+    return freeShare(plane, reach.both_ways ? pcl::indoor::other_layer : near_) >=
+           pcl::indoor::min_free;
   }
 
 private:
-  bool
-  isLarge(std::size_t p) const
+  Reach
+  reachOf(const StructurePlane& plane) const
   {
-    return areaOf(planes_[p], voxel_size_) >= min_floor;
+    Reach reach{false, isRoom()};
+    const bool is_oblique = isOblique(plane, axes_);
+    for (int a = 0; a < 3; ++a)
+      if (is_oblique || pcl::indoor::areAcross(axes_.col(a), plane.normal)) {
+        const double extent = extentOf(voxels_, &plane.voxels, axes_.col(a));
+        reach.one_way |=
+            !is_oblique && extent >= std::max(min_span * room_[a], min_length);
+        reach.both_ways &= extent + 2 * near_ >= min_span * room_[a]; // without edges
+      }
+    return reach;
   }
 
+  /** Whether it is a part of a wall. */
   bool
-  isLowest(std::size_t p) const
+  isWall(const StructurePlane& plane) const
   {
-    return freeShareOf(voxels_, planes_[p], other_layer, voxel_size_) >= min_free;
+    return pcl::indoor::areAcross(plane.normal, up_) &&
+           pcl::indoor::areaOfPlane(plane, voxel_size_) >= min_wall &&
+           extentOf(voxels_, &plane.voxels, up_) >= min_wall_height * height_ &&
+           bounds(voxels_, plane, voxel_size_) &&
+           !isRecessed(voxels_, planes_, plane) &&
+           freeShare(plane, near_) >= min_wall_free;
   }
 
-  void
-  goOn(std::vector<std::size_t> open, std::vector<std::uint8_t>& is_floor) const
+  double
+  freeShare(const StructurePlane& plane, double margin) const
   {
-    constexpr std::size_t contacts = 30; // pairs of voxels along an edge of 0.3 m
-    constexpr std::uint32_t none = 0xffffffffu;
-    std::vector<std::uint32_t> plane_of_voxel(voxels_.size(), none);
-    for (const auto& [height, p] : rising_)
-      if (isLarge(p))
-        for (const auto v : planes_[p].voxels)
-          plane_of_voxel[v] = static_cast<std::uint32_t>(p);
-    std::vector<std::uint8_t> is_decided = is_floor;
-    while (!open.empty()) {
-      const auto p = open.back();
-      open.pop_back();
-      std::unordered_map<std::uint32_t, std::size_t> shared;
-      for (const auto v : planes_[p].voxels)
-        for (const auto other : voxels_.neighbors.of(v)) {
-          const auto q = plane_of_voxel[other];
-          if (q == none || is_decided[q] || ++shared[q] < contacts)
-            continue;
-          is_decided[q] = 1;
-          is_floor[q] = isLowest(q);
-          if (is_floor[q])
-            open.push_back(q);
-        }
-    }
+    return pcl::indoor::freeShareOfPlane(voxels_, plane, margin, voxel_size_);
   }
 
   const std::vector<StructurePlane>& planes_;
   const SurfaceVoxels& voxels_;
-  double voxel_size_;
-  std::vector<std::pair<double, std::size_t>> rising_; // heights of level planes
+  double voxel_size_, near_; // metres
+  double least_;             // voxels of a plane
+  Eigen::Vector3d up_;
+  bool is_view_;
+  Eigen::Matrix3d axes_;
+  double height_;              // of all that was seen, metres
+  std::array<double, 3> room_; // its extent along the axes, metres
 };
 
 } // namespace
@@ -362,60 +319,17 @@ findRoomStructure(const SurfaceVoxels& voxels,
                   const Eigen::Vector3f& up,
                   Capture capture)
 {
-  if (!(voxel_size > 0) || !std::isfinite(voxel_size))
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "The voxel size must be positive, not " << voxel_size << " m.");
-  const double least = min_area * static_cast<double>(voxels.size());
-  auto planes = growPlanes(voxels, voxel_size, flat_curvature);
+  const float flat = ObjectSegmentationOptions().curvature_threshold;
+  auto planes = growPlanes(voxels, voxel_size, flat);
   if (planes.empty())
     return {};
-  const auto axes = axesOf(planes);
-  std::array<double, 3> room;
-  for (int a = 0; a < 3; ++a)
-    room[a] = extentOf(voxels, nullptr, axes.col(a));
-  const double near = behind * voxel_size;
-  const bool is_room = *std::max_element(room.begin(), room.end()) >= min_length;
-  const auto reachOf = [&](const StructurePlane& plane) {
-    Reach reach{false, is_room};
-    const bool is_oblique = isOblique(plane, axes);
-    for (int a = 0; a < 3; ++a)
-      if (is_oblique || areAcross(axes.col(a), plane.normal)) {
-        const double extent = extentOf(voxels, &plane.voxels, axes.col(a));
-        reach.one_way |=
-            !is_oblique && extent >= std::max(min_span * room[a], min_length);
-        reach.both_ways &= extent + 2 * near >= min_span * room[a]; // without edges
-      }
-    return reach;
-  };
-  const bool is_view = capture == Capture::RoomView;
-  const double height = extentOf(voxels, nullptr, up.cast<double>());
-  const auto isWall = [&](const StructurePlane& plane) { // though not a whole one
-    return std::abs(plane.normal.dot(up.cast<double>())) < 0.3 &&
-           areaOf(plane, voxel_size) >= min_wall &&
-           extentOf(voxels, &plane.voxels, up.cast<double>()) >=
-               min_wall_height * height &&
-           bounds(voxels, plane, voxel_size) && !isRecessed(voxels, planes, plane) &&
-           freeShareOf(voxels, plane, near, voxel_size) >= min_wall_free;
-  };
-  const auto encloses = [&](const StructurePlane& plane) {
-    if (static_cast<double>(plane.voxels.size()) < least)
-      return false;
-    const auto reach = reachOf(plane);
-    if (!reach.one_way && !reach.both_ways)
-      return is_view ? bounds(voxels, plane, voxel_size) &&
-                           freeShareOf(voxels, plane, near, voxel_size) >= min_free
-                     : is_room && isWall(plane);
-    // Walls seen from several places appear double: what is near does not count.
-    return freeShareOf(
-               voxels, plane, reach.both_ways ? other_layer : near, voxel_size) >=
-           min_free;
-  };
+  const StructureSearch search(planes, voxels, voxel_size, up, capture);
   std::vector<std::uint8_t> is_floor(planes.size(), 0);
-  if (is_room)
-    is_floor = FloorSearch(planes, voxels, voxel_size, up).floors();
+  if (search.isRoom())
+    is_floor = floorsAmong(planes, voxels, voxel_size, up);
   std::vector<StructurePlane> structure;
   for (std::size_t p = 0; p < planes.size(); ++p)
-    if (is_floor[p] || encloses(planes[p]))
+    if (is_floor[p] || search.encloses(planes[p]))
       structure.push_back(std::move(planes[p]));
   return structure;
 }
@@ -431,7 +345,7 @@ pointsOfStructure(const std::vector<Eigen::Vector3f>& points,
     const auto& plane = planes[p];
     const double tolerance =
         std::min(voxel_size,
-                 std::max(deviations * deviationOf(points, voxels, plane),
+                 std::max(chance_deviations * deviationOf(points, voxels, plane),
                           least_tolerance * voxel_size));
     for (const auto v : withSurroundings(voxels, plane))
       for (const auto point : voxels.cells.pointsOf(v)) {
@@ -449,10 +363,7 @@ separateVoxels(const std::vector<Eigen::Vector3f>& points,
                double voxel_size,
                std::vector<std::uint32_t>& plane_of_voxel)
 {
-  if (plane_of_point.size() != points.size())
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        points.size() << " points have " << plane_of_point.size()
-                                      << " numbers of planes.");
+  assert(plane_of_point.size() == points.size());
   const auto grid_points = besideEachOther(points, plane_of_point, voxel_size);
   auto voxels = surfaceVoxels(points, grid_points, voxel_size);
   plane_of_voxel.assign(voxels.size(), 0);

@@ -14,6 +14,13 @@
 
 namespace pcl::indoor {
 
+/** Voxels from a surface within which what is seen may be the same surface: its points
+ * and normals are noisy, and scans are misregistered. */
+constexpr int near_surface_voxels = 2;
+
+/** Voxels within which it is taken for the same: a voxel, and half of one for noise. */
+constexpr double same_surface_voxels = 1.5;
+
 /** \brief A plane around a room. */
 struct StructurePlane {
   Eigen::Vector3d normal;            ///< unit length, into the room
@@ -70,7 +77,6 @@ kindOf(const StructurePlane& plane, const Eigen::Vector3f& up);
  * \param[in] up against gravity, unit length
  * \param[in] capture whether it is a camera's view
  * \return the largest plane first; may be empty
- * \throws pcl::BadArgumentException if the voxel size is not positive
  */
 std::vector<StructurePlane>
 findRoomStructure(const SurfaceVoxels& voxels,

@@ -4,11 +4,11 @@
  */
 #include "objects/structure/scene_making.h"
 
+#include "objects/structure/camera_view.h"
 #include "objects/structure/structure_contacts.h"
 #include "objects/structure/structure_islands.h"
 #include "objects/structure/voted_structure.h"
 
-#include <pcl/exceptions.h>
 #include <pcl/features/normal_orientation.h>
 #include <pcl/features/unit_normals.h>
 
@@ -22,8 +22,8 @@ using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr unsigned normal_rings = 1; // reach of normals and curvature, voxels
-constexpr unsigned fewer_votes = 4;  // enough for the sides of large planes
+constexpr unsigned fewer_votes =
+    4; // every 4th ray is enough to turn normals of large planes
 
 /** Voxels whose points have no normals have those that were estimated, turned as their
  * neighbours. */
@@ -53,7 +53,7 @@ findNormals(const ObjectSegmentationInput& input,
             unsigned thinning,
             SurfaceVoxels& voxels)
 {
-  pcl::indoor::estimateNormals(input.points, voxels, normal_rings, options.threads);
+  pcl::indoor::estimateNormals(input.points, voxels, options.threads);
   if (!input.normals.empty()) {
     const auto estimated = std::move(voxels.normals);
     pcl::indoor::averageNormals(input.normals, voxels);
@@ -94,35 +94,29 @@ ObjectScene::structureFlags() const
   return flags;
 }
 
-void
-requireConsistent(const ObjectScene& scene, std::size_t label_count)
+bool
+isConsistent(const ObjectScene& scene, std::size_t label_count)
 {
   const auto& voxels = scene.voxels;
   const auto count = scene.points.size();
-  if (voxels.cells.cell_of_point.size() != count || label_count != count ||
-      scene.plane_of_voxel.size() != voxels.size() ||
-      voxels.normals.size() != voxels.size())
-    PCL_THROW_EXCEPTION(
-        BadArgumentException,
-        count << " points are " << voxels.cells.cell_of_point.size()
-              << " in voxels, with " << label_count << " labels; " << voxels.size()
-              << " voxels have " << scene.plane_of_voxel.size()
-              << " numbers of planes and " << voxels.normals.size() << " normals.");
-  if (!(scene.voxel_size > 0) || !(std::abs(scene.up.norm() - 1) < 1e-3f))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "A scene needs a positive voxel size and a unit vector up.");
+  return voxels.cells.cell_of_point.size() == count && label_count == count &&
+         scene.plane_of_voxel.size() == voxels.size() &&
+         voxels.normals.size() == voxels.size() && scene.voxel_size > 0 &&
+         std::abs(scene.up.norm() - 1) < 1e-3f;
 }
 
 std::vector<Eigen::Vector3f>
 gridPoints(const ObjectSegmentationInput& input)
 {
+  const auto steepest = static_cast<float>(std::tan(widest_view * M_PI / 180));
   std::vector<Eigen::Vector3f> grid_points;
   if (input.capture != Capture::TableView)
     return grid_points;
   grid_points.reserve(input.points.size());
   for (const auto& point : input.points) {
     const Eigen::Vector3f ray = point - input.viewpoint.front();
-    const float depth = std::max(ray.z(), 1e-3f);
+    const float depth =
+        std::max({ray.z(), ray.head<2>().norm() / steepest, least_camera_distance});
     grid_points.emplace_back(ray.x() / depth, ray.y() / depth, std::log(depth));
   }
   return grid_points;
@@ -154,6 +148,7 @@ makeObjectScene(ObjectSegmentationInput input,
 {
   ObjectScene scene;
   scene.up = raw.up;
+  scene.capture = input.capture;
   scene.voxel_size = options.voxel_size;
   scene.threads = options.threads;
   scene.planes = std::move(raw.planes);

@@ -16,7 +16,8 @@ namespace pcl::indoor {
 
 /** \brief Get where the points of a single camera lie for the purpose of the voxels:
  * LCCP's transform, so that voxels grow with the distance. Empty for all other input,
- * whose points lie where they are. */
+ * whose points lie where they are.
+ * Points beside the view, and behind the camera, are as deep as where it ends. */
 std::vector<Eigen::Vector3f>
 gridPoints(const ObjectSegmentationInput& input);
 

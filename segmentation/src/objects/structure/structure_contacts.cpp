@@ -7,18 +7,16 @@
 #include "objects/structure/voted_structure.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace {
 
 using pcl::indoor::Adjacency;
+using pcl::indoor::same_surface_voxels;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 using pcl::indoor::VoxelClasses;
-
-/** A tangent plane stands for the surface around its voxel up to this distance, in
- * voxels. */
-constexpr double reach = 1.5;
 
 /** The objects' voxels that have points in each of the surrounding voxels. */
 Adjacency
@@ -95,7 +93,7 @@ nearestSurface(const Eigen::Vector3f& point,
   for (const auto v : around) {
     const Eigen::Vector3d way = (point - voxels.centroids[v]).cast<double>();
     const double distance = std::abs(voxels.normals[v].cast<double>().dot(way));
-    if (distance < least && way.norm() <= reach * voxel_size) {
+    if (distance < least && way.norm() <= same_surface_voxels * voxel_size) {
       least = distance;
       nearest = v;
     }
@@ -112,7 +110,7 @@ yieldContacts(const SurfaceVoxels& surroundings,
               const VoxelClasses& votes,
               ObjectScene& scene)
 {
-  requireConsistent(scene, surroundings.cells.cell_of_point.size());
+  assert(isConsistent(scene, surroundings.cells.cell_of_point.size()));
   auto& voxels = scene.voxels;
   const auto& plane_of_voxel = scene.plane_of_voxel;
   const auto objects = objectsIn(surroundings, voxels, plane_of_voxel);

@@ -20,13 +20,12 @@ namespace pcl::indoor {
  * among the objects' voxels around it, the one whose tangent plane is nearest, if that
  * is nearer than the point's own plane. Centroids, normals and curvatures of voxels
  * stay as they are; the cost is linear in the number of points.
- * \param[in] surroundings voxels of the same points and size that ignore the planes;
- * only their cells and neighbours are used
+ * \param[in] surroundings voxels of the same points that ignore the planes; may be
+ * larger
  * \param[in] votes of the points, or of none
  * \param[in,out] scene whose voxels hold points of one plane only; only their cells
  * change, and voxels of planes may be left without points
  * \return how many points changed sides
- * \throws pcl::BadArgumentException if sizes differ
  */
 std::size_t
 yieldContacts(const SurfaceVoxels& surroundings,

@@ -22,7 +22,8 @@ returnIslands(std::size_t patch_size, std::size_t min_size, ObjectScene& scene)
   std::vector<std::uint8_t> seen(voxels.size(), 0);
   std::vector<std::uint32_t> island;
   const auto lies_in = [&](const StructurePlane& plane) {
-    const double reach = (island.size() < patch_size ? 2 : 1) * scene.voxel_size;
+    const double reach =
+        (island.size() < patch_size ? near_surface_voxels : 1) * scene.voxel_size;
     return std::all_of(island.begin(), island.end(), [&](std::uint32_t v) {
       return std::abs(plane.normal.dot(voxels.centroids[v].cast<double>()) -
                       plane.offset) <= reach;

@@ -14,8 +14,8 @@ namespace {
 using pcl::indoor::SegmentMembers;
 using pcl::indoor::StructurePlane;
 
-constexpr double max_outliers = 0.05; // share of a casing's points that are farther off
-constexpr double min_behind = 0.05;   // share of a casing's points behind the wall
+/** Share of a casing's points that may be farther off, and that lie behind the wall. */
+constexpr double few = 0.05;
 
 bool
 reachesBehind(const StructurePlane& wall,
@@ -27,8 +27,7 @@ reachesBehind(const StructurePlane& wall,
       std::count_if(members.begin(), members.end(), [&](std::uint32_t i) {
         return wall.heightOf(points[i].cast<double>()) < -voxel_size;
       });
-  return static_cast<double>(behind) >=
-         min_behind * static_cast<double>(members.size());
+  return static_cast<double>(behind) >= few * static_cast<double>(members.size());
 }
 
 } // namespace
@@ -40,7 +39,7 @@ isThinAlong(const StructurePlane& plane,
             const std::vector<Eigen::Vector3f>& points,
             const std::vector<std::uint32_t>& members)
 {
-  const double allowed = max_outliers * static_cast<double>(members.size());
+  const double allowed = few * static_cast<double>(members.size());
   double far = 0;
   return std::all_of(members.begin(), members.end(), [&](std::uint32_t i) {
     far += std::abs(plane.heightOf(points[i].cast<double>())) > casing_depth;

@@ -13,8 +13,6 @@ namespace {
 using pcl::indoor::DisjointSets;
 using pcl::indoor::SurfaceEdge;
 
-constexpr std::size_t least_patches = 3; // n_filter of LCCP
-
 /** Add each small segment to its largest neighbour, smallest segments first. */
 void
 absorbSmallSegments(DisjointSets& segments,
@@ -25,7 +23,7 @@ absorbSmallSegments(DisjointSets& segments,
     changed = false;
     std::vector<std::uint32_t> target(node_count, pcl::indoor::Supervoxels::none);
     const auto propose = [&](std::uint32_t small, std::uint32_t other) {
-      if (segments.size(small) > least_patches)
+      if (segments.size(small) > pcl::indoor::largest_small_segment)
         return;
       auto& best = target[small];
       if (best == pcl::indoor::Supervoxels::none ||
@@ -44,7 +42,7 @@ absorbSmallSegments(DisjointSets& segments,
       if (target[i] == pcl::indoor::Supervoxels::none || segments.find(i) != i)
         continue;
       const auto into = segments.find(target[i]);
-      if (into == i || segments.size(i) > least_patches)
+      if (into == i || segments.size(i) > pcl::indoor::largest_small_segment)
         continue;
       segments.merge(i, into);
       changed = true;

@@ -14,6 +14,9 @@
 
 namespace pcl::indoor {
 
+/** n_filter of LCCP (Sec. 4.3.2): segments of so many patches, or fewer, are small. */
+constexpr std::uint32_t largest_small_segment = 3;
+
 /** \brief Flag the edges that are convex (LCCP, Stein et al., CVPR 2014): the surface
  * bends away from the side of the normals, or bends little.
  * \param[in] concavity_tolerance_degrees beta_thresh: concave edges count as convex if

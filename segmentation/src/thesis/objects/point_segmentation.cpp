@@ -36,6 +36,7 @@ makeScene(ObjectSegmentationInput& input,
 {
   ObjectScene scene;
   scene.up = input.up;
+  scene.capture = input.capture;
   scene.voxel_size = options.shared.voxel_size;
   scene.threads = options.shared.threads;
   scene.voxels = pointsAsVoxels(input.points);

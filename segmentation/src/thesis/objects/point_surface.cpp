@@ -4,6 +4,8 @@
  */
 #include "thesis/objects/point_surface.h"
 
+#include "objects/vector_moments.h"
+
 #include <pcl/indoor/threads.h>
 
 #include <Eigen/Eigenvalues>
@@ -73,20 +75,13 @@ estimatePointNormals(double radius, unsigned threads, SurfaceVoxels& surface)
 #pragma omp parallel for schedule(dynamic, 1024) num_threads(threadCount(threads))
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     const auto place = static_cast<std::size_t>(i);
-    double number = 0;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    VectorMoments offsets;
     visitWithin(points, cells, around, squared_radius, place, [&](std::uint32_t j) {
-      const Eigen::Vector3d offset = (points[j] - points[place]).cast<double>();
-      ++number;
-      sum += offset;
-      squares += offset * offset.transpose();
+      offsets.add((points[j] - points[place]).cast<double>());
     });
-    if (number < 3)
+    if (offsets.count < 3)
       continue;
-    const Eigen::Vector3d mean = sum / number;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-        squares / number - mean * mean.transpose());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(offsets.covariance());
     const Eigen::Vector3d spread = solver.eigenvalues().cwiseMax(0.0);
     if (!(spread.sum() > 0))
       continue;

@@ -102,7 +102,7 @@ partitionByShapes(const SurfaceVoxels& surface,
       voxels.appearance.colors =
           meanColors(voxels, surface.appearance.colors, point_of_kept);
     supervoxels = growSupervoxels(voxels,
-                                  {},
+                                  std::vector<std::uint8_t>(voxels.size(), 0),
                                   shared.seed_size / shared.voxel_size,
                                   distanceOf(options),
                                   shared.threads);

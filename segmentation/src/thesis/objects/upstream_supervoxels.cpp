@@ -6,6 +6,7 @@
 
 #include "thesis/objects/edge_partition.h"
 
+#include <pcl/features/unit_normals.h>
 #include <pcl/indoor/flood_fill.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -28,7 +29,6 @@ using pcl::indoor::thesis::ObjectOptions;
 
 constexpr float zero_hue = 128;     // of a and b as bytes: those of sRGB are -108 to 98
 constexpr float color_unit = 2.55f; // PCL's colours are from 0 to 1, D_c is per 100
-constexpr unsigned smallest_segment = 3; // n_filter of LCCP in Sec. 4.3.2, supervoxels
 
 void
 putColor(const Eigen::Vector3f& lab, PointT& point)
@@ -109,7 +109,7 @@ lccpSegments(const Clusters& clusters,
                           0.1f);
   lccp.setKFactor(0);
   lccp.setInputSupervoxels(clusters, adjacency);
-  lccp.setMinSegmentSize(smallest_segment);
+  lccp.setMinSegmentSize(pcl::indoor::largest_small_segment);
   lccp.segment();
   pcl::PointCloud<pcl::PointXYZL> names;
   for (const auto& cluster : clusters) {
@@ -190,11 +190,8 @@ partitionWithUpstream(const SurfaceVoxels& surface,
           colorOf(supervoxel->centroid_);
     number.emplace(name, static_cast<std::uint32_t>(number.size()));
     supervoxels.centroids.push_back(supervoxel->centroid_.getVector3fMap() + origin);
-    const Eigen::Vector3f normal = supervoxel->normal_.getNormalVector3fMap();
     supervoxels.normals.push_back(
-        normal.allFinite() ? normal : Eigen::Vector3f(Eigen::Vector3f::Zero()));
-    supervoxels.voxel_counts.push_back(
-        static_cast<std::uint32_t>(supervoxel->voxels_->size()));
+        finiteNormal(supervoxel->normal_.getNormalVector3fMap()));
   }
   const auto labelled = clustering.getLabeledCloud();
   for (std::size_t i = 0; i < kept.size(); ++i) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "objects/join/joining_features.h"
+#include "segmentation/objects/join/joining_feature_names.h"
 #include "segmentation/objects/join/outline_of.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ randomPiece(std::mt19937& rng)
     piece.positions.add(place);
     piece.normals.add(Eigen::Vector3d::Unit(rng() % 3));
   }
-  piece.hull = DirectionHulls(Eigen::Matrix3f::Identity()).kDopOf(places, 0.015f);
+  piece.hull = DirectionHulls().kDopOf(places, 0.015f);
   piece.outline = outlineOf(places);
   return piece;
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "objects/join/joining_features.h"
+#include "segmentation/objects/join/joining_feature_names.h"
 #include "segmentation/objects/join/outline_of.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ pieceOf(const Places& places,
   for (const auto& normal : normals)
     piece.normals.add(normal.cast<double>(),
                       piece.positions.count / static_cast<double>(normals.size()));
-  piece.hull = DirectionHulls(Eigen::Matrix3f::Identity()).kDopOf(places, margin);
+  piece.hull = DirectionHulls().kDopOf(places, margin);
   piece.outline = outlineOf(places, margin);
   return piece;
 }

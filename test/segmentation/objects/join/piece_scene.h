@@ -79,7 +79,7 @@ twoBoxes(const Eigen::Matrix3f& turn = Eigen::Matrix3f::Identity())
       vector = turn * vector;
   Scene scene;
   scene.voxels = surfaceVoxels(points.points, {}, voxel_size);
-  estimateNormals(points.points, scene.voxels, 1, 1);
+  estimateNormals(points.points, scene.voxels, 1);
   averageNormals(points.normals, scene.voxels);
   std::vector<std::uint8_t> left_out;
   for (const auto& centroid : scene.voxels.centroids)

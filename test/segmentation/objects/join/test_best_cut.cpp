@@ -158,7 +158,6 @@ TEST(BestCut, OfWorthlessObjectsIsThatOfTheLevel)
                 segmentsAtLevel(20, joins, level));
   }
   EXPECT_TRUE(bestCut({}, {}, 0.5f).empty());
-  EXPECT_THROW(bestCut({{0, 1, 1}}, {}, 0.5f), pcl::BadArgumentException);
 }
 
 TEST(BestCut, ObjectsAreDescribedAsTheyAreJoined)

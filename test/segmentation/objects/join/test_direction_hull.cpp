@@ -42,9 +42,9 @@ turn(float degrees, const Eigen::Vector3f& axis)
 }
 
 double
-volumeOf(const Places& places, const Eigen::Matrix3f& axes = upright)
+volumeOf(const Places& places)
 {
-  const DirectionHulls hulls(axes);
+  const DirectionHulls hulls;
   return hulls.volume(hulls.kDopOf(places, 0));
 }
 
@@ -100,9 +100,6 @@ TEST(DirectionHull, BoxesAlongTheAxesAreExact)
 {
   EXPECT_NEAR(volumeOf(cornersOf({1, 1, 1})), 1, 1e-6);
   EXPECT_NEAR(volumeOf(cornersOf({2, 0.5f, 0.02f}, {7, -3, 1})), 0.02, 1e-5);
-  const auto rotation = turn(35, {0.3f, -1, 0.5f});
-  EXPECT_NEAR(
-      volumeOf(cornersOf({2, 0.5f, 0.02f}, {1, 2, 3}, rotation), rotation), 0.02, 1e-5);
 }
 
 TEST(DirectionHull, SolidsWithFacesInItsDirectionsAreExact)
@@ -145,7 +142,7 @@ TEST(DirectionHull, OtherDirectionsAreOverestimated)
 
 TEST(DirectionHull, UnionsAndCommonParts)
 {
-  const DirectionHulls hulls(upright);
+  const DirectionHulls hulls;
   const auto reach = [&](const Eigen::Vector3f& size, const Eigen::Vector3f& middle) {
     return hulls.kDopOf(cornersOf(size, middle), 0);
   };
@@ -163,7 +160,7 @@ TEST(DirectionHull, UnionsAndCommonParts)
 
 TEST(DirectionHull, BoxesGoAroundWhatIsTurned)
 {
-  const DirectionHulls hulls(upright);
+  const DirectionHulls hulls;
   const auto turned =
       hulls.kDopOf(cornersOf({1, 1, 1}, {4, 5, 6}, turn(45, {0, 0, 1})), 0);
   EXPECT_NEAR(hulls.boxVolume(turned), 2, 1e-4);
@@ -189,7 +186,7 @@ TEST(DirectionHull, OneOfAHundredIsAnOutlier)
 
 TEST(DirectionHull, AMarginGivesOnePlaceAVolume)
 {
-  const DirectionHulls hulls(upright);
+  const DirectionHulls hulls;
   const Places one{{1, 2, 3}};
   EXPECT_DOUBLE_EQ(hulls.volume(hulls.kDopOf(one, 0)), 0);
   const auto hull = hulls.kDopOf(one, 0.5f);

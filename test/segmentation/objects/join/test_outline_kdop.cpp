@@ -71,9 +71,9 @@ TEST(KDop16, AreaIsThatOfThePolygon)
 TEST(KDop16, OutlinesAreJoinedAndCut)
 {
   const auto a = rectangle(0, 0, 2, 1), b = rectangle(1, 0, 4, 1);
-  EXPECT_EQ(outlineOfBoth(a, b), rectangle(0, 0, 4, 1));
-  EXPECT_NEAR(outlineArea(commonOutline(a, b)), 1, 1e-6);
-  EXPECT_EQ(outlineArea(commonOutline(a, rectangle(3, 0, 4, 1))), 0);
+  EXPECT_EQ(hullOfBoth(a, b), rectangle(0, 0, 4, 1));
+  EXPECT_NEAR(outlineArea(commonHull(a, b)), 1, 1e-6);
+  EXPECT_EQ(outlineArea(commonHull(a, rectangle(3, 0, 4, 1))), 0);
 }
 
 TEST(KDop16, ALineCrossesItInASpan)

@@ -160,8 +160,7 @@ TEST(RoomColumns, AgreeWithCountingByTheLetter)
         has_below |= step < 6;
       }
       floor += has_floor && isWithin(a, x, y);
-      if (!isWithin(outlineOfBoth(a, b), x, y) || isWithin(a, x, y) ||
-          isWithin(b, x, y))
+      if (!isWithin(hullOfBoth(a, b), x, y) || isWithin(a, x, y) || isWithin(b, x, y))
         continue;
       filled += has_between;
       open += has_below && !has_between;

@@ -8,8 +8,6 @@
 #include "objects/split/object_gaps.h"
 #include "segmentation/objects/scene_of_points.h"
 
-#include <pcl/exceptions.h>
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -257,18 +255,6 @@ TEST(ObjectGaps, LeavesWhatReachesTooFarWhole)
     wide.voxel_size = 0.03;
     EXPECT_EQ(segmentCount(parted(wide)), 1u) << far;
   }
-}
-
-TEST(ObjectGaps, RefusesWrongInput)
-{
-  auto scene = sceneOfPoints(bookcases(1, 0).points, 0.03);
-  std::vector<std::uint32_t> labels(3, 0);
-  EXPECT_THROW(partAtGaps(scene, {}, labels), pcl::BadArgumentException);
-  scene.up = {0, 0, 2};
-  EXPECT_THROW(parted(scene), pcl::BadArgumentException);
-  scene.up = {0, 0, 1};
-  scene.voxel_size = 0;
-  EXPECT_THROW(parted(scene), pcl::BadArgumentException);
 }
 
 } // namespace

@@ -9,8 +9,6 @@
 #include "rooms/space/voxel_normals.h"
 #include "segmentation/objects/scene_of_points.h"
 
-#include <pcl/exceptions.h>
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -214,18 +212,6 @@ TEST(ObjectSeams, LeaveFewPointsFarFromTheOriginWhole)
     scene.voxels.normals.assign(scene.voxels.size(), Eigen::Vector3f::UnitZ());
     EXPECT_EQ(segmentCount(parted(scene)), 1u);
   }
-}
-
-TEST(ObjectSeams, RefuseWrongInput)
-{
-  auto scene = sceneOf(cabinets(1));
-  std::vector<std::uint32_t> labels(3, 0);
-  EXPECT_THROW(partAtSeams(scene, {}, labels), pcl::BadArgumentException);
-  scene.up = {0, 0, 2};
-  EXPECT_THROW(parted(scene), pcl::BadArgumentException);
-  scene.up = {0, 0, 1};
-  scene.voxels.normals.pop_back();
-  EXPECT_THROW(parted(scene), pcl::BadArgumentException);
 }
 
 } // namespace

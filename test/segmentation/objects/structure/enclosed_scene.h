@@ -114,7 +114,7 @@ struct EnclosedScene {
       plane_of_point.push_back(isOfPlane(i) ? labelled.objects[i] : 0);
     scene.voxels = separateVoxels(
         labelled.points, plane_of_point, voxel_size, scene.plane_of_voxel);
-    estimateNormals(labelled.points, scene.voxels, 1, 1);
+    estimateNormals(labelled.points, scene.voxels, 1);
     auto segments = labelled.objects;
     const auto changed = yieldEnclosed(scene, segments);
     std::size_t different = 0;

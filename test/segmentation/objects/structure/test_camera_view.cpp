@@ -93,6 +93,26 @@ TEST(CameraView, TheDistanceOfWhatIsLookedAtTellsRoomsFromTables)
   }
 }
 
+TEST(CameraView, NothingInTheMiddleIsNoTable)
+{
+  const Eigen::Vector3f camera = Eigen::Vector3f::Zero();
+  auto points = wallAt(1);
+  points.erase(std::remove_if(points.begin(),
+                              points.end(),
+                              [](const auto& point) {
+                                return point.template head<2>().norm() <
+                                       std::tan(11 * degree) * point.z();
+                              }),
+               points.end());
+  EXPECT_TRUE(std::isnan(distanceInMiddle(points, camera)));
+  EXPECT_EQ(captureOf(points, camera), Capture::RoomView);
+  ObjectSegmentationInput input;
+  input.points = points;
+  input.viewpoint = {camera};
+  input.capture = Capture::RoomView;
+  EXPECT_EQ(farViewWarning(input), "");
+}
+
 TEST(CameraView, ACameraMayStandAnywhere)
 {
   auto points = wallAt(3);

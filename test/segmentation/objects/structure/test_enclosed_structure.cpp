@@ -3,10 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "segmentation/objects/scene_of_points.h"
 #include "segmentation/objects/structure/enclosed_scene.h"
-
-#include <pcl/exceptions.h>
 
 #include <gtest/gtest.h>
 
@@ -281,22 +278,4 @@ TEST(EnclosedStructure, NothingWithoutPlanesOrPoints)
   std::size_t count = 1;
   EXPECT_EQ(scene.yielded(&count), scene.labelled.objects);
   EXPECT_EQ(count, 0u);
-}
-
-TEST(EnclosedStructure, RejectsWrongSizes)
-{
-  auto scene =
-      sceneOfPoints(std::vector<Eigen::Vector3f>(2, Eigen::Vector3f::Zero()), 1);
-  scene.planes = {{Eigen::Vector3d::UnitZ(), 0, {}}};
-  const auto yield =
-      [&](std::size_t point_count, std::size_t voxel_count, std::size_t segment_count) {
-        scene.points.resize(point_count, Eigen::Vector3f::Zero());
-        scene.plane_of_voxel.resize(voxel_count, 0);
-        Labels segments(segment_count, 0);
-        yieldEnclosed(scene, segments);
-      };
-  EXPECT_NO_THROW(yield(2, 1, 2));
-  EXPECT_THROW(yield(1, 1, 1), pcl::BadArgumentException);
-  EXPECT_THROW(yield(2, 2, 2), pcl::BadArgumentException);
-  EXPECT_THROW(yield(2, 1, 1), pcl::BadArgumentException);
 }

@@ -24,7 +24,7 @@ std::vector<StructurePlane>
 planesOf(const LabelledPoints& scene, SurfaceVoxels& voxels)
 {
   voxels = surfaceVoxels(scene.points, {}, voxel_size);
-  estimateNormals(scene.points, voxels, 1, 1);
+  estimateNormals(scene.points, voxels, 1);
   for (auto& normal : voxels.normals) // all are seen from above and before
     if (normal.dot(Eigen::Vector3f(0.1f, -1, 1)) < 0)
       normal *= -1;

@@ -7,7 +7,6 @@
 
 #include "objects/structure/structure_contacts.h"
 
-#include <pcl/exceptions.h>
 #include <pcl/features/normal_orientation.h>
 
 #include <gtest/gtest.h>
@@ -90,7 +89,7 @@ private:
   void
   addNormals(SurfaceVoxels& of) const
   {
-    estimateNormals(points, of, 1, 1);
+    estimateNormals(points, of, 1);
     orientTowards({1.5f, 1.5f, 1.5f}, of.centroids, of.normals);
   }
 };
@@ -223,18 +222,4 @@ TEST(StructureContacts, NothingWithoutObjects)
   ASSERT_EQ(std::count(apart.plane_of_voxel.begin(), apart.plane_of_voxel.end(), 0u),
             0);
   EXPECT_EQ(apart.yield(), 0u);
-}
-
-TEST(StructureContacts, RejectsWrongSizes)
-{
-  Apart apart(corner().points);
-  auto wrong = apart;
-  wrong.points.pop_back();
-  EXPECT_THROW(wrong.yield(), pcl::BadArgumentException);
-  wrong = apart;
-  wrong.plane_of_voxel.pop_back();
-  EXPECT_THROW(wrong.yield(), pcl::BadArgumentException);
-  wrong = apart;
-  wrong.voxels.normals.clear();
-  EXPECT_THROW(wrong.yield(), pcl::BadArgumentException);
 }
