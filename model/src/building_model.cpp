@@ -3,8 +3,8 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
-#include "internal/cross.h"
 #include "face_evidence.h"
+#include "internal/cross.h"
 #include "wall_dimensions.h"
 
 #include <pcl/exceptions.h>

@@ -24,7 +24,8 @@ namespace {
 #if PCL_INDOOR_HAS_TARGETS
 
 PCL_INDOOR_TARGET("sse4.2")
-std::uint32_t crcByInstruction(const char* bytes, std::size_t count)
+std::uint32_t
+crcByInstruction(const char* bytes, std::size_t count)
 {
   std::uint64_t crc = 0xffffffff;
   for (; count >= sizeof(crc); count -= sizeof(crc), bytes += sizeof(crc)) {

@@ -4,6 +4,8 @@
  */
 #include <pcl/segmentation/room_objects.h>
 
+#include "internal/cross.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -14,12 +16,6 @@ namespace pcl::indoor {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
-
-double
-cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** The convex hull, counter-clockwise (Andrew's monotone chain). */
 Points
@@ -34,8 +30,8 @@ convexHull(Points points)
     return points;
   Points hull;
   const auto add = [&hull](const Eigen::Vector2d& point, std::size_t least) {
-    while (hull.size() > least && cross(hull.back() - hull[hull.size() - 2],
-                                        point - hull[hull.size() - 2]) <= 0.0)
+    while (hull.size() > least && crossOf(hull.back() - hull[hull.size() - 2],
+                                          point - hull[hull.size() - 2]) <= 0.0)
       hull.pop_back();
     hull.push_back(point);
   };

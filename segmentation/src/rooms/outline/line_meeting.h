@@ -5,15 +5,11 @@
 
 #pragma once
 
+#include "internal/cross.h"
+
 #include <Eigen/Core>
 
 namespace pcl::indoor {
-
-inline double
-crossProduct(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** \brief Where two lines meet that are not parallel: each is a point and a direction.
  */
@@ -23,7 +19,7 @@ lineMeeting(const Eigen::Vector2d& a,
             const Eigen::Vector2d& b,
             const Eigen::Vector2d& along_b)
 {
-  return a + crossProduct(b - a, along_b) / crossProduct(along_a, along_b) * along_a;
+  return a + crossOf(b - a, along_b) / crossOf(along_a, along_b) * along_a;
 }
 
 } // namespace pcl::indoor

@@ -178,7 +178,7 @@ cornerBehind(const Line& one, const Line& next, const Ring& chain, double reach)
 {
   constexpr double slack = 2.0; // pixels: sides lie that far from walls
   const Eigen::Vector2d first = one.foot(chain.front()), last = next.foot(chain.back());
-  const double turn = crossProduct(one.along, next.along);
+  const double turn = crossOf(one.along, next.along);
   if (std::abs(turn) < 0.3) { // one wall: at most its noise apart
     const bool is_one = one.along.dot(next.along) > 0.0 &&
                         std::abs(one.distance(last)) <= slack &&

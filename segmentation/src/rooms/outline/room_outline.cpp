@@ -235,7 +235,7 @@ ringArea(const std::vector<Eigen::Vector2d>& ring)
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Eigen::Vector2d a = ring[i] - ring[0];
     const Eigen::Vector2d b = ring[(i + 1) % ring.size()] - ring[0];
-    twice += a.x() * b.y() - b.x() * a.y();
+    twice += crossOf(a, b);
   }
   return 0.5 * twice;
 }

@@ -25,9 +25,9 @@ constexpr double axis_cone = 0.14; // radius of the neighbourhood of an axis who
                                    // normals, which then tells frames apart less well
 constexpr double frame_support = 0.02; // share of all weight that a frame explains and
                                        // no stronger one does
-constexpr double axis_contrast = 1.5; // the normals around an axis are so many times
-                                      // denser than those in the ring around them: a
-                                      // curved wall has no axis
+constexpr double axis_contrast = 1.5;  // the normals around an axis are so many times
+                                       // denser than those in the ring around them: a
+                                       // curved wall has no axis
 constexpr std::size_t most_frames = 8;
 
 void
