@@ -132,11 +132,18 @@ classesOf(const std::vector<ObjectSurface>& surfaces,
   if (found.size() != objects.size())
     throw ToolError("the naming of objects gives " + std::to_string(found.size()) +
                     " results for " + std::to_string(objects.size()) + " objects");
-  for (std::size_t k = 0; k < found.size(); ++k)
-    if (const auto& own = found[k].probabilities; !own.empty())
-      classes[numbers[k]] = likeliest(
-          votes.of_object.empty() ? own
-                                  : withVotes(own, naming.classes, votes, numbers[k]));
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto& own = found[k].probabilities;
+    if (own.empty())
+      continue;
+    if (own.size() != naming.classes.size())
+      throw ToolError("the naming of objects gives " + std::to_string(own.size()) +
+                      " probabilities for " + std::to_string(naming.classes.size()) +
+                      " classes");
+    classes[numbers[k]] = likeliest(
+        votes.of_object.empty() ? own
+                                : withVotes(own, naming.classes, votes, numbers[k]));
+  }
   return classes;
 }
 

@@ -130,6 +130,13 @@ requireKnown(const Json& scene, const SceneQuery& query)
   throw ToolError("-class: '" + query.object_class + "' is not one of " + known);
 }
 
+/** A number; of anything else what it is: it may be nested too deep to be written. */
+std::string
+numberOrKind(const Json& value)
+{
+  return value.is_number() ? value.dump() : value.type_name();
+}
+
 std::string
 joined(const Json& numbers, const char* between)
 {
@@ -148,11 +155,11 @@ readScene(const std::string& path)
   if (!stream)
     throw ToolError(path + ": cannot be read");
   try {
-    const auto scene = Json::parse(stream);
+    auto scene = Json::parse(stream);
     if (!scene.is_object() || scene.value("format", "") != "pcl_indoor scene")
       throw ToolError(path + ": not a scene, as pcl_indoor_pipeline writes it");
     if (scene.at("version") != 1 && scene["version"] != 2)
-      throw ToolError(path + ": a scene of version " + scene["version"].dump() +
+      throw ToolError(path + ": a scene of version " + numberOrKind(scene["version"]) +
                       ", but only 1 and 2 can be read");
     return scene;
   } catch (const Json::exception& problem) {
@@ -208,13 +215,13 @@ objectTable(const std::vector<Json>& objects, bool with_distances)
     const auto name = object.value("class", "-");
     const auto& box = object.at("upright_box");
     std::vector<std::string> row = {
-        object.at("object").dump(),
+        numberOrKind(object.at("object")),
         is_object ? name : object["structure"].get<std::string>(),
         is_object && object.contains("confidence")
             ? fixedText(100.0 * object["confidence"].get<double>(), 0) + " %"
             : "-",
-        object.at("room") == 0 ? "-" : object["room"].dump(),
-        object.contains("storey") ? object["storey"].dump() : "-",
+        object.at("room") == 0 ? "-" : numberOrKind(object["room"]),
+        object.contains("storey") ? numberOrKind(object["storey"]) : "-",
         joined(box.at("size"), " x "),
         joined(box.at("center"), ", ")};
     if (with_distances)
@@ -229,12 +236,12 @@ roomTable(const std::vector<Json>& rooms)
 {
   TextTable table({"room>", "name", "sure>", "storey>", "area, m^2>", "height, m>"});
   for (const auto& room : rooms)
-    table.add({room.at("room").dump(),
+    table.add({numberOrKind(room.at("room")),
                room.value("name", "-"),
                room.contains("name_probability")
                    ? fixedText(100.0 * room["name_probability"].get<double>(), 0) + " %"
                    : "-",
-               room.at("storey").dump(),
+               numberOrKind(room.at("storey")),
                fixedText(room.at("area").get<double>(), 2),
                fixedText(room.at("height").get<double>(), 2)});
   return table;
