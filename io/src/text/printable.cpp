@@ -7,6 +7,7 @@
 #include <pcl/console/print.h>
 #include <pcl/indoor/plain_message.h>
 
+#include <charconv>
 #include <cstdio>
 #include <new>
 #include <stdexcept>
@@ -96,8 +97,9 @@ std::string
 fixedText(double value, int digits)
 {
   char text[400]; // the largest double has 309 digits
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
+  const auto end =
+      std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed, digits);
+  return {text, end.ptr};
 }
 
 std::string

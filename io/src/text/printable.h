@@ -20,7 +20,7 @@ namespace pcl::indoor::tool {
 PCL_INDOOR_EXPORTS std::string
 printable(const std::string& text, std::size_t most = 1000);
 
-/** \brief A number with so many digits behind the point. */
+/** \brief A number with so many digits behind the point, whatever the locale. */
 PCL_INDOOR_EXPORTS std::string
 fixedText(double value, int digits);
 

@@ -5,6 +5,7 @@
 #include "export/step_file.h"
 
 #include "files/digest.h"
+#include "text/printable.h" // for fixedText
 
 #include <cmath>
 #include <cstdint>
@@ -70,9 +71,7 @@ std::string
 stepReal(double value)
 {
   const double steps = std::round(value * 1e5);
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.5f", steps == 0.0 ? 0.0 : steps / 1e5);
-  std::string number = text;
+  auto number = fixedText(steps == 0.0 ? 0.0 : steps / 1e5, 5);
   number.erase(number.find_last_not_of('0') + 1);
   return number; // "1." is how STEP writes it
 }

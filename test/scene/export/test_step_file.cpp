@@ -4,6 +4,8 @@
  */
 #include "export/step_file.h"
 
+#include "support/comma_locale.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -29,6 +31,14 @@ TEST(StepFile, NumbersHaveAPoint)
   EXPECT_EQ(stepReal(2.5), "2.5");
   EXPECT_EQ(stepReal(-100.0), "-100.");
   EXPECT_EQ(stepReal(5334567.12345), "5334567.12345");
+}
+
+TEST(StepFile, NumbersHaveAPointWhereTheLocaleHasAComma)
+{
+  const pcl::indoor::test::CommaLocale locale;
+  if (!locale.hasComma())
+    GTEST_SKIP() << "no locale with a comma is installed";
+  EXPECT_EQ(stepReal(2.5), "2.5");
 }
 
 TEST(StepFile, GlobalIdsAreOfTheirName)
