@@ -11,13 +11,11 @@
 #include "scene/object_classes.h"
 #include "scene/segmented_rooms.h"
 
-#include <pcl/ml/bundled_model.h>
 #include <pcl/model/building_model.h>
 #include <pcl/segmentation/room_segmentation.h>
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <string>
 #include <utility>
 
@@ -199,8 +197,7 @@ roomWork(const SceneOptions& options)
   }
   work.naming = namingOf(options);
   if (options.network != "none")
-    work.network = {std::async(std::launch::deferred,
-                               [] { return loadVoxelNetwork(bundledNetworkFile()); }),
+    work.network = {true,
                     options.network == "all",
                     options.model == "bundled" && !options.naming.classify};
   return work;
