@@ -21,13 +21,6 @@ pipelineOptions(int argc, const char* const* argv)
   return options;
 }
 
-bool
-isOfExports(const Setting& setting)
-{
-  const auto& name = setting.name;
-  return name == "-ifc" || name == "-map" || name == "-geojson" || name == "-epsg";
-}
-
 OptionParser
 pipelineParser(PipelineOptions& options)
 {
@@ -105,7 +98,7 @@ pipelineParser(PipelineOptions& options)
               "",
               Range::between(0, 1e6))
       .number(
-          points_option,
+          "-points_at_once",
           options.points_at_once,
           "of larger scans the rooms are found from a point per cell, and the points "
           "are read in parts: memory follows the rooms; 0 = never",
@@ -150,7 +143,7 @@ pipelineParser(PipelineOptions& options)
                  "-ignore_normals",
                  "-normals",
                  "-double",
-                 points_option,
+                 "-points_at_once",
                  single_process_option,
                  "-memory_limit"});
   return parser;
