@@ -75,7 +75,7 @@ findRooms(const SceneOptions& options,
   }
   RoomSegmentation<PointXYZ> segmentation;
   if (options.thesis_rooms)
-    segmentation.setOptions(*options.thesis_rooms);
+    segmentation.setThesisOptions(*options.thesis_rooms);
   else
     segmentation.setOptions(options.rooms);
   segmentation.setNumberOfThreads(options.threads);

@@ -103,7 +103,7 @@ RoomSegmentation<PointXYZ>
 segmentationBy(const RoomSettings& options)
 {
   RoomSegmentation<PointXYZ> segmentation;
-  segmentation.setOptions(options.rooms);
+  segmentation.setThesisOptions(options.rooms);
   segmentation.setMethod(options.method == "slab" ? RoomMethod::CeilingSlab
                                                   : RoomMethod::PotentialField);
   return segmentation;
