@@ -77,10 +77,8 @@ check(Options options, Progress& progress)
   if (!is_result)
     options.inputs.push_back(options.folder);
   const auto scan = readScan(options, progress);
-  const auto lacks = consequencesOf(understand(options, scan, progress));
-  progress.summary(
-      scan.file.path + ": " +
-      (lacks.empty() ? "all is there that rooms are found from" : lacks[0]));
+  progress.summary(scan.file.path + ": " +
+                   verdictOf(understand(options, scan, progress)));
 }
 
 /** A result without rooms is no error, but not what was wanted. */

@@ -157,12 +157,9 @@ sourceInMemory(bool ignore_normals,
 void
 countPoints(const CloudFile& file, Scene& scene)
 {
-  const auto& rooms = scene.room_of_point;
   scene.counts.all = file.points->size();
   scene.counts.finite = file.finite_count;
-  scene.counts.in_rooms =
-      rooms.size() -
-      static_cast<std::size_t>(std::count(rooms.begin(), rooms.end(), 0u));
+  scene.counts.in_rooms = pointsInRooms(scene.room_of_point);
   scene.counts.outside = scene.report.outside.size();
 }
 

@@ -6,9 +6,8 @@
 
 #include "formats/pcd/pcd_writer.h"
 #include "scan/scan.h"            // for partOf
-#include "scene/category_names.h" // for other_class
+#include "scene/category_names.h" // for otherClass
 
-#include <algorithm>
 #include <utility>
 
 namespace pcl::indoor::tool {
@@ -60,11 +59,11 @@ complete(const CloudLook& look,
     fields.emplace_back("confidence", of_point.confidence);
   }
   appendFields(file.cloud, fields);
-  const auto other = static_cast<std::uint32_t>(
-      std::find(classes.names.begin(), classes.names.end(), other_class) -
-      classes.names.begin());
-  look.colors.apply(
-      file, classes.names.empty() ? "object" : "class", look.up, other, whole);
+  look.colors.apply(file,
+                    classes.names.empty() ? "object" : "class",
+                    look.up,
+                    otherClass(classes.names),
+                    whole);
   look.coordinates.apply(file, output);
 }
 

@@ -25,10 +25,9 @@ constexpr std::size_t fewest_points = 20; // of a surface that can be described
 ObjectClass
 withoutDescription(const std::vector<std::string>& names)
 {
-  const auto other = std::find(names.begin(), names.end(), other_class);
   ObjectClass result;
-  if (other != names.end())
-    result.category = static_cast<std::uint32_t>(other - names.begin());
+  if (const auto other = otherClass(names); other < names.size())
+    result.category = other;
   return result;
 }
 

@@ -363,6 +363,13 @@ consequencesOf(const UnderstoodScan& scan)
 }
 
 std::string
+verdictOf(const UnderstoodScan& scan)
+{
+  const auto lacks = consequencesOf(scan);
+  return lacks.empty() ? "all is there that rooms are found from" : lacks[0];
+}
+
+std::string
 paragraphOf(const std::string& path, const UnderstoodScan& scan)
 {
   std::string text = printable(path) + ":\n";

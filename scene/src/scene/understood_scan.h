@@ -47,6 +47,10 @@ factsOf(const UnderstoodScan& scan);
 PCL_INDOOR_EXPORTS std::vector<std::string>
 consequencesOf(const UnderstoodScan& scan);
 
+/** \brief The gravest of these, or that all is there. */
+PCL_INDOOR_EXPORTS std::string
+verdictOf(const UnderstoodScan& scan);
+
 /** \brief Facts and consequences as one paragraph for a terminal. */
 PCL_INDOOR_EXPORTS std::string
 paragraphOf(const std::string& path, const UnderstoodScan& scan);
