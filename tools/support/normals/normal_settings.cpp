@@ -4,6 +4,7 @@
  */
 #include "normals/normal_settings.h"
 
+#include "command_line/cloud_options.h"
 #include "files/tool_error.h"
 #include "text/pcl_errors.h"
 
@@ -15,7 +16,7 @@ namespace {
 void
 addOptions(OptionParser& parser, NormalSettings& settings)
 {
-  parser.positional("input", settings.input, "PCD, PLY or LAS file or table, metres")
+  parser.positional("input", settings.input, std::string(scan_files) + ", metres")
       .positional(
           "output.pcd|ply",
           settings.output,
