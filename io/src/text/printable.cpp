@@ -15,12 +15,28 @@
 namespace pcl::indoor::tool {
 namespace {
 
-/** A character of UTF-8; one byte, and no code, where there is none. */
-struct Character {
-  std::size_t size = 1;
-  bool is_valid = false;
-  unsigned long code = 0;
-};
+/** Not a control character, nor one that changes the direction of writing. */
+bool
+isShown(const Character& character)
+{
+  const auto code = character.code;
+  const bool controls = code < 0x20 || (code >= 0x7f && code < 0xa0) ||
+                        (code >= 0x200b && code <= 0x200f) ||
+                        (code >= 0x2028 && code <= 0x202e) ||
+                        (code >= 0x2060 && code <= 0x206f) || code == 0xfeff;
+  return character.is_valid && !controls;
+}
+
+/** Leaves out the middle. */
+std::string
+shortened(const std::string& text, std::size_t most)
+{
+  if (text.size() <= most)
+    return text;
+  return text.substr(0, most / 2) + " ... " + text.substr(text.size() - most / 2);
+}
+
+} // namespace
 
 Character
 characterAt(const std::string& text, std::size_t at)
@@ -44,29 +60,6 @@ characterAt(const std::string& text, std::size_t at)
     return {};
   return character;
 }
-
-/** Not a control character, nor one that changes the direction of writing. */
-bool
-isShown(const Character& character)
-{
-  const auto code = character.code;
-  const bool controls = code < 0x20 || (code >= 0x7f && code < 0xa0) ||
-                        (code >= 0x200b && code <= 0x200f) ||
-                        (code >= 0x2028 && code <= 0x202e) ||
-                        (code >= 0x2060 && code <= 0x206f) || code == 0xfeff;
-  return character.is_valid && !controls;
-}
-
-/** Leaves out the middle. */
-std::string
-shortened(const std::string& text, std::size_t most)
-{
-  if (text.size() <= most)
-    return text;
-  return text.substr(0, most / 2) + " ... " + text.substr(text.size() - most / 2);
-}
-
-} // namespace
 
 std::string
 printable(const std::string& text, std::size_t most)

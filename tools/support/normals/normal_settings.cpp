@@ -4,7 +4,6 @@
  */
 #include "normals/normal_settings.h"
 
-#include "command_line/cloud_options.h"
 #include "files/tool_error.h"
 #include "text/pcl_errors.h"
 
