@@ -90,7 +90,7 @@ findObjectsInParts(const ObjectSearch& search,
 
 /** \brief Gives the points of a sample their objects and structure, from the labels of
  * all points, one by one. */
-class PCL_INDOOR_EXPORTS SampleLabels {
+class SampleLabels {
 public:
   SampleLabels(const AscendingNumbers& sampled, Scene& scene);
 
