@@ -297,41 +297,15 @@ addSurfaces(const ScanOverview& overview, std::vector<std::string>& lines)
     lines.push_back("Hardly any walls were seen: there is nothing to tell rooms by.");
 }
 
-} // namespace
-
-UnderstoodScan
-understand(const CloudFile& file,
-           const CoordinateOptions& coordinates,
-           std::uint64_t points,
-           const ScanLook& look)
-{
-  UnderstoodScan scan;
-  scan.points = points;
-  scan.finite_points = file.finite_count;
-  scan.is_sample = points > file.points->size();
-  scan.normals = normalsFrom(file, look.ignores_normals);
-  scan.has_colors = hasField(file.cloud, "rgb") || hasField(file.cloud, "rgba");
-  scan.stations = std::max<std::size_t>(1, file.stations.size());
-  const auto finite = finitePointsOf(file);
-  findCoordinates(finite, coordinates, scan);
-  if (look.at_objects)
-    findEnd(finite, scan);
-  const auto& unit = scan.likely_unit.empty() ? scan.unit : scan.likely_unit;
-  scan.overview = scanOverview(finite, scan.coordinates.up_axis, metresOfUnit(unit));
-  if (scan.is_sample) { // which tells nothing of points that are in one place
-    scan.overview.spacing *= std::sqrt(static_cast<double>(finite.size()) /
-                                       static_cast<double>(scan.finite_points));
-    scan.overview.duplicates = 0.0;
-  }
-  return scan;
-}
-
+/** What there is, a sentence or two each: points, unit and vertical, what was seen. */
 std::vector<std::string>
 factsOf(const UnderstoodScan& scan)
 {
   return {pointsText(scan), coordinatesText(scan), seenText(scan.overview)};
 }
 
+/** What lacks, and what that means for the result, a sentence each, the gravest first;
+ * empty if all is there that rooms are found from. */
 std::vector<std::string>
 consequencesOf(const UnderstoodScan& scan)
 {
@@ -360,6 +334,35 @@ consequencesOf(const UnderstoodScan& scan)
     lines.push_back("The points are sparse: surfaces are closed between them, and "
                     "small objects are lost.");
   return lines;
+}
+
+} // namespace
+
+UnderstoodScan
+understand(const CloudFile& file,
+           const CoordinateOptions& coordinates,
+           std::uint64_t points,
+           const ScanLook& look)
+{
+  UnderstoodScan scan;
+  scan.points = points;
+  scan.finite_points = file.finite_count;
+  scan.is_sample = points > file.points->size();
+  scan.normals = normalsFrom(file, look.ignores_normals);
+  scan.has_colors = hasField(file.cloud, "rgb") || hasField(file.cloud, "rgba");
+  scan.stations = std::max<std::size_t>(1, file.stations.size());
+  const auto finite = finitePointsOf(file);
+  findCoordinates(finite, coordinates, scan);
+  if (look.at_objects)
+    findEnd(finite, scan);
+  const auto& unit = scan.likely_unit.empty() ? scan.unit : scan.likely_unit;
+  scan.overview = scanOverview(finite, scan.coordinates.up_axis, metresOfUnit(unit));
+  if (scan.is_sample) { // which tells nothing of points that are in one place
+    scan.overview.spacing *= std::sqrt(static_cast<double>(finite.size()) /
+                                       static_cast<double>(scan.finite_points));
+    scan.overview.duplicates = 0.0;
+  }
+  return scan;
 }
 
 std::string
