@@ -22,6 +22,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int deepest = 100; // lists in lists: to copy and write them needs the stack
+
 Eigen::Vector3d
 vectorOf(const Json& json)
 {
@@ -130,13 +132,6 @@ requireKnown(const Json& scene, const SceneQuery& query)
   throw ToolError("-class: '" + query.object_class + "' is not one of " + known);
 }
 
-/** A number; of anything else what it is: it may be nested too deep to be written. */
-std::string
-numberOrKind(const Json& value)
-{
-  return value.is_number() ? value.dump() : value.type_name();
-}
-
 std::string
 joined(const Json& numbers, const char* between)
 {
@@ -155,11 +150,16 @@ readScene(const std::string& path)
   if (!stream)
     throw ToolError(path + ": cannot be read");
   try {
-    auto scene = Json::parse(stream);
+    auto scene = Json::parse(stream, [&path](int depth, Json::parse_event_t, Json&) {
+      if (depth > deepest)
+        throw ToolError(path + ": lists are nested more than " +
+                        std::to_string(deepest) + " deep");
+      return true;
+    });
     if (!scene.is_object() || scene.value("format", "") != "pcl_indoor scene")
       throw ToolError(path + ": not a scene, as pcl_indoor_pipeline writes it");
     if (scene.at("version") != 1 && scene["version"] != 2)
-      throw ToolError(path + ": a scene of version " + numberOrKind(scene["version"]) +
+      throw ToolError(path + ": a scene of version " + scene["version"].dump() +
                       ", but only 1 and 2 can be read");
     return scene;
   } catch (const Json::exception& problem) {
@@ -215,13 +215,13 @@ objectTable(const std::vector<Json>& objects, bool with_distances)
     const auto name = object.value("class", "-");
     const auto& box = object.at("upright_box");
     std::vector<std::string> row = {
-        numberOrKind(object.at("object")),
+        object.at("object").dump(),
         is_object ? name : object["structure"].get<std::string>(),
         is_object && object.contains("confidence")
             ? fixedText(100.0 * object["confidence"].get<double>(), 0) + " %"
             : "-",
-        object.at("room") == 0 ? "-" : numberOrKind(object["room"]),
-        object.contains("storey") ? numberOrKind(object["storey"]) : "-",
+        object.at("room") == 0 ? "-" : object["room"].dump(),
+        object.contains("storey") ? object["storey"].dump() : "-",
         joined(box.at("size"), " x "),
         joined(box.at("center"), ", ")};
     if (with_distances)
@@ -236,12 +236,12 @@ roomTable(const std::vector<Json>& rooms)
 {
   TextTable table({"room>", "name", "sure>", "storey>", "area, m^2>", "height, m>"});
   for (const auto& room : rooms)
-    table.add({numberOrKind(room.at("room")),
+    table.add({room.at("room").dump(),
                room.value("name", "-"),
                room.contains("name_probability")
                    ? fixedText(100.0 * room["name_probability"].get<double>(), 0) + " %"
                    : "-",
-               numberOrKind(room.at("storey")),
+               room.at("storey").dump(),
                fixedText(room.at("area").get<double>(), 2),
                fixedText(room.at("height").get<double>(), 2)});
   return table;
