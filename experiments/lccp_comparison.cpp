@@ -24,6 +24,7 @@
 #include <cstdio>
 #include <functional>
 #include <set>
+#include <type_traits>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
@@ -55,7 +56,10 @@ Labels
 segmentOurs(const Cloud::Ptr& cloud, const Options& options, const Settings& settings)
 {
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
-  segmentation.setOptions(options);
+  if constexpr (std::is_same_v<Options, thesis::ObjectOptions>)
+    segmentation.setThesisOptions(options);
+  else
+    segmentation.setOptions(options);
   segmentation.setNumberOfThreads(settings.threads);
   segmentation.setInputCloud(cloud);
   Labels labels;

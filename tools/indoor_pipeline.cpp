@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "building/scene_settings.h"
 #include "command_line/options.h"
 #include "command_line/preset.h"
 #include "command_line/progress_report.h"
@@ -14,7 +15,6 @@
 #include "scene/understood_scan.h"
 #include "text/printable.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -36,18 +36,16 @@ settleSizes(SceneOptions& options)
   options = checkedOptions(options);
 }
 
-/** The settings that a result tells: how large scans are read, only of these, and not
- * what it is written as besides. */
-std::vector<Setting>
-settingsOf(const OptionParser& parser, const ScanContent& scan)
+/** The settings that a result tells: how large scans are read, only of these. */
+FileSettings
+fileSettings(const Options& options, const ScanContent& scan)
 {
-  auto settings = parser.settings();
-  const auto is_untold = [&scan](const Setting& setting) {
-    return isOfExports(setting) || (!scan.stream && setting.name == points_option);
-  };
-  settings.erase(std::remove_if(settings.begin(), settings.end(), is_untold),
-                 settings.end());
-  return settings;
+  return {options.columns.names,
+          options.stations,
+          scan.stream ? options.points_at_once : 0,
+          options.report,
+          options.colors.wanted,
+          options.coordinates.doubles};
 }
 
 std::string
@@ -79,10 +77,8 @@ check(Options options, Progress& progress)
   if (!is_result)
     options.inputs.push_back(options.folder);
   const auto scan = readScan(options, progress);
-  const auto lacks = consequencesOf(understand(options, scan, progress));
-  progress.summary(
-      scan.file.path + ": " +
-      (lacks.empty() ? "all is there that rooms are found from" : lacks[0]));
+  progress.summary(scan.file.path + ": " +
+                   verdictOf(understand(options, scan, progress)));
 }
 
 /** A result without rooms is no error, but not what was wanted. */
@@ -159,21 +155,16 @@ main(int argc, char** argv)
     folder.removeOutdated();
     RoomsInFiles store(folder);
     ProgressReport report(progress);
-    auto scene = findRooms(options, scan, understood, store, report);
-    work.frame = scene.frame;
-    options.scan.settle(scene.report);
-    scene.understood = understood;
-    scene.understood.settle(scene.report);
-    const auto upright = uprightPoints(scan.file, scene);
-    findWalls(options, *upright, scene, report);
-    const ObjectSearch search = {
-        work, store, report, options.threads, options.ignore_normals};
-    auto cloud = completedCloud(options, search, folder, ranks, scan, *upright, scene);
+    ObjectSearch search = {
+        std::move(work), store, report, options.threads, options.ignore_normals};
+    auto building = findBuilding(options, scan, understood, search);
+    auto& scene = building.scene;
+    auto cloud = completedCloud(options, search, folder, ranks, scan, building);
     sayIfEmpty(scan.file.path, scene);
     scene.input = inputOf(scan.file);
-    scene.settings = settingsOf(parser, scan);
+    scene.settings = settingsOf(options, fileSettings(options, scan));
     progress.start("Saving to " + options.folder);
-    const auto texts = describe(options, scene, *upright);
+    const auto texts = describe(options, scene, *building.upright);
     save(options.folder, texts, std::move(cloud));
     folder.remove();
     Progress::conclude([&] {

@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "command_line/cloud_options.h"
 #include "command_line/options.h"
 #include "files/cloud_file.h"
 #include "files/sampled_surface.h"
@@ -26,7 +27,7 @@ main(int argc, char** argv)
   OptionParser parser("pcl_noise_resilient_lccp",
                       "Segment the scan of a room into objects with "
                       "pcl::NoiseResilientLCCP; adds the fields object and structure.");
-  parser.positional("input", settings.input, "PCD, PLY or LAS file or table")
+  parser.positional("input", settings.input, scan_files)
       .positional("output.pcd|ply",
                   settings.output,
                   "the input with the fields object, 0 = not finite or an outlier, and "

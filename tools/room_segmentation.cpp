@@ -18,7 +18,6 @@
 
 #include <pcl/segmentation/room_segmentation.h>
 
-#include <algorithm>
 #include <utility>
 
 using namespace pcl::indoor;
@@ -69,15 +68,12 @@ describe(const RoomSettings& options,
   std::vector<OutputFile> files;
   const auto& building = segmentation.getBuilding();
   if (!options.json.empty()) {
-    const auto& rooms = found.room_of_point;
     auto json = inputJson(inputOf(file));
     json["points"] = file.points->size();
     json["finite_points"] = file.finite_count;
-    json["points_in_rooms"] =
-        rooms.size() -
-        static_cast<std::size_t>(std::count(rooms.begin(), rooms.end(), 0u));
+    json["points_in_rooms"] = pointsInRooms(found.room_of_point);
     json["parameters"] = parameters;
-    addReportJson(json, found.report);
+    addReportJson(json, found.report, found.report.outside.size());
     json["overview"] = overviewJson(found.understood);
     json["storeys"] = building.maps.size();
     json["rooms"] = roomsJson(
@@ -105,11 +101,9 @@ describe(const RoomSettings& options,
 void
 sayIfEmpty(const std::string& path, const Segmentation& segmentation, FoundRooms& found)
 {
-  const auto& rooms = found.room_of_point;
-  const auto in_none = std::count(rooms.begin(), rooms.end(), 0u);
   const auto line = emptinessOf(found.understood,
                                 segmentation.getRooms().size(),
-                                rooms.size() - static_cast<std::size_t>(in_none));
+                                pointsInRooms(found.room_of_point));
   if (line.empty())
     return;
   printComplaint("pcl_room_segmentation", path + ": " + line);
@@ -167,12 +161,8 @@ main(int argc, char** argv)
     const auto understood =
         understand(file, options.scan, file.points->size(), {false, options.check});
     progress.say(paragraphOf(file.path, understood));
-    if (options.check) {
-      const auto lacks = consequencesOf(understood);
-      return progress.summary(
-          file.path + ": " +
-          (lacks.empty() ? "all is there that rooms are found from" : lacks[0]));
-    }
+    if (options.check)
+      return progress.summary(file.path + ": " + verdictOf(understood));
     auto [summary, files] = segment(options, parser, understood, file, progress);
     file.points.reset(); // saving a large cloud needs the memory
 

@@ -345,8 +345,8 @@ def describe(
     partition : graph|lccp
         how supervoxels are joined (default: graph)
     points_at_once : number
-        of larger scans the rooms are found from a point per cell, and the points are read in parts:
-        memory follows the rooms; 0 = never, points (default: 20000000)
+        scans with more points are read from disk in parts, so memory depends on the largest rooms
+        only; 0 = always load all, points (default: 20000000)
     ignore_normals : flag
         estimate normals although there are some
     normals : voxels|rrht|multi_scale

@@ -33,6 +33,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <type_traits>
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
@@ -62,7 +63,10 @@ Found
 segmentOurs(const Cloud::Ptr& points, const Options& options, unsigned threads)
 {
   pcl::NoiseResilientLCCP<pcl::PointXYZ> segmentation;
-  segmentation.setOptions(options);
+  if constexpr (std::is_same_v<Options, thesis::ObjectOptions>)
+    segmentation.setThesisOptions(options);
+  else
+    segmentation.setOptions(options);
   segmentation.setNumberOfThreads(threads);
   segmentation.setInputCloud(points);
   Found found;

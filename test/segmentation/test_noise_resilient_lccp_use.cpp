@@ -129,7 +129,7 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
     labels.assign(3, 1);
     segmentation.segment(labels);
     EXPECT_TRUE(labels.empty()) << what;
-    segmentation.setOptions(ObjectSegmentationOptions());
+    segmentation.setOptions({});
   };
   segmentation.setVoxelResolution(-0.01);
   expectRejected("voxel resolution");
@@ -163,9 +163,9 @@ TEST(NoiseResilientLCCPUse, GivesNothingForWrongUse)
   expectRejected("normal weight");
   thesis::ObjectOptions graph;
   graph.edges.concavity_weight = 2;
-  segmentation.setOptions(graph);
+  segmentation.setThesisOptions(graph);
   expectRejected("concavity weight");
-  segmentation.setOptions(thesisOptions());
+  segmentation.setThesisOptions(thesisOptions());
   segmentation.setPartition(Segmentation::Partition::Pieces);
   expectRejected("pieces on points");
   for (const float level : {-0.1f, 1.1f, std::nanf("")}) {
@@ -280,7 +280,7 @@ TEST(NoiseResilientLCCPUse, TheThesisTakesLargePlanesOffByRansac)
   EXPECT_EQ(thesis.shared.min_segment_size, 3u);
   EXPECT_FLOAT_EQ(thesis.edges.graph_scale, 3);
   Segmentation segmentation;
-  segmentation.setOptions(thesis);
+  segmentation.setThesisOptions(thesis);
   EXPECT_EQ(segmentation.getPartition(),
             Segmentation::Partition::FelzenszwalbHuttenlocher);
   segmentation.setInputCloud(cloudOf(scene.points));
@@ -290,12 +290,12 @@ TEST(NoiseResilientLCCPUse, TheThesisTakesLargePlanesOffByRansac)
   EXPECT_FALSE(segmentation.getStructureIndices().empty());
   auto whole = thesis;
   whole.on_points->ransac_share = 0;
-  segmentation.setOptions(whole);
+  segmentation.setThesisOptions(whole);
   segmentation.segment(labels);
   EXPECT_TRUE(segmentation.getStructureIndices().empty());
   auto wrong = thesis;
   wrong.edges.graph_scale = -1;
-  segmentation.setOptions(wrong);
+  segmentation.setThesisOptions(wrong);
   segmentation.segment(labels);
   EXPECT_TRUE(labels.empty());
 }

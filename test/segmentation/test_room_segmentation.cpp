@@ -238,7 +238,7 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
     Labels labels{7};
     EXPECT_NO_THROW(segmentation.segment(labels)) << what;
     EXPECT_TRUE(labels.empty()) << what;
-    segmentation.setOptions(pcl::indoor::BuildingRoomsOptions()); // usable again
+    segmentation.setOptions({}); // usable again
     segmentation.setUpAxis(Eigen::Vector3f::UnitZ());
     segmentation.setMetresPerUnit(1.0);
     segmentation.segment(labels);

@@ -26,7 +26,9 @@ struct Slot {
 };
 constexpr int slot_count = 16;
 Slot slots[slot_count];
-std::atomic<bool> paused{false}; // of the two, the later one to be set gives way
+// The handler sets ending, SignalPause sets paused; whichever sees the other's flag
+// waits.
+std::atomic<bool> paused{false};
 std::atomic<bool> ending{false};
 std::atomic<int> waiting{0}; // the signal that came during a pause
 static_assert(std::atomic<pid_t>::is_always_lock_free);

@@ -7,42 +7,13 @@
 #include <pcl/console/print.h>
 #include <pcl/indoor/plain_message.h>
 
+#include <charconv>
 #include <cstdio>
 #include <new>
 #include <stdexcept>
 
 namespace pcl::indoor::tool {
 namespace {
-
-/** A character of UTF-8; one byte, and no code, where there is none. */
-struct Character {
-  std::size_t size = 1;
-  bool is_valid = false;
-  unsigned long code = 0;
-};
-
-Character
-characterAt(const std::string& text, std::size_t at)
-{
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(at);
-  if (first < 0x80)
-    return {1, true, first};
-  const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || text.size() - at < size)
-    return {};
-  Character character{size, true, first & (0x7fu >> size)};
-  for (std::size_t i = at + 1; i < at + size; ++i) {
-    if ((byte(i) & 0xc0) != 0x80)
-      return {};
-    character.code = character.code << 6 | (byte(i) & 0x3f);
-  }
-  constexpr unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
-  if (character.code < least[size] || character.code > 0x10ffff ||
-      (character.code >= 0xd800 && character.code < 0xe000))
-    return {};
-  return character;
-}
 
 /** Not a control character, nor one that changes the direction of writing. */
 bool
@@ -66,6 +37,29 @@ shortened(const std::string& text, std::size_t most)
 }
 
 } // namespace
+
+Character
+characterAt(const std::string& text, std::size_t at)
+{
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  if (first < 0x80)
+    return {1, true, first};
+  const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || text.size() - at < size)
+    return {};
+  Character character{size, true, first & (0x7fu >> size)};
+  for (std::size_t i = at + 1; i < at + size; ++i) {
+    if ((byte(i) & 0xc0) != 0x80)
+      return {};
+    character.code = character.code << 6 | (byte(i) & 0x3f);
+  }
+  constexpr unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
+  if (character.code < least[size] || character.code > 0x10ffff ||
+      (character.code >= 0xd800 && character.code < 0xe000))
+    return {};
+  return character;
+}
 
 std::string
 printable(const std::string& text, std::size_t most)
@@ -96,8 +90,9 @@ std::string
 fixedText(double value, int digits)
 {
   char text[400]; // the largest double has 309 digits
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
+  const auto end =
+      std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed, digits);
+  return {text, end.ptr};
 }
 
 std::string

@@ -6,10 +6,22 @@
 
 #include <pcl/indoor/exports.h>
 
+#include <cstddef>
 #include <exception>
 #include <string>
 
 namespace pcl::indoor::tool {
+
+/** \brief A character of UTF-8; one byte, and no code, where there is none. */
+struct Character {
+  std::size_t size = 1;
+  bool is_valid = false;
+  unsigned long code = 0;
+};
+
+/** \brief The character that begins at a byte of a text. */
+PCL_INDOOR_EXPORTS Character
+characterAt(const std::string& text, std::size_t at);
 
 /** \brief A text as one line for a terminal.
  *
@@ -20,7 +32,7 @@ namespace pcl::indoor::tool {
 PCL_INDOOR_EXPORTS std::string
 printable(const std::string& text, std::size_t most = 1000);
 
-/** \brief A number with so many digits behind the point. */
+/** \brief A number with so many digits behind the point, whatever the locale. */
 PCL_INDOOR_EXPORTS std::string
 fixedText(double value, int digits);
 

@@ -9,7 +9,7 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief Is told what is being done; here, nobody is. */
+/** \brief Receives progress and warnings; this base class ignores them. */
 class StageReport {
 public:
   virtual ~StageReport() = default;

@@ -15,6 +15,7 @@
 
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <rclcpp/rclcpp.hpp>
+#include <rclcpp/version.h>
 #include <sensor_msgs/msg/point_cloud2.hpp>
 #include <std_srvs/srv/trigger.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
@@ -48,8 +49,8 @@ struct Input {
 };
 
 /** Describes the clouds of a topic, or a file: the work is done in the order of the
- * clouds, the last one that came in the meantime is the next; services answer while it
- * goes on. */
+ * clouds, the last one that came in the meantime is the next; services but ~/describe
+ * answer while it goes on. */
 class IndoorNode : public rclcpp::Node {
 public:
   IndoorNode()
@@ -130,10 +131,7 @@ private:
         "cloud",
         rclcpp::QoS(1),
         [this](PointCloud2::ConstSharedPtr message) {
-          {
-            const std::lock_guard<std::mutex> lock(state_mutex_);
-            message_ = std::move(message);
-          }
+          message_ = std::move(message);
           if (get_parameter("describe_on_arrival").as_bool())
             describe();
         },
@@ -143,9 +141,10 @@ private:
   void
   offerServices()
   {
-    offer("~/describe", [this](Trigger::Response& response) {
+    const auto describes = [this](Trigger::Response& response) {
       response.success = describe(&response.message);
-    });
+    };
+    offer("~/describe", describes, work_group_);
     offer("~/scene", [this](Trigger::Response& response) {
       answer(response, [](const Json& scene) { return scene.dump(); });
     });
@@ -154,20 +153,30 @@ private:
     });
   }
 
+  /** \param[in] group none: that of what is answered at once */
   void
-  offer(const std::string& name, const std::function<void(Trigger::Response&)>& work)
+  offer(const std::string& name,
+        const std::function<void(Trigger::Response&)>& work,
+        const rclcpp::CallbackGroup::SharedPtr& group = nullptr)
   {
+#if RCLCPP_VERSION_GTE(21, 0, 0)
+    const rclcpp::ServicesQoS quality;
+#else // Humble
+    const auto quality = rmw_qos_profile_services_default;
+#endif
     services_.push_back(create_service<Trigger>(
         name,
         [work](const std::shared_ptr<Trigger::Request>,
-               std::shared_ptr<Trigger::Response> response) { work(*response); }));
+               std::shared_ptr<Trigger::Response> response) { work(*response); },
+        quality,
+        group));
   }
 
   void
   answer(Trigger::Response& response,
          const std::function<std::string(const Json&)>& text) const
   {
-    const std::lock_guard<std::mutex> lock(state_mutex_);
+    const std::lock_guard<std::mutex> lock(scene_mutex_);
     response.success = !scene_.is_null();
     response.message = response.success ? text(scene_) : "no cloud was described yet";
   }
@@ -177,7 +186,6 @@ private:
   bool
   describe(std::string* summary = nullptr)
   {
-    const std::lock_guard<std::mutex> lock(work_mutex_);
     std::string text;
     bool is_done = false;
     try {
@@ -196,16 +204,11 @@ private:
   Input
   input() const
   {
-    PointCloud2::ConstSharedPtr message;
-    {
-      const std::lock_guard<std::mutex> lock(state_mutex_);
-      message = message_;
-    }
-    if (message == nullptr)
+    if (message_ == nullptr)
       return inputOfFile();
-    auto scan = pcl::indoor::memoryScan(pcl_indoor_ros::cloudOf(*message),
+    auto scan = pcl::indoor::memoryScan(pcl_indoor_ros::cloudOf(*message_),
                                         subscription_->get_topic_name());
-    return {scan, scan.cloud(), Eigen::Vector3d::Zero(), message->header};
+    return {scan, scan.cloud(), Eigen::Vector3d::Zero(), message_->header};
   }
 
   Input
@@ -251,7 +254,7 @@ private:
             .make());
     for (const bool furnished : {false, true})
       publishMaps(text, furnished, input);
-    const std::lock_guard<std::mutex> lock(state_mutex_);
+    const std::lock_guard<std::mutex> lock(scene_mutex_);
     scene_ = json;
     return input.scan.name() + ": " + std::to_string(json.at("storeys").size()) +
            " storeys, " + std::to_string(json.at("rooms").size()) + " rooms, " +
@@ -277,7 +280,7 @@ private:
     }
   }
 
-  rclcpp::CallbackGroup::SharedPtr work_group_;
+  rclcpp::CallbackGroup::SharedPtr work_group_; ///< of all that calls describe()
   rclcpp::Publisher<PointCloud2>::SharedPtr cloud_publisher_;
   rclcpp::Publisher<MarkerArray>::SharedPtr marker_publisher_;
   std::map<std::string, rclcpp::Publisher<OccupancyGrid>::SharedPtr> map_publishers_;
@@ -285,9 +288,8 @@ private:
   std::vector<rclcpp::Service<Trigger>::SharedPtr> services_;
   rclcpp::TimerBase::SharedPtr start_;
 
-  std::mutex work_mutex_;          ///< one cloud at a time
-  mutable std::mutex state_mutex_; ///< of the two below
-  PointCloud2::ConstSharedPtr message_;
+  PointCloud2::ConstSharedPtr message_; ///< the last one; the work group's
+  mutable std::mutex scene_mutex_;
   Json scene_;
 };
 

@@ -11,13 +11,11 @@
 #include "scene/object_classes.h"
 #include "scene/segmented_rooms.h"
 
-#include <pcl/ml/bundled_model.h>
 #include <pcl/model/building_model.h>
 #include <pcl/segmentation/room_segmentation.h>
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <string>
 #include <utility>
 
@@ -58,6 +56,78 @@ segmentScene(const SceneOptions& options,
   return scene;
 }
 
+/** Find the rooms of the scan, unless the store has them. */
+Scene
+findRooms(const SceneOptions& options,
+          ScanContent& scan,
+          const UnderstoodScan& understood,
+          RoomStore& store,
+          StageReport& report)
+{
+  const auto& file = scan.file;
+  report.start("Segmenting rooms");
+  if (auto scene = store.scene();
+      scene && scene->room_of_point.size() == file.points->size()) {
+    for (const auto& line : scene->report.warnings)
+      report.warn(file.path + ": " + line);
+    report.done(std::to_string(scene->rooms.size()) + " rooms, found before");
+    return std::move(*scene);
+  }
+  RoomSegmentation<PointXYZ> segmentation;
+  if (options.thesis_rooms)
+    segmentation.setThesisOptions(*options.thesis_rooms);
+  else
+    segmentation.setOptions(options.rooms);
+  segmentation.setNumberOfThreads(options.threads);
+  std::optional<PointsAside> aside;
+  segmentation.setProgressCallback([&](double share, const char*) {
+    if (share == 0.0 && scan.sample && !store.pathAside().empty())
+      aside.emplace(*scan.sample->points(), store.pathAside());
+    if (share == 1.0 && aside)
+      aside->bringBack();
+    report.update(static_cast<std::size_t>(100.0 * share), 100);
+    return true;
+  });
+  auto scene =
+      segmentScene(options, file, understood.coordinates, segmentation, report);
+  store.putScene(scene);
+  report.done(summaryOf(segmentation));
+  return scene;
+}
+
+/** z up, metres, what lies beyond the building not finite. */
+PointCloud<PointXYZ>::ConstPtr
+uprightPoints(const CloudFile& file, const Scene& scene)
+{
+  if (scene.frame.isScanUpright() && scene.report.outside.empty())
+    return file.points;
+  auto points = pcl::make_shared<PointCloud<PointXYZ>>(*file.points);
+  for (auto& point : *points)
+    point.getVector3fMap() =
+        scene.frame.scanToUpright(point.getVector3fMap().cast<double>()).cast<float>();
+  for (const auto index : scene.report.outside)
+    (*points)[index].getVector3fMap().setConstant(NAN);
+  return points;
+}
+
+void
+findWalls(const SceneOptions& options,
+          const PointCloud<PointXYZ>& upright,
+          Scene& scene,
+          StageReport& report)
+{
+  report.start("Finding walls, doors and windows");
+  const Eigen::Vector3f origin = scene.frame.origin().cast<float>();
+  const auto& rooms = scene.building.rooms;
+  std::uint32_t largest = 0;
+  for (const Room& room : rooms)
+    largest = std::max(largest, room.label);
+  const PointsOfRooms points(upright, scene.room_of_point, largest, origin);
+  scene.model = buildingModel(points, rooms, scene.building.openings, options.threads);
+  report.done(std::to_string(scene.model.walls.size()) + " walls, " +
+              std::to_string(scene.model.openings.size()) + " openings");
+}
+
 /** The rooms of a scan in memory.
  * \param[in] rooms the points of each; both must outlive the source */
 RoomSource
@@ -87,12 +157,9 @@ sourceInMemory(bool ignore_normals,
 void
 countPoints(const CloudFile& file, Scene& scene)
 {
-  const auto& rooms = scene.room_of_point;
   scene.counts.all = file.points->size();
   scene.counts.finite = file.finite_count;
-  scene.counts.in_rooms =
-      rooms.size() -
-      static_cast<std::size_t>(std::count(rooms.begin(), rooms.end(), 0u));
+  scene.counts.in_rooms = pointsInRooms(scene.room_of_point);
   scene.counts.outside = scene.report.outside.size();
 }
 
@@ -199,89 +266,35 @@ roomWork(const SceneOptions& options)
   }
   work.naming = namingOf(options);
   if (options.network != "none")
-    work.network = {std::async(std::launch::deferred,
-                               [] { return loadVoxelNetwork(bundledNetworkFile()); }),
+    work.network = {true,
                     options.network == "all",
                     options.model == "bundled" && !options.naming.classify};
   return work;
 }
 
-Scene
-findRooms(const SceneOptions& options,
-          ScanContent& scan,
-          const UnderstoodScan& understood,
-          RoomStore& store,
-          StageReport& report)
+FoundBuilding
+findBuilding(SceneOptions& options,
+             ScanContent& scan,
+             const UnderstoodScan& understood,
+             ObjectSearch& search)
 {
-  const auto& file = scan.file;
-  report.start("Segmenting rooms");
-  if (auto scene = store.scene();
-      scene && scene->room_of_point.size() == file.points->size()) {
-    for (const auto& line : scene->report.warnings)
-      report.warn(file.path + ": " + line);
-    report.done(std::to_string(scene->rooms.size()) + " rooms, found before");
-    return std::move(*scene);
-  }
-  RoomSegmentation<PointXYZ> segmentation;
-  if (options.thesis_rooms)
-    segmentation.setOptions(*options.thesis_rooms);
-  else
-    segmentation.setOptions(options.rooms);
-  segmentation.setNumberOfThreads(options.threads);
-  std::optional<PointsAside> aside;
-  segmentation.setProgressCallback([&](double share, const char*) {
-    if (share == 0.0 && scan.sample && !store.pathAside().empty())
-      aside.emplace(*scan.sample->points(), store.pathAside());
-    if (share == 1.0 && aside)
-      aside->bringBack();
-    report.update(static_cast<std::size_t>(100.0 * share), 100);
-    return true;
-  });
-  auto scene =
-      segmentScene(options, file, understood.coordinates, segmentation, report);
-  store.putScene(scene);
-  report.done(summaryOf(segmentation));
-  return scene;
-}
-
-PointCloud<PointXYZ>::ConstPtr
-uprightPoints(const CloudFile& file, const Scene& scene)
-{
-  if (scene.frame.isScanUpright() && scene.report.outside.empty())
-    return file.points;
-  auto points = pcl::make_shared<PointCloud<PointXYZ>>(*file.points);
-  for (auto& point : *points)
-    point.getVector3fMap() =
-        scene.frame.scanToUpright(point.getVector3fMap().cast<double>()).cast<float>();
-  for (const auto index : scene.report.outside)
-    (*points)[index].getVector3fMap().setConstant(NAN);
-  return points;
+  FoundBuilding found;
+  auto& scene = found.scene;
+  scene = findRooms(options, scan, understood, search.store, search.report);
+  search.work.frame = scene.frame;
+  options.scan.settle(scene.report);
+  scene.understood = understood;
+  scene.understood.settle(scene.report);
+  found.upright = uprightPoints(scan.file, scene);
+  findWalls(options, *found.upright, scene, search.report);
+  return found;
 }
 
 void
-findWalls(const SceneOptions& options,
-          const PointCloud<PointXYZ>& upright,
-          Scene& scene,
-          StageReport& report)
+findObjects(const ObjectSearch& objects, const CloudFile& file, FoundBuilding& building)
 {
-  report.start("Finding walls, doors and windows");
-  const Eigen::Vector3f origin = scene.frame.origin().cast<float>();
-  const auto& rooms = scene.building.rooms;
-  std::uint32_t largest = 0;
-  for (const Room& room : rooms)
-    largest = std::max(largest, room.label);
-  const PointsOfRooms points(upright, scene.room_of_point, largest, origin);
-  scene.model = buildingModel(points, rooms, scene.building.openings, options.threads);
-  report.done(std::to_string(scene.model.walls.size()) + " walls, " +
-              std::to_string(scene.model.openings.size()) + " openings");
-}
-
-void
-findObjects(const ObjectSearch& objects,
-            const CloudFile& file,
-            const PointCloud<PointXYZ>& upright,
-            Scene& scene)
-{
+  auto& scene = building.scene;
+  const auto& upright = *building.upright;
   describeSearch(objects.work, scene);
   const auto rooms = pointsOfRooms(upright, scene.room_of_point, scene.rooms.size());
   countPoints(file, scene);
@@ -304,9 +317,9 @@ RoomFiles
 findObjectsInParts(const ObjectSearch& objects,
                    WorkFolder& folder,
                    ScanContent& scan,
-                   const PointCloud<PointXYZ>& upright,
-                   Scene& scene)
+                   FoundBuilding& building)
 {
+  auto& scene = building.scene;
   describeSearch(objects.work, scene);
   auto& report = objects.report;
   report.start("Dividing the scan into its rooms");
@@ -316,7 +329,7 @@ findObjectsInParts(const ObjectSearch& objects,
       scan,
       with_normals,
       folder,
-      upright,
+      *building.upright,
       scene,
       [&report](std::size_t done, std::size_t all) { report.update(done, all); });
   countPoints(scan.file, files.spooled, scene);
@@ -330,6 +343,25 @@ findObjectsInParts(const ObjectSearch& objects,
   return files;
 }
 
+SampleLabels::SampleLabels(const AscendingNumbers& sampled, Scene& scene)
+: next_(sampled)
+, has_more_(next_.next())
+, scene_(scene)
+{
+  scene.object_of_point.clear();
+  scene.structure_of_point.clear();
+}
+
+void
+SampleLabels::add(std::uint64_t point, const SpooledLabels::Label& label)
+{
+  if (!has_more_ || next_.number() != point)
+    return;
+  scene_.object_of_point.push_back(label.object);
+  scene_.structure_of_point.push_back(label.structure);
+  has_more_ = next_.next();
+}
+
 void
 labelSample(const RoomFiles& files,
             const WorkFolder& folder,
@@ -337,18 +369,9 @@ labelSample(const RoomFiles& files,
             Scene& scene)
 {
   SpooledLabels labels(files.spooled, folder, files.first_object);
-  scene.object_of_point.clear();
-  scene.structure_of_point.clear();
-  AscendingNumbers::Reader next(sampled);
-  bool has_more = next.next();
-  for (std::uint64_t i = 0; i < files.spooled.point_count && has_more; ++i) {
-    const auto label = labels.next();
-    if (next.number() != i)
-      continue;
-    scene.object_of_point.push_back(label.object);
-    scene.structure_of_point.push_back(label.structure);
-    has_more = next.next();
-  }
+  SampleLabels sample(sampled, scene);
+  for (std::uint64_t i = 0; i < files.spooled.point_count; ++i)
+    sample.add(i, labels.next());
 }
 
 } // namespace pcl::indoor::tool

@@ -39,28 +39,6 @@ drawSample(const SceneOptions& options,
 PCL_INDOOR_EXPORTS RoomWork
 roomWork(const SceneOptions& options);
 
-/** \brief Find the rooms of the scan, unless the store has them.
- * \param[in,out] scan a sample waits in a file meanwhile, see PointsAside */
-PCL_INDOOR_EXPORTS Scene
-findRooms(const SceneOptions& options,
-          ScanContent& scan,
-          const UnderstoodScan& understood,
-          RoomStore& store,
-          StageReport& report);
-
-/** \brief The points as the objects are looked for: z up, metres, what lies beyond the
- * building not finite. */
-PCL_INDOOR_EXPORTS PointCloud<PointXYZ>::ConstPtr
-uprightPoints(const CloudFile& file, const Scene& scene);
-
-/** \brief Find the walls of the rooms, their doors and their windows.
- * \param[in] upright tells which points count */
-PCL_INDOOR_EXPORTS void
-findWalls(const SceneOptions& options,
-          const PointCloud<PointXYZ>& upright,
-          Scene& scene,
-          StageReport& report);
-
 /** \brief Of a scan that is read in parts: where its points are, and what is to be
  * added to the numbers of objects, per room. */
 struct RoomFiles {
@@ -70,7 +48,7 @@ struct RoomFiles {
 
 /** \brief How the objects of all rooms are found. */
 struct ObjectSearch {
-  const RoomWork& work;
+  RoomWork work;
   RoomStore& store;
   StageReport& report;
   int threads = 0;
@@ -78,24 +56,52 @@ struct ObjectSearch {
   ShareRooms share = {}; ///< see finishRooms()
 };
 
+/** \brief A scene whose rooms and walls are found, and the points that its objects are
+ * looked for in: z up, metres, what lies beyond the building not finite. */
+struct FoundBuilding {
+  Scene scene;
+  PointCloud<PointXYZ>::ConstPtr upright;
+};
+
+/** \brief Find the rooms of the scan, unless the store has them, their walls, doors and
+ * windows.
+ * \param[in,out] options unit and axis become those that were used
+ * \param[in,out] scan a sample waits in a file meanwhile, see PointsAside
+ * \param[in,out] search gets the building's frame */
+PCL_INDOOR_EXPORTS FoundBuilding
+findBuilding(SceneOptions& options,
+             ScanContent& scan,
+             const UnderstoodScan& understood,
+             ObjectSearch& search);
+
 /** \brief Find the objects of the rooms of a scan in memory, room by room, and what
  * they are. */
 PCL_INDOOR_EXPORTS void
-findObjects(const ObjectSearch& search,
-            const CloudFile& file,
-            const PointCloud<PointXYZ>& upright,
-            Scene& scene);
+findObjects(const ObjectSearch& search, const CloudFile& file, FoundBuilding& building);
 
 /** \brief The same of a scan that is read in parts: it is divided into the files of its
  * rooms. The points of the sample get their objects by labelSample(), or when the
- * cloud is written.
- * \param[in] upright the sample */
+ * cloud is written. */
 PCL_INDOOR_EXPORTS RoomFiles
 findObjectsInParts(const ObjectSearch& search,
                    WorkFolder& folder,
                    ScanContent& scan,
-                   const PointCloud<PointXYZ>& upright,
-                   Scene& scene);
+                   FoundBuilding& building);
+
+/** \brief Gives the points of a sample their objects and structure, from the labels of
+ * all points, one by one. */
+class SampleLabels {
+public:
+  SampleLabels(const AscendingNumbers& sampled, Scene& scene);
+
+  void
+  add(std::uint64_t point, const SpooledLabels::Label& label);
+
+private:
+  AscendingNumbers::Reader next_;
+  bool has_more_;
+  Scene& scene_;
+};
 
 /** \brief Object and structure of each point of the sample. */
 void

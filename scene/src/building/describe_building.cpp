@@ -58,24 +58,16 @@ described(SceneOptions& options,
   if (scan.stream)
     in_files.emplace(files.emplace(options.work_folder).folder());
   auto& store = in_files ? static_cast<tool::RoomStore&>(*in_files) : in_memory;
-  auto work = tool::roomWork(options);
-  auto scene = tool::findRooms(options, scan, understood, store, report);
-  work.frame = scene.frame;
-  options.scan.settle(scene.report);
-  scene.understood = understood;
-  scene.understood.settle(scene.report);
-  const auto upright = tool::uprightPoints(scan.file, scene);
-  tool::findWalls(options, *upright, scene, report);
-  const tool::ObjectSearch search = {
-      work, store, report, options.threads, options.ignore_normals};
+  tool::ObjectSearch search = {
+      tool::roomWork(options), store, report, options.threads, options.ignore_normals};
+  auto building = tool::findBuilding(options, scan, understood, search);
   if (!scan.stream) {
-    tool::findObjects(search, scan.file, *upright, scene);
-    return scene;
+    tool::findObjects(search, scan.file, building);
+    return std::move(building.scene);
   }
-  const auto found =
-      tool::findObjectsInParts(search, files->folder(), scan, *upright, scene);
-  tool::labelSample(found, files->folder(), scan.sample->indices(), scene);
-  return scene;
+  const auto found = tool::findObjectsInParts(search, files->folder(), scan, building);
+  tool::labelSample(found, files->folder(), scan.sample->indices(), building.scene);
+  return std::move(building.scene);
 }
 
 } // namespace
@@ -99,10 +91,9 @@ describeBuilding(const Scan& scan, const SceneOptions& given)
     scene.report.warnings.push_back(emptiness);
   scene.input = tool::inputOf(content.file);
   scene.input.cloud_offset = tool::PointCoordinates().offsetOf(content.file);
-  scene.settings = tool::settingsOf(options,
-                                    content.columns,
-                                    content.stations,
-                                    content.stream ? content.points_at_once : 0);
+  scene.settings = tool::settingsOf(
+      options,
+      {content.columns, content.stations, content.stream ? content.points_at_once : 0});
   return scene;
 }
 

@@ -6,9 +6,8 @@
 
 #include "formats/pcd/pcd_writer.h"
 #include "scan/scan.h"            // for partOf
-#include "scene/category_names.h" // for other_class
+#include "scene/category_names.h" // for otherClass
 
-#include <algorithm>
 #include <utility>
 
 namespace pcl::indoor::tool {
@@ -60,11 +59,11 @@ complete(const CloudLook& look,
     fields.emplace_back("confidence", of_point.confidence);
   }
   appendFields(file.cloud, fields);
-  const auto other = static_cast<std::uint32_t>(
-      std::find(classes.names.begin(), classes.names.end(), other_class) -
-      classes.names.begin());
-  look.colors.apply(
-      file, classes.names.empty() ? "object" : "class", look.up, other, whole);
+  look.colors.apply(file,
+                    classes.names.empty() ? "object" : "class",
+                    look.up,
+                    otherClass(classes.names),
+                    whole);
   look.coordinates.apply(file, output);
 }
 
@@ -82,20 +81,16 @@ fewPoints(const PointCloud<PointXYZ>& sample)
 } // namespace
 
 OutputFile
-completeCloud(const std::string& path,
-              const CloudLook& look,
-              const Scene& scene,
-              CloudFile& file)
+completeCloud(const CloudLook& look, const Scene& scene, CloudFile& file)
 {
   const PointLabels labels = {
       scene.room_of_point, scene.object_of_point, scene.structure_of_point};
-  complete(look, labels, scene.classes, nullptr, path, file);
-  return cloudBeside(path, file.cloud, file.pose, look.threads);
+  complete(look, labels, scene.classes, nullptr, look.path, file);
+  return cloudBeside(look.path, file.cloud, file.pose, look.threads);
 }
 
 OutputFile
-completeCloudInParts(const std::string& path,
-                     const CloudLook& look,
+completeCloudInParts(const CloudLook& look,
                      const RoomFiles& files,
                      const WorkFolder& folder,
                      ScanContent& scan,
@@ -104,12 +99,9 @@ completeCloudInParts(const std::string& path,
 {
   const auto whole = fewPoints(*scan.file.points);
   const auto& layout = scan.stream->layout();
-  AscendingNumbers::Reader sampled(scan.sample->indices());
-  bool has_more = sampled.next();
-  scene.object_of_point.clear();
-  scene.structure_of_point.clear();
+  SampleLabels sample(scan.sample->indices(), scene);
   SpooledLabels labels(files.spooled, folder, files.first_object);
-  OutputFile output(path);
+  OutputFile output(look.path);
   scan.stream->forEachPart([&](std::uint64_t first, PCLPointCloud2& data) {
     auto part = partOf(scan, std::move(data));
     PointLabels own;
@@ -118,13 +110,9 @@ completeCloudInParts(const std::string& path,
       own.room.push_back(label.room);
       own.object.push_back(label.object);
       own.structure.push_back(label.structure);
-      if (has_more && sampled.number() == first + i) {
-        scene.object_of_point.push_back(label.object);
-        scene.structure_of_point.push_back(label.structure);
-        has_more = sampled.next();
-      }
+      sample.add(first + i, label);
     }
-    complete(look, own, scene.classes, &whole, first == 0 ? path : "", part);
+    complete(look, own, scene.classes, &whole, first == 0 ? look.path : "", part);
     if (first == 0) {
       auto all = part.cloud;
       all.data.clear();

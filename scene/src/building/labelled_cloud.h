@@ -15,8 +15,9 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief How a cloud is written. */
+/** \brief How and where a cloud is written. */
 struct CloudLook {
+  std::string path;
   PointColors colors;
   PointCoordinates coordinates;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< direction of heights
@@ -25,17 +26,13 @@ struct CloudLook {
 
 /** \brief Add what was found to the cloud, as it is to be written beside its place. */
 PCL_INDOOR_EXPORTS OutputFile
-completeCloud(const std::string& path,
-              const CloudLook& look,
-              const Scene& scene,
-              CloudFile& file);
+completeCloud(const CloudLook& look, const Scene& scene, CloudFile& file);
 
 /** \brief The same of a scan that is read in parts.
  * \param[in,out] scene gets the objects of its sample
  */
 PCL_INDOOR_EXPORTS OutputFile
-completeCloudInParts(const std::string& path,
-                     const CloudLook& look,
+completeCloudInParts(const CloudLook& look,
                      const RoomFiles& files,
                      const WorkFolder& folder,
                      ScanContent& scan,

@@ -31,10 +31,7 @@ flag(const std::string& name, bool value)
 } // namespace
 
 std::vector<Setting>
-settingsOf(const SceneOptions& options,
-           const std::string& columns,
-           const StationChoice& stations,
-           std::uint64_t points_at_once)
+settingsOf(const SceneOptions& options, const FileSettings& files)
 {
   const auto& rooms =
       options.thesis_rooms ? options.thesis_rooms->shared : options.rooms;
@@ -47,17 +44,17 @@ settingsOf(const SceneOptions& options,
       text("-partition", options.partition),
       text("-model", options.naming.classify ? "function" : options.model),
       text("-network", options.network),
-      text("-report", "folder")};
-  if (points_at_once > 0)
-    settings.push_back(number("-points_at_once", points_at_once, "points"));
+      text("-report", files.report)};
+  if (files.points_at_once > 0)
+    settings.push_back(number("-points_at_once", files.points_at_once, "points"));
   const auto others = {flag("-ignore_normals", options.ignore_normals),
                        text("-normals", options.preparation.normals),
                        flag("-remove_outliers", options.preparation.removes_outliers),
-                       text("-colour", "auto"),
-                       flag("-double", false),
-                       text("-columns", columns),
-                       text("-stations", stations.file),
-                       flag("-ignore_stations", stations.is_ignored),
+                       text("-colour", files.colour),
+                       flag("-double", files.doubles),
+                       text("-columns", files.columns),
+                       text("-stations", files.stations.file),
+                       flag("-ignore_stations", files.stations.is_ignored),
                        text("-unit", options.scan.unit),
                        text("-up", options.scan.up)};
   settings.insert(settings.end(), others.begin(), others.end());

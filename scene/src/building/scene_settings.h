@@ -15,16 +15,19 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief The options as scene.json records them: those of pcl_indoor_pipeline, of
- * which what shapes its other results is as it is by default.
- * \param[in] columns of the
- * scan's tables
- * \param[in] points_at_once of a scan that is read in parts; 0 of others
- */
+/** \brief What is recorded beside SceneOptions: how the scan was read, and what the
+ * results of pcl_indoor_pipeline are written as. */
+struct FileSettings {
+  std::string columns; ///< of the scan's tables
+  StationChoice stations;
+  std::uint64_t points_at_once = 0; ///< of a scan that is read in parts; 0 of others
+  std::string report = "folder";
+  std::string colour = "auto";
+  bool doubles = false;
+};
+
+/** \brief The options as scene.json records them: those of pcl_indoor_pipeline. */
 PCL_INDOOR_EXPORTS std::vector<Setting>
-settingsOf(const SceneOptions& options,
-           const std::string& columns,
-           const StationChoice& stations,
-           std::uint64_t points_at_once);
+settingsOf(const SceneOptions& options, const FileSettings& files);
 
 } // namespace pcl::indoor::tool

@@ -41,8 +41,7 @@ IfcElements::relate(const std::string& relation,
   if (parts.empty())
     return;
   const auto begin = relation + "(" + root(relation + " " + stepRef(whole)) + ",$,$,";
-  const bool parts_first = relation == "IFCRELCONTAINEDINSPATIALSTRUCTURE" ||
-                           relation == "IFCRELASSOCIATESMATERIAL";
+  const bool parts_first = relation == "IFCRELCONTAINEDINSPATIALSTRUCTURE";
   file_.add(begin +
             (parts_first ? stepList(parts) + "," + stepRef(whole)
                          : stepRef(whole) + "," + stepList(parts)) +

@@ -4,9 +4,10 @@
  */
 #include "export/ifc_shapes.h"
 
+#include "text/printable.h" // for fixedText
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -30,13 +31,8 @@ numbers(const Eigen::Vector2d& place)
 std::string
 direction(double yaw)
 {
-  char text[80];
-  std::snprintf(text,
-                sizeof(text),
-                "IFCDIRECTION((%.12f,%.12f,0.))",
-                std::cos(yaw) + 0.0,
-                std::sin(yaw) + 0.0);
-  return text;
+  return "IFCDIRECTION((" + fixedText(std::cos(yaw) + 0.0, 12) + "," +
+         fixedText(std::sin(yaw) + 0.0, 12) + ",0.))";
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -21,30 +20,6 @@ ringsBeside(const SavedScene& scene, const SavedOpening& opening)
       rings.insert(rings.end(), more.begin(), more.end());
     }
   return rings;
-}
-
-/** Of the longest side, up to twice as long as the opening, of those that are about as
- * near as the nearest. */
-Eigen::Vector2d
-directionOfSides(const std::vector<PlanRing>& rings,
-                 const Eigen::Vector2d& middle,
-                 double width)
-{
-  constexpr double about = 0.3; // metres
-  const double nearest = distanceToSides(rings, middle);
-  double longest = 0.0;
-  Eigen::Vector2d along = Eigen::Vector2d::UnitX();
-  for (const auto& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Eigen::Vector2d way = ring[(i + 1) % ring.size()] - ring[i];
-      const double length = std::min(way.norm(), 2.0 * width);
-      if (length > longest && distanceToSides({{ring[i], ring[(i + 1) % ring.size()]}},
-                                              middle) <= nearest + about) {
-        longest = length;
-        along = way.normalized();
-      }
-    }
-  return along;
 }
 
 /** From a place to the inside of rings; at least the given metres. */

@@ -145,7 +145,6 @@ closeBorders(RobotMap& map)
 {
   const int reach =
       std::max(1, static_cast<int>(std::lround(around_free / map.resolution)));
-  std::vector<std::size_t> border;
   for (int y = 0; y < map.ny; ++y)
     for (int x = 0; x < map.nx; ++x) {
       const bool is_inside = x > 0 && y > 0 && x + 1 < map.nx && y + 1 < map.ny;
@@ -155,11 +154,10 @@ closeBorders(RobotMap& map)
         continue;
       for (int v = std::max(0, y - reach); v <= std::min(map.ny - 1, y + reach); ++v)
         for (int u = std::max(0, x - reach); u <= std::min(map.nx - 1, x + reach); ++u)
-          if (map.at(u, v) == UnknownCell)
-            border.push_back(static_cast<std::size_t>(v) * map.nx + u);
+          if (auto& cell = map.cells[static_cast<std::size_t>(v) * map.nx + u];
+              cell == UnknownCell)
+            cell = OccupiedCell;
     }
-  for (const auto cell : border)
-    map.cells[cell] = OccupiedCell;
 }
 
 } // namespace

@@ -27,23 +27,20 @@ using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 
 constexpr const char* endings[] = {".ifc", ".glb", ".geojson", ".dxf", ".svg", ".pgm"};
 
-/** Maps and route graph of a storey. */
+/** The maps of a storey.
+ * \param[in] name of its files, without what follows for each */
 void
-addStorey(NamedFiles& files,
-          const SavedScene& scene,
-          const std::string& path,
-          std::uint32_t storey,
-          double resolution)
+addMaps(NamedFiles& files,
+        const SavedScene& scene,
+        const std::string& name,
+        const std::string& ending,
+        std::uint32_t storey,
+        double resolution)
 {
-  namespace fs = std::filesystem;
-  const auto ending = fs::path(path).extension().string();
-  auto name = path.substr(0, path.size() - ending.size());
-  if (storey > 0)
-    name += "_storey" + std::to_string(storey);
   for (const bool furnished : {true, false}) {
     const auto map = robotMap(scene, storey, resolution, furnished);
     const auto base = name + (furnished ? "_furnished" : "");
-    const auto image = fs::path(base + ending).filename().string();
+    const auto image = std::filesystem::path(base + ending).filename().string();
     files.emplace_back(base + ".yaml", mapYaml(map, image));
     files.emplace_back(base + ending, pgmBytes(map));
   }
@@ -54,12 +51,12 @@ robotBundle(const SavedScene& scene, const std::string& path, double resolution)
 {
   NamedFiles files;
   const auto graph = doorGraph(scene);
-  const auto base = std::filesystem::path(path).replace_extension().string();
+  const auto ending = std::filesystem::path(path).extension().string();
+  const auto base = path.substr(0, path.size() - ending.size());
   for (auto s = static_cast<std::uint32_t>(scene.storeys.size()); s-- > 0;) {
-    files.emplace_back(base + (s > 0 ? "_storey" + std::to_string(s) : "") +
-                           "_route.geojson",
-                       jsonText(routeGraph(graph, s)));
-    addStorey(files, scene, path, s, resolution);
+    const auto name = base + (s > 0 ? "_storey" + std::to_string(s) : "");
+    files.emplace_back(name + "_route.geojson", jsonText(routeGraph(graph, s)));
+    addMaps(files, scene, name, ending, s, resolution);
   }
   return files;
 }

@@ -5,6 +5,7 @@
 #include "export/step_file.h"
 
 #include "files/digest.h"
+#include "text/printable.h" // for characterAt and fixedText
 
 #include <cmath>
 #include <cstdint>
@@ -13,45 +14,23 @@
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr char32_t no_character = U'?';
-
-/** The character that begins at a byte, and behind it the next one. */
-char32_t
-nextCharacter(const std::string& text, std::size_t& at)
-{
-  const auto byte = static_cast<unsigned char>(text[at++]);
-  if (byte < 0x80)
-    return byte;
-  const std::size_t more = byte >= 0xf0 ? 3 : byte >= 0xe0 ? 2 : byte >= 0xc2 ? 1 : 0;
-  if (more == 0 || byte > 0xf4 || at + more > text.size())
-    return no_character;
-  char32_t character = byte & (0x3f >> more);
-  for (std::size_t i = 0; i < more; ++i) {
-    const auto part = static_cast<unsigned char>(text[at + i]);
-    if ((part & 0xc0) != 0x80)
-      return no_character;
-    character = character << 6 | (part & 0x3f);
-  }
-  at += more;
-  return character <= 0x10ffff ? character : no_character;
-}
-
 std::string
-encoded(char32_t character)
+encoded(const Character& character)
 {
-  if (character == U'\'')
+  const auto code = character.code;
+  if (code == '\'')
     return "''";
-  if (character == U'\\')
+  if (code == '\\')
     return "\\\\";
-  if (character < 0x20 || character == 0x7f)
+  if (!character.is_valid || code < 0x20 || code == 0x7f)
     return "?";
-  if (character < 0x7f)
-    return std::string(1, static_cast<char>(character));
+  if (code < 0x7f)
+    return std::string(1, static_cast<char>(code));
   char text[32];
   std::snprintf(text,
                 sizeof(text),
-                character > 0xffff ? "\\X4\\%08X\\X0\\" : "\\X2\\%04X\\X0\\",
-                static_cast<unsigned>(character));
+                code > 0xffff ? "\\X4\\%08lX\\X0\\" : "\\X2\\%04lX\\X0\\",
+                code);
   return text;
 }
 
@@ -61,8 +40,11 @@ std::string
 stepText(const std::string& utf8)
 {
   std::string text = "'";
-  for (std::size_t at = 0; at < utf8.size();)
-    text += encoded(nextCharacter(utf8, at));
+  for (std::size_t at = 0; at < utf8.size();) {
+    const auto character = characterAt(utf8, at);
+    text += encoded(character);
+    at += character.size;
+  }
   return text + "'";
 }
 
@@ -70,9 +52,7 @@ std::string
 stepReal(double value)
 {
   const double steps = std::round(value * 1e5);
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.5f", steps == 0.0 ? 0.0 : steps / 1e5);
-  std::string number = text;
+  auto number = fixedText(steps == 0.0 ? 0.0 : steps / 1e5, 5);
   number.erase(number.find_last_not_of('0') + 1);
   return number; // "1." is how STEP writes it
 }

@@ -7,15 +7,15 @@
 #include "export/plan_boxes.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace pcl::indoor::tool {
 namespace {
 
-/** Four corners counter-clockwise; those of a trapezoid may fall together. */
+/** A convex face, its corners counter-clockwise; some may fall together. */
 void
-addQuad(SurfaceMesh& mesh,
-        const std::array<Eigen::Vector3d, 4>& corners,
+addFace(SurfaceMesh& mesh,
+        const std::vector<Eigen::Vector3d>& corners,
         const Eigen::Vector3d& normal)
 {
   const auto first = static_cast<std::uint32_t>(mesh.corners.size());
@@ -23,8 +23,9 @@ addQuad(SurfaceMesh& mesh,
     mesh.corners.push_back(corner.cast<float>());
     mesh.normals.push_back(normal.cast<float>());
   }
-  for (const std::uint32_t i : {0, 1, 2, 0, 2, 3})
-    mesh.triangles.push_back(first + i);
+  for (std::uint32_t i = 2; i < corners.size(); ++i)
+    for (const std::uint32_t corner : {0u, i - 1, i})
+      mesh.triangles.push_back(first + corner);
 }
 
 /** Where a side that crosses a band of heights lies at its lower and upper end. */
@@ -126,7 +127,7 @@ flatMesh(const std::vector<PlanRing>& rings, double height)
     const auto sides = sidesAcross(rings, low, high);
     for (std::size_t s = 0; s + 1 < sides.size(); s += 2) {
       const auto &left = sides[s], &right = sides[s + 1];
-      addQuad(mesh,
+      addFace(mesh,
               {Eigen::Vector3d(left.low, low, height),
                Eigen::Vector3d(right.low, low, height),
                Eigen::Vector3d(right.high, high, height),
@@ -140,18 +141,19 @@ flatMesh(const std::vector<PlanRing>& rings, double height)
 void
 addPrism(SurfaceMesh& mesh, const PlanRing& corners, double bottom, double top)
 {
-  std::array<Eigen::Vector3d, 4> lower, upper;
-  for (std::size_t i = 0; i < 4; ++i) {
-    lower[3 - i] = {corners[i].x(), corners[i].y(), bottom};
-    upper[i] = {corners[i].x(), corners[i].y(), top};
+  std::vector<Eigen::Vector3d> lower, upper;
+  for (const auto& corner : corners) {
+    lower.emplace_back(corner.x(), corner.y(), bottom);
+    upper.emplace_back(corner.x(), corner.y(), top);
   }
-  addQuad(mesh, lower, -Eigen::Vector3d::UnitZ());
-  addQuad(mesh, upper, Eigen::Vector3d::UnitZ());
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& next = upper[(i + 1) % 4];
+  std::reverse(lower.begin(), lower.end());
+  addFace(mesh, lower, -Eigen::Vector3d::UnitZ());
+  addFace(mesh, upper, Eigen::Vector3d::UnitZ());
+  for (std::size_t i = 0; i < upper.size(); ++i) {
+    const auto& next = upper[(i + 1) % upper.size()];
     const Eigen::Vector3d way = (next - upper[i]).normalized();
     const Eigen::Vector3d down(0.0, 0.0, top - bottom);
-    addQuad(mesh,
+    addFace(mesh,
             {upper[i] - down, next - down, next, upper[i]},
             Eigen::Vector3d(way.y(), -way.x(), 0.0));
   }

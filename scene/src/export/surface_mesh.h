@@ -23,7 +23,8 @@ struct SurfaceMesh {
 SurfaceMesh
 flatMesh(const std::vector<PlanRing>& rings, double height);
 
-/** \brief Add an upright prism over four corners, which go counter-clockwise. */
+/** \brief Add an upright prism over the corners of a convex ring, which go
+ * counter-clockwise. */
 void
 addPrism(SurfaceMesh& mesh, const PlanRing& corners, double bottom, double top);
 

@@ -182,9 +182,7 @@ legendOf(const SceneClasses& classes, std::uint32_t other)
 SvgDrawing
 drawClasses(const Scene& scene, const PointCloud<PointXYZ>& points)
 {
-  const auto& names = scene.classes.names;
-  const auto other = static_cast<std::uint32_t>(
-      std::find(names.begin(), names.end(), other_class) - names.begin());
+  const auto other = otherClass(scene.classes.names);
   const Plan plan(scene, points, other);
   const auto views = viewsOf(plan, other);
   const auto legend = legendOf(scene.classes, other);

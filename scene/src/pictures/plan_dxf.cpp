@@ -4,8 +4,9 @@
  */
 #include "pictures/plan_dxf.h"
 
+#include "text/printable.h" // for fixedText
+
 #include <cmath>
-#include <cstdio>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -27,9 +28,7 @@ public:
   Drawing&
   add(int code, double value)
   {
-    char text[64];
-    std::snprintf(text, sizeof(text), "%.4f", value);
-    return add(code, std::string(text));
+    return add(code, fixedText(value, 4));
   }
 
   /** \param[in] code 10 for the first place of an entity, 11 for its second */
@@ -115,11 +114,11 @@ addRoom(Drawing& drawing, const PlanRoom& room, std::size_t storey)
         drawing.begin("TEXT", layerName(storey, "_TEXT")).addPlace(10, place);
         drawing.add(40, height).add(1, text).add(72, "1").addPlace(11, place);
       };
-  char area[32];
-  std::snprintf(area, sizeof(area), "%.1f m2", room.area);
   write(room.place, 0.3, std::to_string(room.label).c_str());
   const std::string name = room.name.empty() ? "" : room.name + " ";
-  write(room.place - Eigen::Vector2d(0.0, 0.35), 0.2, (name + area).c_str());
+  write(room.place - Eigen::Vector2d(0.0, 0.35),
+        0.2,
+        (name + fixedText(room.area, 1) + " m2").c_str());
 }
 
 void

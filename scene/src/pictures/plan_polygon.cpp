@@ -132,6 +132,28 @@ distanceToSides(const std::vector<PlanRing>& rings, const Eigen::Vector2d& place
 }
 
 Eigen::Vector2d
+directionOfSides(const std::vector<PlanRing>& rings,
+                 const Eigen::Vector2d& middle,
+                 double width)
+{
+  constexpr double about = 0.3; // metres
+  const double nearest = distanceToSides(rings, middle);
+  double longest = 0.0;
+  Eigen::Vector2d along = Eigen::Vector2d::UnitX();
+  for (const auto& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto& begin = ring[i];
+      const auto& end = ring[(i + 1) % ring.size()];
+      const double length = std::min((end - begin).norm(), 2.0 * width);
+      if (length > longest && distanceToLine(begin, end, middle) <= nearest + about) {
+        longest = length;
+        along = (end - begin).normalized();
+      }
+    }
+  return along;
+}
+
+Eigen::Vector2d
 widestPlace(const std::vector<PlanRing>& rings)
 {
   constexpr double precision = 0.02;  // metres

@@ -56,6 +56,16 @@ distanceToLine(const Eigen::Vector2d& begin,
 double
 distanceToSides(const std::vector<PlanRing>& rings, const Eigen::Vector2d& place);
 
+/** \brief The direction of the wall that an opening is in: that of the longest side, up
+ * to twice as long as the opening, of those that are about as near as the nearest.
+ * \param[in] middle, width of the opening
+ * \return unit length; along x without rings
+ */
+Eigen::Vector2d
+directionOfSides(const std::vector<PlanRing>& rings,
+                 const Eigen::Vector2d& middle,
+                 double width);
+
 /** \brief The place inside that is farthest from the sides, to 2 cm, or in shapes of
  * which that takes long, a wide place. Of no rings, the origin. */
 Eigen::Vector2d

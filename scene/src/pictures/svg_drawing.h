@@ -11,16 +11,32 @@
 #include <Eigen/Core>
 
 #include <cstdio>
+#include <locale.h> // for locale_t
 #include <string>
 #include <vector>
 
 namespace pcl::indoor::tool {
 
-/** \brief Numbers as printf() writes them, in at most 499 characters. */
+/** \brief While it lives, numbers of this thread have a point, whatever the locale. */
+class PCL_INDOOR_EXPORTS NumbersWithPoint {
+public:
+  NumbersWithPoint();
+  ~NumbersWithPoint();
+  NumbersWithPoint(const NumbersWithPoint&) = delete;
+  NumbersWithPoint&
+  operator=(const NumbersWithPoint&) = delete;
+
+private:
+  locale_t before_;
+};
+
+/** \brief Numbers as printf() writes them in the locale "C", in at most 499
+ * characters. */
 template <typename... Values>
 std::string
 formatted(const char* format, Values... values)
 {
+  const NumbersWithPoint numbers;
   char text[500];
   std::snprintf(text, sizeof(text), format, values...);
   return text;

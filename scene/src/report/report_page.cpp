@@ -4,13 +4,12 @@
  */
 #include "report/report_page.h"
 
+#include "export/plan_boxes.h" // for boxFromAbove
 #include "pictures/plan_svg.h"
 #include "pictures/svg_drawing.h" // for xmlText
 #include "report/report_cloud.h"
 #include "text/base64.h"
 #include "text/program_version.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <map>
@@ -64,16 +63,12 @@ objectsFromAbove(const Scene& scene)
     const auto& object = scene.objects[i];
     if (object.structure != 0 || object.room == 0)
       continue;
-    const auto& box = object.upright;
-    PlanObject shape{
-        static_cast<std::uint32_t>(i + 1), scene.rooms[object.room - 1].storey, {}};
-    const Eigen::Rotation2Dd turn(box.yaw);
-    for (const auto& [x, y] :
-         {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
-      shape.corners.emplace_back(
-          (box.center - shift).head<2>() +
-          turn * Eigen::Vector2d(x * box.size.x(), y * box.size.y()));
-    drawn.emplace_back(box.size.x() * box.size.y(), std::move(shape));
+    auto box = object.upright;
+    box.center -= shift;
+    drawn.emplace_back(box.size.x() * box.size.y(),
+                       PlanObject{static_cast<std::uint32_t>(i + 1),
+                                  scene.rooms[object.room - 1].storey,
+                                  boxFromAbove(box)});
   }
   std::stable_sort(drawn.begin(), drawn.end(), [](const auto& a, const auto& b) {
     return a.first > b.first;

@@ -5,6 +5,7 @@
 #include "rooms/finished_room.h"
 
 #include "rooms/object_votes.h"
+#include "scene/bundled_network.h"
 
 #include <utility>
 
@@ -15,9 +16,9 @@ VoxelVoter
 voterOf(const VotingNetwork& voting)
 {
   VoxelVoter voter;
-  if (voting.network.valid())
-    voter.classify = [&voting](const std::vector<Eigen::Vector3f>& points) {
-      return classifyVoxels(points, voting.network.get());
+  if (voting.votes)
+    voter.classify = [](const std::vector<Eigen::Vector3f>& points) {
+      return classifyVoxels(points, bundledNetwork());
     };
   voter.in_all_rooms = voting.in_all_rooms;
   return voter;
@@ -48,7 +49,7 @@ finishRoom(RoomPoints room, const RoomWork& work)
   if (finished.objects.votes.class_count > 0) {
     votes = votesOf(finished.objects);
     if (work.network.names_objects)
-      votes.classes = work.network.network.get().classes;
+      votes.classes = bundledNetwork().classes;
     else
       votes = {};
     finished.objects.votes = {};

@@ -8,24 +8,22 @@
 #include "scene/object_classes.h"
 
 #include <pcl/indoor/exports.h>
-#include <pcl/ml/voxel_network.h>
 #include <pcl/segmentation/building_frame.h>
 #include <pcl/segmentation/thesis.h>
 
-#include <future>
 #include <optional>
 #include <vector>
 
 namespace pcl::indoor::tool {
 
-/** \brief A network whose voxels vote on what objects are. */
+/** \brief How the voxels of the bundled network vote on what objects are. */
 struct VotingNetwork {
-  std::shared_future<VoxelNetwork> network; ///< read when it is needed; or none
-  bool in_all_rooms = false;                ///< also where a ceiling was seen
-  bool names_objects = false;               ///< beside telling building from objects
+  bool votes = false;         ///< it is read when it is needed
+  bool in_all_rooms = false;  ///< also where a ceiling was seen
+  bool names_objects = false; ///< beside telling building from objects
 };
 
-/** \brief What the rooms of a scan have in common. */
+/** \brief Options, models and frame that are the same for all rooms of a scan. */
 struct RoomWork {
   RoomPreparation preparation;
   ObjectSegmentationOptions options;

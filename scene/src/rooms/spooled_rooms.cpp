@@ -29,6 +29,17 @@ exchange(Record& record, RoomExtent& room)
   record(room.point_count, room.lower, room.upper, room.sum);
 }
 
+template <typename Record>
+void
+exchange(Record& record, SpooledRooms& spooled)
+{
+  record(spooled.rooms,
+         spooled.sizes,
+         spooled.point_count,
+         spooled.outside,
+         spooled.digests);
+}
+
 namespace {
 
 constexpr const char* stage_file = "points_filed";  // written when all are
@@ -211,11 +222,7 @@ spoolPoints(ScanContent& scan,
   });
   spooled.digests = files.flushAll();
   RecordWriter record;
-  record(spooled.rooms,
-         spooled.sizes,
-         spooled.point_count,
-         spooled.outside,
-         spooled.digests);
+  record(spooled);
   folder.write(stage_file, record.bytes());
   return spooled;
 }
@@ -241,11 +248,7 @@ filedBefore(const WorkFolder& folder)
   try {
     SpooledRooms spooled;
     RecordReader record(*bytes);
-    record(spooled.rooms,
-           spooled.sizes,
-           spooled.point_count,
-           spooled.outside,
-           spooled.digests);
+    record(spooled);
     record.finish();
     return areWhole(folder, spooled) ? std::optional(std::move(spooled)) : std::nullopt;
   } catch (const DamagedRecord&) {

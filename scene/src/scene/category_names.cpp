@@ -6,7 +6,16 @@
 
 #include "formats/json_file.h"
 
+#include <algorithm>
+
 namespace pcl::indoor::tool {
+
+std::uint32_t
+otherClass(const std::vector<std::string>& names)
+{
+  return static_cast<std::uint32_t>(std::find(names.begin(), names.end(), other_class) -
+                                    names.begin());
+}
 
 std::map<std::uint32_t, std::string>
 readCategoryNames(const std::string& path)

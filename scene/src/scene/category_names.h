@@ -9,10 +9,16 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace pcl::indoor::tool {
 
 constexpr const char* other_class = "other"; ///< of all that no class explains
+
+/** \brief Its number among the names of all classes; their count if it is none of them.
+ */
+std::uint32_t
+otherClass(const std::vector<std::string>& names);
 
 /** \brief The names of a scan's categories, from a JSON file: a list in 'categories',
  * whose positions are the numbers, or an object of number: name in 'classes'.

@@ -24,7 +24,9 @@ constexpr std::pair<const char*, double> units[] = {
 bool
 isAxis(const std::string& text)
 {
-  return text.size() <= 2 && text.back() >= 'x' && text.back() <= 'z';
+  const bool has_sign =
+      text.size() == 2 && (text.front() == '-' || text.front() == '+');
+  return (text.size() == 1 || has_sign) && text.back() >= 'x' && text.back() <= 'z';
 }
 
 /** As the option -up takes it. */

@@ -25,10 +25,9 @@ constexpr std::size_t fewest_points = 20; // of a surface that can be described
 ObjectClass
 withoutDescription(const std::vector<std::string>& names)
 {
-  const auto other = std::find(names.begin(), names.end(), other_class);
   ObjectClass result;
-  if (other != names.end())
-    result.category = static_cast<std::uint32_t>(other - names.begin());
+  if (const auto other = otherClass(names); other < names.size())
+    result.category = other;
   return result;
 }
 
@@ -132,11 +131,18 @@ classesOf(const std::vector<ObjectSurface>& surfaces,
   if (found.size() != objects.size())
     throw ToolError("the naming of objects gives " + std::to_string(found.size()) +
                     " results for " + std::to_string(objects.size()) + " objects");
-  for (std::size_t k = 0; k < found.size(); ++k)
-    if (const auto& own = found[k].probabilities; !own.empty())
-      classes[numbers[k]] = likeliest(
-          votes.of_object.empty() ? own
-                                  : withVotes(own, naming.classes, votes, numbers[k]));
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto& own = found[k].probabilities;
+    if (own.empty())
+      continue;
+    if (own.size() != naming.classes.size())
+      throw ToolError("the naming of objects gives " + std::to_string(own.size()) +
+                      " probabilities for " + std::to_string(naming.classes.size()) +
+                      " classes");
+    classes[numbers[k]] = likeliest(
+        votes.of_object.empty() ? own
+                                : withVotes(own, naming.classes, votes, numbers[k]));
+  }
   return classes;
 }
 

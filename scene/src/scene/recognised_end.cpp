@@ -4,9 +4,10 @@
  */
 #include "scene/recognised_end.h"
 
+#include "scene/bundled_network.h"
+
 #include <pcl/indoor/point_cells.h>
 #include <pcl/ml/bundled_model.h>
-#include <pcl/ml/voxel_network.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -110,7 +111,7 @@ recognisedEnd(const Points& points)
   std::error_code error;
   if (!std::filesystem::exists(bundledNetworkFile(), error))
     return 0; // rooms can be had without it
-  const auto network = loadVoxelNetwork(bundledNetworkFile());
+  const auto& network = bundledNetwork();
   constexpr double little = 0.01, clearly_more = 2.0;
   const auto surface = mostSurface(points, network.voxel_size);
   if (!areDense(surface, network.voxel_size))

@@ -46,6 +46,25 @@ neighboursJson(const Room& room,
   return neighbours;
 }
 
+/** The names of several stations, and the positions of those that are known. */
+void
+addStations(const std::vector<Station>& stations, Json& json)
+{
+  Json names = Json::array(), positions = Json::array();
+  for (const auto& station : stations) {
+    const auto& at = station.position;
+    names.push_back(station.name);
+    positions.push_back(at ? Json{at->x(), at->y(), at->z()} : Json());
+  }
+  if (stations.size() > 1)
+    json["stations"] = names;
+  const auto is_known = [](const auto& station) {
+    return station.position.has_value();
+  };
+  if (std::any_of(stations.begin(), stations.end(), is_known))
+    json["station_positions"] = positions;
+}
+
 } // namespace
 
 Json
@@ -79,25 +98,6 @@ roomsJson(const std::vector<Room>& rooms,
     list.push_back(std::move(json));
   }
   return list;
-}
-
-/** The names of several stations, and the positions of those that are known. */
-void
-addStations(const std::vector<Station>& stations, Json& json)
-{
-  Json names = Json::array(), positions = Json::array();
-  for (const auto& station : stations) {
-    const auto& at = station.position;
-    names.push_back(station.name);
-    positions.push_back(at ? Json{at->x(), at->y(), at->z()} : Json());
-  }
-  if (stations.size() > 1)
-    json["stations"] = names;
-  const auto is_known = [](const auto& station) {
-    return station.position.has_value();
-  };
-  if (std::any_of(stations.begin(), stations.end(), is_known))
-    json["station_positions"] = positions;
 }
 
 SceneInput

@@ -179,9 +179,8 @@ sceneJson(const Scene& scene)
   json["points_in_rooms"] = scene.counts.in_rooms;
   json["settings"] = settingsJson(scene.settings);
   json["axes"] = axesJson(scene);
-  addReportJson(json, scene.report);
+  addReportJson(json, scene.report, scene.counts.outside);
   json["overview"] = overviewJson(scene.understood);
-  json["points_outside"] = scene.counts.outside;
   json["remainder_in_no_room"] = scene.remainders.back();
   json["storeys"] = storeysJson(scene);
   if (!scene.classes.names.empty())

@@ -22,6 +22,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int deepest = 100; // lists in lists: to copy and write them needs the stack
+
 Eigen::Vector3d
 vectorOf(const Json& json)
 {
@@ -148,7 +150,12 @@ readScene(const std::string& path)
   if (!stream)
     throw ToolError(path + ": cannot be read");
   try {
-    const auto scene = Json::parse(stream);
+    auto scene = Json::parse(stream, [&path](int depth, Json::parse_event_t, Json&) {
+      if (depth > deepest)
+        throw ToolError(path + ": lists are nested more than " +
+                        std::to_string(deepest) + " deep");
+      return true;
+    });
     if (!scene.is_object() || scene.value("format", "") != "pcl_indoor scene")
       throw ToolError(path + ": not a scene, as pcl_indoor_pipeline writes it");
     if (scene.at("version") != 1 && scene["version"] != 2)

@@ -116,7 +116,7 @@ segmentationOf(const ObjectChoices& choices,
   if (choices.has_pieces)
     segmentation.setOptions(options.shared);
   else
-    segmentation.setOptions(options);
+    segmentation.setThesisOptions(options);
   if (choices.scan.up != "auto")
     segmentation.setUpAxis(choices.scan.upAxis());
   if (choices.is_single_view)

@@ -4,13 +4,14 @@
  */
 #include "scene/segmented_rooms.h"
 
+#include "files/station_choice.h"
 #include "files/tool_error.h"
-#include "scene/cloud_stations.h"
 #include "scene/coordinate_options.h" // for unitName
 #include "scene/recognised_end.h"
 #include "text/pcl_errors.h"
 #include "text/printable.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace pcl::indoor::tool {
@@ -31,7 +32,7 @@ segmentRooms(const CloudFile& file,
     segmentation.setCoordinates(*found);
   if (looks_at_objects)
     segmentation.setEndFinder(recognisedEnd);
-  segmentation.setStations(scanStations(file));
+  segmentation.setStations({stationPositions(file), stationsOfPoints(file)});
   segmentation.setInputCloud(file.points);
   SegmentedRooms rooms;
   const auto problem = problemOf([&] { segmentation.segment(rooms.room_of_point); });
@@ -51,6 +52,13 @@ segmentRooms(const CloudFile& file,
   return rooms;
 }
 
+std::size_t
+pointsInRooms(const std::vector<std::uint32_t>& room_of_point)
+{
+  const auto in_none = std::count(room_of_point.begin(), room_of_point.end(), 0u);
+  return room_of_point.size() - static_cast<std::size_t>(in_none);
+}
+
 std::string
 summaryOf(const RoomSegmentation<PointXYZ>& segmentation)
 {
@@ -66,11 +74,13 @@ summaryOf(const RoomSegmentation<PointXYZ>& segmentation)
 }
 
 void
-addReportJson(nlohmann::ordered_json& json, const ScanReport& report)
+addReportJson(nlohmann::ordered_json& json,
+              const ScanReport& report,
+              std::uint64_t outside)
 {
   json["coordinate_unit"] = unitName(report.metres_per_unit);
   json["voxel_size"] = report.voxel_size;
-  json["points_outside"] = report.outside.size();
+  json["points_outside"] = outside;
   json["warnings"] = report.warnings;
 }
 

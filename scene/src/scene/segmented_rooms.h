@@ -44,13 +44,20 @@ segmentRooms(const CloudFile& file,
              RoomSegmentation<PointXYZ>& segmentation,
              const std::function<void(const std::string& line)>& warn);
 
+/** \brief How many points are in a room. */
+PCL_INDOOR_EXPORTS std::size_t
+pointsInRooms(const std::vector<std::uint32_t>& room_of_point);
+
 /** \brief What the tool says on a terminal: number of rooms, an automatic voxel size
  * that was raised, points that were left out. */
 PCL_INDOOR_EXPORTS std::string
 summaryOf(const RoomSegmentation<PointXYZ>& segmentation);
 
-/** \brief Unit of the coordinates, voxel size, points left out and warnings. */
+/** \brief Unit of the coordinates, voxel size, points left out and warnings.
+ * \param[in] outside how many points were left out */
 PCL_INDOOR_EXPORTS void
-addReportJson(nlohmann::ordered_json& json, const ScanReport& report);
+addReportJson(nlohmann::ordered_json& json,
+              const ScanReport& report,
+              std::uint64_t outside);
 
 } // namespace pcl::indoor::tool

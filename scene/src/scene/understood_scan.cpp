@@ -297,6 +297,45 @@ addSurfaces(const ScanOverview& overview, std::vector<std::string>& lines)
     lines.push_back("Hardly any walls were seen: there is nothing to tell rooms by.");
 }
 
+/** What there is, a sentence or two each: points, unit and vertical, what was seen. */
+std::vector<std::string>
+factsOf(const UnderstoodScan& scan)
+{
+  return {pointsText(scan), coordinatesText(scan), seenText(scan.overview)};
+}
+
+/** What lacks, and what that means for the result, a sentence each, the gravest first;
+ * empty if all is there that rooms are found from. */
+std::vector<std::string>
+consequencesOf(const UnderstoodScan& scan)
+{
+  constexpr double room = 1.5;    // metres: no room is shorter
+  constexpr double sparse = 0.12; // metres, from where on surfaces get holes
+  const auto& overview = scan.overview;
+  std::vector<std::string> lines;
+  if (!scan.likely_unit.empty())
+    lines.push_back("The unit is likely " + scan.likely_unit + ": set -unit " +
+                    scan.likely_unit + ".");
+  const double longest = overview.extent.maxCoeff();
+  if (mayBeDegrees(scan))
+    lines.push_back("x and y extend over less than a hundredth of the height, as "
+                    "longitude and latitude in degrees do: project them to metres.");
+  else if (longest < room)
+    lines.push_back(
+        "The scan is " + lengthText(longest) +
+        " large: an object or a table, or its unit is another one (-unit).");
+  else if (overview.extent.z() < slice)
+    lines.push_back("The scan is a slice or a flat map, " +
+                    fixedText(overview.extent.z(), 2) +
+                    " m high: rooms need walls from floor to ceiling.");
+  else
+    addSurfaces(overview, lines);
+  if (overview.spacing > sparse)
+    lines.push_back("The points are sparse: surfaces are closed between them, and "
+                    "small objects are lost.");
+  return lines;
+}
+
 } // namespace
 
 UnderstoodScan
@@ -326,40 +365,11 @@ understand(const CloudFile& file,
   return scan;
 }
 
-std::vector<std::string>
-factsOf(const UnderstoodScan& scan)
+std::string
+verdictOf(const UnderstoodScan& scan)
 {
-  return {pointsText(scan), coordinatesText(scan), seenText(scan.overview)};
-}
-
-std::vector<std::string>
-consequencesOf(const UnderstoodScan& scan)
-{
-  constexpr double room = 1.5;    // metres: no room is shorter
-  constexpr double sparse = 0.12; // metres, from where on surfaces get holes
-  const auto& overview = scan.overview;
-  std::vector<std::string> lines;
-  if (!scan.likely_unit.empty())
-    lines.push_back("The unit is likely " + scan.likely_unit + ": set -unit " +
-                    scan.likely_unit + ".");
-  const double longest = overview.extent.maxCoeff();
-  if (mayBeDegrees(scan))
-    lines.push_back("x and y extend over less than a hundredth of the height, as "
-                    "longitude and latitude in degrees do: project them to metres.");
-  else if (longest < room)
-    lines.push_back(
-        "The scan is " + lengthText(longest) +
-        " large: an object or a table, or its unit is another one (-unit).");
-  else if (overview.extent.z() < slice)
-    lines.push_back("The scan is a slice or a flat map, " +
-                    fixedText(overview.extent.z(), 2) +
-                    " m high: rooms need walls from floor to ceiling.");
-  else
-    addSurfaces(overview, lines);
-  if (overview.spacing > sparse)
-    lines.push_back("The points are sparse: surfaces are closed between them, and "
-                    "small objects are lost.");
-  return lines;
+  const auto lacks = consequencesOf(scan);
+  return lacks.empty() ? "all is there that rooms are found from" : lacks[0];
 }
 
 std::string

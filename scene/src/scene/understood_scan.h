@@ -37,17 +37,13 @@ understand(const CloudFile& file,
            std::uint64_t points,
            const ScanLook& look = {});
 
-/** \brief What there is, a sentence or two each: points, unit and vertical, what was
- * seen. */
-std::vector<std::string>
-factsOf(const UnderstoodScan& scan);
+/** \brief What lacks most, and what that means for the result; or that all is there
+ * that rooms are found from. */
+PCL_INDOOR_EXPORTS std::string
+verdictOf(const UnderstoodScan& scan);
 
-/** \brief What lacks, and what that means for the result, a sentence each, the gravest
- * first; empty if all is there that rooms are found from. */
-PCL_INDOOR_EXPORTS std::vector<std::string>
-consequencesOf(const UnderstoodScan& scan);
-
-/** \brief Facts and consequences as one paragraph for a terminal. */
+/** \brief What there is, what lacks and what that means, as one paragraph for a
+ * terminal. */
 PCL_INDOOR_EXPORTS std::string
 paragraphOf(const std::string& path, const UnderstoodScan& scan);
 

@@ -4,6 +4,8 @@
  */
 #include "export/step_file.h"
 
+#include "support/comma_locale.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -19,7 +21,8 @@ TEST(StepFile, TextsAreAscii)
             "'Gr\\X2\\00F6\\X0\\\\X2\\00DF\\X0\\e'");
   EXPECT_EQ(stepText("\xf0\x9f\x8f\xa0"), "'\\X4\\0001F3E0\\X0\\'");
   EXPECT_EQ(stepText("\xff-\n-\xc3"), "'?-?-?'");
-  EXPECT_EQ(stepText("\xe2z"), "'?z'"); // cut short
+  EXPECT_EQ(stepText("\xe2z"), "'?z'");         // cut short
+  EXPECT_EQ(stepText("\xed\xa0\x80"), "'?\?\?'"); // half of a pair
 }
 
 TEST(StepFile, NumbersHaveAPoint)
@@ -29,6 +32,14 @@ TEST(StepFile, NumbersHaveAPoint)
   EXPECT_EQ(stepReal(2.5), "2.5");
   EXPECT_EQ(stepReal(-100.0), "-100.");
   EXPECT_EQ(stepReal(5334567.12345), "5334567.12345");
+}
+
+TEST(StepFile, NumbersHaveAPointWhereTheLocaleHasAComma)
+{
+  const pcl::indoor::test::CommaLocale locale;
+  if (!locale.hasComma())
+    GTEST_SKIP() << "no locale with a comma is installed";
+  EXPECT_EQ(stepReal(2.5), "2.5");
 }
 
 TEST(StepFile, GlobalIdsAreOfTheirName)

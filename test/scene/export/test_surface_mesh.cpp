@@ -9,6 +9,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace pcl::indoor::tool;
 using pcl::indoor::test::SmallScene;
 
@@ -54,6 +56,20 @@ TEST(SurfaceMesh, FloorsHaveTheAreaOfTheirRings)
   const std::vector<PlanRing> turned = {{{0, 0}, {3, 1}, {2, 4}, {-1, 3}}};
   EXPECT_NEAR(areaFacing(flatMesh(turned, 0.0), Eigen::Vector3d::UnitZ()), 10.0, 1e-4);
   EXPECT_TRUE(flatMesh({}, 0.0).triangles.empty());
+}
+
+TEST(SurfaceMesh, RoundColumnsHaveTheVolumeOfTheirOutline)
+{
+  SavedColumn column;
+  column.foot = {5.0, 2.0, 1.0};
+  column.size = {0.5, 0.5, 2.5};
+  column.is_round = true;
+  SurfaceMesh mesh;
+  addPrism(mesh, outlineOf(column), 1.0, 3.5);
+  const double area = 24 * 0.5 * 0.25 * 0.25 * std::sin(2.0 * M_PI / 24);
+  EXPECT_NEAR(volumeOf(mesh), 2.5 * area, 1e-4);
+  EXPECT_NEAR(areaFacing(mesh, Eigen::Vector3d::UnitZ()), area, 1e-4);
+  EXPECT_NEAR(areaFacing(mesh, -Eigen::Vector3d::UnitZ()), area, 1e-4);
 }
 
 TEST(SurfaceMesh, WallsHaveHoles)

@@ -86,6 +86,8 @@ TEST(FloorPlan, OpeningsAreGapsInTheWalls)
                         storey.rooms.end(),
                         [](const auto& a, const auto& b) { return a.area < b.area; });
   EXPECT_GT((smaller.place - door.middle).dot(door.into), 0.0);
+  for (const auto& room : storey.rooms)
+    EXPECT_EQ(room.place, widestPlace(room.rings));
 
   double around = 0.0, walls = 0.0;
   for (const auto& room : storey.rooms)

@@ -9,6 +9,7 @@
 #include "files/tool_error.h"
 #include "pictures/png_bytes.h"
 #include "pictures/svg_raster.h"
+#include "support/comma_locale.h"
 #include "support/folder_test.h"
 #include "support/png_pixels.h"
 
@@ -68,6 +69,15 @@ TEST(SvgDrawing, ScaleBarsHaveRoundLengths)
     EXPECT_TRUE(holds(drawing, ">" + std::to_string(metres) + " m<")) << metres;
     EXPECT_TRUE(holds(drawing, formatted("H%.1fv", metres * units_per_metre)));
   }
+}
+
+TEST(SvgDrawing, NumbersHaveAPointWhereTheLocaleHasAComma)
+{
+  const pcl::indoor::test::CommaLocale locale;
+  if (!locale.hasComma())
+    GTEST_SKIP() << "no locale with a comma is installed";
+  EXPECT_EQ(formatted("%.1f %g", 2.5, 0.25), "2.5 0.25");
+  EXPECT_TRUE(locale.hasComma()); // as before
 }
 
 TEST(SvgDrawing, DrawingsLieBelowEachOther)

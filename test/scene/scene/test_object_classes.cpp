@@ -4,6 +4,8 @@
  */
 #include "scene/object_classes.h"
 
+#include "files/tool_error.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,6 +58,20 @@ TEST_F(ObjectClasses, votes_count_three_quarters_of_the_geometric_mean)
   const double table = mean(0.1, 0.7), chair = mean(0.6, 0.2), other = mean(0.3, 0);
   EXPECT_NEAR(classes[0].confidence, table / (table + chair + other), 1e-4);
   EXPECT_EQ(classes[0].top[1].first, 1u);
+}
+
+TEST_F(ObjectClasses, a_wrong_number_of_probabilities_is_refused)
+{
+  const ObjectVotes votes{{"table"}, {{0.7f}}};
+  for (const std::size_t count : {1, 2, 4}) {
+    auto naming = chairNaming();
+    naming.classify = [count](const std::vector<ClassifierObject>& objects) {
+      return std::vector<Classification>(objects.size(),
+                                         {std::vector<float>(count, 0.2f)});
+    };
+    EXPECT_THROW(classesOf(surfaces, measures, naming, {}), ToolError) << count;
+    EXPECT_THROW(classesOf(surfaces, measures, naming, votes), ToolError) << count;
+  }
 }
 
 TEST_F(ObjectClasses, structure_has_no_class_in_spite_of_votes)

@@ -11,6 +11,10 @@
 
 namespace pcl::indoor::tool {
 
+/** \brief What the tools read, as -h says it. */
+constexpr const char* scan_files =
+    "scan (PCD, PLY, LAS, LAZ, E57, PTX or table) or mesh, which may be packed";
+
 /** \brief The option -columns. */
 void
 addOption(OptionParser& parser, TableColumns& columns);

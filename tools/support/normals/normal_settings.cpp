@@ -15,7 +15,7 @@ namespace {
 void
 addOptions(OptionParser& parser, NormalSettings& settings)
 {
-  parser.positional("input", settings.input, "PCD, PLY or LAS file or table, metres")
+  parser.positional("input", settings.input, std::string(scan_files) + ", metres")
       .positional(
           "output.pcd|ply",
           settings.output,

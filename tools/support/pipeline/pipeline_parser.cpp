@@ -21,13 +21,6 @@ pipelineOptions(int argc, const char* const* argv)
   return options;
 }
 
-bool
-isOfExports(const Setting& setting)
-{
-  const auto& name = setting.name;
-  return name == "-ifc" || name == "-map" || name == "-geojson" || name == "-epsg";
-}
-
 OptionParser
 pipelineParser(PipelineOptions& options)
 {
@@ -41,8 +34,9 @@ pipelineParser(PipelineOptions& options)
   parser
       .positionals("input",
                    options.inputs,
-                   "PCD, PLY or LAS file or table; several, or a folder of them, are "
-                   "the stations of one building")
+                   std::string(scan_files) +
+                       "; several, or a folder of them, are the stations of one "
+                       "building")
       .positional(
           "output_dir", options.folder, "folder for the results, made if missing")
       .number("-voxel_size",
@@ -105,10 +99,10 @@ pipelineParser(PipelineOptions& options)
               "",
               Range::between(0, 1e6))
       .number(
-          points_option,
+          "-points_at_once",
           options.points_at_once,
-          "of larger scans the rooms are found from a point per cell, and the points "
-          "are read in parts: memory follows the rooms; 0 = never",
+          "scans with more points are read from disk in parts, so memory depends on "
+          "the largest rooms only; 0 = always load all",
           "points")
       .flag("-ignore_normals",
             options.ignore_normals,
@@ -150,7 +144,7 @@ pipelineParser(PipelineOptions& options)
                  "-ignore_normals",
                  "-normals",
                  "-double",
-                 points_option,
+                 "-points_at_once",
                  single_process_option,
                  "-memory_limit"});
   return parser;

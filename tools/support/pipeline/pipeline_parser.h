@@ -9,16 +9,11 @@
 
 namespace pcl::indoor::tool {
 
-constexpr const char* points_option = "-points_at_once";
 constexpr const char* single_process_option = "-single_process";
 
 /** \brief The defaults, which the option -preset changes. */
 PipelineOptions
 pipelineOptions(int argc, const char* const* argv);
-
-/** \brief Does a setting say only what the scene is written as besides? */
-bool
-isOfExports(const Setting& setting);
 
 /** \brief The command line of the pipeline.
  * \param[in,out] options must outlive the parser */

@@ -9,7 +9,6 @@
 #include "files/digest.h"
 #include "files/opened_scan.h"
 #include "files/scan_files.h"
-#include "pipeline/pipeline_parser.h"
 #include "pipeline/shared_rooms.h"
 #include "scan/scan.h"
 #include "scene/object_classes.h" // for modelFile
@@ -23,6 +22,14 @@
 
 namespace pcl::indoor::tool {
 namespace {
+
+/** Does a setting say only what the scene is written as besides? */
+bool
+isOfExports(const Setting& setting)
+{
+  const auto& name = setting.name;
+  return name == "-ifc" || name == "-map" || name == "-geojson" || name == "-epsg";
+}
 
 /** Whether rooms and their objects depend on it: what is done with them at the end is
  * done anew by each run. */
@@ -109,8 +116,7 @@ completedCloud(const PipelineOptions& options,
                WorkFolder& folder,
                Ranks& ranks,
                ScanContent& scan,
-               const PointCloud<PointXYZ>& upright,
-               Scene& scene)
+               FoundBuilding& building)
 {
   if (ranks.count() > 1)
     search.share = [&](const auto& source, const auto& order, const auto& is_done) {
@@ -119,19 +125,21 @@ completedCloud(const PipelineOptions& options,
   auto& report = search.report;
   std::optional<RoomFiles> files;
   if (scan.stream)
-    files = findObjectsInParts(search, folder, scan, upright, scene);
+    files = findObjectsInParts(search, folder, scan, building);
   else
-    findObjects(search, scan.file, upright, scene);
+    findObjects(search, scan.file, building);
   report.start("Completing the cloud");
-  const auto path = options.folder + "/cloud.pcd";
-  const CloudLook look = {
-      options.colors, options.coordinates, options.scan.upAxis(), options.threads};
+  const CloudLook look = {options.folder + "/cloud.pcd",
+                          options.colors,
+                          options.coordinates,
+                          options.scan.upAxis(),
+                          options.threads};
   const auto is_done = [&](std::size_t done, std::size_t all) {
     report.update(done, all);
   };
   auto cloud =
-      files ? completeCloudInParts(path, look, *files, folder, scan, scene, is_done)
-            : completeCloud(path, look, scene, scan.file);
+      files ? completeCloudInParts(look, *files, folder, scan, building.scene, is_done)
+            : completeCloud(look, building.scene, scan.file);
   report.done();
   return cloud;
 }

@@ -29,16 +29,13 @@ readScan(const PipelineOptions& options, Progress& progress);
 
 /** \brief Find the objects of the rooms, room by room, and what they are; with all
  * ranks if there are several.
- * \param[in] upright tells which points count
- * \return the
- * cloud with all that was found, beside its place */
+ * \return the cloud with all that was found, beside its place */
 OutputFile
 completedCloud(const PipelineOptions& options,
                ObjectSearch search,
                WorkFolder& folder,
                Ranks& ranks,
                ScanContent& scan,
-               const PointCloud<PointXYZ>& upright,
-               Scene& scene);
+               FoundBuilding& building);
 
 } // namespace pcl::indoor::tool

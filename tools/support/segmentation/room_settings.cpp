@@ -103,7 +103,7 @@ RoomSegmentation<PointXYZ>
 segmentationBy(const RoomSettings& options)
 {
   RoomSegmentation<PointXYZ> segmentation;
-  segmentation.setOptions(options.rooms);
+  segmentation.setThesisOptions(options.rooms);
   segmentation.setMethod(options.method == "slab" ? RoomMethod::CeilingSlab
                                                   : RoomMethod::PotentialField);
   return segmentation;
@@ -117,7 +117,7 @@ roomParser(RoomSettings& options)
   OptionParser parser("pcl_room_segmentation",
                       "Segment the scan of a building into rooms with "
                       "pcl::RoomSegmentation; adds the field room.");
-  parser.positional("input", options.input, "PCD, PLY or LAS file or table")
+  parser.positional("input", options.input, scan_files)
       .positional(
           "output.pcd|ply", options.output, "the input with the field room, 0 = none")
       .text("-preset",

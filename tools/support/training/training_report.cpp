@@ -33,14 +33,12 @@ curvesOf(const EpochLog& log, bool is_validation, const Value& value)
   return curves;
 }
 
-} // namespace
+/** Names of the columns of logLine(). */
+constexpr const char* log_header =
+    "network,epoch,training_loss,training_accuracy,validation_loss,"
+    "validation_accuracy\n";
 
-std::string
-logHeader()
-{
-  return "network,epoch,training_loss,training_accuracy,validation_loss,"
-         "validation_accuracy\n";
-}
+} // namespace
 
 std::string
 logLine(std::size_t network, const EpochReport& epoch, bool has_validation)
@@ -68,7 +66,7 @@ logLine(std::size_t network, const EpochReport& epoch, bool has_validation)
 std::string
 logText(const EpochLog& log, bool has_validation)
 {
-  std::string text = logHeader();
+  std::string text = log_header;
   for (std::size_t k = 0; k < log.size(); ++k)
     for (const auto& epoch : log[k])
       text += logLine(k + 1, epoch, has_validation);

@@ -17,10 +17,6 @@ namespace pcl::indoor::tool {
 /** \brief The epochs of one network after the other of an ensemble. */
 using EpochLog = std::vector<std::vector<EpochReport>>;
 
-/** \brief Names of the columns of logLine(), with a line's end. */
-std::string
-logHeader();
-
 /** \brief An epoch as a line of CSV.
  * \param[in] network number of the network, from 1
  */

@@ -203,7 +203,7 @@ public:
 
   /** \brief Set all parameters of the thesis's own method, and its partition. */
   void
-  setOptions(const indoor::thesis::ObjectOptions& options);
+  setThesisOptions(const indoor::thesis::ObjectOptions& options);
 
   /** \brief Get the parameters that all partitions share, as they are for anything but
    * the view of a table. */

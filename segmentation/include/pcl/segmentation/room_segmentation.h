@@ -328,13 +328,13 @@ public:
   void
   setOptions(const indoor::BuildingRoomsOptions& options)
   {
-    setOptions(indoor::thesis::RoomOptions{options, {}});
+    setThesisOptions({options, {}});
     method_ = indoor::RoomMethod::CeilingSlab;
   }
 
   /** \brief Set all parameters of RoomMethod::PotentialField, and this method. */
   void
-  setOptions(const indoor::thesis::RoomOptions& options)
+  setThesisOptions(const indoor::thesis::RoomOptions& options)
   {
     options_ = options.shared;
     field_ = options.field;

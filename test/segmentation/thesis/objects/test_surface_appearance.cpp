@@ -263,12 +263,12 @@ TEST(NoiseResilientLCCP, TakesColorsOfPointsOrGivenOnes)
   }
   std::vector<std::uint32_t> own, given;
   pcl::NoiseResilientLCCP<pcl::PointXYZRGB> with_colors;
-  with_colors.setOptions(optionsWith(1, 0));
+  with_colors.setThesisOptions(optionsWith(1, 0));
   with_colors.setInputCloud(colored);
   with_colors.segment(own);
   EXPECT_TRUE(labelsOfParts(input.points, own).areApart());
   pcl::NoiseResilientLCCP<pcl::PointXYZ> without;
-  without.setOptions(optionsWith(1, 0));
+  without.setThesisOptions(optionsWith(1, 0));
   without.setInputCloud(plain);
   without.segment(given);
   EXPECT_TRUE(given.empty()) << "no colours";

@@ -218,7 +218,8 @@ NoiseResilientLCCP<PointT>::setOptions(const indoor::ObjectSegmentationOptions& 
 
 template <typename PointT>
 void
-NoiseResilientLCCP<PointT>::setOptions(const indoor::thesis::ObjectOptions& options)
+NoiseResilientLCCP<PointT>::setThesisOptions(
+    const indoor::thesis::ObjectOptions& options)
 {
   setOptions(options.shared);
   edges_ = options.edges;
