@@ -22,8 +22,7 @@ using pcl::indoor::ObjectSegmentationInput;
 using pcl::indoor::ObjectSegmentationOptions;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr unsigned fewer_votes =
-    4; // every 4th ray is enough to turn normals of large planes
+constexpr unsigned fewer_votes = 4; // every 4th ray is enough for large planes
 
 /** Voxels whose points have no normals have those that were estimated, turned as their
  * neighbours. */
