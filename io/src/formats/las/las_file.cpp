@@ -20,7 +20,15 @@
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr std::size_t points_at_once = 1 << 18; // a few chunks of a LAZ file
+/** How many records are read at once: fewer of long ones, so that a file cannot ask for
+ * more memory than it fills. */
+std::size_t
+pointsAtOnce(std::size_t record_size)
+{
+  constexpr std::size_t most_points = 1 << 18; // a few chunks of a LAZ file
+  constexpr std::size_t most_bytes = 64 << 20;
+  return std::clamp<std::size_t>(most_bytes / record_size, 1, most_points);
+}
 
 /** What a look at all points of a file tells. */
 struct LasLook {
@@ -68,9 +76,10 @@ lookAt(const std::string& records, const LasHeader& header, LasLook& look)
 void
 forEachPart(const OpenLas& file, const std::function<void(std::string records)>& visit)
 {
-  for (std::uint64_t done = 0; done < file.header.points; done += points_at_once) {
+  const auto at_once = pointsAtOnce(file.header.step);
+  for (std::uint64_t done = 0; done < file.header.points; done += at_once) {
     const auto count = static_cast<std::size_t>(
-        std::min<std::uint64_t>(points_at_once, file.header.points - done));
+        std::min<std::uint64_t>(at_once, file.header.points - done));
     std::string records(count * file.header.step, '\0');
     file.source->read(done, count, records.data());
     visit(std::move(records));
@@ -176,13 +185,18 @@ public:
   PCLPointCloud2
   read(std::uint64_t first, std::size_t count) override
   {
-    std::string bytes(count * records_.record_size, '\0');
-    records_.source->read(first, count, bytes.data());
+    const auto step = records_.record_size;
+    const auto at_once = std::min(count, pointsAtOnce(step));
+    std::string bytes(at_once * step, '\0');
     auto part = emptyPart(layout_, count);
     part.data.resize(count * part.point_step);
-    for (std::size_t i = 0; i < count; ++i)
-      records_.copy(&bytes[i * records_.record_size],
-                    reinterpret_cast<char*>(&part.data[i * part.point_step]));
+    auto* target = reinterpret_cast<char*>(part.data.data());
+    for (std::size_t done = 0; done < count; done += at_once) {
+      const auto some = std::min(at_once, count - done);
+      records_.source->read(first + done, some, bytes.data());
+      for (std::size_t i = 0; i < some; ++i, target += part.point_step)
+        records_.copy(&bytes[i * step], target);
+    }
     return part;
   }
 
