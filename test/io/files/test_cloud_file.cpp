@@ -287,6 +287,32 @@ TEST_F(CloudFiles, NumbersInAHeaderCannotAskForEverything)
     EXPECT_THROW(loadCloud(write("bad.pcd", text)), ToolError) << text;
 }
 
+TEST_F(CloudFiles, PointsOfTooManyBytesAreRefused)
+{
+  // 2^34 bytes of 2^30 points: no number of 64 bits is as large
+  constexpr int many = 2147, left = 483648;
+  std::string fields = "x y z", sizes = "8 8 8", types = "F F F", counts = "1 1 1";
+  for (int i = 0; i <= many; ++i) {
+    fields += " f" + std::to_string(i);
+    sizes += " 8";
+    types += " F";
+    counts += i < many ? " 1000000" : " " + std::to_string(left - 3);
+  }
+  const auto file =
+      write("bad.pcd",
+            "VERSION .7\nFIELDS " + fields + "\nSIZE " + sizes + "\nTYPE " + types +
+                "\nCOUNT " + counts +
+                "\nWIDTH 1073741824\nHEIGHT 1\nPOINTS 1073741824\nDATA binary\n");
+  try {
+    loadCloud(file);
+    FAIL();
+  } catch (const ToolError& error) {
+    EXPECT_EQ(error.what(),
+              file + ": a point of the header has 17179869184 bytes, more than "
+                     "16777216");
+  }
+}
+
 // Whatever a file's first bytes are changed to, the reader answers with a cloud or an
 // error.
 TEST_F(CloudFiles, DamagedHeadersNeverCrash)
