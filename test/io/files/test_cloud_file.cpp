@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -285,6 +286,51 @@ TEST_F(CloudFiles, NumbersInAHeaderCannotAskForEverything)
                            with("4 4 4\nPOINTSX 2000000000", "1 1 1", "3") +
                                std::string(36, '\0')}) // which PCL would take
     EXPECT_THROW(loadCloud(write("bad.pcd", text)), ToolError) << text;
+}
+
+TEST_F(CloudFiles, AsciiNumbersThatTheirFieldsCannotHoldAreRefused)
+{
+  const auto with = [this](const std::string& type,
+                           const std::string& size,
+                           const std::string& word) {
+    return write("a.pcd",
+                 "VERSION .7\nFIELDS x y z value\nSIZE 4 4 4 " + size +
+                     "\nTYPE F F F " + type +
+                     "\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n"
+                     "1 2 3 " +
+                     word + "\n");
+  };
+  using Words = std::vector<std::array<std::string, 3>>;
+  for (const auto& [type, size, word] : Words{{"U", "1", "300"},
+                                              {"U", "1", "nan"},
+                                              {"I", "1", "200"},
+                                              {"U", "2", "65536"},
+                                              {"I", "2", "-32769"},
+                                              {"U", "4", "-1"},
+                                              {"I", "4", "1.7"},
+                                              {"I", "4", "1e3"},
+                                              {"I", "4", "2147483648"},
+                                              {"I", "8", "9223372036854775808"},
+                                              {"U", "8", "18446744073709551616"}}) {
+    const auto file = with(type, size, word);
+    try {
+      loadCloud(file);
+      ADD_FAILURE() << type << size << " " << word;
+    } catch (const ToolError& error) {
+      EXPECT_EQ(error.what(),
+                file + ": '" + word +
+                    "' in point 0 does not fit the type of its field");
+    }
+  }
+  for (const auto& [type, size, word] : Words{{"U", "1", "255"},
+                                              {"U", "1", "+7"},
+                                              {"I", "1", "-128"},
+                                              {"U", "4", "4294967295"},
+                                              {"I", "4", "3.000"},
+                                              {"U", "8", "18446744073709551615"},
+                                              {"F", "4", "1e400"},
+                                              {"F", "4", "nan"}})
+    EXPECT_EQ(loadCloud(with(type, size, word)).cloud.width, 1u) << word;
 }
 
 TEST_F(CloudFiles, PointsOfTooManyBytesAreRefused)

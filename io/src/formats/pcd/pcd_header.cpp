@@ -102,15 +102,6 @@ dropEmptyFields(const std::vector<std::uint64_t>& counts, FileHeader& header)
 } // namespace
 
 std::uint64_t
-PcdHeader::valuesPerPoint() const
-{
-  std::uint64_t sum = 0;
-  for (const auto count : counts)
-    sum += count;
-  return sum;
-}
-
-std::uint64_t
 PcdHeader::bytesPerPoint() const
 {
   std::uint64_t sum = 0;
