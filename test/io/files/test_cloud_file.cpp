@@ -110,6 +110,21 @@ TEST_F(CloudFiles, PlyIsReadWithItsDoubles)
   EXPECT_NEAR((*file.points)[1].x - (*file.points)[0].x, 1e-4, 1e-6); // float near 0
 }
 
+TEST_F(CloudFiles, PlyNumbersTooLargeForADoubleAreNotZero)
+{
+  const auto with = [this](const std::string& type, const std::string& word) {
+    return write("far.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 2\nproperty " + type +
+                     " x\nproperty float y\nproperty float z\nproperty int n\n"
+                     "end_header\n1 2 3 4\n" +
+                     word + " 2 3 4\n");
+  };
+  for (const char* type : {"float", "double"}) {
+    EXPECT_EQ(loadCloud(with(type, "1e400")).finite_count, 1u);
+    EXPECT_EQ(loadCloud(with(type, "1e-400")).finite_count, 2u);
+  }
+}
+
 TEST_F(CloudFiles, ABodyThatLooksLikeAHeaderIsReadAsPoints)
 {
   const std::string header = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
