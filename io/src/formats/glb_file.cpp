@@ -42,6 +42,13 @@ fieldType(std::uint64_t component_type)
   }
 }
 
+/** A number, or what else it is: nested lists would need a call for each level. */
+std::string
+shown(const Json& value)
+{
+  return value.is_number() ? value.dump() : std::string("JSON ") + value.type_name();
+}
+
 /** What is divided by to get numbers from -1 to 1; 0: they are no fractions. */
 double
 greatestOf(std::uint64_t component_type)
@@ -125,7 +132,7 @@ private:
   whole(const Json& value) const
   {
     if (!value.is_number_unsigned())
-      complain("the file is damaged, " + value.dump() + " is no whole number");
+      complain("the file is damaged, " + shown(value) + " is no whole number");
     return value.get<std::uint64_t>();
   }
 

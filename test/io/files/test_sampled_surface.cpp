@@ -263,6 +263,11 @@ TEST_F(SampledSurface, GlbThatCannotBeReadIsRefused)
   for (const auto* other : {"1e20", "-123", "\"51\""})
     EXPECT_NE(complaint(changed("5123", other)).find("no whole number"),
               std::string::npos);
+  constexpr std::size_t levels = 1 << 20; // more than there is room for calls
+  const auto nested = std::string(levels, '[') + std::string(levels, ']');
+  EXPECT_NE(complaint(glb("{\"nodes\":[{\"mesh\":" + nested + "}],\"meshes\":[]}", ""))
+                .find("JSON array is no whole number"),
+            std::string::npos);
   EXPECT_NE(complaint(changed("\"byteLength\":60", "\"uri\":\"a.bin\"  ")), "");
   EXPECT_NE(complaint(changed("\"asset\"", "\"asset ")), "");
   EXPECT_NE(complaint("glTF" + std::string(200, '\0')), "");
