@@ -7,6 +7,7 @@
 #include <pcl/console/print.h>
 #include <pcl/indoor/plain_message.h>
 
+#include <charconv>
 #include <cstdio>
 #include <new>
 #include <stdexcept>
@@ -96,8 +97,20 @@ std::string
 fixedText(double value, int digits)
 {
   char text[400]; // the largest double has 309 digits
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
+  return {
+      text,
+      std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed, digits)
+          .ptr};
+}
+
+std::string
+shortText(double value, int digits)
+{
+  char text[64];
+  return {text,
+          std::to_chars(
+              text, text + sizeof(text), value, std::chars_format::general, digits)
+              .ptr};
 }
 
 std::string
