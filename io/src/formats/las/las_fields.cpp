@@ -112,9 +112,9 @@ extraField(const std::string& name,
   case 6:
     return field(std::int32_t(), PCLPointField::INT32);
   case 7:
-    return scaledField<std::uint64_t>(name, at, is_scaled ? scale : 1, offset);
+    return scaledField<std::uint64_t>(name, at, scale, offset);
   case 8:
-    return scaledField<std::int64_t>(name, at, is_scaled ? scale : 1, offset);
+    return scaledField<std::int64_t>(name, at, scale, offset);
   case 9:
     return field(float(), PCLPointField::FLOAT32);
   case 10:

@@ -127,13 +127,13 @@ layOut(const std::vector<LasField>& fields,
 }
 
 void
-addLookNotes(const LasLook& look, std::uint64_t points, std::vector<std::string>& notes)
+addLookNotes(const LasLook& look, bool are_mixed, std::vector<std::string>& notes)
 {
   if (look.largest_color > 0 && look.largest_color <= 255)
     notes.emplace_back(
         "its colours have 8 bits in fields of 16, none exceeds 255: they "
         "are taken as they are");
-  if (look.hasMixedColors(points))
+  if (are_mixed)
     notes.push_back("its colours have 8 bits in " + std::to_string(look.narrow_colors) +
                     " points, of which none exceeds 255, and 16 in others: they are "
                     "taken so");
@@ -156,14 +156,11 @@ recordsOf(OpenLas file, const LasLook& look)
 {
   LasRecords records;
   const bool are_wide = look.hasWideColors();
-  const auto points = file.header.points;
-  const auto fields = lasFields(file.bytes,
-                                file.header,
-                                {are_wide ? 8u : 0u,
-                                 are_wide && look.has_fine_colors,
-                                 look.hasMixedColors(points)},
-                                file.notes);
-  addLookNotes(look, points, file.notes);
+  const LasColors colors{are_wide ? 8u : 0u,
+                         are_wide && look.has_fine_colors,
+                         look.hasMixedColors(file.header.points)};
+  const auto fields = lasFields(file.bytes, file.header, colors, file.notes);
+  addLookNotes(look, colors.are_mixed, file.notes);
   layOut(fields, file.header, records.layout);
   records.record_size = file.header.step;
   records.copy = copierOf(fields, look, file.header);
