@@ -71,6 +71,7 @@ class GlbReader {
 public:
   GlbReader(const std::string& content, std::string path)
   : path_(std::move(path))
+  , most_(std::min<std::size_t>(0xffffffff, (1 << 24) + 16 * content.size()))
   {
     splitChunks(content);
   }
@@ -205,8 +206,7 @@ private:
         continue;
       const auto first = static_cast<std::uint32_t>(polygons_.vertices.size());
       const auto numbers = accessor(primitive.at("attributes").at("POSITION"), 3);
-      if (numbers.size() > most_numbers - 3 * polygons_.vertices.size())
-        complain("has too many vertices");
+      requireRoom(polygons_.vertices.size() + numbers.size() / 3);
       for (std::size_t k = 0; k + 2 < numbers.size(); k += 3)
         polygons_.vertices.emplace_back(pose * Eigen::Vector3d(&numbers[k]));
       std::vector<double> corners;
@@ -217,6 +217,14 @@ private:
           corners.push_back(static_cast<double>(k));
       addTriangles(corners, mode, first);
     }
+  }
+
+  void
+  requireRoom(std::size_t count) const
+  {
+    if (count > most_)
+      complain("repeats its meshes too often: more than " + std::to_string(most_) +
+               " vertices or triangles");
   }
 
   /** \param[in] mode 0: points, 4: three corners each, 5: a strip, 6: a fan */
@@ -233,6 +241,7 @@ private:
         complain("a face names a vertex that is not there");
       return first + static_cast<std::uint32_t>(corners[k]);
     };
+    requireRoom(polygons_.triangles.size() + corners.size() / (mode == 4 ? 3 : 1));
     for (std::size_t k = 0; k + 2 < corners.size(); k += mode == 4 ? 3 : 1)
       polygons_.triangles.push_back(
           {corner(mode == 6 ? 0 : k), corner(k + 1), corner(k + 2)});
@@ -278,9 +287,8 @@ private:
     return numbers;
   }
 
-  static constexpr std::size_t most_numbers = 3u << 30; // of vertices: 24 GB
-
   std::string path_;
+  std::size_t most_; ///< vertices, and triangles: nodes may repeat a mesh
   Json json_;
   std::string binary_;
   Polygons polygons_;

@@ -348,6 +348,24 @@ TEST_F(CloudFiles, AsciiNumbersThatTheirFieldsCannotHoldAreRefused)
     EXPECT_EQ(loadCloud(with(type, size, word)).cloud.width, 1u) << word;
 }
 
+TEST_F(CloudFiles, CompressedPointsTakeNoMemoryThatTheyCannotFill)
+{
+  const std::uint32_t sizes[] = {4, 3600000000}; // bytes, compressed and not
+  const auto file = write(
+      "bad.pcd",
+      "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+      "WIDTH 300000000\nHEIGHT 1\nPOINTS 300000000\nDATA binary_compressed\n" +
+          std::string(reinterpret_cast<const char*>(sizes), sizeof(sizes)) + "abcd");
+  try {
+    loadCloud(file);
+    FAIL();
+  } catch (const ToolError& error) {
+    EXPECT_EQ(error.what(),
+              file + ": the compressed points are 4 bytes, too few for the 3600000000 "
+                     "that are promised");
+  }
+}
+
 TEST_F(CloudFiles, PointsOfTooManyBytesAreRefused)
 {
   // 2^34 bytes of 2^30 points: no number of 64 bits is as large

@@ -273,6 +273,33 @@ TEST_F(SampledSurface, GlbThatCannotBeReadIsRefused)
   EXPECT_NE(complaint("glTF" + std::string(200, '\0')), "");
 }
 
+TEST_F(SampledSurface, GlbThatRepeatsAMeshWithoutEndIsRefused)
+{
+  const float corners[] = {0, 0, 0, 4, 0, 0, 4, 3, 0};
+  constexpr std::size_t indices = 100000; // a strip of as many triangles
+  std::string nodes;
+  for (int k = 0; k < 400; ++k)
+    nodes += std::string(k > 0 ? "," : "") + "{\"mesh\":0}";
+  const auto json =
+      "{\"nodes\":[" + nodes +
+      R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":5}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+{"bufferView":1,"componentType":5121,"count":100000,"type":"SCALAR"}],
+"bufferViews":[{"buffer":0},{"buffer":0,"byteOffset":36}],"buffers":[{}]})";
+  const auto file =
+      write("a.glb",
+            glb(json,
+                std::string(reinterpret_cast<const char*>(corners), sizeof(corners)) +
+                    std::string(indices, '\1')));
+  try {
+    loadCloud(file);
+    FAIL();
+  } catch (const ToolError& error) {
+    EXPECT_NE(std::string(error.what()).find("repeats its meshes too often"),
+              std::string::npos);
+  }
+}
+
 TEST_F(SampledSurface, ObjIsKnownBehindCommentsAndByAnyName)
 {
   const std::string body = "v 0 0 0\nv 4 0 0\nv 4 3 0\nf 1 2 3\n";

@@ -155,6 +155,11 @@ checkPcd(const std::string& content, const std::string& path, CheckedPcd& checke
       throwTruncated(path, sizeof(sizes), body, "bytes of points");
     if (body < sizeof(sizes) + sizes[0])
       throwTruncated(path, sizeof(sizes) + sizes[0], body, "bytes of points");
+    constexpr std::uint64_t most_unpacked = 88; // bytes of one: 264 are packed into 3
+    if (sizes[1] > most_unpacked * sizes[0])
+      throw ToolError(path + ": the compressed points are " + std::to_string(sizes[0]) +
+                      " bytes, too few for the " + std::to_string(sizes[1]) +
+                      " that are promised");
     if (sizes[1] != bytes)
       throw ToolError(path + ": the compressed points are " + std::to_string(sizes[1]) +
                       " bytes, the header promises " + std::to_string(bytes));
