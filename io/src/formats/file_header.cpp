@@ -81,18 +81,18 @@ readFileHeader(std::istream& stream, const std::string& last, const std::string&
 std::string
 offsetText(const Eigen::Vector3d& offset)
 {
-  return "offset " + numberText(offset.x()) + " " + numberText(offset.y()) + " " +
-         numberText(offset.z());
+  return "offset " + shortestText(offset.x()) + " " + shortestText(offset.y()) + " " +
+         shortestText(offset.z());
 }
 
 std::string
-numberText(float value)
+shortestText(float value)
 {
   return textOf(value);
 }
 
 std::string
-numberText(double value)
+shortestText(double value)
 {
   return textOf(value);
 }
