@@ -205,11 +205,7 @@ poseOf(const FileHeader& header)
       continue;
     float numbers[7];
     for (std::size_t k = 0; k < 7; ++k) {
-      const auto& word = words[k + 1];
-      const char* const begin = word.data() + (word[0] == '+');
-      const char* const end = word.data() + word.size();
-      const auto read = std::from_chars(begin, end, numbers[k]);
-      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(numbers[k]))
+      if (!readWord(words[k + 1], numbers[k]) || !std::isfinite(numbers[k]))
         return pose;
     }
     pose.origin = Eigen::Vector4f(numbers[0], numbers[1], numbers[2], 0);
