@@ -5,6 +5,7 @@
 // Facts of the format: ASPRS, LAS Specification 1.4, R15.
 #include "formats/las/las_file.h"
 
+#include "files/field_value.h" // for appendTo
 #include "formats/las/las_fields.h"
 #include "formats/las/las_header.h"
 #include "formats/las/las_source.h"
@@ -114,15 +115,8 @@ layOut(const std::vector<LasField>& fields,
 {
   layout.width = static_cast<std::uint32_t>(header.points);
   layout.height = 1;
-  for (const auto& field : fields) {
-    PCLPointField about;
-    about.name = field.name;
-    about.offset = layout.point_step;
-    about.datatype = field.type;
-    about.count = 1;
-    layout.fields.push_back(about);
-    layout.point_step += static_cast<std::uint32_t>(field.size);
-  }
+  for (const auto& field : fields)
+    appendTo(layout, field.name, field.type);
   layout.row_step = layout.point_step * layout.width;
 }
 

@@ -64,14 +64,7 @@ layOut(const PlyElement& vertex, PCLPointCloud2& cloud)
     targets.emplace_back();
     if (property.list_type != 0)
       continue;
-    PCLPointField field;
-    field.name = property.name;
-    field.offset = cloud.point_step;
-    field.datatype = property.type;
-    field.count = 1;
-    cloud.fields.push_back(field);
-    cloud.point_step += static_cast<std::uint32_t>(plyTypeSize(property.type));
-    targets.back() = field.offset;
+    targets.back() = appendTo(cloud, property.name, property.type);
   }
   return targets;
 }
