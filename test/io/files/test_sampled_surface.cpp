@@ -291,13 +291,23 @@ TEST_F(SampledSurface, GlbThatRepeatsAMeshWithoutEndIsRefused)
             glb(json,
                 std::string(reinterpret_cast<const char*>(corners), sizeof(corners)) +
                     std::string(indices, '\1')));
-  try {
-    loadCloud(file);
-    FAIL();
-  } catch (const ToolError& error) {
-    EXPECT_NE(std::string(error.what()).find("repeats its meshes too often"),
-              std::string::npos);
+  std::string lines, parts;
+  for (int k = 0; k < 1200; ++k) {
+    lines += std::string(k > 0 ? "," : "") + "{\"mode\":1}";
+    parts += std::string(k > 0 ? "," : "") + "{\"mesh\":0}";
   }
+  const auto other = write(
+      "b.glb",
+      glb("{\"nodes\":[" + parts + "],\"meshes\":[{\"primitives\":[" + lines + "]}]}",
+          ""));
+  for (const auto& path : {file, other})
+    try {
+      loadCloud(path);
+      ADD_FAILURE();
+    } catch (const ToolError& error) {
+      EXPECT_NE(std::string(error.what()).find("repeats its meshes too often"),
+                std::string::npos);
+    }
 }
 
 TEST_F(SampledSurface, ObjIsKnownBehindCommentsAndByAnyName)
