@@ -4,6 +4,8 @@
  */
 #include "arrays.h"
 
+#include "files/field_value.h" // for appendTo
+
 #include <pcl/io/input_error.h>
 
 #include <cstdint>
@@ -86,16 +88,10 @@ std::size_t
 addFields(const char* const (&names)[3], const Rows& rows, PCLPointCloud2& cloud)
 {
   const auto begin = cloud.point_step;
-  for (const char* const name : names) {
-    PCLPointField field;
-    field.name = name;
-    field.offset = cloud.point_step;
-    field.datatype = rows.value_size == sizeof(float) ? PCLPointField::FLOAT32
-                                                      : PCLPointField::FLOAT64;
-    field.count = 1;
-    cloud.fields.push_back(field);
-    cloud.point_step += static_cast<std::uint32_t>(rows.value_size);
-  }
+  const auto type = rows.value_size == sizeof(float) ? PCLPointField::FLOAT32
+                                                     : PCLPointField::FLOAT64;
+  for (const char* const name : names)
+    tool::appendTo(cloud, name, type);
   return begin;
 }
 
@@ -145,19 +141,6 @@ copyColors(const Rows& rows, std::size_t begin, PCLPointCloud2& cloud)
   }
 }
 
-std::size_t
-addColorField(PCLPointCloud2& cloud)
-{
-  PCLPointField field;
-  field.name = "rgb";
-  field.offset = cloud.point_step;
-  field.datatype = PCLPointField::FLOAT32;
-  field.count = 1;
-  cloud.fields.push_back(field);
-  cloud.point_step += static_cast<std::uint32_t>(sizeof(std::uint32_t));
-  return field.offset;
-}
-
 } // namespace
 
 PCLPointCloud2
@@ -179,7 +162,7 @@ cloudOf(const ScanArrays& arrays)
   if (!arrays.colors.is_none()) {
     colors = byteRows("point_colors", arrays.colors.cast<py::array>());
     requireAsMany("point_colors", colors, points);
-    colors_begin = addColorField(cloud);
+    colors_begin = tool::appendTo(cloud, "rgb", PCLPointField::FLOAT32);
   }
   cloud.width = static_cast<std::uint32_t>(points.count);
   cloud.height = 1;

@@ -9,6 +9,7 @@
 #include "files/scan_content.h"
 #include "listener.h"
 
+#include <pcl/common/io.h> // for getFieldType
 #include <pcl/io/scan_file.h>
 
 #include <pybind11/eigen.h>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <memory>
 #include <string>
 #include <utility>
@@ -84,29 +86,13 @@ pointsOf(const Scan& scan)
                             last));
 }
 
+/** As numpy names it: "u8" are integers without a sign, of 8 bytes. */
 py::dtype
 typeOf(const PCLPointField& field)
 {
-  switch (field.datatype) {
-  case PCLPointField::INT8:
-    return py::dtype::of<std::int8_t>();
-  case PCLPointField::UINT8:
-    return py::dtype::of<std::uint8_t>();
-  case PCLPointField::INT16:
-    return py::dtype::of<std::int16_t>();
-  case PCLPointField::UINT16:
-    return py::dtype::of<std::uint16_t>();
-  case PCLPointField::INT32:
-    return py::dtype::of<std::int32_t>();
-  case PCLPointField::UINT32:
-    return py::dtype::of<std::uint32_t>();
-  case PCLPointField::FLOAT64:
-    return py::dtype::of<double>();
-  case PCLPointField::FLOAT32:
-    return py::dtype::of<float>();
-  default: // integers of 64 bits
-    return py::dtype("i8");
-  }
+  const auto letter = std::tolower(getFieldType(field.datatype));
+  return py::dtype(static_cast<char>(letter) +
+                   std::to_string(getFieldSize(field.datatype)));
 }
 
 /** Every field where it lies; the arrays keep the scan. */

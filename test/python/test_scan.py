@@ -38,6 +38,28 @@ class Load(unittest.TestCase):
         self.assertIsNone(scan.normals)
         self.assertIsNone(scan.colors)
 
+    def test_fields_have_the_types_of_the_file(self):
+        path = self.folder / "types.pcd"
+        types = ["f4", "f8", "i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8"]
+        names = ["x", "y", "z", *types]
+        kinds = ["f4"] * 3 + types
+        values = np.zeros(2, dtype={"names": names, "formats": kinds})
+        values["x"] = [1, 2]
+        values["u8"] = [3, 2**64 - 1]
+        values["i8"] = [-(2**63), 2**63 - 1]
+        header = (
+            f"VERSION .7\nFIELDS {' '.join(names)}\n"
+            f"SIZE {' '.join(kind[1] for kind in kinds)}\n"
+            f"TYPE {' '.join(kind[0].upper() for kind in kinds)}\n"
+            f"COUNT {' '.join('1' for _ in kinds)}\n"
+            "WIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA binary\n"
+        )
+        path.write_bytes(header.encode() + values.tobytes())
+        fields = pcl_indoor.load(path, messages=[]).fields
+        for name in types:
+            self.assertEqual(fields[name].dtype, np.dtype(name))
+            np.testing.assert_array_equal(fields[name], values[name])
+
     def test_arrays_are_views_that_keep_their_scan(self):
         path = self.folder / "some.pcd"
         xyz = np.random.default_rng(4).normal(size=(1000, 3)).astype(np.float32)

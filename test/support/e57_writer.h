@@ -79,6 +79,7 @@ public:
   std::size_t points = 20; ///< of a packet; of some fields a little more
   bool are_apart = false;  ///< each field in packets of its own, one after the other
   bool has_others = true;  ///< packets without data among them
+  bool are_shared = false; ///< all scans have the points of the first
   std::string codecs = {};
   std::uint64_t section_id = 1;
 
@@ -95,8 +96,12 @@ public:
         "<guid type=\"String\">file</guid>\n<versionMajor type=\"Integer\">1"
         "</versionMajor>\n<versionMinor type=\"Integer\"/>\n"
         "<data3D type=\"Vector\" allowHeterogeneousChildren=\"1\">\n";
-    for (const auto& scan : scans)
-      xml += describe(scan, addPoints(scan));
+    std::uint64_t place = 0;
+    for (const auto& scan : scans) {
+      if (place == 0 || !are_shared)
+        place = addPoints(scan);
+      xml += describe(scan, place);
+    }
     xml += "</data3D>\n<images2D type=\"Vector\"/>\n</e57Root>\n";
     return finish(xml);
   }

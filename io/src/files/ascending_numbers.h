@@ -10,9 +10,8 @@
 
 namespace pcl::indoor::tool {
 
-/** \brief Numbers that only grow, by what each is more than the one before: a byte or
- * two for each where a large part of all numbers is there.
- */
+/** \brief Increasing numbers, stored as differences in groups of 7 bits: one or two
+ * bytes each where gaps are small. */
 class AscendingNumbers {
 public:
   /** \brief REQUIRES: no number that was added is larger. */

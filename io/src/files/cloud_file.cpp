@@ -385,13 +385,7 @@ appendFields(PCLPointCloud2& cloud, const std::vector<NewField>& fields)
                       " values for " + std::to_string(count) + " points");
   for (const auto& field : fields) {
     removeField(cloud, field.name);
-    PCLPointField added;
-    added.name = field.name;
-    added.offset = cloud.point_step;
-    added.datatype = field.datatype;
-    added.count = 1;
-    cloud.fields.push_back(added);
-    cloud.point_step += size;
+    appendTo(cloud, field.name, field.datatype);
   }
   cloud.row_step = cloud.point_step * cloud.width;
   const std::size_t new_step = cloud.point_step;

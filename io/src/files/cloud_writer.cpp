@@ -5,34 +5,19 @@
 #include "files/cloud_writer.h"
 
 #include "files/tool_error.h"
+#include "formats/file_ending.h"
 #include "formats/pcd/pcd_writer.h"
 #include "formats/ply/ply_writer.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace pcl::indoor::tool {
-namespace {
-
-/** In small letters, with its dot. */
-std::string
-extensionOf(const std::string& path)
-{
-  auto extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  });
-  return extension;
-}
-
-} // namespace
 
 void
 requireWritableCloud(const std::string& path, bool pcd_only)
 {
   requireWritable(path);
-  const auto extension = extensionOf(path);
+  const auto extension = fileEnding(path);
   if (extension.empty() || extension == ".pcd" || (extension == ".ply" && !pcd_only))
     return;
   throw ToolError(path + ": cannot be written, " +
@@ -47,7 +32,7 @@ cloudBeside(const std::string& path,
             int threads)
 {
   OutputFile file(path);
-  if (extensionOf(path) == ".ply")
+  if (fileEnding(path) == ".ply")
     writePly(file, path, cloud, pose);
   else
     writePcd(file, cloud, pose, threads);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/common/io.h> // for getFieldSize
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/PCLPointField.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <string>
 
 namespace pcl::indoor::tool {
 
@@ -21,6 +23,24 @@ byteCount(const PCLPointField& field)
 {
   return static_cast<std::size_t>(getFieldSize(field.datatype)) *
          std::max(field.count, 1u);
+}
+
+/** \brief Append a field to the layout of points that have no bytes yet.
+ * \return where in a point it is */
+inline std::size_t
+appendTo(PCLPointCloud2& layout,
+         const std::string& name,
+         std::uint8_t datatype,
+         std::uint32_t count = 1)
+{
+  PCLPointField field;
+  field.name = name;
+  field.offset = layout.point_step;
+  field.datatype = datatype;
+  field.count = count;
+  layout.point_step += static_cast<std::uint32_t>(byteCount(field));
+  layout.fields.push_back(field);
+  return field.offset;
 }
 
 /** \brief A field's value of one point as a double; every type a PCD can have. */

@@ -176,11 +176,6 @@ private:
   void
   makeFields()
   {
-    const auto append = [this](PCLPointField field) {
-      field.offset = layout_.point_step;
-      layout_.point_step += static_cast<std::uint32_t>(byteCount(field));
-      layout_.fields.push_back(std::move(field));
-    };
     const auto real =
         hasExactFloats() ? PCLPointField::FLOAT32 : PCLPointField::FLOAT64;
     for (auto field : scans_.front()->layout().fields) {
@@ -190,7 +185,7 @@ private:
         return source(field, *s) != nullptr;
       });
       if (in_all && field.name != station_field && field.name != "_")
-        append(field);
+        appendTo(layout_, field.name, field.datatype, field.count);
     }
     std::vector<std::string> left_out;
     for (const auto& scan : scans_)
@@ -202,11 +197,7 @@ private:
     if (!left_out.empty())
       addNote("fields that not all of the scans have are left out: " +
               boost::algorithm::join(left_out, ", "));
-    PCLPointField station;
-    station.name = station_field;
-    station.datatype = PCLPointField::UINT32;
-    station.count = 1;
-    append(station);
+    appendTo(layout_, station_field, PCLPointField::UINT32);
   }
 
   /** Write points of a scan with the fields of the whole. */

@@ -23,10 +23,19 @@ oneStream(OpenedScan& scan, const TableColumns& columns)
              : joinedScans(scan.files, std::move(scan.streams), columns);
 }
 
+/** Is a file so small that it is read whole? To open some formats takes as long as to
+ * read them. The promise of some is an estimate. */
+bool
+isSmall(const std::string& file, std::uint64_t points_at_once)
+{
+  const auto promised = promisedPoints(file);
+  return promised > 0 && (points_at_once == 0 || promised <= points_at_once / 2);
+}
+
 } // namespace
 
 OpenedScan
-openScan(const std::vector<std::string>& inputs)
+openScan(const std::vector<std::string>& inputs, std::uint64_t points_at_once)
 {
   auto found = scanFiles(inputs);
   OpenedScan scan;
@@ -35,7 +44,9 @@ openScan(const std::vector<std::string>& inputs)
   scan.files = std::move(found.paths);
   scan.notes = std::move(found.notes);
   for (const auto& file : scan.files) {
-    const auto& stream = scan.streams.emplace_back(CloudStream::open(file));
+    auto& stream = scan.streams.emplace_back();
+    if (scan.files.size() > 1 || !isSmall(file, points_at_once))
+      stream = CloudStream::open(file);
     const auto own = stream ? stream->pointCount() : promisedPoints(file);
     scan.count += own;
     scan.in_memory += stream ? 0 : own;
@@ -46,23 +57,22 @@ openScan(const std::vector<std::string>& inputs)
 ScanContent
 readWhole(OpenedScan scan, const TableColumns& columns)
 {
-  const auto stream = oneStream(scan, columns);
   ScanContent content;
   content.columns = columns.names;
   auto& file = content.file;
   if (scan.files.size() == 1)
     file = loadSurface(scan.files[0], columns);
   else {
+    const auto stream = oneStream(scan, columns);
     file = withPoints(scan.name,
                       stream->read(0, static_cast<std::size_t>(stream->pointCount())),
                       stream->pose());
+    file.stations = stream->stations();
     const auto& told = stream->notes();
     scan.notes.insert(scan.notes.end(), told.begin(), told.end());
   }
   file.path = scan.name; // also of what was unpacked
   file.notes.insert(file.notes.begin(), scan.notes.begin(), scan.notes.end());
-  if (stream && !stream->stations().empty())
-    file.stations = stream->stations();
   return content;
 }
 

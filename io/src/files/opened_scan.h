@@ -22,7 +22,7 @@ struct OpenedScan {
   std::vector<std::string> files;
   std::vector<std::string> notes; ///< what of folders is left out, a line each
   std::vector<std::unique_ptr<UnpackedFiles>> unpacked; ///< what holds some of them
-  /** of each file; null if it cannot be read in parts */
+  /** of each file; null if it cannot be read in parts, or is small and the only one */
   std::vector<std::unique_ptr<CloudStream>> streams;
   std::uint64_t count = 0, in_memory = 0; ///< points of all, of those that are null
 
@@ -34,9 +34,10 @@ struct OpenedScan {
   }
 };
 
-/** \brief Find the files, see scanFiles(), unpack and open them. */
+/** \brief Find the files, see scanFiles(), unpack and open them.
+ * \param[in] points_at_once see OpenedScan::isLargerThan() */
 PCL_INDOOR_EXPORTS OpenedScan
-openScan(const std::vector<std::string>& inputs);
+openScan(const std::vector<std::string>& inputs, std::uint64_t points_at_once);
 
 /** \brief Read all points.
  * \param[in] columns of tables
@@ -44,7 +45,8 @@ openScan(const std::vector<std::string>& inputs);
 PCL_INDOOR_EXPORTS ScanContent
 readWhole(OpenedScan scan, const TableColumns& columns);
 
-/** \brief Leave the points in their files: the scan has its fields, pose and notes. */
+/** \brief Leave the points in their files: the scan has its fields, pose and notes.
+ * \param[in] scan is larger than its points_at_once */
 PCL_INDOOR_EXPORTS ScanContent
 readLater(OpenedScan scan, const TableColumns& columns);
 

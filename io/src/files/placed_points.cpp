@@ -4,12 +4,13 @@
  */
 #include "files/placed_points.h"
 
+#include "text/printable.h" // for shortText
+
 #include <pcl/common/point_tests.h> // for isFinite
 #include <pcl/features/unit_normals.h>
 #include <pcl/indoor/distinct_points.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
 
 namespace pcl::indoor::tool {
@@ -128,16 +129,11 @@ leftOutNotes(const std::vector<Eigen::Vector3d>& places,
   };
   const auto single = places.size() > most ? most - 1 : places.size();
   std::vector<std::string> notes;
-  for (std::size_t k = 0; k < single; ++k) {
-    char text[80];
-    std::snprintf(text,
-                  sizeof(text),
-                  "%.10g %.10g %.10g",
-                  places[k].x(),
-                  places[k].y(),
-                  places[k].z());
-    notes.push_back(note(counts[k], text));
-  }
+  for (std::size_t k = 0; k < single; ++k)
+    notes.push_back(note(counts[k],
+                         shortText(places[k].x(), 10) + " " +
+                             shortText(places[k].y(), 10) + " " +
+                             shortText(places[k].z(), 10)));
   const auto rest = counts.begin() + static_cast<std::ptrdiff_t>(single);
   if (single < places.size())
     notes.push_back(note(std::accumulate(rest, counts.end(), std::uint64_t{0}),

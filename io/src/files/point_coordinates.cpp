@@ -8,8 +8,6 @@
 #include "formats/file_header.h" // for offsetText
 #include "text/printable.h"
 
-#include <pcl/common/io.h> // for getFieldSize
-
 #include <cstdio>
 #include <cstring>
 #include <vector>
@@ -55,14 +53,11 @@ withCoordinates(const PCLPointCloud2& cloud,
   other.width = cloud.width;
   other.is_bigendian = cloud.is_bigendian;
   other.is_dense = cloud.is_dense;
-  const auto sizeOf = [](const PCLPointField& field) {
-    return static_cast<std::uint32_t>(getFieldSize(field.datatype)) * field.count;
-  };
   for (auto field : cloud.fields) {
     field.offset = other.point_step;
     if (axisOf(field) >= 0)
       field.datatype = datatype;
-    other.point_step += sizeOf(field);
+    other.point_step += static_cast<std::uint32_t>(byteCount(field));
     other.fields.push_back(field);
   }
   other.row_step = other.point_step * other.width;
@@ -71,12 +66,13 @@ withCoordinates(const PCLPointCloud2& cloud,
   for (std::size_t f = 0; f < cloud.fields.size(); ++f) {
     const auto& field = cloud.fields[f];
     const int axis = axisOf(field);
+    const std::size_t size = byteCount(field);
     const auto* from = cloud.data.data() + field.offset;
     auto* to = other.data.data() + other.fields[f].offset;
     for (std::size_t i = 0; i < point_count;
          ++i, from += cloud.point_step, to += other.point_step) {
       if (axis < 0)
-        std::memcpy(to, from, sizeOf(field));
+        std::memcpy(to, from, size);
       else if (datatype == PCLPointField::FLOAT64)
         store<double>(valueAt(from, field.datatype) - shift[axis], to);
       else

@@ -8,6 +8,7 @@
 #include "formats/mesh_file.h"
 #include "formats/packed_file.h"
 #include "formats/ply/ply_file.h"
+#include "text/printable.h" // for shortText
 
 #include <pcl/conversions.h>
 #include <pcl/exceptions.h>
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -77,11 +77,8 @@ isSparse(const Mesh& mesh)
 std::string
 noteOf(const Mesh& mesh, std::size_t count)
 {
-  char apart[32];
-  std::snprintf(apart,
-                sizeof(apart),
-                "%.2g",
-                std::sqrt(sumOf(areasOf(mesh)) / static_cast<double>(count)));
+  const auto apart =
+      shortText(std::sqrt(sumOf(areasOf(mesh)) / static_cast<double>(count)), 2);
   return "is a mesh of " + std::to_string(mesh.triangles.size()) +
          (mesh.triangles.size() == 1 ? " triangle: " : " triangles: ") +
          std::to_string(count) + " points are drawn on them, about " + apart +

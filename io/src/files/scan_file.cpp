@@ -74,7 +74,7 @@ Scan
 loadScan(const std::vector<std::string>& paths, const ScanOptions& options)
 {
   const tool::TableColumns columns{options.columns};
-  auto opened = tool::openScan(paths);
+  auto opened = tool::openScan(paths, options.points_at_once);
   auto content = opened.isLargerThan(options.points_at_once)
                      ? tool::readLater(std::move(opened), columns)
                      : tool::readWhole(std::move(opened), columns);

@@ -9,9 +9,11 @@
 #include "files/field_value.h"
 #include "files/tool_error.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -20,23 +22,6 @@ namespace pcl::indoor::tool {
 namespace {
 
 using Names = std::vector<std::string>;
-
-std::string
-smallLetters(std::string text)
-{
-  for (char& letter : text)
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text;
-}
-
-std::string
-listed(const Names& names)
-{
-  std::string text;
-  for (const auto& name : names)
-    text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 bool
 isReal(std::uint8_t type)
@@ -115,7 +100,8 @@ fieldsNamed(const Parts& parts, const Names& wanted)
     const auto is_it = [&](bool exactly) {
       return std::find_if(parts.begin(), parts.end(), [&](const auto& part) {
         return part.field.count == 1 &&
-               (exactly ? part.field.name : smallLetters(part.field.name)) == name;
+               (exactly ? part.field.name
+                        : boost::algorithm::to_lower_copy(part.field.name)) == name;
       });
     };
     auto it = is_it(true);
@@ -175,7 +161,8 @@ UsualFields::nameAxes()
     are_whole = true;
   }
   if (names != axes)
-    notes_.push_back("its fields " + listed(names) + " are taken as x, y, z");
+    notes_.push_back("its fields " + boost::algorithm::join(names, ", ") +
+                     " are taken as x, y, z");
   if (are_whole)
     notes_.emplace_back("its coordinates are whole numbers, they are read as doubles");
 }
@@ -191,7 +178,8 @@ UsualFields::nameNormals()
       continue;
     const auto names = namesOf(parts_, found);
     if (names != usual && names != Names{"nx", "ny", "nz"}) // as PLY has them
-      notes_.push_back("its fields " + listed(names) + " are taken as normals");
+      notes_.push_back("its fields " + boost::algorithm::join(names, ", ") +
+                       " are taken as normals");
     for (std::size_t axis = 0; axis < 3; ++axis)
       parts_[found[axis]].field.name = usual[axis];
     return;
@@ -225,11 +213,11 @@ UsualFields::nameColors(const std::function<const PCLPointCloud2&()>& points)
     auto names = namesOf(parts_, colors);
     std::reverse(names.begin(), names.end());
     if (type != PCLPointField::UINT8)
-      return addColors(colors, listed(names), points());
+      return addColors(colors, boost::algorithm::join(names, ", "), points());
     const auto alpha = fieldsNamed(parts_, {wanted[3]});
     if (!alpha.empty() && parts_[alpha[0]].field.datatype == type)
       colors.push_back(alpha[0]);
-    return packColors(colors, listed(names));
+    return packColors(colors, boost::algorithm::join(names, ", "));
   }
 }
 

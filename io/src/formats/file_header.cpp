@@ -5,6 +5,7 @@
 #include "formats/file_header.h"
 
 #include "files/tool_error.h"
+#include "text/words.h"
 
 #include <algorithm>
 #include <charconv>
@@ -32,10 +33,7 @@ readOffset(const std::vector<std::string>& words, Eigen::Vector3d& offset)
     return;
   Eigen::Vector3d value;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto& word = words[axis + 2];
-    const char* const end = word.data() + word.size();
-    const auto read = std::from_chars(word.data(), end, value[axis]);
-    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value[axis]))
+    if (!readWord(words[axis + 2], value[axis]) || !std::isfinite(value[axis]))
       return;
   }
   offset = value;
@@ -46,14 +44,9 @@ readOffset(const std::vector<std::string>& words, Eigen::Vector3d& offset)
 std::vector<std::string>
 wordsOf(const std::string& line)
 {
-  constexpr const char* blanks = " \t\r\n"; // no others are of PCL's reader
-  std::vector<std::string> words;
-  for (std::size_t begin = line.find_first_not_of(blanks); begin != line.npos;) {
-    const auto end = std::min(line.find_first_of(blanks, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(blanks, end);
-  }
-  return words;
+  std::vector<std::string_view> words;
+  splitWords(line, words);
+  return {words.begin(), words.end()};
 }
 
 FileHeader
@@ -81,18 +74,18 @@ readFileHeader(std::istream& stream, const std::string& last, const std::string&
 std::string
 offsetText(const Eigen::Vector3d& offset)
 {
-  return "offset " + numberText(offset.x()) + " " + numberText(offset.y()) + " " +
-         numberText(offset.z());
+  return "offset " + shortestText(offset.x()) + " " + shortestText(offset.y()) + " " +
+         shortestText(offset.z());
 }
 
 std::string
-numberText(float value)
+shortestText(float value)
 {
   return textOf(value);
 }
 
 std::string
-numberText(double value)
+shortestText(double value)
 {
   return textOf(value);
 }
@@ -101,9 +94,7 @@ std::uint64_t
 headerCount(const std::string& word, const std::string& what, const std::string& path)
 {
   std::uint64_t value = 0;
-  const char* const end = word.data() + word.size();
-  const auto read = std::from_chars(word.data(), end, value);
-  if (read.ec != std::errc() || read.ptr != end || value > 0x7fffffffu)
+  if (!readWord(word, value) || value > 0x7fffffffu)
     throw ToolError(path + ": " + what + " '" + word +
                     "' in the header is not a usable number");
   return value;

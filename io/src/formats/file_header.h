@@ -39,9 +39,9 @@ offsetText(const Eigen::Vector3d& offset);
 
 /** \brief The shortest text that is read back as the same number. */
 PCL_INDOOR_EXPORTS std::string
-numberText(float value);
+shortestText(float value);
 PCL_INDOOR_EXPORTS std::string
-numberText(double value);
+shortestText(double value);
 
 /** \brief A whole number of a header, at most 2^31 - 1.
  * \param[in] what the line that it stands in, for the message

@@ -42,6 +42,13 @@ fieldType(std::uint64_t component_type)
   }
 }
 
+/** A number, or what else it is: nested lists would need a call for each level. */
+std::string
+shown(const Json& value)
+{
+  return value.is_number() ? value.dump() : std::string("JSON ") + value.type_name();
+}
+
 /** What is divided by to get numbers from -1 to 1; 0: they are no fractions. */
 double
 greatestOf(std::uint64_t component_type)
@@ -64,6 +71,8 @@ class GlbReader {
 public:
   GlbReader(const std::string& content, std::string path)
   : path_(std::move(path))
+  , most_(std::min<std::size_t>(0xffffffff, (1 << 24) + 16 * content.size()))
+  , most_primitives_((1 << 20) + content.size())
   {
     splitChunks(content);
   }
@@ -125,7 +134,7 @@ private:
   whole(const Json& value) const
   {
     if (!value.is_number_unsigned())
-      complain("the file is damaged, " + value.dump() + " is no whole number");
+      complain("the file is damaged, " + shown(value) + " is no whole number");
     return value.get<std::uint64_t>();
   }
 
@@ -193,15 +202,17 @@ private:
   addMesh(const Json& mesh, const Eigen::Affine3d& pose)
   {
     for (const auto& primitive : mesh.at("primitives")) {
+      requireRoom(++primitives_, most_primitives_);
       const auto mode = whole(primitive, "mode", 4);
       if (mode != 0 && (mode < 4 || mode > 6)) // lines
         continue;
       const auto first = static_cast<std::uint32_t>(polygons_.vertices.size());
       const auto numbers = accessor(primitive.at("attributes").at("POSITION"), 3);
-      if (numbers.size() > most_numbers - 3 * polygons_.vertices.size())
-        complain("has too many vertices");
+      requireRoom(polygons_.vertices.size() + numbers.size() / 3, most_);
       for (std::size_t k = 0; k + 2 < numbers.size(); k += 3)
         polygons_.vertices.emplace_back(pose * Eigen::Vector3d(&numbers[k]));
+      if (mode == 0) // points
+        continue;
       std::vector<double> corners;
       if (primitive.contains("indices"))
         corners = accessor(primitive.at("indices"), 1);
@@ -212,20 +223,28 @@ private:
     }
   }
 
-  /** \param[in] mode 0: points, 4: three corners each, 5: a strip, 6: a fan */
+  void
+  requireRoom(std::size_t count, std::size_t most) const
+  {
+    if (count > most)
+      complain("repeats its meshes too often: more than " + std::to_string(most) +
+               " vertices, triangles or parts");
+  }
+
+  /** \param[in] mode 4: three corners each, 5: a strip, 6: a fan */
   void
   addTriangles(const std::vector<double>& corners,
                std::uint64_t mode,
                std::uint32_t first)
   {
-    if (mode == 0)
-      return;
     const auto count = static_cast<double>(polygons_.vertices.size() - first);
     const auto corner = [&](std::size_t k) {
       if (!(corners[k] >= 0.0 && corners[k] < count))
         complain("a face names a vertex that is not there");
       return first + static_cast<std::uint32_t>(corners[k]);
     };
+    requireRoom(polygons_.triangles.size() + corners.size() / (mode == 4 ? 3 : 1),
+                most_);
     for (std::size_t k = 0; k + 2 < corners.size(); k += mode == 4 ? 3 : 1)
       polygons_.triangles.push_back(
           {corner(mode == 6 ? 0 : k), corner(k + 1), corner(k + 2)});
@@ -271,9 +290,10 @@ private:
     return numbers;
   }
 
-  static constexpr std::size_t most_numbers = 3u << 30; // of vertices: 24 GB
-
   std::string path_;
+  std::size_t most_; ///< vertices, and triangles: nodes may repeat a mesh
+  std::size_t most_primitives_;
+  std::size_t primitives_ = 0; ///< that were visited
   Json json_;
   std::string binary_;
   Polygons polygons_;

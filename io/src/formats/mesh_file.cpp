@@ -7,8 +7,8 @@
 #include "formats/file_ending.h"
 #include "formats/ply/ply_file.h"
 #include "formats/polygons.h"
+#include "text/words.h"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -36,7 +36,7 @@ public:
       auto line = std::string_view(text_).substr(at_, end - at_);
       at_ = end + 1;
       ++number_;
-      split(line.substr(0, std::min(line.find('#'), line.size())));
+      splitWords(line.substr(0, std::min(line.find('#'), line.size())), words_);
     }
     return !words_.empty();
   }
@@ -61,11 +61,8 @@ public:
   T
   parse(std::string_view word) const
   {
-    if (!word.empty() && word[0] == '+')
-      word.remove_prefix(1);
     T value{};
-    const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (read.ec != std::errc() || read.ptr != word.data() + word.size())
+    if (!readWord(word, value))
       complain("holds '" + std::string(word.substr(0, 20)) +
                "', which is no number of its kind");
     return value;
@@ -78,17 +75,6 @@ public:
   }
 
 private:
-  void
-  split(std::string_view line)
-  {
-    constexpr std::string_view gaps = " \t\r";
-    for (auto begin = line.find_first_not_of(gaps); begin != std::string_view::npos;) {
-      const auto end = std::min(line.find_first_of(gaps, begin), line.size());
-      words_.push_back(line.substr(begin, end - begin));
-      begin = line.find_first_not_of(gaps, end);
-    }
-  }
-
   std::string text_;
   std::string path_;
   std::size_t at_ = 0;

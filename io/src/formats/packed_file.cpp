@@ -19,6 +19,8 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <unordered_map>
+#include <utility>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -99,15 +101,29 @@ nameOf(archive_entry& entry, archive& reader, const std::string& path)
   return own.empty() || own == "." || own == ".." ? "file" : own;
 }
 
-/** Put a number before names that others have, too. */
-std::string
-freePath(const std::string& folder, const std::string& name)
-{
-  auto path = folder + "/" + name;
-  for (int k = 2; fs::exists(path); ++k)
-    path = folder + "/" + std::to_string(k) + "_" + name;
-  return path;
-}
+/** Names of files in a folder that no other has. */
+class FreePaths {
+public:
+  explicit FreePaths(std::string folder)
+  : folder_(std::move(folder))
+  {}
+
+  /** Puts a number before a name that others have, too: never one again, so that many
+   * of the same name take no longer. */
+  std::string
+  of(const std::string& name)
+  {
+    auto path = folder_ + "/" + name;
+    auto& number = numbers_.try_emplace(name, 1).first->second;
+    while (fs::exists(path))
+      path = folder_ + "/" + std::to_string(++number) + "_" + name;
+    return path;
+  }
+
+private:
+  std::string folder_;
+  std::unordered_map<std::string, int> numbers_; ///< the last that a name had
+};
 
 void
 copyEntry(archive& reader, const std::string& path, const std::string& target)
@@ -179,6 +195,7 @@ void
 UnpackedFiles::unpack(const std::string& path)
 {
   const auto reader = opened(path);
+  FreePaths free_paths(folder_);
   for (;;) {
     archive_entry* entry = nullptr;
     const int state = archive_read_next_header(reader.get(), &entry);
@@ -190,7 +207,7 @@ UnpackedFiles::unpack(const std::string& path)
       refuse(path, *reader);
     if (!is_raw && archive_entry_filetype(entry) != AE_IFREG)
       continue; // folders and links
-    files_.push_back(freePath(folder_, nameOf(*entry, *reader, path)));
+    files_.push_back(free_paths.of(nameOf(*entry, *reader, path)));
     addUnfinished(files_.back());
     copyEntry(*reader, path, files_.back());
   }

@@ -5,6 +5,7 @@
 // Facts of the format: Leica Geosystems, "Cyclone PTX format".
 #include "formats/ptx_file.h"
 
+#include "files/field_value.h" // for appendTo
 #include "files/joined_clouds.h"
 #include "files/tool_error.h"
 #include "formats/file_ending.h"
@@ -183,13 +184,13 @@ public:
   , scan_(std::move(scan))
   {
     for (const char* axis : {"x", "y", "z"})
-      append(axis, PCLPointField::FLOAT64);
+      appendTo(layout_, axis, PCLPointField::FLOAT64);
     if (scan_.hasIntensity())
-      append("intensity", PCLPointField::FLOAT32);
+      appendTo(layout_, "intensity", PCLPointField::FLOAT32);
     if (scan_.hasColors())
-      append("rgb", PCLPointField::FLOAT32);
-    append("row", PCLPointField::UINT32);
-    append("column", PCLPointField::UINT32);
+      appendTo(layout_, "rgb", PCLPointField::FLOAT32);
+    appendTo(layout_, "row", PCLPointField::UINT32);
+    appendTo(layout_, "column", PCLPointField::UINT32);
     layout_.width = static_cast<std::uint32_t>(scan_.columns * scan_.rows);
     layout_.height = 1;
     layout_.row_step = layout_.point_step * layout_.width;
@@ -214,18 +215,6 @@ public:
   }
 
 private:
-  void
-  append(const char* name, std::uint8_t type)
-  {
-    PCLPointField field;
-    field.name = name;
-    field.offset = layout_.point_step;
-    field.datatype = type;
-    field.count = 1;
-    layout_.fields.push_back(field);
-    layout_.point_step += type == PCLPointField::FLOAT64 ? 8 : 4;
-  }
-
   std::uint32_t
   colorOf(const Words& numbers) const
   {

@@ -5,8 +5,8 @@
 #include "files/tool_error.h"
 #include "formats/file_header.h" // for wordsOf, throwTruncated
 #include "formats/polygons.h"
+#include "text/words.h"
 
-#include <charconv>
 #include <cstring>
 #include <sstream>
 
@@ -84,10 +84,7 @@ readText(const std::string& content, const std::string& path)
     Eigen::Vector3d vertex;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto word = axis + 1 < words.size() ? words[axis + 1] : std::string();
-      const char* const begin = word.data() + (word[0] == '+');
-      const char* const end = word.data() + word.size();
-      const auto read = std::from_chars(begin, end, vertex[static_cast<int>(axis)]);
-      if (read.ec != std::errc() || read.ptr != end)
+      if (!readWord(word, vertex[static_cast<int>(axis)]))
         throw ToolError(path + ": '" + word.substr(0, 20) +
                         "' is no coordinate of a vertex");
     }

@@ -96,6 +96,15 @@ fixedText(double value, int digits)
 }
 
 std::string
+shortText(double value, int digits)
+{
+  char text[64];
+  const auto end = std::to_chars(
+      text, text + sizeof(text), value, std::chars_format::general, digits);
+  return {text, end.ptr};
+}
+
+std::string
 messageOf(const std::exception& error)
 {
   if (const auto* of_pcl = dynamic_cast<const PCLException*>(&error))

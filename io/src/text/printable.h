@@ -36,6 +36,10 @@ printable(const std::string& text, std::size_t most = 1000);
 PCL_INDOOR_EXPORTS std::string
 fixedText(double value, int digits);
 
+/** \brief A number with so many digits in all, or fewer. */
+PCL_INDOOR_EXPORTS std::string
+shortText(double value, int digits);
+
 /** \brief What an exception says to a user: without the names of functions, source
  * files and exceptions that libraries put in front. */
 PCL_INDOOR_EXPORTS std::string

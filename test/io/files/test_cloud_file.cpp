@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -107,6 +108,21 @@ TEST_F(CloudFiles, PlyIsReadWithItsDoubles)
   EXPECT_EQ(file.finite_count, 2u);
   EXPECT_TRUE(hasField(file.cloud, "scalar_Intensity"));
   EXPECT_NEAR((*file.points)[1].x - (*file.points)[0].x, 1e-4, 1e-6); // float near 0
+}
+
+TEST_F(CloudFiles, PlyNumbersTooLargeForADoubleAreNotZero)
+{
+  const auto with = [this](const std::string& type, const std::string& word) {
+    return write("far.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 2\nproperty " + type +
+                     " x\nproperty float y\nproperty float z\nproperty int n\n"
+                     "end_header\n1 2 3 4\n" +
+                     word + " 2 3 4\n");
+  };
+  for (const char* type : {"float", "double"}) {
+    EXPECT_EQ(loadCloud(with(type, "1e400")).finite_count, 1u);
+    EXPECT_EQ(loadCloud(with(type, "1e-400")).finite_count, 2u);
+  }
 }
 
 TEST_F(CloudFiles, ABodyThatLooksLikeAHeaderIsReadAsPoints)
@@ -285,6 +301,95 @@ TEST_F(CloudFiles, NumbersInAHeaderCannotAskForEverything)
                            with("4 4 4\nPOINTSX 2000000000", "1 1 1", "3") +
                                std::string(36, '\0')}) // which PCL would take
     EXPECT_THROW(loadCloud(write("bad.pcd", text)), ToolError) << text;
+}
+
+TEST_F(CloudFiles, AsciiNumbersThatTheirFieldsCannotHoldAreRefused)
+{
+  const auto with = [this](const std::string& type,
+                           const std::string& size,
+                           const std::string& word) {
+    return write("a.pcd",
+                 "VERSION .7\nFIELDS x y z value\nSIZE 4 4 4 " + size +
+                     "\nTYPE F F F " + type +
+                     "\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n"
+                     "1 2 3 " +
+                     word + "\n");
+  };
+  using Words = std::vector<std::array<std::string, 3>>;
+  for (const auto& [type, size, word] : Words{{"U", "1", "300"},
+                                              {"U", "1", "nan"},
+                                              {"I", "1", "200"},
+                                              {"U", "2", "65536"},
+                                              {"I", "2", "-32769"},
+                                              {"U", "4", "-1"},
+                                              {"I", "4", "1.7"},
+                                              {"I", "4", "1e3"},
+                                              {"I", "4", "2147483648"},
+                                              {"I", "8", "9223372036854775808"},
+                                              {"U", "8", "18446744073709551616"}}) {
+    const auto file = with(type, size, word);
+    try {
+      loadCloud(file);
+      ADD_FAILURE() << type << size << " " << word;
+    } catch (const ToolError& error) {
+      EXPECT_EQ(error.what(),
+                file + ": '" + word +
+                    "' in point 0 does not fit the type of its field");
+    }
+  }
+  for (const auto& [type, size, word] : Words{{"U", "1", "255"},
+                                              {"U", "1", "+7"},
+                                              {"I", "1", "-128"},
+                                              {"U", "4", "4294967295"},
+                                              {"I", "4", "3.000"},
+                                              {"U", "8", "18446744073709551615"},
+                                              {"F", "4", "1e400"},
+                                              {"F", "4", "nan"}})
+    EXPECT_EQ(loadCloud(with(type, size, word)).cloud.width, 1u) << word;
+}
+
+TEST_F(CloudFiles, CompressedPointsTakeNoMemoryThatTheyCannotFill)
+{
+  const std::uint32_t sizes[] = {4, 3600000000}; // bytes, compressed and not
+  const auto file = write(
+      "bad.pcd",
+      "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+      "WIDTH 300000000\nHEIGHT 1\nPOINTS 300000000\nDATA binary_compressed\n" +
+          std::string(reinterpret_cast<const char*>(sizes), sizeof(sizes)) + "abcd");
+  try {
+    loadCloud(file);
+    FAIL();
+  } catch (const ToolError& error) {
+    EXPECT_EQ(error.what(),
+              file + ": the compressed points are 4 bytes, too few for the 3600000000 "
+                     "that are promised");
+  }
+}
+
+TEST_F(CloudFiles, PointsOfTooManyBytesAreRefused)
+{
+  // 2^34 bytes of 2^30 points: no number of 64 bits is as large
+  constexpr int many = 2147, left = 483648;
+  std::string fields = "x y z", sizes = "8 8 8", types = "F F F", counts = "1 1 1";
+  for (int i = 0; i <= many; ++i) {
+    fields += " f" + std::to_string(i);
+    sizes += " 8";
+    types += " F";
+    counts += i < many ? " 1000000" : " " + std::to_string(left - 3);
+  }
+  const auto file =
+      write("bad.pcd",
+            "VERSION .7\nFIELDS " + fields + "\nSIZE " + sizes + "\nTYPE " + types +
+                "\nCOUNT " + counts +
+                "\nWIDTH 1073741824\nHEIGHT 1\nPOINTS 1073741824\nDATA binary\n");
+  try {
+    loadCloud(file);
+    FAIL();
+  } catch (const ToolError& error) {
+    EXPECT_EQ(error.what(),
+              file + ": a point of the header has 17179869184 bytes, more than "
+                     "16777216");
+  }
 }
 
 // Whatever a file's first bytes are changed to, the reader answers with a cloud or an

@@ -72,6 +72,21 @@ expectPlaces(const CloudFile& file, double tolerance)
 
 } // namespace
 
+TEST_F(Coordinates, FieldsOfOldConvertersHaveOneValueWithoutSayingSo)
+{
+  auto file = loadCloud(utmFile());
+  const auto bytes = file.cloud.data;
+  for (auto& field : file.cloud.fields)
+    field.count = 0;
+  PointCoordinates{true}.apply(file, "");
+  EXPECT_EQ(file.cloud.point_step, 33u);
+  EXPECT_EQ(file.cloud.fields[4].offset, 25u);
+  ASSERT_EQ(file.cloud.data.size(), bytes.size());
+  for (std::size_t i = 0; i < 3; ++i) // all but the coordinates
+    for (const std::size_t at : {0, 25, 32})
+      EXPECT_EQ(file.cloud.data[33 * i + at], bytes[33 * i + at]);
+}
+
 TEST_F(Coordinates, DoublesBecomeFloatsThatPclReadsAndAnOffset)
 {
   for (const char* name : {"out.pcd", "out.ply"}) {

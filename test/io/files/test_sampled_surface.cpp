@@ -263,9 +263,51 @@ TEST_F(SampledSurface, GlbThatCannotBeReadIsRefused)
   for (const auto* other : {"1e20", "-123", "\"51\""})
     EXPECT_NE(complaint(changed("5123", other)).find("no whole number"),
               std::string::npos);
+  constexpr std::size_t levels = 1 << 20; // more than there is room for calls
+  const auto nested = std::string(levels, '[') + std::string(levels, ']');
+  EXPECT_NE(complaint(glb("{\"nodes\":[{\"mesh\":" + nested + "}],\"meshes\":[]}", ""))
+                .find("JSON array is no whole number"),
+            std::string::npos);
   EXPECT_NE(complaint(changed("\"byteLength\":60", "\"uri\":\"a.bin\"  ")), "");
   EXPECT_NE(complaint(changed("\"asset\"", "\"asset ")), "");
   EXPECT_NE(complaint("glTF" + std::string(200, '\0')), "");
+}
+
+TEST_F(SampledSurface, GlbThatRepeatsAMeshWithoutEndIsRefused)
+{
+  const float corners[] = {0, 0, 0, 4, 0, 0, 4, 3, 0};
+  constexpr std::size_t indices = 100000; // a strip of as many triangles
+  std::string nodes;
+  for (int k = 0; k < 400; ++k)
+    nodes += std::string(k > 0 ? "," : "") + "{\"mesh\":0}";
+  const auto json =
+      "{\"nodes\":[" + nodes +
+      R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":5}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+{"bufferView":1,"componentType":5121,"count":100000,"type":"SCALAR"}],
+"bufferViews":[{"buffer":0},{"buffer":0,"byteOffset":36}],"buffers":[{}]})";
+  const auto file =
+      write("a.glb",
+            glb(json,
+                std::string(reinterpret_cast<const char*>(corners), sizeof(corners)) +
+                    std::string(indices, '\1')));
+  std::string lines, parts;
+  for (int k = 0; k < 1200; ++k) {
+    lines += std::string(k > 0 ? "," : "") + "{\"mode\":1}";
+    parts += std::string(k > 0 ? "," : "") + "{\"mesh\":0}";
+  }
+  const auto other = write(
+      "b.glb",
+      glb("{\"nodes\":[" + parts + "],\"meshes\":[{\"primitives\":[" + lines + "]}]}",
+          ""));
+  for (const auto& path : {file, other})
+    try {
+      loadCloud(path);
+      ADD_FAILURE();
+    } catch (const ToolError& error) {
+      EXPECT_NE(std::string(error.what()).find("repeats its meshes too often"),
+                std::string::npos);
+    }
 }
 
 TEST_F(SampledSurface, ObjIsKnownBehindCommentsAndByAnyName)

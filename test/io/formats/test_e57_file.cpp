@@ -521,3 +521,13 @@ TEST_F(E57Files, PacketsThatLieAreRefused)
   EXPECT_NE(packet(36, 5, 2).find("5 streams for 3 fields"), std::string::npos);
   EXPECT_NE(packet(38, 0xffff, 2).find("shorter than its content"), std::string::npos);
 }
+
+TEST_F(E57Files, ScansThatShareTheirPointsAreRefused)
+{
+  const std::vector<E57TestScan> scans(10, scanWith({}, 300));
+  E57Writer writer;
+  EXPECT_EQ(loadCloud(write("scan.e57", writer.file(scans))).cloud.width, 3000u);
+  writer.are_shared = true;
+  EXPECT_NE(refusal(writer.file(scans)).find("its scans share their points"),
+            std::string::npos);
+}

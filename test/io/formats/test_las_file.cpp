@@ -375,6 +375,24 @@ TEST_F(LasFiles, ExtraDimensionsHaveTheirOwnNames)
   }
 }
 
+TEST_F(LasFiles, OneRecordDescribesTheExtraBytes)
+{
+  // a second one would describe the same bytes once more, as would thousands
+  LasMaker maker;
+  maker.step = 36;
+  maker.extra = extraDescription("tilt", 4, false);
+  auto bytes = maker.file();
+  constexpr std::size_t header = 227, record = 54 + 192;
+  auto second = bytes.substr(header, record);
+  second.replace(54 + 4, 4, "more");
+  bytes.insert(header + record, second);
+  put<std::uint32_t>(bytes, 96, header + 2 * record);
+  put<std::uint32_t>(bytes, 100, 2);
+  const auto file = loadCloud(write("scan.las", bytes));
+  EXPECT_EQ(valuesOf(file, "tilt"), (std::vector<double>{0, -1, -2}));
+  EXPECT_TRUE(valuesOf(file, "more").empty());
+}
+
 TEST_F(LasFiles, DimensionsBehindOnesOfSeveralValuesAreKept)
 {
   LasMaker maker;

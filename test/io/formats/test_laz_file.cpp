@@ -16,6 +16,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <cstring>
 #include <random>
 #include <vector>
@@ -247,6 +249,39 @@ TEST_F(LazFiles, DamagedFilesAreRefusedInOneLine)
   bytes = whole;
   bytes[header_size + 2] = 'x';
   refused(bytes, "does not tell how it is compressed");
+}
+
+TEST_F(LazFiles, LongPointsTakeNoMemoryBeforeTheyAreDecoded)
+{
+  constexpr std::size_t begin = 227, record = 54, layout = 34, items = 2 * 6;
+  std::string bytes(begin + record + layout + items, '\0');
+  std::memcpy(&bytes[0], "LASF", 4);
+  bytes[24] = 1; // version 1.2
+  bytes[25] = 2;
+  put<std::uint16_t>(bytes, 94, begin);
+  put<std::uint32_t>(bytes, 96, static_cast<std::uint32_t>(bytes.size()));
+  put<std::uint32_t>(bytes, 100, 1); // records of variable length
+  put<std::uint8_t>(bytes, 104, 0x80);
+  put<std::uint16_t>(bytes, 105, 0xffff); // bytes of a point
+  put<std::uint32_t>(bytes, 107, 40000);  // points
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    put(bytes, 131 + 8 * axis, 0.001);
+  std::memcpy(&bytes[begin + 2], "laszip encoded", 14);
+  put<std::uint16_t>(bytes, begin + 18, 22204);
+  put<std::uint16_t>(bytes, begin + 20, layout + items);
+  const std::size_t about = begin + record;
+  put<std::uint16_t>(bytes, about, 1); // all points are one chunk
+  const std::uint16_t numbers[] = {2, 6, 20, 2, 0, 0xffff - 20, 2};
+  std::memcpy(&bytes[about + 32], numbers, sizeof(numbers));
+  const auto most = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss; // kB
+  };
+  const auto before = most();
+  EXPECT_NE(refusal(bytes).find("chunk 1 of 1: its bytes end before"),
+            std::string::npos);
+  EXPECT_LT(most() - before, 1 << 20); // all of them are 2.6 GB
 }
 
 TEST_F(LazFiles, LayersLieAboutTheirSizes)

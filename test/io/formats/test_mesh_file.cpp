@@ -107,6 +107,25 @@ TEST_F(MeshFile, ReadsBinaryPlyFaces)
   EXPECT_NE(complaint("b.ply", text.substr(0, text.size() - 1)), "");
 }
 
+TEST_F(MeshFile, PlyFacesNameTheirVerticesByNumbersOfAnyType)
+{
+  // more vertices than a byte counts, of which -1 would be the 255th
+  std::string head = "ply\nformat ascii 1.0\nelement vertex 300\nproperty float x\n"
+                     "property float y\nproperty float z\nelement face 1\n"
+                     "property list uchar ";
+  std::string body = " vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n";
+  for (int i = 3; i < 300; ++i)
+    body += "2 2 2\n";
+  for (const char* type : {"char", "short", "int", "float", "double"}) {
+    const auto mesh = plyMesh(loadCloud(file("a.ply", head + type + body + "3 0 1 2")));
+    ASSERT_EQ(mesh.triangles.size(), 1u) << type;
+    EXPECT_EQ(mesh.triangles[0], (std::array<std::uint32_t, 3>{0, 1, 2})) << type;
+    EXPECT_EQ(complaint("a.ply", head + type + body + "3 0 1 -1"),
+              "a face names vertex 4294967295 of 300, from 0")
+        << type;
+  }
+}
+
 TEST_F(MeshFile, LoadsObjectsByTheirArea)
 {
   // 1 m^2 lies, 1 m^2 stands

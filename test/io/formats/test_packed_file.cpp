@@ -57,7 +57,7 @@ protected:
   problemOf(const std::string& file)
   {
     try {
-      readWhole(openScan({file}), {});
+      readWhole(openScan({file}, 0), {});
     } catch (const ToolError& error) {
       return error.what();
     }
@@ -86,7 +86,7 @@ TEST_F(PackedFiles, OfOneFileAreReadAsItIs)
     EXPECT_EQ(file.path, path(name));
     ASSERT_EQ(file.points->size(), 3u) << name;
     EXPECT_EQ((*file.points)[1].x, 6.0f);
-    const auto scan = readWhole(openScan({path(name)}), {});
+    const auto scan = readWhole(openScan({path(name)}, 0), {});
     EXPECT_EQ(scan.file.path, path(name));
     EXPECT_EQ(scan.file.cloud.data, loadCloud(path("a.pcd")).cloud.data) << name;
   }
@@ -102,7 +102,7 @@ TEST_F(PackedFiles, OfSeveralScansAreStationsAsThoseOfAFolder)
   cloud("two/a.pcd", 10, 2); // the same name
   write("two/read.me", "nothing");
   run("python3 -m zipfile -c all.zip one two");
-  auto opened = openScan({path("all.zip")});
+  auto opened = openScan({path("all.zip")}, 0);
   EXPECT_EQ(opened.name, path("all.zip"));
   EXPECT_EQ(opened.files.size(), 2u);
   EXPECT_EQ(opened.notes.size(), 1u);
@@ -121,7 +121,7 @@ TEST_F(PackedFiles, LastAsLongAsTheStreamThatReadsThem)
             points + points);
   run("gzip b.pcd");
   {
-    const auto scan = readLater(openScan({path("b.pcd.gz")}), {});
+    const auto scan = readLater(openScan({path("b.pcd.gz")}, 1), {});
     EXPECT_EQ(temporaryFolders(), 1u);
     ASSERT_EQ(scan.pointCount(), 2u);
     EXPECT_EQ(scan.stream->read(0, 2).data.size(), 24u);
@@ -134,7 +134,7 @@ TEST_F(PackedFiles, OneMeshWithItsPicturesIsRead)
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   write("m.jpg", "\xff\xd8\xff");
   run("python3 -m zipfile -c m.zip m.obj m.jpg");
-  EXPECT_GT(readWhole(openScan({path("m.zip")}), {}).file.points->size(), 1000u);
+  EXPECT_GT(readWhole(openScan({path("m.zip")}, 0), {}).file.points->size(), 1000u);
 }
 
 TEST_F(PackedFiles, ThatCannotBeReadAreRefusedInOneLine)

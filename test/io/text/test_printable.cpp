@@ -4,12 +4,17 @@
  */
 #include "text/printable.h"
 
+#include "formats/table/table_words.h" // for readNumber
+
 #include <pcl/exceptions.h>
 
 #include <gtest/gtest.h>
 
+#include <clocale>
+#include <limits>
 #include <new>
 #include <stdexcept>
+#include <string>
 
 using namespace pcl::indoor::tool;
 
@@ -48,6 +53,27 @@ TEST(Printable, LeavesOutTheMiddleOfALongText)
 {
   const std::string text(5000, 'x');
   EXPECT_EQ(printable("first" + text + "last", 20), "firstxxxxx ... xxxxxxlast");
+}
+
+TEST(Numbers, HaveAPointInEveryLocale)
+{
+  const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+  const char* const names[] = {"C", "de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"};
+  for (const char* name : names) {
+    if (std::setlocale(LC_NUMERIC, name) == nullptr) // not on this machine
+      continue;
+    EXPECT_EQ(fixedText(-1234.5678, 2), "-1234.57") << name;
+    EXPECT_EQ(fixedText(0.0, 1), "0.0") << name;
+    EXPECT_EQ(shortText(0.01999, 2), "0.02") << name;
+    EXPECT_EQ(shortText(1e-5, 2), "1e-05") << name;
+    EXPECT_EQ(shortText(691234.5, 10), "691234.5") << name;
+    double value = 1.0;
+    EXPECT_TRUE(readNumber("-1.5e400", value)) << name;
+    EXPECT_EQ(value, -std::numeric_limits<double>::infinity()) << name;
+    EXPECT_TRUE(readNumber("1.5e-400", value)) << name;
+    EXPECT_EQ(value, 0.0) << name;
+  }
+  std::setlocale(LC_NUMERIC, before.c_str());
 }
 
 TEST(MessageOf, IsInTheUsersWords)

@@ -61,12 +61,12 @@ readScan(const PipelineOptions& options, Progress& progress)
 {
   constexpr double bytes_per_point = 400; // that are in use at once, measured
   constexpr std::uint64_t enough_to_check = 4000000; // points: read in about a second
-  auto opened = openScan(options.inputs);
-  if (!options.check)
-    requireOthersThanResults(opened.files, options.folder);
   const auto part = options.points_at_once > 0 && options.check
                         ? enough_to_check
                         : options.points_at_once;
+  auto opened = openScan(options.inputs, part);
+  if (!options.check)
+    requireOthersThanResults(opened.files, options.folder);
   const bool in_parts = opened.isLargerThan(part);
   options.memory.require(
       opened.name, bytes_per_point, in_parts ? part + opened.in_memory : opened.count);

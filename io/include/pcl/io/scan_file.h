@@ -27,8 +27,8 @@ struct ScanOptions {
   /** Columns of a table (XYZ, CSV, PTS), such as "x,y,z,_,r,g,b", of which _ is left
    * out; empty: as its header says, or by their number. */
   std::string columns;
-  /** A scan with more points stays in its files and is read part by part where it is
-   * used: memory follows the rooms. 0 = never. */
+  /** Scans with more points are read from disk in parts, so memory depends on the
+   * largest rooms only; 0 = always load all. */
   std::uint64_t points_at_once = 20000000;
   /** File with the positions of the scanner, x y z in each line, in frame and unit of
    * the scan; empty: as the scan's own files tell them. */
@@ -90,10 +90,9 @@ private:
 };
 
 /** \brief Read the scan of a building: PCD, PLY, LAS, LAZ, E57, PTX, OBJ, STL, OFF,
- * glTF or a table (XYZ, CSV, PTS ...); its content says what it is. Of a folder, all
+ * GLB or a table (XYZ, CSV, PTS ...); its content says what it is. Of a folder, all
  * scans in it are stations of one building.
- * \throws InputError if there is no such
- * file, or if it is none of these or damaged
+ * \throws InputError if there is no such file, or if it is none of these or damaged
  */
 PCL_INDOOR_EXPORTS Scan
 loadScan(const std::string& path, const ScanOptions& options = {});

@@ -102,6 +102,12 @@ public:
     return are_same && scan_.fields[*flag].minimum != 0 ? scan_.count : flags_.count();
   }
 
+  const E57Packets&
+  packets() const
+  {
+    return packets_;
+  }
+
   const E57Points&
   points() const
   {
@@ -150,7 +156,7 @@ openE57(const std::string& path)
   const auto pages = std::make_shared<E57Pages>(path);
   std::vector<std::unique_ptr<CloudStream>> streams;
   std::vector<std::string> names, left_out;
-  std::uint64_t invalid = 0;
+  std::uint64_t invalid = 0, size = 0;
   for (auto& scan : readE57Scans(*pages)) {
     if (scan.count > 0x7fffffff)
       throw ToolError(path + ": '" + scan.name + "' has more than 2^31 - 1 points");
@@ -158,6 +164,9 @@ openE57(const std::string& path)
       continue;
     names.push_back(scan.name);
     auto stream = std::make_unique<ScanStream>(pages, std::move(scan));
+    size += stream->packets().size();
+    if (size > pages->size()) // a small file could ask for any time and memory
+      throw ToolError(path + ": the file is damaged, its scans share their points");
     invalid += stream->invalidCount();
     for (const auto& name : stream->points().leftOut())
       if (std::count(left_out.begin(), left_out.end(), name) == 0)

@@ -48,6 +48,7 @@ E57Packets::E57Packets(E57Pages& pages, const E57Scan& scan, const Visit& visit)
     mark.place += packet.size;
   }
   requireAllValues(mark);
+  size_ = mark.place - marks_.front().place;
 }
 
 void

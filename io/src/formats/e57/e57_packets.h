@@ -40,6 +40,13 @@ public:
   std::vector<std::string>
   read(std::uint64_t first, std::size_t count, const std::vector<std::size_t>& fields);
 
+  /** \brief Bytes of the file that the packets are. */
+  std::uint64_t
+  size() const
+  {
+    return size_;
+  }
+
 private:
   /** A place between packets. */
   struct Mark {
@@ -86,6 +93,7 @@ private:
   E57Pages& pages_;
   const E57Scan& scan_;
   std::uint64_t end_ = 0; ///< logical place behind the last packet
+  std::uint64_t size_ = 0;
   std::vector<Mark> marks_;
 };
 

@@ -5,6 +5,7 @@
 // Facts of the format: ASTM E2807-11, section 8; normals: the libE57 extension "nor".
 #include "formats/e57/e57_points.h"
 
+#include "files/field_value.h" // for appendTo
 #include "files/tool_error.h"
 #include "formats/e57/e57_values.h"
 
@@ -133,14 +134,7 @@ E57Points::useAll(const std::vector<std::string>& names)
 std::size_t
 E57Points::append(const std::string& name, std::uint8_t type)
 {
-  PCLPointField field;
-  field.name = name;
-  field.offset = layout_.point_step;
-  field.datatype = type;
-  field.count = 1;
-  layout_.fields.push_back(field);
-  layout_.point_step += type == PCLPointField::FLOAT64 ? 8 : 4;
-  return field.offset;
+  return appendTo(layout_, name, type);
 }
 
 void

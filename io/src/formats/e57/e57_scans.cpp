@@ -7,11 +7,11 @@
 
 #include "files/tool_error.h"
 #include "text/printable.h"
+#include "text/words.h"
 
 #include <boost/algorithm/string/trim.hpp>
 #include <pugixml.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -42,11 +42,8 @@ public:
   number(const char* text, const pugi::xml_node& node) const
   {
     const auto word = boost::algorithm::trim_copy(std::string(text));
-    const char* const begin = word.data() + (word[0] == '+');
-    const char* const end = word.data() + word.size();
     T value = 0;
-    const auto read = std::from_chars(begin, end, value);
-    if (read.ec != std::errc() || read.ptr != end)
+    if (!readWord(word, value))
       refuse("is damaged: '" + printable(word, longest_name) + "' in " +
              printable(node.name(), longest_name) + " is not a usable number");
     return value;

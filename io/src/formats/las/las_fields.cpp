@@ -112,9 +112,9 @@ extraField(const std::string& name,
   case 6:
     return field(std::int32_t(), PCLPointField::INT32);
   case 7:
-    return scaledField<std::uint64_t>(name, at, is_scaled ? scale : 1, offset);
+    return scaledField<std::uint64_t>(name, at, scale, offset);
   case 8:
-    return scaledField<std::int64_t>(name, at, is_scaled ? scale : 1, offset);
+    return scaledField<std::int64_t>(name, at, scale, offset);
   case 9:
     return field(float(), PCLPointField::FLOAT32);
   case 10:
@@ -186,8 +186,8 @@ addExtraFields(const std::string& bytes,
     place += record_header;
     if (place + length > header.body_begin)
       return;
-    std::size_t at = header.places().size;
-    if (user == "LASF_Spec" && id == 4)
+    if (user == "LASF_Spec" && id == 4) { // there is one such record
+      std::size_t at = header.places().size;
       for (std::size_t d = 0; d + extra_description <= length; d += extra_description) {
         const char* about = &bytes[place + d];
         const int type = static_cast<unsigned char>(about[2]);
@@ -203,6 +203,8 @@ addExtraFields(const std::string& bytes,
         addExtraField(about, at, fields);
         at += size;
       }
+      return;
+    }
     place += length;
   }
 }

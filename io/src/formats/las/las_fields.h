@@ -26,7 +26,9 @@ struct LasField {
 struct LasColors {
   unsigned shift; ///< to 8 bits
   bool are_fine;  ///< they have fields of their own with all their bits, too
-  bool are_mixed; ///< those of which no channel exceeds 255 have 8 bits already
+  /** Some points hold 8-bit colours, others 16-bit: a point whose channels are all at
+   * most 255 is taken as 8-bit. */
+  bool are_mixed;
 };
 
 /** \brief The fields of the points of a LAS file, x, y and z as doubles first.

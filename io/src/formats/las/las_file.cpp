@@ -5,6 +5,7 @@
 // Facts of the format: ASPRS, LAS Specification 1.4, R15.
 #include "formats/las/las_file.h"
 
+#include "files/field_value.h" // for appendTo
 #include "formats/las/las_fields.h"
 #include "formats/las/las_header.h"
 #include "formats/las/las_source.h"
@@ -20,7 +21,15 @@
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr std::size_t points_at_once = 1 << 18; // a few chunks of a LAZ file
+/** How many records are read at once: fewer of long ones, so that a file cannot ask for
+ * more memory than it fills. */
+std::size_t
+pointsAtOnce(std::size_t record_size)
+{
+  constexpr std::size_t most_points = 1 << 18; // a few chunks of a LAZ file
+  constexpr std::size_t most_bytes = 64 << 20;
+  return std::clamp<std::size_t>(most_bytes / record_size, 1, most_points);
+}
 
 /** What a look at all points of a file tells. */
 struct LasLook {
@@ -68,9 +77,10 @@ lookAt(const std::string& records, const LasHeader& header, LasLook& look)
 void
 forEachPart(const OpenLas& file, const std::function<void(std::string records)>& visit)
 {
-  for (std::uint64_t done = 0; done < file.header.points; done += points_at_once) {
+  const auto at_once = pointsAtOnce(file.header.step);
+  for (std::uint64_t done = 0; done < file.header.points; done += at_once) {
     const auto count = static_cast<std::size_t>(
-        std::min<std::uint64_t>(points_at_once, file.header.points - done));
+        std::min<std::uint64_t>(at_once, file.header.points - done));
     std::string records(count * file.header.step, '\0');
     file.source->read(done, count, records.data());
     visit(std::move(records));
@@ -105,26 +115,19 @@ layOut(const std::vector<LasField>& fields,
 {
   layout.width = static_cast<std::uint32_t>(header.points);
   layout.height = 1;
-  for (const auto& field : fields) {
-    PCLPointField about;
-    about.name = field.name;
-    about.offset = layout.point_step;
-    about.datatype = field.type;
-    about.count = 1;
-    layout.fields.push_back(about);
-    layout.point_step += static_cast<std::uint32_t>(field.size);
-  }
+  for (const auto& field : fields)
+    appendTo(layout, field.name, field.type);
   layout.row_step = layout.point_step * layout.width;
 }
 
 void
-addLookNotes(const LasLook& look, std::uint64_t points, std::vector<std::string>& notes)
+addLookNotes(const LasLook& look, bool are_mixed, std::vector<std::string>& notes)
 {
   if (look.largest_color > 0 && look.largest_color <= 255)
     notes.emplace_back(
         "its colours have 8 bits in fields of 16, none exceeds 255: they "
         "are taken as they are");
-  if (look.hasMixedColors(points))
+  if (are_mixed)
     notes.push_back("its colours have 8 bits in " + std::to_string(look.narrow_colors) +
                     " points, of which none exceeds 255, and 16 in others: they are "
                     "taken so");
@@ -147,14 +150,11 @@ recordsOf(OpenLas file, const LasLook& look)
 {
   LasRecords records;
   const bool are_wide = look.hasWideColors();
-  const auto points = file.header.points;
-  const auto fields = lasFields(file.bytes,
-                                file.header,
-                                {are_wide ? 8u : 0u,
-                                 are_wide && look.has_fine_colors,
-                                 look.hasMixedColors(points)},
-                                file.notes);
-  addLookNotes(look, points, file.notes);
+  const LasColors colors{are_wide ? 8u : 0u,
+                         are_wide && look.has_fine_colors,
+                         look.hasMixedColors(file.header.points)};
+  const auto fields = lasFields(file.bytes, file.header, colors, file.notes);
+  addLookNotes(look, colors.are_mixed, file.notes);
   layOut(fields, file.header, records.layout);
   records.record_size = file.header.step;
   records.copy = copierOf(fields, look, file.header);
@@ -176,13 +176,18 @@ public:
   PCLPointCloud2
   read(std::uint64_t first, std::size_t count) override
   {
-    std::string bytes(count * records_.record_size, '\0');
-    records_.source->read(first, count, bytes.data());
+    const auto step = records_.record_size;
+    const auto at_once = std::min(count, pointsAtOnce(step));
+    std::string bytes(at_once * step, '\0');
     auto part = emptyPart(layout_, count);
     part.data.resize(count * part.point_step);
-    for (std::size_t i = 0; i < count; ++i)
-      records_.copy(&bytes[i * records_.record_size],
-                    reinterpret_cast<char*>(&part.data[i * part.point_step]));
+    auto* target = reinterpret_cast<char*>(part.data.data());
+    for (std::size_t done = 0; done < count; done += at_once) {
+      const auto some = std::min(at_once, count - done);
+      records_.source->read(first + done, some, bytes.data());
+      for (std::size_t i = 0; i < some; ++i, target += part.point_step)
+        records_.copy(&bytes[i * step], target);
+    }
     return part;
   }
 

@@ -65,7 +65,9 @@ public:
 private:
   enum LayerOf { Place, Z, Class, Flags, Intensity, Angle, User, Source, Time };
 
-  /** Of the channel that is the new one as the last point of another one had it. */
+  /** Switches to the scanner channel that the data names; one seen for the first time
+   * starts from the last point of the previous channel.
+   * \return its number */
   unsigned
   changeChannel();
 

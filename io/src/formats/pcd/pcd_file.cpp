@@ -11,6 +11,8 @@
 #include "formats/pcd/pcd_body.h"
 #include "formats/pcd/pcd_header.h"
 #include "formats/silent_pcl.h"
+#include "formats/table/table_words.h" // for readNumber
+#include "text/words.h"
 
 #include <pcl/io/pcd_io.h>
 
@@ -44,49 +46,89 @@ struct CheckedPcd {
   std::vector<std::string> notes; ///< see CloudFile::notes
 };
 
+/** Is it a number that a field can hold? */
+using FitsField = bool (*)(std::string_view word);
+
 bool
-isNumber(std::string_view word)
+fitsReal(std::string_view word)
 {
-  if (!word.empty() && (word.front() == '+' || word.front() == '-'))
-    word.remove_prefix(1);
-  double value = 0.0;
-  const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
-  // too small or too large for a double still is a number: the reader rounds it
-  return !word.empty() && read.ec != std::errc::invalid_argument &&
-         read.ptr == word.data() + word.size();
+  double value = 0.0; // too small or too large for it still is a number: it is rounded
+  return readNumber(word, value);
 }
 
-/** Every line of an ASCII body must hold \a columns numbers; at least \a promised
- * lines. */
-void
-checkAsciiBody(std::istream& stream,
-               std::uint64_t promised,
-               std::uint64_t columns,
-               const std::string& path)
+/** PCL's reader takes the digits before a point or an exponent, and wraps. */
+template <typename T>
+bool
+fitsWhole(std::string_view word)
 {
+  double value = 0.0;
+  T digits{};
+  if (!word.empty() && word.front() == '+')
+    word.remove_prefix(1);
+  return readNumber(word, value) &&
+         std::from_chars(word.data(), word.data() + word.size(), digits).ec ==
+             std::errc() &&
+         value == static_cast<double>(digits);
+}
+
+FitsField
+checkOf(const std::string& type, std::uint64_t size)
+{
+  if (type == "F")
+    return fitsReal;
+  if (type == "I")
+    return size == 1   ? fitsWhole<std::int8_t>
+           : size == 2 ? fitsWhole<std::int16_t>
+           : size == 4 ? fitsWhole<std::int32_t>
+                       : fitsWhole<std::int64_t>;
+  return size == 1   ? fitsWhole<std::uint8_t>
+         : size == 2 ? fitsWhole<std::uint16_t>
+         : size == 4 ? fitsWhole<std::uint32_t>
+                     : fitsWhole<std::uint64_t>;
+}
+
+/** The check of each value of a point. */
+std::vector<FitsField>
+checksOf(const PcdHeader& pcd)
+{
+  std::vector<FitsField> checks;
+  for (std::size_t f = 0; f < pcd.fields.size(); ++f)
+    checks.insert(checks.end(), pcd.counts[f], checkOf(pcd.types[f], pcd.sizes[f]));
+  return checks;
+}
+
+[[noreturn]] void
+throwNoValue(std::string_view word, std::uint64_t point, const std::string& path)
+{
+  throw ToolError(
+      path + ": '" + std::string(word.substr(0, 20)) + "' in point " +
+      std::to_string(point) +
+      (fitsReal(word) ? " does not fit the type of its field" : " is not a number"));
+}
+
+/** Every line of an ASCII body must hold a number for each value of a point; there must
+ * be a line for each point. */
+void
+checkAsciiBody(std::istream& stream, const PcdHeader& pcd, const std::string& path)
+{
+  const auto checks = checksOf(pcd);
   std::uint64_t rows = 0;
-  for (std::string line; rows < promised && std::getline(stream, line);) {
-    const std::string_view text = line;
-    std::uint64_t words = 0;
-    for (std::size_t begin = text.find_first_not_of(" \t\r"); begin != text.npos;) {
-      const std::size_t end = std::min(text.find_first_of(" \t\r", begin), text.size());
-      const auto word = text.substr(begin, end - begin);
-      if (!isNumber(word))
-        throw ToolError(path + ": '" + std::string(word.substr(0, 20)) + "' in point " +
-                        std::to_string(rows) + " is not a number");
-      ++words;
-      begin = text.find_first_not_of(" \t\r", end);
-    }
-    if (words == 0)
+  std::vector<std::string_view> words;
+  for (std::string line; rows < pcd.points && std::getline(stream, line);) {
+    splitWords(line, words);
+    if (words.empty())
       continue;
-    if (words != columns)
+    for (std::size_t k = 0; k < words.size(); ++k)
+      if (!(k < checks.size() ? checks[k] : fitsReal)(words[k]))
+        throwNoValue(words[k], rows, path);
+    if (words.size() != checks.size())
       throw ToolError(path + ": point " + std::to_string(rows) + " has " +
-                      std::to_string(words) + " values, the header promises " +
-                      std::to_string(columns));
+                      std::to_string(words.size()) + " values, the header promises " +
+                      std::to_string(checks.size()));
     ++rows;
   }
-  if (rows < promised)
-    throwTruncated(path, promised, rows, "points");
+  if (rows < pcd.points)
+    throwTruncated(path, pcd.points, rows, "points");
 }
 
 void
@@ -100,7 +142,7 @@ checkPcd(const std::string& content, const std::string& path, CheckedPcd& checke
       content.size() - std::min<std::uint64_t>(header.body_begin, content.size());
   const std::uint64_t bytes = pcd.points * pcd.bytesPerPoint();
   if (pcd.data == "ascii") {
-    checkAsciiBody(stream, pcd.points, pcd.valuesPerPoint(), path);
+    checkAsciiBody(stream, pcd, path);
   }
   else if (pcd.data == "binary") {
     if (body < bytes)
@@ -113,6 +155,11 @@ checkPcd(const std::string& content, const std::string& path, CheckedPcd& checke
       throwTruncated(path, sizeof(sizes), body, "bytes of points");
     if (body < sizeof(sizes) + sizes[0])
       throwTruncated(path, sizeof(sizes) + sizes[0], body, "bytes of points");
+    constexpr std::uint64_t most_unpacked = 88; // bytes of one: 264 are packed into 3
+    if (sizes[1] > most_unpacked * sizes[0])
+      throw ToolError(path + ": the compressed points are " + std::to_string(sizes[0]) +
+                      " bytes, too few for the " + std::to_string(sizes[1]) +
+                      " that are promised");
     if (sizes[1] != bytes)
       throw ToolError(path + ": the compressed points are " + std::to_string(sizes[1]) +
                       " bytes, the header promises " + std::to_string(bytes));
@@ -158,11 +205,7 @@ poseOf(const FileHeader& header)
       continue;
     float numbers[7];
     for (std::size_t k = 0; k < 7; ++k) {
-      const auto& word = words[k + 1];
-      const char* const begin = word.data() + (word[0] == '+');
-      const char* const end = word.data() + word.size();
-      const auto read = std::from_chars(begin, end, numbers[k]);
-      if (read.ec != std::errc() || read.ptr != end || !std::isfinite(numbers[k]))
+      if (!readWord(words[k + 1], numbers[k]) || !std::isfinite(numbers[k]))
         return pose;
     }
     pose.origin = Eigen::Vector4f(numbers[0], numbers[1], numbers[2], 0);

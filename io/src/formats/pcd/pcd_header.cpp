@@ -75,6 +75,11 @@ requireUsable(const PcdHeader& pcd, const std::string& path)
     if (!isUsable(pcd.types[i], pcd.sizes[i], pcd.counts[i]))
       throw ToolError(path + ": SIZE, TYPE or COUNT of the field '" +
                       pcd.fields[i].substr(0, 20) + "' in the header is not usable");
+  constexpr std::uint64_t most_bytes = 1 << 24;
+  if (pcd.bytesPerPoint() > most_bytes)
+    throw ToolError(path + ": a point of the header has " +
+                    std::to_string(pcd.bytesPerPoint()) + " bytes, more than " +
+                    std::to_string(most_bytes));
   if (pcd.width != 0 && pcd.width * pcd.height != pcd.points)
     throw ToolError(path + ": WIDTH times HEIGHT in the header is not POINTS");
   if (pcd.points == 0)
@@ -95,15 +100,6 @@ dropEmptyFields(const std::vector<std::uint64_t>& counts, FileHeader& header)
 }
 
 } // namespace
-
-std::uint64_t
-PcdHeader::valuesPerPoint() const
-{
-  std::uint64_t sum = 0;
-  for (const auto count : counts)
-    sum += count;
-  return sum;
-}
 
 std::uint64_t
 PcdHeader::bytesPerPoint() const

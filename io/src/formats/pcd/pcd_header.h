@@ -23,9 +23,6 @@ struct PcdHeader {
   std::vector<std::string> notes; ///< see CloudFile::notes
 
   std::uint64_t
-  valuesPerPoint() const;
-
-  std::uint64_t
   bytesPerPoint() const;
 
   /** \brief Note that binary points are left out, if there are more than promised.

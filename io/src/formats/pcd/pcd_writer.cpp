@@ -5,7 +5,7 @@
 #include "formats/pcd/pcd_writer.h"
 
 #include "files/field_value.h"
-#include "formats/file_header.h" // for numberText
+#include "formats/file_header.h" // for shortestText
 
 #include <pcl/common/io.h> // for getFieldSize, getFieldType
 #include <pcl/indoor/parallel_for.h>
@@ -47,10 +47,10 @@ headerOf(const PCLPointCloud2& cloud,
   const auto& turn = pose.orientation;
   return text + "VERSION 0.7\nFIELDS" + names + "\nSIZE" + sizes + "\nTYPE" + types +
          "\nCOUNT" + counts + "\nWIDTH " + std::to_string(cloud.width) + "\nHEIGHT " +
-         std::to_string(cloud.height) + "\nVIEWPOINT " + numberText(pose.origin.x()) +
-         " " + numberText(pose.origin.y()) + " " + numberText(pose.origin.z()) + " " +
-         numberText(turn.w()) + " " + numberText(turn.x()) + " " +
-         numberText(turn.y()) + " " + numberText(turn.z()) + "\nPOINTS " +
+         std::to_string(cloud.height) + "\nVIEWPOINT " + shortestText(pose.origin.x()) +
+         " " + shortestText(pose.origin.y()) + " " + shortestText(pose.origin.z()) +
+         " " + shortestText(turn.w()) + " " + shortestText(turn.x()) + " " +
+         shortestText(turn.y()) + " " + shortestText(turn.z()) + "\nPOINTS " +
          std::to_string(static_cast<std::size_t>(cloud.width) * cloud.height) +
          "\nDATA " + encoding + "\n";
 }

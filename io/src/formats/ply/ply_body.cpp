@@ -5,13 +5,14 @@
 #include "formats/ply/ply_body.h"
 
 #include "files/tool_error.h"
+#include "formats/table/table_words.h" // for readNumber
 
 #include <pcl/PCLPointField.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <limits>
+#include <string_view>
 #include <type_traits>
 
 namespace pcl::indoor::tool {
@@ -86,15 +87,10 @@ PlyBody::nextNumber()
   if (begin == bytes_.npos)
     throwEnd();
   at_ = std::min(bytes_.find_first_of(gaps, begin), bytes_.size());
-  const char* first = &bytes_[begin];
-  const char* const last = first + (at_ - begin);
-  if (*first == '+')
-    ++first;
+  const auto word = std::string_view(bytes_).substr(begin, at_ - begin);
   double value = 0.0;
-  const auto read = std::from_chars(first, last, value);
-  if (read.ec == std::errc::invalid_argument || read.ptr != last)
-    throw ToolError(path_ + ": '" +
-                    bytes_.substr(begin, std::min<std::size_t>(20, at_ - begin)) +
+  if (!readNumber(word, value))
+    throw ToolError(path_ + ": '" + std::string(word.substr(0, 20)) +
                     "' is not a number");
   return value;
 }

@@ -64,14 +64,7 @@ layOut(const PlyElement& vertex, PCLPointCloud2& cloud)
     targets.emplace_back();
     if (property.list_type != 0)
       continue;
-    PCLPointField field;
-    field.name = property.name;
-    field.offset = cloud.point_step;
-    field.datatype = property.type;
-    field.count = 1;
-    cloud.fields.push_back(field);
-    cloud.point_step += static_cast<std::uint32_t>(plyTypeSize(property.type));
-    targets.back() = field.offset;
+    targets.back() = appendTo(cloud, property.name, property.type);
   }
   return targets;
 }
@@ -207,10 +200,12 @@ hasFaces(const PlyElement& element)
          std::any_of(element.properties.begin(), element.properties.end(), isFaceList);
 }
 
-/** The vertices of the next face; its other properties are left out. */
+/** The vertices of the next face; its other properties are left out. A number that is
+ * no vertex of any file stays none. */
 std::vector<std::uint32_t>
 readFace(PlyBody& body, const PlyElement& element, const std::string& path)
 {
+  constexpr std::uint32_t no_vertex = 0xffffffff;
   std::vector<std::uint32_t> face;
   std::uint8_t value[8] = {};
   for (const auto& property : element.properties) {
@@ -221,8 +216,9 @@ readFace(PlyBody& body, const PlyElement& element, const std::string& path)
     face.resize(listLength(body, property, path));
     for (auto& index : face) {
       body.read(property.type, value);
-      index = 0;
-      std::memcpy(&index, value, std::min(plyTypeSize(property.type), sizeof(index)));
+      const double number = valueAt(value, property.type);
+      index = number >= 0.0 && number < no_vertex ? static_cast<std::uint32_t>(number)
+                                                  : no_vertex;
     }
   }
   return face;

@@ -4,6 +4,7 @@
  */
 #include "formats/table/table_columns.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
@@ -93,20 +94,11 @@ const std::map<std::string, std::string> unit_words = {{"m", "m"},
                                                        {"degrees", "deg"},
                                                        {"rad", "rad"}};
 
-std::string
-smallLetters(const std::string& text)
-{
-  std::string small;
-  for (const char letter : text)
-    small += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return small;
-}
-
 /** Small letters and digits; what a PCD header cannot hold becomes a stroke. */
 std::string
 plainName(const std::string& name)
 {
-  auto plain = smallLetters(name);
+  auto plain = boost::algorithm::to_lower_copy(name);
   for (char& letter : plain)
     if (std::isalnum(static_cast<unsigned char>(letter)) == 0)
       letter = '_';

@@ -4,6 +4,7 @@
  */
 #include "formats/table/table_file.h"
 
+#include "files/field_value.h" // for appendTo
 #include "files/tool_error.h"
 #include "formats/file_ending.h"
 #include "formats/table/table_rows.h"
@@ -79,38 +80,27 @@ struct Target {
 std::vector<Target>
 layOut(const std::vector<TableColumn>& columns, PCLPointCloud2& cloud)
 {
-  std::size_t step = 0, rgb = 0;
-  const auto addField = [&](const std::string& name, std::uint8_t type) {
-    PCLPointField field;
-    field.name = name;
-    field.offset = static_cast<std::uint32_t>(step);
-    field.datatype = type;
-    field.count = 1;
-    cloud.fields.push_back(field);
-    const auto begin = step;
-    step += type == PCLPointField::FLOAT64 ? 8 : 4;
-    return begin;
-  };
+  std::size_t rgb = 0;
   std::vector<Target> targets(columns.size());
   bool has_rgb = false;
   for (const char* axis : {"x", "y", "z"}) // in this order, as viewers want them
     for (std::size_t c = 0; c < columns.size(); ++c)
       if (columns[c].kind == Kind::Coordinate && columns[c].field == axis)
-        targets[c] = {Kind::Coordinate, addField(axis, PCLPointField::FLOAT64), 0};
+        targets[c] = {
+            Kind::Coordinate, appendTo(cloud, axis, PCLPointField::FLOAT64), 0};
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const auto& [name, kind] = columns[c];
     if (kind == Kind::Real)
-      targets[c] = {kind, addField(name, PCLPointField::FLOAT32), 0};
+      targets[c] = {kind, appendTo(cloud, name, PCLPointField::FLOAT32), 0};
     else if (kind == Kind::Label)
-      targets[c] = {kind, addField(name, PCLPointField::UINT32), 0};
+      targets[c] = {kind, appendTo(cloud, name, PCLPointField::UINT32), 0};
     else if (kind == Kind::Color) {
       if (!has_rgb)
-        rgb = addField("rgb", PCLPointField::FLOAT32);
+        rgb = appendTo(cloud, "rgb", PCLPointField::FLOAT32);
       has_rgb = true;
       targets[c] = {kind, rgb, name == "r" ? 16u : name == "g" ? 8u : 0u};
     }
   }
-  cloud.point_step = static_cast<std::uint32_t>(step);
   return targets;
 }
 

@@ -8,7 +8,10 @@
 #include <array>
 #include <cctype>
 #include <charconv>
-#include <cstdlib>
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <string>
 
 namespace pcl::indoor::tool {
@@ -57,6 +60,19 @@ endOfWord(std::string_view line, char separator)
                   line.size());
 }
 
+/** The value of a number that no double is near, whatever the locale of the program. */
+double
+zeroOrInfinite(std::string_view word)
+{
+  std::istringstream stream{std::string(word)};
+  stream.imbue(std::locale::classic());
+  double value = 0;
+  stream >> value; // of too large ones the largest double
+  const bool is_large = std::abs(value) == std::numeric_limits<double>::max();
+  return is_large ? std::copysign(std::numeric_limits<double>::infinity(), value)
+                  : value;
+}
+
 bool
 readWithPoint(std::string_view word, double& value)
 {
@@ -67,7 +83,7 @@ readWithPoint(std::string_view word, double& value)
   if (read.ptr != end || read.ec == std::errc::invalid_argument || word.empty())
     return false;
   if (read.ec == std::errc::result_out_of_range) // too small or too large for a double
-    value = std::strtod(std::string(word).c_str(), nullptr);
+    value = zeroOrInfinite(word);
   return true;
 }
 
