@@ -21,7 +21,7 @@ TEST(StepFile, TextsAreAscii)
             "'Gr\\X2\\00F6\\X0\\\\X2\\00DF\\X0\\e'");
   EXPECT_EQ(stepText("\xf0\x9f\x8f\xa0"), "'\\X4\\0001F3E0\\X0\\'");
   EXPECT_EQ(stepText("\xff-\n-\xc3"), "'?-?-?'");
-  EXPECT_EQ(stepText("\xe2z"), "'?z'");         // cut short
+  EXPECT_EQ(stepText("\xe2z"), "'?z'");           // cut short
   EXPECT_EQ(stepText("\xed\xa0\x80"), "'?\?\?'"); // half of a pair
 }
 
