@@ -44,7 +44,7 @@ fieldType(std::uint64_t component_type)
 
 /** A number, or what else it is: nested lists would need a call for each level. */
 std::string
-shown(const Json& value)
+valueText(const Json& value)
 {
   return value.is_number() ? value.dump() : std::string("JSON ") + value.type_name();
 }
@@ -134,7 +134,7 @@ private:
   whole(const Json& value) const
   {
     if (!value.is_number_unsigned())
-      complain("the file is damaged, " + shown(value) + " is no whole number");
+      complain("the file is damaged, " + valueText(value) + " is no whole number");
     return value.get<std::uint64_t>();
   }
 
