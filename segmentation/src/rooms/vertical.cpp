@@ -6,6 +6,7 @@
 #include "rooms/floor_side.h"
 #include "rooms/scan_sample.h"
 
+#include <pcl/indoor/quantile.h>
 #include <pcl/segmentation/building_frame.h> // for turnUpright
 #include <pcl/segmentation/scan_overview.h>
 #include <pcl/segmentation/scan_warnings.h> // for metresPerUnit
@@ -214,23 +215,19 @@ isRoomHeight(double length)
   return low <= height && height <= high;
 }
 
-/** The standard deviation of the places of the points along a direction. */
-double
-spreadAlong(const Points& sample, const Eigen::Vector3d& direction)
+/** How far the points reach along a direction, but for strays. */
+float
+extentAlong(const Points& sample, const Eigen::Vector3d& direction)
 {
-  double sum = 0.0, squares = 0.0;
-  for (const auto& point : sample) {
-    const double at = point.cast<double>().dot(direction);
-    sum += at;
-    squares += at * at;
-  }
-  const auto count = static_cast<double>(sample.size());
-  return std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)));
+  std::vector<float> places;
+  places.reserve(sample.size());
+  for (const auto& point : sample)
+    places.push_back(point.dot(direction.cast<float>()));
+  return extentWithoutStrays(places);
 }
 
-/** Floors and ceilings lie in few planes with little space between them, and buildings
- * are wider than high: the vertical has the largest plane share over free length and
- * spread. */
+/** Floors and ceilings lie in few planes with little space between them, so the
+ * vertical has the largest plane share over free length. */
 void
 measure(const Pieces& pieces,
         const Points& sample,
@@ -244,10 +241,8 @@ measure(const Pieces& pieces,
     candidate.room_height = space.length();
     candidate.is_covered = roomShare(space) > enough;
     candidate.has_rooms = candidate.is_covered && isRoomHeight(candidate.room_height);
-    const double extent =
-        candidate.room_height * spreadAlong(sample, candidate.direction);
-    if (extent > 0.0)
-      candidate.uprightness = share / extent;
+    if (candidate.room_height > 0.0)
+      candidate.uprightness = share / candidate.room_height;
   }
 }
 
@@ -279,7 +274,9 @@ mostUpright(std::vector<Candidate> candidates,
       });
   const bool is_clear = first.uprightness > 0.0 &&
                         best.uprightness > clearly * first.uprightness &&
-                        best.room_height < first.room_height; // rooms are flat
+                        best.room_height < first.room_height && // rooms are flat
+                        extentAlong(sample, best.direction) <   // and buildings
+                            extentAlong(sample, first.direction);
   const bool is_far = first.tilt() > 0.5 && isNearZ(best); // both by 30 to 46 degrees
   if (is_clear && !best.has_rooms && !is_far)
     doubtful = best.direction.cast<float>();
