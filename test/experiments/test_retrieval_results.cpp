@@ -113,6 +113,6 @@ TEST_F(RetrievalResults, ListsNameSomething)
   for (const std::string option : {"-distances", "-noise", "-descriptors"})
     for (const std::string list : {"\"\"", "no"}) {
       EXPECT_EQ(status(option + " " + list), 1);
-      EXPECT_NE(bytesOf(path("said")).find(option + ": '"), std::string::npos);
+      EXPECT_NE(bytesOf(path("said")).find(option + ": "), std::string::npos);
     }
 }
