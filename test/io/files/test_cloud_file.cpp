@@ -114,14 +114,14 @@ TEST_F(CloudFiles, PlyNumbersTooLargeForADoubleAreNotZero)
 {
   const auto with = [this](const std::string& type, const std::string& word) {
     return write("far.ply",
-                 "ply\nformat ascii 1.0\nelement vertex 2\nproperty " + type +
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty " + type +
                      " x\nproperty float y\nproperty float z\nproperty int n\n"
-                     "end_header\n1 2 3 4\n" +
+                     "end_header\n1 2 3 4\n5 2 3 4\n" +
                      word + " 2 3 4\n");
   };
   for (const char* type : {"float", "double"}) {
-    EXPECT_EQ(loadCloud(with(type, "1e400")).finite_count, 1u);
-    EXPECT_EQ(loadCloud(with(type, "1e-400")).finite_count, 2u);
+    EXPECT_EQ(loadCloud(with(type, "1e400")).finite_count, 2u);
+    EXPECT_EQ(loadCloud(with(type, "1e-400")).finite_count, 3u);
   }
 }
 
@@ -311,9 +311,9 @@ TEST_F(CloudFiles, AsciiNumbersThatTheirFieldsCannotHoldAreRefused)
     return write("a.pcd",
                  "VERSION .7\nFIELDS x y z value\nSIZE 4 4 4 " + size +
                      "\nTYPE F F F " + type +
-                     "\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n"
+                     "\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ascii\n"
                      "1 2 3 " +
-                     word + "\n");
+                     word + "\n4 5 6 0\n");
   };
   using Words = std::vector<std::array<std::string, 3>>;
   for (const auto& [type, size, word] : Words{{"U", "1", "300"},
@@ -345,7 +345,7 @@ TEST_F(CloudFiles, AsciiNumbersThatTheirFieldsCannotHoldAreRefused)
                                               {"U", "8", "18446744073709551615"},
                                               {"F", "4", "1e400"},
                                               {"F", "4", "nan"}})
-    EXPECT_EQ(loadCloud(with(type, size, word)).cloud.width, 1u) << word;
+    EXPECT_EQ(loadCloud(with(type, size, word)).cloud.width, 2u) << word;
 }
 
 TEST_F(CloudFiles, CompressedPointsTakeNoMemoryThatTheyCannotFill)
