@@ -4,7 +4,7 @@
  */
 #include <pcl/segmentation/object_segmentation.h>
 
-#include "objects/extent_along.h"
+#include "internal/extent_along.h"
 #include "objects/object_steps.h"
 #include "objects/structure/camera_view.h"
 

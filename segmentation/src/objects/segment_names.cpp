@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -94,16 +93,14 @@ structureOfSegments(const DetailedSegmentation& result)
   const auto& planes = result.scene.planes;
   std::vector<std::map<std::uint32_t, std::size_t>> counts(planes.size());
   std::vector<std::ptrdiff_t> outside(result.segment_count, 0); // less those in planes
+  for (std::size_t i = 0; i < result.segment_of_point.size(); ++i)
+    outside[result.segment_of_point[i]] += result.scene.planeOfPoint(i) == 0 ? 1 : -1;
   for (std::size_t i = 0; i < result.segment_of_point.size(); ++i) {
-    const auto plane = result.scene.planeOfPoint(i);
     const auto segment = result.segment_of_point[i];
-    outside[segment] += plane == 0 ? 1 : -1;
-    if (plane != 0)
+    if (const auto plane = result.scene.planeOfPoint(i);
+        plane != 0 && outside[segment] <= 0)
       ++counts[plane - 1][segment];
   }
-  for (auto& of_plane : counts)
-    for (auto each = of_plane.begin(); each != of_plane.end();)
-      each = outside[each->first] > 0 ? of_plane.erase(each) : std::next(each);
   std::vector<StructureKind> kinds(result.segment_count, StructureKind::None);
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const auto most = std::max_element(

@@ -6,7 +6,7 @@
 
 #include <pcl/segmentation/object_segmentation.h>
 
-#include "objects/extent_along.h"
+#include "internal/extent_along.h"
 
 #include <pcl/indoor/point_resolution.h>
 

@@ -3,10 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "internal/extent_along.h"
 #include "rooms/floor_side.h"
 #include "rooms/scan_sample.h"
 
-#include <pcl/indoor/quantile.h>
 #include <pcl/segmentation/building_frame.h> // for turnUpright
 #include <pcl/segmentation/scan_overview.h>
 #include <pcl/segmentation/scan_warnings.h> // for metresPerUnit
@@ -215,17 +215,6 @@ isRoomHeight(double length)
   return low <= height && height <= high;
 }
 
-/** How far the points reach along a direction, but for strays. */
-float
-extentAlong(const Points& sample, const Eigen::Vector3d& direction)
-{
-  std::vector<float> places;
-  places.reserve(sample.size());
-  for (const auto& point : sample)
-    places.push_back(point.dot(direction.cast<float>()));
-  return extentWithoutStrays(places);
-}
-
 /** Floors and ceilings lie in few planes with little space between them, so the
  * vertical has the largest plane share over free length. */
 void
@@ -272,11 +261,12 @@ mostUpright(std::vector<Candidate> candidates,
       candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return a.uprightness < b.uprightness;
       });
+  // Rooms, and buildings, are wider than high.
   const bool is_clear = first.uprightness > 0.0 &&
                         best.uprightness > clearly * first.uprightness &&
-                        best.room_height < first.room_height && // rooms are flat
-                        extentAlong(sample, best.direction) <   // and buildings
-                            extentAlong(sample, first.direction);
+                        best.room_height < first.room_height &&
+                        extentAlong(best.direction.cast<float>(), sample) <
+                            extentAlong(first.direction.cast<float>(), sample);
   const bool is_far = first.tilt() > 0.5 && isNearZ(best); // both by 30 to 46 degrees
   if (is_clear && !best.has_rooms && !is_far)
     doubtful = best.direction.cast<float>();

@@ -24,9 +24,12 @@ using FaceHoles = std::vector<FaceHole>;
  * leaf or a reveal is seen, one of the upright edges may be a corner of the room. In a
  * wall between two rooms a window, or a door that stands open, is one only if both
  * sides show it; a niche is none. Of two sides that show one opening the better framed
- * one measures it. \param[in] holes per side \param[in] passable where one can pass;
- * each is an opening, whether or not its edges are seen in the images \return those of
- * \a passable in their order, then all others, storey by storey; without their walls
+ * one measures it.
+ * \param[in] holes per side
+ * \param[in] passable where one can pass; each is an opening, whether or not its edges
+ * are seen in the images
+ * \return those of \a passable in their order, then all others, storey by storey;
+ * without their walls
  */
 PCL_INDOOR_EXPORTS std::vector<ModelOpening>
 modelOpenings(const std::vector<WallFace>& faces,

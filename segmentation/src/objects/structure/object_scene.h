@@ -41,8 +41,8 @@ struct ObjectScene {
 };
 
 /** \brief Tell whether the parts of a scene fit each other and the labels of a step,
- * the voxel size is positive and the direction up is a unit vector. \param[in]
- * label_count labels, one per point
+ * the voxel size is positive and the direction up is a unit vector.
+ * \param[in] label_count labels, one per point
  */
 bool
 isConsistent(const ObjectScene& scene, std::size_t label_count);

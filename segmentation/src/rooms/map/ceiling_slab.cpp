@@ -219,10 +219,10 @@ topsAtHeads(const VoxelBits& occupancy,
             const VerticalRange& storey,
             const PixelMap<int>& ceiling)
 {
-  const int heads = voxelsIn(passage_height, occupancy.voxel_size);
+  const int heads = voxelsIn(passage_height, occupancy.voxel_size, 1);
   PixelMap<int> tops = ceiling;
   for (auto& top : tops.values)
-    top = std::min(top, storey.begin + std::max(1, heads));
+    top = std::min(top, storey.begin + heads);
   return tops;
 }
 
