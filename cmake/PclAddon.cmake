@@ -233,24 +233,44 @@ function(pcl_addon_set_test_defaults target)
   target_compile_options(${target} PRIVATE -fPIC $<$<NOT:$<CONFIG:Debug>>:-O1>)
 endfunction()
 
-# pcl_addon_add_tests(folder LINK ... NAMES ...): test/folder/test_<name>.cpp becomes an executable and a test of CTest. The
-# folder begins with the module, whose private headers the test may include and whose private functions it may call:
-# it links archives. Tests of programs link what programs link.
-function(pcl_addon_add_tests folder)
+# pcl_addon_add_test_program(target folder LINK ... NAMES ...): test/folder/test_<name>.cpp become a program. The folder begins
+# with the module, whose private headers the tests may include and whose private functions they may call: they link
+# archives. Tests of programs link what programs link.
+function(pcl_addon_add_test_program target folder)
   cmake_parse_arguments(ARG "" "" "LINK;NAMES" ${ARGN})
   string(REGEX MATCH "^[^/]+" module ${folder})
   if(NOT module MATCHES "^(tools|experiments|ros2)$")
     pcl_addon_use_archives(ARG_LINK ${ARG_LINK})
   endif()
+  list(TRANSFORM ARG_NAMES REPLACE ".+" "${folder}/test_\\0.cpp" OUTPUT_VARIABLE sources)
+  add_executable(${target} ${sources})
+  pcl_addon_set_test_defaults(${target})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/test ${PROJECT_SOURCE_DIR}/${module}/src)
+  target_link_libraries(${target} PRIVATE GTest::gtest_main ${ARG_LINK})
+  target_link_options(${target} PRIVATE LINKER:--as-needed)
+  target_precompile_headers(${target} REUSE_FROM test_headers)
+endfunction()
+
+# pcl_addon_add_tests(folder LINK ... NAMES ...): test/folder/test_<name>.cpp become one program and one test of CTest, which
+# have the name of the folder
+function(pcl_addon_add_tests folder)
+  string(REPLACE "/" "_" target test_${folder})
+  string(REPLACE "/" "." test ${folder})
+  pcl_addon_add_test_program(${target} ${folder} ${ARGN})
+  add_test(NAME ${test} COMMAND ${target})
+endfunction()
+
+# pcl_addon_add_program_tests(folder LINK ... NAMES ...): each test/folder/test_<name>.cpp becomes a program and a test of
+# CTest that runs the project's programs
+function(pcl_addon_add_program_tests folder)
+  cmake_parse_arguments(ARG "" "" "LINK;NAMES" ${ARGN})
   foreach(name ${ARG_NAMES})
-    set(target test_${module}_${name})
-    add_executable(${target} ${folder}/test_${name}.cpp)
-    pcl_addon_set_test_defaults(${target})
-    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/test ${PROJECT_SOURCE_DIR}/${module}/src)
-    target_link_libraries(${target} PRIVATE GTest::gtest_main ${ARG_LINK})
-    target_link_options(${target} PRIVATE LINKER:--as-needed)
-    target_precompile_headers(${target} REUSE_FROM test_headers)
-    add_test(NAME ${module}.${name} COMMAND ${target})
+    set(target test_${folder}_${name})
+    pcl_addon_add_test_program(${target} ${folder} LINK ${ARG_LINK} NAMES ${name})
+    target_compile_definitions(${target} PRIVATE PCL_INDOOR_TOOLS="$<TARGET_FILE_DIR:pcl_indoor_pipeline>"
+      PCL_INDOOR_PLANS="${PROJECT_SOURCE_DIR}/simulation/plans")
+    add_dependencies(${target} pcl_indoor_programs)
+    add_test(NAME ${folder}.${name} COMMAND ${target})
   endforeach()
 endfunction()
 

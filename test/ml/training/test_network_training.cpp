@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/folder_test.h"
+#include "support/folder_test.h"
 #include "small_networks.h"
 
 #include <cmath>
