@@ -9,8 +9,6 @@
 #include "objects/segment_names.h"
 #include "objects/split/flat_objects.h"
 #include "objects/split/object_gaps.h"
-#include "objects/split/object_seams.h"
-#include "objects/structure/wall_casings.h"
 
 #include <pcl/indoor/most_frequent.h>
 
@@ -131,13 +129,6 @@ joinToObjects(const ObjectSegmentationOptions& options,
   result.joins = std::move(tree.joins);
   for (auto& segment : result.segment_of_point)
     segment = segment_of_piece[segment];
-}
-
-void
-cutBodies(DetailedSegmentation& result)
-{
-  const auto left_out = flagStructureAndCasings(result.scene, result.segment_of_point);
-  partAtSeams(result.scene, left_out, result.segment_of_point);
 }
 
 } // namespace pcl::indoor

@@ -27,8 +27,4 @@ joinToObjects(const ObjectSegmentationOptions& options,
               const std::optional<Eigen::Vector3f>& camera,
               DetailedSegmentation& result);
 
-/** Part objects at seams between bodies that stand against each other. */
-void
-cutBodies(DetailedSegmentation& result);
-
 } // namespace pcl::indoor

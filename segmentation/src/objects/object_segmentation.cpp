@@ -79,8 +79,6 @@ segmentDistinct(ObjectSegmentationInput input,
   else
     cutPieces(segment_of_voxel, result);
   joinToObjects(options, camera, result);
-  if (!camera)
-    cutBodies(result);
   yieldEnclosed(result.scene, result.segment_of_point);
   nameSegments(options, result);
   if (of_objects && !camera) // whose direction up is unknown

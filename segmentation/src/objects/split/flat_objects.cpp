@@ -27,8 +27,7 @@ using pcl::indoor::quantile;
 
 constexpr double most_cells = 1 << 22;
 constexpr int fit_rounds = 5;
-// metres; an object with more than 30 % of its points above this has sides that part it
-constexpr double max_height = 0.12;
+constexpr double max_height = 0.12; // metres; what is higher has sides that part it
 
 /** A plane over the ground: height = slope * place + offset. */
 struct Level {
@@ -174,9 +173,7 @@ private:
         std::uint32_t cell = 0;
         if (!(height > -scene_.voxel_size / 2) || !map.find(place.head<2>(), cell))
           continue;
-        if (height > max_height)
-          map.addHigh(cell);
-        else
+        if (height <= max_height)
           map.add(cell, height);
         found.emplace_back(point, cell);
       }

@@ -16,7 +16,7 @@ namespace pcl::indoor {
  *
  * Such objects are only a few voxels high, too little to show in the normals. But the
  * mean height of the points in a cell tells them from the surface around them. An
- * object is smaller than the surface, which goes on around it. Only the largest
+ * object is smaller than the surface. Only the largest
  * horizontal surface of each segment is looked at; one whose box holds more than 2^22
  * cells is left as it is. The cost is that of sorting heights.
  * \param[in] segment_of_voxel numbered from 0; segments of floor, walls and

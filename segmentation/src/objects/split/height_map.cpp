@@ -13,12 +13,9 @@
 namespace {
 
 constexpr double empty = std::numeric_limits<double>::quiet_NaN();
-constexpr double outline_share = 0.35;   // of an object's height
-constexpr double most_high_points = 0.3; // with more it is part of a higher one
-
+constexpr double outline_share = 0.35;  // of an object's height
 constexpr double min_area = 4;          // of an object, cells
 constexpr double max_area_share = 0.25; // of an object over that of the surface
-constexpr double min_surrounded = 0.5;  // share of the cells at its rim with points
 /** An object rises by chance_deviations of the surface's heights, and so many cells. */
 constexpr double min_rise = 0.1;
 
@@ -56,7 +53,6 @@ HeightMap::prepare()
   if (!counts_.empty())
     return;
   counts_.assign(static_cast<std::size_t>(cell_count_), 0);
-  high_counts_ = counts_;
   sums_.assign(counts_.size(), 0);
 }
 
@@ -66,13 +62,6 @@ HeightMap::add(std::uint32_t cell, double height)
   prepare();
   sums_[cell] += height;
   ++counts_[cell];
-}
-
-void
-HeightMap::addHigh(std::uint32_t cell)
-{
-  prepare();
-  ++high_counts_[cell];
 }
 
 template <typename Function>
@@ -167,33 +156,12 @@ HeightMap::largestAbove(double outline, const Cells& raised)
   return largest;
 }
 
-double
-HeightMap::shareAround(const Cells& object) const
-{
-  auto inside = object;
-  std::sort(inside.begin(), inside.end());
-  std::size_t around = 0, occupied = 0;
-  for (const auto cell : object)
-    forNeighbors(cell, [&](std::uint32_t other) {
-      const bool is_around = !std::binary_search(inside.begin(), inside.end(), other);
-      around += is_around;
-      occupied += is_around && counts_[other] > 0;
-    });
-  return static_cast<double>(occupied) / static_cast<double>(around);
-}
-
 bool
 HeightMap::isObject(const Cells& object) const
 {
-  double points = 0, high_points = 0;
-  for (const auto cell : object) {
-    points += counts_[cell] + high_counts_[cell];
-    high_points += high_counts_[cell];
-  }
   const auto area = static_cast<double>(object.size());
-  return area >= min_area && high_points <= most_high_points * points &&
-         area <= max_area_share * static_cast<double>(surface_cells_) &&
-         shareAround(object) >= min_surrounded;
+  return area >= min_area &&
+         area <= max_area_share * static_cast<double>(surface_cells_);
 }
 
 std::vector<std::uint32_t>

@@ -33,10 +33,6 @@ public:
   void
   add(std::uint32_t cell, double height);
 
-  /** \brief Count a point that is higher than objects may be. */
-  void
-  addHigh(std::uint32_t cell);
-
   /** \brief Find connected cells that rise above the others.
    * \return the number of its object, from 1, for each cell; 0 for all others
    */
@@ -90,11 +86,6 @@ private:
   Cells
   largestAbove(double outline, const Cells& raised);
 
-  /** Share of the cells at the rim of an object that hold points; a cell counts once
-   * for each cell of the object that it touches. */
-  double
-  shareAround(const Cells& object) const;
-
   bool
   isObject(const Cells& object) const;
 
@@ -103,7 +94,7 @@ private:
   Eigen::Array2i shape_;
   double cell_count_;
   std::vector<double> sums_, heights_;
-  std::vector<std::uint32_t> counts_, high_counts_;
+  std::vector<std::uint32_t> counts_;
   std::vector<State> states_;
   double surface_ = 0, deviation_ = 0;
   std::size_t surface_cells_ = 0, object_count_ = 0;

@@ -6,7 +6,6 @@
 
 #include "objects/structure/plane_frame.h"
 #include "objects/structure/point_groups.h"
-#include "objects/structure/wall_casings.h"
 
 #include <Eigen/Geometry>
 
@@ -31,6 +30,22 @@ using Box = pcl::indoor::PointBox;
 
 constexpr double cover = 1;            // voxels: what is farther hides the plane
 constexpr double cells_per_point = 20; // with more, a segment is too sparse
+constexpr double casing_depth = 0.2;   // metres, on either side of a wall
+
+/** Whether at least 95 % of some points lie within casing_depth of a plane, as those of
+ * casings of doors and windows do; true for no points. */
+bool
+isCasing(const Members& members,
+         const StructurePlane& plane,
+         const std::vector<Eigen::Vector3f>& points)
+{
+  const double allowed = 0.05 * static_cast<double>(members.size());
+  double far = 0;
+  return std::all_of(members.begin(), members.end(), [&](std::uint32_t i) {
+    far += std::abs(plane.heightOf(points[i].cast<double>())) > casing_depth;
+    return far <= allowed;
+  });
+}
 
 /** The plane ends where others begin, which stand on it. */
 void
@@ -170,7 +185,7 @@ public:
       if (!reach_[plane].intersects(objects_.boxes[s]) || !touches(members, frame))
         continue;
       const auto others = planesAcross(plane, objects_.boxes[s]);
-      const bool is_casing = isThinAlong(scene_.planes[plane], scene_.points, members);
+      const bool is_casing = isCasing(members, scene_.planes[plane], scene_.points);
       for (const auto& side : project(members, frame)) {
         const auto cells =
             cellsEnclosedBy(side, is_casing, frame, others, scene_.voxel_size);

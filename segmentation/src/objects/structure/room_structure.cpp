@@ -25,7 +25,6 @@ using pcl::indoor::sheet_cosine;
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr double min_area = 0.02; // share of all voxels
 constexpr double min_span = 0.85; // share of the room's extent in one of its directions
 constexpr double min_length = 1.5;  // in that direction, metres: rooms are not lower
 constexpr double most_beyond = 0.1; // share of what is seen that is behind a wall
@@ -206,7 +205,6 @@ public:
   , voxels_(voxels)
   , voxel_size_(voxel_size)
   , near_(near_surface_voxels * voxel_size)
-  , least_(min_area * static_cast<double>(voxels.size()))
   , up_(up.cast<double>())
   , is_view_(capture == pcl::indoor::Capture::RoomView)
   , axes_(pcl::indoor::axesOf(planes))
@@ -226,8 +224,6 @@ public:
   bool
   encloses(const StructurePlane& plane) const
   {
-    if (static_cast<double>(plane.voxels.size()) < least_)
-      return false;
     const auto reach = reachOf(plane);
     if (!reach.one_way && !reach.both_ways)
       return is_view_ ? bounds(voxels_, plane, voxel_size_) &&
@@ -275,7 +271,6 @@ private:
   const std::vector<StructurePlane>& planes_;
   const SurfaceVoxels& voxels_;
   double voxel_size_, near_; // metres
-  double least_;             // voxels of a plane
   Eigen::Vector3d up_;
   bool is_view_;
   Eigen::Matrix3d axes_;

@@ -108,18 +108,6 @@ TEST(FlatObjects, LeavesWhatIsNoSmallerThanTheSurface)
   EXPECT_EQ(segmentCount(parted(desk_with(0.6f))), 1u) << "30 % of the desk";
 }
 
-TEST(FlatObjects, LeavesWhatTheSurfaceIsNotAround)
-{
-  const auto desk_with_strip = [](float from) { // a board's edge, or a ruler
-    return deskWithObject(
-        0.03f,
-        0.003f,
-        Area(Eigen::Vector2f(-1, from), Eigen::Vector2f(2, from + 0.1f)));
-  };
-  EXPECT_EQ(segmentCount(parted(desk_with_strip(0.3f))), 2u);
-  EXPECT_EQ(segmentCount(parted(desk_with_strip(-0.02f))), 1u);
-}
-
 TEST(FlatObjects, TakesWhatStandsOnAnObjectAlong)
 {
   auto scene = deskWithObject(0.05f, 0.003f);
