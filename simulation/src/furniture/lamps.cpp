@@ -116,15 +116,7 @@ globeLamp(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                d = std::min(2 * std::min(x, y), 0.9 * z) * draw.uniform(0.95, 1.0);
-  make.loft("globe",
-            {-d / 2, -d / 2, d / 2, d / 2},
-            {{0, 0},
-             {0.6, 0.1 * d},
-             {0.92, 0.3 * d},
-             {1, 0.5 * d},
-             {0.92, 0.7 * d},
-             {0.6, 0.9 * d},
-             {0, d}});
+  make.loft("globe", {-d / 2, -d / 2, d / 2, d / 2}, ballSections(d));
   make.rod("cord", {0, 0, 0.97 * d}, {0, 0, z}, 0.008);
 }
 

@@ -196,6 +196,24 @@ fronts(PartMaker& make,
        double z1,
        bool handles);
 
+/** \brief How many parts of about a length fill another. */
+int
+partsIn(double length, double each, int least = 1);
+
+/** \brief Four square bars that stand upright on the floor.
+ * \param[in] places their lowest corners, metres
+ * \param[in] thickness of a bar, metres */
+void
+cornerPosts(PartMaker& make,
+            const std::string& name,
+            const Rectangle& places,
+            double thickness,
+            double height);
+
+/** \brief The outline of a ball that stands on the floor, for loft(). */
+std::vector<Section>
+ballSections(double height);
+
 /** \brief Four round legs that stand apart by \a splay more below than above. */
 void
 roundLegs(PartMaker& make, double x, double y, double radius, double z, double splay);
