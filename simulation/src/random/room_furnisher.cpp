@@ -5,6 +5,7 @@
 #include "random/room_furnisher.h"
 
 #include "furniture/catalogue.h"
+#include "plan/turned_rectangle.h"
 
 #include <pcl/simulation/furniture.h>
 
@@ -47,14 +48,6 @@ drawnShapes(const std::string& category, bool lived_in, int first, int last)
 }
 
 } // namespace
-
-Polygon
-turnedRectangle(const Eigen::Vector2d& at, const Eigen::Vector2d& size, double rotation)
-{
-  const Eigen::Vector2d x = size.x() / 2 * sidewards(rotation);
-  const Eigen::Vector2d y = size.y() / 2 * forwards(rotation);
-  return {at - x - y, at + x - y, at + x + y, at - x + y};
-}
 
 RoomFurnisher::RoomFurnisher(const LayoutRoom& room,
                              const std::vector<LayoutOpening>& openings,
