@@ -7,13 +7,13 @@
 #include "files/cloud_file.h"
 #include "formats/json_text.h"
 #include "formats/table/table_columns.h" // for listedNames
+#include "text/words.h"
 
 #include <pcl/segmentation/segmentation_metrics.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -113,9 +113,7 @@ leaveOut(const std::string& list, SegmentLabels& labels)
   std::vector<std::uint32_t> ignored;
   for (const auto& item : listedNames(list)) {
     std::uint32_t label = 0;
-    const auto* const end = item.data() + item.size();
-    const auto result = std::from_chars(item.data(), end, label);
-    if (result.ec != std::errc() || result.ptr != end)
+    if (!readWord(item, label))
       throw ToolError("-ignore: \"" + item + "\" is no label.");
     ignored.push_back(label);
   }
