@@ -185,7 +185,7 @@ furnishHall(RoomFurnisher& room)
 void
 finish(RoomFurnisher& room, bool dry)
 {
-  room.belowWindows("radiator", 0.6);
+  room.radiatorsBelowWindows();
   if (room.chance(0.8))
     room.fromCeiling(room.shaped("ceiling_lamp", 1, 5));
   if (!dry)

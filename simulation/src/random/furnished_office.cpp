@@ -126,7 +126,7 @@ furnishOfficeRoom(RoomFurnisher& room, RoomKind kind)
   default:
     furnishOffice(room);
   }
-  room.belowWindows("radiator", 0.6);
+  room.radiatorsBelowWindows();
   const Piece lamp = room.chance(0.7) ? room.shaped("ceiling_lamp", 0, 0)
                                       : room.shaped("ceiling_lamp", 1, 3);
   for (int i = static_cast<int>(room.size().prod() / 8.0); i >= 0; --i)

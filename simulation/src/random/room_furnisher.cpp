@@ -356,12 +356,12 @@ RoomFurnisher::fromCeiling(const Piece& piece, int over)
 }
 
 void
-RoomFurnisher::belowWindows(const std::string& category, double probability)
+RoomFurnisher::radiatorsBelowWindows()
 {
   for (const auto& window : windows_) {
-    if (!chance(probability))
+    if (!chance(0.6))
       continue;
-    Piece p = piece(category);
+    Piece p = piece("radiator");
     p.size.x() = std::min(p.size.x(), window.width);
     p.size.z() = std::min(p.size.z(), window.sill - 0.05);
     if (p.size.z() > 0.3)

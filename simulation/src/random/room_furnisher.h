@@ -170,9 +170,9 @@ public:
   int
   fromCeiling(const Piece& piece, int over = -1);
 
-  /** \brief Below each window, not above its sill. */
+  /** \brief Below most windows, not above their sills. */
   void
-  belowWindows(const std::string& category, double probability);
+  radiatorsBelowWindows();
 
   /** \brief Curtains, or blinds, before each window. */
   void

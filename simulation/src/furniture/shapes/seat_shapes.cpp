@@ -15,15 +15,10 @@ namespace {
 
 // A log, a tower, a cube, a sack: seats of one body.
 FurnitureClass
-pouf(const char* name,
-     const Size& smallest,
-     const Size& largest,
-     double corner,
-     double waist,
-     int like)
+pouf(const Size& smallest, const Size& largest, double corner, double waist)
 {
   return fitted(
-      name,
+      "stool",
       smallest,
       largest,
       [=](PartMaker& make, const Size& size, RandomDraw&) {
@@ -38,7 +33,7 @@ pouf(const char* name,
                    {0.4, z, corner}},
                   20);
       },
-      like);
+      2);
 }
 
 // A bag of beads, sunk where one sits.
@@ -224,8 +219,8 @@ seatShapes()
       barStool({Legs::Splayed, Seat::Padded, Back::Curved, Arms::None, 0.72}),
       barStool({Legs::Pedestal, Seat::Padded, Back::Board, Arms::None, 0.74}),
       barStool({Legs::Sled, Seat::Board, Back::Slats, Arms::None, 0.72}),
-      pouf("stool", {0.38, 0.38, 0.36}, {0.6, 0.6, 0.48}, 0.3, 1.0, 2),
-      pouf("stool", {0.32, 0.32, 0.42}, {0.42, 0.42, 0.5}, 1.0, 0.7, 2),
+      pouf({0.38, 0.38, 0.36}, {0.6, 0.6, 0.48}, 0.3, 1.0),
+      pouf({0.32, 0.32, 0.42}, {0.42, 0.42, 0.5}, 1.0, 0.7),
       seating(
           "bench", bench_low, bench_high, {Legs::Tapered, Seat::Cushion, Back::None}),
       seating("bench",
