@@ -12,6 +12,7 @@
 #include "pictures/comparison_picture.h"
 #include "pictures/svg_raster.h"
 #include "scene/single_view.h"
+#include "text/formatted.h"
 #include "text/pcl_errors.h"
 #include "text/printable.h"
 
@@ -243,14 +244,10 @@ std::string
 titleOf(const Method& method)
 {
   const auto& errors = method.scenes.back();
-  char text[64];
-  std::snprintf(text,
-                sizeof(text),
-                ": OS %.1f %%, US %.1f %%",
-                100 * errors.at("oversegmentation").get<double>(),
-                100 * errors.at("undersegmentation").get<double>());
   const auto name = method.name.find('\'') == std::string::npos ? method.name : "LCCP";
-  return name + text;
+  return name + formatted(": OS %.1f %%, US %.1f %%",
+                          100 * errors.at("oversegmentation").get<double>(),
+                          100 * errors.at("undersegmentation").get<double>());
 }
 
 bool
