@@ -101,15 +101,16 @@ correlationText(const std::array<double, 6>& correlations)
   double mean = 0;
   for (const double correlation : correlations)
     mean += std::abs(correlation) / 6;
-  return formatted("correlation of features, mean |r| %.3f: f1 f2 %.3f, f1 f3 %.3f, f1 f4 "
-                "%.3f, f2 f3 %.3f, f2 f4 %.3f, f3 f4 %.3f\n",
-                mean,
-                correlations[0],
-                correlations[1],
-                correlations[2],
-                correlations[3],
-                correlations[4],
-                correlations[5]);
+  return formatted(
+      "correlation of features, mean |r| %.3f: f1 f2 %.3f, f1 f3 %.3f, f1 f4 "
+      "%.3f, f2 f3 %.3f, f2 f4 %.3f, f3 f4 %.3f\n",
+      mean,
+      correlations[0],
+      correlations[1],
+      correlations[2],
+      correlations[3],
+      correlations[4],
+      correlations[5]);
 }
 
 double

@@ -57,7 +57,8 @@ resultTable(const std::vector<RetrievalResult>& results)
   std::string text = "descriptor          distance  bins  total acc. %  mean acc. %  "
                      "mean recall %         F1   ms/object\n";
   for (const auto& result : results)
-    text += formatted("%-20s%-8s%6zu  %5.2f (%4.2f)  %5.2f (%4.2f)  %5.2f (%4.2f)  %.3f "
+    text +=
+        formatted("%-20s%-8s%6zu  %5.2f (%4.2f)  %5.2f (%4.2f)  %5.2f (%4.2f)  %.3f "
                   "(%.3f)  %8.3f\n",
                   result.descriptor.c_str(),
                   distanceName(result.distance).c_str(),

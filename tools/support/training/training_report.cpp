@@ -104,12 +104,12 @@ scoresText(const ConfusionMatrix& confusion)
     objects += confusion.objectCount(truth);
   const auto scores = classificationScores(confusion);
   return formatted("%zu objects: total accuracy %.2f %%, mean accuracy %.2f %%, mean "
-                "recall %.2f %%, F1 %.3f\n",
-                objects,
-                100.0 * scores.total_accuracy,
-                100.0 * scores.mean_accuracy,
-                100.0 * scores.mean_recall,
-                scores.f1);
+                   "recall %.2f %%, F1 %.3f\n",
+                   objects,
+                   100.0 * scores.total_accuracy,
+                   100.0 * scores.mean_accuracy,
+                   100.0 * scores.mean_recall,
+                   scores.f1);
 }
 
 } // namespace pcl::indoor::tool
