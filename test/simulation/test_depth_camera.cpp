@@ -177,7 +177,8 @@ TEST(DepthCamera, DrawsViewsOfWhatIsThere)
     places.insert(drawn.position.x());
   }
   EXPECT_GT(places.size(), 1u) << "all from one place of " << walk.size();
-  EXPECT_THROW(drawCameraPose(boxRoom(), {}, 1), pcl::BadArgumentException) << "no object";
+  EXPECT_THROW(drawCameraPose(boxRoom(), {}, 1), pcl::BadArgumentException)
+      << "no object";
 }
 
 TEST(DepthCamera, RefusesWhatItCannotSee)

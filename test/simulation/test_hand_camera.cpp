@@ -23,7 +23,8 @@ using namespace pcl::indoor;
 Building
 room()
 {
-  return test::boxRoom(R"("windows": [{"at": [2, 3.1], "width": 1.2, "sill": 0.9, "height": 1.2}],
+  return test::boxRoom(
+      R"("windows": [{"at": [2, 3.1], "width": 1.2, "sill": 0.9, "height": 1.2}],
      "furniture": [{"class": "cabinet", "at": [3.8, 1.5], "size": [0.8, 0.4, 1.2],
      "rotation": 90}])");
 }
