@@ -11,7 +11,7 @@
 namespace pcl::indoor::tool {
 
 /** \brief A text as printf() writes it in the locale "C", in at most 499 characters. */
-PCL_INDOOR_EXPORTS __attribute__((format(printf, 1, 2))) std::string
-formatted(const char* format, ...);
+PCL_INDOOR_EXPORTS std::string
+formatted(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 } // namespace pcl::indoor::tool
