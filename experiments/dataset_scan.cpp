@@ -80,7 +80,7 @@ refuse(const std::vector<std::pair<const char*, const std::string&>>& options,
 }
 
 void
-refuseImageOptions(const Options& options, const std::string& reason)
+refuseImageOptions(const Options& options)
 {
   const auto& image = options.image;
   refuse({{"-labels", image.labels},
@@ -89,7 +89,7 @@ refuseImageOptions(const Options& options, const std::string& reason)
           {"-intrinsics", image.intrinsics},
           {"-label_names", image.label_names}},
          options,
-         reason);
+         "no depth image");
 }
 
 LabelledScan
@@ -115,7 +115,7 @@ readFolder(Options& options)
     throw ToolError(folder + ": no scan; neither Annotations (S3DIS) nor "
                              "*_vh_clean_2.ply (ScanNet) nor depth and intrinsics.txt "
                              "(SUN RGB-D) are in it");
-  refuseImageOptions(options, "no depth image");
+  refuseImageOptions(options);
   return is_scannet ? readScanNet(folder) : readS3dis(folder);
 }
 
@@ -135,7 +135,7 @@ readScan(Options& options)
   }
   const auto labels = std::move(options.image.labels);
   options.image.labels.clear();
-  refuseImageOptions(options, "no depth image");
+  refuseImageOptions(options);
   refuse({{"-json", options.json}, {"-structure", options.structure}},
          options,
          "a cloud without categories");

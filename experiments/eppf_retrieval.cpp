@@ -10,15 +10,15 @@
 #include "objects/labelled_objects.h"
 #include "objects/object_files.h"
 #include "pictures/svg_raster.h"
+#include "retrieval/descriptor_variants.h"
 #include "retrieval/feature_correlation.h"
 #include "retrieval/retrieval_report.h"
+#include "text/words.h"
 
 #include <pcl/indoor/parallel_for.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
-#include <sstream>
 
 namespace {
 
@@ -67,85 +67,12 @@ readNoise(const std::string& text)
   std::vector<double> levels;
   for (const auto& part : listedNames(text)) {
     double level = 0.0;
-    const auto* const end = part.data() + part.size();
-    const auto result = std::from_chars(part.data(), end, level);
-    if (result.ec != std::errc() || result.ptr != end || !(level >= 0 && level <= 100))
+    if (!readWord(part, level) || !(level >= 0 && level <= 100))
       throw ToolError("-noise: '" + part + "' is not a number from 0 to 100");
     levels.push_back(level);
   }
   return levels;
 }
-
-/** \brief Variants of pair harmonics as those of EPPF in Fig. 5.11 to 5.13, and of its
- * other choices. */
-std::vector<RetrievalDescriptor>
-ablation(const std::string& what, const EPPFOptions& options)
-{
-  std::vector<RetrievalDescriptor> variants = {
-      eppfDescriptor("pair_harmonics", options)};
-  const auto add = [&](const std::string& name, auto change) {
-    auto changed = options;
-    change(changed);
-    variants.push_back(eppfDescriptor(name, changed));
-  };
-  if (what == "features") {
-    add("without f1", [](auto& o) { o.features.distance = false; });
-    add("without f2", [](auto& o) { o.features.surface_angle = false; });
-    add("without f3", [](auto& o) { o.features.normal_angle = false; });
-    add("with f4", [](auto& o) { o.bins = {4, 15, 5, 2, o.bins.harmonics}; });
-    add("without harmonics", [](auto& o) { o.features.harmonics = false; });
-    add("pairs in all bins", [](auto& o) { o.bins = {16, 15, 5, 1, {}}; });
-  }
-  else if (what == "surface_angle") {
-    const auto use = [](auto& o, SurfaceAngleRule rule) {
-      o.surface_angle_rule = rule; // 8 x 5 x 5 x 3 bins, f4 among them
-      o.bins = {8, 5, 5, 3, o.bins.harmonics};
-    };
-    add("maximum", [=](auto& o) { use(o, SurfaceAngleRule::Maximum); });
-    add("minimum", [=](auto& o) { use(o, SurfaceAngleRule::Minimum); });
-    add("mean", [=](auto& o) { use(o, SurfaceAngleRule::Mean); });
-    add("random", [=](auto& o) { use(o, SurfaceAngleRule::RandomOne); });
-    add("both, not f4",
-        [=](auto& o) { use(o, SurfaceAngleRule::BothInsteadOfOccupancy); });
-  }
-  else if (what == "normals") {
-    add("outward", [](auto& o) { o.normal_sides = NormalSides::Outward; });
-    add("given", [](auto& o) { o.normal_sides = NormalSides::Given; });
-    add("angle between",
-        [](auto& o) { o.normal_angle_rule = NormalAngleRule::Between; });
-    add("ignored", [](auto& o) { o.normal_sides = NormalSides::Ignored; });
-  }
-  else if (what == "scale")
-    for (const double scale : {0.5, 0.7, 1.0, 1.2, 1.4, 1.7, 2.0}) {
-      std::ostringstream name;
-      name << "scale " << scale << " m";
-      add(name.str(), [scale](auto& o) { o.scale = scale; });
-    }
-  else if (what == "grid")
-    for (const int size : {8, 16, 24, 32, 48, 64})
-      add("f4, grid " + std::to_string(size), [size](auto& o) {
-        o.bins = {4, 15, 5, 2, o.bins.harmonics};
-        o.grid_size = size;
-      });
-  else if (what == "sampling")
-    for (const std::size_t count : {2000u, 5000u, 10000u, 20000u, 50000u}) {
-      add("uniform " + std::to_string(count), [count](auto& o) {
-        o.sampling = PairSampling::Uniform;
-        o.pair_count = count;
-      });
-      add("stratified " + std::to_string(count), [count](auto& o) {
-        o.sampling = PairSampling::Stratified;
-        o.pair_count = count;
-      });
-    }
-  return variants;
-}
-
-/** \brief The lengths that f1 may spread over, from the objects of a set (Fig. 5.12).
- */
-struct SetScale {
-  double largest = 0, median = 0; ///< extent of an object
-};
 
 SetScale
 scaleOf(const LabelledObjects& objects)
@@ -155,42 +82,6 @@ scaleOf(const LabelledObjects& objects)
     extents.push_back(extentOf(*cloud));
   std::sort(extents.begin(), extents.end());
   return {extents.back(), extents[extents.size() / 2]};
-}
-
-/** \brief Variants of the thesis's descriptor with its bins: Fig. 5.11 to 5.13. */
-std::vector<RetrievalDescriptor>
-thesisAblation(const std::string& what,
-               const EPPFOptions& options,
-               const SetScale& scale)
-{
-  std::vector<RetrievalDescriptor> variants;
-  const auto add = [&](const std::string& name, auto change) {
-    auto changed = options;
-    change(changed);
-    variants.push_back(eppfDescriptor(name, changed));
-  };
-  if (what == "thesis_scale") {
-    add("maximum", [&](auto& o) { o.scale = scale.largest; });
-    add("median", [&](auto& o) { o.scale = scale.median; });
-    add("unit cube", [](auto& o) { o.scale = 0; });
-  }
-  else if (what == "thesis_features") {
-    add("eppf", [](auto&) {});
-    add("without f1", [](auto& o) { o.features.distance = false; });
-    add("without f2", [](auto& o) { o.features.surface_angle = false; });
-    add("without f3", [](auto& o) { o.features.normal_angle = false; });
-    add("without f4", [](auto& o) { o.features.occupancy = false; });
-  }
-  else
-    for (const auto& [name, rule] :
-         {std::make_pair("maximum", SurfaceAngleRule::Maximum),
-          std::make_pair("minimum", SurfaceAngleRule::Minimum),
-          std::make_pair("mean", SurfaceAngleRule::Mean),
-          std::make_pair("one only", SurfaceAngleRule::RandomOne),
-          std::make_pair("both instead of f4",
-                         SurfaceAngleRule::BothInsteadOfOccupancy)})
-      add(name, [&, rule = rule](auto& o) { o.surface_angle_rule = rule; });
-  return variants;
 }
 
 /** \brief What a descriptor of the thesis takes from the command line: pairs and scale.
@@ -220,9 +111,9 @@ chosenDescriptors(const Settings& settings, const SetScale& scale)
   const auto options = scaledOptions(settings, scale);
   const auto thesis = withPairsAndScale(thesisEPPFOptions(), options);
   if (settings.ablation.rfind("thesis_", 0) == 0)
-    return thesisAblation(settings.ablation, thesis, scale);
+    return thesisVariants(settings.ablation, thesis, scale);
   if (settings.ablation != "none")
-    return ablation(settings.ablation, options);
+    return harmonicsVariants(settings.ablation, options);
   std::vector<RetrievalDescriptor> known = {
       eppfDescriptor("pair_harmonics", options),
       eppfDescriptor("eppf", thesis),
@@ -333,12 +224,9 @@ run(const Settings& settings, Progress& progress)
   writeReports(levels, objects, settings);
 }
 
-} // namespace
-
-int
-main(int argc, char** argv)
+OptionParser
+retrievalParser(Settings& settings)
 {
-  Settings settings;
   OptionParser parser("pcl_eppf_retrieval",
                       "Compare descriptors by leave-one-out retrieval of the objects "
                       "DIR/CLASS/OBJECT.pcd.");
@@ -417,5 +305,15 @@ main(int argc, char** argv)
             settings.plot,
             "write a PNG or SVG: accuracy over noise, or bars of F1");
   settings.eppf.addTo(parser);
-  return parser.run(argc, argv, [&](Progress& progress) { run(settings, progress); });
+  return parser;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Settings settings;
+  return retrievalParser(settings).run(
+      argc, argv, [&](Progress& progress) { run(settings, progress); });
 }

@@ -189,12 +189,36 @@ struct PieceTruth {
       sum += entry.second;
     return sum;
   }
+
+  void
+  add(const PieceTruth& other)
+  {
+    for (const auto& [object, count] : other.counts)
+      counts[object] += count;
+  }
 };
 
-void
-write(float value, std::ostream& examples)
+std::vector<PieceTruth>
+truthOfPieces(const ObjectSegmentation& pieces, const std::vector<std::uint32_t>& truth)
 {
-  examples.write(reinterpret_cast<const char*>(&value), sizeof(value));
+  std::vector<PieceTruth> of_piece(stepsOf(pieces).pieces.pieces.size());
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    ++of_piece[pieces.piece_of_point[i]].counts[truth[i]];
+  return of_piece;
+}
+
+/** Save an example: what it is, its weight, and what is known of it. */
+template <typename Features>
+void
+writeRow(bool is_one, double weight, const Features& features, std::ostream& examples)
+{
+  const auto write = [&](float value) {
+    examples.write(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  write(is_one);
+  write(static_cast<float>(weight));
+  for (const float feature : features)
+    write(feature);
 }
 
 /** Joins by trees, or by the truth, and saves what it judges. */
@@ -209,12 +233,9 @@ public:
   : learned_(learned)
   , share_(settings.share)
   , random_(settings.seed + 1000 * room)
-  , truth_(stepsOf(pieces).pieces.pieces.size())
+  , truth_(truthOfPieces(pieces, truth))
   , examples_(examples)
-  {
-    for (std::size_t i = 0; i < truth.size(); ++i)
-      ++truth_[pieces.piece_of_point[i]].counts[truth[i]];
-  }
+  {}
 
   float
   probability(const JoiningFeatures& features,
@@ -228,11 +249,8 @@ public:
     if ((object_a != 0 || object_b != 0) && draw() < share_) {
       const double size_a = truth_[a].size(), size_b = truth_[b].size();
       const double purity = std::min(count_a / size_a, count_b / size_b);
-      write(is_one, examples_);
-      write(static_cast<float>(std::sqrt(std::min(size_a, size_b)) * purity * purity),
-            examples_);
-      for (const float feature : features)
-        write(feature, examples_);
+      const double weight = std::sqrt(std::min(size_a, size_b)) * purity * purity;
+      writeRow(is_one, weight, features, examples_);
     }
     if (learned_)
       return learned_->probability(features, a, b);
@@ -242,8 +260,7 @@ public:
   void
   joined(std::uint32_t kept, std::uint32_t gone) override
   {
-    for (const auto& [object, count] : truth_[gone].counts)
-      truth_[kept].counts[object] += count;
+    truth_[kept].add(truth_[gone]);
     truth_[gone].counts.clear();
   }
 
@@ -271,19 +288,16 @@ saveObjects(const ObjectSegmentation& pieces,
 {
   const auto& graph = stepsOf(pieces).pieces;
   const auto piece_count = graph.pieces.size();
-  std::vector<PieceTruth> unions(piece_count);
+  auto unions = truthOfPieces(pieces, truth);
   PieceTruth all;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    ++unions[pieces.piece_of_point[i]].counts[truth[i]];
-    ++all.counts[truth[i]];
-  }
+  for (const auto& piece : unions)
+    all.add(piece);
   for (std::size_t i = 0; i < tree.objects.size(); ++i) {
     auto piece = i;
     if (i >= piece_count) {
       const auto& join = tree.joins[i - piece_count];
       piece = join.kept;
-      for (const auto& [object, count] : unions[join.gone].counts)
-        unions[piece].counts[object] += count;
+      unions[piece].add(unions[join.gone]);
     }
     const double size = unions[piece].size();
     if (size < ObjectSegmentationOptions().fewest_points ||
@@ -296,12 +310,8 @@ saveObjects(const ObjectSegmentation& pieces,
         fit = count / (size + all.counts[object] - count);
     for (const bool is_object : {true, false}) {
       const double weight = is_object ? fit : 1 - fit;
-      if (!(weight > 0))
-        continue;
-      write(is_object, examples);
-      write(static_cast<float>(weight), examples);
-      for (const float feature : tree.objects[i])
-        write(feature, examples);
+      if (weight > 0)
+        writeRow(is_object, weight, tree.objects[i], examples);
     }
   }
 }

@@ -12,6 +12,7 @@
 #include "pictures/comparison_picture.h"
 #include "pictures/svg_raster.h"
 #include "scene/single_view.h"
+#include "text/formatted.h"
 #include "text/pcl_errors.h"
 #include "text/printable.h"
 
@@ -39,7 +40,7 @@ struct Method {
   std::string name;
   bool in_picture; ///< the four that the picture shows beside the truth
   std::function<Labels(const Cloud::Ptr&)> segment;
-  std::vector<nlohmann::json> scenes;
+  std::vector<nlohmann::json> scenes = {};
   std::string problem = {}; ///< of the first scan that it failed on
 };
 
@@ -69,6 +70,15 @@ segmentOurs(const Cloud::Ptr& cloud, const Options& options, const Settings& set
   return labels;
 }
 
+template <typename Options>
+auto
+ownBy(const Options& options, const Settings& settings)
+{
+  return [options, settings](const Cloud::Ptr& cloud) {
+    return segmentOurs(cloud, options, settings);
+  };
+}
+
 /** The thesis's method and its combination with LCCP (Table 4.1); -preset says for
  * which sensor. */
 std::vector<Method>
@@ -83,13 +93,8 @@ thesisMethods(bool single_view, const Settings& settings)
   }
   auto with_lccp = proposed;
   with_lccp.edges.partition = thesis::EdgePartition::Lccp;
-  const auto own = [settings](const thesis::ObjectOptions& options) {
-    return [options, settings](const Cloud::Ptr& cloud) {
-      return segmentOurs(cloud, options, settings);
-    };
-  };
-  return {{"thesis", false, own(proposed), {}},
-          {"thesis + LCCP", false, own(with_lccp), {}}};
+  return {{"thesis", false, ownBy(proposed, settings)},
+          {"thesis + LCCP", false, ownBy(with_lccp, settings)}};
 }
 
 /** Segmentations of upstream's that know neither supervoxels nor convexity. */
@@ -108,12 +113,9 @@ baselines(bool single_view, const Settings& settings)
     options.threads = settings.threads;
     if (single_view)
       options.voxel_size = withSizes(singleViewOptions()).voxel_size;
-    methods.push_back({name,
-                       false,
-                       [options](const Cloud::Ptr& cloud) {
+    methods.push_back({name, false, [options](const Cloud::Ptr& cloud) {
                          return segmentBaseline(*cloud, options);
-                       },
-                       {}});
+                       }});
   }
   return methods;
 }
@@ -136,21 +138,16 @@ methodsFor(bool single_view, const Settings& settings)
     return
         [options](const Cloud::Ptr& cloud) { return segmentUpstream(*cloud, options); };
   };
-  const auto own = [settings](const auto& options) {
-    return [options, settings](const Cloud::Ptr& cloud) {
-      return segmentOurs(cloud, options, settings);
-    };
-  };
   const thesis::ObjectOptions graph{ours, {}, {}};
   auto lccp = graph;
   lccp.edges.partition = thesis::EdgePartition::Lccp;
-  std::vector<Method> methods{{"LCCP, example's defaults", true, upstream(plain), {}},
-                              {"LCCP, tuned", true, upstream(tuned), {}},
-                              {"ours + LCCP", true, own(lccp), {}},
-                              {"ours + Felzenszwalb", false, own(graph), {}},
-                              {"ours", true, own(ours), {}}};
+  std::vector<Method> methods{{"LCCP, example's defaults", true, upstream(plain)},
+                              {"LCCP, tuned", true, upstream(tuned)},
+                              {"ours + LCCP", true, ownBy(lccp, settings)},
+                              {"ours + Felzenszwalb", false, ownBy(graph, settings)},
+                              {"ours", true, ownBy(ours, settings)}};
   if (!single_view)
-    methods.push_back({"ours, parts", false, own(partsOptions()), {}});
+    methods.push_back({"ours, parts", false, ownBy(partsOptions(), settings)});
   for (auto* more : {&thesisMethods, &baselines})
     for (auto& method : more(single_view, settings))
       methods.push_back(std::move(method));
@@ -243,14 +240,10 @@ std::string
 titleOf(const Method& method)
 {
   const auto& errors = method.scenes.back();
-  char text[64];
-  std::snprintf(text,
-                sizeof(text),
-                ": OS %.1f %%, US %.1f %%",
-                100 * errors.at("oversegmentation").get<double>(),
-                100 * errors.at("undersegmentation").get<double>());
   const auto name = method.name.find('\'') == std::string::npos ? method.name : "LCCP";
-  return name + text;
+  return name + formatted(": OS %.1f %%, US %.1f %%",
+                          100 * errors.at("oversegmentation").get<double>(),
+                          100 * errors.at("undersegmentation").get<double>());
 }
 
 bool

@@ -7,13 +7,13 @@
 #include "files/cloud_file.h"
 #include "formats/json_text.h"
 #include "formats/table/table_columns.h" // for listedNames
+#include "text/words.h"
 
 #include <pcl/segmentation/segmentation_metrics.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -24,6 +24,13 @@ using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
 
 namespace {
+
+struct Settings {
+  std::string truth, predicted; ///< files
+  std::string truth_field = "label", predicted_field = "object";
+  std::string coarse, coarse_field, ignored, confidence_field, json;
+  std::uint32_t min_points = 1;
+};
 
 /** Average precision and panoptic quality, both without classes. */
 void
@@ -113,9 +120,7 @@ leaveOut(const std::string& list, SegmentLabels& labels)
   std::vector<std::uint32_t> ignored;
   for (const auto& item : listedNames(list)) {
     std::uint32_t label = 0;
-    const auto* const end = item.data() + item.size();
-    const auto result = std::from_chars(item.data(), end, label);
-    if (result.ec != std::errc() || result.ptr != end)
+    if (!readWord(item, label))
       throw ToolError("-ignore: \"" + item + "\" is no label.");
     ignored.push_back(label);
   }
@@ -132,75 +137,96 @@ print(const nlohmann::json& result)
     std::printf("%-26s %s\n", entry.key().c_str(), entry.value().dump().c_str());
 }
 
-} // namespace
-
-int
-main(int argc, char** argv)
+OptionParser
+makeParser(Settings& settings)
 {
-  std::string truth_path, predicted_path, truth_field = "label",
-                                          predicted_field = "object";
-  std::string coarse_field, coarse_path, json_path, ignored, confidence_field;
-  std::uint32_t min_points = 1;
   OptionParser parser("pcl_segmentation_evaluation",
                       "Compare a segmentation with the truth, point by point. Points "
                       "whose true label is 0 are left out.");
-  parser.positional("truth.pcd", truth_path, "PCD or PLY file with the true labels")
+  parser.positional("truth.pcd", settings.truth, "PCD or PLY file with the true labels")
       .positional("predicted.pcd",
-                  predicted_path,
+                  settings.predicted,
                   "PCD or PLY file with the same points in the same order")
-      .text(
-          "-truth_field", truth_field, "field of the truth; parts, with coarse labels")
-      .text("-predicted_field", predicted_field, "field of the prediction, 0 = none")
+      .text("-truth_field",
+            settings.truth_field,
+            "field of the truth; parts, with coarse labels")
+      .text("-predicted_field",
+            settings.predicted_field,
+            "field of the prediction, 0 = none")
       .text("-coarse_field",
-            coarse_field,
+            settings.coarse_field,
             "field with the objects of the parts, for the multi-scale errors")
       .text("-coarse",
-            coarse_path,
+            settings.coarse,
             "file that holds the coarse field, if it is not truth.pcd")
       .text("-ignore",
-            ignored,
+            settings.ignored,
             "labels of the truth to leave out as if they were 0, with commas")
       .number("-min_points",
-              min_points,
+              settings.min_points,
               "true segments of fewer points are void for average precision and "
               "panoptic quality",
               "",
               Range::atLeast(1))
       .text("-confidence_field",
-            confidence_field,
+            settings.confidence_field,
             "field of the prediction by which average precision ranks its segments, as "
             "mean over their points; without it they are ranked by their numbers of "
             "points")
-      .text("-json", json_path, "file to write the result to");
+      .text("-json", settings.json, "file to write the result to");
   parser.expert(
       {"-coarse_field", "-coarse", "-ignore", "-min_points", "-confidence_field"});
-  return parser.run(argc, argv, [&](Progress& progress) {
-    if (!json_path.empty())
-      requireWritable(json_path);
-    progress.start("Loading " + truth_path);
-    auto truth = loadLabels(loadCloud(truth_path), truth_field, 0);
-    leaveOut(ignored, truth);
-    progress.done(std::to_string(truth.size()) + " points");
-    progress.start("Loading " + predicted_path);
-    const auto file = loadCloud(predicted_path);
-    const auto predicted = loadLabels(file, predicted_field, truth.size());
-    progress.done();
-    auto result = evaluate(truth, predicted);
-    const auto confidences = confidence_field.empty()
-                                 ? std::map<std::uint32_t, double>()
-                                 : confidencesOf(file, confidence_field, predicted);
-    addInstanceScores(truth, predicted, min_points, confidences, result);
-    if (!coarse_field.empty() || !coarse_path.empty()) {
-      const auto coarse =
-          loadLabels(loadCloud(coarse_path.empty() ? truth_path : coarse_path),
-                     coarse_field.empty() ? truth_field : coarse_field,
-                     truth.size());
-      const auto errors = multiScaleErrors(truth, coarse, predicted);
-      result["multi_scale_oversegmentation"] = errors.over;
-      result["multi_scale_undersegmentation"] = errors.under;
-    }
-    print(result);
-    if (!json_path.empty())
-      saveText(json_path, jsonText(result));
-  });
+  return parser;
+}
+
+void
+addMultiScaleErrors(const Settings& settings,
+                    const SegmentLabels& truth,
+                    const SegmentLabels& predicted,
+                    nlohmann::json& result)
+{
+  if (settings.coarse_field.empty() && settings.coarse.empty())
+    return;
+  const auto coarse = loadLabels(
+      loadCloud(settings.coarse.empty() ? settings.truth : settings.coarse),
+      settings.coarse_field.empty() ? settings.truth_field : settings.coarse_field,
+      truth.size());
+  const auto errors = multiScaleErrors(truth, coarse, predicted);
+  result["multi_scale_oversegmentation"] = errors.over;
+  result["multi_scale_undersegmentation"] = errors.under;
+}
+
+void
+run(const Settings& settings, Progress& progress)
+{
+  if (!settings.json.empty())
+    requireWritable(settings.json);
+  progress.start("Loading " + settings.truth);
+  auto truth = loadLabels(loadCloud(settings.truth), settings.truth_field, 0);
+  leaveOut(settings.ignored, truth);
+  progress.done(std::to_string(truth.size()) + " points");
+  progress.start("Loading " + settings.predicted);
+  const auto file = loadCloud(settings.predicted);
+  const auto predicted = loadLabels(file, settings.predicted_field, truth.size());
+  progress.done();
+  auto result = evaluate(truth, predicted);
+  const auto confidences =
+      settings.confidence_field.empty()
+          ? std::map<std::uint32_t, double>()
+          : confidencesOf(file, settings.confidence_field, predicted);
+  addInstanceScores(truth, predicted, settings.min_points, confidences, result);
+  addMultiScaleErrors(settings, truth, predicted, result);
+  print(result);
+  if (!settings.json.empty())
+    saveText(settings.json, jsonText(result));
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Settings settings;
+  return makeParser(settings).run(
+      argc, argv, [&](Progress& progress) { run(settings, progress); });
 }

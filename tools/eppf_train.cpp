@@ -8,6 +8,7 @@
 #include "objects/object_files.h"
 #include "pictures/confusion_picture.h"
 #include "pictures/svg_raster.h"
+#include "text/formatted.h"
 #include "training/epoch_writer.h"
 #include "training/stop_requests.h"
 #include "training/training_pool.h"
@@ -103,14 +104,11 @@ trainedNetworks(const Network& design,
     fitScale(network, data.training);
     const auto report = [&](const EpochReport& epoch) {
       writer.add(k + 1, epoch);
-      char accuracy[64];
-      std::snprintf(accuracy,
-                    sizeof(accuracy),
-                    "accuracy %.1f %%",
-                    100.0 * (has_validation ? epoch.validation_accuracy
-                                            : epoch.training_accuracy));
-      progress.update(
-          k * epochs + static_cast<std::size_t>(epoch.epoch), count * epochs, accuracy);
+      const double accuracy =
+          has_validation ? epoch.validation_accuracy : epoch.training_accuracy;
+      progress.update(k * epochs + static_cast<std::size_t>(epoch.epoch),
+                      count * epochs,
+                      formatted("accuracy %.1f %%", 100.0 * accuracy));
       return !StopRequests::isThereOne();
     };
     auto result =

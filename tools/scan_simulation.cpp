@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -73,6 +74,26 @@ requireSeen(bool any_surface, const SimulationOptions& options)
     throw ToolError(options.plan_file + ": no ray found a surface");
 }
 
+std::function<void(std::size_t, std::size_t)>
+updates(Progress& progress)
+{
+  return [&](std::size_t done, std::size_t all) { progress.update(done, all); };
+}
+
+/** The points of a scan by rays, thinned, and where they were seen from. */
+Scan
+seenByRays(pcl::indoor::SimulatedScan scan,
+           std::vector<Eigen::Vector3d> positions,
+           const SimulationOptions& options,
+           Progress& progress)
+{
+  progress.done(std::to_string(scan.ray_count) + " rays, " +
+                std::to_string(scan.points.size()) + " points");
+  requireSeen(!scan.points.empty(), options);
+  pcl::indoor::thinScan(scan, options.leaf_size);
+  return {toCloud(scan), std::move(positions), std::move(scan.poses)};
+}
+
 Scan
 scanWithMovingSensor(const pcl::indoor::Plan& plan,
                      const pcl::indoor::Building& building,
@@ -84,15 +105,12 @@ scanWithMovingSensor(const pcl::indoor::Plan& plan,
           ? pcl::indoor::planTrajectory(building, options.scanner.trajectory)
           : plan.trajectory;
   progress.start("Scanning from " + std::to_string(trajectory.size()) + " positions");
-  options.scanner.sensor.progress = [&](std::size_t done, std::size_t all) {
-    progress.update(done, all);
-  };
-  auto scan = pcl::indoor::scanBuilding(building, trajectory, options.scanner.sensor);
-  progress.done(std::to_string(scan.ray_count) + " rays, " +
-                std::to_string(scan.points.size()) + " points");
-  requireSeen(!scan.points.empty(), options);
-  pcl::indoor::thinScan(scan, options.leaf_size);
-  return {toCloud(scan), trajectory, std::move(scan.poses)};
+  options.scanner.sensor.progress = updates(progress);
+  return seenByRays(
+      pcl::indoor::scanBuilding(building, trajectory, options.scanner.sensor),
+      trajectory,
+      options,
+      progress);
 }
 
 /** The paths of a carried lidar: as the plan says, or through all of the building. */
@@ -119,18 +137,14 @@ scanWithLidar(const pcl::indoor::Plan& plan,
     way += path.back().way;
   progress.start("Scanning " + std::to_string(frames.size()) + " frames along " +
                  std::to_string(std::lround(way)) + " m");
-  options.scanner.lidar.progress = [&](std::size_t done, std::size_t all) {
-    progress.update(done, all);
-  };
-  auto scan = pcl::indoor::scanAlong(building, paths, options.scanner.lidar);
-  progress.done(std::to_string(scan.ray_count) + " rays, " +
-                std::to_string(scan.points.size()) + " points");
-  requireSeen(!scan.points.empty(), options);
-  pcl::indoor::thinScan(scan, options.leaf_size);
+  options.scanner.lidar.progress = updates(progress);
   std::vector<Eigen::Vector3d> positions;
   for (const auto& frame : frames)
     positions.push_back(pcl::indoor::placeAt(paths[frame.path], frame.time).position);
-  return {toCloud(scan), positions, std::move(scan.poses)};
+  return seenByRays(pcl::indoor::scanAlong(building, paths, options.scanner.lidar),
+                    std::move(positions),
+                    options,
+                    progress);
 }
 
 Scan

@@ -6,6 +6,7 @@
 // pcl_noise_resilient_lccp at several levels.
 #include "files/cloud_file.h"
 #include "support/folder_test.h"
+#include "support/run_tool.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -40,11 +40,10 @@ struct SimulatedHome {
   static bool
   make(const std::string& folder)
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) +
-                                "/pcl_scan_simulation random:home:8 " + folder +
-                                "/home.pcd -json " + folder +
-                                "/home.json -rays_per_pose 20000 -leaf 0.03 -quiet";
-    return std::system(command.c_str()) == 0;
+    return pcl::indoor::test::runTool(
+               "pcl_scan_simulation",
+               "random:home:8 " + folder + "/home.pcd -json " + folder +
+                   "/home.json -rays_per_pose 20000 -leaf 0.03 -quiet") == 0;
   }
 };
 
@@ -67,10 +66,8 @@ protected:
       const std::string& options,
       const std::string& tool = "pcl_joining_examples") const
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
-                                input + " " + path("out") + " " + options +
-                                " -quiet > " + path("said") + " 2>&1";
-    const int status = std::system(command.c_str());
+    const int status = pcl::indoor::test::runTool(
+        tool, input + " " + path("out") + " " + options + " -quiet", path("said"));
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
@@ -156,10 +153,10 @@ TEST_F(JoiningResults, ExamplesAreSound)
 
 TEST_F(JoiningResults, AnOrganisedScanIsOneView)
 {
-  const std::string command = std::string(PCL_INDOOR_TOOLS) +
-                              "/pcl_scan_simulation random:table:7 " +
-                              path("table.pcd") + " -view 0.6,0.5,1.5 -quiet";
-  ASSERT_EQ(std::system(command.c_str()), 0);
+  ASSERT_EQ(pcl::indoor::test::runTool("pcl_scan_simulation",
+                                       "random:table:7 " + path("table.pcd") +
+                                           " -view 0.6,0.5,1.5 -quiet"),
+            0);
   const auto bytes = saved("-share 1 -room_field none", "table.pcd");
   ASSERT_EQ(bytes.size() % sizeof(Example), 0u);
   std::vector<Example> all(bytes.size() / sizeof(Example));

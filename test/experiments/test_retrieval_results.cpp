@@ -6,6 +6,7 @@
 // What pcl_eppf_retrieval makes of its options, seen in what it prints.
 
 #include "support/folder_test.h"
+#include "support/run_tool.h"
 
 #include <sys/wait.h> // for WIFEXITED
 
@@ -47,10 +48,10 @@ protected:
   int
   status(const std::string& options) const
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/pcl_eppf_retrieval " +
-                                path("set") + " -descriptors eppf -repeats 1 -quiet " +
-                                options + " > " + path("said") + " 2>&1";
-    const int result = std::system(command.c_str());
+    const int result = pcl::indoor::test::runTool(
+        "pcl_eppf_retrieval",
+        path("set") + " -descriptors eppf -repeats 1 -quiet " + options,
+        path("said"));
     return WIFEXITED(result) ? WEXITSTATUS(result) : -1;
   }
 

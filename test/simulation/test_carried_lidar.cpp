@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "same_scan.h"
+
 #include <pcl/simulation/carried_lidar.h>
 #include <pcl/simulation/random_plan.h>
 
@@ -9,12 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <set>
 
 namespace {
 
 using namespace pcl::indoor;
+using pcl::indoor::test::same;
 
 // A hall of 20 x 6 x 3 m with its corner at the origin.
 Building
@@ -55,15 +57,6 @@ Eigen::Vector3d
 seenFrom(const Eigen::Isometry3d& pose, const PointXYZScene& point)
 {
   return pose.inverse() * Eigen::Vector3d(point.x, point.y, point.z);
-}
-
-bool
-same(const SimulatedScan& a, const SimulatedScan& b)
-{
-  return a.points.size() == b.points.size() && a.poses == b.poses &&
-         std::memcmp(a.points.data(),
-                     b.points.data(),
-                     a.points.size() * sizeof(PointXYZScene)) == 0;
 }
 
 TEST(CarriedLidar, RingsLieOnCones)

@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "box_room.h"
+
 #include <pcl/simulation/depth_camera.h>
 
 #include <Eigen/Geometry>
@@ -17,19 +19,10 @@
 namespace {
 
 using namespace pcl::indoor;
+using pcl::indoor::test::boxRoom;
 
-// A box 0 ... 4, 0 ... 3 and 0 ... 2.5 m, with or without a cupboard at its far wall.
-Building
-room(const std::string& furniture = "")
-{
-  return buildBuilding(parsePlan(R"({"name": "box", "wall_thickness": 0.2, "storeys": [
-    {"name": "", "elevation": 0, "ceiling_height": 2.5, "rooms": [{"name": "box",
-     "polygon": [[-0.1, -0.1], [4.1, -0.1], [4.1, 3.1], [-0.1, 3.1]]}]
-     )" + furniture + "}]}",
-                                 "box"));
-}
-
-const std::string cabinet = R"(, "furniture": [{"class": "cabinet", "at": [3, 1.5],
+// A cupboard at the far wall of the room.
+const std::string cabinet = R"("furniture": [{"class": "cabinet", "at": [3, 1.5],
   "size": [0.6, 0.4, 1.6], "rotation": 90}])";
 
 const CameraPose pose{{1, 1.5, 1.2}, {4, 1.5, 1.2}};
@@ -55,7 +48,7 @@ sees(const PointXYZScene& point)
 
 TEST(DepthCamera, SeesAWallWhereItIs)
 {
-  const auto view = viewBuilding(room(), pose, perfect());
+  const auto view = viewBuilding(boxRoom(), pose, perfect());
   ASSERT_EQ(view.width, 160u);
   ASSERT_EQ(view.height, 120u);
   EXPECT_FALSE(view.is_dense);
@@ -88,20 +81,20 @@ TEST(DepthCamera, NoDepthOutOfRangeAtGrazingAnglesAndWhereTheProjectorIsHidden)
 {
   auto options = perfect();
   options.max_range = 2.9;
-  EXPECT_FALSE(sees(viewBuilding(room(), pose, options).at(80, 60)));
+  EXPECT_FALSE(sees(viewBuilding(boxRoom(), pose, options).at(80, 60)));
   options.max_range = 5;
   options.min_range = 3.1;
-  EXPECT_FALSE(sees(viewBuilding(room(), pose, options).at(80, 60)));
+  EXPECT_FALSE(sees(viewBuilding(boxRoom(), pose, options).at(80, 60)));
   options = perfect();
   options.least_cosine = 0.99; // 8 degrees
-  const auto straight = viewBuilding(room(), pose, options);
+  const auto straight = viewBuilding(boxRoom(), pose, options);
   EXPECT_TRUE(sees(straight.at(80, 60)));
   EXPECT_FALSE(sees(straight.at(110, 60))) << "13 degrees from the middle";
 
   // The front of the cabinet is about 1.8 m away, the wall 3 m: on the left of it a
   // strip of the wall has no light, 131 px * 0.075 m * (1 / 1.8 m - 1 / 3 m) = 2.2 px
   // wide.
-  const auto building = room(cabinet);
+  const auto building = boxRoom(cabinet);
   options = perfect();
   const auto shadow = [&](double baseline) {
     options.baseline = baseline;
@@ -122,7 +115,7 @@ TEST(DepthCamera, NoiseIsThatOfTheDisparity)
 {
   auto options = perfect();
   options.noise = 0.5;
-  const auto building = room();
+  const auto building = boxRoom();
   const auto view = viewBuilding(building, pose, options);
   const double scale = options.focal_length * options.baseline;
   double squares = 0, products = 0, count = 0;
@@ -149,7 +142,7 @@ TEST(DepthCamera, TheSameSeedGivesTheSameView)
 {
   auto options = perfect();
   options.noise = 0.1;
-  const auto building = room(cabinet);
+  const auto building = boxRoom(cabinet);
   const auto bytes = [&] {
     const auto view = viewBuilding(building, pose, options);
     return std::string(reinterpret_cast<const char*>(view.points.data()),
@@ -163,13 +156,13 @@ TEST(DepthCamera, TheSameSeedGivesTheSameView)
 
 TEST(DepthCamera, LooksStraightDown)
 {
-  const auto view = viewBuilding(room(), {{2, 1.5, 2}, {2, 1.5, 0}}, perfect());
+  const auto view = viewBuilding(boxRoom(), {{2, 1.5, 2}, {2, 1.5, 0}}, perfect());
   EXPECT_NEAR(view.at(80, 60).z, 2, 1e-3);
 }
 
 TEST(DepthCamera, DrawsViewsOfWhatIsThere)
 {
-  const auto building = room(cabinet);
+  const auto building = boxRoom(cabinet);
   const auto walk = planTrajectory(building, {});
   std::set<double> places;
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
@@ -184,12 +177,13 @@ TEST(DepthCamera, DrawsViewsOfWhatIsThere)
     places.insert(drawn.position.x());
   }
   EXPECT_GT(places.size(), 1u) << "all from one place of " << walk.size();
-  EXPECT_THROW(drawCameraPose(room(), {}, 1), pcl::BadArgumentException) << "no object";
+  EXPECT_THROW(drawCameraPose(boxRoom(), {}, 1), pcl::BadArgumentException)
+      << "no object";
 }
 
 TEST(DepthCamera, RefusesWhatItCannotSee)
 {
-  const auto building = room();
+  const auto building = boxRoom();
   EXPECT_THROW(viewBuilding(building, {pose.position, pose.position}, perfect()),
                pcl::BadArgumentException);
   const auto refuses = [&](auto change) {

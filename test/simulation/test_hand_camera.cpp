@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "box_room.h"
+
 #include <pcl/simulation/hand_camera.h>
 
 #include <Eigen/Geometry>
@@ -17,18 +19,14 @@ namespace {
 
 using namespace pcl::indoor;
 
-// Inside 0 ... 4, 0 ... 3 and 0 ... 2.5 m; a cabinet stands on the floor before the
-// far wall, a window is in the left one.
+// A cabinet stands on the floor before the far wall, a window is in the left one.
 Building
 room()
 {
-  return buildBuilding(parsePlan(R"({"name": "box", "wall_thickness": 0.2, "storeys": [
-    {"name": "", "elevation": 0, "ceiling_height": 2.5, "rooms": [{"name": "box",
-     "polygon": [[-0.1, -0.1], [4.1, -0.1], [4.1, 3.1], [-0.1, 3.1]]}],
-     "windows": [{"at": [2, 3.1], "width": 1.2, "sill": 0.9, "height": 1.2}],
+  return test::boxRoom(
+      R"("windows": [{"at": [2, 3.1], "width": 1.2, "sill": 0.9, "height": 1.2}],
      "furniture": [{"class": "cabinet", "at": [3.8, 1.5], "size": [0.8, 0.4, 1.2],
-     "rotation": 90}]}]})",
-                                 "box"));
+     "rotation": 90}])");
 }
 
 /** One that is quick: few stops, large voxels. */

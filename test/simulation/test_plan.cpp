@@ -55,6 +55,16 @@ struct Case {
   const char* mention;        // that the message must contain
 };
 
+// In one line that says where and why.
+void
+expectRefused(const Case& c)
+{
+  const auto message = errorOf(with(c.before, c.after));
+  EXPECT_EQ(message.rfind("house.json: ", 0), 0u) << c.after << ": " << message;
+  EXPECT_NE(message.find(c.mention), std::string::npos) << c.after << ": " << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
 TEST(Plan, ReadsEveryValue)
 {
   const auto plan = parsePlan(good, "house.json");
@@ -111,12 +121,8 @@ TEST(Plan, RefusesWhatCannotBeRead)
       {"\"height\": 2.4", "\"height\": 1.1", "storeys[0].rooms[1].ceiling"},
       {"\"name\": \"right\"", "\"name\": \"left\"", "left"},
   };
-  for (const auto& c : cases) {
-    const auto message = errorOf(with(c.before, c.after));
-    EXPECT_EQ(message.rfind("house.json: ", 0), 0u) << c.after << ": " << message;
-    EXPECT_NE(message.find(c.mention), std::string::npos) << c.after << ": " << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  }
+  for (const auto& c : cases)
+    expectRefused(c);
 }
 
 TEST(Plan, RefusesWhatContradictsItself)
@@ -142,11 +148,8 @@ TEST(Plan, RefusesWhatContradictsItself)
       {"\"rotation\": 30", "\"room\": \"cellar\"", "unknown room 'cellar'"},
       {"\"slope\": [0.2, 0]", "\"slope\": [-0.9, 0]", "ceiling below its floor"},
   };
-  for (const auto& c : cases) {
-    const auto message = errorOf(with(c.before, c.after));
-    EXPECT_EQ(message.rfind("house.json: ", 0), 0u) << c.after << ": " << message;
-    EXPECT_NE(message.find(c.mention), std::string::npos) << message;
-  }
+  for (const auto& c : cases)
+    expectRefused(c);
 }
 
 // A key that is added to the good plan behind another, and what the message must

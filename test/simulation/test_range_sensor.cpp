@@ -2,6 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "box_room.h"
+#include "same_scan.h"
+
 #include <pcl/simulation/random_draw.h>
 #include <pcl/simulation/range_sensor.h>
 #include <pcl/simulation/trajectory.h>
@@ -13,23 +16,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <stdexcept>
 
 namespace {
 
 using namespace pcl::indoor;
-
-// A box 0 ... 4, 0 ... 3 and 0 ... 2.5 m, whose walls are as thin as they may be.
-Building
-emptyRoom()
-{
-  return buildBuilding(parsePlan(R"({"name": "box", "wall_thickness": 0.2, "storeys": [
-    {"name": "", "elevation": 0, "ceiling_height": 2.5, "rooms": [{"name": "box",
-     "polygon": [[-0.1, -0.1], [4.1, -0.1], [4.1, 3.1], [-0.1, 3.1]]}]}]})",
-                                 "box"));
-}
+using pcl::indoor::test::boxRoom;
+using pcl::indoor::test::same;
 
 RangeSensorOptions
 perfect(int rays)
@@ -45,18 +39,9 @@ perfect(int rays)
 
 const Eigen::Vector3d middle(1.5, 1.2, 1.1);
 
-bool
-same(const SimulatedScan& a, const SimulatedScan& b)
-{
-  return a.points.size() == b.points.size() && a.poses == b.poses &&
-         std::memcmp(a.points.data(),
-                     b.points.data(),
-                     a.points.size() * sizeof(PointXYZScene)) == 0;
-}
-
 TEST(RangeSensor, APerfectScanOfABoxLiesOnItsFaces)
 {
-  const auto building = emptyRoom();
+  const auto building = boxRoom();
   const auto scan = scanBuilding(building, {middle}, perfect(20000));
   EXPECT_GE(scan.points.size(), 19990u); // a few run exactly along a face's edge
   std::map<std::uint32_t, int> seen;
@@ -94,7 +79,7 @@ TEST(RangeSensor, APerfectScanOfABoxLiesOnItsFaces)
 
 TEST(RangeSensor, NoiseHasItsStandardDeviationAlongTheRay)
 {
-  const auto building = emptyRoom();
+  const auto building = boxRoom();
   auto options = perfect(40000);
   const auto exact = scanBuilding(building, {middle}, options);
   options.noise = 0.02;
@@ -119,13 +104,8 @@ TEST(RangeSensor, NoiseHasItsStandardDeviationAlongTheRay)
 TEST(RangeSensor, ABroadBeamMixesWhatIsBesideAnEdge)
 {
   // A board, its front 0.4 m before the wall at x = 4 m.
-  const auto building =
-      buildBuilding(parsePlan(R"({"name": "box", "wall_thickness": 0.2, "storeys": [
-    {"name": "", "elevation": 0, "ceiling_height": 2.5, "rooms": [{"name": "box",
-     "polygon": [[-0.1, -0.1], [4.1, -0.1], [4.1, 3.1], [-0.1, 3.1]]}],
-     "furniture": [{"class": "cabinet", "at": [3.7, 1.2],
-      "size": [0.6, 0.2, 1.2], "rotation": 90}]}]})",
-                              "box"));
+  const auto building = boxRoom(R"("furniture": [{"class": "cabinet", "at": [3.7, 1.2],
+      "size": [0.6, 0.2, 1.2], "rotation": 90}])");
   auto options = perfect(200000);
   const auto exact = scanBuilding(building, {middle}, options);
   options.beam = 0.004;
@@ -154,7 +134,7 @@ TEST(RangeSensor, ABroadBeamMixesWhatIsBesideAnEdge)
 
 TEST(RangeSensor, DriftMovesAllPointsOfAPoseTogether)
 {
-  const auto building = emptyRoom();
+  const auto building = boxRoom();
   auto options = perfect(500);
   const std::vector<Eigen::Vector3d> positions(400, middle);
   const auto exact = scanBuilding(building, positions, options);
@@ -195,7 +175,7 @@ TEST(RangeSensor, DropoutGrowsTowardsGrazingAngles)
 
 TEST(RangeSensor, EchoesAreLostAsOftenAsTheModelSays)
 {
-  const auto building = emptyRoom();
+  const auto building = boxRoom();
   auto options = perfect(60000);
   const auto all = scanBuilding(building, {middle}, options);
   options.dropout = 0.3;
@@ -218,7 +198,7 @@ TEST(RangeSensor, SurfacesOutOfRangeGiveNoEcho)
   auto options = perfect(20000);
   options.min_range = 1.15; // beyond the nearest floor at 1.1 m
   options.max_range = 2.0;
-  const auto scan = scanBuilding(emptyRoom(), {middle}, options);
+  const auto scan = scanBuilding(boxRoom(), {middle}, options);
   ASSERT_GT(scan.points.size(), 1000u);
   ASSERT_LT(scan.points.size(), 19000u);
   for (const auto& p : scan.points) {
@@ -231,11 +211,8 @@ TEST(RangeSensor, SurfacesOutOfRangeGiveNoEcho)
 Building
 roomWithWindow()
 {
-  return buildBuilding(parsePlan(R"({"name": "box", "wall_thickness": 0.2, "storeys": [
-    {"name": "", "elevation": 0, "ceiling_height": 2.5, "rooms": [{"name": "box",
-     "polygon": [[-0.1, -0.1], [4.1, -0.1], [4.1, 3.1], [-0.1, 3.1]]}],
-     "windows": [{"at": [2, -0.1], "width": 3.0, "height": 2.0, "sill": 0.3}]}]})",
-                                 "box"));
+  return boxRoom(R"("windows": [{"at": [2, -0.1], "width": 3.0, "height": 2.0,
+     "sill": 0.3}])");
 }
 
 TEST(RangeSensor, GlassMirrorsSomeRaysAndReturnsSome)
@@ -333,7 +310,7 @@ TEST(RangeSensor, ThreadsAndRunsGiveTheSameScan)
 
 TEST(RangeSensor, WhatTheProgressThrowsArrivesAtTheCaller)
 {
-  const auto building = emptyRoom();
+  const auto building = boxRoom();
   auto options = perfect(100);
   const std::vector<Eigen::Vector3d> positions(20, middle);
   for (const int threads : {1, 4}) {
@@ -392,7 +369,7 @@ TEST(RangeSensor, ThinningKeepsOnePointPerCube)
 
 TEST(RangeSensor, RefusesImpossibleOptions)
 {
-  const auto building = emptyRoom();
+  const auto building = boxRoom();
   const auto refused = [&](auto change) {
     RangeSensorOptions options;
     change(options);

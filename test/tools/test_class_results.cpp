@@ -8,6 +8,7 @@
 #include "objects/object_files.h"
 #include "pictures/svg_raster.h"
 #include "support/folder_test.h"
+#include "support/run_tool.h"
 
 #include <pcl/conversions.h>
 #include <pcl/ml/model_file.h>
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -36,11 +36,10 @@ struct SimulatedFlat {
   static bool
   make(const std::string& folder)
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) +
-                                "/pcl_scan_simulation " PCL_INDOOR_PLANS "/flat.json " +
-                                folder + "/flat.pcd -json " + folder +
-                                "/flat.json -quiet";
-    return std::system(command.c_str()) == 0;
+    return pcl::indoor::test::runTool("pcl_scan_simulation",
+                                      PCL_INDOOR_PLANS "/flat.json " + folder +
+                                          "/flat.pcd -json " + folder +
+                                          "/flat.json -quiet") == 0;
   }
 };
 
@@ -49,9 +48,7 @@ protected:
   int
   run(const std::string& tool, const std::string& arguments) const
   {
-    return std::system((std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " + arguments +
-                        " -quiet > " + path("said") + " 2>&1")
-                           .c_str());
+    return pcl::indoor::test::runTool(tool, arguments + " -quiet", path("said"));
   }
 
   std::set<std::string>

@@ -4,6 +4,7 @@
  */
 // Runs pcl_eppf_classify, found by PCL_INDOOR_TOOLS, and looks at what it says.
 #include "support/folder_test.h"
+#include "support/run_tool.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/ml/model_file.h>
@@ -17,7 +18,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -87,10 +87,8 @@ protected:
   int
   run(const std::string& arguments) const
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/pcl_eppf_classify " +
-                                arguments + " > " + path("said") + " 2> " +
-                                path("complaint");
-    return std::system(command.c_str());
+    return pcl::indoor::test::runTool(
+        "pcl_eppf_classify", arguments, path("said"), path("complaint"));
   }
 
   nlohmann::json

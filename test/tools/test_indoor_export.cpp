@@ -4,6 +4,7 @@
  */
 // Writes a small scene with pcl_indoor_export.
 #include "support/folder_test.h"
+#include "support/run_tool.h"
 #include "support/small_scene.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 namespace {
 
 using pcl::indoor::test::bytesOf;
+using pcl::indoor::test::runTool;
 using pcl::indoor::test::SceneJson;
 using pcl::indoor::test::SmallScene;
 
@@ -25,10 +27,10 @@ protected:
       const std::string& options = "")
   {
     write("scene.json", scene.dump());
-    return std::system((std::string(PCL_INDOOR_TOOLS) + "/pcl_indoor_export " +
-                        path("scene.json") + " " + path("out/" + output) + " " +
-                        options + " > " + path("out_text") + " 2> " + path("said"))
-                           .c_str());
+    return runTool("pcl_indoor_export",
+                   path("scene.json") + " " + path("out/" + output) + " " + options,
+                   path("out_text"),
+                   path("said"));
   }
 
   void
@@ -85,28 +87,28 @@ TEST_F(IndoorExport, MapsAreOfAllStoreys)
 
 TEST_F(IndoorExport, ThePipelineWritesTheSameBesideTheScene)
 {
-  const auto tool = [&](const std::string& line) {
-    const auto command = std::string(PCL_INDOOR_TOOLS) + "/" + line + " -quiet > " +
-                         path("out_text") + " 2> " + path("said");
-    return std::system(command.c_str());
+  const auto run_quietly = [&](const std::string& tool, const std::string& arguments) {
+    return runTool(tool, arguments + " -quiet", path("out_text"), path("said"));
   };
-  const auto pipeline = "pcl_indoor_pipeline " + path("a.pcd") + " " + path("result") +
-                        " -model none -report none";
-  ASSERT_EQ(tool("pcl_scan_simulation random:home:3 " + path("a.pcd") +
-                 " -rays_per_pose 15000 -leaf 0.05"),
+  const auto files = path("a.pcd") + " " + path("result") + " -model none -report none";
+  ASSERT_EQ(run_quietly("pcl_scan_simulation",
+                        "random:home:3 " + path("a.pcd") +
+                            " -rays_per_pose 15000 -leaf 0.05"),
             0);
-  ASSERT_EQ(tool(pipeline + " -ifc -map -geojson -epsg 25832"), 0)
+  ASSERT_EQ(
+      run_quietly("pcl_indoor_pipeline", files + " -ifc -map -geojson -epsg 25832"), 0)
       << bytesOf(path("said"));
   const auto scene = bytesOf(path("result/scene.json"));
   for (const auto* name : {"building.ifc", "building.geojson", "map.pgm"}) {
-    ASSERT_EQ(tool("pcl_indoor_export " + path("result/scene.json") + " " +
-                   path(std::string("out/") + name) + " -epsg 25832"),
+    ASSERT_EQ(run_quietly("pcl_indoor_export",
+                          path("result/scene.json") + " " +
+                              path(std::string("out/") + name) + " -epsg 25832"),
               0);
   }
   for (const auto& name : results())
     EXPECT_EQ(bytesOf(path("result/" + name)), bytesOf(path("out/" + name))) << name;
   EXPECT_GE(results().size(), 7u);
-  ASSERT_EQ(tool(pipeline), 0);
+  ASSERT_EQ(run_quietly("pcl_indoor_pipeline", files), 0);
   EXPECT_EQ(bytesOf(path("result/scene.json")), scene);
   for (const auto& name : results()) // of an earlier run
     EXPECT_FALSE(std::filesystem::exists(path("result/" + name))) << name;

@@ -4,6 +4,7 @@
  */
 // Asks pcl_indoor_query about a small scene.
 #include "support/folder_test.h"
+#include "support/run_tool.h"
 #include "support/small_scene.h"
 
 #include <nlohmann/json.hpp>
@@ -69,10 +70,10 @@ protected:
   int
   run(const std::string& options) const
   {
-    return std::system((std::string(PCL_INDOOR_TOOLS) + "/pcl_indoor_query " +
-                        path("scene.json") + " " + options + " > " + path("out") +
-                        " 2> " + path("said"))
-                           .c_str());
+    return pcl::indoor::test::runTool("pcl_indoor_query",
+                                      path("scene.json") + " " + options,
+                                      path("out"),
+                                      path("said"));
   }
 
   std::vector<int>

@@ -7,6 +7,7 @@
 #include "pictures/color.h"
 #include "pictures/svg_raster.h"
 #include "support/folder_test.h"
+#include "support/run_tool.h"
 #include "support/synthetic_scenes.h"
 
 #include <pcl/io/pcd_io.h>
@@ -47,10 +48,7 @@ protected:
   int
   run(const std::string& tool, const std::string& arguments) const
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
-                                path("in.pcd") + " " + arguments + " > " +
-                                path("said") + " 2>&1";
-    return std::system(command.c_str());
+    return test::runTool(tool, path("in.pcd") + " " + arguments, path("said"));
   }
 
   /** Does each point have the colour of its label? PCL's readers say. */

@@ -7,6 +7,7 @@
 #include "support/folder_test.h"
 #include "support/labelled_cloud.h"
 #include "support/room_with_chairs.h"
+#include "support/run_tool.h"
 #include "support/synthetic_scenes.h"
 
 #include <pcl/io/pcd_io.h>
@@ -16,7 +17,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -53,9 +53,7 @@ protected:
   int
   run(const std::string& tool, const std::string& arguments) const
   {
-    return std::system((std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " + arguments +
-                        " > " + path("out") + " 2> " + path("said"))
-                           .c_str());
+    return pcl::indoor::test::runTool(tool, arguments, path("out"), path("said"));
   }
 
   std::string

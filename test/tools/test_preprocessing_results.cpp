@@ -6,6 +6,7 @@
 #include "files/cloud_file.h"
 #include "support/folder_test.h"
 #include "support/labelled_points.h"
+#include "support/run_tool.h"
 #include "support/synthetic_scenes.h"
 
 #include <pcl/io/pcd_io.h>
@@ -13,9 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -51,10 +50,14 @@ protected:
   int
   run(const std::string& tool, const std::string& options) const
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
-                                path("scene.pcd") + " " + path("out.pcd") + " " +
-                                options + " > " + path("said") + " 2>&1";
-    return std::system(command.c_str());
+    return test::runTool(
+        tool, path("scene.pcd") + " " + path("out.pcd") + " " + options, path("said"));
+  }
+
+  std::string
+  said() const
+  {
+    return test::bytesOf(path("said"));
   }
 
   /** Share of the scene's normals that point to the side they should. */
@@ -140,10 +143,6 @@ TEST_F(Preprocessing, TheUnitOfRoomsIsSaid)
   for (const auto& p : test::twoRooms().points)
     rooms.emplace_back(1000 * p.x(), 1000 * p.y(), 1000 * p.z()); // millimetres
   pcl::io::savePCDFileBinary(path("scene.pcd"), rooms);
-  const auto said = [&] {
-    std::ifstream file(path("said"));
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
   ASSERT_EQ(run("pcl_noise_resilient_lccp", ""), 0);
   EXPECT_NE(said().find("The scan is probably in millimetres"), std::string::npos)
       << said();
@@ -165,10 +164,6 @@ TEST_F(Preprocessing, TheUnitOfAViewIsSaidAndTaken)
                         -depth);
     }
   pcl::io::savePCDFileBinary(path("scene.pcd"), view);
-  const auto said = [&] {
-    std::ifstream file(path("said"));
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
   ASSERT_EQ(run("pcl_noise_resilient_lccp", ""), 0);
   EXPECT_NE(said().find("scale it to metres (-unit mm)"), std::string::npos) << said();
   ASSERT_EQ(run("pcl_noise_resilient_lccp", "-unit mm"), 0);

@@ -6,7 +6,9 @@
 // file that it writes.
 #include "files/cloud_file.h"
 #include "pictures/svg_raster.h"
+#include "support/count.h"
 #include "support/folder_test.h"
+#include "support/run_tool.h"
 
 #include <pcl/conversions.h>
 
@@ -15,8 +17,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <set>
 
@@ -25,15 +25,7 @@ using namespace pcl::indoor::tool;
 namespace {
 
 using pcl::indoor::test::bytesOf;
-
-std::size_t
-count(const std::string& text, const std::string& part)
-{
-  std::size_t found = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
-}
+using pcl::indoor::test::count;
 
 /** The flat: a living room of 4.8 x 3.8 m, a bedroom of 3.3 x 3.8 m, a hallway of
  * 8.3 x 1.6 m between the walls' faces; the hallway has a door to each. */
@@ -41,10 +33,9 @@ struct SimulatedFlat {
   static bool
   make(const std::string& folder)
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) +
-                                "/pcl_scan_simulation " PCL_INDOOR_PLANS "/flat.json " +
-                                folder + "/flat.pcd -quiet";
-    return std::system(command.c_str()) == 0;
+    return pcl::indoor::test::runTool("pcl_scan_simulation",
+                                      PCL_INDOOR_PLANS "/flat.json " + folder +
+                                          "/flat.pcd -quiet") == 0;
   }
 };
 
@@ -53,9 +44,7 @@ protected:
   int
   run(const std::string& tool, const std::string& arguments) const
   {
-    return std::system((std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " + arguments +
-                        " -quiet > " + path("said") + " 2>&1")
-                           .c_str());
+    return pcl::indoor::test::runTool(tool, arguments + " -quiet", path("said"));
   }
 };
 

@@ -7,6 +7,7 @@
 #include "files/cloud_file.h"
 #include "pictures/svg_raster.h"
 #include "support/folder_test.h"
+#include "support/run_tool.h"
 #include "support/synthetic_scenes.h"
 
 #include <pcl/common/point_tests.h> // for isFinite
@@ -40,30 +41,31 @@ using pcl::indoor::test::bytesOf;
 /** A folder of its own for each test, gone afterwards. */
 class ToolResults : public pcl::indoor::test::FolderTest {
 protected:
+  int
+  status(const std::string& tool, const std::string& arguments) const
+  {
+    return test::runTool(tool, arguments + " -quiet", path("said"));
+  }
+
   /** Runs a tool; it must succeed and print nothing, or this, where no terminal is. */
   void
   run(const std::string& tool,
       const std::string& arguments,
       const std::string& said = "") const
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
-                                arguments + " -quiet > " + path("said") + " 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0) << command << "\n"
-                                               << bytesOf(path("said"));
-    EXPECT_EQ(bytesOf(path("said")), said) << command;
+    EXPECT_EQ(status(tool, arguments), 0) << bytesOf(path("said"));
+    EXPECT_EQ(bytesOf(path("said")), said) << tool << " " << arguments;
   }
 
   /** Runs a tool that must complain in one line and write no out.pcd. */
   void
   expectRefusal(const std::string& tool, const std::string& arguments) const
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/" + tool + " " +
-                                arguments + " -quiet > " + path("said") + " 2>&1";
-    const int status = std::system(command.c_str());
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << command;
+    const int result = status(tool, arguments);
+    EXPECT_TRUE(WIFEXITED(result) && WEXITSTATUS(result) == 1) << arguments;
     const auto said = bytesOf(path("said"));
-    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << command << said;
-    EXPECT_FALSE(std::filesystem::exists(path("out.pcd"))) << command;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << arguments << said;
+    EXPECT_FALSE(std::filesystem::exists(path("out.pcd"))) << arguments;
   }
 };
 
@@ -256,11 +258,11 @@ TEST_F(ToolResults, NoiseResilientLccpTellsColoursApart)
   pcl::io::savePCDFileBinary(path("rgba.pcd"), other_field);
   const auto one = " All 3024 points are one segment: "; // which is said
   const auto count = [&](const std::string& input, const std::string& options) {
-    const std::string command =
-        std::string(PCL_INDOOR_TOOLS) + "/pcl_noise_resilient_lccp " + path(input) +
-        " " + path("out.pcd") + " -preset thesis -ransac_share 0 -graph_scale 0.3" +
-        options + " -quiet > " + path("said") + " 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    EXPECT_EQ(status("pcl_noise_resilient_lccp",
+                     path(input) + " " + path("out.pcd") +
+                         " -preset thesis -ransac_share 0 -graph_scale 0.3" + options),
+              0)
+        << options;
     const auto objects = readLabels(loadCloud(path("out.pcd")), "object");
     std::set<std::uint32_t> found; // not at the border of the halves
     for (std::size_t k = 0; k < objects.size(); ++k)
@@ -289,10 +291,11 @@ TEST_F(ToolResults, NoiseResilientLccpTellsObjectsOnATableApartFromAnySide)
   const auto cloud = tableWithTwelveBoxes();
   pcl::io::savePCDFileBinary(path("in.pcd"), cloud);
   const auto run_with = [&](const std::string& options) {
-    const std::string command =
-        std::string(PCL_INDOOR_TOOLS) + "/pcl_noise_resilient_lccp " + path("in.pcd") +
-        " " + path("out.pcd") + options + " > " + path("said") + " 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    EXPECT_EQ(test::runTool("pcl_noise_resilient_lccp",
+                            path("in.pcd") + " " + path("out.pcd") + options,
+                            path("said")),
+              0)
+        << options;
     const auto objects = readLabels(loadCloud(path("out.pcd")), "object");
     std::set<std::uint32_t> on_boxes; // in the middle of their tops
     for (std::size_t i = 0; i < cloud.size(); ++i)

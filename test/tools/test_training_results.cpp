@@ -6,6 +6,7 @@
 // looks at what it writes.
 #include "files/mesh_sampling.h"
 #include "support/folder_test.h"
+#include "support/run_tool.h"
 
 #include <pcl/ml/model_file.h>
 #include <pcl/ml/object_classifier.h>
@@ -146,10 +147,8 @@ protected:
   int
   status(const std::string& arguments) const
   {
-    const std::string command = std::string(PCL_INDOOR_TOOLS) + "/pcl_eppf_train " +
-                                arguments + " > " + path("said") + " 2> " +
-                                path("complaint");
-    const int result = std::system(command.c_str());
+    const int result = pcl::indoor::test::runTool(
+        "pcl_eppf_train", arguments, path("said"), path("complaint"));
     return WIFEXITED(result) ? WEXITSTATUS(result) : -1;
   }
 

@@ -5,13 +5,13 @@
 #include "retrieval/feature_correlation.h"
 
 #include "objects/object_files.h" // for classifierPoints
+#include "text/formatted.h"
 
 #include <pcl/features/line_occupancy.h>
 #include <pcl/features/pair_sampling.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -101,19 +101,16 @@ correlationText(const std::array<double, 6>& correlations)
   double mean = 0;
   for (const double correlation : correlations)
     mean += std::abs(correlation) / 6;
-  char text[160];
-  std::snprintf(text,
-                sizeof(text),
-                "correlation of features, mean |r| %.3f: f1 f2 %.3f, f1 f3 %.3f, f1 f4 "
-                "%.3f, f2 f3 %.3f, f2 f4 %.3f, f3 f4 %.3f\n",
-                mean,
-                correlations[0],
-                correlations[1],
-                correlations[2],
-                correlations[3],
-                correlations[4],
-                correlations[5]);
-  return text;
+  return formatted(
+      "correlation of features, mean |r| %.3f: f1 f2 %.3f, f1 f3 %.3f, f1 f4 "
+      "%.3f, f2 f3 %.3f, f2 f4 %.3f, f3 f4 %.3f\n",
+      mean,
+      correlations[0],
+      correlations[1],
+      correlations[2],
+      correlations[3],
+      correlations[4],
+      correlations[5]);
 }
 
 double

@@ -22,14 +22,26 @@
 namespace pcl::indoor::tool {
 namespace {
 
-template <typename SignatureT>
+/** \brief The histogram of the first signature; empty if there is none. */
+template <typename SignatureT, typename Estimation>
 std::vector<float>
-firstHistogram(const PointCloud<SignatureT>& signatures)
+firstHistogram(Estimation& estimation)
 {
+  PointCloud<SignatureT> signatures;
+  estimation.compute(signatures);
   if (signatures.empty())
     return {};
   const auto& histogram = signatures[0].histogram;
   return {std::begin(histogram), std::end(histogram)};
+}
+
+template <typename Estimation>
+void
+setOrientedInput(Estimation& estimation, const RetrievalObject& object)
+{
+  estimation.setInputCloud(object.points);
+  estimation.setInputNormals(object.normals);
+  estimation.setSearchMethod(pcl::make_shared<search::KdTree<PointXYZ>>());
 }
 
 /** \brief Distances below this join two points of a surface sampled with that many. */
@@ -51,21 +63,15 @@ describeByESF(const RetrievalObject& object, std::uint32_t)
 {
   ESFEstimation<PointXYZ, ESFSignature640> estimation; // seeds itself from the clock
   estimation.setInputCloud(object.points);
-  PointCloud<ESFSignature640> output;
-  estimation.compute(output);
-  return firstHistogram(output);
+  return firstHistogram<ESFSignature640>(estimation);
 }
 
 std::vector<float>
 describeByVFH(const RetrievalObject& object, std::uint32_t)
 {
   VFHEstimation<PointXYZ, Normal, VFHSignature308> estimation;
-  estimation.setInputCloud(object.points);
-  estimation.setInputNormals(object.normals);
-  estimation.setSearchMethod(pcl::make_shared<search::KdTree<PointXYZ>>());
-  PointCloud<VFHSignature308> output;
-  estimation.compute(output);
-  return firstHistogram(output);
+  setOrientedInput(estimation, object);
+  return firstHistogram<VFHSignature308>(estimation);
 }
 
 std::vector<float>
@@ -74,14 +80,10 @@ describeByOURCVFH(const RetrievalObject& object, std::uint32_t)
   // Its defaults are lengths of table-top scenes in metres; these follow the object.
   const float spacing = sampleSpacing(object);
   OURCVFHEstimation<PointXYZ, Normal, VFHSignature308> estimation;
-  estimation.setInputCloud(object.points);
-  estimation.setInputNormals(object.normals);
-  estimation.setSearchMethod(pcl::make_shared<search::KdTree<PointXYZ>>());
+  setOrientedInput(estimation, object);
   estimation.setRadiusNormals(3 * spacing);
   estimation.setClusterTolerance(3 * spacing);
-  PointCloud<VFHSignature308> output;
-  estimation.compute(output);
-  return firstHistogram(output);
+  return firstHistogram<VFHSignature308>(estimation);
 }
 
 std::vector<float>
@@ -89,22 +91,16 @@ describeByGASD(const RetrievalObject& object, std::uint32_t)
 {
   GASDEstimation<PointXYZ, GASDSignature512> estimation;
   estimation.setInputCloud(object.points);
-  PointCloud<GASDSignature512> output;
-  estimation.compute(output);
-  return firstHistogram(output);
+  return firstHistogram<GASDSignature512>(estimation);
 }
 
 std::vector<float>
 describeByGRSD(const RetrievalObject& object, std::uint32_t)
 {
   GRSDEstimation<PointXYZ, Normal, GRSDSignature21> estimation;
-  estimation.setInputCloud(object.points);
-  estimation.setInputNormals(object.normals);
-  estimation.setSearchMethod(pcl::make_shared<search::KdTree<PointXYZ>>());
+  setOrientedInput(estimation, object);
   estimation.setRadiusSearch(3 * sampleSpacing(object)); // its voxels, not smaller
-  PointCloud<GRSDSignature21> output;
-  estimation.compute(output);
-  return firstHistogram(output);
+  return firstHistogram<GRSDSignature21>(estimation);
 }
 
 /** SHOT of the whole object: at its centroid, with a radius that holds it. */

@@ -6,11 +6,11 @@
 
 #include "formats/json_text.h"
 #include "pictures/line_plot.h"
+#include "text/formatted.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 
 namespace pcl::indoor::tool {
@@ -56,11 +56,9 @@ resultTable(const std::vector<RetrievalResult>& results)
 {
   std::string text = "descriptor          distance  bins  total acc. %  mean acc. %  "
                      "mean recall %         F1   ms/object\n";
-  for (const auto& result : results) {
-    char line[200];
-    std::snprintf(line,
-                  sizeof(line),
-                  "%-20s%-8s%6zu  %5.2f (%4.2f)  %5.2f (%4.2f)  %5.2f (%4.2f)  %.3f "
+  for (const auto& result : results)
+    text +=
+        formatted("%-20s%-8s%6zu  %5.2f (%4.2f)  %5.2f (%4.2f)  %5.2f (%4.2f)  %.3f "
                   "(%.3f)  %8.3f\n",
                   result.descriptor.c_str(),
                   distanceName(result.distance).c_str(),
@@ -74,8 +72,6 @@ resultTable(const std::vector<RetrievalResult>& results)
                   result.f1.mean,
                   result.f1.deviation,
                   result.milliseconds.mean);
-    text += line;
-  }
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "files/field_value.h" // for appendTo
 #include "files/joined_clouds.h"
 #include "files/tool_error.h"
+#include "formats/file_beginning.h"
 #include "formats/file_ending.h"
 #include "formats/file_header.h" // for throwTruncated
 #include "formats/line_reader.h"
@@ -21,7 +22,6 @@
 #include <array>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -281,10 +281,7 @@ isPtx(const std::string& path, const std::string& beginning)
 std::uint64_t
 ptxPointCount(const std::string& path, const std::string& /*beginning*/)
 {
-  std::string text(1 << 16, '\0');
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  const auto text = beginningOf(path, 1 << 16);
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   if (text.empty() || error)

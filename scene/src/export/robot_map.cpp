@@ -60,15 +60,9 @@ crossings(const RobotMap& map, const std::vector<PlanRing>& rings, int row)
 {
   const double y = map.origin.y() + (row + 0.5) * map.resolution;
   std::vector<double> places;
-  for (const auto& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const auto& a = ring[i];
-      const auto& b = ring[(i + 1) % ring.size()];
-      if ((a.y() > y) != (b.y() > y))
-        places.push_back(
-            (a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()) - map.origin.x()) /
-            map.resolution);
-    }
+  forEachSideAcross(rings, y, [&](const auto& a, const auto& b) {
+    places.push_back((xOfSide(a, b, y) - map.origin.x()) / map.resolution);
+  });
   std::sort(places.begin(), places.end());
   return places;
 }

@@ -5,11 +5,11 @@
 #include "export/step_file.h"
 
 #include "files/digest.h"
+#include "text/formatted.h"
 #include "text/printable.h" // for characterAt and fixedText
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -26,12 +26,7 @@ encoded(const Character& character)
     return "?";
   if (code < 0x7f)
     return std::string(1, static_cast<char>(code));
-  char text[32];
-  std::snprintf(text,
-                sizeof(text),
-                code > 0xffff ? "\\X4\\%08lX\\X0\\" : "\\X2\\%04lX\\X0\\",
-                code);
-  return text;
+  return formatted(code > 0xffff ? "\\X4\\%08lX\\X0\\" : "\\X2\\%04lX\\X0\\", code);
 }
 
 } // namespace

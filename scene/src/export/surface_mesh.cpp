@@ -43,18 +43,9 @@ std::vector<BandSide>
 sidesAcross(const std::vector<PlanRing>& rings, double low, double high)
 {
   std::vector<BandSide> sides;
-  const double middle = 0.5 * (low + high);
-  for (const auto& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const auto& a = ring[i];
-      const auto& b = ring[(i + 1) % ring.size()];
-      if ((a.y() > middle) == (b.y() > middle))
-        continue;
-      const auto x_at = [&](double y) {
-        return a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y());
-      };
-      sides.push_back({x_at(low), x_at(high)});
-    }
+  forEachSideAcross(rings, 0.5 * (low + high), [&](const auto& a, const auto& b) {
+    sides.push_back({xOfSide(a, b, low), xOfSide(a, b, high)});
+  });
   std::sort(sides.begin(), sides.end());
   return sides;
 }

@@ -4,6 +4,7 @@
  */
 #include "pictures/plan_dxf.h"
 
+#include "internal/cross.h"
 #include "text/printable.h" // for fixedText
 
 #include <cmath>
@@ -131,7 +132,7 @@ addOpening(Drawing& drawing, const PlanOpening& opening, std::size_t storey)
     return;
   drawing.addLine(layer, begin, opening.leafEnd());
   const Eigen::Vector2d leaf = opening.into, gap = opening.along;
-  const bool gap_first = gap.x() * leaf.y() - gap.y() * leaf.x() > 0.0;
+  const bool gap_first = crossOf(gap, leaf) > 0.0;
   const auto degrees = [](const Eigen::Vector2d& way) {
     return std::atan2(way.y(), way.x()) * 180.0 / M_PI;
   };

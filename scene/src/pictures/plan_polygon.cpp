@@ -4,6 +4,8 @@
  */
 #include "pictures/plan_polygon.h"
 
+#include "internal/cross.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -45,11 +47,8 @@ double
 signedArea(const PlanRing& ring)
 {
   double area = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Eigen::Vector2d a = ring[i] - ring[0];
-    const Eigen::Vector2d b = ring[(i + 1) % ring.size()] - ring[0];
-    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
-  }
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    area += 0.5 * crossOf(ring[i] - ring[0], ring[(i + 1) % ring.size()] - ring[0]);
   return area;
 }
 
@@ -83,14 +82,10 @@ bool
 isInside(const std::vector<PlanRing>& rings, const Eigen::Vector2d& place)
 {
   bool inside = false; // an odd number of sides lies to the right
-  for (const auto& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const auto& a = ring[i];
-      const auto& b = ring[(i + 1) % ring.size()];
-      if ((a.y() > place.y()) != (b.y() > place.y()) &&
-          place.x() < a.x() + (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()))
-        inside = !inside;
-    }
+  forEachSideAcross(rings, place.y(), [&](const auto& a, const auto& b) {
+    if (place.x() < xOfSide(a, b, place.y()))
+      inside = !inside;
+  });
   return inside;
 }
 

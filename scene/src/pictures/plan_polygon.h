@@ -31,6 +31,27 @@ perimeter(const PlanRing& ring);
 std::vector<PlanPolygon>
 polygonsOf(const std::vector<PlanRing>& rings);
 
+/** \brief Call visit(begin, end) for each side of rings that crosses a y. */
+template <typename Visit>
+void
+forEachSideAcross(const std::vector<PlanRing>& rings, double y, const Visit& visit)
+{
+  for (const auto& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto& a = ring[i];
+      const auto& b = ring[(i + 1) % ring.size()];
+      if ((a.y() > y) != (b.y() > y))
+        visit(a, b);
+    }
+}
+
+/** \brief The x at which the line of a side has a y. REQUIRES: it is not level. */
+inline double
+xOfSide(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double y)
+{
+  return a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y());
+}
+
 /** \brief Is a place within rings, and not in their holes? */
 bool
 isInside(const std::vector<PlanRing>& rings, const Eigen::Vector2d& place);

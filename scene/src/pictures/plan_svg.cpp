@@ -4,6 +4,7 @@
  */
 #include "pictures/plan_svg.h"
 
+#include "internal/cross.h"
 #include "pictures/svg_drawing.h"
 
 #include <algorithm>
@@ -126,7 +127,7 @@ openingShape(const PlanOpening& opening, const Sheet& sheet)
            step('L', sheet(end)) + "\"/>\n";
   const double radius = scale * opening.width;
   const Eigen::Vector2d leaf = opening.leafEnd() - begin, gap = end - begin;
-  const int sweep = leaf.x() * gap.y() - leaf.y() * gap.x() < 0.0 ? 1 : 0; // y is down
+  const int sweep = crossOf(leaf, gap) < 0.0 ? 1 : 0; // y is down
   return "  <path class=\"door\" " + number + form + "d=\"" + step('M', sheet(begin)) +
          step('L', sheet(opening.leafEnd())) +
          formatted("A%.1f,%.1f 0 0 %d ", radius, radius, sweep) +

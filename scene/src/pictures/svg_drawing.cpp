@@ -26,14 +26,6 @@ css(Color color)
 
 } // namespace
 
-NumbersWithPoint::NumbersWithPoint()
-{
-  static const auto classic = newlocale(LC_ALL_MASK, "C", nullptr);
-  before_ = uselocale(classic);
-}
-
-NumbersWithPoint::~NumbersWithPoint() { uselocale(before_); }
-
 std::string
 xmlText(const std::string& text)
 {

@@ -5,42 +5,16 @@
 #pragma once
 
 #include "pictures/pixel_image.h"
+#include "text/formatted.h"
 
 #include <pcl/indoor/exports.h>
 
 #include <Eigen/Core>
 
-#include <cstdio>
-#include <locale.h> // for locale_t
 #include <string>
 #include <vector>
 
 namespace pcl::indoor::tool {
-
-/** \brief While it lives, numbers of this thread have a point, whatever the locale. */
-class PCL_INDOOR_EXPORTS NumbersWithPoint {
-public:
-  NumbersWithPoint();
-  ~NumbersWithPoint();
-  NumbersWithPoint(const NumbersWithPoint&) = delete;
-  NumbersWithPoint&
-  operator=(const NumbersWithPoint&) = delete;
-
-private:
-  locale_t before_;
-};
-
-/** \brief Numbers as printf() writes them in the locale "C", in at most 499
- * characters. */
-template <typename... Values>
-std::string
-formatted(const char* format, Values... values)
-{
-  const NumbersWithPoint numbers;
-  char text[500];
-  std::snprintf(text, sizeof(text), format, values...);
-  return text;
-}
 
 /** \brief Any text as it may stand in XML and HTML, in attributes too. */
 std::string

@@ -4,6 +4,8 @@
  */
 #include "building/leaning_walls.h"
 
+#include "internal/cross.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -109,7 +111,7 @@ cornerDrifts(const Plan& plan, const RoomPlan& room, const std::string& source)
       continue;
     const Eigen::Vector2d m = edgeOf(room.polygon, (i + n - 1) % n).inwards();
     const Eigen::Vector2d k = edgeOf(room.polygon, i).inwards();
-    const double sine = m.x() * k.y() - m.y() * k.x();
+    const double sine = crossOf(m, k);
     if (std::abs(sine) > 1e-6) // the corner of both leaning lines
       drifts[i] = Eigen::Vector2d(before * k.y() - after * m.y(),
                                   after * m.x() - before * k.x()) /

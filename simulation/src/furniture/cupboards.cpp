@@ -20,8 +20,7 @@ wardrobe(PartMaker& make, const Size& size, RandomDraw& draw)
                plinth = draw.uniform(0.03, 0.1);
   make.box("plinth", {-x + 0.01, -y, x - 0.01, y - 0.06}, 0, plinth);
   make.box("body", {-x, -y, x, y - 0.04}, plinth, z);
-  const int doors =
-      std::max(1, static_cast<int>(std::lround(size.x() / draw.uniform(0.4, 0.55))));
+  const int doors = partsIn(size.x(), draw.uniform(0.4, 0.55));
   fronts(make, size, doors, plinth, z - 0.01, draw.pick(4) > 0);
 }
 
@@ -31,9 +30,7 @@ farmWardrobe(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                low = draw.uniform(0.3, 0.5);
-  for (const double sx : {-x + 0.03, x - 0.09})
-    for (const double sy : {-y, y - 0.1})
-      make.box("foot", {sx, sy, sx + 0.06, sy + 0.06}, 0, 0.1);
+  cornerPosts(make, "foot", {-x + 0.03, -y, x - 0.09, y - 0.1}, 0.06, 0.1);
   make.box("body", {-x + 0.03, -y, x - 0.03, y - 0.04}, 0.1, z - 0.08);
   make.frustum(
       "cornice", {-x + 0.03, -y, x - 0.03, y - 0.03}, z - 0.08, {-x, -y, x, y}, z);
@@ -71,8 +68,7 @@ openShelves(PartMaker& make, const Size& size, RandomDraw& draw)
   if (draw.pick(2) == 0)
     make.box("back", {-x + t, -y, x - t, -y + 0.008}, 0, z);
   const int columns = size.x() > 1.1 ? 2 : 1,
-            rows = std::max(
-                1, static_cast<int>(std::lround(z / draw.uniform(0.28, 0.42))));
+            rows = partsIn(z, draw.uniform(0.28, 0.42));
   if (columns == 2)
     make.box("side", {-t / 2, -y + 0.01, t / 2, y}, 0, z);
   const double pitch = (z - t) / rows, share = draw.uniform();
@@ -98,12 +94,7 @@ dresser(PartMaker& make, const Size& size, RandomDraw& draw)
   const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                low = draw.uniform(0.3, 0.45) * z;
   make.box("body", {-x, -y, x, y - 0.04}, 0, low);
-  fronts(make,
-         size,
-         std::max(1, static_cast<int>(std::lround(size.x() / 0.5))),
-         0.05,
-         low - 0.01,
-         true);
+  fronts(make, size, partsIn(size.x(), 0.5), 0.05, low - 0.01, true);
   for (const double s : {-x, x - 0.02})
     make.box("side", {s, -y, s + 0.02, 0.7 * y}, low, z);
   const int rows = 2 + draw.pick(2);
@@ -142,7 +133,7 @@ filingCabinet(PartMaker& make, const Size& size, RandomDraw& draw)
   make.box("body", {-x, -y, x, y - 0.03}, 0, z);
   if (draw.pick(2) == 0)
     return fronts(make, {size.x(), size.y() - 0.01, z}, 2, 0.05, z - 0.02, true);
-  const int count = std::max(2, static_cast<int>(std::lround(z / 0.35)));
+  const int count = partsIn(z, 0.35, 2);
   for (int i = 0; i < count; ++i) {
     const double low = 0.04 + i * (z - 0.06) / count;
     make.box("drawer",

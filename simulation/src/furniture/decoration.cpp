@@ -270,15 +270,7 @@ ball(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double r = std::min(size.x(), size.y()) / 2,
                z = size.z() * draw.uniform(0.95, 1.0);
-  make.loft("ball",
-            {-r, -r, r, r},
-            {{0, 0},
-             {0.6, 0.1 * z},
-             {0.92, 0.3 * z},
-             {1, 0.5 * z},
-             {0.92, 0.7 * z},
-             {0.6, 0.9 * z},
-             {0, z}});
+  make.loft("ball", {-r, -r, r, r}, ballSections(z));
 }
 
 } // namespace

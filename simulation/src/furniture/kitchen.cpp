@@ -47,7 +47,7 @@ kitchenRow(PartMaker& make, const Size& size, RandomDraw& draw)
   make.box("body", {-x, -y, x, y - 0.06}, 0.1, top - 0.2);
   fronts(make,
          {size.x(), size.y() - 0.04, z},
-         std::max(2, static_cast<int>(std::lround(size.x() / 0.55))),
+         partsIn(size.x(), 0.55, 2),
          0.11,
          top - 0.05,
          true);
@@ -68,12 +68,7 @@ upperCabinet(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
   make.box("body", {-x, -y, x, y - 0.04}, 0, z);
-  fronts(make,
-         size,
-         std::max(1, static_cast<int>(std::lround(size.x() / 0.5))),
-         0.005,
-         z - 0.005,
-         draw.pick(2) == 0);
+  fronts(make, size, partsIn(size.x(), 0.5), 0.005, z - 0.005, draw.pick(2) == 0);
 }
 
 void

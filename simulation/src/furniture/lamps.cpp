@@ -36,12 +36,8 @@ tripodLamp(PartMaker& make, const Size& size, RandomDraw& draw)
              {0.9 * x * std::cos(2.1 * i), 0.9 * y * std::sin(2.1 * i), 0},
              {0.02 * std::cos(2.1 * i), 0.02 * std::sin(2.1 * i), low},
              0.015);
-  make.shade("shade",
-             {-0.8 * x, -0.8 * y, 0.8 * x, 0.8 * y},
-             low - 0.02,
-             z,
-             1.0,
-             draw.uniform(0.7, 1.0));
+  make.shade(
+      {-0.8 * x, -0.8 * y, 0.8 * x, 0.8 * y}, low - 0.02, z, draw.uniform(0.7, 1.0));
 }
 
 // An arc from a heavy foot.
@@ -65,8 +61,7 @@ arcLamp(PartMaker& make, const Size& size, RandomDraw& draw)
   }
   make.join(pieces, "arc");
   const double r = draw.uniform(0.12, 0.2);
-  make.shade(
-      "shade", {last.x() - r, -r, last.x() + r, r}, last.z() - 0.2, last.z(), 1.0, 0.3);
+  make.shade({last.x() - r, -r, last.x() + r, r}, last.z() - 0.2, last.z(), 0.3);
 }
 
 // A shade on a foot, for tables.
@@ -84,7 +79,7 @@ tableLamp(PartMaker& make, const Size& size, RandomDraw& draw)
              {1.3 * belly, 0.25 * z},
              {0.1, low}});
   make.rod("stem", {0, 0, 0.9 * low}, {0, 0, low + 0.2 * z}, 0.008);
-  make.shade("shade", {-x, -y, x, y}, low, z, 1.0, draw.uniform(0.5, 0.95));
+  make.shade({-x, -y, x, y}, low, z, draw.uniform(0.5, 0.95));
 }
 
 // An arm with a joint and a small shade.
@@ -97,7 +92,7 @@ workLamp(PartMaker& make, const Size& size, RandomDraw& draw)
   make.loft("foot", {-r, -y, r, -y + 2 * r}, {{1, 0}, {0.9, 0.025}});
   make.rod("arm", {0, -y + r, 0.02}, {0, -0.9 * y, elbow}, 0.01);
   make.rod("arm", {0, -0.9 * y, elbow}, {0, 0.4 * y, z - 0.04}, 0.01);
-  make.shade("shade", {-r, y - 2 * r, r, y}, z - 0.14, z, 1.0, 0.3);
+  make.shade({-r, y - 2 * r, r, y}, z - 0.14, z, 0.3);
 }
 
 // On a cord.
@@ -106,7 +101,7 @@ pendantLamp(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                high = std::min(0.8 * z, draw.uniform(0.8, 1.4) * x);
-  make.shade("shade", {-x, -y, x, y}, 0, high, 1.0, draw.uniform(0.15, 0.9));
+  make.shade({-x, -y, x, y}, 0, high, draw.uniform(0.15, 0.9));
   make.rod("cord", {0, 0, 0.9 * high}, {0, 0, z - 0.04}, 0.008);
   make.loft("rose", {-0.06, -0.06, 0.06, 0.06}, {{0.4, z - 0.05}, {1, z}}, 10);
 }
@@ -116,15 +111,7 @@ globeLamp(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                d = std::min(2 * std::min(x, y), 0.9 * z) * draw.uniform(0.95, 1.0);
-  make.loft("globe",
-            {-d / 2, -d / 2, d / 2, d / 2},
-            {{0, 0},
-             {0.6, 0.1 * d},
-             {0.92, 0.3 * d},
-             {1, 0.5 * d},
-             {0.92, 0.7 * d},
-             {0.6, 0.9 * d},
-             {0, d}});
+  make.loft("globe", {-d / 2, -d / 2, d / 2, d / 2}, ballSections(d));
   make.rod("cord", {0, 0, 0.97 * d}, {0, 0, z}, 0.008);
 }
 

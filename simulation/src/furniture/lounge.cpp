@@ -16,9 +16,7 @@ using Size = Eigen::Vector3d;
 void
 feet(PartMaker& make, double x, double y, double z)
 {
-  for (const double sx : {-x, x - 0.05})
-    for (const double sy : {-y, y - 0.05})
-      make.box("foot", {sx, sy, sx + 0.05, sy + 0.05}, 0, z);
+  cornerPosts(make, "foot", {-x, -y, x - 0.05, y - 0.05}, 0.05, z);
 }
 
 // Soft cushions between soft arms.
@@ -28,8 +26,7 @@ softSofa(PartMaker& make, const Size& size, RandomDraw& draw)
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
   const double arm = draw.uniform(0.12, 0.24), back = draw.uniform(0.16, 0.25);
   const double base = draw.uniform(0.05, 0.14), seat = z * draw.uniform(0.46, 0.54);
-  const int seats =
-      std::max(1, static_cast<int>(std::lround((2 * x - 2 * arm) / 0.65)));
+  const int seats = partsIn(2 * x - 2 * arm, 0.65);
   feet(make, x - 0.03, y - 0.03, base);
   make.loft("base", {-x, -y, x, y - 0.02}, {{1, base, 0.2}, {1, 0.6 * seat, 0.2}}, 24);
   make.loft("back",
@@ -229,9 +226,7 @@ bunkBed(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
   const double width = std::min(1.0, size.y()), low = 0.4, high = z - 0.4;
-  for (const double sx : {-x, x - 0.07})
-    for (const double sy : {-y, -y + width - 0.07})
-      make.box("post", {sx, sy, sx + 0.07, sy + 0.07}, 0, z);
+  cornerPosts(make, "post", {-x, -y, x - 0.07, -y + width - 0.07}, 0.07, z);
   make.box("mattress",
            {-x + 0.05, -y + 0.05, x - 0.05, -y + width - 0.05},
            high - 0.15,

@@ -202,6 +202,36 @@ fronts(PartMaker& make,
   }
 }
 
+int
+partsIn(double length, double each, int least)
+{
+  return std::max(least, static_cast<int>(std::lround(length / each)));
+}
+
+void
+cornerPosts(PartMaker& make,
+            const std::string& name,
+            const Rectangle& places,
+            double thickness,
+            double height)
+{
+  for (const double x : {places.x0, places.x1})
+    for (const double y : {places.y0, places.y1})
+      make.box(name, {x, y, x + thickness, y + thickness}, 0, height);
+}
+
+std::vector<Section>
+ballSections(double height)
+{
+  return {{0, 0},
+          {0.6, 0.1 * height},
+          {0.92, 0.3 * height},
+          {1, 0.5 * height},
+          {0.92, 0.7 * height},
+          {0.6, 0.9 * height},
+          {0, height}};
+}
+
 void
 roundLegs(PartMaker& make, double x, double y, double radius, double z, double splay)
 {

@@ -123,21 +123,16 @@ public:
          const std::vector<Section>& sections,
          double thickness);
 
-  /** \brief Add a shade that is open below; scales of its bottom and its top. */
+  /** \brief Add a shade that is open below; the scale of its top. */
   void
-  shade(const std::string& name,
-        const Rectangle& r,
-        double z0,
-        double z1,
-        double bottom,
-        double top)
+  shade(const Rectangle& r, double z0, double z1, double top)
   {
-    loft(name,
+    loft("shade",
          r,
          {{0.9 * top, z1 - 0.1 * (z1 - z0)},
-          {0.93 * bottom, z0},
-          {bottom, z0},
-          {0.4 * bottom + 0.6 * top, 0.4 * z0 + 0.6 * z1},
+          {0.93, z0},
+          {1.0, z0},
+          {0.4 + 0.6 * top, 0.4 * z0 + 0.6 * z1},
           {top, z1}});
   }
 
@@ -195,6 +190,24 @@ fronts(PartMaker& make,
        double z0,
        double z1,
        bool handles);
+
+/** \brief How many parts of about a length fill another. */
+int
+partsIn(double length, double each, int least = 1);
+
+/** \brief Four square bars that stand upright on the floor.
+ * \param[in] places their lowest corners, metres
+ * \param[in] thickness of a bar, metres */
+void
+cornerPosts(PartMaker& make,
+            const std::string& name,
+            const Rectangle& places,
+            double thickness,
+            double height);
+
+/** \brief The outline of a ball that stands on the floor, for loft(). */
+std::vector<Section>
+ballSections(double height);
 
 /** \brief Four round legs that stand apart by \a splay more below than above. */
 void

@@ -14,9 +14,7 @@ namespace {
 void
 fourLegs(PartMaker& make, double half_x, double half_y, double t, double z)
 {
-  for (const double x : {-half_x, half_x - t})
-    for (const double y : {-half_y, half_y - t})
-      make.box("leg", {x, y, x + t, y + t}, 0.0, z);
+  cornerPosts(make, "leg", {-half_x, -half_y, half_x - t, half_y - t}, t, z);
 }
 
 void
@@ -129,9 +127,7 @@ bed(PartMaker& make, const Eigen::Vector3d& size, RandomDraw& draw)
                  {left + 0.08, -y + 0.16, left + width - 0.16, -y + 0.42},
                  top + 0.1);
   }
-  for (const double side : {-x, x - 0.06})
-    for (const double end : {-y + 0.05, y - 0.06})
-      make.box("foot", {side, end, side + 0.06, end + 0.06}, 0.0, 0.08);
+  cornerPosts(make, "foot", {-x, -y + 0.05, x - 0.06, y - 0.06}, 0.06, 0.08);
 }
 
 void

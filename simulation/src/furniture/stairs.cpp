@@ -5,7 +5,6 @@
 #include "furniture/part_maker.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::indoor {
 
@@ -53,7 +52,7 @@ makeHalfTurnStairs(const Eigen::Vector3d& size)
   constexpr double slab = 0.18; // metres, of the landing
   const double x = size.x() / 2, y = size.y() / 2;
   const double height = size.z() - 1.0; // the handrail ends a metre above the last step
-  const int steps = std::max(4, static_cast<int>(std::lround(height / 0.175)));
+  const int steps = partsIn(height, 0.175, 4);
   const double rise = height / steps;
   // The landing is one step of the first flight, and as deep as a flight is wide.
   const int first = steps / 2, second = steps - first;

@@ -5,7 +5,6 @@
 #include "furniture/part_maker.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::indoor {
 
@@ -27,7 +26,7 @@ bookcase(PartMaker& make, const Eigen::Vector3d& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, t = 0.022;
   carcass(make, size, t);
-  const int shelves = std::max(1, static_cast<int>(std::lround(size.z() / 0.36)));
+  const int shelves = partsIn(size.z(), 0.36);
   const double pitch = (size.z() - t) / shelves;
   for (int i = 0; i < shelves; ++i) {
     const double z = 0.02 + i * pitch;
@@ -53,7 +52,7 @@ cabinet(PartMaker& make, const Eigen::Vector3d& size, RandomDraw& draw)
   const double x = size.x() / 2, y = size.y() / 2;
   make.box("plinth", {-x + 0.02, -y, x - 0.02, y - 0.06}, 0.0, 0.08);
   make.box("body", {-x, -y, x, y - 0.04}, 0.08, size.z());
-  const int doors = std::max(1, static_cast<int>(std::lround(size.x() / 0.5)));
+  const int doors = partsIn(size.x(), 0.5);
   const double width = size.x() / doors;
   const double gap = draw.uniform(0.003, 0.008);
   for (int i = 0; i < doors; ++i) {
@@ -90,7 +89,7 @@ kitchenUnit(PartMaker& make, const Eigen::Vector3d& size, RandomDraw& draw)
   const double x = size.x() / 2, y = size.y() / 2, top = size.z() - 0.04;
   make.box("plinth", {-x, -y, x, y - 0.08}, 0.0, 0.1);
   make.box("body", {-x, -y, x, y - 0.05}, 0.1, top);
-  const int doors = std::max(1, static_cast<int>(std::lround(size.x() / 0.6)));
+  const int doors = partsIn(size.x(), 0.6);
   const double width = size.x() / doors;
   for (int i = 0; i < doors; ++i)
     make.box("door",
@@ -107,9 +106,7 @@ wardrobeRack(PartMaker& make, const Eigen::Vector3d& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2;
   const int boards = 4 + draw.pick(2);
-  for (const double px : {-x, x - 0.04})
-    for (const double py : {-y, y - 0.04})
-      make.box("post", {px, py, px + 0.04, py + 0.04}, 0.0, size.z());
+  cornerPosts(make, "post", {-x, -y, x - 0.04, y - 0.04}, 0.04, size.z());
   for (int i = 0; i < boards; ++i) {
     const double z = 0.1 + i * (size.z() - 0.16) / boards;
     make.box("shelf", {-x + 0.002, -y + 0.002, x - 0.002, y - 0.002}, z, z + 0.03);

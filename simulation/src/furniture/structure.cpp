@@ -34,7 +34,7 @@ stairs(PartMaker& make, const Eigen::Vector3d& size, RandomDraw&)
 {
   const double x = size.x() / 2, y = size.y() / 2;
   const double flight = size.z() - 1.0; // the handrail ends a metre above the last step
-  const int steps = std::max(1, static_cast<int>(std::lround(flight / 0.175)));
+  const int steps = partsIn(flight, 0.175);
   const double rise = flight / steps, run = size.y() / steps;
   for (int i = 0; i < steps; ++i) {
     const double under = std::max(0.0, (i - 1) * rise); // open below, like a slab
@@ -65,7 +65,7 @@ spiralStairs(PartMaker& make, const Eigen::Vector3d& size, RandomDraw&)
 {
   constexpr double core = 0.07, thickness = 0.05; // metres
   const double x = size.x() / 2, y = size.y() / 2, flight = size.z() - 1.0;
-  const int steps = std::max(6, static_cast<int>(std::lround(flight / 0.19)));
+  const int steps = partsIn(flight, 0.19, 6);
   const double rise = flight / steps, turn = 1.9 * M_PI / steps;
   make.prism("pole", {0, 0}, core, 0.0, core, size.z(), 12);
   const auto at = [&](double i, double share) {
@@ -89,7 +89,7 @@ void
 railing(PartMaker& make, const Eigen::Vector3d& size, RandomDraw&)
 {
   const double x = size.x() / 2, y = size.y() / 2;
-  const int posts = std::max(2, static_cast<int>(std::lround(size.x() / 1.0)) + 1);
+  const int posts = partsIn(size.x(), 1.0) + 1;
   make.box("rail", {-x, -y, x, y}, size.z() - 0.05, size.z());
   for (int i = 0; i < posts; ++i) {
     const double left = -x + i * (2 * x - 0.04) / (posts - 1);
@@ -170,7 +170,7 @@ makeWindow(
   };
   bar({-x, 0, x, 0}, 0.0, frame);
   bar({-x, 0, x, 0}, height - frame, height);
-  const int panes = std::max(1, static_cast<int>(std::lround(width)));
+  const int panes = partsIn(width, 1.0);
   for (int i = 0; i <= panes; ++i) {
     const double left = -x + i * (width - frame) / panes;
     bar({left, 0, left + frame, 0}, frame, height - frame);

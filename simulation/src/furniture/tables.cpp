@@ -5,7 +5,6 @@
 #include "furniture/part_maker.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::indoor {
 
@@ -166,9 +165,7 @@ nightstand(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                leg = draw.uniform(0.02, 0.45) * z;
-  for (const double sx : {-x, x - 0.03})
-    for (const double sy : {-y, y - 0.05})
-      make.box("leg", {sx, sy, sx + 0.03, sy + 0.03}, 0, leg);
+  cornerPosts(make, "leg", {-x, -y, x - 0.03, y - 0.05}, 0.03, leg);
   make.box("body", {-x, -y, x, y - 0.02}, leg, z);
   const int count = leg > 0.25 * z ? 1 : 2;
   const double pitch = (z - leg) / count;

@@ -5,7 +5,6 @@
 #include "furniture/part_maker.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::indoor {
 

@@ -60,20 +60,15 @@ readOpening(const JsonReader& json, OpeningKind kind)
     json.requireKeys({"at", "width", "height", "sill"});
   opening.at = json.at("at").vector<2>();
   opening.width = json.at("width").positive();
-  if (kind == OpeningKind::Window) {
+  const bool must_have_both = kind == OpeningKind::Window;
+  if (must_have_both || json.has("height"))
     opening.height = json.at("height").positive();
+  if (must_have_both || json.has("sill"))
     opening.sill = json.at("sill").number();
-    if (json.has("frame_width"))
-      opening.frame_width = json.at("frame_width").positive();
-    if (json.has("frame_depth"))
-      opening.frame_depth = json.at("frame_depth").positive();
-  }
-  else {
-    if (json.has("height"))
-      opening.height = json.at("height").positive();
-    if (json.has("sill"))
-      opening.sill = json.at("sill").number();
-  }
+  if (json.has("frame_width"))
+    opening.frame_width = json.at("frame_width").positive();
+  if (json.has("frame_depth"))
+    opening.frame_depth = json.at("frame_depth").positive();
   if (opening.sill < 0)
     json.at("sill").fail("must not be negative");
   if (kind != OpeningKind::Passage && (opening.width < 0.3 || opening.height < 0.3))

@@ -4,6 +4,8 @@
  */
 #include <pcl/simulation/polygon.h>
 
+#include "internal/cross.h"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -13,15 +15,9 @@ namespace pcl::indoor {
 namespace {
 
 double
-cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-double
 turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
 {
-  return cross(b - a, c - a);
+  return crossOf(b - a, c - a);
 }
 
 // Strictly: the segments cross in a point inside both.
@@ -39,6 +35,25 @@ properlyCross(const Eigen::Vector2d& a,
          std::min(a_side, b_side) < -tolerance && std::max(a_side, b_side) > tolerance;
 }
 
+// What of a convex polygon lies on a side of a line; few corners enclose nothing.
+// side_of(corner): how far it is on that side; negative on the other.
+template <typename SideOf>
+Polygon
+partOnSide(const Polygon& convex, const SideOf& side_of)
+{
+  Polygon kept;
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    const auto& p = convex[i];
+    const auto& q = convex[(i + 1) % convex.size()];
+    const double p_side = side_of(p), q_side = side_of(q);
+    if (p_side >= 0)
+      kept.push_back(p);
+    if ((p_side > 0 && q_side < 0) || (p_side < 0 && q_side > 0))
+      kept.push_back(p + (q - p) * (p_side / (p_side - q_side)));
+  }
+  return kept;
+}
+
 // Of two counter-clockwise triangles: cut the first along each edge of the second.
 double
 commonArea(Polygon piece, const Polygon& cutter)
@@ -46,17 +61,7 @@ commonArea(Polygon piece, const Polygon& cutter)
   for (std::size_t e = 0; e < cutter.size() && !piece.empty(); ++e) {
     const auto& a = cutter[e];
     const auto& b = cutter[(e + 1) % cutter.size()];
-    Polygon kept;
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      const auto& p = piece[i];
-      const auto& q = piece[(i + 1) % piece.size()];
-      const double p_side = turn(a, b, p), q_side = turn(a, b, q);
-      if (p_side >= 0)
-        kept.push_back(p);
-      if ((p_side > 0 && q_side < 0) || (p_side < 0 && q_side > 0))
-        kept.push_back(p + (q - p) * (p_side / (p_side - q_side)));
-    }
-    piece = kept;
+    piece = partOnSide(piece, [&](const auto& corner) { return turn(a, b, corner); });
   }
   return piece.empty() ? 0.0 : signedArea(piece);
 }
@@ -92,7 +97,7 @@ signedArea(const Polygon& polygon)
 {
   double twice = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+    twice += crossOf(polygon[i], polygon[(i + 1) % polygon.size()]);
   return twice / 2;
 }
 
@@ -200,17 +205,9 @@ leftOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 Polygon
 clip(const Polygon& convex, const HalfPlane& half_plane)
 {
-  Polygon kept;
-  for (std::size_t i = 0; i < convex.size(); ++i) {
-    const auto& p = convex[i];
-    const auto& q = convex[(i + 1) % convex.size()];
-    const double p_side = half_plane.offset - half_plane.normal.dot(p);
-    const double q_side = half_plane.offset - half_plane.normal.dot(q);
-    if (p_side >= 0)
-      kept.push_back(p);
-    if ((p_side > 0 && q_side < 0) || (p_side < 0 && q_side > 0))
-      kept.push_back(p + (q - p) * (p_side / (p_side - q_side)));
-  }
+  auto kept = partOnSide(convex, [&](const auto& corner) {
+    return half_plane.offset - half_plane.normal.dot(corner);
+  });
   return kept.size() < 3 ? Polygon() : kept;
 }
 

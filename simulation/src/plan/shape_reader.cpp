@@ -4,6 +4,8 @@
  */
 #include "plan/shape_reader.h"
 
+#include "internal/cross.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -81,7 +83,7 @@ addArc(Polygon& polygon,
   const Eigen::Vector2d a = from - center, b = to - center;
   if (std::abs(a.norm() - b.norm()) > 0.02)
     json.at("around").fail("is not as far from the vertex before as from the next");
-  double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  double angle = std::atan2(crossOf(a, b), a.dot(b));
   if (turn == "left" && angle <= 0)
     angle += 2 * M_PI;
   if (turn == "right" && angle >= 0)

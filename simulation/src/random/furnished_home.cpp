@@ -55,18 +55,13 @@ furnishLiving(RoomFurnisher& room)
     mediaCorner(room);
   if (room.chance(0.6))
     diningPlace(room, "chair");
-  if (room.chance(0.2))
-    room.atWall(room.piece("fireplace"));
-  if (room.chance(0.15))
-    room.atWall(room.piece("piano"));
-  for (int i = room.pick(4); i > 0; --i)
-    room.atWall(room.piece("bookcase"));
+  room.perhapsAtWall(0.2, "fireplace");
+  room.perhapsAtWall(0.15, "piano");
+  room.severalAtWall(3, "bookcase");
   if (room.chance(0.6))
     room.putSmallObjects(room.atWall(room.piece("cabinet")), 2);
-  for (int i = room.pick(3); i > 0; --i)
-    room.atWall(room.piece("floor_lamp"));
-  for (int i = room.pick(3); i > 0; --i)
-    room.atWall(room.piece("plant"));
+  room.severalAtWall(2, "floor_lamp");
+  room.severalAtWall(2, "plant");
   if (room.chance(0.2))
     room.anywhere(room.shaped("stool", 2, 2));
   if (room.chance(0.15))
@@ -81,31 +76,24 @@ void
 furnishKitchen(RoomFurnisher& room)
 {
   room.kitchenRow(2 + room.pick(4));
-  if (room.chance(0.5))
-    room.atWall(room.piece("fridge"));
+  room.perhapsAtWall(0.5, "fridge");
   if (room.chance(0.4))
     room.kitchenRow(1 + room.pick(3));
   if (room.chance(0.15))
     room.putSmallObjects(room.inTheMiddle(room.shaped("kitchen_unit", 3, 3), 0.3), 3);
   else if (room.chance(0.7))
     diningPlace(room, room.chance(0.2) ? "stool" : "chair");
-  if (room.chance(0.3))
-    room.atWall(room.piece("cabinet"));
-  if (room.chance(0.7))
-    room.atWall(room.piece("bin"));
-  if (room.chance(0.4)) {
-    const double height = room.between(1.2, 1.6);
-    room.onWall(room.piece("shelf"), height);
-  }
+  room.perhapsAtWall(0.3, "cabinet");
+  room.perhapsAtWall(0.7, "bin");
+  if (room.chance(0.4))
+    room.hang("shelf", 1.2, 1.6);
 }
 
 void
 furnishBathroom(RoomFurnisher& room)
 {
-  if (room.chance(0.6))
-    room.atWall(room.piece("bath"));
-  if (room.chance(0.5))
-    room.atWall(room.piece("shower"));
+  room.perhapsAtWall(0.6, "bath");
+  room.perhapsAtWall(0.5, "shower");
   room.atWall(room.piece("toilet"));
   if (room.chance(0.3)) {
     const double height = room.between(0.52, 0.62);
@@ -113,20 +101,15 @@ furnishBathroom(RoomFurnisher& room)
   }
   else
     room.atWall(room.shaped("sink", 0, 1));
-  if (room.chance(0.5))
-    room.atWall(room.piece("washing_machine"));
+  room.perhapsAtWall(0.5, "washing_machine");
   if (room.chance(0.3))
     room.atWall(room.piece("cabinet", Eigen::Vector3d(0.45, 0.35, 1.6)));
-  if (room.chance(0.4))
-    room.atWall(room.piece("stool"));
-  if (room.chance(0.5))
-    room.atWall(room.piece("bin"));
+  room.perhapsAtWall(0.4, "stool");
+  room.perhapsAtWall(0.5, "bin");
   if (room.chance(0.5)) // a mirror
     room.onWall(room.piece("picture"), 1.2);
-  if (room.chance(0.5)) {
-    const double height = room.between(1.7, 1.95);
-    room.onWall(room.piece("wall_lamp"), height);
-  }
+  if (room.chance(0.5))
+    room.hang("wall_lamp", 1.7, 1.95);
 }
 
 void
@@ -151,24 +134,19 @@ furnishBedroom(RoomFurnisher& room)
   }
   if (room.chance(0.4))
     room.workplace(room.piece("desk"), "chair", 0.0);
-  if (room.chance(0.3))
-    room.atWall(room.piece("bookcase"));
+  room.perhapsAtWall(0.3, "bookcase");
   if (room.chance(0.25))
     room.atWall(room.piece(room.chance(0.5) ? "chair" : "armchair"));
   if (room.chance(0.2))
     room.before(bed, room.piece("bench"), 0.03, 0, M_PI);
-  if (room.chance(0.3))
-    room.atWall(room.piece("plant"));
+  room.perhapsAtWall(0.3, "plant");
   if (room.chance(0.3)) {
     const double height = room.between(1.0, 1.4);
     room.onWall(room.shaped("tv", 1, 1), height);
   }
-  if (room.chance(0.3)) {
-    const double height = room.between(1.2, 1.6);
-    room.onWall(room.piece("shelf"), height);
-  }
-  if (room.chance(0.2))
-    room.atWall(room.piece("ball"));
+  if (room.chance(0.3))
+    room.hang("shelf", 1.2, 1.6);
+  room.perhapsAtWall(0.2, "ball");
 }
 
 void
@@ -181,14 +159,10 @@ furnishStudy(RoomFurnisher& room)
     room.putSmallObjects(room.atWall(room.piece("drawers")), 1);
   if (room.chance(0.3))
     room.anywhere(room.piece("treadmill"));
-  if (room.chance(0.2))
-    room.atWall(room.piece("piano"));
-  if (room.chance(0.3))
-    room.atWall(room.piece("rack"));
-  if (room.chance(0.4))
-    room.atWall(room.piece("armchair"));
-  if (room.chance(0.4))
-    room.atWall(room.piece("floor_lamp"));
+  room.perhapsAtWall(0.2, "piano");
+  room.perhapsAtWall(0.3, "rack");
+  room.perhapsAtWall(0.4, "armchair");
+  room.perhapsAtWall(0.4, "floor_lamp");
 }
 
 void
@@ -199,16 +173,11 @@ furnishHall(RoomFurnisher& room)
     room.putSmallObjects(
         room.atWall(room.piece(room.chance(0.5) ? "cabinet" : "drawers")), objects);
   }
-  if (room.chance(0.4))
-    room.atWall(room.piece("wardrobe"));
-  if (room.chance(0.4))
-    room.atWall(room.piece("coat_rack"));
-  if (room.chance(0.3))
-    room.atWall(room.piece("bench"));
-  if (room.chance(0.15))
-    room.atWall(room.piece("bicycle"));
-  if (room.chance(0.3))
-    room.atWall(room.piece("plant"));
+  room.perhapsAtWall(0.4, "wardrobe");
+  room.perhapsAtWall(0.4, "coat_rack");
+  room.perhapsAtWall(0.3, "bench");
+  room.perhapsAtWall(0.15, "bicycle");
+  room.perhapsAtWall(0.3, "plant");
   if (room.chance(0.1))
     room.anywhere(room.piece("person"));
 }
@@ -216,20 +185,16 @@ furnishHall(RoomFurnisher& room)
 void
 finish(RoomFurnisher& room, bool dry)
 {
-  room.belowWindows("radiator", 0.6);
+  room.radiatorsBelowWindows();
   if (room.chance(0.8))
     room.fromCeiling(room.shaped("ceiling_lamp", 1, 5));
   if (!dry)
     return;
   room.curtains(0.5);
-  for (int i = room.pick(3); i > 0; --i) {
-    const double height = room.between(1.1, 1.5);
-    room.onWall(room.piece("picture"), height);
-  }
-  for (int i = room.pick(2); i > 0; --i) {
-    const double height = room.between(1.5, 1.9);
-    room.onWall(room.piece("wall_lamp"), height);
-  }
+  for (int i = room.pick(3); i > 0; --i)
+    room.hang("picture", 1.1, 1.5);
+  for (int i = room.pick(2); i > 0; --i)
+    room.hang("wall_lamp", 1.5, 1.9);
   for (int i = room.pick(3); i > 0; --i)
     room.anywhere(room.piece(room.chance(0.8) ? "box" : "bin"));
 }

@@ -21,18 +21,13 @@ furnishOffice(RoomFurnisher& room)
     room.atWall(room.piece(room.chance(0.5) ? "bookcase" : "cabinet"));
   if (room.chance(0.4))
     room.putSmallObjects(room.atWall(room.piece("drawers")), 2);
-  if (room.chance(0.25))
-    room.atWall(room.piece("rack"));
+  room.perhapsAtWall(0.25, "rack");
   if (room.chance(0.4))
     room.onWall(room.piece("board"), 0.9);
-  if (room.chance(0.2))
-    room.atWall(room.piece("sofa"));
-  for (int i = room.pick(3); i > 0; --i)
-    room.atWall(room.piece("chair"));
-  if (room.chance(0.6))
-    room.atWall(room.piece("bin"));
-  if (room.chance(0.3))
-    room.atWall(room.piece("coat_rack"));
+  room.perhapsAtWall(0.2, "sofa");
+  room.severalAtWall(2, "chair");
+  room.perhapsAtWall(0.6, "bin");
+  room.perhapsAtWall(0.3, "coat_rack");
   if (room.chance(0.3))
     room.anywhere(room.piece("person"));
   if (room.chance(0.3))
@@ -69,10 +64,8 @@ furnishKitchenette(RoomFurnisher& room)
       room.inTheMiddle(room.piece(room.chance(0.6) ? "round_table" : "table"), 0.6);
   room.around(table, room.chance(0.3) ? "stool" : "chair", 4);
   room.putSmallObjects(table, room.pick(4));
-  if (room.chance(0.3))
-    room.atWall(room.piece("sofa"));
-  if (room.chance(0.7))
-    room.atWall(room.piece("bin"));
+  room.perhapsAtWall(0.3, "sofa");
+  room.perhapsAtWall(0.7, "bin");
 }
 
 void
@@ -104,8 +97,7 @@ furnishCorridor(RoomFurnisher& room)
     room.atWall(room.piece(room.chance(0.5) ? "cabinet" : "chair"));
   if (room.chance(0.5))
     room.atWall(room.piece("printer", Eigen::Vector3d(0.6, 0.6, 1.1)));
-  if (room.chance(0.4))
-    room.atWall(room.piece("bench"));
+  room.perhapsAtWall(0.4, "bench");
   if (room.chance(0.3))
     room.anywhere(room.piece("person"));
 }
@@ -134,17 +126,14 @@ furnishOfficeRoom(RoomFurnisher& room, RoomKind kind)
   default:
     furnishOffice(room);
   }
-  room.belowWindows("radiator", 0.6);
+  room.radiatorsBelowWindows();
   const Piece lamp = room.chance(0.7) ? room.shaped("ceiling_lamp", 0, 0)
                                       : room.shaped("ceiling_lamp", 1, 3);
   for (int i = static_cast<int>(room.size().prod() / 8.0); i >= 0; --i)
     room.fromCeiling(lamp);
+  room.severalAtWall(2, "plant");
   for (int i = room.pick(3); i > 0; --i)
-    room.atWall(room.piece("plant"));
-  for (int i = room.pick(3); i > 0; --i) {
-    const double height = room.between(1.1, 1.5);
-    room.onWall(room.piece("picture"), height);
-  }
+    room.hang("picture", 1.1, 1.5);
   for (int i = room.pick(3); i > 0; --i)
     room.anywhere(room.piece("box"));
 }

@@ -4,6 +4,7 @@
  */
 #include <pcl/simulation/random_plan.h>
 
+#include "plan/turned_rectangle.h"
 #include "random/furnished_rooms.h"
 #include "random/random_table.h"
 

@@ -4,6 +4,7 @@
  */
 #include "random/random_table.h"
 
+#include "plan/turned_rectangle.h"
 #include "random/room_furnisher.h"
 
 #include <pcl/simulation/random_draw.h>

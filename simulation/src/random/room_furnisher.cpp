@@ -5,6 +5,7 @@
 #include "random/room_furnisher.h"
 
 #include "furniture/catalogue.h"
+#include "plan/turned_rectangle.h"
 
 #include <pcl/simulation/furniture.h>
 
@@ -47,14 +48,6 @@ drawnShapes(const std::string& category, bool lived_in, int first, int last)
 }
 
 } // namespace
-
-Polygon
-turnedRectangle(const Eigen::Vector2d& at, const Eigen::Vector2d& size, double rotation)
-{
-  const Eigen::Vector2d x = size.x() / 2 * sidewards(rotation);
-  const Eigen::Vector2d y = size.y() / 2 * forwards(rotation);
-  return {at - x - y, at + x - y, at + x + y, at - x + y};
-}
 
 RoomFurnisher::RoomFurnisher(const LayoutRoom& room,
                              const std::vector<LayoutOpening>& openings,
@@ -363,12 +356,12 @@ RoomFurnisher::fromCeiling(const Piece& piece, int over)
 }
 
 void
-RoomFurnisher::belowWindows(const std::string& category, double probability)
+RoomFurnisher::radiatorsBelowWindows()
 {
   for (const auto& window : windows_) {
-    if (!chance(probability))
+    if (!chance(0.6))
       continue;
-    Piece p = piece(category);
+    Piece p = piece("radiator");
     p.size.x() = std::min(p.size.x(), window.width);
     p.size.z() = std::min(p.size.z(), window.sill - 0.05);
     if (p.size.z() > 0.3)

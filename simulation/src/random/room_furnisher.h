@@ -79,6 +79,22 @@ public:
   int
   atWall(const Piece& piece, double elevation = 0.0);
 
+  /** \brief A piece at a wall, or none. */
+  void
+  perhapsAtWall(double probability, const std::string& category)
+  {
+    if (chance(probability))
+      atWall(piece(category));
+  }
+
+  /** \brief Pieces at walls, as often any number of them up to the most. */
+  void
+  severalAtWall(int most, const std::string& category)
+  {
+    for (int i = pick(most + 1); i > 0; --i)
+      atWall(piece(category));
+  }
+
   /** \brief Beside a piece, backs in line: 1 on its right seen from behind, -1 left. */
   int
   beside(int other, const Piece& piece, int side, double gap, double elevation = 0.0);
@@ -114,6 +130,14 @@ public:
   int
   onWall(const Piece& piece, double elevation);
 
+  /** \brief A piece on a wall, its lowest point between two heights. */
+  void
+  hang(const std::string& category, double low, double high)
+  {
+    const double elevation = between(low, high);
+    onWall(piece(category), elevation);
+  }
+
   /** \brief Books, bottles, vases, cups, lamps on top of a piece. */
   void
   putSmallObjects(int other, int count);
@@ -146,9 +170,9 @@ public:
   int
   fromCeiling(const Piece& piece, int over = -1);
 
-  /** \brief Below each window, not above its sill. */
+  /** \brief Below most windows, not above their sills. */
   void
-  belowWindows(const std::string& category, double probability);
+  radiatorsBelowWindows();
 
   /** \brief Curtains, or blinds, before each window. */
   void
@@ -244,11 +268,5 @@ private:
   bool lived_in_ = false;
   std::vector<std::shared_ptr<RestingPlaces>> places_; // of pieces; null: not yet made
 };
-
-/** \brief The corners of an upright rectangle, turned. */
-Polygon
-turnedRectangle(const Eigen::Vector2d& at,
-                const Eigen::Vector2d& size,
-                double rotation);
 
 } // namespace pcl::indoor

@@ -4,6 +4,8 @@
  */
 #include "random/room_furnisher.h"
 
+#include "plan/turned_rectangle.h"
+
 #include <algorithm>
 #include <cmath>
 

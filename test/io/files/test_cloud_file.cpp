@@ -398,12 +398,10 @@ TEST_F(CloudFiles, DamagedHeadersNeverCrash)
 {
   std::mt19937 rng(42);
   pcl::io::savePCDFileBinary(path("in.pcd"), organisedCloud());
-  std::ifstream stream(path("in.pcd"), std::ios::binary);
-  const std::string good(std::istreambuf_iterator<char>(stream), {});
+  const auto good = pcl::indoor::test::bytesOf(path("in.pcd"));
   std::size_t refused = 0;
   pcl::PLYWriter().write(path("in.ply"), organisedCloud(), true, true);
-  std::ifstream ply_stream(path("in.ply"), std::ios::binary);
-  const std::string good_ply(std::istreambuf_iterator<char>(ply_stream), {});
+  const auto good_ply = pcl::indoor::test::bytesOf(path("in.ply"));
   const std::string texts[] = {utmPcd(), good, good_ply};
   for (int trial = 0; trial < 600; ++trial) {
     auto text = texts[trial % 3];

@@ -8,6 +8,7 @@
 #include "files/scan_files.h"
 #include "files/tool_error.h"
 #include "support/added_field.h"
+#include "support/expect_part.h"
 #include "support/folder_test.h"
 
 #include <gtest/gtest.h>
@@ -121,14 +122,8 @@ TEST(JoinedClouds, PointsFollowEachOtherWithTheirStation)
       EXPECT_EQ(labels[i], k);
     }
   for (std::uint64_t first = 0; first < 10; ++first) // any part is that of the whole
-    for (std::size_t count = 1; first + count <= 10; ++count) {
-      const auto part = joined->read(first, count);
-      const auto step = part.point_step;
-      ASSERT_EQ(part.data.size(), count * step);
-      EXPECT_EQ(
-          std::memcmp(part.data.data(), &file.cloud.data[first * step], count * step),
-          0);
-    }
+    for (std::size_t count = 1; first + count <= 10; ++count)
+      pcl::indoor::test::expectPart(*joined, file.cloud, first, count);
 }
 
 TEST(JoinedClouds, OffsetsAndDoublesLoseNothing)

@@ -31,13 +31,6 @@ namespace {
 
 class OutputFiles : public pcl::indoor::test::FolderTest {
 protected:
-  std::string
-  write(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-
   std::ptrdiff_t
   fileCount() const
   {

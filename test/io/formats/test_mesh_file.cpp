@@ -6,26 +6,17 @@
 #include "objects/object_files.h"
 #include "support/folder_test.h"
 
-#include <fstream>
-
 using namespace pcl::indoor::tool;
 
 namespace {
 
 class MeshFile : public pcl::indoor::test::FolderTest {
 protected:
-  std::string
-  file(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-
   /** What reading an object complains about; "" if it does not. */
   std::string
   complaint(const std::string& name, const std::string& text) const
   {
-    const auto where = file(name, text);
+    const auto where = write(name, text);
     try {
       loadObject(where, 10);
     } catch (const ToolError& error) {
@@ -62,18 +53,18 @@ TEST_F(MeshFile, ReadsOffWithEveryFormOfHeader)
                                    "OFF5 2 0\n",
                                    "OFF5 2\n",
                                    "# a roof\nOFF # really\n\n  5 2 0\r\n"})
-    expectRoof(readMesh(file("a.off", header + roof.substr(10))));
-  expectRoof(readMesh(file("a.off",
-                           "COFF\n5 2 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n1 1 0 9 9 9\n"
-                           "0 1 0 9 9 9\n0 0 2 9 9 9\n4 0 1 2 3 255 0 0\n3 0 1 4")));
+    expectRoof(readMesh(write("a.off", header + roof.substr(10))));
+  expectRoof(readMesh(write("a.off",
+                            "COFF\n5 2 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n1 1 0 9 9 9\n"
+                            "0 1 0 9 9 9\n0 0 2 9 9 9\n4 0 1 2 3 255 0 0\n3 0 1 4")));
 }
 
 TEST_F(MeshFile, ReadsObj)
 {
-  expectRoof(readMesh(file("a.obj",
-                           "mtllib none.mtl\no roof\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0\n"
-                           "v 0 1 0\nvn 0 0 1\nvt 0 0\nv 0 0 +2\ns off\n"
-                           "f 1 2/1 3//1 4/1/1\nf -5 -4 -1\n")));
+  expectRoof(readMesh(write("a.obj",
+                            "mtllib none.mtl\no roof\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0\n"
+                            "v 0 1 0\nvn 0 0 1\nvt 0 0\nv 0 0 +2\ns off\n"
+                            "f 1 2/1 3//1 4/1/1\nf -5 -4 -1\n")));
 }
 
 TEST_F(MeshFile, ReadsPlyFacesAfterOtherElements)
@@ -84,10 +75,10 @@ TEST_F(MeshFile, ReadsPlyFacesAfterOtherElements)
       "property uchar flags\nproperty list uchar int vertex_indices\n"
       "property list uchar float weights\nend_header\n" +
       std::string(vertices) + "7\n0 4 0 1 2 3 1 0.5\n0 3 0 1 4 0\n";
-  expectRoof(plyMesh(loadCloud(file("a.ply", text))));
+  expectRoof(plyMesh(loadCloud(write("a.ply", text))));
   const auto points =
       text.substr(0, text.find("element face")) + "end_header\n" + vertices + "7\n";
-  EXPECT_TRUE(plyMesh(loadCloud(file("b.ply", points))).triangles.empty());
+  EXPECT_TRUE(plyMesh(loadCloud(write("b.ply", points))).triangles.empty());
   EXPECT_EQ(loadObject(path("b.ply"), 4)->size(), 5u);
 }
 
@@ -101,7 +92,7 @@ TEST_F(MeshFile, ReadsBinaryPlyFaces)
   text.append(reinterpret_cast<const char*>(corners), sizeof(corners));
   text += '\3';
   text.append(reinterpret_cast<const char*>(face), sizeof(face));
-  const auto mesh = plyMesh(loadCloud(file("a.ply", text)));
+  const auto mesh = plyMesh(loadCloud(write("a.ply", text)));
   ASSERT_EQ(mesh.triangles.size(), 1u);
   EXPECT_EQ(mesh.triangles[0], (std::array<std::uint32_t, 3>{2, 0, 1}));
   EXPECT_NE(complaint("b.ply", text.substr(0, text.size() - 1)), "");
@@ -117,7 +108,8 @@ TEST_F(MeshFile, PlyFacesNameTheirVerticesByNumbersOfAnyType)
   for (int i = 3; i < 300; ++i)
     body += "2 2 2\n";
   for (const char* type : {"char", "short", "int", "float", "double"}) {
-    const auto mesh = plyMesh(loadCloud(file("a.ply", head + type + body + "3 0 1 2")));
+    const auto mesh =
+        plyMesh(loadCloud(write("a.ply", head + type + body + "3 0 1 2")));
     ASSERT_EQ(mesh.triangles.size(), 1u) << type;
     EXPECT_EQ(mesh.triangles[0], (std::array<std::uint32_t, 3>{0, 1, 2})) << type;
     EXPECT_EQ(complaint("a.ply", head + type + body + "3 0 1 -1"),
@@ -129,7 +121,7 @@ TEST_F(MeshFile, PlyFacesNameTheirVerticesByNumbersOfAnyType)
 TEST_F(MeshFile, LoadsObjectsByTheirArea)
 {
   // 1 m^2 lies, 1 m^2 stands
-  const auto object = loadObject(file("a.off", roof), 10);
+  const auto object = loadObject(write("a.off", roof), 10);
   ASSERT_EQ(object->size(), mesh_point_count);
   std::size_t lying = 0;
   for (const auto& point : *object)
@@ -140,9 +132,9 @@ TEST_F(MeshFile, LoadsObjectsByTheirArea)
 TEST_F(MeshFile, KeepsTheShapeFarFromTheOrigin)
 {
   const auto mesh =
-      readMesh(file("a.obj",
-                    "v 691000.25 5334000.5 512\nv 691000.75 5334000.5 512\n"
-                    "v 691000.25 5334001.5 512\nf 1 2 3\n"));
+      readMesh(write("a.obj",
+                     "v 691000.25 5334000.5 512\nv 691000.75 5334000.5 512\n"
+                     "v 691000.25 5334001.5 512\nf 1 2 3\n"));
   EXPECT_FLOAT_EQ(mesh.vertices[1].x() - mesh.vertices[0].x(), 0.5f);
   EXPECT_FLOAT_EQ(mesh.vertices[2].y() - mesh.vertices[0].y(), 1.0f);
   EXPECT_LT(mesh.vertices[0].norm(), 2.0f);

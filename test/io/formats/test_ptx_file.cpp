@@ -6,12 +6,12 @@
 #include "files/cloud_formats.h"
 #include "files/cloud_stream.h"
 #include "files/tool_error.h"
+#include "support/expect_part.h"
 #include "support/folder_test.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <random>
 
 using namespace pcl::indoor::tool;
@@ -144,11 +144,7 @@ TEST_F(PtxFiles, ManyPointsAreReadInParts)
   EXPECT_EQ(stream->stations()[1].position, Eigen::Vector3d(-10, 5.5, 0));
   for (int trial = 0; trial < 50; ++trial) {
     const auto first = random() % 14000, count = 1 + random() % (14000 - first);
-    const auto step = file.cloud.point_step;
-    const auto part = stream->read(first, count);
-    ASSERT_EQ(part.data.size(), count * step);
-    ASSERT_EQ(
-        std::memcmp(part.data.data(), &file.cloud.data[first * step], count * step), 0);
+    pcl::indoor::test::expectPart(*stream, file.cloud, first, count);
   }
 }
 

@@ -10,7 +10,6 @@
 #include <pcl/console/print.h>
 
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <set>
 
@@ -29,7 +28,7 @@ protected:
   {
     std::filesystem::create_directories(
         std::filesystem::path(path(name)).parent_path());
-    std::ofstream(path(name), std::ios::binary) << text;
+    write(name, text);
   }
 
   LabelledObjects

@@ -8,6 +8,7 @@
 #include "pictures/plan_dxf.h"
 #include "pictures/plan_svg.h"
 #include "pictures/svg_raster.h"
+#include "support/count.h"
 #include "support/png_pixels.h"
 #include "support/synthetic_scenes.h"
 
@@ -25,20 +26,13 @@ using namespace pcl::indoor::tool;
 
 namespace {
 
+using pcl::indoor::test::count;
+
 const BuildingRooms&
 twoRooms()
 {
   static const auto building = segmentBuilding(test::twoRooms().points);
   return building;
-}
-
-std::size_t
-count(const std::string& text, const std::string& part)
-{
-  std::size_t found = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
 }
 
 /** Group codes with their values. */

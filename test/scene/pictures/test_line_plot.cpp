@@ -6,6 +6,7 @@
 #include "pictures/line_plot.h"
 
 #include "pictures/confusion_picture.h"
+#include "support/count.h"
 
 #include <gtest/gtest.h>
 
@@ -13,19 +14,7 @@
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
-
-namespace {
-
-std::size_t
-count(const std::string& text, const std::string& part)
-{
-  std::size_t found = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
-}
-
-} // namespace
+using pcl::indoor::test::count;
 
 TEST(LinePlot, StepsAreRound)
 {

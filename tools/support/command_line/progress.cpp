@@ -4,6 +4,7 @@
  */
 #include "command_line/progress.h"
 
+#include "text/formatted.h"
 #include "text/printable.h"
 
 #include <pcl/console/print.h>
@@ -116,14 +117,11 @@ Progress::table(const TextTable& table)
 std::string
 durationText(double seconds)
 {
-  char text[32];
   if (seconds < 60.0)
-    std::snprintf(text, sizeof(text), "%.0f s", seconds);
-  else if (seconds < 3600.0)
-    std::snprintf(text, sizeof(text), "%.0f min", seconds / 60.0);
-  else
-    std::snprintf(text, sizeof(text), "%.1f h", seconds / 3600.0);
-  return text;
+    return formatted("%.0f s", seconds);
+  if (seconds < 3600.0)
+    return formatted("%.0f min", seconds / 60.0);
+  return formatted("%.1f h", seconds / 3600.0);
 }
 
 } // namespace pcl::indoor::tool

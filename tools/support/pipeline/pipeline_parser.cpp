@@ -9,36 +9,14 @@
 #include "command_line/scene_options.h"
 
 namespace pcl::indoor::tool {
+namespace {
 
-PipelineOptions
-pipelineOptions(int argc, const char* const* argv)
-{
-  PipelineOptions options;
-  if (presetOf(argc, argv) == "thesis") {
-    options.thesis_rooms = pcl::indoor::thesisRoomOptions();
-    options.thesis_objects = pcl::indoor::thesisOptions();
-  }
-  return options;
-}
-
-OptionParser
-pipelineParser(PipelineOptions& options)
+/** How rooms and objects are found and named. */
+void
+addSegmentation(OptionParser& parser, PipelineOptions& options)
 {
   auto& rooms = options.thesis_rooms ? options.thesis_rooms->shared : options.rooms;
-  OptionParser parser(
-      "pcl_indoor_pipeline",
-      "Finds the rooms of a building's scan, the objects in each room "
-      "and the class of each object; writes cloud.pcd with the fields "
-      "room, object, structure, category and confidence, scene.json, report.html, "
-      "plan.svg, plan.png, plan.dxf, rooms.png, potential_field.png and classes.png.");
   parser
-      .positionals("input",
-                   options.inputs,
-                   std::string(scan_files) +
-                       "; several, or a folder of them, are the stations of one "
-                       "building")
-      .positional(
-          "output_dir", options.folder, "folder for the results, made if missing")
       .number("-voxel_size",
               rooms.voxel_size,
               "side of a voxel of the rooms, 0 = automatic: 0.1, more where surfaces "
@@ -79,7 +57,14 @@ pipelineParser(PipelineOptions& options)
           "where a network of voxels votes on what is floor, wall or ceiling, on "
           "what is one object and on names of the bundled model; auto: in rooms whose "
           "ceiling was not seen",
-          {"auto", "all", "none"})
+          {"auto", "all", "none"});
+}
+
+/** What is written besides. */
+void
+addResults(OptionParser& parser, PipelineOptions& options)
+{
+  parser
       .text("-report",
             options.report,
             "file of the report, a page for browsers; folder = report.html beside the "
@@ -97,7 +82,14 @@ pipelineParser(PipelineOptions& options)
               "EPSG code of the coordinate system of the scan, 0 = not known; for -ifc "
               "and -geojson",
               "",
-              Range::between(0, 1e6))
+              Range::between(0, 1e6));
+}
+
+/** What is done with the points first. */
+void
+addPreparation(OptionParser& parser, PipelineOptions& options)
+{
+  parser
       .number(
           "-points_at_once",
           options.points_at_once,
@@ -116,7 +108,43 @@ pipelineParser(PipelineOptions& options)
       .flag("-remove_outliers",
             options.preparation.removes_outliers,
             "leave out points of a room that lie alone (pcl::ScanOutlierRemoval); "
-            "their object is 0")
+            "their object is 0");
+}
+
+} // namespace
+
+PipelineOptions
+pipelineOptions(int argc, const char* const* argv)
+{
+  PipelineOptions options;
+  if (presetOf(argc, argv) == "thesis") {
+    options.thesis_rooms = pcl::indoor::thesisRoomOptions();
+    options.thesis_objects = pcl::indoor::thesisOptions();
+  }
+  return options;
+}
+
+OptionParser
+pipelineParser(PipelineOptions& options)
+{
+  OptionParser parser(
+      "pcl_indoor_pipeline",
+      "Finds the rooms of a building's scan, the objects in each room "
+      "and the class of each object; writes cloud.pcd with the fields "
+      "room, object, structure, category and confidence, scene.json, report.html, "
+      "plan.svg, plan.png, plan.dxf, rooms.png, potential_field.png and classes.png.");
+  parser
+      .positionals("input",
+                   options.inputs,
+                   std::string(scan_files) +
+                       "; several, or a folder of them, are the stations of one "
+                       "building")
+      .positional(
+          "output_dir", options.folder, "folder for the results, made if missing");
+  addSegmentation(parser, options);
+  addResults(parser, options);
+  addPreparation(parser, options);
+  parser
       .number("-threads",
               options.threads,
               "threads, 0 = automatic",

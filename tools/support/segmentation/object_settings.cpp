@@ -79,7 +79,6 @@ addLengths(OptionParser& parser, ObjectSettings& settings)
 void
 addPartition(OptionParser& parser, ObjectSettings& settings)
 {
-  auto& options = settings.others;
   parser
       .text(
           "-partition",
@@ -106,14 +105,20 @@ addPartition(OptionParser& parser, ObjectSettings& settings)
               "for the thesis's presets: neighbourhood of normals and of the points "
               "that are counted; 0 = 2.5 times the distance of points",
               "m",
-              Range::atLeast(0))
+              Range::atLeast(0));
+}
+
+void
+addWeights(OptionParser& parser, ObjectSettings& settings)
+{
+  parser
       .number("-spatial_weight",
-              options.spatial_weight,
+              settings.others.spatial_weight,
               "weight of distance, over the distance of supervoxels",
               "",
               Range::between(0, 1e6))
       .number("-normal_weight",
-              options.normal_weight,
+              settings.others.normal_weight,
               "weight of the difference of normals, 0 to 1",
               "",
               Range::between(0, 1e6))
@@ -127,7 +132,14 @@ addPartition(OptionParser& parser, ObjectSettings& settings)
               settings.on_points.fpfh_weight,
               "for the thesis's presets: weight of the difference of FPFH, 0 to 1",
               "",
-              Range::between(0, 1e6))
+              Range::between(0, 1e6));
+}
+
+/** Sizes of segments, and how the thesis's ways to join supervoxels are tuned. */
+void
+addJoining(OptionParser& parser, ObjectSettings& settings)
+{
+  parser
       .number("-min_segment",
               settings.min_segment,
               withPresets("smallest segment",
@@ -136,7 +148,7 @@ addPartition(OptionParser& parser, ObjectSettings& settings)
               "supervoxels",
               Range::atLeast(0))
       .number("-min_points",
-              options.fewest_points,
+              settings.others.fewest_points,
               "for -partition graph: segments of fewer points, or smaller than a "
               "supervoxel, are the remainder",
               "points")
@@ -286,6 +298,8 @@ addOptions(OptionParser& parser, ObjectSettings& settings)
 {
   addLengths(parser, settings);
   addPartition(parser, settings);
+  addWeights(parser, settings);
+  addJoining(parser, settings);
   addOthers(parser, settings);
 }
 

@@ -78,6 +78,36 @@ addInteriorOptions(OptionParser& parser, EnclosureWeights& weights)
   weight("-exterior_weight", weights.exterior, "evidence for the exterior");
 }
 
+/** Sizes of the rooms, and how a map is divided into them. */
+void
+addMapOptions(OptionParser& parser, BuildingRoomsOptions& rooms)
+{
+  auto& map = rooms.map;
+  parser
+      .number("-voxel_size",
+              rooms.voxel_size,
+              "side of a voxel, 0 = automatic: 0.1, more where surfaces have holes",
+              "m",
+              Range::atLeast(0))
+      .number("-min_area", map.min_area, "smallest room", "m^2", Range::atLeast(0))
+      .number("-min_width", map.min_width, "narrowest room", "m", Range::atLeast(0))
+      .number("-persistence",
+              map.persistence,
+              "widest passage between rooms, as share of the narrower one's width",
+              "",
+              Range::between(0, 1))
+      .number("-open_share",
+              map.merging.open_share,
+              "most open border between rooms, as share of its area",
+              "",
+              Range::between(0, 1))
+      .number("-habitable_area",
+              map.open_plan.habitable_area,
+              "smallest room of an open plan, without a door to the next",
+              "m^2",
+              Range::atLeast(0));
+}
+
 } // namespace
 
 RoomSettings
@@ -113,7 +143,6 @@ OptionParser
 roomParser(RoomSettings& options)
 {
   auto& rooms = options.rooms.shared;
-  auto& map = rooms.map;
   OptionParser parser("pcl_room_segmentation",
                       "Segment the scan of a building into rooms with "
                       "pcl::RoomSegmentation; adds the field room.");
@@ -133,29 +162,9 @@ roomParser(RoomSettings& options)
       .text("-dxf", options.dxf, "file for a drawing of the plan for CAD programs")
       .text("-json",
             options.json,
-            "file for area, volume, footprint and neighbours of each room")
-      .number("-voxel_size",
-              rooms.voxel_size,
-              "side of a voxel, 0 = automatic: 0.1, more where surfaces have holes",
-              "m",
-              Range::atLeast(0))
-      .number("-min_area", map.min_area, "smallest room", "m^2", Range::atLeast(0))
-      .number("-min_width", map.min_width, "narrowest room", "m", Range::atLeast(0))
-      .number("-persistence",
-              map.persistence,
-              "widest passage between rooms, as share of the narrower one's width",
-              "",
-              Range::between(0, 1))
-      .number("-open_share",
-              map.merging.open_share,
-              "most open border between rooms, as share of its area",
-              "",
-              Range::between(0, 1))
-      .number("-habitable_area",
-              map.open_plan.habitable_area,
-              "smallest room of an open plan, without a door to the next",
-              "m^2",
-              Range::atLeast(0))
+            "file for area, volume, footprint and neighbours of each room");
+  addMapOptions(parser, rooms);
+  parser
       .text("-method",
             options.method,
             "slab: walls below the ceiling; field: potential field and HDBSCAN, as in "

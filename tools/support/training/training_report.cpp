@@ -5,10 +5,10 @@
 #include "training/training_report.h"
 
 #include "pictures/line_plot.h"
+#include "text/formatted.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace pcl::indoor::tool {
 namespace {
@@ -43,24 +43,15 @@ constexpr const char* log_header =
 std::string
 logLine(std::size_t network, const EpochReport& epoch, bool has_validation)
 {
-  char line[200];
-  std::snprintf(line,
-                sizeof(line),
-                "%zu,%d,%.9g,%.9g",
-                network,
-                epoch.epoch,
-                epoch.training_loss,
-                epoch.training_accuracy);
-  std::string text = line;
-  if (has_validation) {
-    std::snprintf(line,
-                  sizeof(line),
-                  ",%.9g,%.9g",
-                  epoch.validation_loss,
-                  epoch.validation_accuracy);
-    return text + line + "\n";
-  }
-  return text + ",,\n";
+  const auto training = formatted("%zu,%d,%.9g,%.9g",
+                                  network,
+                                  epoch.epoch,
+                                  epoch.training_loss,
+                                  epoch.training_accuracy);
+  if (!has_validation)
+    return training + ",,\n";
+  return training +
+         formatted(",%.9g,%.9g\n", epoch.validation_loss, epoch.validation_accuracy);
 }
 
 std::string
@@ -112,17 +103,13 @@ scoresText(const ConfusionMatrix& confusion)
   for (std::size_t truth = 0; truth < confusion.class_count; ++truth)
     objects += confusion.objectCount(truth);
   const auto scores = classificationScores(confusion);
-  char text[200];
-  std::snprintf(text,
-                sizeof(text),
-                "%zu objects: total accuracy %.2f %%, mean accuracy %.2f %%, mean "
-                "recall %.2f %%, F1 %.3f\n",
-                objects,
-                100.0 * scores.total_accuracy,
-                100.0 * scores.mean_accuracy,
-                100.0 * scores.mean_recall,
-                scores.f1);
-  return text;
+  return formatted("%zu objects: total accuracy %.2f %%, mean accuracy %.2f %%, mean "
+                   "recall %.2f %%, F1 %.3f\n",
+                   objects,
+                   100.0 * scores.total_accuracy,
+                   100.0 * scores.mean_accuracy,
+                   100.0 * scores.mean_recall,
+                   scores.f1);
 }
 
 } // namespace pcl::indoor::tool

@@ -180,6 +180,19 @@ E57Points::addPlaces(const std::string& path)
   });
 }
 
+/** Write to each point, from a place in it on, what a function makes of the values. */
+template <typename ValueOf>
+void
+E57Points::writeEach(std::size_t at, const ValueOf& value_of)
+{
+  writes_.emplace_back([=](const Values& values, std::size_t count, std::uint8_t* to) {
+    for (std::size_t i = 0; i < count; ++i, to += layout_.point_step) {
+      const auto value = value_of(values, i);
+      std::memcpy(to + at, &value, sizeof(value));
+    }
+  });
+}
+
 void
 E57Points::addColors()
 {
@@ -189,18 +202,16 @@ E57Points::addColors()
   std::array<E57Scan::Limits, 3> limits;
   for (std::size_t c = 0; c < 3; ++c)
     limits[c] = limitsOf(scan_.colors[c], scan_.fields[used_[from[c]]]);
-  const auto at = append("rgb", PCLPointField::FLOAT32);
-  writes_.emplace_back([=](const Values& values, std::size_t count, std::uint8_t* to) {
-    for (std::size_t i = 0; i < count; ++i, to += layout_.point_step) {
-      std::uint32_t rgb = 0;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double share = (values[from[c]][i] - limits[c].least) /
-                             (limits[c].largest - limits[c].least);
-        rgb = rgb << 8 | nearest<std::uint8_t>(256.0 * share);
-      }
-      std::memcpy(to + at, &rgb, sizeof(rgb));
-    }
-  });
+  writeEach(append("rgb", PCLPointField::FLOAT32),
+            [=](const Values& values, std::size_t i) {
+              std::uint32_t rgb = 0;
+              for (std::size_t c = 0; c < 3; ++c) {
+                const double share = (values[from[c]][i] - limits[c].least) /
+                                     (limits[c].largest - limits[c].least);
+                rgb = rgb << 8 | nearest<std::uint8_t>(256.0 * share);
+              }
+              return rgb;
+            });
 }
 
 void
@@ -210,15 +221,11 @@ E57Points::addIntensity()
   if (from.empty())
     return;
   const auto flag = useAll({"isIntensityInvalid"});
-  const auto at = append("intensity", PCLPointField::FLOAT32);
-  writes_.emplace_back([=](const Values& values, std::size_t count, std::uint8_t* to) {
-    for (std::size_t i = 0; i < count; ++i, to += layout_.point_step) {
-      auto intensity = static_cast<float>(values[from[0]][i]);
-      if (!flag.empty() && values[flag[0]][i] != 0)
-        intensity = static_cast<float>(nowhere);
-      std::memcpy(to + at, &intensity, sizeof(intensity));
-    }
-  });
+  writeEach(append("intensity", PCLPointField::FLOAT32),
+            [=](const Values& values, std::size_t i) {
+              const bool is_invalid = !flag.empty() && values[flag[0]][i] != 0;
+              return static_cast<float>(is_invalid ? nowhere : values[from[0]][i]);
+            });
 }
 
 void
@@ -230,15 +237,12 @@ E57Points::addNormals()
   const auto at = append("normal_x", PCLPointField::FLOAT32);
   append("normal_y", PCLPointField::FLOAT32);
   append("normal_z", PCLPointField::FLOAT32);
-  writes_.emplace_back([=, turn = Eigen::Matrix3d(scan_.pose.linear())](
-                           const Values& values, std::size_t count, std::uint8_t* to) {
-    for (std::size_t i = 0; i < count; ++i, to += layout_.point_step) {
-      const Eigen::Vector3f normal =
-          (turn *
-           Eigen::Vector3d(values[from[0]][i], values[from[1]][i], values[from[2]][i]))
-              .cast<float>();
-      std::memcpy(to + at, normal.data(), 3 * sizeof(float));
-    }
+  const Eigen::Matrix3d turn = scan_.pose.linear();
+  writeEach(at, [=](const Values& values, std::size_t i) {
+    const Eigen::Vector3d normal(
+        values[from[0]][i], values[from[1]][i], values[from[2]][i]);
+    const Eigen::Vector3f turned = (turn * normal).cast<float>();
+    return std::array<float, 3>{turned.x(), turned.y(), turned.z()};
   });
 }
 
@@ -281,12 +285,8 @@ E57Points::addNumber(std::size_t field,
                      double added)
 {
   const auto from = use(field);
-  const auto at = append(name, type);
-  writes_.emplace_back([=](const Values& values, std::size_t count, std::uint8_t* to) {
-    for (std::size_t i = 0; i < count; ++i, to += layout_.point_step) {
-      const auto value = nearest<T>(values[from][i] + added);
-      std::memcpy(to + at, &value, sizeof(value));
-    }
+  writeEach(append(name, type), [=](const Values& values, std::size_t i) {
+    return nearest<T>(values[from][i] + added);
   });
 }
 

@@ -100,6 +100,10 @@ private:
   void
   addPlaces(const std::string& path);
 
+  template <typename ValueOf>
+  void
+  writeEach(std::size_t at, const ValueOf& value_of);
+
   void
   addColors();
 

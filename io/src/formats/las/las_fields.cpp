@@ -15,7 +15,6 @@
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr std::size_t record_header = 54; // of variable length records
 constexpr std::size_t extra_description = 192;
 constexpr std::size_t returns_place = 14;
 constexpr std::size_t flags_place = 15; // beside a class of 5 bits, or of long formats
@@ -176,36 +175,23 @@ addExtraFields(const std::string& bytes,
                std::vector<LasField>& fields,
                std::vector<std::string>& notes)
 {
-  std::size_t place = header.header_size;
-  for (std::size_t r = 0; r < header.records; ++r) {
-    if (place + record_header > header.body_begin)
-      return;
-    const std::string user(&bytes[place + 2], strnlen(&bytes[place + 2], 16));
-    const auto id = numberAt<std::uint16_t>(&bytes[place + 18]);
-    const std::size_t length = numberAt<std::uint16_t>(&bytes[place + 20]);
-    place += record_header;
-    if (place + length > header.body_begin)
-      return;
-    if (user == "LASF_Spec" && id == 4) { // there is one such record
-      std::size_t at = header.places().size;
-      for (std::size_t d = 0; d + extra_description <= length; d += extra_description) {
-        const char* about = &bytes[place + d];
-        const int type = static_cast<unsigned char>(about[2]);
-        const int flags = static_cast<unsigned char>(about[3]);
-        const auto size = extraSize(type, flags);
-        if (at + size > header.step) {
-          notes.push_back("it describes more extra bytes than its points have: from '" +
-                          fieldName(about + 4) + "' on they are left out");
-          return;
-        }
-        if (size == 0)
-          return;
-        addExtraField(about, at, fields);
-        at += size;
-      }
+  const auto record = lasRecord(bytes, header, "LASF_Spec", 4); // there is one
+  std::size_t at = header.places().size;
+  for (std::size_t d = 0; d + extra_description <= record.size();
+       d += extra_description) {
+    const char* about = &record[d];
+    const int type = static_cast<unsigned char>(about[2]);
+    const int flags = static_cast<unsigned char>(about[3]);
+    const auto size = extraSize(type, flags);
+    if (at + size > header.step) {
+      notes.push_back("it describes more extra bytes than its points have: from '" +
+                      fieldName(about + 4) + "' on they are left out");
       return;
     }
-    place += length;
+    if (size == 0)
+      return;
+    addExtraField(about, at, fields);
+    at += size;
   }
 }
 

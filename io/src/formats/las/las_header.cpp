@@ -82,4 +82,28 @@ parseLasHeader(const std::string& bytes)
   return header;
 }
 
+std::string_view
+lasRecord(const std::string& bytes,
+          const LasHeader& header,
+          std::string_view user,
+          std::uint16_t id)
+{
+  constexpr std::size_t record_header = 54;
+  std::size_t place = header.header_size;
+  for (std::size_t r = 0; r < header.records; ++r) {
+    if (place + record_header > bytes.size())
+      return {};
+    const std::string_view own(&bytes[place + 2], strnlen(&bytes[place + 2], 16));
+    const auto own_id = numberAt<std::uint16_t>(&bytes[place + 18]);
+    const std::size_t length = numberAt<std::uint16_t>(&bytes[place + 20]);
+    place += record_header;
+    if (place + length > bytes.size())
+      return {};
+    if (own == user && own_id == id)
+      return std::string_view(bytes).substr(place, length);
+    place += length;
+  }
+  return {};
+}
+
 } // namespace pcl::indoor::tool

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace pcl::indoor::tool {
 
@@ -55,5 +56,15 @@ struct LasHeader {
 /** \brief The header that some bytes begin with; nothing if it contradicts itself. */
 std::optional<LasHeader>
 parseLasHeader(const std::string& bytes);
+
+/** \brief The content of the first record of variable length of a user with a number.
+ * \param[in] bytes of the file before its points
+ * \return empty if there is none
+ */
+std::string_view
+lasRecord(const std::string& bytes,
+          const LasHeader& header,
+          std::string_view user,
+          std::uint16_t id);
 
 } // namespace pcl::indoor::tool

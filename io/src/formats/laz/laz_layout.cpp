@@ -7,35 +7,11 @@
 
 #include "files/tool_error.h"
 
-#include <string_view>
-
 namespace pcl::indoor::tool {
 namespace {
 
-constexpr std::size_t record_header = 54; // of variable length records
-constexpr std::size_t layout_size = 34;   // before its items, of 6 bytes each
-
-/** The content of the record that tells how points are compressed; empty: none. */
-std::string_view
-layoutRecord(const std::string& bytes, const LasHeader& header)
-{
-  constexpr std::uint16_t layout_record = 22204;
-  std::size_t place = header.header_size;
-  for (std::size_t r = 0; r < header.records; ++r) {
-    if (place + record_header > bytes.size())
-      return {};
-    const std::string user(&bytes[place + 2], strnlen(&bytes[place + 2], 16));
-    const auto id = numberAt<std::uint16_t>(&bytes[place + 18]);
-    const std::size_t length = numberAt<std::uint16_t>(&bytes[place + 20]);
-    place += record_header;
-    if (place + length > bytes.size())
-      return {};
-    if (user == "laszip encoded" && id == layout_record)
-      return std::string_view(bytes).substr(place, length);
-    place += length;
-  }
-  return {};
-}
+constexpr std::uint16_t layout_record = 22204;
+constexpr std::size_t layout_size = 34; // before its items, of 6 bytes each
 
 /** The bytes of an item in a point; 0: any number of them. */
 std::size_t
@@ -84,7 +60,7 @@ readLazLayout(const std::string& bytes,
               const LasHeader& header,
               const std::string& path)
 {
-  const auto record = layoutRecord(bytes, header);
+  const auto record = lasRecord(bytes, header, "laszip encoded", layout_record);
   if (record.size() < layout_size)
     throw ToolError(path + ": this LAZ file does not tell how it is compressed");
   LazLayout layout;

@@ -4,6 +4,7 @@
  */
 #include "formats/json_text.h"
 #include "objects/file_classification.h"
+#include "text/formatted.h"
 
 #include <pcl/ml/classification_metrics.h>
 
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 namespace pcl::indoor::tool {
@@ -24,9 +24,7 @@ using Json = nlohmann::ordered_json;
 std::string
 percent(double share)
 {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f %%", 100.0 * share);
-  return text;
+  return formatted("%.1f %%", 100.0 * share);
 }
 
 /** \brief Columns as wide as their widest text. */

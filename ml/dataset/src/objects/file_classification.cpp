@@ -76,13 +76,22 @@ described(const ClassifierObject& object, NearestDescriptor descriptor)
   return pointNNDescriptor(points);
 }
 
-Histograms
+/** \brief What files are compared by, and their real paths: an object finds itself. */
+struct DescribedFiles {
+  Histograms histograms;
+  std::vector<fs::path> paths;
+};
+
+DescribedFiles
 describe(const std::vector<ObjectFile>& files,
          const std::string& what,
          const ClassificationSettings& settings,
          StageReport& report)
 {
   Histograms histograms(files.size());
+  std::vector<fs::path> paths;
+  for (const auto& file : files)
+    paths.push_back(fs::weakly_canonical(file.path));
   report.start("Describing " + std::to_string(files.size()) + " " + what);
   forEachBatch(
       files, settings, false, report, [&](std::size_t first, const auto& objects) {
@@ -96,7 +105,7 @@ describe(const std::vector<ObjectFile>& files,
                     });
       });
   report.done();
-  return histograms;
+  return {std::move(histograms), std::move(paths)};
 }
 
 /** \brief Shares of 1 / distance^2; of distances of 0 alone if there are any. */
@@ -120,33 +129,23 @@ shares(const std::map<std::string, float>& distances)
   return sorted(classes);
 }
 
-/** \brief The known files by their real paths, so that an object finds itself. */
-std::vector<fs::path>
-realPaths(const std::vector<ObjectFile>& files)
-{
-  std::vector<fs::path> paths;
-  for (const auto& file : files)
-    paths.push_back(fs::weakly_canonical(file.path));
-  return paths;
-}
-
 /** \brief Classes of each object by its nearest known object of each class. */
 std::vector<Classes>
-classesByDistance(const Histograms& queries,
-                  const Histograms& gallery,
-                  const std::vector<fs::path>& query_paths,
-                  const std::vector<fs::path>& known_paths,
+classesByDistance(const DescribedFiles& queries,
+                  const DescribedFiles& gallery,
                   const std::vector<ObjectFile>& known,
                   unsigned int threads)
 {
-  const auto table = histogramDistances(
-      queries, gallery, HistogramDistance::SymmetricKullbackLeibler, threads);
+  const auto table = histogramDistances(queries.histograms,
+                                        gallery.histograms,
+                                        HistogramDistance::SymmetricKullbackLeibler,
+                                        threads);
   std::vector<Classes> results;
-  for (std::size_t row = 0; row < queries.size(); ++row) {
+  for (std::size_t row = 0; row < queries.paths.size(); ++row) {
     std::map<std::string, float> nearest; // of each class
     for (std::size_t column = 0; column < known.size(); ++column) {
       const float distance = std::max(table.at(row, column), 0.0f); // rounding
-      if (!std::isfinite(distance) || known_paths[column] == query_paths[row])
+      if (!std::isfinite(distance) || gallery.paths[column] == queries.paths[row])
         continue;
       const auto place = nearest.emplace(known[column].true_class, distance).first;
       place->second = std::min(place->second, distance);
@@ -158,10 +157,8 @@ classesByDistance(const Histograms& queries,
 
 /** \brief Classes of each object by its similarity to all known objects. */
 std::vector<Classes>
-classesByMemory(const Histograms& queries,
-                const Histograms& gallery,
-                const std::vector<fs::path>& query_paths,
-                const std::vector<fs::path>& known_paths,
+classesByMemory(const DescribedFiles& queries,
+                const DescribedFiles& gallery,
                 const std::vector<ObjectFile>& known)
 {
   std::map<std::string, int> labels;
@@ -169,14 +166,14 @@ classesByMemory(const Histograms& queries,
     labels.emplace(file.true_class, 0);
   const auto names = numberNames(labels);
   std::vector<Classes> results;
-  for (std::size_t row = 0; row < queries.size(); ++row) {
+  for (std::size_t row = 0; row < queries.paths.size(); ++row) {
     PointNNMemory memory;
     for (std::size_t column = 0; column < known.size(); ++column)
-      if (known_paths[column] != query_paths[row]) {
-        memory.descriptors.push_back(gallery[column]);
+      if (gallery.paths[column] != queries.paths[row]) {
+        memory.descriptors.push_back(gallery.histograms[column]);
         memory.labels.push_back(labels[known[column].true_class]);
       }
-    const auto scores = pointNNScores(queries[row], memory, names.size());
+    const auto scores = pointNNScores(queries.histograms[row], memory, names.size());
     Classes classes;
     for (std::size_t k = 0; k < scores.size(); ++k)
       classes.emplace_back(names[k], scores[k]);
@@ -260,13 +257,10 @@ classifyByNearest(const std::vector<ObjectFile>& files,
       throw ToolError(file.path + ": lies in no folder that names its class");
   const auto gallery = describe(known, "known objects", settings, report);
   const auto queries = describe(files, "objects", settings, report);
-  const auto query_paths = realPaths(files);
-  const auto known_paths = realPaths(known);
   const auto classes =
       settings.descriptor == NearestDescriptor::PointNN
-          ? classesByMemory(queries, gallery, query_paths, known_paths, known)
-          : classesByDistance(
-                queries, gallery, query_paths, known_paths, known, settings.threads);
+          ? classesByMemory(queries, gallery, known)
+          : classesByDistance(queries, gallery, known, settings.threads);
   std::vector<ClassifiedFile> results;
   for (std::size_t k = 0; k < files.size(); ++k)
     results.push_back({files[k], classes[k]});

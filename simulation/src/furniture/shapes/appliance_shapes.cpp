@@ -17,7 +17,7 @@ using P = Eigen::Vector3d;
 
 /** A white box with a door, drum or panes. */
 struct Appliance {
-  int leaves = 1;      ///< doors above each other
+  int leaves = 1;      ///< doors above each other, 1 or 2
   bool side = false;   ///< doors beside each other
   bool panel = false;  ///< controls along its upper edge
   bool drum = false;   ///< a round window
@@ -30,6 +30,43 @@ struct Appliance {
   bool bulging = false; ///< its doors are bent
 };
 
+// A round window about a height.
+void
+addDrumWindow(PartMaker& make, const Size& size, double middle)
+{
+  const double y = size.y() / 2;
+  const auto ring = arc({0, y - 0.03, middle},
+                        {0.32 * size.x(), 0, 0},
+                        {0, 0, 0.32 * size.x()},
+                        0,
+                        1.98 * M_PI,
+                        18);
+  tube(make, "rim", ring, 0.022, 6);
+  sheet(make, "glass", {14, 2, 0.01}, [&](double u, double v) -> P {
+    const double r = 0.3 * size.x() * (v + 1) / 2, a = M_PI * u * 0.995;
+    return {r * std::cos(a), y - 0.035 + 0.02 * (1 - v) / 2, middle + r * std::sin(a)};
+  });
+}
+
+// A pane with a handle above it.
+void
+addPane(PartMaker& make, const Size& size, double low, double high)
+{
+  const double x = size.x() / 2, y = size.y() / 2;
+  make.box("pane",
+           {-0.75 * x, y - 0.035, 0.75 * x, y - 0.025},
+           low + 0.15 * (high - low),
+           high - 0.25 * (high - low));
+  tube(make,
+       "handle",
+       {{-0.8 * x, y - 0.03, high - 0.06},
+        {-0.8 * x, y - 0.006, high - 0.06},
+        {0.8 * x, y - 0.006, high - 0.06},
+        {0.8 * x, y - 0.03, high - 0.06}},
+       0.008,
+       5);
+}
+
 void
 frontOf(
     PartMaker& make, const Size& size, const Appliance& style, double low, double high)
@@ -37,9 +74,7 @@ frontOf(
   const double x = size.x() / 2, y = size.y() / 2;
   const int columns = style.side ? 2 : 1;
   for (int i = 0; i < style.leaves; ++i) {
-    const double share = style.leaves == 1   ? 1
-                         : style.leaves == 2 ? 0.35
-                                             : 1.0 / style.leaves;
+    const double share = style.leaves == 1 ? 1.0 : 0.35;
     const double z0 = low + (i == 0 ? 0.0 : share) * (high - low),
                  z1 = style.leaves > 1 && i == 0 ? low + share * (high - low) : high;
     for (int k = 0; k < columns; ++k) {
@@ -69,35 +104,10 @@ frontOf(
              5);
     }
   }
-  const double middle = (low + high) / 2;
-  if (style.drum) {
-    const auto ring = arc({0, y - 0.03, middle},
-                          {0.32 * size.x(), 0, 0},
-                          {0, 0, 0.32 * size.x()},
-                          0,
-                          1.98 * M_PI,
-                          18);
-    tube(make, "rim", ring, 0.022, 6);
-    sheet(make, "glass", {14, 2, 0.01}, [&](double u, double v) -> P {
-      const double r = 0.3 * size.x() * (v + 1) / 2, a = M_PI * u * 0.995;
-      return {
-          r * std::cos(a), y - 0.035 + 0.02 * (1 - v) / 2, middle + r * std::sin(a)};
-    });
-  }
-  if (style.window) {
-    make.box("pane",
-             {-0.75 * x, y - 0.035, 0.75 * x, y - 0.025},
-             low + 0.15 * (high - low),
-             high - 0.25 * (high - low));
-    tube(make,
-         "handle",
-         {{-0.8 * x, y - 0.03, high - 0.06},
-          {-0.8 * x, y - 0.006, high - 0.06},
-          {0.8 * x, y - 0.006, high - 0.06},
-          {0.8 * x, y - 0.03, high - 0.06}},
-         0.008,
-         5);
-  }
+  if (style.drum)
+    addDrumWindow(make, size, (low + high) / 2);
+  if (style.window)
+    addPane(make, size, low, high);
 }
 
 void
@@ -165,6 +175,8 @@ applianceShapes()
   drum.drum = true;
   stove.window = stove.knobs = stove.hob = true;
   oven.window = true;
+  Appliance wide_stove = stove;
+  wide_stove.side = wide_stove.raised = true;
   old.rounded = true;
   micro.feet = false, micro.window = true;
   Appliance round_micro = micro, top_loader = drawn(1, false, true),
@@ -181,14 +193,7 @@ applianceShapes()
   return {
       appliance("cooker", stove_low, stove_high, stove),
       appliance("cooker", {0.55, 0.55, 1.8}, {0.62, 0.62, 2.2}, oven),
-      appliance("cooker",
-                {0.9, 0.6, 0.86},
-                {1.1, 0.68, 0.95},
-                [&] {
-                  auto a = stove;
-                  a.side = a.raised = true;
-                  return a;
-                }()),
+      appliance("cooker", {0.9, 0.6, 0.86}, {1.1, 0.68, 0.95}, wide_stove),
       appliance("dishwasher", dish_low, dish_high, drawn(1, false, true)),
       appliance("dishwasher", dish_low, dish_high, slim),
       appliance("fridge", cold_low, cold_high, bent),

@@ -151,9 +151,7 @@ cot(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                low = draw.uniform(0.3, 0.45) * z;
-  for (const double sx : {-x, x - 0.04})
-    for (const double sy : {-y, y - 0.04})
-      make.box("post", {sx, sy, sx + 0.04, sy + 0.04}, 0, z);
+  cornerPosts(make, "post", {-x, -y, x - 0.04, y - 0.04}, 0.04, z);
   for (const double s : {-x + 0.01, x - 0.03}) {
     row(make,
         "bar",

@@ -15,147 +15,161 @@ namespace {
 
 using P = Eigen::Vector3d;
 
-FurnitureClass
-radiator(int kind)
+// What holds a radiator on the wall, and its valve.
+void
+mounts(PartMaker& make, const Size& size)
 {
-  const Size smallest = kind == 2 ? Size(0.4, 0.08, 0.9) : Size(0.5, 0.08, 0.4),
-             largest = kind == 2 ? Size(0.6, 0.14, 1.6) : Size(1.6, 0.2, 0.9);
-  return fitted(
-      "radiator",
-      smallest,
-      largest,
-      [kind](PartMaker& make, const Size& size, RandomDraw&) {
-        const double x = size.x() / 2, y = size.y() / 2, z = size.z();
-        const int ribs = std::max(3, static_cast<int>(size.x() / 0.075));
-        for (int i = 0; kind == 0 && i < ribs; ++i) // of cast iron
-          roundBox(make,
-                   "rib",
-                   {-x + i * 2 * x / ribs, -y, -x + (i + 0.85) * 2 * x / ribs, y},
-                   0.05,
-                   z,
-                   0.03);
-        if (kind == 0)
-          make.join(ribs, "ribs");
-        if (kind == 1) { // two plates with fins between
-          roundBox(make, "plate", {-x, -y, x, -y + 0.02}, 0.06, z, 0.009);
-          roundBox(make, "plate", {-x, y - 0.02, x, y}, 0.06, z, 0.009);
-          row(make,
-              "fin",
-              {{-x + 0.02, -y + 0.02, 0.1}, {-x + 0.025, y - 0.02, z - 0.04}},
-              {(2 * x - 0.05) / 15, 0, 0},
-              16);
-          make.join(16, "fins");
-        }
-        if (kind == 2) { // a ladder to dry towels on
-          for (const double s : {-x + 0.015, x - 0.015})
-            tube(make, "post", {{s, 0, 0}, {s, 0, z}}, 0.015);
-          for (double at = 0.06; at < z - 0.05; at += 0.075)
-            tube(make,
-                 "bar",
-                 {{-x + 0.015, 0, at}, {0, y - 0.012, at}, {x - 0.015, 0, at}},
-                 0.011,
-                 5);
-        }
-        for (const double s : {-0.7, 0.7})
-          make.box("mount", {s * x - 0.01, -y, s * x + 0.01, 0}, 0.1 * z, 0.3 * z);
-        tube(make, "valve", {{x - 0.05, -0.5 * y, 0.0}, {x - 0.05, 0, 0.12}}, 0.012);
-      });
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  for (const double s : {-0.7, 0.7})
+    make.box("mount", {s * x - 0.01, -y, s * x + 0.01, 0}, 0.1 * z, 0.3 * z);
+  tube(make, "valve", {{x - 0.05, -0.5 * y, 0.0}, {x - 0.05, 0, 0.12}}, 0.012);
 }
 
-FurnitureClass
-airConditioner(int kind)
+void
+castIronRadiator(PartMaker& make, const Size& size, RandomDraw&)
 {
-  const bool wall = kind < 2;
-  return fitted(
-      "air_conditioner",
-      wall ? Size(0.7, 0.16, 0.24) : Size(0.3, 0.28, 0.7),
-      wall ? Size(1.1, 0.28, 0.4) : Size(0.5, 0.42, 1.8),
-      [kind](PartMaker& make, const Size& size, RandomDraw&) {
-        const double x = size.x() / 2, y = size.y() / 2, z = size.z();
-        if (kind == 0)
-          sheet(make, "body", {1, 8, y}, [&](double u, double v) -> P {
-            return {x * u,
-                    0.3 * y * (1 - v * v) - 0.2 * y,
-                    0.05 * z + (v + 1) / 2 * 0.9 * z};
-          });
-        else if (kind == 3)
-          lathe(make,
-                "body",
-                {0, 0},
-                {{0.8 * x, 0},
-                 {0.8 * x, 0.05 * z},
-                 {0.6 * x, 0.1 * z},
-                 {0.6 * x, 0.9 * z},
-                 {0.5 * x, z}},
-                16);
-        else
-          roundBox(make, "body", {-x, -y, x, y - 0.02}, 0, z, 0.06);
-        row(make,
-            "louvre",
-            {{-0.85 * x, 0.5 * y, 0.12 * z}, {0.85 * x, y, 0.12 * z + 0.01}},
-            {0, 0, 0.06 * z},
-            3);
-      },
-      wall ? 0 : 1);
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  const int ribs = std::max(3, static_cast<int>(size.x() / 0.075));
+  for (int i = 0; i < ribs; ++i)
+    roundBox(make,
+             "rib",
+             {-x + i * 2 * x / ribs, -y, -x + (i + 0.85) * 2 * x / ribs, y},
+             0.05,
+             z,
+             0.03);
+  make.join(ribs, "ribs");
+  mounts(make, size);
 }
 
-FurnitureClass
-trainer(int kind)
+// Two plates with fins between.
+void
+plateRadiator(PartMaker& make, const Size& size, RandomDraw&)
 {
-  return fitted(
-      "treadmill",
-      {0.6, 1.1, 1.1},
-      {0.8, 1.8, 1.5},
-      [kind](PartMaker& make, const Size& size, RandomDraw&) {
-        const double x = size.x() / 2, y = size.y() / 2, z = size.z();
-        if (kind == 0) { // a bicycle to train on
-          for (const double s : {-0.8, 0.8})
-            tube(make, "foot", {{-x, s * y, 0.03}, {x, s * y, 0.03}}, 0.03);
-          tube(make,
-               "frame",
-               {{0, -0.8 * y, 0.05}, {0, -0.1 * y, 0.35 * z}, {0, 0.8 * y, 0.05}},
-               0.03);
-          tube(make,
-               "wheel",
-               arc({0, 0.55 * y, 0.35 * z},
-                   {0, 0.25 * z, 0},
-                   {0, 0, 0.25 * z},
-                   0,
-                   1.98 * M_PI,
-                   14),
-               0.03);
-          tube(make, "post", {{0, -0.3 * y, 0.3 * z}, {0, -0.5 * y, 0.68 * z}}, 0.025);
-          pillow(make,
-                 "saddle",
-                 {{0, -0.5 * y, 0.7 * z}, {0.11, 0, 0}, {0, 0.14, 0}},
-                 0.08);
-          tube(make,
-               "handle",
-               {{-0.7 * x, 0.3 * y, 0.95 * z},
-                {-0.3 * x, 0.7 * y, 0.9 * z},
-                {0.3 * x, 0.7 * y, 0.9 * z},
-                {0.7 * x, 0.3 * y, 0.95 * z}},
-               0.016);
-          return tube(make, "post", {{0, 0.6 * y, 0.4 * z}, {0, 0.7 * y, z}}, 0.025);
-        }
-        make.box("rail", {-x, -y, x, y}, 0, 0.05); // to step: two long treads and poles
-        lathe(make, "wheel", {0, 0.7 * y}, {{0.6 * x, 0.05}, {0.6 * x, 0.4 * z}});
-        for (const double s : {-0.7, 0.7}) {
-          roundBox(make,
-                   "tread",
-                   {s * x - 0.09, -0.9 * y, s * x + 0.09, 0.3 * y},
-                   0.2 * z,
-                   0.25 * z,
-                   0.02);
-          tube(make,
-               "pole",
-               {{s * x, 0.6 * y, 0.1 * z},
-                {s * x, 0.4 * y, 0.6 * z},
-                {s * x, 0.1 * y, z}},
-               0.018);
-        }
-        make.box("panel", {-0.15, 0.55 * y, 0.15, 0.6 * y}, 0.75 * z, 0.95 * z);
-      });
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  roundBox(make, "plate", {-x, -y, x, -y + 0.02}, 0.06, z, 0.009);
+  roundBox(make, "plate", {-x, y - 0.02, x, y}, 0.06, z, 0.009);
+  row(make,
+      "fin",
+      {{-x + 0.02, -y + 0.02, 0.1}, {-x + 0.025, y - 0.02, z - 0.04}},
+      {(2 * x - 0.05) / 15, 0, 0},
+      16);
+  make.join(16, "fins");
+  mounts(make, size);
+}
+
+// A ladder to dry towels on.
+void
+towelRadiator(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  for (const double s : {-x + 0.015, x - 0.015})
+    tube(make, "post", {{s, 0, 0}, {s, 0, z}}, 0.015);
+  for (double at = 0.06; at < z - 0.05; at += 0.075)
+    tube(make,
+         "bar",
+         {{-x + 0.015, 0, at}, {0, y - 0.012, at}, {x - 0.015, 0, at}},
+         0.011,
+         5);
+  mounts(make, size);
+}
+
+void
+louvres(PartMaker& make, const Size& size)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  row(make,
+      "louvre",
+      {{-0.85 * x, 0.5 * y, 0.12 * z}, {0.85 * x, y, 0.12 * z + 0.01}},
+      {0, 0, 0.06 * z},
+      3);
+}
+
+void
+bentConditioner(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  sheet(make, "body", {1, 8, y}, [&](double u, double v) -> P {
+    return {x * u, 0.3 * y * (1 - v * v) - 0.2 * y, 0.05 * z + (v + 1) / 2 * 0.9 * z};
+  });
+  louvres(make, size);
+}
+
+void
+boxConditioner(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  roundBox(make, "body", {-x, -y, x, y - 0.02}, 0, z, 0.06);
+  louvres(make, size);
+}
+
+void
+roundConditioner(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, z = size.z();
+  lathe(make,
+        "body",
+        {0, 0},
+        {{0.8 * x, 0},
+         {0.8 * x, 0.05 * z},
+         {0.6 * x, 0.1 * z},
+         {0.6 * x, 0.9 * z},
+         {0.5 * x, z}},
+        16);
+  louvres(make, size);
+}
+
+// A bicycle to train on.
+void
+exerciseBicycle(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  for (const double s : {-0.8, 0.8})
+    tube(make, "foot", {{-x, s * y, 0.03}, {x, s * y, 0.03}}, 0.03);
+  tube(make,
+       "frame",
+       {{0, -0.8 * y, 0.05}, {0, -0.1 * y, 0.35 * z}, {0, 0.8 * y, 0.05}},
+       0.03);
+  tube(make,
+       "wheel",
+       arc({0, 0.55 * y, 0.35 * z},
+           {0, 0.25 * z, 0},
+           {0, 0, 0.25 * z},
+           0,
+           1.98 * M_PI,
+           14),
+       0.03);
+  tube(make, "post", {{0, -0.3 * y, 0.3 * z}, {0, -0.5 * y, 0.68 * z}}, 0.025);
+  pillow(make, "saddle", {{0, -0.5 * y, 0.7 * z}, {0.11, 0, 0}, {0, 0.14, 0}}, 0.08);
+  tube(make,
+       "handle",
+       {{-0.7 * x, 0.3 * y, 0.95 * z},
+        {-0.3 * x, 0.7 * y, 0.9 * z},
+        {0.3 * x, 0.7 * y, 0.9 * z},
+        {0.7 * x, 0.3 * y, 0.95 * z}},
+       0.016);
+  tube(make, "post", {{0, 0.6 * y, 0.4 * z}, {0, 0.7 * y, z}}, 0.025);
+}
+
+// To step: two long treads and poles.
+void
+stepper(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  make.box("rail", {-x, -y, x, y}, 0, 0.05);
+  lathe(make, "wheel", {0, 0.7 * y}, {{0.6 * x, 0.05}, {0.6 * x, 0.4 * z}});
+  for (const double s : {-0.7, 0.7}) {
+    roundBox(make,
+             "tread",
+             {s * x - 0.09, -0.9 * y, s * x + 0.09, 0.3 * y},
+             0.2 * z,
+             0.25 * z,
+             0.02);
+    tube(make,
+         "pole",
+         {{s * x, 0.6 * y, 0.1 * z}, {s * x, 0.4 * y, 0.6 * z}, {s * x, 0.1 * y, z}},
+         0.018);
+  }
+  make.box("panel", {-0.15, 0.55 * y, 0.15, 0.6 * y}, 0.75 * z, 0.95 * z);
 }
 
 // Wheels, a frame of tubes, a bar and a saddle.
@@ -209,67 +223,76 @@ bicycle(bool small)
       });
 }
 
-FurnitureClass
-piano(int kind)
+void
+grandPiano(PartMaker& make, const Size& size, RandomDraw& draw)
 {
-  const bool grand = kind == 3;
-  return fitted(
-      "piano",
-      grand ? Size(1.4, 1.5, 1.2) : Size(1.2, 0.3, 0.8),
-      grand ? Size(1.5, 2.1, 1.7) : Size(1.55, 0.65, 1.3),
-      [=](PartMaker& make, const Size& size, RandomDraw& draw) {
-        const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
-                     keys = kind == 0 ? 0.9 * z : std::min(0.72, 0.6 * z);
-        if (grand) {
-          const double top = 0.62 * z;
-          legs(make, Legs::Tapered, {0.8 * x, 0.8 * y}, top - 0.25, draw);
-          Polygon outline{{-x, y - 0.25},
-                          {-x, -0.6 * y},
-                          {-0.6 * x, -y},
-                          {-0.2 * x, -y},
-                          {0.2 * x, -0.6 * y},
-                          {x, 0.1 * y},
-                          {x, y - 0.25}};
-          make.slab("body", outline, top - 0.25, top);
-          make.box("keyboard", {-x, y - 0.25, x, y}, top - 0.2, top - 0.1);
-          sheet(make, "lid", {4, 4, 0.02}, [&](double u, double v) -> P {
-            const double t = (u + 1) / 2;
-            return {-x + 1.7 * x * t,
-                    -0.1 * y + 0.7 * y * v * (1 - 0.5 * t),
-                    top + 0.02 + t * (z - top - 0.03)};
-          });
-          return;
-        }
-        if (kind == 0) { // a keyboard on a stand
-          roundBox(make, "keyboard", {-x, -y, x, y}, keys, z, 0.02);
-          for (const double s : {-1.0, 1.0})
-            tube(make,
-                 "stand",
-                 {{s * 0.7 * x, -0.8 * y, 0.02}, {-s * 0.7 * x, 0.5 * y, keys}},
-                 0.02,
-                 4);
-          return;
-        }
-        make.box("body", {-x, -y, x, -0.1 * y}, 0.05, z);
-        for (const double s : {-x, x - 0.05}) {
-          sheet(make, "cheek", {3, 2, 0.05}, [&](double u, double v) -> P {
-            return {s + 0.025,
-                    -0.1 * y + (u + 1) / 2 * 1.1 * y,
-                    0.05 + (v + 1) / 2 * (keys + 0.05) * (1 - 0.2 * (u + 1) / 2)};
-          });
-          make.box("foot", {s, -y, s + 0.05, y}, 0, 0.05);
-        }
-        roundBox(make,
-                 "keyboard",
-                 {-x + 0.05, -0.1 * y, x - 0.05, y},
-                 keys - 0.1,
-                 keys,
-                 0.015);
-        if (kind == 2)
-          sheet(make, "music", {2, 2, 0.012}, [&](double u, double v) -> P {
-            return {0.4 * x * u, -0.05 * y - 0.05 * v, keys + 0.16 + 0.12 * v};
-          });
-      });
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z();
+  const double top = 0.62 * z;
+  legs(make, Legs::Tapered, {0.8 * x, 0.8 * y}, top - 0.25, draw);
+  Polygon outline{{-x, y - 0.25},
+                  {-x, -0.6 * y},
+                  {-0.6 * x, -y},
+                  {-0.2 * x, -y},
+                  {0.2 * x, -0.6 * y},
+                  {x, 0.1 * y},
+                  {x, y - 0.25}};
+  make.slab("body", outline, top - 0.25, top);
+  make.box("keyboard", {-x, y - 0.25, x, y}, top - 0.2, top - 0.1);
+  sheet(make, "lid", {4, 4, 0.02}, [&](double u, double v) -> P {
+    const double t = (u + 1) / 2;
+    return {-x + 1.7 * x * t,
+            -0.1 * y + 0.7 * y * v * (1 - 0.5 * t),
+            top + 0.02 + t * (z - top - 0.03)};
+  });
+}
+
+// On a stand.
+void
+electricPiano(PartMaker& make, const Size& size, RandomDraw&)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z(), keys = 0.9 * z;
+  roundBox(make, "keyboard", {-x, -y, x, y}, keys, z, 0.02);
+  for (const double s : {-1.0, 1.0})
+    tube(make,
+         "stand",
+         {{s * 0.7 * x, -0.8 * y, 0.02}, {-s * 0.7 * x, 0.5 * y, keys}},
+         0.02,
+         4);
+}
+
+void
+uprightPiano(PartMaker& make, const Size& size, bool has_music)
+{
+  const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
+               keys = std::min(0.72, 0.6 * z);
+  make.box("body", {-x, -y, x, -0.1 * y}, 0.05, z);
+  for (const double s : {-x, x - 0.05}) {
+    sheet(make, "cheek", {3, 2, 0.05}, [&](double u, double v) -> P {
+      return {s + 0.025,
+              -0.1 * y + (u + 1) / 2 * 1.1 * y,
+              0.05 + (v + 1) / 2 * (keys + 0.05) * (1 - 0.2 * (u + 1) / 2)};
+    });
+    make.box("foot", {s, -y, s + 0.05, y}, 0, 0.05);
+  }
+  roundBox(
+      make, "keyboard", {-x + 0.05, -0.1 * y, x - 0.05, y}, keys - 0.1, keys, 0.015);
+  if (has_music)
+    sheet(make, "music", {2, 2, 0.012}, [&](double u, double v) -> P {
+      return {0.4 * x * u, -0.05 * y - 0.05 * v, keys + 0.16 + 0.12 * v};
+    });
+}
+
+void
+plainPiano(PartMaker& make, const Size& size, RandomDraw&)
+{
+  uprightPiano(make, size, false);
+}
+
+// With a rest for music.
+void
+musicPiano(PartMaker& make, const Size& size, RandomDraw&)
+{
+  uprightPiano(make, size, true);
 }
 
 } // namespace
@@ -277,22 +300,27 @@ piano(int kind)
 std::vector<FurnitureClass>
 deviceShapes()
 {
+  const Size wide_low(0.5, 0.08, 0.4), wide_high(1.6, 0.2, 0.9);
+  const Size wall_low(0.7, 0.16, 0.24), wall_high(1.1, 0.28, 0.4),
+      stand_low(0.3, 0.28, 0.7), stand_high(0.5, 0.42, 1.8);
+  const Size train_low(0.6, 1.1, 1.1), train_high(0.8, 1.8, 1.5);
+  const Size keys_low(1.2, 0.3, 0.8), keys_high(1.55, 0.65, 1.3);
   return {
-      radiator(0),
-      radiator(1),
-      radiator(2),
-      airConditioner(0),
-      airConditioner(1),
-      airConditioner(2),
-      airConditioner(3),
-      trainer(0),
-      trainer(1),
+      fitted("radiator", wide_low, wide_high, castIronRadiator),
+      fitted("radiator", wide_low, wide_high, plateRadiator),
+      fitted("radiator", {0.4, 0.08, 0.9}, {0.6, 0.14, 1.6}, towelRadiator),
+      fitted("air_conditioner", wall_low, wall_high, bentConditioner, 0),
+      fitted("air_conditioner", wall_low, wall_high, boxConditioner, 0),
+      fitted("air_conditioner", stand_low, stand_high, boxConditioner, 1),
+      fitted("air_conditioner", stand_low, stand_high, roundConditioner, 1),
+      fitted("treadmill", train_low, train_high, exerciseBicycle),
+      fitted("treadmill", train_low, train_high, stepper),
       bicycle(false),
       bicycle(true),
-      piano(0),
-      piano(1),
-      piano(2),
-      piano(3),
+      fitted("piano", keys_low, keys_high, electricPiano),
+      fitted("piano", keys_low, keys_high, plainPiano),
+      fitted("piano", keys_low, keys_high, musicPiano),
+      fitted("piano", {1.4, 1.5, 1.2}, {1.5, 2.1, 1.7}, grandPiano),
   };
 }
 

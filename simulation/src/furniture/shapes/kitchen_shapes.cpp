@@ -96,13 +96,9 @@ buildUnit(PartMaker& make, const Size& size, RandomDraw& draw, const UnitStyle& 
 }
 
 FurnitureClass
-unit(const char* name,
-     const Size& smallest,
-     const Size& largest,
-     const UnitStyle& style,
-     int like)
+unit(const Size& smallest, const Size& largest, const UnitStyle& style, int like)
 {
-  return styled(name, smallest, largest, style, buildUnit, like);
+  return styled("kitchen_unit", smallest, largest, style, buildUnit, like);
 }
 
 // On the wall: two doors with rounded corners, an open shelf below them.
@@ -214,36 +210,15 @@ kitchenShapes()
       isle_low(1.2, 0.75, 0.85), isle_high(2.2, 1.1, 0.95);
   const Size upper_low(0.4, 0.28, 0.4), upper_high(1.6, 0.4, 0.9);
   return {
-      unit("kitchen_unit", long_low, long_high, {4, 1, false, 2, false, true}, 0),
-      unit("kitchen_unit",
-           long_low,
-           long_high,
-           {3, 3, true, 3, false, true, false, true},
-           0),
-      unit("kitchen_unit", base_low, base_high, {1, 3, true, 1}, 1),
-      unit("kitchen_unit",
-           base_low,
-           base_high,
-           {2, 1, false, 3, false, false, false, true},
-           1),
-      unit("kitchen_unit", base_low, base_high, {1, 1, false, 0, true}, 1),
-      unit("kitchen_unit",
-           row_low,
-           row_high,
-           {4, 1, false, 1, false, false, false, false, true},
-           2),
-      unit("kitchen_unit",
-           row_low,
-           row_high,
-           {3, 2, true, 3, false, false, false, false, true},
-           2),
-      unit(
-          "kitchen_unit", isle_low, isle_high, {3, 1, false, 1, false, false, true}, 3),
-      unit("kitchen_unit",
-           isle_low,
-           isle_high,
-           {2, 3, true, 2, false, true, true, true},
-           3),
+      unit(long_low, long_high, {4, 1, false, 2, false, true}, 0),
+      unit(long_low, long_high, {3, 3, true, 3, false, true, false, true}, 0),
+      unit(base_low, base_high, {1, 3, true, 1}, 1),
+      unit(base_low, base_high, {2, 1, false, 3, false, false, false, true}, 1),
+      unit(base_low, base_high, {1, 1, false, 0, true}, 1),
+      unit(row_low, row_high, {4, 1, false, 1, false, false, false, false, true}, 2),
+      unit(row_low, row_high, {3, 2, true, 3, false, false, false, false, true}, 2),
+      unit(isle_low, isle_high, {3, 1, false, 1, false, false, true}, 3),
+      unit(isle_low, isle_high, {2, 3, true, 2, false, true, true, true}, 3),
       fitted("upper_cabinet", upper_low, upper_high, roundedCabinet),
       fitted("upper_cabinet", upper_low, upper_high, openCabinet),
       fitted("range_hood", {0.6, 0.45, 0.6}, {0.9, 0.52, 1.0}, chimneyHood),

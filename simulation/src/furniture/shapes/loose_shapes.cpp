@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "furniture/shapes/solids.h"
+#include "plan/turned_rectangle.h"
 
 #include <Eigen/Geometry>
 
@@ -260,17 +261,12 @@ blocks(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
   for (int i = 0; i < 9; ++i) {
-    const double h = 0.33 * z,
-                 level = (i < 5   ? 0
-                          : i < 8 ? 1
-                                  : 2) *
-                         h,
+    const int below = i < 5 ? 0 : (i < 8 ? 1 : 2);
+    const double h = 0.33 * z, level = below * h,
                  px = draw.uniform(-0.7, 0.7) * x * (1 - level / z),
                  py = draw.uniform(-0.7, 0.7) * y * (1 - level / z),
-                 a = draw.uniform(0, 1.5), s = 0.28 * std::min(x, y);
-    const Eigen::Vector2d m(px, py), u(s * std::cos(a), s * std::sin(a)),
-        v(-u.y(), u.x());
-    make.slab("block", {m - u - v, m + u - v, m + u + v, m - u + v}, level, level + h);
+                 a = draw.uniform(0, 1.5), side = 0.56 * std::min(x, y);
+    make.slab("block", turnedRectangle({px, py}, {side, side}, a), level, level + h);
   }
   return make.join(9, "blocks");
 }

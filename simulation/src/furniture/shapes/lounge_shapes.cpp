@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::indoor {
 
@@ -24,49 +23,42 @@ struct Couch {
   bool pillows = false;
 };
 
+// From a seat upwards, before the rear of an extent.
 void
-backCushions(PartMaker& make,
-             double x0,
-             double x1,
-             double rear,
-             const Couch& style,
-             double seat,
-             double top)
+backCushions(
+    PartMaker& make, const Couch& style, const Rectangle& r, double seat, double top)
 {
-  const double wide = (x1 - x0) / style.seats;
+  const double wide = (r.x1 - r.x0) / style.seats;
   for (int i = 0; i < style.seats; ++i)
     pillow(make,
            "back cushion",
-           {{x0 + (i + 0.5) * wide, rear + 0.02, (seat + top) / 2 + 0.01},
+           {{r.x0 + (i + 0.5) * wide, r.y0 + 0.02, (seat + top) / 2 + 0.01},
             {0.49 * wide, 0, 0},
             {0, -0.07, 0.5 * (top - seat)}},
            0.2);
 }
 
+// On both sides of an extent.
 void
-armrests(PartMaker& make,
-         const Couch& style,
-         double x,
-         double y0,
-         double y1,
-         double low,
-         double high)
+armrests(
+    PartMaker& make, const Couch& style, const Rectangle& r, double low, double high)
 {
   if (style.arm == 0)
     return;
+  const double x = r.x1;
   for (const double s : {-1.0, 1.0}) {
     const double inner = s * (x - style.arm);
     roundBox(make,
              "armrest",
-             {std::min(s * x, inner), y0, std::max(s * x, inner), y1},
+             {std::min(s * x, inner), r.y0, std::max(s * x, inner), r.y1},
              low,
              high,
              style.rolled ? 0.02 : 0.05);
     if (style.rolled)
       tube(make,
            "roll",
-           {{s * (x - style.arm / 2), y0, high - 0.02},
-            {s * (x - style.arm / 2), y1 + 0.02, high - 0.02}},
+           {{s * (x - style.arm / 2), r.y0, high - 0.02},
+            {s * (x - style.arm / 2), r.y1 + 0.02, high - 0.02}},
            0.58 * style.arm,
            10);
   }
@@ -103,8 +95,8 @@ buildCouch(PartMaker& make, const Size& size, RandomDraw& draw, const Couch& sty
              seat,
              0.05);
   if (style.loose)
-    backCushions(make, x0, x1, rear + 0.26, style, seat, size.z());
-  armrests(make, style, x, rear, deep - 0.03, leg, arm);
+    backCushions(make, style, {x0, rear + 0.26, x1, deep}, seat, size.z());
+  armrests(make, style, {-x, rear, x, deep - 0.03}, leg, arm);
   if (style.corner > 0) {
     const double front = size.y() / 2, left = x - std::min(0.95, 0.45 * size.x());
     roundBox(make, "base", {left, deep - 0.03, x, front}, leg, seat - 0.12, 0.03);

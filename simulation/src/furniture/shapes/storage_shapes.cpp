@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::indoor {
 
@@ -35,10 +34,7 @@ buildCase(PartMaker& make, const Size& size, RandomDraw& draw, const CaseStyle& 
   const double high = size.z() - (style.cornice ? 0.07 : 0.0),
                split = high - style.open * (high - low);
   const int columns =
-      style.columns > 0
-          ? style.columns
-          : std::max(
-                1, static_cast<int>(std::lround(size.x() / draw.uniform(0.42, 0.58))));
+      style.columns > 0 ? style.columns : partsIn(size.x(), draw.uniform(0.42, 0.58));
   legs(make, style.legs, {x, y - 0.02}, low, draw);
   if (style.open < 1) {
     if (style.round)
@@ -50,14 +46,12 @@ buildCase(PartMaker& make, const Size& size, RandomDraw& draw, const CaseStyle& 
           {columns, style.rows, style.drawers, style.handle, low + 0.01, split - 0.01});
   }
   if (style.open > 0)
-    openCase(
-        make,
-        {Eigen::Vector3d(-x, -y, split),
-         Eigen::Vector3d(x, y - (style.open < 1 ? 0.05 : 0.0), high)},
-        std::max(1, columns / 2),
-        std::max(
-            1, static_cast<int>(std::lround((high - split) / draw.uniform(0.28, 0.4)))),
-        style.back);
+    openCase(make,
+             {Eigen::Vector3d(-x, -y, split),
+              Eigen::Vector3d(x, y - (style.open < 1 ? 0.05 : 0.0), high)},
+             std::max(1, columns / 2),
+             partsIn(high - split, draw.uniform(0.28, 0.4)),
+             style.back);
   if (style.cornice)
     make.frustum("cornice",
                  {-x + 0.02, -y, x - 0.02, y - 0.02},
@@ -81,8 +75,7 @@ void
 cubes(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2;
-  const int columns = std::max(1, static_cast<int>(std::lround(size.x() / 0.36))),
-            rows = std::max(1, static_cast<int>(std::lround(size.z() / 0.36)));
+  const int columns = partsIn(size.x(), 0.36), rows = partsIn(size.z(), 0.36);
   openCase(make,
            {Eigen::Vector3d(-x, -y, 0), Eigen::Vector3d(x, y, size.z())},
            columns,

@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::indoor {
 
@@ -76,8 +75,7 @@ railing(int kind)
                 {4.0, 0.1, 1.1},
                 [kind](PartMaker& make, const Size& size, RandomDraw&) {
                   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
-                  const int posts =
-                      std::max(2, static_cast<int>(std::lround(size.x())) + 1);
+                  const int posts = partsIn(size.x(), 1.0) + 1;
                   tube(make, "rail", {{-x, 0, z - y}, {x, 0, z - y}}, y, 10);
                   if (kind == 1) // a parapet
                     return make.box("parapet", {-x, -0.8 * y, x, 0.8 * y}, 0, z - y);
@@ -119,7 +117,7 @@ flight(const FlightStyle& style)
       {1.3, 4.8, 4.1},
       [style](PartMaker& make, const Size& size, RandomDraw&) {
         const double x = size.x() / 2, y = size.y() / 2, high = size.z() - 1.0;
-        const int steps = std::max(1, static_cast<int>(std::lround(high / 0.175)));
+        const int steps = partsIn(high, 0.175);
         const double rise = high / steps, run = size.y() / steps;
         for (int i = 0; i < steps; ++i) {
           const double top = (i + 1) * rise, low = style.open ? top - 0.05

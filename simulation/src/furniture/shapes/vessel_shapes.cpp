@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "furniture/shapes/solids.h"
+#include "plan/turned_rectangle.h"
 
 #include <Eigen/Geometry>
 
@@ -232,9 +233,7 @@ stackedBoxes(PartMaker& make, const Size& size, RandomDraw& draw)
     const double high = i == 2 ? z : low + z * draw.uniform(0.25, 0.36),
                  sx = x * draw.uniform(0.6, 0.9), sy = y * draw.uniform(0.6, 0.9),
                  a = draw.uniform(-0.15, 0.15);
-    const Eigen::Vector2d u(sx * std::cos(a), sx * std::sin(a)),
-        v(-sy * std::sin(a), sy * std::cos(a));
-    make.slab("box", {-u - v, u - v, u + v, -u + v}, low, high);
+    make.slab("box", turnedRectangle({0, 0}, {2 * sx, 2 * sy}, a), low, high);
     low = high;
   }
 }
@@ -268,10 +267,8 @@ books(int kind)
             const double sx = x * draw.uniform(0.65, 0.95),
                          sy = y * draw.uniform(0.65, 0.95),
                          a = draw.uniform(-0.25, 0.25);
-            const Eigen::Vector2d u(sx * std::cos(a), sx * std::sin(a)),
-                v(-sy * std::sin(a), sy * std::cos(a));
             make.slab("book",
-                      {-u - v, u - v, u + v, -u + v},
+                      turnedRectangle({0, 0}, {2 * sx, 2 * sy}, a),
                       z * i / count,
                       z * (i + 1) / count);
           }

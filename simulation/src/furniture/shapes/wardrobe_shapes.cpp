@@ -102,7 +102,7 @@ buildWardrobe(PartMaker& make,
   const double x = size.x() / 2, y = size.y() / 2, z = size.z(),
                low = style.legs == Legs::Plinth ? 0.06 : 0.14;
   const double split = style.drawers ? low + 0.45 : low;
-  const int columns = std::max(2, static_cast<int>(std::lround(size.x() / 0.5)));
+  const int columns = partsIn(size.x(), 0.5, 2);
   const bool slides = style.doors == Doors::Slide || style.doors == Doors::Mirror;
   legs(make, style.legs, {x, y - 0.03}, low, draw);
   if (style.doors == Doors::Open) {

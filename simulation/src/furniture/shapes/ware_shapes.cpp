@@ -3,10 +3,10 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "furniture/shapes/solids.h"
+#include "plan/turned_rectangle.h"
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 
 namespace pcl::indoor {
@@ -14,23 +14,6 @@ namespace pcl::indoor {
 namespace {
 
 using P = Eigen::Vector3d;
-
-// An upright box turned by up to half a radian; half its width and depth, heights.
-void
-turnedBox(PartMaker& make,
-          RandomDraw& draw,
-          const std::string& name,
-          const Eigen::Vector2d& middle,
-          const Eigen::Vector4d& extent)
-{
-  const double a = draw.uniform(-0.5, 0.5);
-  const Eigen::Vector2d u = extent[0] * Eigen::Vector2d(std::cos(a), std::sin(a)),
-                        v = extent[1] * Eigen::Vector2d(-std::sin(a), std::cos(a));
-  make.slab(name,
-            {middle - u - v, middle + u - v, middle + u + v, middle - u + v},
-            extent[2],
-            extent[3]);
-}
 
 void
 cookingPot(PartMaker& make, const Size& size, RandomDraw&)
@@ -165,12 +148,14 @@ void
 paper(PartMaker& make, const Size& size, RandomDraw& draw)
 {
   const double x = size.x() / 2, y = size.y() / 2, z = size.z();
-  for (int i = 0; i < 5; ++i)
-    turnedBox(make,
-              draw,
-              "sheet",
-              {draw.uniform(-0.25, 0.25) * x, draw.uniform(-0.25, 0.25) * y},
-              {0.6 * x, 0.7 * y, z * i / 5, z * (i + 1) / 5});
+  for (int i = 0; i < 5; ++i) {
+    const double px = draw.uniform(-0.25, 0.25) * x, py = draw.uniform(-0.25, 0.25) * y,
+                 angle = draw.uniform(-0.5, 0.5);
+    make.slab("sheet",
+              turnedRectangle({px, py}, {1.2 * x, 1.4 * y}, angle),
+              z * i / 5,
+              z * (i + 1) / 5);
+  }
   return make.join(5, "papers");
 }
 
