@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/folder_test.h"
 #include "small_networks.h"
+#include "support/folder_test.h"
 
 #include <cmath>
 #include <filesystem>
