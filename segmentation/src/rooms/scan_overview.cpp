@@ -76,8 +76,7 @@ gridOf(const Points& points)
   constexpr double most_voxels = 2e7; // 80 MB in spacingOf()
   OccupancyGridOptions options;
   options.threads = 1; // others would take longer to wake up
-  const Box box = blockExtent(
-      points, {options.block_size, options.max_growth, options.min_density, 1});
+  const Box box = blockExtent(points, options.threads);
   const double volume = (box.high - box.low + Eigen::Vector3d::Ones()).prod();
   options.voxel_size = std::max(options.voxel_size, std::cbrt(volume / most_voxels));
   auto grid = occupancyGrid(points, options);
