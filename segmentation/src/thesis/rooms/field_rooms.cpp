@@ -153,12 +153,8 @@ labelTheRest(const FieldRooms& rooms,
       rooms.field,
       lowest_peak,
       pixelCount(options.min_cluster_area, pixel_size, 1),
-      PixelNeighbourhood::Eight,
       options.peaks_on_slopes ? PeakPlaces::Anywhere : PeakPlaces::OffSlopes);
-  MapRandomWalkerOptions walker;
-  walker.beta = options.beta;
-  walker.threads = options.threads;
-  return mapRandomWalker(intensity, seeds, mask, walker);
+  return mapRandomWalker(intensity, seeds, mask, options.beta, options.threads);
 }
 
 } // namespace

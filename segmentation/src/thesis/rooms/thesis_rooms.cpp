@@ -45,10 +45,8 @@ votedVoxels(const StoreySpace& space, const RoomMap& map, int threads)
           map.free_labels.at(std::min(x * factor, map.free_labels.nx - 1),
                              std::min(y * factor, map.free_labels.ny - 1)) -
           1;
-  VoxelLabelOptions options;
-  options.threads = threads;
   return labelVoxels(
-      space.interior.occupancy.bytes(), space.interior.inside.bytes(), labels, options);
+      space.interior.occupancy.bytes(), space.interior.inside.bytes(), labels, threads);
 }
 
 /** Label the points of one storey by the voxels they lie in. */
