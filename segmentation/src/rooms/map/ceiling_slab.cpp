@@ -86,13 +86,13 @@ reachesUpTo(int ceiling, const VoxelBits& occupancy, int x, int y, int z)
 /** Whether the ceiling beside a pixel is more than a voxel higher: there a column is no
  * part of a ceiling but of a wall that leans, which is thick seen from below. */
 bool
-isSteep(const PixelMap<int>& ceiling, int x, int y)
+isSteep(const PixelMap<int>& ceiling, std::size_t pixel)
 {
-  const int most = ceiling.at(x, y) + 1;
-  return (x > 0 && ceiling.at(x - 1, y) > most) ||
-         (x + 1 < ceiling.nx && ceiling.at(x + 1, y) > most) ||
-         (y > 0 && ceiling.at(x, y - 1) > most) ||
-         (y + 1 < ceiling.ny && ceiling.at(x, y + 1) > most);
+  bool is_steep = false;
+  forEachNeighbour(ceiling, pixel, Neighbours::Four, [&](std::size_t other) {
+    is_steep |= ceiling.values[other] > ceiling.values[pixel] + 1;
+  });
+  return is_steep;
 }
 
 } // namespace
@@ -149,9 +149,7 @@ slabLayers(const VoxelBits& occupancy,
   const int depth = std::max(1, layers(options.depth));
   std::vector<std::size_t> occupied(greatest + depth + 1, 0);
   for (std::size_t i = 0; i < ceiling.size(); ++i) {
-    if (isSteep(ceiling,
-                static_cast<int>(i) / ceiling.ny,
-                static_cast<int>(i) % ceiling.ny))
+    if (isSteep(ceiling, i))
       continue;
     const auto column = occupancy.column(i);
     const int top = ceiling.values[i];

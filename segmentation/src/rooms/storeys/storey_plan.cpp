@@ -5,8 +5,8 @@
 #include "rooms/storeys/storey_plan.h"
 
 #include "rooms/dimensions.h"
+#include "rooms/space/map_regions.h"
 
-#include <pcl/indoor/flood_fill.h>
 #include <pcl/indoor/quantile.h>
 
 #include <Eigen/Core>
@@ -166,14 +166,6 @@ private:
   {
     const double least = least_room / (grid_.voxel_size * grid_.voxel_size);
     auto reached = PixelMap<std::uint8_t>::filled(columns_.nx, columns_.ny, 0);
-    const auto for_each_neighbor = [&](std::size_t pixel, const auto& visit) {
-      const int x = static_cast<int>(pixel) / columns_.ny;
-      const int y = static_cast<int>(pixel) % columns_.ny;
-      for (const auto& [u, v] :
-           {std::pair{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}})
-        if (columns_.contains(u, v))
-          visit(columns_.index(u, v));
-    };
     const auto enter = [&](std::size_t other, std::size_t from) {
       return (columns_.values[other] & low) != 0 &&
              std::abs(lowest_.values[other] - lowest_.values[from]) <= 1 &&
@@ -183,7 +175,7 @@ private:
       if (!enter(start, start))
         continue;
       std::vector<std::size_t> patch = {start};
-      floodFill(patch, for_each_neighbor, enter);
+      floodFill(patch, neighboursIn(columns_, Neighbours::Four), enter);
       if (static_cast<double>(patch.size()) >= least)
         for (const auto pixel : patch)
           columns_.values[pixel] |= floor;
