@@ -344,9 +344,9 @@ regionOpenings(const VoxelBits& occupancy,
                const VerticalRange& storey,
                const PixelMap<int>& ceiling,
                const PixelMap<std::int32_t>& labels,
-               const PixelMap<std::int32_t>& free_labels,
-               double min_width)
+               const PixelMap<std::int32_t>& free_labels)
 {
+  constexpr double min_width = 0.3; // metres; nobody passes a narrower gap
   const double size = occupancy.voxel_size;
   const auto ny = static_cast<std::size_t>(labels.ny);
   std::map<RegionPair, std::vector<OpenPiece>> pieces;

@@ -71,8 +71,7 @@ struct RegionOpening {
  *
  * Parameters as for regionBorders(). Pieces of border that a person can pass and that
  * are at most two pixels apart are one opening: two doors between the same two regions
- * are two.
- * \param[in] min_width narrower gaps are left out, metres
+ * are two. Gaps narrower than 0.3 m are left out.
  * \return in the order of (a, b), then of their first pixel
  */
 std::vector<RegionOpening>
@@ -80,8 +79,7 @@ regionOpenings(const VoxelBits& occupancy,
                const VerticalRange& storey,
                const PixelMap<int>& ceiling,
                const PixelMap<std::int32_t>& labels,
-               const PixelMap<std::int32_t>& free_labels,
-               double min_width = 0.3);
+               const PixelMap<std::int32_t>& free_labels);
 
 /** \brief Whether two spaces are two rooms however open the border between them is;
  * each is given by the labels of its regions. */

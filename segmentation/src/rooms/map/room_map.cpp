@@ -286,10 +286,9 @@ divideOpenPlans(const StoreySpace& space,
     walls.values.push_back(room == 0);
   const auto field = distanceTo(walls, size, threads);
   std::vector<std::int32_t> room_of;
-  BasinOptions open_plan;
-  open_plan.persistence = options.open_plan.persistence;
-  const auto pieces =
-      piecesOfRooms(rooms, basinsOfWidth(field, open_plan, size, options), room_of);
+  const auto basins =
+      basinsOfWidth(field, {options.open_plan.persistence}, size, options);
+  const auto pieces = piecesOfRooms(rooms, basins, room_of);
   const OpenPlan plan(pieces, field, size, options.open_plan);
   PixelMap<std::int32_t> grown = pieces;
   growLabels(grown, options.reach / size);
@@ -376,11 +375,11 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options, int thre
   const VoxelBits& occupancy = space.occupancy;
   const double size = occupancy.voxel_size;
   RoomMap map = mapWithoutRooms(space, options, threads);
-  BasinOptions basins;
-  basins.persistence = options.persistence;
-  basins.door = 0.5 * options.door_width;
-  basins.door_persistence = options.merging.door_share;
-  map.free_labels = basinsOfWidth(map.field, basins, size, options);
+  map.free_labels = basinsOfWidth(
+      map.field,
+      {options.persistence, 0.5 * options.door_width, options.merging.door_share},
+      size,
+      options);
   dropSmall(size, options.min_area, map.free_labels);
   joinOpenRegions(occupancy, options, map);
   divideAtInnerWalls(map.free_labels,

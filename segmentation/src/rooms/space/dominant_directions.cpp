@@ -256,8 +256,9 @@ rank(const std::vector<WeightedDirection>& histogram,
 
 /** \brief The horizontal axes of a frame; at right angles, the stronger one first. */
 std::vector<HorizontalDirection>
-horizontalPair(const ManhattanFrame& frame, double max_tilt)
+horizontalPair(const ManhattanFrame& frame)
 {
+  constexpr double max_tilt = 0.17; // radians; the axes of roofs lean more
   std::vector<HorizontalDirection> pair;
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(frame.axes(2, axis)) <= std::sin(max_tilt))
@@ -295,13 +296,11 @@ manhattanFrames(const std::vector<Eigen::Vector3d>& normals,
 }
 
 std::vector<HorizontalDirection>
-horizontalDirections(const std::vector<ManhattanFrame>& frames,
-                     double max_tilt,
-                     double max_difference)
+horizontalDirections(const std::vector<ManhattanFrame>& frames)
 {
   std::vector<std::vector<HorizontalDirection>> pairs;
   for (const auto& frame : frames) {
-    pairs.push_back(horizontalPair(frame, max_tilt));
+    pairs.push_back(horizontalPair(frame));
     if (pairs.back().empty())
       pairs.pop_back();
   }
@@ -313,7 +312,7 @@ horizontalDirections(const std::vector<ManhattanFrame>& frames,
     const bool known =
         std::any_of(directions.begin(), directions.end(), [&](const auto& other) {
           return std::abs(other.direction.dot(pair[0].direction)) >=
-                 std::cos(max_difference);
+                 std::cos(same_direction);
         });
     if (!known)
       directions.insert(directions.end(), pair.begin(), pair.end());

@@ -281,20 +281,17 @@ CodedGains
 interiorGain(const VoxelMap<std::uint8_t>& occupancy,
              VoxelMap<std::uint8_t> bits,
              int direction_count,
-             const EnclosureWeights& weights,
-             double unit)
+             const EnclosureWeights& weights)
 {
   constexpr std::uint8_t occupied = 1 << passed_bit; // no way to be enclosed
   requireSameSize(occupancy.values.size(), occupancy.shape);
   requireSameSize(bits.values.size(), occupancy.shape);
-  if (!(unit > 0.0))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The unit must be positive, not " << unit << ".");
   CodedGains gains;
   gains.gain_of.fill(GRID_CUT_EXCLUDED);
   for (std::uint8_t value = 0; value < occupied; ++value) {
     const double gain =
-        (enclosureEvidence(value, direction_count, weights) - weights.exterior) / unit;
+        (enclosureEvidence(value, direction_count, weights) - weights.exterior) /
+        gain_unit;
     if (!(std::abs(gain) < grid_cut_max_gain))
       PCL_THROW_EXCEPTION(BadArgumentException,
                           "A gain of " << gain << " units leaves the range.");

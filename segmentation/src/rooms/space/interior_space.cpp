@@ -106,7 +106,7 @@ gainIn(InteriorSpace& space,
   const int count = static_cast<int>(directions.size());
   auto bits = enclosure(occupancy, directions, threads);
   space.unseen = findUnseenSides(occupancy, bits, count);
-  return interiorGain(occupancy, std::move(bits), count, options.weights, gain_unit);
+  return interiorGain(occupancy, std::move(bits), count, options.weights);
 }
 
 } // namespace
