@@ -4,7 +4,6 @@
  */
 
 #include "floor_map.h"
-#include "rooms/space/visibility.h"
 #include "thesis/rooms/field_connectivity.h"
 #include "thesis/rooms/map_labels.h"
 #include "thesis/rooms/map_random_walker.h"

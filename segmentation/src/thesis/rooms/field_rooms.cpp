@@ -6,11 +6,11 @@
 #include "thesis/rooms/field_rooms.h"
 
 #include "rooms/map/ceiling_slab.h"
-#include "rooms/space/visibility.h"
 #include "thesis/rooms/map_clustering.h"
 #include "thesis/rooms/map_labels.h"
 #include "thesis/rooms/map_random_walker.h"
 #include "thesis/rooms/potential_field.h"
+#include "thesis/rooms/visibility_vectors.h"
 
 #include <pcl/exceptions.h>
 

@@ -4,6 +4,7 @@
  */
 
 #include "rooms/space/visibility.h"
+#include "thesis/rooms/visibility_vectors.h"
 
 #include <pcl/exceptions.h>
 
