@@ -5,8 +5,8 @@
 
 #include "rooms/storeys/storey_openings.h"
 
+#include "rooms/space/greatest_around.h"
 #include "rooms/space/map_regions.h"
-#include "rooms/storeys/rectangle_sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,21 +20,18 @@ namespace {
 using Mask = PixelMap<std::uint8_t>;
 
 /** \brief Close holes that are narrower than twice the radius. */
-PixelMap<float>
-closed(const PixelMap<float>& map, int radius)
+PixelMap<int>
+closed(PixelMap<int> map, int radius)
 {
-  PixelMap<float> grown = map;
-  RectangleSums set(map);
-  for (int x = 0; x < map.nx; ++x)
-    for (int y = 0; y < map.ny; ++y)
-      grown.at(x, y) = set.around(x, y, radius) > 0.0;
-  PixelMap<float> result = map;
-  RectangleSums grown_set(grown);
-  for (int x = 0; x < map.nx; ++x)
-    for (int y = 0; y < map.ny; ++y)
-      result.at(x, y) =
-          grown_set.around(x, y, radius) == grown_set.pixelsAround(x, y, radius);
-  return result;
+  const auto negate = [&map] {
+    for (int& value : map.values)
+      value = -value;
+  };
+  map = greatestAround(std::move(map), radius);
+  negate();
+  map = greatestAround(std::move(map), radius); // the least
+  negate();
+  return map;
 }
 
 enum State : std::uint8_t { UNKNOWN, CUT, OPEN, OPEN_BELOW_CEILING };
@@ -117,7 +114,9 @@ openColumns(const VoxelBits& occupancy,
 {
   const GridShape& shape = occupancy.shape;
   const double size = occupancy.voxel_size;
-  const auto whole = closed(slab, voxelsIn(options.bridge, size));
+  const auto whole =
+      closed({slab.nx, slab.ny, {slab.values.begin(), slab.values.end()}},
+             voxelsIn(options.bridge, size));
   constexpr double min_depth = 0.5; // of a floor below the level, metres
   const int depth = voxelsIn(min_depth, size);
   const int clearance = voxelsIn(options.min_clearance, size);
@@ -128,7 +127,7 @@ openColumns(const VoxelBits& occupancy,
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y)
       states.at(x, y) =
-          whole.at(x, y) > 0.0f
+          whole.at(x, y) != 0
               ? CUT
               : openness(occupancy.column(x, y), shape.nz, level, depth, clearance);
   constexpr double lintel_low = 0.7, lintel_high = 0.5; // below the level, metres
