@@ -5,6 +5,8 @@
 
 #include <pcl/segmentation/scan_overview.h>
 
+#include "rooms/dimensions.h"
+#include "rooms/scan_sample.h"
 #include "rooms/space/block_extent.h"
 #include "rooms/space/closed_surfaces.h"
 #include "rooms/space/interior_space.h"
@@ -194,14 +196,14 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
              const Eigen::Vector3f& up_axis,
              double metres_per_unit)
 {
-  constexpr std::size_t enough = 200000, few = 15000;
+  constexpr std::size_t enough = 200000; // points
   ScanOverview overview;
   if (points.empty())
     return overview;
   // a quarter of large scans, so that their surfaces have no holes
   const auto one_in = std::min<std::size_t>(points.size() / enough, 4);
   Points sample = sampleOf(points, one_in);
-  overview.duplicates = duplicateShare(sampleOf(sample, points.size() / few));
+  overview.duplicates = duplicateShare(sampleOf(sample, points.size() / sample_size));
   moveIntoBuildingFrame(sample, up_axis, metres_per_unit);
   takeOutFarPoints(sample);
   if (sample.empty())

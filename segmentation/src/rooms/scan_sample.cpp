@@ -149,7 +149,6 @@ SampleCells::place(const Eigen::Vector3f& point, int axis, double cell_size) con
 Points
 samplePoints(const Points& points)
 {
-  constexpr std::size_t sample_size = 15000;
   const auto one_in =
       static_cast<std::uint32_t>(std::max<std::size_t>(1, points.size() / sample_size));
   Points sample;

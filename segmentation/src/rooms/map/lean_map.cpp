@@ -5,6 +5,8 @@
 
 #include "rooms/map/wall_lean.h"
 
+#include "rooms/dimensions.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -115,7 +117,7 @@ PixelMap<Eigen::Vector2f>
 leanMap(const std::vector<WallStretch>& walls, int nx, int ny, double pixel_size)
 {
   PixelMap<Eigen::Vector2f> lean{nx, ny, {}};
-  const double sigma = 0.5 / pixel_size;
+  const double sigma = 0.5 * surroundings / pixel_size;
   if (std::all_of(
           walls.begin(), walls.end(), [](const auto& wall) { return wall.lean == 0; }))
     return lean;

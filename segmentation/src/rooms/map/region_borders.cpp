@@ -413,7 +413,6 @@ mergeNiches(const std::vector<RegionOpening>& openings,
 {
   constexpr double all_width = 0.85; // of the side of a square as large
   constexpr double least_rise = 0.1; // of the ceiling, metres
-  constexpr double largest = 4.0;    // m^2
   std::vector<std::int32_t> room_of(area.size());
   std::iota(room_of.begin(), room_of.end(), 0);
   const auto height = [&](std::int32_t region) {
@@ -427,7 +426,7 @@ mergeNiches(const std::vector<RegionOpening>& openings,
         continue;
       if (height(niche) < height(room))
         std::swap(niche, room);
-      if (area[niche] > largest || height(niche) < height(room) + least_rise ||
+      if (area[niche] > least_room || height(niche) < height(room) + least_rise ||
           opening.width < all_width * std::sqrt(area[niche]))
         continue;
       area[room] += area[niche];

@@ -249,10 +249,9 @@ wallStretches(const VoxelBits& occupancy,
               const PixelMap<std::uint8_t>& blocked,
               int threads)
 {
-  constexpr double window = 1.0; // length of a stretch, metres
   const double whole_map = 2.0 * (blocked.nx + blocked.ny); // nothing lies farther
   const double radius =
-      std::min(whole_map, std::max(2.0, 0.5 * window / occupancy.voxel_size));
+      std::min(whole_map, std::max(2.0, 0.5 * surroundings / occupancy.voxel_size));
   const double slope = std::tan(steepest_lean);
   const auto places = spreadOver(blocked, static_cast<int>(radius));
   std::vector<WallStretch> found(places.size());

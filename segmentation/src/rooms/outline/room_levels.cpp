@@ -5,6 +5,7 @@
 
 #include "rooms/outline/room_levels.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/outline/place_profile.h"
 
 #include <pcl/indoor/quantile.h>

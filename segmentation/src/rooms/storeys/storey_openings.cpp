@@ -5,6 +5,7 @@
 
 #include "rooms/storeys/storey_openings.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/space/greatest_around.h"
 #include "rooms/space/map_regions.h"
 
@@ -117,8 +118,7 @@ openColumns(const VoxelBits& occupancy,
   const auto whole =
       closed({slab.nx, slab.ny, {slab.values.begin(), slab.values.end()}},
              voxelsIn(options.bridge, size));
-  constexpr double min_depth = 0.5; // of a floor below the level, metres
-  const int depth = voxelsIn(min_depth, size);
+  const int depth = voxelsIn(thickest_wall, size); // of a floor below the level
   const int clearance = voxelsIn(options.min_clearance, size);
   Mask states;
   states.nx = shape.nx;
@@ -130,10 +130,9 @@ openColumns(const VoxelBits& occupancy,
           whole.at(x, y) != 0
               ? CUT
               : openness(occupancy.column(x, y), shape.nz, level, depth, clearance);
-  constexpr double lintel_low = 0.7, lintel_high = 0.5; // below the level, metres
   cutGalleries(occupancy,
-               level - voxelsIn(lintel_low, size),
-               level - voxelsIn(lintel_high, size),
+               level - voxelsIn(thickest_wall + lintel_height, size),
+               level - voxelsIn(thickest_wall, size),
                states);
   constexpr double largest_gap = 2.0; // in what was seen, m^2
   cutSmallOpenings(

@@ -6,7 +6,6 @@
 #include "rooms/storeys/storeys.h"
 
 #include "rooms/dimensions.h"
-#include "rooms/outline/place_profile.h" // for crowd
 #include "rooms/storeys/slab_levels.h"
 #include "rooms/storeys/storey_openings.h"
 
