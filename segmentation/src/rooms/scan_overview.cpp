@@ -54,7 +54,7 @@ sampleOf(const Points& points, std::size_t one_in)
 double
 duplicateShare(const Points& sample)
 {
-  constexpr std::size_t few = 100;
+  constexpr std::size_t few = 100; // points in one place
   const auto distinct = distinctPoints(sample);
   std::vector<std::size_t> counts(distinct.first.size(), 0);
   for (const auto place : distinct.place)

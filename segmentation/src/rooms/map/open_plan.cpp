@@ -20,7 +20,7 @@ somePixels(const std::vector<std::vector<std::uint32_t>>& pixels,
            const std::vector<std::int32_t>& space,
            int ny)
 {
-  constexpr std::size_t enough = 64;
+  constexpr std::size_t enough = 64; // pixels: the lines between tell a percent
   std::vector<std::uint32_t> all;
   for (const auto label : space)
     all.insert(all.end(), pixels[label].begin(), pixels[label].end());

@@ -28,7 +28,7 @@ constexpr double frame_support = 0.02; // share of all weight that a frame expla
 constexpr double axis_contrast = 1.5;  // the normals around an axis are so many times
                                        // denser than those in the ring around them: a
                                        // curved wall has no axis
-constexpr std::size_t most_frames = 8;
+constexpr std::size_t most_frames = 8; // the best supported ones
 
 void
 requireValid(const std::vector<Eigen::Vector3d>& normals,
@@ -90,7 +90,7 @@ fit(const Eigen::Matrix3d& axes,
     const std::vector<char>& explained,
     double tolerance)
 {
-  constexpr double worth_if_explained = 0.2;
+  constexpr double worth_if_explained = 0.2; // of what a mode is worth
   double sum = 0.0;
   int axes_with_mode = 0;
   bool explains_more = false;

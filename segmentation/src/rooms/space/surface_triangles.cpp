@@ -29,8 +29,8 @@ constexpr float near_radius = 0.4f; // metres: enough where places are dense
 constexpr float far_radius = 1.0f;  // metres: to find planes where they are sparse
 constexpr float widest_gap = 0.8f;  // metres: doorways are wider
 constexpr float noise = static_cast<float>(crowd);
-constexpr std::size_t most_neighbors = 30;
-constexpr int directions = 8;
+constexpr std::size_t most_neighbors = 30; // that planes are told by
+constexpr int directions = 8;              // around a place
 
 /** A place beside another. */
 struct Neighbor {
@@ -130,7 +130,7 @@ fittedNormal(const Places& offsets, std::size_t begin)
 Eigen::Vector3f
 takeCommonPlane(Places& offsets, float tolerance, std::size_t least)
 {
-  constexpr int trials = 40;
+  constexpr int trials = 40;   // enough where half of the places lie on the plane
   constexpr float flat = 0.3f; // sine of the angle between two offsets
   Eigen::Vector3f best = Eigen::Vector3f::Zero();
   if (offsets.size() < least)
@@ -173,8 +173,8 @@ planesThrough(std::vector<Neighbor>& neighbors)
 {
   constexpr float tolerance = 0.08f; // of the farthest neighbour's distance
   constexpr std::size_t least_counts[] = {11, 7}; // on the first plane, on a second one
-  constexpr std::size_t twelfth = 11;
-  constexpr float least_gap = 0.25f; // metres
+  constexpr std::size_t twelfth = 11;             // neighbour, see the header
+  constexpr float least_gap = 0.25f;              // metres
   Planes planes;
   const std::size_t count = std::min(neighbors.size(), most_neighbors);
   if (count < least_counts[0])
