@@ -223,7 +223,7 @@ joinOpenRegions(const VoxelBits& occupancy, const RoomMapOptions& options, RoomM
   const double size = occupancy.voxel_size;
   growIntoWalls(options.reach / size, map);
   const auto merged = mergeOpenRegions(
-      regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
+      regionBorders({occupancy, map.range, map.ceiling, map.labels, map.free_labels}),
       sectionAreas(map.free_labels, map.field, map, size),
       options.merging,
       options.door_width);
@@ -243,7 +243,7 @@ joinNiches(const VoxelBits& occupancy, RoomMap& map)
         size * size * size * (map.ceiling.values[i] - map.range.begin);
   }
   const auto openings =
-      regionOpenings(occupancy, map.range, map.ceiling, map.labels, map.free_labels);
+      regionOpenings({occupancy, map.range, map.ceiling, map.labels, map.free_labels});
   const auto merged = mergeNiches(openings, area, volume);
   if (merged != asBefore(map.room_count))
     relabel(numbersOf(map.labels, merged), map);
@@ -295,7 +295,7 @@ divideOpenPlans(const StoreySpace& space,
   MergeOptions all;
   all.open_share = all.open_height = 0.0;
   const auto space_of = mergeOpenRegions(
-      regionBorders(space.occupancy, map.range, map.ceiling, grown, pieces),
+      regionBorders({space.occupancy, map.range, map.ceiling, grown, pieces}),
       sectionAreas(pieces, field, map, size),
       all,
       0.0,
