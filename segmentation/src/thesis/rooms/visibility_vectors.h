@@ -19,15 +19,9 @@ struct VisibilityVectors {
   std::size_t count = 0;              ///< of voxels
   std::size_t landmarks = 0;          ///< bits per voxel
   std::size_t words = 0;              ///< 64-bit words per voxel
-  std::vector<std::uint64_t> bits;    ///< count * words; unused bits are 0
+  std::vector<std::uint64_t> bits;    ///< s_l(i) of Eq. (3.5) is bit l of the i-th
+                                      ///< row; unused bits are 0
   std::vector<std::uint32_t> visible; ///< of each voxel: the number of its bits set
-
-  /** \brief s_l(i) of Eq. (3.5). */
-  bool
-  sees(std::size_t i, std::size_t landmark) const
-  {
-    return (bits[i * words + landmark / 64] >> (landmark % 64)) & 1u;
-  }
 };
 
 /** \brief The visibility vectors s(p) of Eq. (3.5).
