@@ -128,8 +128,7 @@ divideAtInnerWalls(PixelMap<std::int32_t>& rooms,
     std::size_t& size = largest[cut.values[piece.front()]];
     size = std::max(size, piece.size());
   });
-  Rooms labels{rooms.nx, rooms.ny, {}};
-  labels.values.assign(rooms.size(), 0);
+  auto labels = Rooms::filled(rooms.nx, rooms.ny, 0);
   std::vector<std::uint8_t> is_taken(count + 1, 0);
   forEachRegion(cut, Neighbours::Four, [&](const auto& piece) {
     const std::int32_t room = cut.values[piece.front()];

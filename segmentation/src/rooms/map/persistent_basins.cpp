@@ -126,8 +126,7 @@ persistentBasins(const PixelMap<float>& field, const BasinOptions& options)
   for (const std::int32_t pixel : descending(field.values))
     basins.add(pixel);
 
-  PixelMap<std::int32_t> labels{field.nx, field.ny, {}};
-  labels.values.assign(field.size(), 0);
+  auto labels = PixelMap<std::int32_t>::filled(field.nx, field.ny, 0);
   std::vector<std::int32_t> number(basins.count(), 0);
   std::int32_t count = 0;
   for (std::size_t i = 0; i < field.size(); ++i) {

@@ -93,11 +93,7 @@ void
 walkBorders(const BorderMap& map, BorderTop top, const Piece& piece)
 {
   const PixelMap<std::int32_t>& labels = map.labels;
-  PixelMap<std::uint8_t> sites{labels.nx, labels.ny, {}};
-  sites.values.resize(sites.size());
-  for (std::size_t i = 0; i < sites.size(); ++i)
-    sites.values[i] = map.free_labels.values[i] != 0;
-  const NearestSites nearest = nearestSites(sites);
+  const NearestSites nearest = nearestLabelled(map.free_labels);
   BorderSection section(map, top);
   const auto look = [&](std::size_t p, std::size_t q) {
     const std::int32_t a = labels.values[p], b = labels.values[q];

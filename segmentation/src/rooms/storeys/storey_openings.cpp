@@ -120,10 +120,7 @@ openColumns(const VoxelBits& occupancy,
              voxelsIn(options.bridge, size));
   const int depth = voxelsIn(thickest_wall, size); // of a floor below the level
   const int clearance = voxelsIn(options.min_clearance, size);
-  Mask states;
-  states.nx = shape.nx;
-  states.ny = shape.ny;
-  states.values.assign(states.size(), UNKNOWN);
+  auto states = Mask::filled(shape.nx, shape.ny, UNKNOWN);
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y)
       states.at(x, y) =

@@ -55,11 +55,11 @@ public:
   , storeys_(storeys)
   , storey_(s)
   , gap_(voxelsIn(least_height, grid.voxel_size, 1))
-  , columns_{grid.shape.nx, grid.shape.ny, {}}
+  , columns_(PixelMap<std::uint8_t>::filled(grid.shape.nx, grid.shape.ny, nothing))
+  , lowest_(PixelMap<int>::filled(grid.shape.nx, grid.shape.ny, 0))
+  , sides_(PixelMap<std::uint8_t>::filled(grid.shape.nx, grid.shape.ny, 0))
   {
     findHeights();
-    columns_.values.assign(columns_.size(), nothing);
-    lowest_ = {columns_.nx, columns_.ny, std::vector<int>(columns_.size(), 0)};
     for (int x = 0; x < columns_.nx; ++x)
       for (int y = 0; y < columns_.ny; ++y)
         columns_.at(x, y) = columnAt(x, y);
@@ -186,8 +186,6 @@ private:
   void
   findSides()
   {
-    sides_ = {columns_.nx, columns_.ny, {}};
-    sides_.values.assign(sides_.size(), 0);
     const int last_x = columns_.nx - 1, last_y = columns_.ny - 1;
     for (int x = 0; x <= last_x; ++x) {
       addSides({x, 0}, {0, 1});
