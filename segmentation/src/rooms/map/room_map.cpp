@@ -272,6 +272,34 @@ piecesOfRooms(const PixelMap<std::int32_t>& rooms,
   return pieces;
 }
 
+/** The new labels of the spaces of an open plan. The largest space of a room keeps its
+ * label, and what is no space joins it.
+ * \param[in] room_of,space_of of each piece
+ * \param[in,out] last of the labels
+ * \return per space, which has the number of one of its pieces; 0 = as before */
+std::vector<std::int32_t>
+newLabels(const OpenPlan& plan,
+          const std::vector<std::int32_t>& room_of,
+          const std::vector<std::int32_t>& space_of,
+          std::int32_t& last)
+{
+  std::vector<std::vector<std::int32_t>> members(room_of.size());
+  for (std::size_t piece = 1; piece < room_of.size(); ++piece)
+    members[space_of[piece]].push_back(static_cast<std::int32_t>(piece));
+  std::vector<std::int32_t> largest(last + 1, 0); // of each room
+  for (std::size_t each = 1; each < members.size(); ++each) {
+    std::int32_t& first = largest[room_of[each]];
+    if (plan.area(members[each]) > plan.area(members[first]))
+      first = static_cast<std::int32_t>(each);
+  }
+  std::vector<std::int32_t> label_of(members.size(), 0);
+  for (std::size_t each = 1; each < members.size(); ++each)
+    if (largest[room_of[each]] != static_cast<std::int32_t>(each) &&
+        plan.isHabitable(members[each]))
+      label_of[each] = ++last;
+  return label_of;
+}
+
 /** Divide rooms that are two spaces of an open plan. */
 void
 divideOpenPlans(const StoreySpace& space,
@@ -302,23 +330,8 @@ divideOpenPlans(const StoreySpace& space,
       [&](const auto& a, const auto& b) {
         return room_of[a.front()] != room_of[b.front()] || plan.separates(a, b);
       });
-
-  // The largest space of a room keeps its number, and what is no space joins it.
-  std::vector<std::vector<std::int32_t>> members(room_of.size());
-  for (std::size_t piece = 1; piece < room_of.size(); ++piece)
-    members[space_of[piece]].push_back(static_cast<std::int32_t>(piece));
-  std::vector<std::int32_t> largest(map.room_count + 1, 0);
-  for (std::size_t each = 1; each < members.size(); ++each) {
-    std::int32_t& first = largest[room_of[each]];
-    if (plan.area(members[each]) > plan.area(members[first]))
-      first = static_cast<std::int32_t>(each);
-  }
   std::int32_t count = map.room_count;
-  std::vector<std::int32_t> label_of(members.size(), 0); // per space; 0 = as before
-  for (std::size_t each = 1; each < members.size(); ++each)
-    if (largest[room_of[each]] != static_cast<std::int32_t>(each) &&
-        plan.isHabitable(members[each]))
-      label_of[each] = ++count;
+  const auto label_of = newLabels(plan, room_of, space_of, count);
   if (count == map.room_count)
     return;
   for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -34,6 +34,38 @@ struct WallLine {
   }
 };
 
+/** The means of two halves of some values. */
+struct TwoMeans {
+  double middle = 0.0; ///< between them
+  double apart = 0.0;  ///< 0 if all values are in one half
+};
+
+/** \param[in] offsets from their mean */
+TwoMeans
+twoMeans(const std::vector<double>& offsets)
+{
+  TwoMeans means;
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    double below = 0.0, above = 0.0; // sums
+    std::size_t count = 0;           // above
+    for (const double t : offsets) { // without branches
+      const bool is_above = t > means.middle;
+      below += is_above ? 0.0 : t;
+      above += is_above ? t : 0.0;
+      count += is_above;
+    }
+    if (count == 0 || count == offsets.size())
+      break;
+    below /= static_cast<double>(offsets.size() - count);
+    above /= static_cast<double>(count);
+    means.apart = above - below;
+    if (means.middle == 0.5 * (below + above))
+      break;
+    means.middle = 0.5 * (below + above);
+  }
+  return means;
+}
+
 std::optional<WallLine>
 fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& options)
 {
@@ -58,26 +90,7 @@ fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& optio
   offsets.reserve(points.size());
   for (const auto& point : points)
     offsets.push_back(normal.dot(point - mean));
-  double middle = 0.0;
-  double apart = 0.0;
-  for (int iteration = 0; iteration < 4; ++iteration) {
-    double below = 0.0, above = 0.0; // sums
-    std::size_t count = 0;           // above
-    for (const double t : offsets) { // without branches
-      const bool is_above = t > middle;
-      below += is_above ? 0.0 : t;
-      above += is_above ? t : 0.0;
-      count += is_above;
-    }
-    if (count == 0 || count == offsets.size())
-      break;
-    below /= static_cast<double>(offsets.size() - count);
-    above /= static_cast<double>(count);
-    apart = above - below;
-    if (middle == 0.5 * (below + above))
-      break;
-    middle = 0.5 * (below + above);
-  }
+  const auto [middle, apart] = twoMeans(offsets);
   // Splitting the noise of one face puts the two means 2.7 (Gaussian) to 3.5 (uniform)
   // standard deviations within each half apart; those of two faces lie farther apart.
   const double within =
