@@ -151,15 +151,14 @@ leanMap(const std::vector<WallStretch>& walls, int nx, int ny, double pixel_size
 }
 
 PixelMap<float>
-slabHeights(const VerticalRange& storey,
-            const PixelMap<int>& ceiling,
-            const SlabLayers& slab)
+slabHeights(const RoomMap& map)
 {
-  PixelMap<float> heights{ceiling.nx, ceiling.ny, {}};
-  heights.values.reserve(ceiling.size());
-  for (const int layer : ceiling.values)
-    heights.values.push_back(static_cast<float>((layer < 0 ? storey.end - 1 : layer) +
-                                                0.5 - 0.5 * (slab.first + slab.last)));
+  PixelMap<float> heights{map.ceiling.nx, map.ceiling.ny, {}};
+  heights.values.reserve(heights.size());
+  for (const int layer : map.ceiling.values)
+    heights.values.push_back(
+        static_cast<float>((layer < 0 ? map.range.end - 1 : layer) + 0.5 -
+                           0.5 * (map.slab.first + map.slab.last)));
   return heights;
 }
 

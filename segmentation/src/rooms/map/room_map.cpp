@@ -358,14 +358,11 @@ mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options, int thr
   removeSpecks(map.blocked, voxelsIn(options.slab.min_wall, size));
   auto inside = insideColumns(space, map.ceiling);
   map.lean = leanMap(
-      wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked, threads),
-      map.blocked.nx,
-      map.blocked.ny,
-      size);
-  if (!map.lean.values.empty()) { // above a wall that leans, the slab may be outside
-    const auto held = straightenedColumns(
-        occupancy, map.lean, slabHeights(map.range, map.ceiling, map.slab));
-    const auto covered = closed(held, 0.5, size, threads);
+      wallStretches(occupancy, map, threads), map.blocked.nx, map.blocked.ny, size);
+  if (!map.lean.values.empty()) {    // above a wall that leans, the slab may be outside
+    constexpr double half_gap = 0.5; // metres, in the floors and ceilings that are seen
+    const auto held = straightenedColumns(occupancy, map.lean, slabHeights(map));
+    const auto covered = closed(held, half_gap, size, threads);
     for (std::size_t i = 0; i < inside.size(); ++i)
       inside.values[i] &= covered.values[i];
   }

@@ -251,13 +251,10 @@ spreadOver(const PixelMap<std::uint8_t>& blocked, int tile)
 } // namespace
 
 std::vector<WallStretch>
-wallStretches(const VoxelBits& occupancy,
-              const VerticalRange& storey,
-              const PixelMap<int>& ceiling,
-              const SlabLayers& slab,
-              const PixelMap<std::uint8_t>& blocked,
-              int threads)
+wallStretches(const VoxelBits& occupancy, const RoomMap& map, int threads)
 {
+  const PixelMap<std::uint8_t>& blocked = map.blocked;
+  const SlabLayers& slab = map.slab;
   const double whole_map = 2.0 * (blocked.nx + blocked.ny); // nothing lies farther
   const double radius =
       std::min(whole_map, std::max(2.0, 0.5 * surroundings / occupancy.voxel_size));
@@ -278,10 +275,11 @@ wallStretches(const VoxelBits& occupancy,
         auto wall = wallAround(blocked, places[i], radius);
         if (!wall)
           return;
-        const int top = ceiling.at(static_cast<int>(places[i].x() + 0.5),
-                                   static_cast<int>(places[i].y() + 0.5));
-        const WallLayers layers = {
-            storey.begin + 2, top - slab.first, top - 0.5 * (slab.first + slab.last)};
+        const int top = map.ceiling.at(static_cast<int>(places[i].x() + 0.5),
+                                       static_cast<int>(places[i].y() + 0.5));
+        const WallLayers layers = {map.range.begin + 2,
+                                   top - slab.first,
+                                   top - 0.5 * (slab.first + slab.last)};
         sectionAt(occupancy, layers, radius, *wall, state.section);
         auto line = state.search.best(
             state.section, 2.0 * radius * std::max(0.0, layers.slab - layers.floor));

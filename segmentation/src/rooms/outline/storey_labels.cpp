@@ -54,7 +54,7 @@ StoreyLabels::StoreyLabels(const std::vector<Eigen::Vector3f>& points,
 , radius_(0.5 * options.walls.window / occupancy.grid.voxel_size + 2.0)
 {
   if (!map.lean.values.empty())
-    slab_ = slabHeights(map.range, map.ceiling, map.slab);
+    slab_ = slabHeights(map);
 }
 
 void
