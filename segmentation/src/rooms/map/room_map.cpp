@@ -370,15 +370,6 @@ mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options, int thr
   return map;
 }
 
-void
-numberRegions(double pixel_size, double reach, RoomMap& map)
-{
-  growIntoWalls(reach / pixel_size, map);
-  const auto last =
-      *std::max_element(map.labels.values.begin(), map.labels.values.end());
-  relabel(numbersOf(map.labels, asBefore(last)), map);
-}
-
 RoomMap
 segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options, int threads)
 {

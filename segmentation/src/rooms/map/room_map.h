@@ -48,13 +48,6 @@ mapWithoutRooms(const StoreySpace& space,
                 const RoomMapOptions& options,
                 int threads = 0);
 
-/** \brief Carry the labels of free pixels into the walls, and number the regions
- * 1 ... n by their first pixels.
- * \param[in] pixel_size,reach metres
- */
-void
-numberRegions(double pixel_size, double reach, RoomMap& map);
-
 /** \brief Divide a storey into rooms on its map.
  * \param[in] threads 0 = automatic; the result does not depend on it */
 RoomMap

@@ -5,7 +5,9 @@
 #include <pcl/segmentation/thesis.h>
 
 #include "internal/option_check.h"
+#include "rooms/map/region_evidence.h" // for relabel
 #include "rooms/room_way.h"
+#include "rooms/space/nearest_sites.h"
 #include "thesis/rooms/field_rooms.h"
 #include "thesis/rooms/map_labels.h"
 
@@ -73,6 +75,24 @@ labelByVote(int threads,
   }
 }
 
+/** Carry the labels of free pixels into the walls, and number the regions 1 ... n by
+ * their first pixels.
+ * \param[in] reach pixels */
+void
+numberRegions(double reach, RoomMap& map)
+{
+  map.labels = map.free_labels;
+  growLabels(map.labels, reach);
+  const auto& labels = map.labels.values;
+  std::vector<std::int32_t> number(*std::max_element(labels.begin(), labels.end()) + 1,
+                                   0);
+  std::int32_t count = 0;
+  for (const std::int32_t label : labels)
+    if (label != 0 && number[label] == 0)
+      number[label] = ++count;
+  relabel(number, map);
+}
+
 /** The rooms of a storey, on the map of its walls. */
 RoomMap
 fieldRoomMap(const StoreySpace& space, const RoomOptions& options)
@@ -84,7 +104,7 @@ fieldRoomMap(const StoreySpace& space, const RoomOptions& options)
   map.potential = rooms.field;
   map.potential_factor = space.interior.factor;
   map.free_labels = fieldRoomsOnMap(rooms, space.interior.factor, map.field);
-  numberRegions(space.occupancy.voxel_size, shared.map.reach, map);
+  numberRegions(shared.map.reach / space.occupancy.voxel_size, map);
   return map;
 }
 
