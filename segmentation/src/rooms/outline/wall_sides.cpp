@@ -199,16 +199,16 @@ wallPointsAround(const PixelPoints& points,
 }
 
 /** The rooms on the two sides of a wall. */
-struct RoomsBeside {
+struct SideRooms {
   std::int32_t above, below; ///< where side() is positive, and where it is not
 };
 
 /** \return nothing if the same room, or none, is on both sides near a pixel */
-std::optional<RoomsBeside>
-roomsBeside(const PixelMap<std::int32_t>& free_labels,
-            const WallLine& line,
-            const Eigen::Vector2i& pixel,
-            double reach)
+std::optional<SideRooms>
+roomsOnSides(const PixelMap<std::int32_t>& free_labels,
+             const WallLine& line,
+             const Eigen::Vector2i& pixel,
+             double reach)
 {
   const Eigen::Vector2d center(pixel.x() + 0.5, pixel.y() + 0.5);
   const Eigen::Vector2d foot = center - line.side(center) * line.normal;
@@ -220,10 +220,10 @@ roomsBeside(const PixelMap<std::int32_t>& free_labels,
   const bool nearer_only =
       !line.has_two_faces && std::abs(above.distance - below.distance) > 1.5;
   if (below.label == 0 || (nearer_only && above.distance < below.distance))
-    return RoomsBeside{above.label, above.label};
+    return SideRooms{above.label, above.label};
   if (above.label == 0 || nearer_only)
-    return RoomsBeside{below.label, below.label};
-  return RoomsBeside{above.label, below.label};
+    return SideRooms{below.label, below.label};
+  return SideRooms{above.label, below.label};
 }
 
 } // namespace
@@ -256,7 +256,7 @@ assignWallSides(const PixelPoints& points,
         continue;
       const auto line = fitWall(window, in_pixels);
       const auto rooms =
-          line ? roomsBeside(free_labels, *line, {x, y}, reach) : std::nullopt;
+          line ? roomsOnSides(free_labels, *line, {x, y}, reach) : std::nullopt;
       if (line && !rooms)
         continue;
       for (std::uint32_t k = begin; k < end; ++k) {
