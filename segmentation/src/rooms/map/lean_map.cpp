@@ -13,9 +13,6 @@
 namespace pcl::indoor {
 namespace {
 
-/** A lean less than this moves a wall by less than a voxel over its height. */
-constexpr double least_lean = 0.04;
-
 /** The least squares of what stretches say about the shift of their surroundings. */
 struct ShiftEquations {
   // The shift is 0 with a deviation of 1 (45 degrees) to begin with, and voxels scatter

@@ -153,8 +153,8 @@ public:
   }
 
 private:
-  static constexpr double slope_step = 0.02; // half a voxel over the height of a storey
-  static constexpr double bin = 0.5;         // voxels
+  static constexpr double slope_step = 0.5 * least_lean;
+  static constexpr double bin = 0.5;           // voxels
   static constexpr double upright_share = 0.9; // within this it cannot be told apart
   static constexpr double full_share = 0.7;    // fewer are lintels, posts and furniture
 

@@ -17,6 +17,10 @@
 
 namespace pcl::indoor {
 
+/** \brief A lean less than this moves a wall by less than a voxel over the height of a
+ * storey. */
+constexpr double least_lean = 0.04;
+
 /** \brief A stretch of wall, seen from above. */
 struct WallStretch {
   Eigen::Vector2d place;  ///< its middle in the slab, pixels
